@@ -1,1 +1,31 @@
-//! behaviour
+//! What people make: behaviours as records, changes to them, the rules, and the room that decides.
+//!
+//! No clock, no random id, no input or output and no procedure language live here: time and ids are handed in,
+//! so the same code decides in the server, in the page and in a test.
+#![warn(missing_docs)]
+
+mod change;
+mod file;
+mod graph;
+mod ids;
+mod names;
+mod problems;
+mod record;
+mod room;
+mod rules;
+mod value;
+mod words;
+
+pub use change::{Change, Edit};
+pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
+pub use graph::Graph;
+pub use ids::{Id, Kind, RecordId};
+pub use names::{argument_names, is_identifier, rename_identifier, shown_spellings};
+pub use problems::{Problem, ProblemKind, problems};
+pub use record::{
+    Behaviour, Connector, Engine, Helper, Note, Operation, Params, Place, Procedure, Record, Settings, Stream,
+    StreamKind,
+};
+pub use room::{Accepted, Committed, Decision, Room};
+pub use rules::{BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX};
+pub use value::Value;

@@ -1,1 +1,122 @@
-//! robot
+//! What a robot promises: the [`Robot`] trait, the catalogue of senses and actions, the shapes of their values, and
+//! the picture of the robot in its room. No robot in particular, and no connection to one, lives here.
+#![warn(missing_docs)]
+
+mod catalogue;
+mod devices;
+mod helpers;
+mod params;
+mod scene;
+
+pub use catalogue::{Device, Example, Field, Resource, Shape, actuators, device, sensors};
+pub use helpers::shipped_helpers;
+pub use params::{Param, ParamKind, with_defaults};
+pub use scene::{Ball, Body, JOINTS, Person, Scene, SceneEdit};
+
+use behaviour::{Id, Params, Value};
+use serde::{Deserialize, Serialize};
+
+/// Logical or robot time in whole milliseconds since Start, or since the robot was switched on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Millis(pub u64);
+
+/// One stream's use of a device of the robot. Keys are unique per robot: two running behaviours never share one.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub struct Use {
+    /// The running behaviour.
+    pub run: u64,
+    /// Its stream.
+    pub stream: Id,
+}
+
+/// What a sense read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// For which stream.
+    pub to: Use,
+    /// When it was sensed, in robot time.
+    pub at: Millis,
+    /// What was sensed, in the device's shape.
+    pub value: Value,
+}
+
+/// How the link to the robot is.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", tag = "state", content = "reason")]
+pub enum Health {
+    /// Not yet there.
+    #[default]
+    Connecting,
+    /// Everything works.
+    Ready,
+    /// It works with limits; with the reason.
+    Degraded(String),
+    /// The link is gone; with the reason.
+    Lost(String),
+    /// Stopped and holding safely.
+    Safe,
+}
+
+/// A robot, real or simulated: owned by one thread, never blocking.
+pub trait Robot {
+    /// The kind of robot: `nao`.
+    fn kind(&self) -> &'static str;
+
+    /// Names of the devices it has.
+    fn devices(&self) -> Vec<&'static str>;
+
+    /// Starts or prepares a device for a stream.
+    ///
+    /// # Errors
+    /// A sentence, if the robot does not have the device or cannot use it with these parameters.
+    fn open(&mut self, user: &Use, device: &str, params: &Params) -> Result<(), String>;
+
+    /// Ends the use; unknown uses are ignored.
+    fn close(&mut self, user: &Use);
+
+    /// Tells the actuator of a stream a value at robot time `now`. Values that make no sense for the device are
+    /// dropped with a sentence.
+    ///
+    /// # Errors
+    /// A sentence, if the value was dropped.
+    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), String>;
+
+    /// Brings the robot to `now` (a simulation computes up to there) and appends what its senses read, in order.
+    fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>);
+
+    /// Holds safely at once: stop moving, tracking and speaking, keep the joints where they are. Wins over everything
+    /// told before; commands that come later work again.
+    fn stop(&mut self, now: Millis);
+
+    /// How the link is.
+    fn health(&self) -> Health;
+
+    /// The robot in its room, for pictures.
+    fn scene(&self) -> Scene;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{actuators, sensors, shipped_helpers};
+
+    #[test]
+    fn names_of_devices_are_unique_and_every_one_says_what_it_does() {
+        let mut names: Vec<_> = sensors().chain(actuators()).map(|device| device.name).collect();
+        names.sort_unstable();
+        let count = names.len();
+        names.dedup();
+        assert_eq!(names.len(), count);
+        for device in sensors().chain(actuators()) {
+            assert!(device.says.ends_with('.'), "{}", device.name);
+            assert!(!device.label.is_empty());
+        }
+    }
+
+    #[test]
+    fn shipped_helpers_have_valid_names_and_a_sentence() {
+        for helper in shipped_helpers() {
+            assert!(behaviour::is_identifier(&helper.name) && helper.says.ends_with('.'), "{}", helper.name);
+        }
+    }
+}

@@ -1,1 +1,54 @@
-fn main() {}
+//! `cargo xtask`: builds the page, serves the whole house, and runs every test, without any tool to install by hand.
+#![expect(
+    clippy::print_stdout,
+    reason = "a command line tool speaks on standard output"
+)]
+
+mod dist;
+mod page;
+mod serve;
+mod test;
+mod tools;
+
+use std::process::ExitCode;
+
+use tools::{Outcome, Workspace};
+
+const HELP: &str = "\
+cargo xtask COMMAND
+
+  page [--dev]              build the page into target/page (--dev: quicker to build, not compressed)
+  serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground
+  test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
+  help                      show these lines";
+
+fn main() -> ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    match obey(&words) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(sentence) => {
+            eprintln!("xtask: {sentence}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// Runs the command in `words`; a command that is not known is refused with the help.
+fn obey(words: &[String]) -> Outcome<()> {
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words.as_slice() {
+        ["page"] => page::build(&Workspace::here()?, page::Mode::Small),
+        ["page", "--dev"] => page::build(&Workspace::here()?, page::Mode::Quick),
+        ["serve", rest @ ..] => serve::run(&Workspace::here()?, rest),
+        ["test"] => test::all(&Workspace::here()?),
+        ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),
+        [] | ["help" | "--help" | "-h"] | [_, "--help" | "-h"] => {
+            println!("{HELP}");
+            Ok(())
+        }
+        other => Err(format!(
+            "`{}` is not a command of ours.\n\n{HELP}",
+            other.join(" ")
+        )),
+    }
+}

@@ -1,0 +1,121 @@
+//! A change: one gesture of one person. It adds, edits, removes, undoes, is broadcast, saved and shown as history.
+
+use crate::{Behaviour, Id, Record, RecordId};
+use serde::{Deserialize, Serialize};
+
+/// One record before and after; absent means it was, or is, not there.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Edit {
+    /// Which record.
+    pub id: RecordId,
+    /// What it was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub before: Option<Record>,
+    /// What it is now.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub after: Option<Record>,
+}
+
+/// One gesture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Change {
+    /// Names this change for ever: sent twice, it is applied once.
+    pub op: Id,
+    /// Who made it.
+    pub author: String,
+    /// What it does, in a few words: "Rename Red Ball".
+    pub label: String,
+    /// When it was made, in milliseconds since 1970, as the server's clock had it on arrival.
+    pub at_ms: u64,
+    /// What it touches; each record at most once.
+    pub edits: Vec<Edit>,
+}
+
+impl Change {
+    /// A change without edits yet.
+    #[must_use]
+    pub fn of(op: Id, author: &str, label: &str) -> Self {
+        Self { op, author: author.to_owned(), label: label.to_owned(), at_ms: 0, edits: Vec::new() }
+    }
+
+    /// Also puts `after` where `behaviour` has what it has now. Touching a record again replaces what this change
+    /// says of it and keeps what it was at first.
+    #[must_use]
+    pub fn put(self, behaviour: &Behaviour, id: RecordId, after: Record) -> Self {
+        self.with(behaviour, id, Some(after))
+    }
+
+    /// Also takes a record away.
+    #[must_use]
+    pub fn take(self, behaviour: &Behaviour, id: RecordId) -> Self {
+        self.with(behaviour, id, None)
+    }
+
+    fn with(mut self, behaviour: &Behaviour, id: RecordId, after: Option<Record>) -> Self {
+        if let Some(edit) = self.edits.iter_mut().find(|edit| edit.id == id) {
+            edit.after = after;
+            return self;
+        }
+        let before = behaviour.records.get(&id).cloned();
+        if before != after {
+            self.edits.push(Edit { id, before, after });
+        }
+        self
+    }
+
+    /// The change that undoes this one, under a new name.
+    #[must_use]
+    pub fn swapped(&self, op: Id, label: &str) -> Self {
+        let edits = self.edits.iter().rev();
+        let edits =
+            edits.map(|edit| Edit { id: edit.id.clone(), before: edit.after.clone(), after: edit.before.clone() });
+        Self { op, label: label.to_owned(), author: self.author.clone(), at_ms: 0, edits: edits.collect() }
+    }
+}
+
+impl Behaviour {
+    /// Applies a change without asking any rule. Use [`crate::Room`] where people's edits arrive.
+    pub fn apply(&mut self, change: &Change) {
+        for edit in &change.edits {
+            match &edit.after {
+                Some(record) => self.records.insert(edit.id.clone(), record.clone()),
+                None => self.records.remove(&edit.id),
+            };
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Change;
+    use crate::{Behaviour, Id, Kind, Note, Record, RecordId};
+
+    fn note(text: &str) -> Record {
+        Record::Note(Note { text: text.into() })
+    }
+
+    #[test]
+    fn whatever_is_done_can_be_undone_the_same_way() {
+        let id = |name: &str| RecordId::new(Kind::Note, &Id::new(name).unwrap());
+        let mut behaviour = Behaviour::default();
+        behaviour.records.insert(id("a"), note("one"));
+        let start = behaviour.clone();
+        let change = Change::of(Id::new("op1").unwrap(), "Aiko", "Tidy notes");
+        let change = change.put(&behaviour, id("b"), note("new")).take(&behaviour, id("a"));
+        behaviour.apply(&change);
+        assert_eq!(behaviour.records.len(), 1);
+        behaviour.apply(&change.swapped(Id::new("op2").unwrap(), "Undo"));
+        assert_eq!(behaviour, start);
+    }
+
+    #[test]
+    fn an_edit_that_changes_nothing_is_no_edit() {
+        let mut behaviour = Behaviour::default();
+        let id = RecordId::new(Kind::Note, &Id::new("a").unwrap());
+        behaviour.records.insert(id.clone(), note("same"));
+        let change = Change::of(Id::new("op").unwrap(), "", "").put(&behaviour, id, note("same"));
+        assert!(change.edits.is_empty());
+    }
+}

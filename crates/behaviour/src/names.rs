@@ -1,0 +1,225 @@
+//! From the names of streams to the argument names of procedures (thesis 6.2.1), and back when a stream is renamed.
+
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+/// Words that Rhai 1.27 keeps for itself; the engine's tests hold this list against Rhai.
+const RHAI_KEYWORDS: &str = "Fn as async await break call case catch const continue curry debug default do else eval export \
+    false fn for go goto if import in is is_def_fn is_def_var is_shared let loop match module new nil null package print \
+    private protected public return shared spawn static super switch sync this thread throw true try type_of until use var \
+    void while with yield";
+
+/// The argument names of a procedure from the names of its input streams, in order: `Red ball` becomes `redBall`.
+pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let mut used = BTreeSet::new();
+    stream_names.into_iter().map(|name| first_free(argument_name(name), &mut used)).collect()
+}
+
+fn argument_name(stream_name: &str) -> String {
+    let joined = first_lower(&join_words(stream_name.trim()));
+    let plain: String = joined.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '_' }).collect();
+    let allowed = if is_keyword(&plain) { format!("_{plain}") } else { plain };
+    if has_letter_before_digit(&allowed) { allowed } else { format!("x{allowed}") }
+}
+
+fn join_words(name: &str) -> String {
+    let mut joined = String::new();
+    let mut after_space = false;
+    for c in name.chars() {
+        if c.is_whitespace() {
+            after_space = true;
+        } else if after_space {
+            joined.extend(c.to_uppercase());
+            after_space = false;
+        } else {
+            joined.push(c);
+        }
+    }
+    joined
+}
+
+fn first_lower(name: &str) -> String {
+    let mut rest = name.chars();
+    rest.next().map_or_else(String::new, |first| first.to_lowercase().chain(rest).collect())
+}
+
+fn is_keyword(name: &str) -> bool {
+    RHAI_KEYWORDS.split_whitespace().any(|word| word == name)
+}
+
+fn has_letter_before_digit(name: &str) -> bool {
+    name.chars().find(char::is_ascii_alphanumeric).is_some_and(|first| first.is_ascii_alphabetic())
+}
+
+fn first_free(name: String, used: &mut BTreeSet<String>) -> String {
+    let numbered = (2..).map(|number| format!("{name}{number}"));
+    let free = std::iter::once(name.clone()).chain(numbered).find(|candidate| !used.contains(candidate));
+    let free = free.unwrap_or(name);
+    used.insert(free.clone());
+    free
+}
+
+/// True if `name` can name a helper or one of its parameters in Rhai.
+#[must_use]
+pub fn is_identifier(name: &str) -> bool {
+    let plain = name.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
+    plain && has_letter_before_digit(name) && !is_keyword(name)
+}
+
+/// The body with every use of the variable `old` replaced by `new`. Texts, comments, fields (`ball.x`) and keys
+/// (`#{x: 1}`) keep their spelling.
+#[must_use]
+pub fn rename_identifier(body: &str, old: &str, new: &str) -> String {
+    let mut renamed = String::with_capacity(body.len());
+    let mut done = 0;
+    for place in variables(body) {
+        if &body[place.clone()] == old {
+            renamed.push_str(&body[done..place.start]);
+            renamed.push_str(new);
+            done = place.end;
+        }
+    }
+    renamed.push_str(&body[done..]);
+    renamed
+}
+
+/// Where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
+#[must_use]
+pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)> {
+    let mut found = BTreeSet::new();
+    for place in variables(body) {
+        let written = &body[place];
+        let right = arguments.iter().find(|argument| argument.eq_ignore_ascii_case(written) && *argument != written);
+        if let Some(right) = right.filter(|_| !arguments.iter().any(|argument| argument == written)) {
+            found.insert((written.to_owned(), right.clone()));
+        }
+    }
+    found.into_iter().collect()
+}
+
+/// Where variables and function names stand in a Rhai text.
+fn variables(body: &str) -> Vec<Range<usize>> {
+    let bytes = body.as_bytes();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while at < bytes.len() {
+        at = match bytes[at] {
+            b'"' => after_quoted(bytes, at, b'"'),
+            b'\'' => after_quoted(bytes, at, b'\''),
+            b'/' if bytes.get(at + 1) == Some(&b'/') => after_line(bytes, at),
+            b'/' if bytes.get(at + 1) == Some(&b'*') => after_comment(bytes, at),
+            byte if byte.is_ascii_digit() => after_word(bytes, at),
+            byte if byte.is_ascii_alphabetic() || byte == b'_' => {
+                let end = after_word(bytes, at);
+                if !is_field(bytes, at) && !is_key(bytes, end) {
+                    found.push(at..end);
+                }
+                end
+            }
+            _ => at + 1,
+        };
+    }
+    found
+}
+
+fn after_quoted(bytes: &[u8], start: usize, quote: u8) -> usize {
+    let mut at = start + 1;
+    while at < bytes.len() && bytes[at] != quote {
+        at += if bytes[at] == b'\\' { 2 } else { 1 };
+    }
+    (at + 1).min(bytes.len())
+}
+
+fn after_line(bytes: &[u8], start: usize) -> usize {
+    bytes[start..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |length| start + length)
+}
+
+fn after_comment(bytes: &[u8], start: usize) -> usize {
+    let mut depth = 0_usize;
+    let mut at = start;
+    while at < bytes.len() {
+        let pair = (bytes[at], bytes.get(at + 1).copied().unwrap_or(b' '));
+        match pair {
+            (b'/', b'*') => depth += 1,
+            (b'*', b'/') => depth -= 1,
+            _ => {
+                at += 1;
+                continue;
+            }
+        }
+        at += 2;
+        if depth == 0 {
+            break;
+        }
+    }
+    at.min(bytes.len())
+}
+
+fn after_word(bytes: &[u8], start: usize) -> usize {
+    let length = bytes[start..].iter().position(|byte| !byte.is_ascii_alphanumeric() && *byte != b'_');
+    length.map_or(bytes.len(), |length| start + length)
+}
+
+fn is_field(bytes: &[u8], start: usize) -> bool {
+    let before: Vec<u8> =
+        bytes[..start].iter().rev().copied().filter(|byte| !byte.is_ascii_whitespace()).take(2).collect();
+    before.first() == Some(&b'.') && before.get(1) != Some(&b'.')
+}
+
+fn is_key(bytes: &[u8], end: usize) -> bool {
+    let mut after = bytes[end..].iter().copied().filter(|byte| !byte.is_ascii_whitespace());
+    after.next() == Some(b':') && after.next() != Some(b':')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{argument_names, is_identifier, rename_identifier, shown_spellings};
+
+    #[test]
+    fn stream_names_become_argument_names() {
+        let cases = [
+            ("Red ball", "redBall"),
+            ("RedBall", "redBall"),
+            ("this", "_this"),
+            ("Ball#2", "ball_2"),
+            ("2nd Ball", "x2ndBall"),
+            ("fn", "_fn"),
+            ("_2 ball", "x_2Ball"),
+            ("赤いボール", "x_____"),
+            ("Print", "_print"),
+            ("", "x"),
+            (" a-b ", "a_b"),
+            ("HEAD yaw", "hEADYaw"),
+            ("Head Yaw", "headYaw"),
+            ("-", "x_"),
+            ("exit", "exit"),
+            ("Switch", "_switch"),
+        ];
+        for (stream, argument) in cases {
+            assert_eq!(argument_names([stream]), [argument], "{stream:?}");
+        }
+        assert_eq!(argument_names(["Red ball", "RedBall", "red  ball"]), ["redBall", "redBall2", "redBall3"]);
+    }
+
+    #[test]
+    fn renaming_touches_variables_only() {
+        let body = r#"ball.ball + ball /* ball */ + #{ball: ball}["ball"] // ball"#;
+        let renamed = r#"b.ball + b /* ball */ + #{ball: b}["ball"] // ball"#;
+        assert_eq!(rename_identifier(body, "ball", "b"), renamed);
+        assert_eq!(rename_identifier("x1 + x + 1x", "x", "y"), "x1 + y + 1x");
+        assert_eq!(rename_identifier("0..ball", "ball", "b"), "0..b");
+    }
+
+    #[test]
+    fn the_spelling_of_the_thesis_is_recognised() {
+        let arguments = ["distanceToBall".to_owned()];
+        let offered = shown_spellings("distancetoball < 20 && distanceToBall > 1", &arguments);
+        assert_eq!(offered, [("distancetoball".to_owned(), "distanceToBall".to_owned())]);
+    }
+
+    #[test]
+    fn helper_names_are_identifiers() {
+        assert!(is_identifier("ball_to_distance") && is_identifier("_x1"));
+        assert!(!is_identifier("2nd") && !is_identifier("if") && !is_identifier("a b") && !is_identifier(""));
+    }
+}

@@ -1,0 +1,129 @@
+//! What is still missing before a behaviour can run. Problems never stop editing; most stop Start.
+
+use crate::{Behaviour, Connector, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, StreamKind};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// One problem of one element. [`std::fmt::Display`] says it in one English sentence.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Problem {
+    /// The element.
+    pub at: RecordId,
+    /// What a person calls it: the stream's name, or the connector's word.
+    pub name: String,
+    /// What is wrong.
+    pub kind: ProblemKind,
+    /// True if Start must wait until it is mended.
+    pub blocks: bool,
+}
+
+/// What is wrong.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum ProblemKind {
+    /// A combineLatest or merge without inputs.
+    NoInputs,
+    /// A procedure that is not written yet.
+    EmptyBody,
+    /// A helper that is not in the library.
+    MissingHelper(String),
+    /// A helper with another number of parameters than the connector has inputs.
+    HelperInputs {
+        /// The helper.
+        helper: String,
+        /// How many values it takes.
+        takes: usize,
+        /// How many it would get.
+        gets: usize,
+    },
+    /// A helper that cannot run; with the reason.
+    Helper {
+        /// The helper.
+        helper: String,
+        /// Why not.
+        reason: String,
+    },
+    /// A body that cannot run; with the reason.
+    Body(String),
+    /// A device that does not fit; with the reason.
+    Device(String),
+    /// An ordinary or actuator stream into which nothing flows.
+    NoSource,
+    /// A stream from which nothing flows to an action.
+    Unused,
+}
+
+/// All problems of a behaviour, in file order, connectors after streams. `helpers` is the library.
+#[must_use]
+pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge) -> Vec<Problem> {
+    let library: BTreeMap<&str, &Helper> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).collect();
+    let graph = Graph::of(behaviour);
+    let mut found = Vec::new();
+    for (id, stream) in behaviour.streams_in_order() {
+        let mut add = |kind, blocks| found.push(problem(Kind::Stream, id, &stream.name, kind, blocks));
+        if let Some(device) = &stream.device
+            && let Err(reason) = knowledge.device(stream.kind, device, &stream.params)
+        {
+            add(ProblemKind::Device(reason), true);
+        }
+        if stream.kind != StreamKind::Sensor && graph.into_stream(id).is_empty() {
+            add(ProblemKind::NoSource, false);
+        }
+        if stream.kind != StreamKind::Actuator && !reaches_action(behaviour, &graph, id) {
+            add(ProblemKind::Unused, false);
+        }
+    }
+    for (id, connector) in behaviour.connectors_in_order() {
+        let word = connector.operation.word();
+        let kinds = connector_problems(behaviour, connector, &library, knowledge);
+        found.extend(kinds.into_iter().map(|kind| problem(Kind::Connector, id, word, kind, true)));
+    }
+    found
+}
+
+fn problem(kind_of: Kind, id: &Id, name: &str, kind: ProblemKind, blocks: bool) -> Problem {
+    Problem { at: RecordId::new(kind_of, id), name: name.to_owned(), kind, blocks }
+}
+
+fn reaches_action(behaviour: &Behaviour, graph: &Graph, id: &Id) -> bool {
+    graph
+        .below(id)
+        .into_iter()
+        .any(|below| behaviour.stream(below).is_some_and(|stream| stream.kind == StreamKind::Actuator))
+}
+
+fn connector_problems(
+    behaviour: &Behaviour,
+    connector: &Connector,
+    library: &BTreeMap<&str, &Helper>,
+    knowledge: &dyn Knowledge,
+) -> Option<ProblemKind> {
+    if connector.inputs.is_empty() {
+        return Some(ProblemKind::NoInputs);
+    }
+    match connector.operation.procedure()? {
+        Procedure::Body { body, .. } if body.trim().is_empty() => Some(ProblemKind::EmptyBody),
+        Procedure::Body { body, .. } => {
+            knowledge.body(&behaviour.arguments(connector), body).err().map(ProblemKind::Body)
+        }
+        Procedure::Helper(name) => helper_problem(name, connector.inputs.len(), library, knowledge),
+    }
+}
+
+fn helper_problem(
+    name: &str,
+    gets: usize,
+    library: &BTreeMap<&str, &Helper>,
+    knowledge: &dyn Knowledge,
+) -> Option<ProblemKind> {
+    let Some(helper) = library.get(name) else { return Some(ProblemKind::MissingHelper(name.to_owned())) };
+    if helper.params.len() != gets {
+        return Some(ProblemKind::HelperInputs { helper: name.to_owned(), takes: helper.params.len(), gets });
+    }
+    if helper.body.trim().is_empty() {
+        return Some(ProblemKind::Helper { helper: name.to_owned(), reason: "it has no procedure yet".to_owned() });
+    }
+    let reason = knowledge.body(&helper.params, &helper.body).err()?;
+    Some(ProblemKind::Helper { helper: name.to_owned(), reason })
+}

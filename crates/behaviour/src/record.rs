@@ -1,0 +1,360 @@
+//! The records a behaviour is made of.
+
+use crate::{Id, Kind, RecordId, Value};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The parameters of a stream's device, by name.
+pub type Params = BTreeMap<String, Value>;
+
+/// Sensor, ordinary or actuator.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum StreamKind {
+    /// Carries what a sense of the robot reads.
+    Sensor,
+    /// Carries what a connector makes.
+    Ordinary,
+    /// Carries what an action of the robot is told.
+    Actuator,
+}
+
+/// A named stream of values.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Stream {
+    /// Sensor, ordinary or actuator.
+    pub kind: StreamKind,
+    /// Unique in the behaviour.
+    pub name: String,
+    /// The sense or action, by its name in the catalogue; none for an ordinary stream.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub device: Option<String>,
+    /// The parameters of the device.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub params: Params,
+    /// Place in the file and in the order of starting: lower first, ties by id.
+    pub order: i64,
+    /// The parts of the body it uses; none means what the catalogue says.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub resources: Option<Vec<String>>,
+    /// Who wins when two want one part of the body: higher first.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub priority: Option<i64>,
+    /// For how long a command holds its parts of the body, in milliseconds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub hold_ms: Option<u64>,
+}
+
+/// The procedural parameter of a connector.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
+pub enum Procedure {
+    /// Written in place.
+    Body {
+        /// A Rhai expression or block over its arguments; may be empty while building.
+        body: String,
+        /// The argument names; none means derived from the input streams' names.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        args: Option<Vec<String>>,
+    },
+    /// A helper of the library, by name.
+    Helper(String),
+}
+
+impl Procedure {
+    /// A body with argument names from its inputs.
+    #[must_use]
+    pub fn body(body: &str) -> Self {
+        Self::Body { body: body.to_owned(), args: None }
+    }
+}
+
+/// What a connector does.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Operation {
+    /// Passes on what the procedure makes of each value.
+    Map(Procedure),
+    /// Passes on the values for which the procedure says exactly `true`.
+    Filter(Procedure),
+    /// Pairs each value with its time.
+    Timestamp,
+    /// Passes on the newest value at each beat, if one came since the last.
+    #[serde(rename_all = "camelCase")]
+    Sample {
+        /// The beat, in milliseconds, 1 to 3,600,000.
+        period_ms: u64,
+    },
+    /// Passes on what the procedure makes of the newest values of all inputs.
+    CombineLatest(Procedure),
+    /// Passes on the values of all inputs as they come.
+    Merge,
+    /// Hands each value to an actuator.
+    Subscribe,
+}
+
+impl Operation {
+    /// The connector's word, as the thesis and the files write it.
+    #[must_use]
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Map(_) => "map",
+            Self::Filter(_) => "filter",
+            Self::Timestamp => "timestamp",
+            Self::Sample { .. } => "sample",
+            Self::CombineLatest(_) => "combineLatest",
+            Self::Merge => "merge",
+            Self::Subscribe => "subscribe",
+        }
+    }
+
+    /// The procedural parameter, if it takes one.
+    #[must_use]
+    pub fn procedure(&self) -> Option<&Procedure> {
+        match self {
+            Self::Map(procedure) | Self::Filter(procedure) | Self::CombineLatest(procedure) => Some(procedure),
+            Self::Timestamp | Self::Sample { .. } | Self::Merge | Self::Subscribe => None,
+        }
+    }
+
+    /// The same, to change it.
+    pub fn procedure_mut(&mut self) -> Option<&mut Procedure> {
+        match self {
+            Self::Map(procedure) | Self::Filter(procedure) | Self::CombineLatest(procedure) => Some(procedure),
+            Self::Timestamp | Self::Sample { .. } | Self::Merge | Self::Subscribe => None,
+        }
+    }
+
+    /// True if it takes several inputs.
+    #[must_use]
+    pub fn takes_many(&self) -> bool {
+        matches!(self, Self::CombineLatest(_) | Self::Merge)
+    }
+}
+
+/// Carries values from its input streams to its output stream.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Connector {
+    /// What it does.
+    pub operation: Operation,
+    /// The streams it takes from, in order.
+    pub inputs: Vec<Id>,
+    /// The stream it gives to.
+    pub output: Id,
+    /// Creation number: part of the meaning, since a value goes to lower connectors first; ties by id.
+    pub order: i64,
+}
+
+/// A named reusable procedure of the shared library.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Helper {
+    /// Unique in the library; a valid Rhai name.
+    pub name: String,
+    /// Parameter names, valid Rhai names.
+    pub params: Vec<String>,
+    /// A Rhai expression or block over the parameters.
+    pub body: String,
+    /// What it is for, in a sentence.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub says: String,
+}
+
+/// Where something stands on the canvas: the middle of its top edge for streams, in canvas units.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Place {
+    /// To the right.
+    pub x: f64,
+    /// Downwards.
+    pub y: f64,
+}
+
+/// A note on the canvas.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Note {
+    /// Its text.
+    pub text: String,
+}
+
+/// How time runs in a behaviour.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Engine {
+    /// Every reading at its own instant.
+    #[default]
+    Event,
+    /// Readings gathered into frames.
+    #[serde(rename_all = "camelCase")]
+    Frame {
+        /// The length of a frame in milliseconds.
+        frame_ms: u64,
+    },
+}
+
+/// The name and choices of a behaviour.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Settings {
+    /// The behaviour's name.
+    pub name: String,
+    /// The kind of robot it is made for: `nao`.
+    pub robot: String,
+    /// How time runs.
+    #[serde(default)]
+    pub engine: Engine,
+}
+
+impl Settings {
+    /// The settings of a new behaviour for a NAO.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self { name: name.to_owned(), robot: "nao".to_owned(), engine: Engine::default() }
+    }
+}
+
+/// One record.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Record {
+    /// Name and choices.
+    Settings(Settings),
+    /// A helper.
+    Helper(Helper),
+    /// A stream.
+    Stream(Stream),
+    /// A connector.
+    Connector(Connector),
+    /// A position.
+    Place(Place),
+    /// A note.
+    Note(Note),
+}
+
+impl Record {
+    /// What kind it is.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        match self {
+            Self::Settings(_) => Kind::Settings,
+            Self::Helper(_) => Kind::Helper,
+            Self::Stream(_) => Kind::Stream,
+            Self::Connector(_) => Kind::Connector,
+            Self::Place(_) => Kind::Place,
+            Self::Note(_) => Kind::Note,
+        }
+    }
+}
+
+/// All records of one behaviour, or of the helper library.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct Behaviour {
+    /// By id.
+    pub records: BTreeMap<RecordId, Record>,
+}
+
+impl Behaviour {
+    /// The settings record.
+    #[must_use]
+    pub fn settings(&self) -> Option<&Settings> {
+        match self.records.get(&RecordId::settings()) {
+            Some(Record::Settings(settings)) => Some(settings),
+            _ => None,
+        }
+    }
+
+    /// The name, or an empty text for the library.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        self.settings().map_or("", |settings| &settings.name)
+    }
+
+    /// One stream.
+    #[must_use]
+    pub fn stream(&self, id: &Id) -> Option<&Stream> {
+        match self.records.get(&RecordId::new(Kind::Stream, id)) {
+            Some(Record::Stream(stream)) => Some(stream),
+            _ => None,
+        }
+    }
+
+    /// One connector.
+    #[must_use]
+    pub fn connector(&self, id: &Id) -> Option<&Connector> {
+        match self.records.get(&RecordId::new(Kind::Connector, id)) {
+            Some(Record::Connector(connector)) => Some(connector),
+            _ => None,
+        }
+    }
+
+    /// The position of a stream, connector or note.
+    #[must_use]
+    pub fn place(&self, id: &Id) -> Option<Place> {
+        match self.records.get(&RecordId::new(Kind::Place, id)) {
+            Some(Record::Place(place)) => Some(*place),
+            _ => None,
+        }
+    }
+
+    /// All streams by id.
+    pub fn streams(&self) -> impl Iterator<Item = (&Id, &Stream)> {
+        self.records.iter().filter_map(|(key, record)| match record {
+            Record::Stream(stream) => Some((&key.id, stream)),
+            _ => None,
+        })
+    }
+
+    /// All connectors by id.
+    pub fn connectors(&self) -> impl Iterator<Item = (&Id, &Connector)> {
+        self.records.iter().filter_map(|(key, record)| match record {
+            Record::Connector(connector) => Some((&key.id, connector)),
+            _ => None,
+        })
+    }
+
+    /// All helpers by id.
+    pub fn helpers(&self) -> impl Iterator<Item = (&Id, &Helper)> {
+        self.records.iter().filter_map(|(key, record)| match record {
+            Record::Helper(helper) => Some((&key.id, helper)),
+            _ => None,
+        })
+    }
+
+    /// Streams in file order.
+    #[must_use]
+    pub fn streams_in_order(&self) -> Vec<(&Id, &Stream)> {
+        let mut all: Vec<_> = self.streams().collect();
+        all.sort_by_key(|(id, stream)| (stream.order, (*id).clone()));
+        all
+    }
+
+    /// Connectors in file order, which is part of the meaning.
+    #[must_use]
+    pub fn connectors_in_order(&self) -> Vec<(&Id, &Connector)> {
+        let mut all: Vec<_> = self.connectors().collect();
+        all.sort_by_key(|(id, connector)| (connector.order, (*id).clone()));
+        all
+    }
+
+    /// A creation number larger than any in use.
+    #[must_use]
+    pub fn next_order(&self) -> i64 {
+        let streams = self.streams().map(|(_, stream)| stream.order);
+        let connectors = self.connectors().map(|(_, connector)| connector.order);
+        streams.chain(connectors).max().map_or(0, |highest| highest.saturating_add(1))
+    }
+
+    /// The argument names of a connector: as given, else from the names of its inputs.
+    #[must_use]
+    pub fn arguments(&self, connector: &Connector) -> Vec<String> {
+        if let Some(Procedure::Body { args: Some(args), .. }) = connector.operation.procedure() {
+            return args.clone();
+        }
+        let names = connector.inputs.iter().map(|id| self.stream(id).map_or("", |stream| stream.name.as_str()));
+        crate::argument_names(names)
+    }
+}

@@ -1,0 +1,263 @@
+//! The rules every change must keep, and the refusal that names the broken one.
+
+use crate::{
+    Behaviour, Change, Connector, Graph, Helper, Id, Operation, Params, Procedure, Record, Settings, Stream, StreamKind,
+};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
+
+/// The longest name of a behaviour, stream or helper, in characters.
+pub const NAME_MAX_CHARS: usize = 200;
+/// The longest body of a procedure, in characters.
+pub const BODY_MAX_CHARS: usize = 8_192;
+/// The longest note, in characters.
+pub(crate) const NOTE_MAX_CHARS: usize = 4_000;
+/// Streams in one behaviour.
+pub const STREAMS_MAX: usize = 2_000;
+/// Connectors in one behaviour.
+pub const CONNECTORS_MAX: usize = 4_000;
+/// Edits in one change.
+pub const EDITS_MAX: usize = 10_000;
+/// The beats a sample may have, in milliseconds.
+pub const RATE_MS: RangeInclusive<u64> = 1..=3_600_000;
+
+/// What the rules ask of rooms they may not know: the catalogue of devices and the procedure language.
+pub trait Knowledge {
+    /// Whether the device exists for that kind of stream and takes these parameters; else a sentence.
+    ///
+    /// # Errors
+    /// A sentence for the person.
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String>;
+
+    /// Whether the body is one that can run with these arguments; else a sentence with its place.
+    ///
+    /// # Errors
+    /// A sentence for the person.
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), String>;
+}
+
+/// Why a change was not made. [`std::fmt::Display`] says it in one English sentence.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", tag = "why", content = "what")]
+pub enum Refusal {
+    /// Somebody changed these names of things meanwhile.
+    Stale(String),
+    /// The behaviour is gone.
+    Gone,
+    /// The change has no edits, or too many.
+    Edits(usize),
+    /// A record under an id of another kind, or one twice.
+    Malformed(String),
+    /// A name is empty, too long or has control characters.
+    Name(String),
+    /// Another stream has this name.
+    NameTaken(String),
+    /// A text is too long; with its limit in characters.
+    TooLong(String, usize),
+    /// More streams or connectors than fit; with the limit.
+    TooMany(String, usize),
+    /// Values would flow in a circle through this stream.
+    Cycle(String),
+    /// This stream already has an incoming connector.
+    SecondInput(String),
+    /// A sensor stream cannot take from a connector.
+    IntoSensor(String),
+    /// An actuator stream cannot give to a connector.
+    OutOfActuator(String),
+    /// Only subscribe ends in this actuator stream.
+    OnlySubscribe(String),
+    /// Subscribe must end in an actuator stream, not in this one.
+    SubscribeEnd(String),
+    /// A connector names a stream that is not there.
+    MissingStream,
+    /// This connector takes exactly one input.
+    OneInput(String),
+    /// One stream is named twice as input of this connector.
+    InputTwice(String),
+    /// The beat in milliseconds is outside its range.
+    Rate(u64),
+    /// The device or its parameters do not fit; with the reason.
+    Device(String),
+    /// The body cannot run; with the reason and its place.
+    Body(String),
+    /// A helper's name or parameter cannot be used in a procedure.
+    Identifier(String),
+    /// These behaviours and helpers use the helper that was to go.
+    HelperUsed(String, Vec<String>),
+    /// Saving failed; with the reason. Nothing was changed.
+    NotSaved(String),
+}
+
+/// Whether `after` keeps the rules, given that `change` led to it.
+///
+/// # Errors
+/// The first broken rule.
+pub(crate) fn check(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    check_touched(after, change, knowledge)?;
+    let graph_touched =
+        change.edits.iter().any(|edit| matches!(edit.id.kind, crate::Kind::Stream | crate::Kind::Connector));
+    if graph_touched {
+        check_counts(after)?;
+        check_names(after)?;
+        check_graph(after)?;
+    }
+    check_helper_names(after)
+}
+
+fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    for edit in &change.edits {
+        let Some(record) = &edit.after else { continue };
+        match record {
+            Record::Settings(settings) => check_settings(settings)?,
+            Record::Stream(stream) => check_stream(stream, knowledge)?,
+            Record::Connector(connector) => check_connector(after, connector, knowledge)?,
+            Record::Helper(helper) => check_helper(helper, knowledge)?,
+            Record::Note(note) => within("This note", &note.text, NOTE_MAX_CHARS)?,
+            Record::Place(place) if place.x.is_finite() && place.y.is_finite() => {}
+            Record::Place(_) => return Err(Refusal::Malformed("a position".into())),
+        }
+    }
+    Ok(())
+}
+
+fn check_settings(settings: &Settings) -> Result<(), Refusal> {
+    check_name(&settings.name)?;
+    match settings.engine {
+        crate::Engine::Event => Ok(()),
+        crate::Engine::Frame { frame_ms } if (1..=1000).contains(&frame_ms) => Ok(()),
+        crate::Engine::Frame { frame_ms } => Err(Refusal::Rate(frame_ms)),
+    }
+}
+
+fn check_name(name: &str) -> Result<(), Refusal> {
+    if name.trim().is_empty() || name.chars().any(char::is_control) {
+        return Err(Refusal::Name(shortened(name)));
+    }
+    within("This name", name, NAME_MAX_CHARS)
+}
+
+fn within(what: &str, text: &str, limit: usize) -> Result<(), Refusal> {
+    if text.chars().count() > limit { Err(Refusal::TooLong(what.to_owned(), limit)) } else { Ok(()) }
+}
+
+fn shortened(text: &str) -> String {
+    text.chars().take(40).filter(|c| !c.is_control()).collect()
+}
+
+fn check_stream(stream: &Stream, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    check_name(&stream.name)?;
+    if stream.params.values().any(|value| !value.is_finite()) {
+        return Err(Refusal::Device("a parameter is not a finite number".into()));
+    }
+    match (stream.kind, &stream.device) {
+        (StreamKind::Ordinary, None) => Ok(()),
+        (StreamKind::Ordinary, Some(_)) => Err(Refusal::Device("an ordinary stream has no sense or action".into())),
+        (StreamKind::Sensor, None) => Err(Refusal::Device(format!("choose a sense for “{}”", stream.name))),
+        (StreamKind::Actuator, None) => Err(Refusal::Device(format!("choose an action for “{}”", stream.name))),
+        (kind, Some(device)) => knowledge.device(kind, device, &stream.params).map_err(Refusal::Device),
+    }
+}
+
+fn check_connector(after: &Behaviour, connector: &Connector, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    if let Operation::Sample { period_ms } = connector.operation
+        && !RATE_MS.contains(&period_ms)
+    {
+        return Err(Refusal::Rate(period_ms));
+    }
+    let Some(Procedure::Body { body, args }) = connector.operation.procedure() else { return Ok(()) };
+    within("This procedure", body, BODY_MAX_CHARS)?;
+    if let Some(bad) = args.iter().flatten().find(|name| !crate::is_identifier(name)) {
+        return Err(Refusal::Identifier(shortened(bad)));
+    }
+    if body.trim().is_empty() {
+        return Ok(());
+    }
+    knowledge.body(&after.arguments(connector), body).map_err(Refusal::Body)
+}
+
+fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    within("This name", &helper.name, NAME_MAX_CHARS)?;
+    within("This procedure", &helper.body, BODY_MAX_CHARS)?;
+    within("This sentence", &helper.says, NOTE_MAX_CHARS)?;
+    let names = std::iter::once(&helper.name).chain(&helper.params);
+    if let Some(bad) = names.into_iter().find(|name| !crate::is_identifier(name)) {
+        return Err(Refusal::Identifier(shortened(bad)));
+    }
+    let mut distinct = helper.params.clone();
+    distinct.sort();
+    if let Some(pair) = distinct.windows(2).find(|pair| pair[0] == pair[1]) {
+        return Err(Refusal::NameTaken(pair[0].clone()));
+    }
+    if helper.body.trim().is_empty() {
+        return Ok(());
+    }
+    knowledge.body(&helper.params, &helper.body).map_err(Refusal::Body)
+}
+
+fn check_counts(after: &Behaviour) -> Result<(), Refusal> {
+    if after.streams().count() > STREAMS_MAX {
+        return Err(Refusal::TooMany("streams".into(), STREAMS_MAX));
+    }
+    if after.connectors().count() > CONNECTORS_MAX {
+        return Err(Refusal::TooMany("connectors".into(), CONNECTORS_MAX));
+    }
+    Ok(())
+}
+
+fn check_names(after: &Behaviour) -> Result<(), Refusal> {
+    unique(after.streams().map(|(_, stream)| stream.name.trim()))
+}
+
+fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
+    unique(after.helpers().map(|(_, helper)| helper.name.as_str()))
+}
+
+fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
+    let mut seen = std::collections::BTreeSet::new();
+    for name in names {
+        if !seen.insert(name) {
+            return Err(Refusal::NameTaken(name.to_owned()));
+        }
+    }
+    Ok(())
+}
+
+fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
+    let streams: BTreeMap<&Id, &Stream> = after.streams().collect();
+    for (_, connector) in after.connectors_in_order() {
+        check_ends(&streams, connector)?;
+    }
+    let graph = Graph::of(after);
+    for (id, stream) in &streams {
+        if stream.kind == StreamKind::Ordinary && graph.into_stream(id).len() > 1 {
+            return Err(Refusal::SecondInput(stream.name.clone()));
+        }
+    }
+    let name_of = |id: &Id| streams.get(id).map_or_else(String::new, |stream| stream.name.clone());
+    graph.cycle().map_or(Ok(()), |id| Err(Refusal::Cycle(name_of(id))))
+}
+
+fn check_ends(streams: &BTreeMap<&Id, &Stream>, connector: &Connector) -> Result<(), Refusal> {
+    let output = streams.get(&connector.output).ok_or(Refusal::MissingStream)?;
+    let inputs: Option<Vec<_>> = connector.inputs.iter().map(|id| streams.get(id)).collect();
+    let inputs = inputs.ok_or(Refusal::MissingStream)?;
+    if !connector.operation.takes_many() && inputs.len() != 1 {
+        return Err(Refusal::OneInput(connector.operation.word().to_owned()));
+    }
+    for (at, input) in inputs.iter().enumerate() {
+        if connector.inputs[..at].contains(&connector.inputs[at]) {
+            return Err(Refusal::InputTwice(input.name.clone()));
+        }
+        if input.kind == StreamKind::Actuator {
+            return Err(Refusal::OutOfActuator(input.name.clone()));
+        }
+    }
+    match (output.kind, &connector.operation) {
+        (StreamKind::Sensor, _) => Err(Refusal::IntoSensor(output.name.clone())),
+        (StreamKind::Actuator, Operation::Subscribe) => Ok(()),
+        (StreamKind::Actuator, _) => Err(Refusal::OnlySubscribe(output.name.clone())),
+        (StreamKind::Ordinary, Operation::Subscribe) => Err(Refusal::SubscribeEnd(output.name.clone())),
+        (StreamKind::Ordinary, _) => Ok(()),
+    }
+}

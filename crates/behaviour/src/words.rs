@@ -1,0 +1,77 @@
+//! Every refusal and problem in one English sentence that says what to do.
+
+use crate::{Problem, ProblemKind, Refusal};
+use std::fmt;
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Stale(what) => write!(to, "Somebody changed {what} just now. Look at it and try again."),
+            Self::Gone => to.write_str("This behaviour was removed. Open another one."),
+            Self::Edits(0) => to.write_str("There was nothing to change."),
+            Self::Edits(many) => write!(to, "{many} edits at once are too many. Do it in smaller steps."),
+            Self::Malformed(what) => write!(to, "This change is damaged ({what}). Reload the page and try again."),
+            Self::Name(name) if name.is_empty() => to.write_str("A name is missing. Type at least one letter."),
+            Self::Name(name) => write!(to, "“{name}” cannot be a name. Use letters, digits and spaces."),
+            Self::NameTaken(name) => write!(to, "There is already a “{name}”. Choose another name."),
+            Self::TooLong(what, limit) => write!(to, "{what} is too long. It may have {limit} characters."),
+            Self::TooMany(what, limit) => write!(to, "A behaviour holds at most {limit} {what}. Remove some first."),
+            Self::Cycle(name) => write!(to, "Values would flow in a circle through “{name}”. Choose another stream."),
+            Self::SecondInput(name) => {
+                write!(to, "“{name}” already gets its values from a connector. Use merge to join two.")
+            }
+            Self::IntoSensor(name) => write!(to, "“{name}” is a sense: it cannot take values from a connector."),
+            Self::OutOfActuator(name) => write!(to, "“{name}” is an action: nothing can come out of it."),
+            Self::OnlySubscribe(name) => write!(to, "Only subscribe can lead to the action “{name}”."),
+            Self::SubscribeEnd(name) => write!(to, "Subscribe must lead to an action, and “{name}” is none."),
+            Self::MissingStream => {
+                to.write_str("A connector would have an end without a stream. Choose its streams again.")
+            }
+            Self::OneInput(word) => {
+                write!(to, "{} takes exactly one stream. Use combine or merge for several.", capital(word))
+            }
+            Self::InputTwice(name) => write!(to, "“{name}” is chosen twice. Choose every stream once."),
+            Self::Rate(_) => to.write_str("The rate must be from 1 to 3,600,000 milliseconds."),
+            Self::Device(reason) => write!(to, "{}.", capital(reason)),
+            Self::Body(reason) => write!(to, "This procedure cannot run: {reason}."),
+            Self::Identifier(name) => {
+                write!(
+                    to,
+                    "“{name}” cannot be used as a name here. Start with a letter; use letters, digits and _ only."
+                )
+            }
+            Self::HelperUsed(name, users) => {
+                write!(to, "“{name}” is still used by {}. Change them first.", users.join(", "))
+            }
+            Self::NotSaved(reason) => write!(to, "This could not be saved ({reason}). Nothing was changed; try again."),
+        }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let name = &self.name;
+        match &self.kind {
+            ProblemKind::NoInputs => write!(to, "{} has no input streams. Add one.", capital(name)),
+            ProblemKind::EmptyBody => {
+                write!(to, "{} has no procedure yet. Write one or choose a helper.", capital(name))
+            }
+            ProblemKind::MissingHelper(helper) => {
+                write!(to, "The helper “{helper}” does not exist. Choose another or add it.")
+            }
+            ProblemKind::HelperInputs { helper, takes, gets } => {
+                write!(to, "The helper “{helper}” takes {takes} values, but gets {gets}. Choose another.")
+            }
+            ProblemKind::Helper { helper, reason } => write!(to, "The helper “{helper}” cannot run: {reason}."),
+            ProblemKind::Body(reason) => write!(to, "The procedure of {name} cannot run: {reason}."),
+            ProblemKind::Device(reason) => write!(to, "{}.", capital(reason)),
+            ProblemKind::NoSource => write!(to, "“{name}” gets no values. Lead a connector to it."),
+            ProblemKind::Unused => write!(to, "“{name}” leads to no action."),
+        }
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}

@@ -1,0 +1,115 @@
+//! The catalogue: every sense and action, declared once; palette, forms, checks and help are drawn from it.
+
+use crate::params::{Param, check_params};
+use crate::{Shape::Object, devices};
+use behaviour::{Params, StreamKind};
+
+/// A sense or an action.
+#[derive(Clone, Copy, Debug)]
+pub struct Device {
+    /// Its name in files and in the thesis: `RedBall`.
+    pub name: &'static str,
+    /// Sensor or actuator.
+    pub kind: StreamKind,
+    /// What a person calls it: "Red ball".
+    pub label: &'static str,
+    /// What it does, in a sentence.
+    pub says: &'static str,
+    /// Its picture: a name in the icon set.
+    pub icon: &'static str,
+    /// Its parameters.
+    pub params: &'static [Param],
+    /// The shape of the values it gives, or takes.
+    pub shape: Shape,
+    /// The parts of the body it uses.
+    pub resources: &'static [Resource],
+    /// An example value in JSON, for stimulating by hand.
+    pub example: Example,
+}
+
+/// A value written as JSON.
+pub type Example = &'static str;
+
+/// A part of the body that one command at a time may use.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Resource {
+    /// The head's two joints.
+    Head,
+    /// The left arm.
+    LeftArm,
+    /// The right arm.
+    RightArm,
+    /// Both legs, and so standing and walking.
+    Legs,
+    /// Speaking.
+    Voice,
+    /// The eye lights.
+    Eyes,
+    /// What it remembers of faces.
+    Memory,
+}
+
+/// The shape of a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shape {
+    /// Any value; it only matters that one comes.
+    Anything,
+    /// A number with its unit.
+    Number(&'static str),
+    /// A text.
+    Text,
+    /// True or false.
+    Truth,
+    /// An object with these fields.
+    Object(&'static [Field]),
+}
+
+/// A field of an object.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Field {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is, with its unit.
+    pub says: &'static str,
+}
+
+impl Shape {
+    /// The fields of an object, else none.
+    #[must_use]
+    pub fn fields(&self) -> &'static [Field] {
+        if let Object(fields) = self { fields } else { &[] }
+    }
+}
+
+impl Device {
+    /// Whether these parameters fit: known names, right kinds, inside their ranges.
+    ///
+    /// # Errors
+    /// A sentence for the person.
+    pub fn check(&self, params: &Params) -> Result<(), String> {
+        check_params(self.params, params)
+    }
+}
+
+/// All senses, in the order people see them.
+pub fn sensors() -> impl Iterator<Item = &'static Device> {
+    devices::ALL.iter().copied().filter(|device| device.kind == StreamKind::Sensor)
+}
+
+/// All actions, in the order people see them.
+pub fn actuators() -> impl Iterator<Item = &'static Device> {
+    devices::ALL.iter().copied().filter(|device| device.kind == StreamKind::Actuator)
+}
+
+/// One device by kind and name.
+///
+/// # Errors
+/// A sentence, if there is none.
+pub fn device(kind: StreamKind, name: &str) -> Result<&'static Device, String> {
+    let found = devices::ALL.iter().copied().find(|device| device.kind == kind && device.name == name);
+    found.ok_or_else(|| {
+        let what = if kind == StreamKind::Sensor { "sense" } else { "action" };
+        let shown: String = name.chars().take(40).collect();
+        format!("there is no {what} called “{shown}”; choose one from the list")
+    })
+}

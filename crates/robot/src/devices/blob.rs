@@ -1,0 +1,21 @@
+//! A coloured ball, as ALColorBlobDetection sees it.
+
+use super::red_ball::BALL;
+use crate::{Device, Param, ParamKind, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "Blob",
+    kind: StreamKind::Sensor,
+    label: "Coloured ball",
+    says: "Sees a ball of the chosen colour: where it is and how large it looks.",
+    icon: "blob",
+    params: &[Param {
+        name: "color",
+        label: "Colour",
+        kind: ParamKind::Choice(&[("red", "red"), ("green", "green"), ("blue", "blue")]),
+    }],
+    shape: Shape::Object(BALL),
+    resources: &[],
+    example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
+};

@@ -1,0 +1,30 @@
+//! The colour of the eyes.
+
+use crate::{Device, Param, ParamKind, Resource, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "EyeLedColor",
+    kind: StreamKind::Actuator,
+    label: "Eye colour",
+    says: "Gives the eyes a colour whenever a value comes.",
+    icon: "light",
+    params: &[Param {
+        name: "color",
+        label: "Colour",
+        kind: ParamKind::Choice(&[
+            ("red", "red"),
+            ("green", "green"),
+            ("blue", "blue"),
+            ("white", "white"),
+            ("yellow", "yellow"),
+            ("magenta", "magenta"),
+            ("cyan", "cyan"),
+            ("off", "off"),
+            ("Value", "as the value says"),
+        ]),
+    }],
+    shape: Shape::Anything,
+    resources: &[Resource::Eyes],
+    example: r#""red""#,
+};

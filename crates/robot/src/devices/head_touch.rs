@@ -1,0 +1,20 @@
+//! The three touch fields on the head.
+
+use crate::{Device, Param, ParamKind, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "HeadTouch",
+    kind: StreamKind::Sensor,
+    label: "Head touch",
+    says: "Feels a hand on the head: true when touched, false when let go.",
+    icon: "touch",
+    params: &[Param {
+        name: "part",
+        label: "Part",
+        kind: ParamKind::Choice(&[("any", "anywhere"), ("front", "front"), ("middle", "middle"), ("rear", "rear")]),
+    }],
+    shape: Shape::Truth,
+    resources: &[],
+    example: "true",
+};

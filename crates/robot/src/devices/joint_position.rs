@@ -1,0 +1,17 @@
+//! The angle of one joint.
+
+use super::JOINT_CHOICES;
+use crate::{Device, Param, ParamKind, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "JointPosition",
+    kind: StreamKind::Sensor,
+    label: "Joint position",
+    says: "Reads the angle of a joint in radians; a hand reads 0 closed to 1 open.",
+    icon: "joint",
+    params: &[Param { name: "joint", label: "Joint", kind: ParamKind::Choice(JOINT_CHOICES) }],
+    shape: Shape::Number("rad"),
+    resources: &[],
+    example: "0.1",
+};

@@ -1,0 +1,16 @@
+//! Showing the value to people.
+
+use crate::{Device, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "Print",
+    kind: StreamKind::Actuator,
+    label: "Show on the page",
+    says: "Shows each value beside the room, without moving the robot.",
+    icon: "print",
+    params: &[],
+    shape: Shape::Anything,
+    resources: &[],
+    example: r#""hello""#,
+};

@@ -1,0 +1,16 @@
+//! Learning a face.
+
+use crate::{Device, Resource, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "RememberFace",
+    kind: StreamKind::Actuator,
+    label: "Remember face",
+    says: "Remembers the face it sees whenever a value comes.",
+    icon: "remember",
+    params: &[],
+    shape: Shape::Anything,
+    resources: &[Resource::Memory],
+    example: "true",
+};

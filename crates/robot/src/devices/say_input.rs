@@ -1,0 +1,16 @@
+//! Speaking the value.
+
+use crate::{Device, Resource, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "SayInput",
+    kind: StreamKind::Actuator,
+    label: "Say the value",
+    says: "Speaks each value that comes.",
+    icon: "speech",
+    params: &[],
+    shape: Shape::Text,
+    resources: &[Resource::Voice],
+    example: r#""hello""#,
+};

@@ -1,0 +1,16 @@
+//! Speaking a fixed text.
+
+use crate::{Device, Param, ParamKind, Resource, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "SayParameter",
+    kind: StreamKind::Actuator,
+    label: "Say a text",
+    says: "Speaks its text whenever a value comes.",
+    icon: "speech",
+    params: &[Param { name: "text", label: "Text", kind: ParamKind::Text { max_chars: 1_000, default: "Hello" } }],
+    shape: Shape::Anything,
+    resources: &[Resource::Voice],
+    example: "true",
+};

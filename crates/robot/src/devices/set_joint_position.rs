@@ -1,0 +1,24 @@
+//! Moving one joint.
+
+use super::JOINT_CHOICES;
+use crate::{Device, Param, ParamKind, Resource, Shape};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "SetJointPosition",
+    kind: StreamKind::Actuator,
+    label: "Set joint",
+    says: "Moves a joint to the value in radians; a hand to 0 closed or 1 open.",
+    icon: "joint",
+    params: &[
+        Param { name: "joint", label: "Joint", kind: ParamKind::Choice(JOINT_CHOICES) },
+        Param {
+            name: "speed",
+            label: "Speed",
+            kind: ParamKind::Number { min: 0.01, max: 1.0, step: 0.05, unit: "of the top speed", default: 0.3 },
+        },
+    ],
+    shape: Shape::Number("rad"),
+    resources: &[Resource::Head, Resource::LeftArm, Resource::RightArm],
+    example: "0.5",
+};

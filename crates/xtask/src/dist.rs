@@ -1,0 +1,270 @@
+//! The folder of the finished page: written only where something changed, compressed beside each file.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+/// File contents by their name relative to a folder, with `/` between the parts.
+pub(crate) type Files = BTreeMap<String, Vec<u8>>;
+
+/// Kinds that are compressed already.
+const COMPRESSED: [&str; 15] = [
+    "png", "jpg", "jpeg", "gif", "webp", "avif", "woff2", "mp3", "ogg", "opus", "mp4", "webm",
+    "zip", "gz", "br",
+];
+/// A way to compress, by the ending of the file that it makes.
+type Press = (&'static str, fn(&[u8]) -> io::Result<Vec<u8>>);
+const PRESSES: [Press; 2] = [("br", brotlied), ("gz", gzipped)];
+/// Brotli's own buffer, in bytes.
+const BUFFER: usize = 64 * 1024;
+
+/// Reads every file below `folder`; a folder that is not there holds none.
+pub(crate) fn read(folder: &Path) -> Result<Files, String> {
+    let mut files = Files::new();
+    for (name, path) in walk(folder)? {
+        let content = fs::read(&path).map_err(|error| trouble(&path, "read", &error))?;
+        files.insert(name, content);
+    }
+    Ok(files)
+}
+
+/// The names and lengths in bytes of every file below `folder`.
+pub(crate) fn listing(folder: &Path) -> Result<BTreeMap<String, u64>, String> {
+    let length = |(name, path): (String, PathBuf)| {
+        let found = fs::metadata(&path).map_err(|error| trouble(&path, "read", &error))?;
+        Ok((name, found.len()))
+    };
+    walk(folder)?.into_iter().map(length).collect()
+}
+
+/// Makes `folder` hold exactly `files` and, if asked, `.br` and `.gz` beside them.
+/// Answers how many of `files` were new or different.
+pub(crate) fn write(folder: &Path, files: &Files, compressed: bool) -> Result<usize, String> {
+    let mut kept: Vec<String> = Vec::new();
+    let mut changed = 0;
+    for (name, content) in files {
+        let path = folder.join(name);
+        let same = fs::read(&path).is_ok_and(|old| old == *content);
+        if compressed && !is_compressed(name) {
+            kept.extend(write_smaller(folder, name, content, same)?);
+        }
+        // Last, so that a run cut short finds this file different and compresses it again.
+        if !same {
+            replace(&path, content)?;
+            changed += 1;
+        }
+        kept.push(name.clone());
+    }
+    remove_others(folder, &kept)?;
+    Ok(changed)
+}
+
+/// Writes the compressed forms of one file, unless the file is the `same` as before and they are there.
+/// Answers with the names of those that are worth having.
+fn write_smaller(
+    folder: &Path,
+    name: &str,
+    content: &[u8],
+    same: bool,
+) -> Result<Vec<String>, String> {
+    let mut kept = Vec::new();
+    for (kind, press) in PRESSES {
+        let beside = format!("{name}.{kind}");
+        let path = folder.join(&beside);
+        if !(same && path.is_file()) {
+            let smaller = press(content).map_err(|error| trouble(&path, "compressed", &error))?;
+            if smaller.len() >= content.len() {
+                continue;
+            }
+            replace(&path, &smaller)?;
+        }
+        kept.push(beside);
+    }
+    Ok(kept)
+}
+
+/// The size of a page in a few words: as it is and as it travels.
+pub(crate) fn sizes(folder: &Path) -> Result<String, String> {
+    let files = listing(folder)?;
+    let whole: u64 = files
+        .iter()
+        .filter(|(name, _)| !name.ends_with(".br") && !name.ends_with(".gz"))
+        .map(|f| f.1)
+        .sum();
+    let small: u64 = files
+        .iter()
+        .filter(|(name, _)| name.ends_with(".br"))
+        .map(|f| f.1)
+        .sum();
+    let code = files.get("app_bg.wasm").copied().unwrap_or(0);
+    Ok(format!(
+        "{} KB, of these {} KB wasm; {} KB with brotli",
+        whole / 1024,
+        code / 1024,
+        small / 1024
+    ))
+}
+
+fn is_compressed(name: &str) -> bool {
+    let kind = Path::new(name).extension().and_then(|kind| kind.to_str());
+    kind.is_some_and(|kind| COMPRESSED.contains(&kind.to_ascii_lowercase().as_str()))
+}
+
+fn brotlied(content: &[u8]) -> io::Result<Vec<u8>> {
+    let mut out = Vec::new();
+    let (quality, window) = (11, 22);
+    let mut press = brotli::CompressorWriter::new(&mut out, BUFFER, quality, window);
+    press.write_all(content)?;
+    press.flush()?;
+    drop(press);
+    Ok(out)
+}
+
+fn gzipped(content: &[u8]) -> io::Result<Vec<u8>> {
+    let mut press = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::best());
+    press.write_all(content)?;
+    press.finish()
+}
+
+/// Puts `content` in place at once: a server that reads meanwhile sees the old file or the new one.
+fn replace(path: &Path, content: &[u8]) -> Result<(), String> {
+    if fs::read(path).is_ok_and(|old| old == content) {
+        return Ok(());
+    }
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let temporary = folder.join(".new");
+    let done = fs::create_dir_all(folder)
+        .and_then(|()| fs::write(&temporary, content))
+        .and_then(|()| fs::rename(&temporary, path));
+    done.map_err(|error| trouble(path, "written", &error))
+}
+
+/// Removes every file below `folder` that is not in `kept`, and then folders left empty.
+fn remove_others(folder: &Path, kept: &[String]) -> Result<(), String> {
+    for (name, path) in walk(folder)? {
+        if !kept.contains(&name) {
+            fs::remove_file(&path).map_err(|error| trouble(&path, "removed", &error))?;
+            remove_empty(path.parent(), folder);
+        }
+    }
+    Ok(())
+}
+
+/// Removes `empty` and its parents below `top`, up to the first that still holds something.
+fn remove_empty(empty: Option<&Path>, top: &Path) {
+    for folder in empty
+        .into_iter()
+        .flat_map(Path::ancestors)
+        .take_while(|folder| *folder != top)
+    {
+        if fs::remove_dir(folder).is_err() {
+            return;
+        }
+    }
+}
+
+/// Every file below `top` in the order of names.
+fn walk(top: &Path) -> Result<Vec<(String, PathBuf)>, String> {
+    let mut found = Vec::new();
+    let mut waiting = vec![(String::new(), top.to_path_buf())];
+    while let Some((prefix, folder)) = waiting.pop() {
+        if !folder.is_dir() {
+            continue;
+        }
+        for entry in fs::read_dir(&folder).map_err(|error| trouble(&folder, "read", &error))? {
+            let path = entry
+                .map_err(|error| trouble(&folder, "read", &error))?
+                .path();
+            let Some(last) = path.file_name().and_then(|name| name.to_str()) else {
+                return Err(format!("{} has a name that is not text.", path.display()));
+            };
+            let name = format!("{prefix}{last}");
+            if path.is_dir() {
+                waiting.push((format!("{name}/"), path));
+            } else {
+                found.push((name, path));
+            }
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+fn trouble(path: &Path, deed: &str, error: &io::Error) -> String {
+    format!("{} cannot be {deed}: {error}.", path.display())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Read;
+
+    use super::*;
+
+    type Tested = Result<(), Box<dyn std::error::Error>>;
+
+    fn page(files: &[(&str, &str)]) -> Files {
+        files
+            .iter()
+            .map(|(name, text)| ((*name).to_owned(), text.repeat(100).into_bytes()))
+            .collect()
+    }
+
+    fn names(folder: &Path) -> Vec<String> {
+        listing(folder).unwrap_or_default().into_keys().collect()
+    }
+
+    #[test]
+    fn each_file_gets_its_compressed_forms_and_a_picture_none() -> Tested {
+        let folder = tempfile::tempdir()?;
+        write(
+            folder.path(),
+            &page(&[("a.css", "a {}"), ("icons/b.png", "b")]),
+            true,
+        )?;
+        assert_eq!(
+            names(folder.path()),
+            ["a.css", "a.css.br", "a.css.gz", "icons/b.png"]
+        );
+        let mut text = String::new();
+        let small = fs::read(folder.path().join("a.css.br"))?;
+        brotli::Decompressor::new(small.as_slice(), BUFFER).read_to_string(&mut text)?;
+        assert_eq!(text, "a {}".repeat(100));
+        Ok(())
+    }
+
+    #[test]
+    fn only_what_changed_is_written() -> Tested {
+        let folder = tempfile::tempdir()?;
+        let time = |name: &str| fs::metadata(folder.path().join(name))?.modified();
+        write(
+            folder.path(),
+            &page(&[("a.css", "a {}"), ("b.css", "b {}")]),
+            true,
+        )?;
+        let before = (time("a.css")?, time("a.css.br")?, time("b.css")?);
+        let changed = write(
+            folder.path(),
+            &page(&[("a.css", "a {}"), ("b.css", "c {}")]),
+            true,
+        )?;
+        assert_eq!(changed, 1);
+        assert_eq!((time("a.css")?, time("a.css.br")?), (before.0, before.1));
+        assert!(time("b.css")? > before.2);
+        Ok(())
+    }
+
+    #[test]
+    fn what_is_stale_is_removed_with_its_folder() -> Tested {
+        let folder = tempfile::tempdir()?;
+        write(
+            folder.path(),
+            &page(&[("a.css", "a {}"), ("deep/er/b.css", "b {}")]),
+            true,
+        )?;
+        write(folder.path(), &page(&[("a.css", "a {}")]), false)?;
+        assert_eq!(names(folder.path()), ["a.css"]);
+        assert!(!folder.path().join("deep").exists());
+        Ok(())
+    }
+}

@@ -1,0 +1,222 @@
+//! Builds the page: Rust to wasm, wasm to a browser module, static files beside it, all compressed.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::hash::{DefaultHasher, Hash, Hasher};
+use std::path::{Path, PathBuf};
+
+use wasm_bindgen_cli_support::Bindgen;
+
+use crate::dist::{self, Files};
+use crate::tools::{self, Outcome, WASM, Workspace};
+
+/// The package that becomes the page.
+const PACKAGE: &str = "frontend";
+/// The page's module is `app.js`, its code `app_bg.wasm`.
+const NAME: &str = "app";
+/// Raised when this program writes something else for the same input.
+const FORMAT: u32 = 1;
+
+/// How much work goes into the page.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub(crate) enum Mode {
+    /// Optimised and compressed, as people get it.
+    Small,
+    /// For trying an edit: quick to build, not compressed, with readable stack traces.
+    Quick,
+}
+
+impl Mode {
+    fn profile(self) -> &'static str {
+        match self {
+            Mode::Small => "page",
+            Mode::Quick => "dev",
+        }
+    }
+
+    /// The folder name that cargo gives to the profile.
+    fn folder(self) -> &'static str {
+        match self {
+            Mode::Small => "page",
+            Mode::Quick => "debug",
+        }
+    }
+}
+
+/// Builds the page into `target/page`; files that did not change are not touched.
+pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
+    tools::ensure_wasm(workspace)?;
+    println!("Building the page with the profile `{}`.", mode.profile());
+    let wasm = compile(workspace, PACKAGE, mode)?;
+    assemble(
+        &workspace.target,
+        &workspace.root.join("static"),
+        &wasm,
+        mode,
+    )
+}
+
+/// Compiles `package` for the browser and answers with its wasm file. Its target folder is its own:
+/// an outer cargo holds the lock of the usual one.
+fn compile(workspace: &Workspace, package: &str, mode: Mode) -> Outcome<PathBuf> {
+    let folder = workspace.target.join("page-build");
+    let mut cargo = workspace.cargo(&["build", "--lib", "--target", WASM, "--package", package]);
+    cargo
+        .args(["--profile", mode.profile(), "--target-dir"])
+        .arg(&folder);
+    tools::run(&mut cargo, "Building the page")?;
+    let wasm = folder
+        .join(WASM)
+        .join(mode.folder())
+        .join(package.replace('-', "_"))
+        .with_extension("wasm");
+    if !wasm.is_file() {
+        return Err(format!(
+            "{} was not built; is {package} a cdylib?",
+            wasm.display()
+        ));
+    }
+    Ok(wasm)
+}
+
+/// Makes `target/page` out of the wasm file and the folder of static files, unless it is up to date.
+fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<()> {
+    let code =
+        fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
+    let mut statics = dist::read(statics)?;
+    statics.retain(|name, _| !name.split('/').any(|part| part.starts_with('.')));
+    let stamp = Stamp {
+        file: target.join("page-build/page.stamp"),
+        input: fingerprint(&code, &statics, mode),
+    };
+    let page = target.join("page");
+    if stamp.holds(&page) {
+        println!("The page in {} is up to date.", page.display());
+        return Ok(());
+    }
+    let files = join(bind(target, code, mode)?, statics)?;
+    let changed = dist::write(&page, &files, mode == Mode::Small)?;
+    println!(
+        "The page is in {}: {}, {changed} of its files new.",
+        page.display(),
+        dist::sizes(&page)?
+    );
+    stamp.save(&page)
+}
+
+/// One number for all that the page is made of.
+fn fingerprint(code: &[u8], statics: &Files, mode: Mode) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    (FORMAT, env!("CARGO_PKG_VERSION"), mode, code, statics).hash(&mut hasher);
+    hasher.finish()
+}
+
+/// Turns compiled code into a module for the browser: `app.js`, `app_bg.wasm` and snippets.
+fn bind(target: &Path, code: Vec<u8>, mode: Mode) -> Outcome<Files> {
+    let folder = target.join("page-build/bound");
+    if folder.exists() {
+        fs::remove_dir_all(&folder)
+            .map_err(|error| format!("{} cannot be emptied: {error}.", folder.display()))?;
+    }
+    let mut bindgen = Bindgen::new();
+    bindgen
+        .input_bytes(NAME, code)
+        .typescript(false)
+        .out_name(NAME);
+    bindgen
+        .remove_name_section(mode == Mode::Small)
+        .remove_producers_section(true);
+    let made = bindgen
+        .web(true)
+        .and_then(|bindgen| bindgen.generate(&folder));
+    made.map_err(|error| format!("wasm-bindgen could not bind the page: {error:#}."))?;
+    dist::read(&folder)
+}
+
+/// Both sets of files; a static file may not hide a built one.
+fn join(mut built: Files, statics: Files) -> Outcome<Files> {
+    for (name, content) in statics {
+        if built.insert(name.clone(), content).is_some() {
+            return Err(format!(
+                "static/{name} has the name of a file that the build makes; rename it."
+            ));
+        }
+    }
+    Ok(built)
+}
+
+/// Remembers what the page was made of, and what it then consisted of.
+struct Stamp {
+    file: PathBuf,
+    input: u64,
+}
+
+impl Stamp {
+    /// Whether `page` was made of the same input and is still whole.
+    fn holds(&self, page: &Path) -> bool {
+        let now = dist::listing(page).map(|files| self.words(&files));
+        now.is_ok_and(|now| fs::read_to_string(&self.file).is_ok_and(|saved| saved == now))
+    }
+
+    fn save(&self, page: &Path) -> Outcome<()> {
+        let words = self.words(&dist::listing(page)?);
+        fs::write(&self.file, words)
+            .map_err(|error| format!("{} cannot be written: {error}.", self.file.display()))
+    }
+
+    fn words(&self, files: &BTreeMap<String, u64>) -> String {
+        let lines: Vec<String> = files
+            .iter()
+            .map(|(name, bytes)| format!("{bytes} {name}\n"))
+            .collect();
+        format!("{:016x}\n{}", self.input, lines.concat())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Tested = Result<(), Box<dyn std::error::Error>>;
+
+    #[test]
+    fn the_fingerprint_follows_every_input() -> Tested {
+        let statics = Files::from([("index.html".to_owned(), b"<p>".to_vec())]);
+        let first = fingerprint(b"code", &statics, Mode::Small);
+        assert_eq!(first, fingerprint(b"code", &statics, Mode::Small));
+        assert_ne!(first, fingerprint(b"edoc", &statics, Mode::Small));
+        assert_ne!(first, fingerprint(b"code", &Files::new(), Mode::Small));
+        assert_ne!(first, fingerprint(b"code", &statics, Mode::Quick));
+        Ok(())
+    }
+
+    #[test]
+    fn a_static_file_may_not_hide_a_built_one() -> Tested {
+        let files = Files::from([("app.js".to_owned(), Vec::new())]);
+        assert!(
+            join(files.clone(), files).is_err_and(|sentence| sentence.contains("static/app.js"))
+        );
+        Ok(())
+    }
+
+    #[test]
+    fn a_stamp_notices_a_lost_file() -> Tested {
+        let folder = tempfile::tempdir()?;
+        let page = folder.path().join("page");
+        let files = Files::from([
+            ("a.css".to_owned(), b"a {}".to_vec()),
+            ("b.css".to_owned(), b"b {}".to_vec()),
+        ]);
+        dist::write(&page, &files, false)?;
+        let stamp = Stamp {
+            file: folder.path().join("stamp"),
+            input: 7,
+        };
+        assert!(!stamp.holds(&page));
+        stamp.save(&page)?;
+        assert!(stamp.holds(&page));
+        fs::remove_file(page.join("a.css"))?;
+        assert!(!stamp.holds(&page));
+        Ok(())
+    }
+}

@@ -1,0 +1,177 @@
+//! Every check of the house, step by step; the same on a laptop and in CI.
+
+use std::env;
+use std::fs;
+use std::path::PathBuf;
+use std::process::Command;
+use std::time::{Duration, Instant};
+
+use crate::page::{self, Mode};
+use crate::tools::{self, Outcome, WASM, Workspace};
+
+/// Crates that must also compile for the browser.
+const PURE: [&str; 5] = ["behaviour", "robot", "protocol", "engine", "simulation"];
+const HOW_TO_GET_CHROMIUM: &str =
+    "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
+
+/// One named check.
+type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
+
+const STEPS: [Step; 8] = [
+    ("tools", find_tools),
+    ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
+    ("cargo clippy", |run| {
+        run.cargo(&[
+            "clippy",
+            "--workspace",
+            "--all-targets",
+            "--",
+            "-D",
+            "warnings",
+        ])
+    }),
+    ("the pure crates for the browser", check_pure),
+    ("the page", |run| page::build(run.workspace, Mode::Small)),
+    ("the server", |run| {
+        run.cargo(&["build", "--package", "rrp"])
+    }),
+    ("cargo test", |run| run.tests(&[])),
+    ("cargo doc", document),
+];
+
+/// A run through the checks, and what it found on the way.
+struct Run<'a> {
+    workspace: &'a Workspace,
+    chromium: Option<PathBuf>,
+    skipped: Vec<String>,
+}
+
+/// Runs every check and stops at the first that fails.
+pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
+    let started = Instant::now();
+    let mut run = Run {
+        workspace,
+        chromium: None,
+        skipped: Vec::new(),
+    };
+    for (number, (name, check)) in STEPS.iter().enumerate() {
+        let began = Instant::now();
+        println!("\n== {} of {}: {name}", number + 1, STEPS.len());
+        let result = check(&mut run);
+        println!(
+            "-- {name}: {} after {}",
+            if result.is_ok() { "good" } else { "FAILED" },
+            seconds(began.elapsed())
+        );
+        result.map_err(|sentence| format!("step {} ({name}): {sentence}", number + 1))?;
+    }
+    println!(
+        "\nAll {} steps are good, in {}.",
+        STEPS.len(),
+        seconds(started.elapsed())
+    );
+    tell_skipped(&run.skipped);
+    Ok(())
+}
+
+/// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
+pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
+    let mut run = Run {
+        workspace,
+        chromium: None,
+        skipped: Vec::new(),
+    };
+    find_tools(&mut run)?;
+    run.tests(&[filter])?;
+    tell_skipped(&run.skipped);
+    Ok(())
+}
+
+impl Run<'_> {
+    fn cargo(&mut self, words: &[&str]) -> Outcome<()> {
+        tools::run(
+            &mut self.workspace.cargo(words),
+            &format!("`cargo {}`", words.join(" ")),
+        )
+    }
+
+    /// Runs the tests and gathers the names of those that skipped themselves.
+    fn tests(&mut self, more: &[&str]) -> Outcome<()> {
+        let list = self.workspace.target.join("skipped.txt");
+        let _ = fs::remove_file(&list);
+        let mut cargo = self.workspace.cargo(&["test", "--workspace"]);
+        cargo.args(more).env("RRP_SKIPPED_LIST", &list);
+        self.show_parts(&mut cargo);
+        let result = tools::run(&mut cargo, "`cargo test --workspace`");
+        self.skipped.extend(
+            fs::read_to_string(&list)
+                .unwrap_or_default()
+                .lines()
+                .map(str::to_owned),
+        );
+        result
+    }
+
+    /// Tells the tests where the browser and the server are.
+    fn show_parts(&self, cargo: &mut Command) {
+        let server = self.workspace.server();
+        if let Some(chromium) = &self.chromium {
+            cargo.env("RRP_CHROMIUM", chromium);
+        }
+        if server.is_file() {
+            cargo.env("RRP_BIN", server).env("RRP_TOOLS_READY", "1");
+        }
+    }
+}
+
+/// Looks for the browser, and makes the page's folder, which the server's code names at compile time.
+fn find_tools(run: &mut Run) -> Outcome<()> {
+    tools::ensure_wasm(run.workspace)?;
+    let page = run.workspace.page();
+    fs::create_dir_all(&page)
+        .map_err(|error| format!("{} cannot be made: {error}.", page.display()))?;
+    run.chromium = tools::ensure_chromium();
+    match &run.chromium {
+        Some(path) => println!("Chromium is {}.", path.display()),
+        None if in_ci() => {
+            return Err(format!(
+                "CI needs Chromium for the browser journeys; {HOW_TO_GET_CHROMIUM}."
+            ));
+        }
+        None => {
+            let part = format!("browser journeys (no Chromium; {HOW_TO_GET_CHROMIUM})");
+            println!("SKIPPED by name: {part}");
+            run.skipped.push(part);
+        }
+    }
+    Ok(())
+}
+
+fn in_ci() -> bool {
+    env::var("CI").is_ok_and(|value| value == "true")
+}
+
+fn check_pure(run: &mut Run) -> Outcome<()> {
+    let mut words = vec!["check", "--target", WASM];
+    words.extend(PURE.iter().flat_map(|name| ["--package", name]));
+    run.cargo(&words)
+}
+
+fn document(run: &mut Run) -> Outcome<()> {
+    let mut cargo = run.workspace.cargo(&["doc", "--workspace", "--no-deps"]);
+    tools::run(cargo.env("RUSTDOCFLAGS", "-D warnings"), "`cargo doc`")
+}
+
+fn tell_skipped(skipped: &[String]) {
+    let mut skipped = skipped.to_vec();
+    skipped.sort();
+    skipped.dedup();
+    match skipped.len() {
+        0 => println!("Nothing was skipped."),
+        _ => println!("SKIPPED by name:\n  {}", skipped.join("\n  ")),
+    }
+}
+
+fn seconds(time: Duration) -> String {
+    format!("{:.1} s", time.as_secs_f64())
+}

@@ -1,0 +1,225 @@
+//! Where things are, how other programs are called, and how a missing tool is found or installed.
+
+use std::env;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+/// A result whose error is a sentence for the person at the terminal.
+pub(crate) type Outcome<T> = Result<T, String>;
+
+/// The target triple of the page.
+pub(crate) const WASM: &str = "wasm32-unknown-unknown";
+
+/// Names under which Chromium is looked for on PATH, best first.
+const CHROMIUM_NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+
+/// What an outer cargo sets for its child and what would confuse a nested one.
+const OUTER_NAMES: [&str; 16] = [
+    "CARGO_BUILD_RUSTFLAGS",
+    "CARGO_BUILD_TARGET",
+    "CARGO_CRATE_NAME",
+    "CARGO_ENCODED_RUSTFLAGS",
+    "CARGO_MAKEFLAGS",
+    "CARGO_PRIMARY_PACKAGE",
+    "HOST",
+    "MAKEFLAGS",
+    "MFLAGS",
+    "NUM_JOBS",
+    "OPT_LEVEL",
+    "OUT_DIR",
+    "PROFILE",
+    "RUSTC_WORKSPACE_WRAPPER",
+    "RUSTFLAGS",
+    "TARGET",
+];
+const OUTER_PREFIXES: [&str; 4] = [
+    "CARGO_CFG_",
+    "CARGO_FEATURE_",
+    "CARGO_MANIFEST_",
+    "CARGO_PKG_",
+];
+
+/// The folders of this repository.
+pub(crate) struct Workspace {
+    /// The folder that holds the root `Cargo.toml`.
+    pub(crate) root: PathBuf,
+    /// Cargo's target folder: `CARGO_TARGET_DIR`, else `target` in the root.
+    pub(crate) target: PathBuf,
+}
+
+impl Workspace {
+    /// Finds the repository that this program was built from.
+    pub(crate) fn here() -> Outcome<Workspace> {
+        let manifest = env::var("CARGO_MANIFEST_DIR")
+            .unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").to_owned());
+        let root = Path::new(&manifest)
+            .ancestors()
+            .nth(2)
+            .map(Path::to_path_buf);
+        let root = root.filter(|root| root.join("Cargo.toml").is_file());
+        let root = root.ok_or_else(|| {
+            format!("The repository is not where it was built, above {manifest}.")
+        })?;
+        let target = env::var_os("CARGO_TARGET_DIR")
+            .filter(|dir| !dir.is_empty())
+            .unwrap_or("target".into());
+        Ok(Workspace {
+            target: root.join(target),
+            root,
+        })
+    }
+
+    /// The folder that holds the finished page.
+    pub(crate) fn page(&self) -> PathBuf {
+        self.target.join("page")
+    }
+
+    /// The development build of the server.
+    pub(crate) fn server(&self) -> PathBuf {
+        self.target
+            .join("debug")
+            .join(format!("rrp{}", env::consts::EXE_SUFFIX))
+    }
+
+    /// Cargo, called in the root with `words`, free of what our own cargo left in the environment.
+    pub(crate) fn cargo(&self, words: &[&str]) -> Command {
+        let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));
+        command.args(words).current_dir(&self.root);
+        for (name, _) in env::vars_os() {
+            if name.to_str().is_some_and(is_outer) {
+                command.env_remove(name);
+            }
+        }
+        command
+    }
+}
+
+/// Whether a nested cargo must not see the variable `name`.
+fn is_outer(name: &str) -> bool {
+    OUTER_NAMES.contains(&name) || OUTER_PREFIXES.iter().any(|prefix| name.starts_with(prefix))
+}
+
+/// Runs `command` with our own input and output; anything but success is an error that names it as `what`.
+pub(crate) fn run(command: &mut Command, what: &str) -> Outcome<()> {
+    match command.status() {
+        Ok(status) if status.success() => Ok(()),
+        Ok(status) => Err(format!(
+            "{what} failed ({status}); what went wrong is printed above."
+        )),
+        Err(error) => Err(format!("{what} could not be started: {error}.")),
+    }
+}
+
+/// What `command` prints, trimmed, when it succeeds.
+fn said(command: &mut Command) -> Option<String> {
+    let output = command.stderr(Stdio::null()).output().ok()?;
+    let text = String::from_utf8(output.stdout).ok()?;
+    output.status.success().then(|| text.trim().to_owned())
+}
+
+/// Makes sure that rustc can build for the browser, with rustup when it cannot yet.
+pub(crate) fn ensure_wasm(workspace: &Workspace) -> Outcome<()> {
+    if has_wasm(workspace) {
+        return Ok(());
+    }
+    println!("The Rust target {WASM} is missing; installing it with rustup.");
+    let added = Command::new("rustup")
+        .args(["target", "add", WASM])
+        .current_dir(&workspace.root)
+        .status();
+    if added.is_ok_and(|status| status.success()) && has_wasm(workspace) {
+        return Ok(());
+    }
+    Err(format!(
+        "The Rust target {WASM} is missing and could not be installed; run `rustup target add {WASM}`."
+    ))
+}
+
+fn has_wasm(workspace: &Workspace) -> bool {
+    let mut rustc = Command::new("rustc");
+    rustc
+        .args(["--print", "target-libdir", "--target", WASM])
+        .current_dir(&workspace.root);
+    said(&mut rustc).is_some_and(|folder| Path::new(&folder).is_dir())
+}
+
+/// Finds Chromium (`RRP_CHROMIUM`, else on PATH), or installs it where that is possible without asking.
+pub(crate) fn ensure_chromium() -> Option<PathBuf> {
+    chromium().or_else(|| {
+        install_chromium();
+        chromium()
+    })
+}
+
+fn chromium() -> Option<PathBuf> {
+    if let Some(named) = env::var_os("RRP_CHROMIUM").filter(|path| !path.is_empty()) {
+        return Some(PathBuf::from(named)).filter(|path| path.is_file());
+    }
+    CHROMIUM_NAMES.iter().find_map(|name| on_path(name))
+}
+
+fn on_path(name: &str) -> Option<PathBuf> {
+    env::split_paths(&env::var_os("PATH")?)
+        .map(|folder| folder.join(name))
+        .find(|path| path.is_file())
+}
+
+fn install_chromium() {
+    if env::var_os("RRP_CHROMIUM").is_some_and(|path| !path.is_empty())
+        || on_path("apt-get").is_none()
+    {
+        return;
+    }
+    let Some(mut words) = as_root() else { return };
+    words.push("apt-get");
+    println!(
+        "Chromium is missing; installing it with `{}`.",
+        words.join(" ")
+    );
+    let steps: [&[&str]; 2] = [
+        &["update"],
+        &["install", "-y", "--no-install-recommends", "chromium"],
+    ];
+    for step in steps {
+        let mut command = Command::new(words[0]);
+        command
+            .args(&words[1..])
+            .args(step)
+            .env("DEBIAN_FRONTEND", "noninteractive");
+        if let Err(sentence) = run(&mut command, "apt-get") {
+            println!("{sentence}");
+            return;
+        }
+    }
+}
+
+/// The words that make a command run as root: none for root, `sudo -n` where sudo asks no password.
+fn as_root() -> Option<Vec<&'static str>> {
+    if said(Command::new("id").arg("-u")).as_deref() == Some("0") {
+        return Some(Vec::new());
+    }
+    said(Command::new("sudo").args(["-n", "true"])).map(|_| vec!["sudo", "-n"])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    type Tested = Result<(), Box<dyn std::error::Error>>;
+
+    #[test]
+    fn a_nested_cargo_keeps_its_home_and_loses_the_flags() -> Tested {
+        assert!(
+            is_outer("RUSTFLAGS") && is_outer("CARGO_FEATURE_X") && is_outer("CARGO_MAKEFLAGS")
+        );
+        assert!(!is_outer("CARGO_HOME") && !is_outer("PATH") && !is_outer("CARGO_BUILD_JOBS"));
+        Ok(())
+    }
+
+    #[test]
+    fn this_repository_is_found() -> Tested {
+        let here = Workspace::here()?;
+        assert!(here.root.join("crates/xtask").is_dir());
+        Ok(())
+    }
+}
