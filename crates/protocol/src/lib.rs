@@ -1,1 +1,49 @@
-//! protocol
+//! What page and server say to each other over the WebSocket at [`PATH`]: one JSON text a message.
+//!
+//! A client first says [`Request::Hello`] with its [`VERSION`]; everything else before the welcome is refused. Every
+//! request travels in an [`Ask`] with a number of the client's choice; the reply that answers it carries the same number.
+#![warn(missing_docs)]
+
+mod live;
+mod reply;
+mod request;
+
+pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use reply::{Message, Person, Reply, SaidNo, Summary};
+pub use request::{Ask, Pointer, Request};
+
+/// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.
+pub const VERSION: u32 = 1;
+/// Where the socket is.
+pub const PATH: &str = "/socket";
+/// Where Stop is, as a plain POST that works without the page's program.
+pub const STOP_PATH: &str = "/stop";
+/// The largest message either side accepts, in bytes.
+pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
+/// How often live values and pictures of the room are sent at most, per second and client.
+pub const UPDATES_PER_SECOND_MAX: u64 = 30;
+/// How often the server pings, in milliseconds.
+pub const PING_MS: u64 = 5_000;
+/// The id of the shared helper library, which is edited like a behaviour.
+pub const LIBRARY: &str = "library";
+
+#[cfg(test)]
+mod tests {
+    use crate::{Ask, Message, Reply, Request, SaidNo};
+
+    #[test]
+    fn an_ask_is_plain_json() {
+        let text = r#"{"ask":3,"request":{"is":"open","behaviour":"abc"}}"#;
+        let ask: Ask = serde_json::from_str(text).unwrap();
+        assert!(matches!(ask.request, Request::Open { .. }));
+        assert_eq!(serde_json::to_string(&ask).unwrap(), text);
+    }
+
+    #[test]
+    fn a_no_says_why() {
+        let no = SaidNo::Change(behaviour::Refusal::NameTaken("Ball".into()));
+        let message = Message { ask: Some(3), reply: Reply::No { no } };
+        let text = serde_json::to_string(&message).unwrap();
+        assert_eq!(serde_json::from_str::<Message>(&text).unwrap(), message);
+    }
+}

@@ -1,0 +1,92 @@
+//! What the running robot tells: its state, its runs and their values.
+
+use behaviour::{Id, Value};
+use robot::Health;
+use serde::{Deserialize, Serialize};
+
+/// A robot and its link.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct RobotState {
+    /// Its name: "Simulated NAO".
+    pub name: String,
+    /// Its kind: `nao`.
+    pub kind: String,
+    /// How the link is.
+    pub health: Health,
+}
+
+/// One run of a behaviour.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct RunState {
+    /// Grows with every Start.
+    pub run: u64,
+    /// Which behaviour.
+    pub behaviour: Id,
+    /// Its name at Start.
+    pub name: String,
+    /// The revision that runs.
+    pub revision: u64,
+    /// Who pressed Start.
+    pub by: String,
+    /// Whether it runs.
+    pub phase: RunPhase,
+}
+
+/// Whether a run runs.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", tag = "is", content = "why")]
+pub enum RunPhase {
+    /// It runs.
+    Running,
+    /// It was stopped; by whom.
+    Stopped(String),
+    /// It ended by itself, its actuators safe; with the reason.
+    Faulted(String),
+}
+
+/// What changed in a running behaviour since the last such message.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Values {
+    /// Which run.
+    pub run: u64,
+    /// Milliseconds since Start.
+    pub at_ms: u64,
+    /// Streams with new values.
+    pub streams: Vec<StreamSample>,
+    /// Connectors that fired or failed.
+    pub connectors: Vec<ConnectorSample>,
+}
+
+/// The newest value of a stream.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct StreamSample {
+    /// Which stream.
+    pub stream: Id,
+    /// How many values it carried since Start.
+    pub count: u64,
+    /// Values per second over the last two seconds.
+    pub rate: f32,
+    /// When the newest was carried, in milliseconds since Start.
+    pub at_ms: u64,
+    /// The newest value.
+    pub value: Value,
+}
+
+/// How a connector is doing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ConnectorSample {
+    /// Which connector.
+    pub connector: Id,
+    /// How often it passed something on since Start.
+    pub fired: u64,
+    /// How often its procedure failed since Start.
+    pub faults: u64,
+    /// Why it failed last, in one sentence, if it ever did.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
+}

@@ -1,0 +1,234 @@
+//! What the server says, asked or unasked.
+
+use crate::{Pointer, RobotState, RunState, Values};
+use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, Value};
+use robot::Scene;
+use serde::{Deserialize, Serialize};
+
+/// A reply, with the number of the ask it answers if it answers one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Message {
+    /// The ask's number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ask: Option<u32>,
+    /// What is said.
+    pub reply: Reply,
+}
+
+/// What the server says.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", tag = "is")]
+pub enum Reply {
+    /// The answer to the greeting.
+    Welcome {
+        /// The server's protocol version.
+        version: u32,
+        /// Grows by one with every start of the server.
+        epoch: u64,
+        /// Who this client is to others.
+        you: Person,
+        /// The helper library.
+        library: Box<Behaviour>,
+        /// Its revision.
+        library_revision: u64,
+        /// Names and sentences of the templates.
+        templates: Vec<Summary>,
+    },
+    /// The behaviours that are not in the bin, newest change first.
+    Programs {
+        /// One each.
+        programs: Vec<Summary>,
+    },
+    /// A behaviour was made.
+    Created {
+        /// Its id.
+        behaviour: Id,
+    },
+    /// A behaviour was opened: all of it as it is now.
+    Opened {
+        /// Its id.
+        behaviour: Id,
+        /// Its revision.
+        revision: u64,
+        /// Its records.
+        records: Box<Behaviour>,
+        /// Its problems.
+        problems: Vec<Problem>,
+        /// Who is there, this client included.
+        people: Vec<Person>,
+    },
+    /// A change was made and is saved. Told to everyone there, in revision order without gaps.
+    Accepted {
+        /// Of which behaviour, or [`crate::LIBRARY`].
+        behaviour: Id,
+        /// The change and its revision.
+        accepted: Accepted,
+    },
+    /// The changes a client missed, in order.
+    Missed {
+        /// Of which behaviour.
+        behaviour: Id,
+        /// The changes.
+        changes: Vec<Accepted>,
+    },
+    /// The problems of a behaviour after a change.
+    Problems {
+        /// Of which behaviour.
+        behaviour: Id,
+        /// At which revision.
+        revision: u64,
+        /// All of them.
+        problems: Vec<Problem>,
+    },
+    /// A behaviour went to the bin or is gone; who has it open has to choose another.
+    Removed {
+        /// Which.
+        behaviour: Id,
+        /// Who removed it.
+        by: String,
+    },
+    /// What a procedure makes of the given values.
+    Checked {
+        /// Why it cannot run at all, in one sentence.
+        error: Option<String>,
+        /// One result, or one sentence, per set of values.
+        results: Vec<Result<Value, String>>,
+    },
+    /// Who is in a behaviour, with pointers and selections.
+    People {
+        /// In which behaviour.
+        behaviour: Id,
+        /// Everyone.
+        people: Vec<Person>,
+    },
+    /// The robot changed its state.
+    Robot {
+        /// The robot.
+        robot: RobotState,
+    },
+    /// What runs on the robot changed.
+    Runs {
+        /// All running behaviours and those that ended lately.
+        runs: Vec<RunState>,
+    },
+    /// Live values of the open behaviour.
+    Values {
+        /// What changed since the last.
+        values: Box<Values>,
+    },
+    /// The robot in its room.
+    Scene {
+        /// The picture.
+        scene: Box<Scene>,
+    },
+    /// Still there, every [`crate::PING_MS`]; a client that knows an older revision asks `Since`.
+    Ping {
+        /// The open behaviour and its revision.
+        behaviour: Option<(Id, u64)>,
+        /// The revision of the library.
+        library_revision: u64,
+    },
+    /// It was done.
+    Done,
+    /// It was not done.
+    No {
+        /// Why.
+        no: SaidNo,
+    },
+}
+
+/// Why something was not done. [`std::fmt::Display`] says it in one English sentence.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", tag = "why", content = "what")]
+pub enum SaidNo {
+    /// The client speaks another version; with the server's.
+    Version(u32),
+    /// The greeting must come first.
+    Greeting,
+    /// The message could not be read; with the reason.
+    Unreadable(String),
+    /// Too many messages; this one was dropped.
+    TooFast,
+    /// There is no such behaviour.
+    NoBehaviour,
+    /// There is no such template.
+    NoTemplate(String),
+    /// The change breaks a rule.
+    Change(Refusal),
+    /// These problems stop Start.
+    Problems(Vec<Problem>),
+    /// The behaviour cannot start; with the reason.
+    CannotStart(String),
+    /// The behaviour does not run.
+    NotRunning,
+    /// The behaviour runs; stop it first.
+    Running,
+    /// There is no such sensor stream.
+    NoSensor,
+    /// The store does not answer; with the reason.
+    Store(String),
+    /// Nothing is open.
+    NothingOpen,
+}
+
+impl std::fmt::Display for SaidNo {
+    fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
+        match self {
+            Self::Version(theirs) => {
+                write!(to, "This page is older or newer than the server (version {theirs}). Reload it.")
+            }
+            Self::Greeting => to.write_str("The connection was not greeted first. Reload the page."),
+            Self::Unreadable(reason) => write!(to, "This message could not be read ({reason})."),
+            Self::TooFast => to.write_str("That was too much at once. Wait a moment and try again."),
+            Self::NoBehaviour => to.write_str("There is no such behaviour any more. Choose another one."),
+            Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
+            Self::Change(refusal) => write!(to, "{refusal}"),
+            Self::Problems(problems) => {
+                let first = problems.first().map(ToString::to_string).unwrap_or_default();
+                write!(to, "It cannot start yet. {first}")
+            }
+            Self::CannotStart(reason) => write!(to, "It cannot start: {reason}."),
+            Self::NotRunning => to.write_str("This behaviour does not run. Press Start first."),
+            Self::Running => to.write_str("This behaviour runs on the robot. Press Stop first."),
+            Self::NoSensor => to.write_str("There is no such sensor stream in this behaviour."),
+            Self::Store(reason) => {
+                write!(to, "The behaviours cannot be reached just now ({reason}). Try again in a moment.")
+            }
+            Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
+        }
+    }
+}
+
+/// A behaviour or template in a list.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Summary {
+    /// Its id; for a template its name in files.
+    pub id: String,
+    /// Its name.
+    pub name: String,
+    /// When it was changed last, in milliseconds since 1970.
+    pub changed_ms: u64,
+    /// Who changed it last; for a template what it does, in a sentence.
+    pub by: String,
+    /// How many streams it has.
+    pub streams: u32,
+}
+
+/// A person who is here.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Person {
+    /// This connection.
+    pub client: Id,
+    /// Name.
+    pub name: String,
+    /// Which of the eight colours for people, 0 to 7.
+    pub color: u8,
+    /// Pointer on the canvas.
+    #[serde(default)]
+    pub pointer: Option<Pointer>,
+    /// Selected stream or connector.
+    #[serde(default)]
+    pub selected: Option<Id>,
+}

@@ -1,0 +1,127 @@
+//! What a client may ask.
+
+use behaviour::{Change, Id, Value};
+use robot::SceneEdit;
+use serde::{Deserialize, Serialize};
+
+/// A request with the client's number for it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ask {
+    /// The reply carries the same number.
+    pub ask: u32,
+    /// What is asked.
+    pub request: Request,
+}
+
+/// What a client may ask.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", tag = "is")]
+pub enum Request {
+    /// The greeting; always first. Answered by `Welcome`.
+    Hello {
+        /// The client's protocol version.
+        version: u32,
+        /// Names this tab or shell for ever; a new socket with the same id replaces the old one.
+        client: Id,
+        /// What others see: "Aiko".
+        name: String,
+    },
+    /// The list of behaviours. Answered by `Programs`; later changes of the list are told unasked.
+    List,
+    /// A new behaviour, empty or from a template. Answered by `Created`.
+    Create {
+        /// Its id, chosen by the client so that asking twice makes one.
+        behaviour: Id,
+        /// Its name; a number is appended if it is taken.
+        name: String,
+        /// The template's name, or none for an empty one.
+        template: Option<String>,
+    },
+    /// Opens a behaviour: answered by `Opened`, then its changes, problems, people and values are told. One at a time.
+    Open {
+        /// Which.
+        behaviour: Id,
+    },
+    /// Leaves the open behaviour. Answered by `Done`.
+    Leave,
+    /// Moves a behaviour to the bin. Refused while it runs. Answered by `Done`.
+    Remove {
+        /// Which.
+        behaviour: Id,
+    },
+    /// Takes a behaviour back from the bin. Answered by `Done`.
+    Restore {
+        /// Which.
+        behaviour: Id,
+    },
+    /// Proposes a change to a behaviour or to the library. Answered by `Accepted` (told to everyone there) or `No`.
+    Propose {
+        /// Which behaviour, or [`crate::LIBRARY`].
+        behaviour: Id,
+        /// What changes.
+        change: Change,
+    },
+    /// All changes after a revision, for a client that missed some. Answered by `Missed`.
+    Since {
+        /// Which behaviour.
+        behaviour: Id,
+        /// The last revision the client has.
+        revision: u64,
+    },
+    /// Whether a procedure can run, and what it makes of given values. Answered by `Checked`.
+    Check {
+        /// Argument names.
+        arguments: Vec<String>,
+        /// The procedure.
+        body: String,
+        /// Sets of argument values to try it on; at most 8.
+        inputs: Vec<Vec<Value>>,
+    },
+    /// Where this person is; told to the others in the behaviour, never stored, not answered.
+    Present {
+        /// Pointer on the canvas, none when it left.
+        pointer: Option<Pointer>,
+        /// Selected stream or connector.
+        selected: Option<Id>,
+    },
+    /// Runs a behaviour on the robot. Answered by `Done` once it runs, or by `No`.
+    Start {
+        /// Which.
+        behaviour: Id,
+    },
+    /// Stops a behaviour, or everything on the robot. Answered by `Done` at once.
+    Stop {
+        /// Which; none means everything.
+        behaviour: Option<Id>,
+    },
+    /// Sends a value to a sensor stream of a running behaviour as if the robot had sensed it. Answered by `Done`.
+    Stimulate {
+        /// Which running behaviour.
+        behaviour: Id,
+        /// Its sensor stream.
+        stream: Id,
+        /// The value.
+        value: Value,
+    },
+    /// Moves something in the simulated room. Not answered.
+    Scene {
+        /// What is done.
+        edit: SceneEdit,
+    },
+    /// Whether pictures of the room and live values are wanted. Both are on at first. Answered by `Done`.
+    Watch {
+        /// Pictures of the room.
+        scene: bool,
+        /// Live values of the open behaviour.
+        values: bool,
+    },
+}
+
+/// A pointer on the canvas, in canvas units.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Pointer {
+    /// To the right.
+    pub x: f64,
+    /// Downwards.
+    pub y: f64,
+}
