@@ -1,0 +1,200 @@
+//! Every rule of the graph: what breaks it is refused with one sentence, and nothing changes.
+
+use behaviour::{
+    Behaviour, BehaviourFile, Change, Connector, Decision, Id, Kind, Knowledge, Operation, Params, Procedure, Record,
+    RecordId, Refusal, Room, Settings, Stream, StreamKind, problems,
+};
+
+struct Anything;
+impl Knowledge for Anything {
+    fn device(&self, _: StreamKind, device: &str, _: &Params) -> Result<(), String> {
+        if device == "Nothing" { Err("there is no sense called “Nothing”".into()) } else { Ok(()) }
+    }
+    fn body(&self, _: &[String], body: &str) -> Result<(), String> {
+        if body.contains("((") { Err("line 1, column 2: a closing ) is missing".into()) } else { Ok(()) }
+    }
+}
+
+fn id(text: &str) -> Id {
+    Id::new(text).unwrap()
+}
+
+fn stream(kind: StreamKind, name: &str) -> Record {
+    let device = (kind != StreamKind::Ordinary).then(|| "RedBall".to_owned());
+    let (params, order) = (Params::new(), 0);
+    Record::Stream(Stream {
+        kind,
+        name: name.into(),
+        device,
+        params,
+        order,
+        resources: None,
+        priority: None,
+        hold_ms: None,
+    })
+}
+
+fn connector(operation: Operation, inputs: &[&str], output: &str) -> Record {
+    Record::Connector(Connector {
+        operation,
+        inputs: inputs.iter().map(|i| id(i)).collect(),
+        output: id(output),
+        order: 1,
+    })
+}
+
+fn map(body: &str) -> Operation {
+    Operation::Map(Procedure::body(body))
+}
+
+/// Ball -> Distance -> Close, and an action.
+fn start() -> Behaviour {
+    let mut behaviour = Behaviour::default();
+    let mut put = |kind, name: &str, record| behaviour.records.insert(RecordId::new(kind, &id(name)), record);
+    put(Kind::Settings, "behaviour", Record::Settings(Settings::named("Test")));
+    put(Kind::Stream, "ball", stream(StreamKind::Sensor, "Ball"));
+    put(Kind::Stream, "distance", stream(StreamKind::Ordinary, "Distance"));
+    put(Kind::Stream, "close", stream(StreamKind::Ordinary, "Close"));
+    put(Kind::Stream, "tracker", stream(StreamKind::Actuator, "Tracker"));
+    put(Kind::Connector, "c1", connector(map("ball.size"), &["ball"], "distance"));
+    put(Kind::Connector, "c2", connector(map("distance"), &["distance"], "close"));
+    behaviour
+}
+
+fn propose(edits: &[(Kind, &str, Option<Record>)]) -> Decision {
+    let room = Room::open(start(), 7);
+    let mut change = Change::of(id("op"), "Aiko", "Test");
+    for (kind, name, after) in edits {
+        let key = RecordId::new(*kind, &id(name));
+        change = match after {
+            Some(record) => change.put(room.behaviour(), key, record.clone()),
+            None => change.take(room.behaviour(), key),
+        };
+    }
+    let decision = room.propose(1, change, &Anything);
+    assert_eq!(room.behaviour(), &start(), "proposing changes nothing");
+    decision
+}
+
+#[test]
+fn each_broken_rule_is_refused_with_its_sentence() {
+    use StreamKind::{Actuator, Ordinary, Sensor};
+    let sub = Operation::Subscribe;
+    let new = |operation: Operation, inputs: &[&str], output: &str| {
+        (Kind::Connector, "c9", Some(connector(operation, inputs, output)))
+    };
+    let put = |name: &'static str, record| (Kind::Stream, name, Some(record));
+    let sample = |period_ms| Operation::Sample { period_ms };
+    let cases: Vec<((Kind, &str, Option<Record>), &str)> = vec![
+        (new(map(""), &["close"], "distance"), "already gets its values"),
+        (new(map(""), &["ball"], "tracker"), "Only subscribe"),
+        (new(sub.clone(), &["ball"], "close"), "must lead to an action"),
+        (new(map(""), &["tracker"], "close"), "nothing can come out"),
+        (new(map(""), &["close"], "ball"), "cannot take values"),
+        (new(map("(("), &["close"], "tracker"), "closing ) is missing"),
+        (new(Operation::Merge, &["ball", "ball"], "close"), "chosen twice"),
+        (new(sample(0), &["close"], "tracker"), "1 to 3,600,000"),
+        (new(sample(3_600_001), &["close"], "tracker"), "1 to 3,600,000"),
+        (new(sub, &["ball", "close"], "tracker"), "exactly one stream"),
+        (new(map(""), &["nobody"], "close"), "without a stream"),
+        ((Kind::Stream, "close", None), "without a stream"),
+        (put("x", stream(Ordinary, "Distance")), "already a “Distance”"),
+        (put("x", stream(Ordinary, " ")), "cannot be a name"),
+        (put("x", stream(Sensor, &"n".repeat(9_000))), "too long"),
+        (put("x", stream(Ordinary, "tab\there")), "cannot be a name"),
+        ((Kind::Settings, "behaviour", None), "damaged"),
+        ((Kind::Stream, "x", Some(connector(map(""), &["ball"], "close"))), "damaged"),
+    ];
+    for (edit, words) in cases {
+        let shown = format!("{edit:?}");
+        let Decision::Refuse(refusal) = propose(&[edit]) else { panic!("accepted {shown}") };
+        let sentence = refusal.to_string();
+        assert!(sentence.contains(words), "{shown}\n{sentence}");
+        assert!(sentence.ends_with('.') && sentence.starts_with(|c: char| c.is_uppercase() || c == '“'), "{sentence}");
+    }
+    let unknown = Record::Stream(Stream { device: Some("Nothing".into()), ..stream_of(stream(Actuator, "X")) });
+    assert!(matches!(propose(&[put("x", unknown)]), Decision::Refuse(Refusal::Device(_))));
+}
+
+fn stream_of(record: Record) -> Stream {
+    let Record::Stream(stream) = record else { panic!("a stream") };
+    stream
+}
+
+#[test]
+fn a_cycle_is_refused_in_one_change_or_two() {
+    let back = (Kind::Connector, "c9", Some(connector(Operation::Merge, &["close"], "loop")));
+    let stream = (Kind::Stream, "loop", Some(stream(StreamKind::Ordinary, "Loop")));
+    let join = (Kind::Connector, "c1", Some(connector(Operation::Merge, &["ball", "loop"], "distance")));
+    assert!(matches!(propose(&[stream.clone(), back.clone()]), Decision::Save(_)));
+    assert!(matches!(propose(&[stream, back, join]), Decision::Refuse(Refusal::Cycle(_))));
+}
+
+#[test]
+fn an_incomplete_graph_may_be_saved_and_is_shown_as_a_problem() {
+    let edits = [
+        (Kind::Stream, "sum", Some(stream(StreamKind::Ordinary, "Sum"))),
+        (Kind::Connector, "c9", Some(connector(Operation::CombineLatest(Procedure::body("")), &[], "sum"))),
+        (
+            Kind::Connector,
+            "c2",
+            Some(connector(Operation::Map(Procedure::Helper("gone".into())), &["distance"], "close")),
+        ),
+    ];
+    let Decision::Save(saved) = propose(&edits) else { panic!("refused") };
+    let mut room = Room::open(start(), 7);
+    room.commit(&saved);
+    let found = problems(room.behaviour(), &[], &Anything);
+    let sentences: Vec<String> = found.iter().filter(|p| p.blocks).map(ToString::to_string).collect();
+    assert_eq!(
+        sentences,
+        ["The helper “gone” does not exist. Choose another or add it.", "CombineLatest has no input streams. Add one."]
+    );
+}
+
+#[test]
+fn a_stale_edit_is_refused_and_names_the_thing() {
+    let mut room = Room::open(start(), 7);
+    let key = RecordId::new(Kind::Stream, &id("ball"));
+    let rename = |room: &Room, op: &str, name: &str| {
+        Change::of(id(op), "Aiko", "Rename").put(room.behaviour(), key.clone(), stream(StreamKind::Sensor, name))
+    };
+    let (mine, yours) = (rename(&room, "a", "Mine"), rename(&room, "b", "Yours"));
+    let Decision::Save(saved) = room.propose(5, mine.clone(), &Anything) else { panic!("refused") };
+    assert_eq!((saved.revision, saved.change.at_ms), (8, 5));
+    room.commit(&saved);
+    assert_eq!(room.propose(6, mine, &Anything), Decision::Duplicate(8));
+    assert_eq!(room.propose(6, yours, &Anything), Decision::Refuse(Refusal::Stale("“Mine”".into())));
+}
+
+#[test]
+fn a_file_round_trip_loses_nothing_and_keeps_the_order() {
+    for entry in std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/gold")).unwrap() {
+        let path = entry.unwrap().path().join("behaviour.json");
+        let Ok(text) = std::fs::read_to_string(&path) else { continue };
+        let file: BehaviourFile = serde_json::from_str(&text).unwrap();
+        let behaviour = file.records(|_| None).unwrap();
+        let library = file.library();
+        let mut again = BehaviourFile::of(&behaviour, &library.iter().collect::<Vec<_>>());
+        assert_eq!(again.records(|_| None).unwrap(), behaviour, "{path:?}");
+        again.helpers.sort_by_key(|helper| file.helpers.iter().position(|h| h.name == helper.name));
+        let plain = |file: &BehaviourFile| {
+            let mut file = file.clone();
+            file.streams.iter_mut().for_each(|stream| drop(stream.params.take_if(|params| params.is_empty())));
+            file
+        };
+        assert_eq!(plain(&again), plain(&file), "{path:?}");
+    }
+}
+
+#[test]
+fn a_file_with_faults_says_which() {
+    let text = r#"{"format":"rrp-behaviour/1","name":"x","helpers":[],"streams":[{"id":"a","kind":"sensor","name":"A"},
+        {"id":"a","kind":"ordinary","name":"B"}],"connectors":[{"id":"c","type":"fly","inputs":["a"],"output":"zz"}]}"#;
+    let file: BehaviourFile = serde_json::from_str(text).unwrap();
+    let faults = file.records(|_| None).unwrap_err();
+    assert_eq!(faults, ["a: this id is used twice", "c: there is no connector \"fly\""]);
+    assert!(
+        serde_json::from_str::<BehaviourFile>(&text.replace("\"name\":\"x\"", "\"name\":\"x\",\"extra\":1")).is_err()
+    );
+}
