@@ -1,1 +1,37 @@
-//! Harness
+//! What the tests of the whole house share: a real browser with people in it, a real server, and the sources.
+//!
+//! ```no_run
+//! # async fn journey() -> house::Outcome<()> {
+//! let folder = house::folder()?;
+//! let server = house::Server::start(folder.path()).await?;
+//! let browser = house::Browser::launch().await?;
+//! let aiko = browser.person("aiko").await?;
+//! aiko.goto(&server.url()).await?;
+//! aiko.press("button", "New behaviour").await?;
+//! aiko.until("document.title.includes('behaviour')", "the title names the behaviour").await?;
+//! aiko.no_errors()
+//! # }
+//! ```
+
+mod axe;
+mod browser;
+mod find;
+mod hands;
+mod keys;
+mod page;
+mod paths;
+mod server;
+pub mod skip;
+pub mod sources;
+mod trouble;
+mod watch;
+mod wire;
+
+pub use axe::Violation;
+pub use browser::Browser;
+pub use find::{Node, Rect};
+pub use page::{Cpu, Page};
+pub use paths::{folder, root, target};
+pub use server::Server;
+pub use trouble::{Outcome, Trouble};
+pub use watch::Traffic;

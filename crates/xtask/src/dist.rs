@@ -9,10 +9,8 @@ use std::path::{Path, PathBuf};
 pub(crate) type Files = BTreeMap<String, Vec<u8>>;
 
 /// Kinds that are compressed already.
-const COMPRESSED: [&str; 15] = [
-    "png", "jpg", "jpeg", "gif", "webp", "avif", "woff2", "mp3", "ogg", "opus", "mp4", "webm",
-    "zip", "gz", "br",
-];
+const COMPRESSED: [&str; 15] =
+    ["png", "jpg", "jpeg", "gif", "webp", "avif", "woff2", "mp3", "ogg", "opus", "mp4", "webm", "zip", "gz", "br"];
 /// A way to compress, by the ending of the file that it makes.
 type Press = (&'static str, fn(&[u8]) -> io::Result<Vec<u8>>);
 const PRESSES: [Press; 2] = [("br", brotlied), ("gz", gzipped)];
@@ -62,12 +60,7 @@ pub(crate) fn write(folder: &Path, files: &Files, compressed: bool) -> Result<us
 
 /// Writes the compressed forms of one file, unless the file is the `same` as before and they are there.
 /// Answers with the names of those that are worth having.
-fn write_smaller(
-    folder: &Path,
-    name: &str,
-    content: &[u8],
-    same: bool,
-) -> Result<Vec<String>, String> {
+fn write_smaller(folder: &Path, name: &str, content: &[u8], same: bool) -> Result<Vec<String>, String> {
     let mut kept = Vec::new();
     for (kind, press) in PRESSES {
         let beside = format!("{name}.{kind}");
@@ -87,23 +80,12 @@ fn write_smaller(
 /// The size of a page in a few words: as it is and as it travels.
 pub(crate) fn sizes(folder: &Path) -> Result<String, String> {
     let files = listing(folder)?;
-    let whole: u64 = files
-        .iter()
-        .filter(|(name, _)| !name.ends_with(".br") && !name.ends_with(".gz"))
-        .map(|f| f.1)
-        .sum();
-    let small: u64 = files
-        .iter()
-        .filter(|(name, _)| name.ends_with(".br"))
-        .map(|f| f.1)
-        .sum();
+    let whole: u64 =
+        files.iter().filter(|(name, _)| !name.ends_with(".br") && !name.ends_with(".gz")).map(|f| f.1).sum();
+    let small: u64 = files.iter().filter(|(name, _)| name.ends_with(".br")).map(|f| f.1).sum();
     let code = files.get("app_bg.wasm").copied().unwrap_or(0);
-    Ok(format!(
-        "{} KB, of these {} KB wasm; {} KB with brotli",
-        whole / 1024,
-        code / 1024,
-        small / 1024
-    ))
+    let travels = if small > 0 { format!("; {} KB with brotli", small / 1024) } else { String::new() };
+    Ok(format!("{} KB, of these {} KB wasm{travels}", whole / 1024, code / 1024))
 }
 
 fn is_compressed(name: &str) -> bool {
@@ -153,11 +135,7 @@ fn remove_others(folder: &Path, kept: &[String]) -> Result<(), String> {
 
 /// Removes `empty` and its parents below `top`, up to the first that still holds something.
 fn remove_empty(empty: Option<&Path>, top: &Path) {
-    for folder in empty
-        .into_iter()
-        .flat_map(Path::ancestors)
-        .take_while(|folder| *folder != top)
-    {
+    for folder in empty.into_iter().flat_map(Path::ancestors).take_while(|folder| *folder != top) {
         if fs::remove_dir(folder).is_err() {
             return;
         }
@@ -173,9 +151,7 @@ fn walk(top: &Path) -> Result<Vec<(String, PathBuf)>, String> {
             continue;
         }
         for entry in fs::read_dir(&folder).map_err(|error| trouble(&folder, "read", &error))? {
-            let path = entry
-                .map_err(|error| trouble(&folder, "read", &error))?
-                .path();
+            let path = entry.map_err(|error| trouble(&folder, "read", &error))?.path();
             let Some(last) = path.file_name().and_then(|name| name.to_str()) else {
                 return Err(format!("{} has a name that is not text.", path.display()));
             };
@@ -204,10 +180,7 @@ mod tests {
     type Tested = Result<(), Box<dyn std::error::Error>>;
 
     fn page(files: &[(&str, &str)]) -> Files {
-        files
-            .iter()
-            .map(|(name, text)| ((*name).to_owned(), text.repeat(100).into_bytes()))
-            .collect()
+        files.iter().map(|(name, text)| ((*name).to_owned(), text.repeat(100).into_bytes())).collect()
     }
 
     fn names(folder: &Path) -> Vec<String> {
@@ -217,15 +190,8 @@ mod tests {
     #[test]
     fn each_file_gets_its_compressed_forms_and_a_picture_none() -> Tested {
         let folder = tempfile::tempdir()?;
-        write(
-            folder.path(),
-            &page(&[("a.css", "a {}"), ("icons/b.png", "b")]),
-            true,
-        )?;
-        assert_eq!(
-            names(folder.path()),
-            ["a.css", "a.css.br", "a.css.gz", "icons/b.png"]
-        );
+        write(folder.path(), &page(&[("a.css", "a {}"), ("icons/b.png", "b")]), true)?;
+        assert_eq!(names(folder.path()), ["a.css", "a.css.br", "a.css.gz", "icons/b.png"]);
         let mut text = String::new();
         let small = fs::read(folder.path().join("a.css.br"))?;
         brotli::Decompressor::new(small.as_slice(), BUFFER).read_to_string(&mut text)?;
@@ -237,17 +203,9 @@ mod tests {
     fn only_what_changed_is_written() -> Tested {
         let folder = tempfile::tempdir()?;
         let time = |name: &str| fs::metadata(folder.path().join(name))?.modified();
-        write(
-            folder.path(),
-            &page(&[("a.css", "a {}"), ("b.css", "b {}")]),
-            true,
-        )?;
+        write(folder.path(), &page(&[("a.css", "a {}"), ("b.css", "b {}")]), true)?;
         let before = (time("a.css")?, time("a.css.br")?, time("b.css")?);
-        let changed = write(
-            folder.path(),
-            &page(&[("a.css", "a {}"), ("b.css", "c {}")]),
-            true,
-        )?;
+        let changed = write(folder.path(), &page(&[("a.css", "a {}"), ("b.css", "c {}")]), true)?;
         assert_eq!(changed, 1);
         assert_eq!((time("a.css")?, time("a.css.br")?), (before.0, before.1));
         assert!(time("b.css")? > before.2);
@@ -257,11 +215,7 @@ mod tests {
     #[test]
     fn what_is_stale_is_removed_with_its_folder() -> Tested {
         let folder = tempfile::tempdir()?;
-        write(
-            folder.path(),
-            &page(&[("a.css", "a {}"), ("deep/er/b.css", "b {}")]),
-            true,
-        )?;
+        write(folder.path(), &page(&[("a.css", "a {}"), ("deep/er/b.css", "b {}")]), true)?;
         write(folder.path(), &page(&[("a.css", "a {}")]), false)?;
         assert_eq!(names(folder.path()), ["a.css"]);
         assert!(!folder.path().join("deep").exists());

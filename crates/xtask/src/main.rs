@@ -1,8 +1,5 @@
 //! `cargo xtask`: builds the page, serves the whole house, and runs every test, without any tool to install by hand.
-#![expect(
-    clippy::print_stdout,
-    reason = "a command line tool speaks on standard output"
-)]
+#![expect(clippy::print_stdout, reason = "a command line tool speaks on standard output")]
 
 mod dist;
 mod page;
@@ -46,9 +43,6 @@ fn obey(words: &[String]) -> Outcome<()> {
             println!("{HELP}");
             Ok(())
         }
-        other => Err(format!(
-            "`{}` is not a command of ours.\n\n{HELP}",
-            other.join(" ")
-        )),
+        other => Err(format!("`{}` is not a command of ours.\n\n{HELP}", other.join(" "))),
     }
 }

@@ -48,12 +48,7 @@ pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
     tools::ensure_wasm(workspace)?;
     println!("Building the page with the profile `{}`.", mode.profile());
     let wasm = compile(workspace, PACKAGE, mode)?;
-    assemble(
-        &workspace.target,
-        &workspace.root.join("static"),
-        &wasm,
-        mode,
-    )
+    assemble(&workspace.target, &workspace.root.join("static"), &wasm, mode)
 }
 
 /// Compiles `package` for the browser and answers with its wasm file. Its target folder is its own:
@@ -61,34 +56,21 @@ pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
 fn compile(workspace: &Workspace, package: &str, mode: Mode) -> Outcome<PathBuf> {
     let folder = workspace.target.join("page-build");
     let mut cargo = workspace.cargo(&["build", "--lib", "--target", WASM, "--package", package]);
-    cargo
-        .args(["--profile", mode.profile(), "--target-dir"])
-        .arg(&folder);
+    cargo.args(["--profile", mode.profile(), "--target-dir"]).arg(&folder);
     tools::run(&mut cargo, "Building the page")?;
-    let wasm = folder
-        .join(WASM)
-        .join(mode.folder())
-        .join(package.replace('-', "_"))
-        .with_extension("wasm");
+    let wasm = folder.join(WASM).join(mode.folder()).join(package.replace('-', "_")).with_extension("wasm");
     if !wasm.is_file() {
-        return Err(format!(
-            "{} was not built; is {package} a cdylib?",
-            wasm.display()
-        ));
+        return Err(format!("{} was not built; is {package} a cdylib?", wasm.display()));
     }
     Ok(wasm)
 }
 
 /// Makes `target/page` out of the wasm file and the folder of static files, unless it is up to date.
 fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<()> {
-    let code =
-        fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
+    let code = fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
     let mut statics = dist::read(statics)?;
     statics.retain(|name, _| !name.split('/').any(|part| part.starts_with('.')));
-    let stamp = Stamp {
-        file: target.join("page-build/page.stamp"),
-        input: fingerprint(&code, &statics, mode),
-    };
+    let stamp = Stamp { file: target.join("page-build/page.stamp"), input: fingerprint(&code, &statics, mode) };
     let page = target.join("page");
     if stamp.holds(&page) {
         println!("The page in {} is up to date.", page.display());
@@ -96,11 +78,7 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<(
     }
     let files = join(bind(target, code, mode)?, statics)?;
     let changed = dist::write(&page, &files, mode == Mode::Small)?;
-    println!(
-        "The page is in {}: {}, {changed} of its files new.",
-        page.display(),
-        dist::sizes(&page)?
-    );
+    println!("The page is in {}: {}, {changed} of its files new.", page.display(), dist::sizes(&page)?);
     stamp.save(&page)
 }
 
@@ -115,20 +93,12 @@ fn fingerprint(code: &[u8], statics: &Files, mode: Mode) -> u64 {
 fn bind(target: &Path, code: Vec<u8>, mode: Mode) -> Outcome<Files> {
     let folder = target.join("page-build/bound");
     if folder.exists() {
-        fs::remove_dir_all(&folder)
-            .map_err(|error| format!("{} cannot be emptied: {error}.", folder.display()))?;
+        fs::remove_dir_all(&folder).map_err(|error| format!("{} cannot be emptied: {error}.", folder.display()))?;
     }
     let mut bindgen = Bindgen::new();
-    bindgen
-        .input_bytes(NAME, code)
-        .typescript(false)
-        .out_name(NAME);
-    bindgen
-        .remove_name_section(mode == Mode::Small)
-        .remove_producers_section(true);
-    let made = bindgen
-        .web(true)
-        .and_then(|bindgen| bindgen.generate(&folder));
+    bindgen.input_bytes(NAME, code).typescript(false).out_name(NAME);
+    bindgen.remove_name_section(mode == Mode::Small).remove_producers_section(true);
+    let made = bindgen.web(true).and_then(|bindgen| bindgen.generate(&folder));
     made.map_err(|error| format!("wasm-bindgen could not bind the page: {error:#}."))?;
     dist::read(&folder)
 }
@@ -137,9 +107,7 @@ fn bind(target: &Path, code: Vec<u8>, mode: Mode) -> Outcome<Files> {
 fn join(mut built: Files, statics: Files) -> Outcome<Files> {
     for (name, content) in statics {
         if built.insert(name.clone(), content).is_some() {
-            return Err(format!(
-                "static/{name} has the name of a file that the build makes; rename it."
-            ));
+            return Err(format!("static/{name} has the name of a file that the build makes; rename it."));
         }
     }
     Ok(built)
@@ -160,15 +128,11 @@ impl Stamp {
 
     fn save(&self, page: &Path) -> Outcome<()> {
         let words = self.words(&dist::listing(page)?);
-        fs::write(&self.file, words)
-            .map_err(|error| format!("{} cannot be written: {error}.", self.file.display()))
+        fs::write(&self.file, words).map_err(|error| format!("{} cannot be written: {error}.", self.file.display()))
     }
 
     fn words(&self, files: &BTreeMap<String, u64>) -> String {
-        let lines: Vec<String> = files
-            .iter()
-            .map(|(name, bytes)| format!("{bytes} {name}\n"))
-            .collect();
+        let lines: Vec<String> = files.iter().map(|(name, bytes)| format!("{bytes} {name}\n")).collect();
         format!("{:016x}\n{}", self.input, lines.concat())
     }
 }
@@ -193,9 +157,7 @@ mod tests {
     #[test]
     fn a_static_file_may_not_hide_a_built_one() -> Tested {
         let files = Files::from([("app.js".to_owned(), Vec::new())]);
-        assert!(
-            join(files.clone(), files).is_err_and(|sentence| sentence.contains("static/app.js"))
-        );
+        assert!(join(files.clone(), files).is_err_and(|sentence| sentence.contains("static/app.js")));
         Ok(())
     }
 
@@ -203,15 +165,9 @@ mod tests {
     fn a_stamp_notices_a_lost_file() -> Tested {
         let folder = tempfile::tempdir()?;
         let page = folder.path().join("page");
-        let files = Files::from([
-            ("a.css".to_owned(), b"a {}".to_vec()),
-            ("b.css".to_owned(), b"b {}".to_vec()),
-        ]);
+        let files = Files::from([("a.css".to_owned(), b"a {}".to_vec()), ("b.css".to_owned(), b"b {}".to_vec())]);
         dist::write(&page, &files, false)?;
-        let stamp = Stamp {
-            file: folder.path().join("stamp"),
-            input: 7,
-        };
+        let stamp = Stamp { file: folder.path().join("stamp"), input: 7 };
         assert!(!stamp.holds(&page));
         stamp.save(&page)?;
         assert!(stamp.holds(&page));

@@ -20,21 +20,10 @@ type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 const STEPS: [Step; 8] = [
     ("tools", find_tools),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
-    ("cargo clippy", |run| {
-        run.cargo(&[
-            "clippy",
-            "--workspace",
-            "--all-targets",
-            "--",
-            "-D",
-            "warnings",
-        ])
-    }),
+    ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("the pure crates for the browser", check_pure),
     ("the page", |run| page::build(run.workspace, Mode::Small)),
-    ("the server", |run| {
-        run.cargo(&["build", "--package", "rrp"])
-    }),
+    ("the server", |run| run.cargo(&["build", "--package", "rrp"])),
     ("cargo test", |run| run.tests(&[])),
     ("cargo doc", document),
 ];
@@ -49,38 +38,22 @@ struct Run<'a> {
 /// Runs every check and stops at the first that fails.
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
-    let mut run = Run {
-        workspace,
-        chromium: None,
-        skipped: Vec::new(),
-    };
+    let mut run = Run { workspace, chromium: None, skipped: Vec::new() };
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
         let result = check(&mut run);
-        println!(
-            "-- {name}: {} after {}",
-            if result.is_ok() { "good" } else { "FAILED" },
-            seconds(began.elapsed())
-        );
+        println!("-- {name}: {} after {}", if result.is_ok() { "good" } else { "FAILED" }, seconds(began.elapsed()));
         result.map_err(|sentence| format!("step {} ({name}): {sentence}", number + 1))?;
     }
-    println!(
-        "\nAll {} steps are good, in {}.",
-        STEPS.len(),
-        seconds(started.elapsed())
-    );
+    println!("\nAll {} steps are good, in {}.", STEPS.len(), seconds(started.elapsed()));
     tell_skipped(&run.skipped);
     Ok(())
 }
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run = Run {
-        workspace,
-        chromium: None,
-        skipped: Vec::new(),
-    };
+    let mut run = Run { workspace, chromium: None, skipped: Vec::new() };
     find_tools(&mut run)?;
     run.tests(&[filter])?;
     tell_skipped(&run.skipped);
@@ -89,10 +62,7 @@ pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
 
 impl Run<'_> {
     fn cargo(&mut self, words: &[&str]) -> Outcome<()> {
-        tools::run(
-            &mut self.workspace.cargo(words),
-            &format!("`cargo {}`", words.join(" ")),
-        )
+        tools::run(&mut self.workspace.cargo(words), &format!("`cargo {}`", words.join(" ")))
     }
 
     /// Runs the tests and gathers the names of those that skipped themselves.
@@ -103,12 +73,7 @@ impl Run<'_> {
         cargo.args(more).env("RRP_SKIPPED_LIST", &list);
         self.show_parts(&mut cargo);
         let result = tools::run(&mut cargo, "`cargo test --workspace`");
-        self.skipped.extend(
-            fs::read_to_string(&list)
-                .unwrap_or_default()
-                .lines()
-                .map(str::to_owned),
-        );
+        self.skipped.extend(fs::read_to_string(&list).unwrap_or_default().lines().map(str::to_owned));
         result
     }
 
@@ -128,15 +93,12 @@ impl Run<'_> {
 fn find_tools(run: &mut Run) -> Outcome<()> {
     tools::ensure_wasm(run.workspace)?;
     let page = run.workspace.page();
-    fs::create_dir_all(&page)
-        .map_err(|error| format!("{} cannot be made: {error}.", page.display()))?;
+    fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))?;
     run.chromium = tools::ensure_chromium();
     match &run.chromium {
         Some(path) => println!("Chromium is {}.", path.display()),
         None if in_ci() => {
-            return Err(format!(
-                "CI needs Chromium for the browser journeys; {HOW_TO_GET_CHROMIUM}."
-            ));
+            return Err(format!("CI needs Chromium for the browser journeys; {HOW_TO_GET_CHROMIUM}."));
         }
         None => {
             let part = format!("browser journeys (no Chromium; {HOW_TO_GET_CHROMIUM})");

@@ -32,12 +32,7 @@ const OUTER_NAMES: [&str; 16] = [
     "RUSTFLAGS",
     "TARGET",
 ];
-const OUTER_PREFIXES: [&str; 4] = [
-    "CARGO_CFG_",
-    "CARGO_FEATURE_",
-    "CARGO_MANIFEST_",
-    "CARGO_PKG_",
-];
+const OUTER_PREFIXES: [&str; 4] = ["CARGO_CFG_", "CARGO_FEATURE_", "CARGO_MANIFEST_", "CARGO_PKG_"];
 
 /// The folders of this repository.
 pub(crate) struct Workspace {
@@ -50,23 +45,12 @@ pub(crate) struct Workspace {
 impl Workspace {
     /// Finds the repository that this program was built from.
     pub(crate) fn here() -> Outcome<Workspace> {
-        let manifest = env::var("CARGO_MANIFEST_DIR")
-            .unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").to_owned());
-        let root = Path::new(&manifest)
-            .ancestors()
-            .nth(2)
-            .map(Path::to_path_buf);
+        let manifest = env::var("CARGO_MANIFEST_DIR").unwrap_or_else(|_| env!("CARGO_MANIFEST_DIR").to_owned());
+        let root = Path::new(&manifest).ancestors().nth(2).map(Path::to_path_buf);
         let root = root.filter(|root| root.join("Cargo.toml").is_file());
-        let root = root.ok_or_else(|| {
-            format!("The repository is not where it was built, above {manifest}.")
-        })?;
-        let target = env::var_os("CARGO_TARGET_DIR")
-            .filter(|dir| !dir.is_empty())
-            .unwrap_or("target".into());
-        Ok(Workspace {
-            target: root.join(target),
-            root,
-        })
+        let root = root.ok_or_else(|| format!("The repository is not where it was built, above {manifest}."))?;
+        let target = env::var_os("CARGO_TARGET_DIR").filter(|dir| !dir.is_empty()).unwrap_or("target".into());
+        Ok(Workspace { target: root.join(target), root })
     }
 
     /// The folder that holds the finished page.
@@ -76,9 +60,7 @@ impl Workspace {
 
     /// The development build of the server.
     pub(crate) fn server(&self) -> PathBuf {
-        self.target
-            .join("debug")
-            .join(format!("rrp{}", env::consts::EXE_SUFFIX))
+        self.target.join("debug").join(format!("rrp{}", env::consts::EXE_SUFFIX))
     }
 
     /// Cargo, called in the root with `words`, free of what our own cargo left in the environment.
@@ -103,9 +85,7 @@ fn is_outer(name: &str) -> bool {
 pub(crate) fn run(command: &mut Command, what: &str) -> Outcome<()> {
     match command.status() {
         Ok(status) if status.success() => Ok(()),
-        Ok(status) => Err(format!(
-            "{what} failed ({status}); what went wrong is printed above."
-        )),
+        Ok(status) => Err(format!("{what} failed ({status}); what went wrong is printed above.")),
         Err(error) => Err(format!("{what} could not be started: {error}.")),
     }
 }
@@ -123,23 +103,16 @@ pub(crate) fn ensure_wasm(workspace: &Workspace) -> Outcome<()> {
         return Ok(());
     }
     println!("The Rust target {WASM} is missing; installing it with rustup.");
-    let added = Command::new("rustup")
-        .args(["target", "add", WASM])
-        .current_dir(&workspace.root)
-        .status();
+    let added = Command::new("rustup").args(["target", "add", WASM]).current_dir(&workspace.root).status();
     if added.is_ok_and(|status| status.success()) && has_wasm(workspace) {
         return Ok(());
     }
-    Err(format!(
-        "The Rust target {WASM} is missing and could not be installed; run `rustup target add {WASM}`."
-    ))
+    Err(format!("The Rust target {WASM} is missing and could not be installed; run `rustup target add {WASM}`."))
 }
 
 fn has_wasm(workspace: &Workspace) -> bool {
     let mut rustc = Command::new("rustc");
-    rustc
-        .args(["--print", "target-libdir", "--target", WASM])
-        .current_dir(&workspace.root);
+    rustc.args(["--print", "target-libdir", "--target", WASM]).current_dir(&workspace.root);
     said(&mut rustc).is_some_and(|folder| Path::new(&folder).is_dir())
 }
 
@@ -159,33 +132,20 @@ fn chromium() -> Option<PathBuf> {
 }
 
 fn on_path(name: &str) -> Option<PathBuf> {
-    env::split_paths(&env::var_os("PATH")?)
-        .map(|folder| folder.join(name))
-        .find(|path| path.is_file())
+    env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
 fn install_chromium() {
-    if env::var_os("RRP_CHROMIUM").is_some_and(|path| !path.is_empty())
-        || on_path("apt-get").is_none()
-    {
+    if env::var_os("RRP_CHROMIUM").is_some_and(|path| !path.is_empty()) || on_path("apt-get").is_none() {
         return;
     }
     let Some(mut words) = as_root() else { return };
     words.push("apt-get");
-    println!(
-        "Chromium is missing; installing it with `{}`.",
-        words.join(" ")
-    );
-    let steps: [&[&str]; 2] = [
-        &["update"],
-        &["install", "-y", "--no-install-recommends", "chromium"],
-    ];
+    println!("Chromium is missing; installing it with `{}`.", words.join(" "));
+    let steps: [&[&str]; 2] = [&["update"], &["install", "-y", "--no-install-recommends", "chromium"]];
     for step in steps {
         let mut command = Command::new(words[0]);
-        command
-            .args(&words[1..])
-            .args(step)
-            .env("DEBIAN_FRONTEND", "noninteractive");
+        command.args(&words[1..]).args(step).env("DEBIAN_FRONTEND", "noninteractive");
         if let Err(sentence) = run(&mut command, "apt-get") {
             println!("{sentence}");
             return;
@@ -209,9 +169,7 @@ mod tests {
 
     #[test]
     fn a_nested_cargo_keeps_its_home_and_loses_the_flags() -> Tested {
-        assert!(
-            is_outer("RUSTFLAGS") && is_outer("CARGO_FEATURE_X") && is_outer("CARGO_MAKEFLAGS")
-        );
+        assert!(is_outer("RUSTFLAGS") && is_outer("CARGO_FEATURE_X") && is_outer("CARGO_MAKEFLAGS"));
         assert!(!is_outer("CARGO_HOME") && !is_outer("PATH") && !is_outer("CARGO_BUILD_JOBS"));
         Ok(())
     }

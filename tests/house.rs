@@ -1,0 +1,229 @@
+//! The structure of the house: who may use whom, and what the sources may not say.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+
+use house::sources::{self, Source};
+use house::{Outcome, Trouble};
+use serde_json::Value;
+
+/// Our rooms and the ones each may use in its product code.
+const ARROWS: [(&str, &[&str]); 13] = [
+    ("behaviour", &[]),
+    ("engine", &["behaviour", "robot"]),
+    ("frontend", &["behaviour", "engine", "protocol", "robot", "simulation"]),
+    ("house", &["behaviour", "engine", "protocol", "robot", "rrp", "server", "shell", "simulation", "store"]),
+    ("house-wasm", &["behaviour", "engine", "robot", "simulation"]),
+    ("protocol", &["behaviour", "robot"]),
+    ("robot", &["behaviour"]),
+    ("rrp", &["behaviour", "engine", "robot", "server", "shell", "simulation", "store"]),
+    ("server", &["behaviour", "engine", "protocol", "robot", "simulation", "store"]),
+    ("shell", &["behaviour", "protocol", "robot"]),
+    ("simulation", &["behaviour", "robot"]),
+    ("store", &["behaviour"]),
+    ("xtask", &[]),
+];
+
+/// Rooms whose outside libraries are listed in full.
+const LIBRARIES: [(&str, &[&str]); 6] = [
+    ("behaviour", &["serde", "uuid"]),
+    ("engine", &["libm", "rhai", "serde"]),
+    ("protocol", &["serde"]),
+    ("robot", &["serde"]),
+    ("simulation", &["libm", "rapier3d", "serde", "toml"]),
+    ("store", &["async-trait", "rusqlite", "serde", "serde_json", "thiserror", "tokio"]),
+];
+
+/// Rooms without clock, threads, network or chance.
+const PURE: [&str; 5] = ["behaviour", "engine", "protocol", "robot", "simulation"];
+const IMPURE: [&str; 6] = ["std::time::Instant", "Instant::now", "SystemTime", "std::thread", "std::net", "tokio"];
+/// Rooms whose work must happen in the same order in every run.
+const ORDERED: [&str; 3] = ["behaviour", "engine", "simulation"];
+const UNORDERED: [&str; 2] = ["HashMap", "HashSet"];
+/// Functions of the standard library that differ between machines; `libm` does not.
+const TRIGONOMETRY: [&str; 8] =
+    [".sin()", ".cos()", ".tan()", ".asin()", ".acos()", ".atan()", ".atan2(", ".sin_cos()"];
+
+/// What the root of the repository holds, besides hidden files.
+const TOP: [&str; 13] = [
+    "CHANGELOG.md",
+    "Cargo.lock",
+    "Cargo.toml",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.md",
+    "crates",
+    "docker-compose.yml",
+    "frontend",
+    "migrations",
+    "rust-toolchain.toml",
+    "static",
+    "tests",
+];
+/// Where cargo and the tests put what they make; never in a commit.
+const MADE: &str = "target";
+
+/// The longest function, in lines. A ratchet: it may only go down.
+const FUNCTION_MAX: usize = 90;
+
+#[test]
+fn rooms_use_only_the_rooms_below_them() -> Outcome<()> {
+    let allowed = BTreeMap::from(ARROWS);
+    let rooms = rooms()?;
+    let mut wrong = Vec::new();
+    for (room, uses) in &rooms {
+        let Some(may) = allowed.get(room.as_str()) else {
+            wrong.push(format!("{room} is a new room; say in ARROWS what it may use"));
+            continue;
+        };
+        let ours = uses.iter().filter(|used| rooms.contains_key(*used));
+        wrong.extend(ours.filter(|used| !may.contains(&used.as_str())).map(|used| format!("{room} uses {used}")));
+    }
+    none("rooms use what is not below them", &wrong)
+}
+
+#[test]
+fn plain_rooms_use_only_the_libraries_on_their_list() -> Outcome<()> {
+    let rooms = rooms()?;
+    let mut wrong = Vec::new();
+    for (room, may) in LIBRARIES {
+        let uses = rooms.get(room).ok_or_else(|| Trouble(format!("There is no room {room}.")))?;
+        let others = uses.iter().filter(|used| !rooms.contains_key(*used));
+        wrong.extend(others.filter(|used| !may.contains(&used.as_str())).map(|used| format!("{room} uses {used}")));
+    }
+    none("rooms use libraries that are not on their list", &wrong)
+}
+
+#[test]
+fn files_are_named_for_what_they_hold() -> Outcome<()> {
+    let files = everything()?;
+    let wrong: Vec<&str> = files.iter().filter(|file| file.name() == "mod.rs").map(|file| file.path.as_str()).collect();
+    none("files are named mod.rs", &wrong)
+}
+
+#[test]
+fn every_file_opens_with_its_purpose() -> Outcome<()> {
+    let purpose = |file: &&Source| {
+        file.text.strip_prefix("//! ").is_none_or(|rest| rest.trim_start_matches([' ', '\t']).starts_with('\n'))
+    };
+    let files = everything()?;
+    let wrong: Vec<&str> = files.iter().filter(purpose).map(|file| file.path.as_str()).collect();
+    none("files do not open with `//! ` and their purpose", &wrong)
+}
+
+#[test]
+fn pure_rooms_have_no_clock_no_threads_and_no_network() -> Outcome<()> {
+    let mut wrong = mentions(&PURE, &IMPURE)?;
+    wrong.extend(mentions(&ORDERED, &UNORDERED)?);
+    none("pure rooms mention what depends on the machine", &wrong)
+}
+
+#[test]
+fn the_simulation_computes_the_same_everywhere() -> Outcome<()> {
+    none("uses of the machine's trigonometry instead of libm's", &mentions(&["simulation"], &TRIGONOMETRY)?)
+}
+
+#[test]
+fn the_page_never_turns_text_into_markup() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for file in Source::below("frontend")? {
+        let code = file.code();
+        wrong.extend(
+            ["inner_html", "innerHTML", "insert_adjacent_html"]
+                .iter()
+                .filter(|word| code.contains(**word))
+                .map(|word| format!("{}: {word}", file.path)),
+        );
+    }
+    none("ways to turn text into markup", &wrong)
+}
+
+#[test]
+fn the_root_holds_only_what_belongs_there() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for entry in std::fs::read_dir(house::root())? {
+        let name = entry?.file_name().to_string_lossy().into_owned();
+        if !name.starts_with('.') && name != MADE && !TOP.contains(&name.as_str()) {
+            wrong.push(name);
+        }
+    }
+    none("entries of the root that do not belong there", &wrong)
+}
+
+#[test]
+fn functions_stay_short() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for file in product()? {
+        let long = sources::functions(&file.code()).into_iter().filter(|function| function.lines > FUNCTION_MAX);
+        wrong.extend(long.map(|long| format!("{}:{}: {} has {} lines", file.path, long.line, long.name, long.lines)));
+    }
+    none(&format!("functions are longer than {FUNCTION_MAX} lines"), &wrong)
+}
+
+/// Every Rust file of the house.
+fn everything() -> Outcome<Vec<Source>> {
+    let mut files = Source::below("crates")?;
+    files.extend(Source::below("frontend")?);
+    files.extend(Source::below("tests")?);
+    Ok(files)
+}
+
+/// Every Rust file that is not a test.
+fn product() -> Outcome<Vec<Source>> {
+    let mut files = Source::below("crates")?;
+    files.extend(Source::below("frontend")?);
+    files.retain(|file| !file.is_test());
+    Ok(files)
+}
+
+/// Where the product code of `rooms` says one of `phrases`, as `path:line: phrase`.
+fn mentions(rooms: &[&str], phrases: &[&str]) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    for file in product()? {
+        if !rooms.iter().any(|room| file.path.starts_with(&format!("crates/{room}/"))) {
+            continue;
+        }
+        for (number, line) in file.code().lines().enumerate() {
+            let said = phrases.iter().filter(|phrase| says(line, phrase));
+            found.extend(said.map(|phrase| format!("{}:{}: {phrase}", file.path, number + 1)));
+        }
+    }
+    Ok(found)
+}
+
+/// Whether `line` says `phrase`: a method anywhere, anything else as a whole word.
+fn says(line: &str, phrase: &str) -> bool {
+    if phrase.starts_with('.') { line.contains(phrase) } else { sources::words(line, phrase).next().is_some() }
+}
+
+/// Each of our packages with the packages that its product code uses.
+fn rooms() -> Outcome<BTreeMap<String, BTreeSet<String>>> {
+    let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or("cargo".into()));
+    cargo.args(["metadata", "--format-version", "1", "--no-deps", "--offline"]).current_dir(house::root());
+    let output = cargo.output()?;
+    if !output.status.success() {
+        return Err(Trouble(format!("cargo metadata failed: {}", String::from_utf8_lossy(&output.stderr))));
+    }
+    let metadata: Value = serde_json::from_slice(&output.stdout)?;
+    Ok(list(&metadata["packages"]).iter().map(|package| (text(&package["name"]), uses(package))).collect())
+}
+
+/// What a package needs to run or to build; needs of its tests alone are left out.
+fn uses(package: &Value) -> BTreeSet<String> {
+    let needs = list(&package["dependencies"]).iter().filter(|need| need["kind"] != "dev");
+    needs.map(|need| text(&need["name"])).collect()
+}
+
+fn list(value: &Value) -> &[Value] {
+    value.as_array().map_or(&[], Vec::as_slice)
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_default().to_owned()
+}
+
+/// Fails with one line for each of `wrong`.
+fn none<T: AsRef<str>>(what: &str, wrong: &[T]) -> Outcome<()> {
+    let lines: Vec<&str> = wrong.iter().map(AsRef::as_ref).collect();
+    if lines.is_empty() { Ok(()) } else { Err(Trouble(format!("{} {what}:\n  {}", lines.len(), lines.join("\n  ")))) }
+}

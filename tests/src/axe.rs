@@ -1,0 +1,46 @@
+//! Accessibility rules, checked by axe-core (MPL-2.0, in `tests/vendor`).
+
+use serde_json::Value;
+
+use crate::Outcome;
+use crate::page::Page;
+
+const AXE: &str = include_str!("../vendor/axe.min.js");
+
+/// A broken rule and the elements that break it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Violation {
+    /// The rule's name, such as `color-contrast`.
+    pub rule: String,
+    /// `minor`, `moderate`, `serious` or `critical`.
+    pub impact: String,
+    /// What the rule asks for.
+    pub help: String,
+    /// CSS selectors of the elements, each with the reason.
+    pub nodes: Vec<String>,
+}
+
+impl Page {
+    /// Checks what matches the CSS selector `scope` (all of the page when it is empty) in its present state.
+    pub async fn axe(&self, scope: &str) -> Outcome<Vec<Violation>> {
+        if self.eval("typeof globalThis.axe").await? != "object" {
+            self.eval(&format!("{AXE}\n;0")).await?;
+        }
+        let scope = if scope.is_empty() { "document".to_owned() } else { Value::from(scope).to_string() };
+        let script = format!("axe.run({scope}, {{ resultTypes: ['violations'] }}).then(found => found.violations)");
+        let found = self.eval(&script).await?;
+        Ok(found.as_array().into_iter().flatten().map(violation).collect())
+    }
+}
+
+fn violation(found: &Value) -> Violation {
+    let word = |name: &str| found[name].as_str().unwrap_or_default().to_owned();
+    let nodes = found["nodes"].as_array().into_iter().flatten();
+    Violation { rule: word("id"), impact: word("impact"), help: word("help"), nodes: nodes.map(node).collect() }
+}
+
+fn node(found: &Value) -> String {
+    let why = found["failureSummary"].as_str().unwrap_or_default();
+    let why = why.split_whitespace().collect::<Vec<_>>().join(" ");
+    format!("{}: {why}", found["target"])
+}

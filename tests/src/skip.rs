@@ -1,0 +1,48 @@
+//! Tests that need a browser or a server say by name when they have to skip; in CI they fail instead.
+
+use std::fs::OpenOptions;
+use std::io::Write;
+
+use crate::paths;
+
+/// Whether the browser and the server's binary are here, so that the journey `part` can run.
+///
+/// # Panics
+/// When one is missing and `CI` is `true`, where nothing may be skipped, or when the server is missing
+/// although `cargo xtask test` has just built it.
+pub fn ready(part: &str) -> bool {
+    let server = paths::server();
+    let missing = (!server.is_file()).then(|| format!("the server is not built at {}", server.display()));
+    assert!(missing.is_none() || !is("RRP_TOOLS_READY", "1"), "{part} cannot run: {missing:?}");
+    proceed(part, missing) && ready_browser(part)
+}
+
+/// Whether the browser alone is here, for tests that bring their own page.
+///
+/// # Panics
+/// When it is missing and `CI` is `true`.
+pub fn ready_browser(part: &str) -> bool {
+    let missing = paths::chromium().is_none().then(|| "there is no Chromium; name one in RRP_CHROMIUM".to_owned());
+    proceed(part, missing)
+}
+
+fn proceed(part: &str, missing: Option<String>) -> bool {
+    let Some(why) = missing else { return true };
+    assert!(!is("CI", "true"), "{part} cannot run, and CI skips nothing: {why}");
+    tell(&format!("{part} ({why})"));
+    false
+}
+
+fn is(variable: &str, value: &str) -> bool {
+    std::env::var(variable).is_ok_and(|found| found == value)
+}
+
+/// Says it past the test runner, which hides what passing tests print, and notes it for `cargo xtask test`.
+fn tell(line: &str) {
+    let _ = writeln!(std::io::stderr().lock(), "SKIPPED: {line}");
+    if let Some(list) = std::env::var_os("RRP_SKIPPED_LIST")
+        && let Ok(mut file) = OpenOptions::new().create(true).append(true).open(list)
+    {
+        let _ = writeln!(file, "{line}");
+    }
+}
