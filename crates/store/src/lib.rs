@@ -1,1 +1,123 @@
-//! store
+//! Where behaviours are kept: one trait, the embedded SQLite store, a store in memory, and the contract both keep.
+//!
+//! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
+//! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once. After an error the
+//! outcome may be open ([`StoreError::is_open`]): send the same change again, and the op id settles it.
+#![warn(missing_docs)]
+
+#[cfg(any(test, feature = "contract"))]
+pub mod contract;
+mod error;
+mod json;
+mod memory;
+mod sqlite;
+mod usage;
+
+pub use error::StoreError;
+pub use memory::MemoryStore;
+pub use sqlite::{SqliteStore, open};
+
+use async_trait::async_trait;
+use behaviour::{Behaviour, Committed, Id, RecordId};
+
+/// The id of the behaviour that holds the helper library. It has no settings record, is never listed and never
+/// goes to the bin.
+pub const LIBRARY: &str = "library";
+
+/// A place that keeps behaviours with their whole history.
+#[async_trait]
+pub trait Store: Send + Sync {
+    /// Saves a change under its revision, which must be one more than the last; revision 1 creates the behaviour.
+    /// Durable when it answers. Checks in order: op id seen in this behaviour, in the bin, revision.
+    ///
+    /// # Errors
+    /// [`StoreError::Gone`] for a behaviour in the bin, [`StoreError::Refused`] for values that cannot be kept (such as NaN).
+    async fn append(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError>;
+
+    /// The behaviour as it is now, also from the bin; none if there never was one or it was purged.
+    async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError>;
+
+    /// All behaviours that are not in the bin, last changed first. Never the library.
+    async fn list(&self) -> Result<Vec<Listed>, StoreError>;
+
+    /// All behaviours in the bin, last removed first; `changed_ms` and `by` tell of the removal.
+    async fn bin(&self) -> Result<Vec<Listed>, StoreError>;
+
+    /// At most `most` changes with a revision above `since`, oldest first.
+    async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError>;
+
+    /// Moves a behaviour to the bin. False if it is not there, already in the bin, or the library.
+    async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError>;
+
+    /// Takes a behaviour out of the bin again. False if it is not in the bin.
+    async fn restore(&self, behaviour: &Id) -> Result<bool, StoreError>;
+
+    /// Deletes for ever what went to the bin before that time, with its history; says how many behaviours.
+    async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError>;
+
+    /// Who uses a helper: connectors of behaviours outside the bin that name it or mention it in their body, and
+    /// other helpers of the library that mention it. In order of behaviour and record.
+    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError>;
+
+    /// The next number of a server start. Grows by one at each call and is durable when it answers.
+    async fn next_epoch(&self) -> Result<u64, StoreError>;
+
+    /// Whether changes can be saved now; else why not.
+    async fn healthy(&self) -> Result<(), StoreError>;
+}
+
+/// What became of a change handed to the store.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Append {
+    /// It is saved.
+    Applied,
+    /// It was already saved, as this revision.
+    Duplicate {
+        /// The revision it made then.
+        revision: u64,
+    },
+    /// It is not saved: its revision is not the next one. Somebody else wrote; load again.
+    Conflict {
+        /// The last saved revision; 0 if there is no such behaviour.
+        head: u64,
+    },
+}
+
+/// A behaviour as the store has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loaded {
+    /// Its records.
+    pub behaviour: Behaviour,
+    /// The number of changes ever made.
+    pub revision: u64,
+    /// When it went to the bin, if it is there.
+    pub removed_ms: Option<u64>,
+}
+
+/// One line in the list of behaviours.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Listed {
+    /// Its id.
+    pub id: Id,
+    /// Its name.
+    pub name: String,
+    /// The number of changes ever made.
+    pub revision: u64,
+    /// When it was last changed (in the bin: removed), in milliseconds since 1970.
+    pub changed_ms: u64,
+    /// Who did that.
+    pub by: String,
+    /// How many streams it has.
+    pub streams: u32,
+}
+
+/// One use of a helper.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Usage {
+    /// The behaviour with the connector, or [`LIBRARY`].
+    pub behaviour: Id,
+    /// What to call the user: the behaviour's name, or in the library the other helper's name.
+    pub name: String,
+    /// The connector, or the other helper.
+    pub record: RecordId,
+}

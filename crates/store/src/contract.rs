@@ -1,0 +1,42 @@
+//! What every store must do, as one suite that runs against any of them. It panics where a store breaks the contract.
+
+mod bin;
+mod changes;
+mod crowd;
+mod large;
+mod random;
+mod samples;
+mod usage;
+
+use crate::Store;
+use std::future::Future;
+use std::sync::Arc;
+
+/// Runs the whole suite; `make` gives a new empty store at each call.
+///
+/// # Panics
+/// Where the store breaks the contract.
+pub async fn check<F>(make: impl Fn() -> F)
+where
+    F: Future<Output = Arc<dyn Store>>,
+{
+    changes::check(&make).await;
+    bin::check(&make).await;
+    usage::check(&make).await;
+    crowd::check(&make).await;
+    large::check(make().await.as_ref()).await;
+    for seed in 0..random::SEEDS {
+        random::check(make().await.as_ref(), seed).await;
+    }
+    epochs_grow(make().await.as_ref()).await;
+}
+
+async fn epochs_grow(store: &dyn Store) {
+    let mut last = 0;
+    for _ in 0..3 {
+        let next = store.next_epoch().await.expect("an epoch");
+        assert!(next > last, "epoch {next} does not follow {last}");
+        last = next;
+    }
+    store.healthy().await.expect("a new store is healthy");
+}

@@ -1,0 +1,138 @@
+//! One change after the other: saved once, in order, and read back as it was.
+
+use super::samples::{append, change, id, key, note, save, settings, stream};
+use crate::{Append, Store, StoreError};
+use behaviour::{Change, Committed, Kind, Place, Record, RecordId};
+use std::future::Future;
+use std::sync::Arc;
+
+pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -> F) {
+    nothing_is_there_at_first(make().await.as_ref()).await;
+    a_change_sent_twice_is_saved_once(make().await.as_ref()).await;
+    an_op_id_counts_in_its_behaviour_only(make().await.as_ref()).await;
+    only_the_next_revision_is_saved(make().await.as_ref()).await;
+    two_streams_swap_their_names(make().await.as_ref()).await;
+    every_script_is_kept(make().await.as_ref()).await;
+    what_would_not_read_back_is_refused(make().await.as_ref()).await;
+    history_comes_in_pages(make().await.as_ref()).await;
+    the_list_shows_the_newest_first(make().await.as_ref()).await;
+}
+
+async fn nothing_is_there_at_first(store: &dyn Store) {
+    assert_eq!(store.load(&id("b")).await, Ok(None));
+    assert_eq!(store.list().await, Ok(vec![]));
+    assert_eq!(store.bin().await, Ok(vec![]));
+    assert_eq!(store.history(&id("b"), 0, 10).await, Ok(vec![]));
+    assert_eq!(store.where_used("near").await, Ok(vec![]));
+}
+
+async fn a_change_sent_twice_is_saved_once(store: &dyn Store) {
+    let first = change("op1", 5, vec![(RecordId::settings(), settings("One"))]);
+    assert_eq!(append(store, "b", 1, first.clone()).await, Append::Applied);
+    save(store, "b", "op2", vec![(key(Kind::Note, "n"), note("two"))]).await;
+    let before = store.load(&id("b")).await;
+    for revision in [1, 2, 3, 9] {
+        assert_eq!(append(store, "b", revision, first.clone()).await, Append::Duplicate { revision: 1 });
+    }
+    let other = change("op2", 6, vec![(RecordId::settings(), settings("Other"))]);
+    assert_eq!(append(store, "b", 3, other).await, Append::Duplicate { revision: 2 });
+    assert_eq!(store.load(&id("b")).await, before);
+    assert_eq!(store.history(&id("b"), 0, 10).await.expect("history").len(), 2);
+}
+
+async fn an_op_id_counts_in_its_behaviour_only(store: &dyn Store) {
+    for behaviour in ["a", "b"] {
+        save(store, behaviour, "op", vec![(RecordId::settings(), settings(behaviour))]).await;
+    }
+    assert_eq!(store.list().await.expect("a list").len(), 2);
+}
+
+async fn only_the_next_revision_is_saved(store: &dyn Store) {
+    let named = |op: &str| change(op, 1, vec![(RecordId::settings(), settings(op))]);
+    for revision in [0, 2, u64::MAX] {
+        assert_eq!(append(store, "b", revision, named("early")).await, Append::Conflict { head: 0 });
+    }
+    assert_eq!(store.load(&id("b")).await, Ok(None), "a conflict creates nothing");
+    save(store, "b", "one", vec![(RecordId::settings(), settings("one"))]).await;
+    save(store, "b", "two", vec![(RecordId::settings(), settings("two"))]).await;
+    for revision in [0, 1, 2, 4, u64::MAX] {
+        assert_eq!(append(store, "b", revision, named("stale")).await, Append::Conflict { head: 2 });
+    }
+    let loaded = store.load(&id("b")).await.expect("an answer").expect("a behaviour");
+    assert_eq!((loaded.revision, loaded.behaviour.name()), (2, "two"));
+    assert_eq!(append(store, "b", 3, named("stale")).await, Append::Applied, "a refused op id is not used up");
+}
+
+async fn two_streams_swap_their_names(store: &dyn Store) {
+    let (s0, s1) = (key(Kind::Stream, "s0"), key(Kind::Stream, "s1"));
+    save(store, "b", "one", vec![(s0.clone(), stream("Left", 0)), (s1.clone(), stream("Right", 1))]).await;
+    let start = store.load(&id("b")).await.expect("an answer").expect("a behaviour").behaviour;
+    let swap = Change::of(id("swap"), "Ben", "Swap");
+    let swap = swap.put(&start, s0.clone(), stream("Right", 0)).put(&start, s1, stream("Left", 1));
+    assert_eq!(append(store, "b", 2, swap.clone()).await, Append::Applied);
+    let swapped = store.load(&id("b")).await.expect("an answer").expect("a behaviour").behaviour;
+    assert_eq!(swapped.records[&s0], stream("Right", 0));
+    assert_eq!(append(store, "b", 3, swap.swapped(id("undo"), "Undo")).await, Append::Applied);
+    assert_eq!(store.load(&id("b")).await.expect("an answer").expect("a behaviour").behaviour, start);
+}
+
+async fn every_script_is_kept(store: &dyn Store) {
+    let names = [
+        "赤いボール",
+        "כדור אדום",
+        "الكرة الحمراء",
+        "👩‍🔬 e\u{301}",
+        "'; DROP TABLE op; --",
+        "a\u{0}b\u{202e}\"\\\n",
+        "",
+    ];
+    for (number, name) in names.iter().enumerate() {
+        let edits = vec![(RecordId::settings(), settings(name)), (key(Kind::Stream, "s"), stream(name, 0))];
+        let made = Change { author: (*name).to_owned(), label: (*name).to_owned(), ..change("op", 1, edits) };
+        let behaviour = format!("b{number}");
+        assert_eq!(append(store, &behaviour, 1, made.clone()).await, Append::Applied, "{name:?}");
+        let loaded = store.load(&id(&behaviour)).await.expect("an answer").expect("a behaviour");
+        assert_eq!(loaded.behaviour.name(), *name);
+        let history = store.history(&id(&behaviour), 0, 1).await;
+        assert_eq!(history, Ok(vec![Committed { revision: 1, change: made }]));
+    }
+    let listed = store.list().await.expect("a list");
+    assert_eq!(listed.iter().map(|line| line.name.as_str()).collect::<Vec<_>>(), names);
+    assert_eq!(listed.iter().map(|line| line.by.as_str()).collect::<Vec<_>>(), names);
+}
+
+async fn what_would_not_read_back_is_refused(store: &dyn Store) {
+    let nowhere = Record::Place(Place { x: f64::NAN, y: 0.0 });
+    let bad = change("op", 1, vec![(RecordId::settings(), settings("B")), (key(Kind::Place, "p"), nowhere)]);
+    let answer = store.append(&id("b"), &Committed { revision: 1, change: bad }).await;
+    assert!(matches!(answer, Err(StoreError::Refused(_))), "{answer:?}");
+    assert_eq!(store.load(&id("b")).await, Ok(None), "nothing is half saved");
+}
+
+async fn history_comes_in_pages(store: &dyn Store) {
+    for number in 1..=5 {
+        save(store, "b", &format!("op{number}"), vec![(key(Kind::Note, "n"), note(&number.to_string()))]).await;
+    }
+    for (since, most, wanted) in
+        [(0, 2, vec![1, 2]), (2, 2, vec![3, 4]), (4, 9, vec![5]), (5, 9, vec![]), (u64::MAX, 9, vec![]), (0, 0, vec![])]
+    {
+        let page = store.history(&id("b"), since, most).await.expect("history");
+        assert_eq!(page.iter().map(|made| made.revision).collect::<Vec<_>>(), wanted);
+    }
+}
+
+async fn the_list_shows_the_newest_first(store: &dyn Store) {
+    for (behaviour, at_ms) in [("a", 10), ("c", 30), ("b", 20), ("b2", 20)] {
+        let edits = vec![(RecordId::settings(), settings(behaviour)), (key(Kind::Stream, "s"), stream("S", 0))];
+        append(store, behaviour, 1, change("op", at_ms, edits)).await;
+    }
+    save(store, crate::LIBRARY, "op", vec![(key(Kind::Helper, "h"), super::samples::helper("near", "x < 1"))]).await;
+    let start = store.load(&id("a")).await.expect("an answer").expect("a behaviour").behaviour;
+    let take = Change { at_ms: 40, ..Change::of(id("take"), "Ben", "Remove S") };
+    append(store, "a", 2, take.take(&start, key(Kind::Stream, "s"))).await;
+    let listed = store.list().await.expect("a list");
+    let lines: Vec<_> =
+        listed.iter().map(|l| (l.id.as_str(), l.revision, l.changed_ms, l.by.as_str(), l.streams)).collect();
+    let wanted = [("a", 2, 40, "Ben", 0), ("c", 1, 30, "Aiko", 1), ("b", 1, 20, "Aiko", 1), ("b2", 1, 20, "Aiko", 1)];
+    assert_eq!(lines, wanted);
+}

@@ -1,0 +1,160 @@
+//! Chance against a model: whatever is done in whatever order, the store and the model stay equal.
+
+use super::samples::{Chance, filter, helper, id, key, note, settings, stream};
+use crate::{Append, Store, StoreError};
+use behaviour::{Behaviour, Change, Committed, Id, Kind, Place, Procedure, Record, RecordId};
+use std::collections::BTreeMap;
+
+/// How many runs the suite makes.
+pub(super) const SEEDS: u64 = 12;
+const STEPS: u64 = 80;
+const BEHAVIOURS: [&str; 4] = ["a", "b", "c", crate::LIBRARY];
+
+#[derive(Default)]
+struct Model {
+    shelves: BTreeMap<Id, Shelf>,
+    ops: u64,
+    seed: u64,
+}
+
+#[derive(Default)]
+struct Shelf {
+    behaviour: Behaviour,
+    history: Vec<Committed>,
+    removed_ms: Option<u64>,
+}
+
+pub(super) async fn check(store: &dyn Store, seed: u64) {
+    let mut chance = Chance(seed);
+    let mut model = Model { seed, ..Model::default() };
+    for step in 0..STEPS {
+        let name = id(BEHAVIOURS[chance.below(4) as usize]);
+        match chance.below(20) {
+            0 => model.remove(store, &name, step).await,
+            1..=2 => model.restore(store, &name).await,
+            3 => model.purge(store, step.saturating_sub(chance.below(20))).await,
+            4..=5 => model.send_again(store, &name, &mut chance).await,
+            6..=7 => model.send_stale(store, &name, &mut chance).await,
+            _ => model.append(store, &name, step, &mut chance).await,
+        }
+        model.compare_one(store, &name).await;
+    }
+    model.compare_lists(store).await;
+}
+
+impl Model {
+    fn head(&self, name: &Id) -> u64 {
+        self.shelves.get(name).map_or(0, |shelf| shelf.history.len() as u64)
+    }
+
+    fn change(&mut self, name: &Id, step: u64, chance: &mut Chance) -> Change {
+        self.ops += 1;
+        let now = self.shelves.get(name).map_or_else(Behaviour::default, |shelf| shelf.behaviour.clone());
+        let start = Change { at_ms: step, ..Change::of(id(&format!("op{}", self.ops)), "Aiko", "Edit") };
+        (0..=chance.below(4)).fold(start, |made, _| {
+            let (key, record) = any_edit(name, chance);
+            if let Some(record) = record { made.put(&now, key, record) } else { made.take(&now, key) }
+        })
+    }
+
+    async fn append(&mut self, store: &dyn Store, name: &Id, step: u64, chance: &mut Chance) {
+        let made = Committed { revision: self.head(name) + 1, change: self.change(name, step, chance) };
+        let answer = store.append(name, &made).await;
+        if self.shelves.get(name).is_some_and(|shelf| shelf.removed_ms.is_some()) {
+            return assert_eq!(answer, Err(StoreError::Gone), "seed {}", self.seed);
+        }
+        assert_eq!(answer, Ok(Append::Applied), "seed {}", self.seed);
+        let shelf = self.shelves.entry(name.clone()).or_default();
+        shelf.behaviour.apply(&made.change);
+        shelf.history.push(made);
+    }
+
+    async fn send_again(&self, store: &dyn Store, name: &Id, chance: &mut Chance) {
+        let Some(shelf) = self.shelves.get(name) else { return };
+        let old = &shelf.history[chance.below(shelf.history.len() as u64) as usize];
+        let answer = store.append(name, old).await;
+        assert_eq!(answer, Ok(Append::Duplicate { revision: old.revision }), "seed {}", self.seed);
+    }
+
+    async fn send_stale(&mut self, store: &dyn Store, name: &Id, chance: &mut Chance) {
+        let head = self.head(name);
+        let revision = chance.below(head + 3);
+        let in_bin = self.shelves.get(name).is_some_and(|shelf| shelf.removed_ms.is_some());
+        if in_bin || revision == head + 1 {
+            return;
+        }
+        let made = Committed { revision, change: self.change(name, 0, chance) };
+        assert_eq!(store.append(name, &made).await, Ok(Append::Conflict { head }), "seed {}", self.seed);
+    }
+
+    async fn remove(&mut self, store: &dyn Store, name: &Id, step: u64) {
+        let shelf = self.shelves.get_mut(name).filter(|shelf| shelf.removed_ms.is_none());
+        let shelf = shelf.filter(|_| name.as_str() != crate::LIBRARY);
+        assert_eq!(store.remove(name, step, "Ben").await, Ok(shelf.is_some()), "seed {}", self.seed);
+        if let Some(shelf) = shelf {
+            shelf.removed_ms = Some(step);
+        }
+    }
+
+    async fn restore(&mut self, store: &dyn Store, name: &Id) {
+        let was = self.shelves.get_mut(name).is_some_and(|shelf| shelf.removed_ms.take().is_some());
+        assert_eq!(store.restore(name).await, Ok(was), "seed {}", self.seed);
+    }
+
+    async fn purge(&mut self, store: &dyn Store, before: u64) {
+        let many = self.shelves.len();
+        self.shelves.retain(|_, shelf| shelf.removed_ms.is_none_or(|at| at >= before));
+        let gone = u32::try_from(many - self.shelves.len()).expect("few");
+        assert_eq!(store.purge(before).await, Ok(gone), "seed {}", self.seed);
+    }
+
+    async fn compare_one(&self, store: &dyn Store, name: &Id) {
+        let loaded = store.load(name).await.expect("an answer");
+        let history = store.history(name, 0, u32::MAX).await.expect("history");
+        let mut replayed = Behaviour::default();
+        history.iter().for_each(|made| replayed.apply(&made.change));
+        let Some(shelf) = self.shelves.get(name) else {
+            return assert!(loaded.is_none() && history.is_empty(), "seed {}", self.seed);
+        };
+        let loaded = loaded.expect("the model has it");
+        assert_eq!(loaded.behaviour, shelf.behaviour, "seed {}", self.seed);
+        assert_eq!(loaded.behaviour, replayed, "seed {}", self.seed);
+        assert_eq!((loaded.revision, loaded.removed_ms), (self.head(name), shelf.removed_ms), "seed {}", self.seed);
+        assert_eq!(history, shelf.history, "seed {}", self.seed);
+    }
+
+    async fn compare_lists(&self, store: &dyn Store) {
+        let shown = |in_bin: bool| {
+            let shelves = self.shelves.iter().filter(move |(_, shelf)| shelf.removed_ms.is_some() == in_bin);
+            let shelves = shelves.filter(|(_, shelf)| shelf.behaviour.settings().is_some());
+            shelves.map(|(name, s)| (name.clone(), s.behaviour.name().to_owned(), s.behaviour.streams().count()))
+        };
+        for (in_bin, lines) in [(false, store.list().await), (true, store.bin().await)] {
+            let lines = lines.expect("an answer").into_iter();
+            let mut lines: Vec<_> = lines.map(|line| (line.id, line.name, line.streams as usize)).collect();
+            lines.sort();
+            assert_eq!(lines, shown(in_bin).collect::<Vec<_>>(), "seed {}", self.seed);
+        }
+        let open = self.shelves.values().filter(|shelf| shelf.removed_ms.is_none());
+        let used = open.flat_map(|shelf| shelf.behaviour.records.values()).filter(|record| **record == user()).count();
+        assert_eq!(store.where_used("near").await.expect("uses").len(), used, "seed {}", self.seed);
+    }
+}
+
+fn user() -> Record {
+    filter(Procedure::body("near(x)"))
+}
+
+fn any_edit(name: &Id, chance: &mut Chance) -> (RecordId, Option<Record>) {
+    let which = chance.below(6).to_string();
+    let number = chance.below(1_000);
+    let (key, record) = match (name.as_str() == crate::LIBRARY, chance.below(6)) {
+        (true, _) => (key(Kind::Helper, &which), helper(&format!("h{number}"), "x + 1")),
+        (false, 0) => (RecordId::settings(), settings(&format!("Name {number}"))),
+        (false, 1..=2) => (key(Kind::Stream, &which), stream(&format!("S {number}"), 0)),
+        (false, 3) => (key(Kind::Connector, &which), if number < 500 { user() } else { filter(Procedure::body("x")) }),
+        (false, 4) => (key(Kind::Place, &which), Record::Place(Place { x: number as f64 / 7.0, y: -0.0 })),
+        (false, _) => (key(Kind::Note, &which), note(&number.to_string())),
+    };
+    (key, (chance.below(3) > 0).then_some(record))
+}

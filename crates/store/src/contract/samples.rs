@@ -1,0 +1,80 @@
+//! Things to put into a store, and chance that a seed repeats.
+
+use crate::{Append, Store};
+use behaviour::{
+    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Procedure, Record, RecordId, Settings,
+    Stream, StreamKind,
+};
+
+pub(super) fn id(text: &str) -> Id {
+    Id::new(text).expect("an id")
+}
+
+pub(super) fn key(kind: Kind, text: &str) -> RecordId {
+    RecordId::new(kind, &id(text))
+}
+
+pub(super) fn settings(name: &str) -> Record {
+    Record::Settings(Settings::named(name))
+}
+
+pub(super) fn note(text: &str) -> Record {
+    Record::Note(Note { text: text.to_owned() })
+}
+
+pub(super) fn stream(name: &str, order: i64) -> Record {
+    Record::Stream(Stream {
+        kind: StreamKind::Ordinary,
+        name: name.to_owned(),
+        device: None,
+        params: [("gain".to_owned(), 42.699_999_999_999_996.into())].into(),
+        order,
+        resources: None,
+        priority: Some(-3),
+        hold_ms: None,
+    })
+}
+
+pub(super) fn filter(procedure: Procedure) -> Record {
+    let operation = Operation::Filter(procedure);
+    Record::Connector(Connector { operation, inputs: vec![id("s0")], output: id("s1"), order: 7 })
+}
+
+pub(super) fn helper(name: &str, body: &str) -> Record {
+    Record::Helper(Helper {
+        name: name.to_owned(),
+        params: vec!["x".into()],
+        body: body.to_owned(),
+        says: String::new(),
+    })
+}
+
+/// A change that makes each record what is said, from nothing.
+pub(super) fn change(op: &str, at_ms: u64, edits: Vec<(RecordId, Record)>) -> Change {
+    let start = Change { at_ms, ..Change::of(id(op), "Aiko", "Edit") };
+    edits.into_iter().fold(start, |made, (key, record)| made.put(&Behaviour::default(), key, record))
+}
+
+/// Hands over a change under a revision.
+pub(super) async fn append(store: &dyn Store, to: &str, revision: u64, change: Change) -> Append {
+    store.append(&id(to), &Committed { revision, change }).await.expect("the store answers")
+}
+
+/// Saves what is said as the next revision.
+pub(super) async fn save(store: &dyn Store, to: &str, op: &str, edits: Vec<(RecordId, Record)>) {
+    let head = store.load(&id(to)).await.expect("the store answers").map_or(0, |loaded| loaded.revision);
+    assert_eq!(append(store, to, head + 1, change(op, head + 1, edits)).await, Append::Applied, "{to} {op}");
+}
+
+/// Numbers that look like chance and repeat with the seed (SplitMix64).
+pub(super) struct Chance(pub(super) u64);
+
+impl Chance {
+    /// A number below `end`.
+    pub(super) fn below(&mut self, end: u64) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        (mixed ^ (mixed >> 31)) % end
+    }
+}

@@ -1,0 +1,59 @@
+//! Where a helper is used: by name, in bodies, in other helpers; nowhere else.
+
+use super::samples::{append, filter, helper, id, key, note, save, settings};
+use crate::{LIBRARY, Store};
+use behaviour::{Change, Kind, Procedure, RecordId};
+use std::future::Future;
+use std::sync::Arc;
+
+pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -> F) {
+    every_use_is_found(make().await.as_ref()).await;
+    the_answer_follows_the_changes(make().await.as_ref()).await;
+}
+
+async fn used(store: &dyn Store, name: &str) -> Vec<(String, String, String)> {
+    let uses = store.where_used(name).await.expect("uses");
+    uses.into_iter().map(|found| (found.behaviour.to_string(), found.name, found.record.to_string())).collect()
+}
+
+fn line(behaviour: &str, name: &str, record: &str) -> (String, String, String) {
+    (behaviour.to_owned(), name.to_owned(), record.to_owned())
+}
+
+async fn every_use_is_found(store: &dyn Store) {
+    let connectors = [
+        ("c0", filter(Procedure::Helper("near".into()))),
+        ("c1", filter(Procedure::body("x > 1 && near(x)"))),
+        ("c2", filter(Procedure::body("x.near > 1 // near"))),
+        ("c3", filter(Procedure::body(r#"x == "near" || nearly(x)"#))),
+        ("c4", filter(Procedure::body(""))),
+    ];
+    let connectors = connectors.map(|(name, record)| (key(Kind::Connector, name), record));
+    save(store, "b", "op1", vec![(RecordId::settings(), settings("Track")), (key(Kind::Note, "n"), note("near"))])
+        .await;
+    save(store, "b", "op2", connectors.into()).await;
+    let helpers =
+        [("h0", helper("near", "x < 1 || near(x)")), ("h1", helper("far", "!near(x)")), ("h2", helper("one", "1"))];
+    let helpers = helpers.map(|(name, record)| (key(Kind::Helper, name), record));
+    save(store, LIBRARY, "op1", helpers.into()).await;
+    let wanted =
+        [line("b", "Track", "connector/c0"), line("b", "Track", "connector/c1"), line(LIBRARY, "far", "helper/h1")];
+    assert_eq!(used(store, "near").await, wanted);
+    assert_eq!(used(store, "far").await, []);
+    assert_eq!(used(store, "").await, []);
+    assert_eq!(used(store, "near' OR 1=1 --").await, []);
+}
+
+async fn the_answer_follows_the_changes(store: &dyn Store) {
+    let connector = key(Kind::Connector, "c");
+    save(store, "b", "op1", vec![(connector.clone(), filter(Procedure::Helper("near".into())))]).await;
+    save(store, "b", "op2", vec![(connector.clone(), filter(Procedure::body("far(x)")))]).await;
+    assert_eq!(used(store, "near").await, []);
+    assert_eq!(used(store, "far").await, [line("b", "", "connector/c")]);
+    assert_eq!(store.remove(&id("b"), 1, "Ben").await, Ok(true));
+    assert_eq!(used(store, "far").await, [], "what is in the bin uses nothing");
+    assert_eq!(store.restore(&id("b")).await, Ok(true));
+    let now = store.load(&id("b")).await.expect("an answer").expect("a behaviour").behaviour;
+    append(store, "b", 3, Change::of(id("op3"), "Ben", "Remove").take(&now, connector)).await;
+    assert_eq!(used(store, "far").await, []);
+}

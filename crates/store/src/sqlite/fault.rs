@@ -1,0 +1,61 @@
+//! What SQLite complains about, in the words of the store.
+
+use crate::StoreError;
+use rusqlite::ErrorCode;
+use std::path::Path;
+
+/// Extended result codes that SQLite gives when the disk is full while it sizes its shared memory.
+const IOERR_SHMSIZE: i32 = 10 | (19 << 8);
+
+/// Why a piece of work in the database failed.
+#[derive(Debug)]
+pub(super) enum Fault {
+    /// SQLite says so.
+    Sql(rusqlite::Error),
+    /// What was read is not what was written.
+    Content(String),
+    /// A refusal that is already in the store's words.
+    Said(StoreError),
+}
+
+impl From<rusqlite::Error> for Fault {
+    fn from(error: rusqlite::Error) -> Self {
+        Self::Sql(error)
+    }
+}
+
+impl From<StoreError> for Fault {
+    fn from(error: StoreError) -> Self {
+        Self::Said(error)
+    }
+}
+
+impl Fault {
+    /// What to tell about it, for the database in `file`.
+    pub(super) fn told(self, file: &Path) -> StoreError {
+        match self {
+            Self::Said(error) => error,
+            Self::Content(reason) => damaged(file, &reason),
+            Self::Sql(error) => told(&error, file),
+        }
+    }
+}
+
+fn told(error: &rusqlite::Error, file: &Path) -> StoreError {
+    if error.sqlite_error().is_some_and(|found| found.extended_code == IOERR_SHMSIZE) {
+        return StoreError::Full;
+    }
+    match error.sqlite_error_code() {
+        Some(ErrorCode::DiskFull) => StoreError::Full,
+        Some(ErrorCode::DatabaseCorrupt | ErrorCode::NotADatabase) => damaged(file, &error.to_string()),
+        Some(ErrorCode::DatabaseBusy | ErrorCode::DatabaseLocked) => {
+            StoreError::Unavailable(format!("another program is writing to {}", file.display()))
+        }
+        Some(_) => StoreError::Unavailable(format!("{}: {error}", file.display())),
+        None => damaged(file, &error.to_string()),
+    }
+}
+
+fn damaged(file: &Path, reason: &str) -> StoreError {
+    StoreError::Damaged(format!("{}: {reason}", file.display()))
+}

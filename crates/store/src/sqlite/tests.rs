@@ -1,0 +1,229 @@
+//! The contract on both stores, and what only the embedded store promises.
+
+use super::write::{self, Ready};
+use super::{door, open, read};
+use crate::{Append, MemoryStore, Store, StoreError, contract};
+use behaviour::{Change, Committed, Id, Kind, Note, Record, RecordId};
+use rusqlite::Connection;
+use std::path::Path;
+use std::sync::{Arc, Mutex};
+
+fn id(text: &str) -> Id {
+    Id::new(text).expect("an id")
+}
+
+fn committed(revision: u64, text: &str) -> Committed {
+    let change = Change::of(id(&format!("op{revision}")), "Aiko", "Note");
+    let note = Record::Note(Note { text: text.to_owned() });
+    let key = RecordId::new(Kind::Note, &id(&format!("n{revision}")));
+    Committed { revision, change: change.put(&Default::default(), key, note) }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn the_store_in_memory_keeps_the_contract() {
+    contract::check(async || Arc::new(MemoryStore::new()) as Arc<dyn Store>).await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn the_embedded_store_keeps_the_contract() {
+    let used = Mutex::new(Vec::new());
+    contract::check(|| async {
+        let dir = tempfile::tempdir().expect("a directory");
+        let store = open(dir.path()).await.expect("a store");
+        used.lock().expect("no panic").push(dir);
+        Arc::new(store) as Arc<dyn Store>
+    })
+    .await;
+}
+
+#[tokio::test]
+async fn clones_in_memory_share_what_they_keep() {
+    let store = MemoryStore::new();
+    let other = store.clone();
+    assert_eq!(store.append(&id("b"), &committed(1, "one")).await, Ok(Append::Applied));
+    assert_eq!(other.append(&id("b"), &committed(2, "two")).await, Ok(Append::Applied));
+    assert_eq!(store.load(&id("b")).await, other.load(&id("b")).await);
+}
+
+#[tokio::test]
+async fn a_second_server_is_refused_until_the_first_has_gone() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let first = open(dir.path()).await.expect("a store");
+    let second = open(dir.path()).await.err().expect("a refusal");
+    assert_eq!(second, StoreError::Busy(dir.path().to_owned()));
+    assert!(second.to_string().starts_with("Another rrp server already uses /"), "{second}");
+    assert_eq!(first.healthy().await, Ok(()));
+    drop(first);
+    open(dir.path()).await.expect("the directory is free again");
+}
+
+#[tokio::test]
+async fn everything_is_there_after_opening_again() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let deep = dir.path().join("made/on/demand");
+    let mut before = None;
+    for start in 1..=3 {
+        let store = open(&deep).await.expect("a store");
+        assert_eq!(store.next_epoch().await, Ok(start), "the epoch grows over every start");
+        assert_eq!(store.load(&id("b")).await.expect("an answer"), before);
+        assert_eq!(store.append(&id("b"), &committed(start, "kept")).await, Ok(Append::Applied));
+        before = store.load(&id("b")).await.expect("an answer");
+    }
+    assert_eq!(before.expect("a behaviour").revision, 3);
+}
+
+#[tokio::test]
+async fn purging_leaves_no_row_behind() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let store = open(dir.path()).await.expect("a store");
+    store.append(&id("b"), &committed(1, "one")).await.expect("an answer");
+    store.remove(&id("b"), 1, "Ben").await.expect("an answer");
+    assert_eq!(store.purge(2).await, Ok(1));
+    for table in ["behaviour", "record", "op", "used"] {
+        let count = format!("SELECT count(*) FROM {table}");
+        let rows: i64 =
+            Connection::open(&store.file).expect("open").query_row(&count, [], |row| row.get(0)).expect("a number");
+        assert_eq!(rows, 0, "{table}");
+    }
+}
+
+#[tokio::test]
+async fn a_newer_schema_is_refused_and_left_alone() {
+    let dir = tempfile::tempdir().expect("a directory");
+    drop(open(dir.path()).await.expect("a store"));
+    let file = door::database(dir.path());
+    Connection::open(&file).expect("open").execute("UPDATE meta SET schema_version = 99", []).expect("an update");
+    let refusal = open(dir.path()).await.err().expect("a refusal");
+    assert_eq!(refusal, StoreError::Newer { found: 99, known: 1 });
+}
+
+/// Opens a directory whose database was damaged; says the error of opening, or of reading everything.
+async fn error_in(dir: &Path) -> Option<StoreError> {
+    let store = match open(dir).await {
+        Ok(store) => store,
+        Err(error) => return Some(error),
+    };
+    let loaded = store.load(&id("b")).await.err();
+    loaded.or(store.history(&id("b"), 0, 1_000).await.err())
+}
+
+async fn filled() -> tempfile::TempDir {
+    let dir = tempfile::tempdir().expect("a directory");
+    let store = open(dir.path()).await.expect("a store");
+    for revision in 1..=40 {
+        store.append(&id("b"), &committed(revision, &"text ".repeat(500))).await.expect("an answer");
+    }
+    dir
+}
+
+#[tokio::test]
+async fn a_damaged_file_is_an_error_with_its_path() {
+    for (cut, fill) in [(0, 4_096), (4_096, 8_192), (20_000, 60_000), (0, 200_000)] {
+        let dir = filled().await;
+        let file = door::database(dir.path());
+        let mut bytes = std::fs::read(&file).expect("the file");
+        assert!(bytes.len() > fill, "{} bytes", bytes.len());
+        bytes[cut..fill].fill(0xA5);
+        std::fs::write(&file, bytes).expect("to damage it");
+        let error = open(dir.path()).await.err().expect("damage is noticed before anything is written to it");
+        assert!(matches!(&error, StoreError::Damaged(reason) if reason.contains("rrp.sqlite")), "{error:?}");
+    }
+}
+
+#[tokio::test]
+async fn a_file_cut_off_or_of_another_kind_is_an_error() {
+    for length in [1, 100, 5_000, 40_000] {
+        let dir = filled().await;
+        let file = door::database(dir.path());
+        std::fs::File::options().write(true).open(&file).expect("open").set_len(length).expect("to cut it off");
+        let error = error_in(dir.path()).await;
+        assert!(matches!(&error, Some(StoreError::Damaged(_))), "{length}: {error:?}");
+    }
+    let dir = filled().await;
+    std::fs::write(door::database(dir.path()).with_extension("sqlite-wal"), "log").expect("a log");
+    std::fs::write(door::database(dir.path()), "").expect("an empty file");
+    assert!(matches!(error_in(dir.path()).await, Some(StoreError::Damaged(_))));
+}
+
+#[tokio::test]
+async fn a_record_that_cannot_be_read_is_damage() {
+    let dir = filled().await;
+    let at = Connection::open(door::database(dir.path())).expect("open");
+    at.execute("UPDATE record SET json = '{' WHERE id = 'note/n7'", []).expect("an update");
+    drop(at);
+    let error = error_in(dir.path()).await.expect("damage is noticed");
+    assert!(matches!(&error, StoreError::Damaged(_)), "{error:?}");
+}
+
+#[tokio::test]
+async fn on_a_full_disk_everything_can_still_be_read() {
+    let dir = filled().await;
+    let store = open(dir.path()).await.expect("a store");
+    // SQLite never goes below the pages it has, so this leaves no room at all.
+    let limit = |pages: i64| {
+        move |at: &Connection| Ok(at.query_row(&format!("PRAGMA max_page_count = {pages}"), [], |_| Ok(()))?)
+    };
+    store.writer.ask(limit(1)).await.expect("a limit");
+    let before = store.load(&id("b")).await.expect("an answer");
+    let large = committed(41, &"large ".repeat(50_000));
+    assert_eq!(store.append(&id("b"), &large).await, Err(StoreError::Full));
+    assert_eq!(store.load(&id("b")).await.expect("an answer"), before, "nothing is half saved");
+    store.writer.ask(limit(1_000_000)).await.expect("a limit");
+    assert_eq!(store.append(&id("b"), &large).await, Ok(Append::Applied), "it works again with room");
+}
+
+/// Holds the writer until everything else waits, so that the next transaction takes all of it.
+#[tokio::test]
+async fn one_job_that_fails_spoils_no_other_in_its_transaction() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let store = open(dir.path()).await.expect("a store");
+    let (started, has_started) = tokio::sync::oneshot::channel();
+    let (go, gate) = std::sync::mpsc::channel();
+    let hold = store.writer.ask(move |_| {
+        started.send(()).expect("somebody waits");
+        gate.recv().expect("the gate opens");
+        Ok(())
+    });
+    let append = |name: &str, revision| {
+        let (name, ready) = (id(name), Ready::new(committed(revision, "x")).expect("it can be kept"));
+        store.writer.ask(move |at| write::append(at, &name, &ready))
+    };
+    let spoilt = store.writer.ask(|at| {
+        at.execute("UPDATE meta SET epoch = 99", [])?;
+        Ok(at.execute("INSERT INTO meta VALUES (2, 0, 0)", [])?)
+    });
+    let rest = async {
+        has_started.await.expect("the writer is held");
+        let open = async { go.send(()).expect("the writer waits") };
+        tokio::join!(append("a", 1), spoilt, append("b", 2), append("a", 2), open)
+    };
+    let (_, (first, bad, stale, second, ())) = tokio::join!(hold, rest);
+    assert_eq!((first, second), (Ok(Append::Applied), Ok(Append::Applied)));
+    assert!(matches!(bad, Err(StoreError::Unavailable(_))), "{bad:?}");
+    assert_eq!(stale, Ok(Append::Conflict { head: 0 }));
+    assert_eq!(store.next_epoch().await, Ok(1), "the failed job left nothing");
+    assert_eq!(store.load(&id("a")).await.expect("an answer").expect("a behaviour").revision, 2);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_reader_sees_one_moment_while_others_write() {
+    let dir = filled().await;
+    let store = open(dir.path()).await.expect("a store");
+    let (started, has_started) = tokio::sync::oneshot::channel();
+    let (go, gate) = std::sync::mpsc::channel();
+    let read_twice = store.readers.ask(move |at| {
+        let first = read::load(at, &id("b"))?;
+        started.send(()).expect("somebody waits");
+        gate.recv().expect("the gate opens");
+        Ok((first, read::load(at, &id("b"))?))
+    });
+    let write_between = async {
+        has_started.await.expect("the reader has started");
+        assert_eq!(store.append(&id("b"), &committed(41, "new")).await, Ok(Append::Applied));
+        go.send(()).expect("the reader waits");
+    };
+    let (seen, ()) = tokio::join!(read_twice, write_between);
+    let (first, second) = seen.expect("an answer");
+    assert_eq!(first, second);
+    assert_eq!(store.load(&id("b")).await.expect("an answer").expect("a behaviour").revision, 41);
+}

@@ -1,0 +1,146 @@
+//! What the writing thread does in the tables.
+
+use super::fault::Fault;
+use crate::usage::words;
+use crate::{Append, LIBRARY, StoreError, json};
+use behaviour::{Committed, Edit, Id, Kind, Record, RecordId};
+use rusqlite::{Connection, OptionalExtension, params};
+
+/// A change made ready to be saved: everything that needs no database is done.
+pub(super) struct Ready {
+    committed: Committed,
+    json: String,
+}
+
+impl Ready {
+    /// Checks and encodes a change.
+    pub(super) fn new(committed: Committed) -> Result<Self, StoreError> {
+        let json = json::checked(&committed)?;
+        Ok(Self { committed, json })
+    }
+}
+
+/// A time or revision as SQLite keeps it; what is larger is as good as the largest.
+pub(super) fn kept(number: u64) -> i64 {
+    i64::try_from(number).unwrap_or(i64::MAX)
+}
+
+/// The same, read again.
+pub(super) fn read(number: i64) -> u64 {
+    u64::try_from(number).unwrap_or(0)
+}
+
+/// Saves a change, unless it was saved before or is not the next one.
+pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
+    let committed = &ready.committed;
+    if let Some(revision) = revision_of(at, id, &committed.change.op)? {
+        return Ok(Append::Duplicate { revision });
+    }
+    let (head, in_bin) = head(at, id)?;
+    if in_bin {
+        return Err(StoreError::Gone.into());
+    }
+    if head.checked_add(1) != Some(committed.revision) {
+        return Ok(Append::Conflict { head });
+    }
+    put_line(at, id, committed)?;
+    put_change(at, id, ready)?;
+    for edit in &committed.change.edits {
+        put_edit(at, id, committed.revision, edit)?;
+    }
+    put_summary(at, id, committed)?;
+    Ok(Append::Applied)
+}
+
+fn revision_of(at: &Connection, id: &Id, op: &Id) -> Result<Option<u64>, Fault> {
+    let mut query = at.prepare_cached("SELECT revision FROM op WHERE behaviour = ?1 AND op_id = ?2")?;
+    Ok(query.query_row([id.as_str(), op.as_str()], |row| row.get(0)).optional()?.map(read))
+}
+
+fn head(at: &Connection, id: &Id) -> Result<(u64, bool), Fault> {
+    let mut query = at.prepare_cached("SELECT revision, removed_ms IS NOT NULL FROM behaviour WHERE id = ?1")?;
+    let found = query.query_row([id.as_str()], |row| Ok((read(row.get(0)?), row.get(1)?))).optional()?;
+    Ok(found.unwrap_or((0, false)))
+}
+
+fn put_line(at: &Connection, id: &Id, committed: &Committed) -> Result<(), Fault> {
+    let mut put = at.prepare_cached(
+        "INSERT INTO behaviour (id, revision, changed_ms, by, streams) VALUES (?1, ?2, ?3, ?4, 0) \
+         ON CONFLICT (id) DO UPDATE SET revision = ?2, changed_ms = ?3, by = ?4",
+    )?;
+    let change = &committed.change;
+    put.execute(params![id.as_str(), kept(committed.revision), kept(change.at_ms), change.author])?;
+    Ok(())
+}
+
+fn put_change(at: &Connection, id: &Id, ready: &Ready) -> Result<(), Fault> {
+    let mut put = at.prepare_cached(
+        "INSERT INTO op (behaviour, revision, op_id, author, label, at_ms, json) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7)",
+    )?;
+    let (revision, change) = (kept(ready.committed.revision), &ready.committed.change);
+    let row =
+        params![id.as_str(), revision, change.op.as_str(), change.author, change.label, kept(change.at_ms), ready.json];
+    put.execute(row)?;
+    Ok(())
+}
+
+/// Takes the old record away, with its words, and puts the new one.
+fn put_edit(at: &Connection, id: &Id, revision: u64, edit: &Edit) -> Result<(), Fault> {
+    let (behaviour, key) = (id.as_str(), edit.id.to_string());
+    at.prepare_cached("DELETE FROM record WHERE behaviour = ?1 AND id = ?2")?.execute([behaviour, &key])?;
+    let Some(record) = &edit.after else { return Ok(()) };
+    let json = json::encode(record).map_err(StoreError::Refused)?;
+    at.prepare_cached("INSERT INTO record (behaviour, id, version, json) VALUES (?1, ?2, ?3, ?4)")?
+        .execute(params![behaviour, key, kept(revision), json])?;
+    let mut put = at.prepare_cached("INSERT INTO used (word, behaviour, record) VALUES (?1, ?2, ?3)")?;
+    for word in words(record) {
+        put.execute([&word, behaviour, &key])?;
+    }
+    Ok(())
+}
+
+/// Brings name and number of streams up to date, where the change touched them.
+fn put_summary(at: &Connection, id: &Id, committed: &Committed) -> Result<(), Fault> {
+    let edits = &committed.change.edits;
+    for edit in edits.iter().filter(|edit| edit.id == RecordId::settings()) {
+        let name = if let Some(Record::Settings(settings)) = &edit.after { Some(&settings.name) } else { None };
+        at.prepare_cached("UPDATE behaviour SET name = ?2 WHERE id = ?1")?.execute(params![id.as_str(), name])?;
+    }
+    if edits.iter().any(|edit| edit.id.kind == Kind::Stream) {
+        // '0' is the character after '/'.
+        let count = "UPDATE behaviour SET streams = (SELECT count(*) FROM record \
+            WHERE behaviour = ?1 AND record.id > 'stream/' AND record.id < 'stream0') WHERE id = ?1";
+        at.prepare_cached(count)?.execute([id.as_str()])?;
+    }
+    Ok(())
+}
+
+/// Moves a behaviour to the bin.
+pub(super) fn remove(at: &Connection, id: &Id, now_ms: u64, by: &str) -> Result<bool, Fault> {
+    let sql = "UPDATE behaviour SET removed_ms = ?2, removed_by = ?3 WHERE id = ?1 AND removed_ms IS NULL AND id <> ?4";
+    Ok(at.execute(sql, params![id.as_str(), kept(now_ms), by, LIBRARY])? > 0)
+}
+
+/// Takes a behaviour out of the bin.
+pub(super) fn restore(at: &Connection, id: &Id) -> Result<bool, Fault> {
+    let sql = "UPDATE behaviour SET removed_ms = NULL, removed_by = NULL WHERE id = ?1 AND removed_ms IS NOT NULL";
+    Ok(at.execute(sql, [id.as_str()])? > 0)
+}
+
+/// Deletes what was removed before that time; records, changes and words go along.
+pub(super) fn purge(at: &Connection, removed_before_ms: u64) -> Result<u32, Fault> {
+    let gone = at.execute("DELETE FROM behaviour WHERE removed_ms < ?1", [kept(removed_before_ms)])?;
+    Ok(u32::try_from(gone).unwrap_or(u32::MAX))
+}
+
+/// The next number of a server start.
+pub(super) fn next_epoch(at: &Connection) -> Result<u64, Fault> {
+    let next = at.query_row("UPDATE meta SET epoch = epoch + 1 RETURNING epoch", [], |row| row.get(0))?;
+    Ok(read(next))
+}
+
+/// Writes without changing anything, to see whether that works.
+pub(super) fn probe(at: &Connection) -> Result<(), Fault> {
+    at.execute("UPDATE meta SET epoch = epoch", [])?;
+    Ok(())
+}
