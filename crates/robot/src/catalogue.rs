@@ -11,7 +11,7 @@ pub struct Device {
     pub name: &'static str,
     /// Sensor or actuator.
     pub kind: StreamKind,
-    /// What a person calls it: "Red ball".
+    /// What the page calls it; the name the thesis and its figures use.
     pub label: &'static str,
     /// What it does, in a sentence.
     pub says: &'static str,

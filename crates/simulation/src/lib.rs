@@ -1,1 +1,35 @@
-//! simulation
+//! A NAO and its room, computed: the same behaviours run on it as on a real robot, headless, in the page and in tests.
+//!
+//! The robot is servo-lag forward kinematics driving kinematic bodies in a rapier world (measured in our notes on
+//! simulation: the cheapest choice, and no torture test broke it). Senses work by geometry: field of view and lines of
+//! sight. No clock, no threads and no standard trigonometry live here, so native and WebAssembly compute equal bits.
+#![warn(missing_docs)]
+
+mod base;
+mod body;
+mod command;
+mod device;
+mod edit;
+mod eyes;
+mod follow;
+mod hash;
+mod looking;
+mod math;
+mod model;
+mod nao;
+mod noise;
+mod parts;
+mod pointing;
+mod robot_impl;
+mod room;
+mod senses;
+mod servo;
+mod sight;
+mod speech;
+mod table;
+mod track;
+mod world;
+
+pub use nao::SimulatedNao;
+pub use noise::Noise;
+pub use speech::Spoken;

@@ -1,1 +1,67 @@
-//! Exports for the determinism test.
+//! Exports for the determinism test: a scripted story on the simulated robot, as a number.
+
+use behaviour::{Id, Params, Value};
+use robot::{Millis, Robot, SceneEdit, Use};
+use simulation::{Noise, SimulatedNao};
+
+/// What happens in the story: every beat is 20 ms.
+const BEAT_MS: u64 = 20;
+/// The robot's step.
+const STEP_MS: u64 = 10;
+
+/// The fingerprint of a robot after `steps` steps of 10 ms of the story.
+#[unsafe(no_mangle)]
+pub extern "C" fn simulation_hash(seed: u64, steps: u32) -> u64 {
+    let mut nao = SimulatedNao::new(seed);
+    open_all(&mut nao);
+    let (end, mut readings) = (u64::from(steps) * STEP_MS, Vec::new());
+    for beat in 0..end.div_ceil(BEAT_MS) {
+        happen(&mut nao, beat);
+        nao.poll(Millis((beat + 1) * BEAT_MS).min(Millis(end)), &mut readings);
+    }
+    // What was sensed counts too, not only where everything ended.
+    readings.iter().fold(nao.state_hash(), |hash, reading| {
+        let words = format!("{} {} {}", reading.to.stream, reading.at.0, reading.value);
+        words.bytes().fold(hash, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    })
+}
+
+fn user(stream: &str) -> Option<Use> {
+    Id::new(stream).ok().map(|stream| Use { run: 1, stream })
+}
+
+fn open_all(nao: &mut SimulatedNao) {
+    nao.set_noise(Noise { angle: 0.004, size: 0.02, drop: 0.1 });
+    open(nao, "walk", "Tracker", &[("mode", "Move"), ("effector", "Nearest")]);
+    open(nao, "say", "SayInput", &[]);
+    open(nao, "face", "FaceDetection", &[]);
+    open(nao, "learn", "RememberFace", &[]);
+    open(nao, "ball", "RedBall", &[]);
+    open(nao, "touch", "HeadTouch", &[]);
+    open(nao, "yaw", "JointPosition", &[("joint", "HeadYaw")]);
+}
+
+fn open(nao: &mut SimulatedNao, stream: &str, device: &str, params: &[(&str, &str)]) {
+    let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
+    let _refused = user(stream).map(|user| nao.open(&user, device, &params));
+}
+
+fn tell(nao: &mut SimulatedNao, stream: &str, value: &Value) {
+    let now = nao.time();
+    let _refused = user(stream).map(|user| nao.command(&user, value, now));
+}
+
+/// The red ball swings to the sides, the green one is thrown, a child comes and is learned, a hand strokes the head.
+fn happen(nao: &mut SimulatedNao, beat: u64) {
+    let aside = 0.4 * libm::sinf(beat as f32 * 0.02);
+    let _refused = nao.edit(&SceneEdit::MoveBall { id: "red".to_owned(), at: [1.1, aside, 0.45] });
+    tell(nao, "walk", &Value::Bool(true));
+    match beat {
+        2 | 15 => tell(nao, "say", &Value::Int(beat.cast_signed())),
+        3 => drop(nao.edit(&SceneEdit::SetPresent { id: "person".to_owned(), present: true })),
+        5 => drop(nao.throw_ball("green", [-2.0, -1.5, 1.0])),
+        12 | 14 => drop(nao.edit(&SceneEdit::TouchHead { down: beat == 12 })),
+        18 => tell(nao, "learn", &Value::Bool(true)),
+        _ => {}
+    }
+}

@@ -7,7 +7,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "Blob",
     kind: StreamKind::Sensor,
-    label: "Coloured ball",
+    label: "Blob",
     says: "Sees a ball of the chosen colour: where it is and how large it looks.",
     icon: "blob",
     params: &[Param {

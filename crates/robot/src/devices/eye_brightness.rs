@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "EyeBrightness",
     kind: StreamKind::Actuator,
-    label: "Eye brightness",
+    label: "EyeBrightness",
     says: "Makes the eyes as bright as the value: 0 dark to 1 bright.",
     icon: "brightness",
     params: &[],

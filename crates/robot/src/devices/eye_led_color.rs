@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "EyeLedColor",
     kind: StreamKind::Actuator,
-    label: "Eye colour",
+    label: "EyeLedColor",
     says: "Gives the eyes a colour whenever a value comes.",
     icon: "light",
     params: &[Param {

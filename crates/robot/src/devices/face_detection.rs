@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "FaceDetection",
     kind: StreamKind::Sensor,
-    label: "Face",
+    label: "FaceDetection",
     says: "Sees a face, and whether the robot has met it before.",
     icon: "face",
     params: &[],

@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "HeadTouch",
     kind: StreamKind::Sensor,
-    label: "Head touch",
+    label: "HeadTouch",
     says: "Feels a hand on the head: true when touched, false when let go.",
     icon: "touch",
     params: &[Param {

@@ -7,7 +7,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "JointPosition",
     kind: StreamKind::Sensor,
-    label: "Joint position",
+    label: "JointPosition",
     says: "Reads the angle of a joint in radians; a hand reads 0 closed to 1 open.",
     icon: "joint",
     params: &[Param { name: "joint", label: "Joint", kind: ParamKind::Choice(JOINT_CHOICES) }],

@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "Print",
     kind: StreamKind::Actuator,
-    label: "Show on the page",
+    label: "Print",
     says: "Shows each value beside the room, without moving the robot.",
     icon: "print",
     params: &[],

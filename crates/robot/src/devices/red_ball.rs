@@ -14,7 +14,7 @@ pub(crate) const BALL: &[Field] = &[
 pub(crate) const DEVICE: Device = Device {
     name: "RedBall",
     kind: StreamKind::Sensor,
-    label: "Red ball",
+    label: "RedBall",
     says: "Sees the red ball: where it is and how large it looks.",
     icon: "ball",
     params: &[],

@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "RememberFace",
     kind: StreamKind::Actuator,
-    label: "Remember face",
+    label: "RememberFace",
     says: "Remembers the face it sees whenever a value comes.",
     icon: "remember",
     params: &[],

@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "SayInput",
     kind: StreamKind::Actuator,
-    label: "Say the value",
+    label: "SayInput",
     says: "Speaks each value that comes.",
     icon: "speech",
     params: &[],

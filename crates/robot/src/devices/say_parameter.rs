@@ -6,7 +6,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "SayParameter",
     kind: StreamKind::Actuator,
-    label: "Say a text",
+    label: "SayParameter",
     says: "Speaks its text whenever a value comes.",
     icon: "speech",
     params: &[Param { name: "text", label: "Text", kind: ParamKind::Text { max_chars: 1_000, default: "Hello" } }],

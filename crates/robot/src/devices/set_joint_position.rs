@@ -7,7 +7,7 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "SetJointPosition",
     kind: StreamKind::Actuator,
-    label: "Set joint",
+    label: "SetJointPosition",
     says: "Moves a joint to the value in radians; a hand to 0 closed or 1 open.",
     icon: "joint",
     params: &[

@@ -1,0 +1,138 @@
+//! What the trackers do: who asked to follow what, with which part of the body, and until when.
+
+use crate::body::Side;
+use crate::hash::Digest;
+use robot::Use;
+
+/// A tracker follows for so long after a value, in milliseconds.
+pub(crate) const HOLD_MS: u64 = 1_000;
+
+/// What to follow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Target {
+    RedBall,
+    Face,
+}
+
+/// With what besides an arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Head,
+    WholeBody,
+    Move,
+    Arm,
+}
+
+/// With which arm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Effector {
+    None,
+    Arm(Side),
+    Nearest,
+    Value,
+}
+
+/// The camera's pictures, thirty a second, counted from a moment.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Pictures {
+    from: u64,
+    taken: u64,
+}
+
+/// The head, and perhaps the legs, following something.
+#[derive(Clone, Debug)]
+pub(crate) struct Follow {
+    pub(crate) user: Use,
+    pub(crate) target: Target,
+    pub(crate) mode: Mode,
+    pub(crate) until: u64,
+    pub(crate) pictures: Pictures,
+    /// Whether the whole body is turning.
+    pub(crate) turning: bool,
+}
+
+/// An arm pointing at something. Without a side it takes the nearest once it sees the target.
+#[derive(Clone, Debug)]
+pub(crate) struct Point {
+    pub(crate) user: Use,
+    pub(crate) target: Target,
+    pub(crate) wish: Option<Side>,
+    /// The arm that points now.
+    pub(crate) side: Option<Side>,
+    pub(crate) until: u64,
+    pub(crate) pictures: Pictures,
+}
+
+impl Pictures {
+    /// The first one a thirtieth of a second after `from`.
+    pub(crate) fn from(from: u64) -> Self {
+        Self { from, taken: 0 }
+    }
+
+    /// Whether a picture is due; takes it.
+    pub(crate) fn due(&mut self, now: u64) -> bool {
+        let due = self.from + (self.taken + 1) * 1_000 / 30 <= now;
+        self.taken += u64::from(due);
+        due
+    }
+
+    fn digest(self, digest: &mut Digest) {
+        digest.whole(self.from);
+        digest.whole(self.taken);
+    }
+}
+
+impl Follow {
+    /// Adds the state.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest_use(&self.user, digest);
+        digest.text(with(self.mode));
+        digest.text(self.target.words());
+        digest.whole(self.until);
+        digest.truth(self.turning);
+        self.pictures.digest(digest);
+    }
+
+    /// What it does, in words.
+    pub(crate) fn words(&self) -> String {
+        format!("{} with {}", self.target.words(), with(self.mode))
+    }
+}
+
+impl Point {
+    /// Adds the state.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest_use(&self.user, digest);
+        digest.text(self.wish.map_or("", Side::word));
+        digest.text(&self.words());
+        digest.whole(self.until);
+        self.pictures.digest(digest);
+    }
+
+    /// What it does, in words.
+    pub(crate) fn words(&self) -> String {
+        format!("{} with {} arm", self.target.words(), self.side.or(self.wish).map_or("nearest", Side::word))
+    }
+}
+
+impl Target {
+    /// Its name for people.
+    fn words(self) -> &'static str {
+        if self == Self::RedBall { "red ball" } else { "face" }
+    }
+}
+
+fn with(mode: Mode) -> &'static str {
+    match mode {
+        Mode::Head => "head",
+        Mode::WholeBody => "whole body",
+        Mode::Move => "walking",
+        Mode::Arm => "arm",
+    }
+}
+
+/// Adds whose it is.
+pub(crate) fn digest_use(user: &Use, digest: &mut Digest) {
+    digest.whole(user.run);
+    digest.text(user.stream.as_str());
+}

@@ -1,0 +1,158 @@
+//! Speaking: a short queue, and a log of what was said.
+
+use crate::hash::Digest;
+use robot::Millis;
+use std::collections::VecDeque;
+
+/// Most texts that wait.
+const QUEUE_MAX: usize = 8;
+/// Longest text in characters.
+const TEXT_MAX_CHARS: usize = 1_000;
+/// Entries of the log; the oldest go first.
+const LOG_MAX: usize = 100;
+/// Speaking speed; our planning value, no figure is published for a NAO.
+const WORDS_PER_MINUTE: u64 = 170;
+/// A pause for a comma in milliseconds.
+const COMMA_MS: u64 = 60;
+/// The shortest utterance in milliseconds.
+const SHORTEST_MS: u64 = 400;
+
+/// Something that was said, or is being said.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Spoken {
+    /// The words.
+    pub text: String,
+    /// When it began, in robot time.
+    pub from: Millis,
+    /// When it ended; none while it is being said.
+    pub until: Option<Millis>,
+    /// Whether it was stopped before its end.
+    pub cut: bool,
+}
+
+/// The voice.
+#[derive(Default)]
+pub(crate) struct Speech {
+    ends: Option<u64>,
+    waiting: VecDeque<String>,
+    log: Vec<Spoken>,
+}
+
+impl Speech {
+    /// Says a text, or queues it. The same text again, while it is said or last in the queue, is not said twice.
+    pub(crate) fn say(&mut self, text: &str, now: u64) -> Result<(), String> {
+        let text = text.trim();
+        if text.is_empty() {
+            return Err("there is nothing to say".to_owned());
+        }
+        if text.chars().count() > TEXT_MAX_CHARS {
+            return Err(format!("a text to say may have {TEXT_MAX_CHARS} characters"));
+        }
+        if text == self.saying() || self.waiting.back().is_some_and(|last| last == text) {
+            return Ok(());
+        }
+        if self.waiting.len() >= QUEUE_MAX {
+            return Err(format!("{QUEUE_MAX} texts already wait to be said, so this one is left out"));
+        }
+        self.waiting.push_back(text.to_owned());
+        self.step(now);
+        Ok(())
+    }
+
+    /// What is being said, or an empty text.
+    pub(crate) fn saying(&self) -> &str {
+        match (self.ends, self.log.last()) {
+            (Some(_), Some(last)) => &last.text,
+            _ => "",
+        }
+    }
+
+    /// What was said, oldest first.
+    pub(crate) fn log(&self) -> &[Spoken] {
+        &self.log
+    }
+
+    /// Ends and begins what is due.
+    pub(crate) fn step(&mut self, now: u64) {
+        if self.ends.is_some_and(|ends| ends <= now) {
+            self.finish(now, false);
+        }
+        if self.ends.is_none()
+            && let Some(text) = self.waiting.pop_front()
+        {
+            self.begin(text, now);
+        }
+    }
+
+    /// Silent at once.
+    pub(crate) fn stop(&mut self, now: u64) {
+        self.waiting.clear();
+        if self.ends.is_some() {
+            self.finish(now, true);
+        }
+    }
+
+    fn begin(&mut self, text: String, now: u64) {
+        self.ends = Some(now + duration_ms(&text));
+        if self.log.len() >= LOG_MAX {
+            self.log.remove(0);
+        }
+        self.log.push(Spoken { text, from: Millis(now), until: None, cut: false });
+    }
+
+    fn finish(&mut self, now: u64, cut: bool) {
+        self.ends = None;
+        if let Some(last) = self.log.last_mut() {
+            (last.until, last.cut) = (Some(Millis(now)), cut);
+        }
+    }
+
+    /// Adds the queue and the log.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest.whole(self.ends.unwrap_or_default());
+        digest.count(self.waiting.len());
+        self.waiting.iter().for_each(|text| digest.text(text));
+        digest.count(self.log.len());
+        for spoken in &self.log {
+            digest.text(&spoken.text);
+            digest.whole(spoken.from.0);
+            digest.whole(spoken.until.map_or(u64::MAX, |until| until.0));
+            digest.truth(spoken.cut);
+        }
+    }
+}
+
+fn duration_ms(text: &str) -> u64 {
+    let words = text.split_whitespace().count() as u64;
+    let commas = text.matches(',').count() as u64;
+    (words * 60_000 / WORDS_PER_MINUTE + commas * COMMA_MS).max(SHORTEST_MS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Speech;
+
+    #[test]
+    fn the_same_words_thirty_times_a_second_are_said_one_after_the_other_without_piling_up() {
+        let mut speech = Speech::default();
+        for now in (0..1_000).step_by(30) {
+            speech.say("red", now).expect("present");
+            speech.step(now);
+        }
+        assert_eq!(speech.log().len(), 3);
+        assert!(speech.waiting.is_empty());
+    }
+
+    #[test]
+    fn the_ninth_waiting_text_is_refused_and_stop_is_silence() {
+        let mut speech = Speech::default();
+        for text in 0..9 {
+            speech.say(&text.to_string(), 0).expect("present");
+        }
+        assert!(speech.say("one more", 0).is_err());
+        speech.stop(10);
+        speech.step(20);
+        assert_eq!((speech.saying(), speech.log().len(), speech.log()[0].cut), ("", 1, true));
+        assert!(speech.say(" ", 20).is_err());
+    }
+}

@@ -1,0 +1,64 @@
+//! The rows of `nao_body.toml`, as they are written there.
+
+use serde::Deserialize;
+
+/// What the file says.
+#[derive(Deserialize)]
+pub(crate) struct Table {
+    pub(crate) links: Vec<Link>,
+    pub(crate) joints: Vec<JointRow>,
+    pub(crate) hands: Vec<HandRow>,
+    pub(crate) head_pitch_by_yaw: Vec<[f32; 3]>,
+    pub(crate) cameras: Vec<CameraRow>,
+    pub(crate) postures: Postures,
+}
+
+/// A rigid part of the body.
+#[derive(Deserialize)]
+pub(crate) struct Link {
+    pub(crate) name: String,
+    pub(crate) shapes: Vec<Shape>,
+}
+
+/// A primitive shape in the frame of its link, in metres.
+#[derive(Deserialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub(crate) enum Shape {
+    Box { at: [f32; 3], half: [f32; 3] },
+    Sphere { at: [f32; 3], r: f32 },
+    Capsule { a: [f32; 3], b: [f32; 3], r: f32 },
+}
+
+#[derive(Deserialize)]
+pub(crate) struct JointRow {
+    pub(crate) name: String,
+    pub(crate) parent: String,
+    pub(crate) child: String,
+    pub(crate) at: [f32; 3],
+    pub(crate) axis: [f32; 3],
+    pub(crate) limits: [f32; 2],
+    pub(crate) vmax: f32,
+    pub(crate) couple: Option<String>,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct HandRow {
+    pub(crate) range: [f32; 2],
+    pub(crate) vmax: f32,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct CameraRow {
+    pub(crate) name: String,
+    pub(crate) link: String,
+    pub(crate) at: [f32; 3],
+    pub(crate) pitch_down: f32,
+    pub(crate) hfov: f32,
+    pub(crate) vfov: f32,
+}
+
+#[derive(Deserialize)]
+#[serde(rename_all = "PascalCase")]
+pub(crate) struct Postures {
+    pub(crate) stand_init: Vec<f32>,
+}
