@@ -1,1 +1,34 @@
-//! engine
+//! The engine: runs a behaviour in logical time, the same way every time, and lets procedures do nothing but compute.
+//!
+//! No clock, thread, randomness, hash order, input or output lives here: [`Run::feed`] and [`Run::until`] are all that
+//! moves a run, so the same readings give the same outputs on every machine, live or replayed.
+#![warn(missing_docs)]
+
+mod arbiter;
+mod check;
+mod convert;
+mod core;
+mod event;
+mod fields;
+mod frame;
+mod graph;
+mod helpers;
+mod library;
+mod limits;
+mod maths;
+mod procedure;
+mod run;
+mod sandbox;
+mod stats;
+mod texts;
+mod validate;
+mod walk;
+mod words;
+
+pub use arbiter::{Arbiter, Claim};
+pub use check::{check_body, try_body};
+pub use graph::{ConnectorInfo, StreamInfo, Work};
+pub use limits::Limits;
+pub use run::{Emission, Run};
+pub use stats::{ConnectorStats, LastFault, Stats, StreamStats};
+pub use validate::{Fault, validate};

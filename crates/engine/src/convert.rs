@@ -1,0 +1,105 @@
+//! Between the values of a run and the values of Rhai.
+
+use crate::limits::VALUE_DEPTH;
+use behaviour::Value;
+use rhai::{Array, Dynamic, ImmutableString, Map};
+use std::sync::Arc;
+
+/// A value for Rhai. Whole and measured numbers stay apart.
+pub(crate) fn to_rhai(value: &Value) -> Dynamic {
+    match value {
+        Value::Null => Dynamic::UNIT,
+        Value::Bool(truth) => Dynamic::from_bool(*truth),
+        Value::Int(whole) => Dynamic::from_int(*whole),
+        Value::Float(number) => Dynamic::from_float(*number),
+        Value::Text(text) => Dynamic::from(ImmutableString::from(text.as_ref())),
+        Value::List(items) => Dynamic::from_array(items.iter().map(to_rhai).collect()),
+        Value::Map(fields) => {
+            Dynamic::from_map(fields.iter().map(|(name, value)| (name.as_ref().into(), to_rhai(value))).collect())
+        }
+    }
+}
+
+/// A value from Rhai.
+///
+/// # Errors
+/// A few plain words, if it cannot flow: a number that is not finite, a closure, a range, nesting without end.
+pub(crate) fn from_rhai(made: Dynamic) -> Result<Value, String> {
+    from_nested(made, VALUE_DEPTH)
+}
+
+fn from_nested(made: Dynamic, depth: usize) -> Result<Value, String> {
+    let made = made.flatten();
+    if let Ok(number) = made.as_float() {
+        return finite(number);
+    }
+    if let Ok(whole) = made.as_int() {
+        return Ok(Value::Int(whole));
+    }
+    if let Ok(truth) = made.as_bool() {
+        return Ok(Value::Bool(truth));
+    }
+    if made.is_unit() {
+        return Ok(Value::Null);
+    }
+    from_composite(made, depth)
+}
+
+fn finite(number: f64) -> Result<Value, String> {
+    if number.is_nan() {
+        Err("the result is not a number (NaN)".to_owned())
+    } else if number.is_infinite() {
+        Err("the result is an infinite number".to_owned())
+    } else {
+        Ok(Value::Float(number))
+    }
+}
+
+fn from_composite(made: Dynamic, depth: usize) -> Result<Value, String> {
+    let made = match made.try_cast_result::<ImmutableString>() {
+        Ok(text) => return Ok(Value::text(text)),
+        Err(made) => made,
+    };
+    let deeper = depth.checked_sub(1).ok_or("the result is nested too deep");
+    if made.is_array() {
+        return made.try_cast::<Array>().map_or(Ok(Value::Null), |items| from_array(items, deeper?));
+    }
+    if made.is_map() {
+        return made.try_cast::<Map>().map_or(Ok(Value::Null), |fields| from_map(fields, deeper?));
+    }
+    if let Ok(letter) = made.as_char() {
+        return Ok(Value::text(letter.encode_utf8(&mut [0; 4])));
+    }
+    Err(format!("{} cannot flow in a stream", crate::words::kind_of(made.type_name())))
+}
+
+fn from_array(items: Array, depth: usize) -> Result<Value, String> {
+    let items = items.into_iter().map(|item| from_nested(item, depth));
+    Ok(Value::List(Arc::new(items.collect::<Result<_, _>>()?)))
+}
+
+fn from_map(fields: Map, depth: usize) -> Result<Value, String> {
+    let fields = fields.into_iter().map(|(name, value)| Ok((Arc::from(name.as_str()), from_nested(value, depth)?)));
+    Ok(Value::Map(Arc::new(fields.collect::<Result<_, String>>()?)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{from_rhai, to_rhai};
+    use behaviour::Value;
+
+    #[test]
+    fn a_value_comes_back_as_it_went() {
+        let list = Value::list([Value::Int(6), Value::Float(6.0), Value::Null, Value::Bool(true)]);
+        let value = Value::object([("b", list), ("a", Value::text("赤い")), ("c", Value::object([]))]);
+        assert_eq!(from_rhai(to_rhai(&value)), Ok(value));
+    }
+
+    #[test]
+    fn what_cannot_flow_is_told_in_words() {
+        assert!(from_rhai(rhai::Dynamic::from_float(f64::NAN)).is_err_and(|reason| reason.contains("NaN")));
+        assert!(from_rhai(rhai::Dynamic::from(0_i64..3)).is_err_and(|reason| reason.contains("a range")));
+        let nested = (0..40).fold(Value::Null, |inner, _| Value::list([inner]));
+        assert!(from_rhai(to_rhai(&nested)).is_err_and(|reason| reason.contains("too deep")));
+    }
+}

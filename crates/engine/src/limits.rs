@@ -1,0 +1,56 @@
+//! How much one call of a procedure may use.
+
+use std::rc::Rc;
+
+/// The longest text a procedure may make, in bytes.
+pub(crate) const TEXT_BYTES: usize = 4 * 1024;
+/// The deepest nesting of lists and objects that may flow.
+pub(crate) const VALUE_DEPTH: usize = 32;
+
+/// The bounds of one call of a procedure.
+#[derive(Clone)]
+pub struct Limits {
+    /// Steps of computation.
+    pub operations: u64,
+    /// Helpers and closures calling each other.
+    pub levels: usize,
+    /// Nesting of an expression, and of one inside a helper or closure.
+    pub depths: (usize, usize),
+    /// Bytes in all texts of one value.
+    pub text_bytes: usize,
+    /// Items in all lists of one value.
+    pub list_items: usize,
+    /// Fields in all objects of one value.
+    pub map_fields: usize,
+    /// Variables at one moment.
+    pub variables: usize,
+    /// Closures in one procedure.
+    pub functions: usize,
+    /// Asked now and then while a procedure runs; true ends it. The caller's wall deadline and Stop.
+    pub interrupt: Option<Rc<dyn Fn() -> bool>>,
+}
+
+impl Default for Limits {
+    fn default() -> Self {
+        Self {
+            operations: 50_000,
+            levels: 16,
+            depths: (32, 32),
+            text_bytes: TEXT_BYTES,
+            list_items: 1024,
+            map_fields: 256,
+            variables: 128,
+            functions: 32,
+            interrupt: None,
+        }
+    }
+}
+
+impl Limits {
+    /// The same with a hook that is asked now and then; true ends the procedure that runs.
+    #[must_use]
+    pub fn interrupted_by(mut self, hook: impl Fn() -> bool + 'static) -> Self {
+        self.interrupt = Some(Rc::new(hook));
+        self
+    }
+}

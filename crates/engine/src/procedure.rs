@@ -1,0 +1,89 @@
+//! A procedure, compiled once and called often.
+
+use crate::convert::{from_rhai, to_rhai};
+use crate::helpers::Helpers;
+use crate::{walk, words};
+use behaviour::{BODY_MAX_CHARS, Value};
+use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+/// A compiled body with one slot per argument.
+pub(crate) struct Procedure {
+    ast: AST,
+    names: Vec<String>,
+    slots: Scope<'static>,
+}
+
+/// Why a call gave no value.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Failed {
+    /// In plain words.
+    pub(crate) reason: String,
+    /// True if the caller's interrupt ended it.
+    pub(crate) deadline: bool,
+}
+
+impl Procedure {
+    /// Compiles a body that may call `helpers`.
+    pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
+        let ast = helpers.joined(compile(engine, names, body)?);
+        Ok(Self { ast, names: names.to_vec(), slots: scope_of(names) })
+    }
+
+    /// What the procedure makes of the inputs.
+    pub(crate) fn call<'v>(
+        &mut self,
+        engine: &Engine,
+        inputs: impl Iterator<Item = &'v Value>,
+    ) -> Result<Value, Failed> {
+        for (name, input) in self.names.iter().zip(inputs) {
+            if let Some(slot) = self.slots.get_mut(name) {
+                *slot = to_rhai(input);
+            }
+        }
+        let (ast, slots) = (&self.ast, &mut self.slots);
+        let run = || engine.eval_ast_with_scope::<Dynamic>(slots, ast);
+        let result = catch_unwind(AssertUnwindSafe(run));
+        self.slots.rewind(self.names.len());
+        let made = result.map_err(|_| failed("it broke the procedure language; write it another way"))?;
+        from_rhai(made.map_err(|error| fault(&error))?).map_err(|reason| failed(&reason))
+    }
+}
+
+/// Compiles a body by itself.
+pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<AST, String> {
+    if body.trim().is_empty() {
+        return Err("it has no procedure yet".to_owned());
+    }
+    if body.chars().count() > BODY_MAX_CHARS {
+        return Err(format!("it is longer than {BODY_MAX_CHARS} characters"));
+    }
+    let scope = scope_of(names);
+    let ast = engine.compile_with_scope(&scope, body).map_err(|error| words::refusal(&error, names))?;
+    walk::check_calls(&ast)?;
+    Ok(ast)
+}
+
+fn scope_of(names: &[String]) -> Scope<'static> {
+    let mut scope = Scope::with_capacity(names.len());
+    for name in names {
+        scope.push_dynamic(name.as_str(), Dynamic::UNIT);
+    }
+    scope
+}
+
+fn fault(error: &EvalAltResult) -> Failed {
+    Failed { reason: words::fault(error), deadline: is_interrupt(error) }
+}
+
+fn is_interrupt(error: &EvalAltResult) -> bool {
+    match error {
+        EvalAltResult::ErrorTerminated(..) => true,
+        EvalAltResult::ErrorInFunctionCall(_, _, inner, _) => is_interrupt(inner),
+        _ => false,
+    }
+}
+
+fn failed(reason: &str) -> Failed {
+    Failed { reason: reason.to_owned(), deadline: false }
+}

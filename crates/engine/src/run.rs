@@ -1,0 +1,129 @@
+//! A run: one behaviour in logical time, moved by readings and by time and by nothing else.
+
+use crate::core::Core;
+use crate::event::Event;
+use crate::frame::Frame;
+use crate::graph::{ConnectorInfo, StreamInfo};
+use crate::limits::Limits;
+use crate::stats::Stats;
+use crate::validate::{Fault, prepare};
+use behaviour::{BehaviourFile, Engine, StreamKind, Value};
+use robot::Millis;
+
+/// What a run tells its caller, in order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Emission<'a> {
+    /// A value on a stream.
+    Value {
+        /// When, in logical time.
+        at: Millis,
+        /// The index of the stream.
+        stream: usize,
+        /// The value.
+        value: &'a Value,
+    },
+    /// A procedure dropped a value.
+    Fault {
+        /// When, in logical time.
+        at: Millis,
+        /// The index of the connector.
+        connector: usize,
+        /// In plain words.
+        error: &'a str,
+        /// True if the caller's interrupt ended the procedure.
+        deadline: bool,
+    },
+}
+
+/// One behaviour running. A further engine is one more variant of its mode.
+pub struct Run {
+    core: Core,
+    mode: Mode,
+}
+
+enum Mode {
+    Event(Event),
+    Frame(Frame),
+}
+
+impl Run {
+    /// Checks and compiles a behaviour; logical time is 0.
+    ///
+    /// # Errors
+    /// Every reason why it cannot run.
+    pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
+        let core = Core::of(prepare(file, &limits)?);
+        let mode = match file.engine.unwrap_or_default() {
+            Engine::Event => Mode::Event(Event::of(&core.graph)),
+            Engine::Frame { frame_ms } => Mode::Frame(Frame::of(&core.graph, frame_ms)),
+        };
+        Ok(Self { core, mode })
+    }
+
+    /// The streams, in the order of the file.
+    #[must_use]
+    pub fn streams(&self) -> &[StreamInfo] {
+        &self.core.graph.streams
+    }
+
+    /// The connectors, in the order of the file.
+    #[must_use]
+    pub fn connectors(&self) -> &[ConnectorInfo] {
+        &self.core.graph.connectors
+    }
+
+    /// The index of a stream by its id.
+    #[must_use]
+    pub fn stream_index(&self, id: &str) -> Option<usize> {
+        self.core.graph.by_id.get(id).copied()
+    }
+
+    /// Gives a reading to a sensor stream; what is due strictly before `at` runs first. Times must not decrease, and
+    /// an instant that [`Run::until`] closed takes nothing more: a reading that comes late counts as one of the next
+    /// open instant. Readings for other streams and numbers that are not finite are ignored.
+    pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut dyn FnMut(Emission)) {
+        let sensor = self.core.graph.streams.get(stream).is_some_and(|info| info.kind == StreamKind::Sensor);
+        if !sensor || !value.is_finite() {
+            return;
+        }
+        match &mut self.mode {
+            Mode::Event(event) => event.feed(&mut self.core, at, stream, value, out),
+            Mode::Frame(frame) => frame.feed(&mut self.core, at, stream, value, out),
+        }
+    }
+
+    /// Closes all instants up to and including `at`: their ticks run.
+    pub fn until(&mut self, at: Millis, out: &mut dyn FnMut(Emission)) {
+        match &mut self.mode {
+            Mode::Event(event) => event.until(&mut self.core, at, out),
+            Mode::Frame(frame) => frame.until(&mut self.core, at, out),
+        }
+    }
+
+    /// Ends a replay at `at`: like [`Run::until`], and a frame that has begun by then runs too.
+    pub fn finish(&mut self, at: Millis, out: &mut dyn FnMut(Emission)) {
+        match &mut self.mode {
+            Mode::Event(event) => event.until(&mut self.core, at, out),
+            Mode::Frame(frame) => {
+                if let Some(end) = frame.last_of(at) {
+                    frame.until(&mut self.core, end, out);
+                }
+            }
+        }
+    }
+
+    /// The earliest instant at which something happens by itself, if there is one.
+    #[must_use]
+    pub fn next_due(&self) -> Option<Millis> {
+        match &self.mode {
+            Mode::Event(event) => event.next_due(),
+            Mode::Frame(frame) => frame.next_due(),
+        }
+    }
+
+    /// What it counted so far.
+    #[must_use]
+    pub fn stats(&self) -> &Stats {
+        &self.core.stats
+    }
+}

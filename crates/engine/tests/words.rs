@@ -1,0 +1,90 @@
+//! Names and words: what Rhai keeps for itself, and what a therapist reads when a procedure is refused or faults.
+#![expect(clippy::unwrap_used, reason = "a test may give up")]
+
+use behaviour::{FileHelper, Value, argument_names, is_identifier};
+use engine::{Limits, check_body, try_body};
+
+/// The list that `behaviour` keeps, from its source: it is private there.
+fn kept_words() -> Vec<&'static str> {
+    let source = include_str!("../../behaviour/src/names.rs");
+    let list = source.split("RHAI_KEYWORDS: &str = \"").nth(1).and_then(|rest| rest.split('"').next()).unwrap();
+    list.split(|c: char| !c.is_ascii_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+}
+
+/// Words that other languages, or earlier versions of Rhai, keep for themselves, and words of procedures.
+const OTHER_WORDS: &str = "exit self Self type enum struct trait mod pub mut ref where impl dyn crate elseif undef then or \
+    and not foreach unless begin end abs min max sin len push keys values timestamp sleep parse_json range tag \
+    global int float string array map bool char this_ _this Print EVAL ball distance";
+
+fn works_as_argument(name: &str) -> bool {
+    let names = [name.to_owned()];
+    try_body(&[], &names, &format!("{name} + 1"), &[Value::Int(3)], &Limits::default()) == Ok(Value::Int(4))
+}
+
+#[test]
+fn every_kept_word_is_refused_by_rhai_and_every_other_works() {
+    let kept = kept_words();
+    assert!(kept.len() > 60);
+    for word in kept.iter().copied().chain(OTHER_WORDS.split_whitespace()) {
+        assert_eq!(works_as_argument(word), is_identifier(word), "{word}");
+        let argument = argument_names([word]).remove(0);
+        assert!(works_as_argument(&argument), "{word} as {argument}");
+        let helper =
+            FileHelper { name: argument.clone(), params: vec!["v".into()], body: "v".into(), says: String::new() };
+        if ["timestamp", "sleep", "parse_json"].contains(&word) {
+            continue;
+        }
+        let call = format!("{argument}(1)");
+        assert_eq!(try_body(&[helper], &[], &call, &[], &Limits::default()), Ok(Value::Int(1)), "{word}");
+    }
+}
+
+#[test]
+fn a_refusal_says_where_and_what() {
+    let cases = [
+        ("abs(ball", "line 1, column 9: a closing ) is missing"),
+        ("ball.size <", "line 1, column 12: it ends too early"),
+        ("redbal + 1", "line 1, column 1: there is no value “redbal”, only ball"),
+        ("ball +\n \"x", "line 2, column 2: the closing quote of a text is missing"),
+        ("#{a: 1", "line 1, column 7: a closing } is missing"),
+        ("ball = = 1", "line 1, column 8: “=” is not expected here"),
+        ("if ball { 1 } else", "line 1, column 19: { is missing"),
+        ("", "it has no procedure yet"),
+        ("ball == 1 &&& 2", "line 1, column 13: “&” is not expected here"),
+        ("eval(\"1\")", "line 1, column 1: “eval” cannot be used here"),
+        ("1 + sleep(1)", "line 1, column 5: “sleep” cannot be used in a procedure"),
+        ("(ball && \"text\")", "line 1, column 10: true or false is needed here, not a text"),
+    ];
+    let ball = ["ball".to_owned()];
+    for (body, words) in cases {
+        assert_eq!(check_body(&ball, body), Err(words.to_owned()), "{body}");
+    }
+}
+
+#[test]
+fn a_fault_says_what_in_plain_words() {
+    let cases = [
+        ("1 / (n - n)", "division by zero"),
+        ("1 % (n - n)", "division by zero"),
+        ("ball.siz", "there is no field “siz” in this object"),
+        ("n.size", "a whole number has no field “size”"),
+        ("distanc(ball)", "there is no function “distanc” of an object"),
+        ("ball - 1", "an object and a whole number cannot be combined with -"),
+        ("-ball", "- does not work on an object"),
+        ("if n { 1 }", "true or false is needed here, not a whole number"),
+        ("[1, 2][n]", "there is no item 5 in a list of 2"),
+        ("n[0][0]", "true or false has no parts to take with [ ]"),
+        ("far(ball)", "in the helper “far”: there is no field “siz” in this object"),
+        ("[1].map(|i| i / 0)", "division by zero"),
+        ("n * 9223372036854775807", "a whole number became too large"),
+        ("throw \"No ball.\"", "no ball"),
+        ("loop {}", "it takes too many steps"),
+    ];
+    let names = ["ball".to_owned(), "n".to_owned()];
+    let inputs = [Value::object([("size", Value::Float(0.1))]), Value::Int(5)];
+    let far = FileHelper { name: "far".into(), params: vec!["b".into()], body: "b.siz".into(), says: String::new() };
+    for (body, words) in cases {
+        let made = try_body(std::slice::from_ref(&far), &names, body, &inputs, &Limits::default());
+        assert_eq!(made.err().as_deref(), Some(words), "{body}");
+    }
+}
