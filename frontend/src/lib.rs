@@ -1,1 +1,92 @@
 //! The page.
+#![expect(unreachable_pub, reason = "leptos components expand to public items")]
+
+mod browser;
+mod canvas;
+mod desk;
+mod fields;
+mod icons;
+mod layout;
+mod link;
+mod live;
+mod panels;
+mod words;
+
+use canvas::Canvas;
+use desk::Desk;
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use wasm_bindgen::prelude::*;
+
+/// Below this width there is an outline instead of the canvas.
+const PHONE: &str = "(max-width: 767px)";
+
+/// Starts the page.
+#[wasm_bindgen(start)]
+pub fn main() {
+    std::panic::set_hook(Box::new(|panic| {
+        console_error_panic_hook::hook(panic);
+        tell_page(&panic.to_string());
+    }));
+    let Some(root) = document().get_element_by_id("app").and_then(|root| root.dyn_into().ok()) else { return };
+    mount_to(root, App).forget();
+}
+
+/// Tells the plain part of the page, which shows it and reloads.
+fn tell_page(text: &str) {
+    let hook = js_sys::Reflect::get(&js_sys::global(), &"rrpPanic".into());
+    if let Some(hook) = hook.ok().and_then(|hook| hook.dyn_into::<js_sys::Function>().ok()) {
+        let _ = hook.call1(&JsValue::NULL, &text.into());
+    }
+}
+
+#[component]
+fn App() -> impl IntoView {
+    let desk = Desk::default();
+    desk.start_up();
+    undo_keys(&desk);
+    provide_context(desk);
+    let phone = is_phone();
+    view! {
+        <panels::Toolbar />
+        <panels::Palette />
+        {move || if phone.get() {
+            view! { <panels::Outline /> }.into_any()
+        } else {
+            view! { <Canvas /> }.into_any()
+        }}
+        <panels::RightColumn />
+        <panels::Dialogs />
+        <panels::Notices />
+    }
+}
+
+/// Ctrl Z and Ctrl Y (or Ctrl Shift Z) undo and redo, except where one types or a dialog is open.
+fn undo_keys(desk: &Desk) {
+    let desk = desk.clone();
+    browser::hear(&window(), "keydown", move |event| {
+        let Ok(event) = event.dyn_into::<web_sys::KeyboardEvent>() else { return };
+        let target = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
+        let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "TEXTAREA" | "SELECT"));
+        if !(event.ctrl_key() || event.meta_key()) || types || desk.dialog.with_untracked(Option::is_some) {
+            return;
+        }
+        match (event.key().to_lowercase().as_str(), event.shift_key()) {
+            ("z", false) => desk.undo(),
+            ("z", true) | ("y", false) => desk.redo(),
+            _ => return,
+        }
+        event.prevent_default();
+    });
+}
+
+/// Follows the width of the window.
+fn is_phone() -> ArcRwSignal<bool> {
+    let query = window().match_media(PHONE).ok().flatten();
+    let phone = ArcRwSignal::new(query.as_ref().is_some_and(web_sys::MediaQueryList::matches));
+    if let Some(query) = query {
+        let (now, signal) = (query.clone(), phone.clone());
+        browser::hear(&query, "change", move |_| signal.set(now.matches()));
+    }
+    phone
+}

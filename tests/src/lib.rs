@@ -20,6 +20,7 @@ mod hands;
 mod keys;
 mod page;
 mod paths;
+pub mod rehearsal;
 mod server;
 pub mod skip;
 pub mod sources;

@@ -1,1 +1,55 @@
-fn main() {}
+//! The front door: the command line of rrp.
+
+mod replay;
+mod serve;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Robot behaviours made together: a page for therapists, a robot or its simulation, and tools around them.
+#[derive(Debug, Parser)]
+#[command(name = "rrp", version, after_help = EXAMPLES)]
+struct Line {
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    Serve(serve::ServeArgs),
+    Shell(ShellArgs),
+    Replay(replay::ReplayArgs),
+}
+
+/// Opens the operator's console on a running server.
+///
+/// On a terminal it completes and remembers; else it reads a command a line and exits with 1 at the first refused one.
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example: echo 'show programs' | rrp shell http://127.0.0.1:7130/")]
+struct ShellArgs {
+    /// The server's address.
+    #[arg(value_name = "URL", default_value = shell::DEFAULT_URL)]
+    url: String,
+}
+
+const EXAMPLES: &str = "Examples:
+  rrp serve                            serve on this computer, on http://127.0.0.1:7130/
+  rrp serve --listen 127.0.0.1:0       on a free port
+  rrp shell                            look around and start behaviours from a terminal
+  rrp replay --behaviour tracking.json --trace morning.jsonl";
+
+fn main() -> ExitCode {
+    match Line::parse().what {
+        What::Serve(args) => serve::serve(args),
+        What::Shell(args) => console(&args.url),
+        What::Replay(args) => replay::replay(&args),
+    }
+}
+
+fn console(url: &str) -> ExitCode {
+    let Ok(runtime) = tokio::runtime::Runtime::new() else { return ExitCode::FAILURE };
+    let fine = runtime.block_on(shell::run(Some(url)));
+    // Somebody may still be reading a line from the terminal.
+    runtime.shutdown_background();
+    if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}

@@ -1,0 +1,97 @@
+//! `rrp serve`: the server in the foreground, until Ctrl-C or SIGTERM.
+
+use clap::Args;
+use server::{Config, ServeError};
+use std::io::{IsTerminal, Write};
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Duration;
+use tracing_subscriber::EnvFilter;
+
+/// What is logged when RRP_LOG does not say otherwise.
+const LOG: &str = "info";
+/// How long what still works in the background may take at the end.
+const ENDING_MS: u64 = 2_000;
+
+/// Serves the page, the robot and the behaviours in a folder, on this computer.
+///
+/// Prints one line on standard output once it accepts connections; logs go to standard error (RRP_LOG=debug for more).
+/// Ctrl-C and SIGTERM stop the robot first, then finish writing, then exit with 0.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  rrp serve\n  rrp serve --listen 127.0.0.1:0 --data /tmp/play")]
+pub(crate) struct ServeArgs {
+    /// Where to listen; port 0 takes a free one.
+    #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:7130")]
+    listen: SocketAddr,
+    /// The folder of the data; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
+    #[arg(long, value_name = "DIR")]
+    data: Option<PathBuf>,
+    /// The seed of the simulated robot's noise.
+    #[arg(long, value_name = "NUMBER", default_value_t = 1)]
+    seed: u64,
+}
+
+/// Serves, and answers with the exit code.
+pub(crate) fn serve(args: ServeArgs) -> ExitCode {
+    let filter = EnvFilter::try_from_env("RRP_LOG").unwrap_or_else(|_| EnvFilter::new(LOG));
+    tracing_subscriber::fmt()
+        .with_env_filter(filter)
+        .with_writer(std::io::stderr)
+        .with_ansi(std::io::stderr().is_terminal())
+        .init();
+    match run(args) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(sentence) => {
+            let _ = writeln!(std::io::stderr(), "{sentence}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(args: ServeArgs) -> Result<(), String> {
+    let data =
+        args.data.or_else(usual_data).ok_or("There is no home folder. Say where the data is with --data DIR.")?;
+    let config = Config { listen: args.listen, data, seed: args.seed };
+    let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("The server could not start: {error}."))?;
+    let served: Result<(), ServeError> = runtime.block_on(async {
+        let stop = asked_to_stop();
+        server::serve(config, ready, stop).await
+    });
+    runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
+    served.map_err(|error| error.to_string())
+}
+
+fn usual_data() -> Option<PathBuf> {
+    let given = std::env::var_os("XDG_DATA_HOME").filter(|folder| !folder.is_empty()).map(PathBuf::from);
+    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/share"));
+    given.or_else(home).map(|folder| folder.join("rrp"))
+}
+
+/// The one line on standard output, for people and for programs that wait for it.
+fn ready(address: SocketAddr) {
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(out, "rrp is ready: http://{address}/").and_then(|()| out.flush());
+}
+
+/// Ctrl-C or SIGTERM.
+async fn asked_to_stop() {
+    let interrupted = async { drop(tokio::signal::ctrl_c().await) };
+    tokio::select! {
+        () = interrupted => {}
+        () = terminated() => {}
+    }
+}
+
+#[cfg(unix)]
+async fn terminated() {
+    match tokio::signal::unix::signal(tokio::signal::unix::SignalKind::terminate()) {
+        Ok(mut signal) => drop(signal.recv().await),
+        Err(_) => std::future::pending().await,
+    }
+}
+
+#[cfg(not(unix))]
+async fn terminated() {
+    std::future::pending().await
+}

@@ -1,0 +1,106 @@
+//! What every part of the server shares: the store, the robot, the rooms, who is here, and what everyone is told.
+
+use crate::checking::Checker;
+use crate::clients::Clients;
+use crate::knowledge::Knowing;
+use crate::programs::Programs;
+use crate::robots::Robots;
+use crate::rooms::Rooms;
+use crate::topics::Topics;
+use behaviour::{Behaviour, Helper, Id};
+use protocol::SaidNo;
+use std::future::Future;
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
+use std::time::Duration;
+use store::{Store, StoreError};
+use tokio::sync::{Semaphore, watch};
+use tokio_util::sync::CancellationToken;
+use tokio_util::task::TaskTracker;
+
+/// How long the store may take for one answer.
+const STORE_MS: u64 = 5_000;
+/// WebSockets that may be open. Other requests, above all Stop, get through beyond that.
+pub(crate) const SOCKETS_MAX: usize = 512;
+
+/// The middle of the server.
+pub(crate) struct Hub {
+    /// Where behaviours are kept.
+    pub(crate) store: Arc<dyn Store>,
+    /// The robot.
+    pub(crate) robots: Robots,
+    /// Devices and procedures.
+    pub(crate) knowing: Arc<Knowing>,
+    /// Tries procedures.
+    pub(crate) checker: Checker,
+    /// Grows with every start of the server.
+    pub(crate) epoch: u64,
+    /// The id of the library.
+    pub(crate) library: Id,
+    /// The library as it is saved.
+    pub(crate) shelf: watch::Sender<Arc<Shelf>>,
+    /// The open rooms.
+    pub(crate) rooms: Rooms,
+    /// Who is here.
+    pub(crate) clients: Clients,
+    /// The list of behaviours.
+    pub(crate) programs: Programs,
+    /// What everyone is told.
+    pub(crate) topics: Topics,
+    /// One behaviour is made at a time, so that names stay unique.
+    pub(crate) creating: tokio::sync::Mutex<()>,
+    /// Grows with every Stop, so that a Start under way notices.
+    pub(crate) stops: AtomicU64,
+    /// Places for sockets.
+    pub(crate) sockets: Arc<Semaphore>,
+    /// Rooms and sockets.
+    pub(crate) tasks: TaskTracker,
+    /// Ends sockets, then rooms.
+    pub(crate) stopping: CancellationToken,
+}
+
+/// The helper library at one revision.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Shelf {
+    /// Its records.
+    pub(crate) behaviour: Behaviour,
+    /// Its revision.
+    pub(crate) revision: u64,
+}
+
+impl Shelf {
+    /// All helpers in order of id.
+    pub(crate) fn helpers(&self) -> Vec<&Helper> {
+        self.behaviour.helpers().map(|(_, helper)| helper).collect()
+    }
+}
+
+impl Hub {
+    /// True once the server ends.
+    pub(crate) fn ends(&self) -> bool {
+        self.stopping.is_cancelled()
+    }
+
+    /// The library as it is saved now.
+    pub(crate) fn shelf(&self) -> Arc<Shelf> {
+        self.shelf.borrow().clone()
+    }
+}
+
+/// Waits for the store, but not for ever.
+pub(crate) async fn bounded<T>(answer: impl Future<Output = Result<T, StoreError>>) -> Result<T, StoreError> {
+    match tokio::time::timeout(Duration::from_millis(STORE_MS), answer).await {
+        Ok(answer) => answer,
+        Err(_) => Err(StoreError::Timeout),
+    }
+}
+
+/// The store's sentence as a client gets it.
+pub(crate) fn store_no(error: &StoreError) -> SaidNo {
+    SaidNo::Store(reason(error))
+}
+
+/// A sentence as a reason in parentheses: without its full stop.
+pub(crate) fn reason(error: &StoreError) -> String {
+    error.to_string().trim_end_matches('.').to_owned()
+}

@@ -1,0 +1,119 @@
+//! The page's files: part of the program, or read from disk in debug builds; compressed ones where the browser takes
+//! them; always asked for again, answered with "not modified" while they are the same.
+
+use axum::http::{HeaderMap, StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use base64::Engine;
+use base64::engine::general_purpose::URL_SAFE_NO_PAD;
+use rust_embed::{EmbeddedFile, RustEmbed};
+
+#[derive(RustEmbed)]
+#[folder = "$RRP_PAGE_DIR"]
+struct Files;
+
+/// Where there is no page yet.
+const NOT_BUILT: &str = "The page was not built. Run `cargo xtask serve` in the project's folder, then reload.\n";
+
+/// The ways a file may be compressed, best first.
+const CODINGS: [(&str, &str); 2] = [("br", ".br"), ("gzip", ".gz")];
+
+/// Kinds of files by the end of their names.
+const TYPES: [(&str, &str); 13] = [
+    ("css", "text/css; charset=utf-8"),
+    ("html", "text/html; charset=utf-8"),
+    ("ico", "image/x-icon"),
+    ("jpg", "image/jpeg"),
+    ("js", "text/javascript; charset=utf-8"),
+    ("json", "application/json"),
+    ("mjs", "text/javascript; charset=utf-8"),
+    ("png", "image/png"),
+    ("svg", "image/svg+xml"),
+    ("txt", "text/plain; charset=utf-8"),
+    ("wasm", "application/wasm"),
+    ("webmanifest", "application/manifest+json"),
+    ("woff2", "font/woff2"),
+];
+
+/// The file at a path.
+pub(crate) fn answer(path: &str, asked: &HeaderMap) -> Response {
+    let name = path.trim_start_matches('/');
+    let name = if name.is_empty() { "index.html" } else { name };
+    let coded = name.ends_with(".br") || name.ends_with(".gz");
+    if coded || name.split('/').any(|part| part.starts_with('.')) {
+        return missing(name);
+    }
+    match best(name, asked) {
+        Some((file, coding)) => send(name, file, coding, asked),
+        None => missing(name),
+    }
+}
+
+fn missing(name: &str) -> Response {
+    if name == "index.html" {
+        return (StatusCode::SERVICE_UNAVAILABLE, NOT_BUILT).into_response();
+    }
+    (StatusCode::NOT_FOUND, "There is no such page here.\n").into_response()
+}
+
+/// The best compressed sibling that the browser takes, else the plain file.
+fn best(name: &str, asked: &HeaderMap) -> Option<(EmbeddedFile, Option<&'static str>)> {
+    let takes = asked.get(header::ACCEPT_ENCODING).and_then(|value| value.to_str().ok()).unwrap_or_default();
+    for (coding, end) in CODINGS {
+        if accepts(takes, coding)
+            && let Some(file) = Files::get(&format!("{name}{end}"))
+        {
+            return Some((file, Some(coding)));
+        }
+    }
+    Files::get(name).map(|file| (file, None))
+}
+
+/// Whether a list like `gzip, br;q=0.9` takes a coding.
+fn accepts(list: &str, coding: &str) -> bool {
+    list.split(',').any(|item| {
+        let mut parts = item.split(';').map(str::trim);
+        let named = parts.next().is_some_and(|name| name.eq_ignore_ascii_case(coding));
+        let refused = |part: &str| part.strip_prefix("q=").and_then(|q| q.parse().ok()) == Some(0.0_f32);
+        named && !parts.any(refused)
+    })
+}
+
+fn send(name: &str, file: EmbeddedFile, coding: Option<&'static str>, asked: &HeaderMap) -> Response {
+    let tag = format!("\"{}\"", URL_SAFE_NO_PAD.encode(&file.metadata.sha256_hash()[..18]));
+    let known = asked.get(header::IF_NONE_MATCH).and_then(|value| value.to_str().ok());
+    let same = known.is_some_and(|known| known.split(',').any(|one| one.trim().trim_start_matches("W/") == tag));
+    let mut response =
+        if same { StatusCode::NOT_MODIFIED.into_response() } else { file.data.into_owned().into_response() };
+    let headers = response.headers_mut();
+    let mut put = |header, value: &str| drop(value.parse().map(|value| headers.insert(header, value)));
+    put(header::CONTENT_TYPE, type_of(name));
+    put(header::CACHE_CONTROL, "no-cache");
+    put(header::VARY, "accept-encoding");
+    put(header::ETAG, &tag);
+    if let Some(coding) = coding {
+        put(header::CONTENT_ENCODING, coding);
+    }
+    response
+}
+
+fn type_of(name: &str) -> &'static str {
+    let end = name.rsplit_once('.').map_or("", |(_, end)| end);
+    TYPES.iter().find(|(known, _)| *known == end).map_or("application/octet-stream", |(_, kind)| kind)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{accepts, type_of};
+
+    #[test]
+    fn a_coding_counts_unless_it_is_refused() {
+        assert!(accepts("gzip, deflate, br", "br") && accepts("br;q=0.5", "br") && accepts("GZIP", "gzip"));
+        assert!(!accepts("br;q=0, gzip", "br") && !accepts("", "br") && !accepts("brotli", "br"));
+    }
+
+    #[test]
+    fn wasm_has_the_type_that_browsers_want() {
+        assert_eq!(type_of("app_bg.wasm"), "application/wasm");
+        assert_eq!(type_of("what"), "application/octet-stream");
+    }
+}

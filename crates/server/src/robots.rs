@@ -1,0 +1,201 @@
+//! The robot and what runs on it: one thread for the robot, one for every running behaviour, and a Stop that waits
+//! for none of them.
+
+mod beats;
+mod book;
+mod desk;
+mod fair;
+mod gate;
+mod house;
+mod keeper;
+mod live;
+mod mailbox;
+mod runner;
+mod simulated;
+mod tally;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use live::{LiveValues, Seen};
+
+use crate::lock;
+use behaviour::{BehaviourFile, Id, Value};
+use engine::Limits;
+use gate::Gate;
+use house::House;
+use keeper::Make;
+use mailbox::Keep;
+use protocol::{RobotState, RunState, SaidNo};
+use robot::{Health, Scene, SceneEdit};
+use runner::Job;
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+use tokio::sync::{oneshot, watch};
+
+/// Stack of a run's thread in bytes; procedures nest on it.
+const STACK_BYTES: usize = 8 * 1024 * 1024;
+/// The longest a Start may take, in milliseconds.
+const START_MAX_MS: u64 = 10_000;
+/// The longest that ending waits for the threads, in milliseconds.
+const SHUT_DOWN_MAX_MS: u64 = 2_000;
+/// Threads of runs that may live, those included that have not noticed Stop yet.
+const THREADS_MAX: usize = 2 * book::RUNNING_MAX_RUNS;
+
+/// A robot and the behaviours that run on it. A clone is the same robot.
+#[derive(Clone)]
+pub(crate) struct Robots {
+    owner: Arc<Owner>,
+}
+
+/// What to start.
+pub(crate) struct Start {
+    /// The behaviour.
+    pub(crate) behaviour: Id,
+    /// Its revision.
+    pub(crate) revision: u64,
+    /// The behaviour at that revision, with its helpers.
+    pub(crate) file: BehaviourFile,
+    /// Who starts it.
+    pub(crate) by: String,
+}
+
+/// Ends the robot's thread with the last clone.
+struct Owner {
+    house: Arc<House>,
+    thread: Mutex<Option<JoinHandle<()>>>,
+    limits: fn() -> Limits,
+}
+
+impl Robots {
+    /// A simulated NAO in its room, on a thread of its own.
+    ///
+    /// # Errors
+    /// If the thread cannot be made.
+    pub(crate) fn simulated(seed: u64) -> std::io::Result<Self> {
+        let state = RobotState { name: simulated::NAME.into(), kind: "nao".into(), health: Health::Ready };
+        Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default)
+    }
+
+    /// Any robot, with these limits for procedures.
+    fn with(state: RobotState, make: Make, limits: fn() -> Limits) -> std::io::Result<Self> {
+        let house = Arc::new(House::new(state));
+        let shared = house.clone();
+        let thread = std::thread::Builder::new().name("robot".into()).spawn(move || keeper::keep(&shared, &make))?;
+        Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits }) })
+    }
+
+    /// Starts a behaviour; one that runs already is replaced as soon as the new one is ready.
+    ///
+    /// # Errors
+    /// Why it cannot start.
+    pub(crate) async fn start(&self, start: Start) -> Result<RunState, String> {
+        let gate = Arc::new(Gate::default());
+        let answer = self.launch(start, gate.clone())?;
+        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answer).await {
+            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
+            Err(_) => {
+                gate.close();
+                Err("it took too long to prepare".to_owned())
+            }
+        }
+    }
+
+    fn launch(&self, start: Start, gate: Arc<Gate>) -> Result<oneshot::Receiver<Result<RunState, String>>, String> {
+        let house = self.house().clone();
+        let busy = || "too many behaviours run already; stop one first".to_owned();
+        if house.threads() >= THREADS_MAX {
+            return Err(busy());
+        }
+        let run = lock(&house.book).announce(&start.behaviour, &gate).ok_or_else(busy)?;
+        let (answer, answered) = oneshot::channel();
+        let job = Job { run, start, gate, house: house.clone(), limits: self.owner.limits };
+        house.threads.fetch_add(1, Ordering::SeqCst);
+        let thread = std::thread::Builder::new().name(format!("run-{run}")).stack_size(STACK_BYTES);
+        let spawned = thread.spawn(move || {
+            runner::run(&job, answer);
+            job.house.threads.fetch_sub(1, Ordering::SeqCst);
+        });
+        spawned.map(|_| answered).map_err(|error| {
+            house.threads.fetch_sub(1, Ordering::SeqCst);
+            lock(&house.book).withdraw(run);
+            format!("there is no room for another run ({error})")
+        })
+    }
+
+    /// Stops a behaviour, or everything, and lets the robot hold safely. Answers at once, whatever the procedures do;
+    /// true if something ran.
+    pub(crate) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
+        self.house().stop(behaviour, by)
+    }
+
+    /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it.
+    ///
+    /// # Errors
+    /// If the behaviour does not run, or has no such sensor stream.
+    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), SaidNo> {
+        let book = lock(&self.house().book);
+        let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
+        let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
+        entry.mailbox.put(index, Keep::All, value);
+        Ok(())
+    }
+
+    /// Moves something in the room.
+    pub(crate) fn edit_scene(&self, edit: SceneEdit) {
+        self.house().desk.edit(edit);
+    }
+
+    /// The robot in its room: the newest picture, about 30 a second while anything changes.
+    pub(crate) fn scene(&self) -> watch::Receiver<Arc<Scene>> {
+        self.house().scene.subscribe()
+    }
+
+    /// What runs and what ended lately, oldest first.
+    pub(crate) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
+        self.house().runs()
+    }
+
+    /// The robot's state.
+    pub(crate) fn state(&self) -> watch::Receiver<Arc<RobotState>> {
+        self.house().state.subscribe()
+    }
+
+    /// The live values of a run, also of one that ended lately.
+    pub(crate) fn values(&self, run: u64) -> Option<LiveValues> {
+        lock(&self.house().book).get(run).map(|entry| entry.live.clone())
+    }
+
+    /// Whether a behaviour runs.
+    pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
+        lock(&self.house().book).running_of(behaviour).is_some()
+    }
+
+    /// Stops everything and ends the threads; waits at most two seconds.
+    pub(crate) fn shut_down(&self) {
+        self.stop(None, "the server");
+        self.house().desk.end();
+        let until = Instant::now() + Duration::from_millis(SHUT_DOWN_MAX_MS);
+        let thread = lock(&self.owner.thread).take();
+        let is_working = || self.house().threads() > 0 || thread.as_ref().is_some_and(|thread| !thread.is_finished());
+        while is_working() && Instant::now() < until {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // A thread that did not notice in time is left to the end of the process.
+        if let Some(thread) = thread.filter(JoinHandle::is_finished) {
+            drop(thread.join());
+        }
+    }
+
+    fn house(&self) -> &Arc<House> {
+        &self.owner.house
+    }
+}
+
+impl Drop for Owner {
+    fn drop(&mut self) {
+        self.house.stop(None, "the server");
+        self.house.desk.end();
+    }
+}

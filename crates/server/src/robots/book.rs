@@ -1,0 +1,125 @@
+//! The book of runs: which behaviours run, and the last ones that ended.
+
+use super::gate::Gate;
+use super::live::LiveValues;
+use super::mailbox::{Keep, Mailbox};
+use behaviour::Id;
+use protocol::{RunPhase, RunState};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Ended runs that are remembered.
+const ENDED_MAX_RUNS: usize = 16;
+/// Behaviours that may run or prepare at once.
+pub(super) const RUNNING_MAX_RUNS: usize = 16;
+
+/// The book; every use of it is short.
+#[derive(Debug, Default)]
+pub(super) struct Book {
+    last_run: u64,
+    preparing: BTreeMap<u64, Preparing>,
+    runs: BTreeMap<u64, Entry>,
+}
+
+/// A run that is not there yet.
+#[derive(Debug)]
+struct Preparing {
+    behaviour: Id,
+    gate: Arc<Gate>,
+}
+
+/// A run.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// What people see.
+    pub(super) state: RunState,
+    /// Its gate.
+    pub(super) gate: Arc<Gate>,
+    /// Its mailbox.
+    pub(super) mailbox: Arc<Mailbox>,
+    /// Its values.
+    pub(super) live: LiveValues,
+    /// Its sensor streams by id.
+    pub(super) senses: BTreeMap<Id, (usize, Keep)>,
+    /// Whether it can move the robot.
+    pub(super) acts: bool,
+}
+
+impl Book {
+    /// Gives a new run its number, or none if too many run already.
+    pub(super) fn announce(&mut self, behaviour: &Id, gate: &Arc<Gate>) -> Option<u64> {
+        if self.preparing.len() + self.running().count() >= RUNNING_MAX_RUNS {
+            return None;
+        }
+        self.last_run += 1;
+        self.preparing.insert(self.last_run, Preparing { behaviour: behaviour.clone(), gate: gate.clone() });
+        Some(self.last_run)
+    }
+
+    /// Forgets a run that did not come to be.
+    pub(super) fn withdraw(&mut self, run: u64) {
+        self.preparing.remove(&run);
+    }
+
+    /// From now on it runs, unless it was stopped meanwhile. What ran of the same behaviour is returned, ended.
+    pub(super) fn enter(&mut self, entry: Entry) -> Option<Vec<Entry>> {
+        self.preparing.remove(&entry.state.run)?;
+        if !entry.gate.is_open() {
+            return None;
+        }
+        let by = entry.state.by.clone();
+        let replaced = self.end(Some(&entry.state.behaviour), &RunPhase::Stopped(by));
+        self.runs.insert(entry.state.run, entry);
+        Some(replaced)
+    }
+
+    /// Closes the gates of a behaviour's runs, or of all, and returns what ran.
+    pub(super) fn end(&mut self, behaviour: Option<&Id>, phase: &RunPhase) -> Vec<Entry> {
+        let is_meant = |entry: &Entry| behaviour.is_none_or(|id| entry.state.behaviour == *id);
+        let meant: Vec<u64> = self.running().filter(|entry| is_meant(entry)).map(|entry| entry.state.run).collect();
+        meant.into_iter().filter_map(|run| self.end_run(run, phase.clone())).collect()
+    }
+
+    /// Ends one run; none if it had ended already.
+    pub(super) fn end_run(&mut self, run: u64, phase: RunPhase) -> Option<Entry> {
+        let entry = self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)?;
+        entry.gate.close();
+        entry.state.phase = phase;
+        let ended = entry.clone();
+        self.forget_old();
+        Some(ended)
+    }
+
+    /// Stops what is only being prepared; true if there was any.
+    pub(super) fn cancel(&mut self, behaviour: Option<&Id>) -> bool {
+        let is_meant = |waiting: &&Preparing| behaviour.is_none_or(|id| waiting.behaviour == *id);
+        self.preparing.values().filter(is_meant).filter(|waiting| waiting.gate.close()).count() > 0
+    }
+
+    /// The running one of a behaviour.
+    pub(super) fn running_of(&self, behaviour: &Id) -> Option<&Entry> {
+        self.running().find(|entry| entry.state.behaviour == *behaviour)
+    }
+
+    /// One run, running or ended.
+    pub(super) fn get(&self, run: u64) -> Option<&Entry> {
+        self.runs.get(&run)
+    }
+
+    /// All that people see, oldest first.
+    pub(super) fn states(&self) -> Vec<RunState> {
+        self.runs.values().map(|entry| entry.state.clone()).collect()
+    }
+
+    fn running(&self) -> impl Iterator<Item = &Entry> {
+        self.runs.values().filter(|entry| entry.state.phase == RunPhase::Running)
+    }
+
+    fn forget_old(&mut self) {
+        let ended = self.runs.values().filter(|entry| entry.state.phase != RunPhase::Running);
+        let ended: Vec<u64> = ended.map(|entry| entry.state.run).collect();
+        for run in ended.iter().take(ended.len().saturating_sub(ENDED_MAX_RUNS)) {
+            self.runs.remove(run);
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! What waits for the robot's thread: Stop first, then what to open and close, what people do in the room, and what
+//! runs command.
+
+use super::fair::Fair;
+use super::gate::Gate;
+use super::mailbox::Mailbox;
+use crate::lock;
+use behaviour::{Id, Params, Value};
+use robot::{SceneEdit, Use};
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::SyncSender;
+use std::sync::{Arc, Mutex};
+
+/// Things people did in the room that may wait.
+const EDITS_MAX: usize = 256;
+/// Texts of one action that may wait to be spoken or shown.
+const TEXTS_MAX: usize = 8;
+
+/// The desk.
+#[derive(Debug, Default)]
+pub(super) struct Desk {
+    stop: AtomicBool,
+    end: AtomicBool,
+    papers: Mutex<Papers>,
+}
+
+/// What waits, in the order in which the robot's thread does it.
+#[derive(Debug, Default)]
+pub(super) struct Papers {
+    /// Runs that ended.
+    pub(super) closes: Vec<u64>,
+    /// Runs that want their devices.
+    pub(super) opens: Vec<Opening>,
+    /// What people did in the room.
+    pub(super) edits: VecDeque<SceneEdit>,
+    commands: Fair<Use, Command>,
+}
+
+/// A run that wants its devices.
+#[derive(Debug)]
+pub(super) struct Opening {
+    /// The run.
+    pub(super) run: u64,
+    /// Its gate.
+    pub(super) gate: Arc<Gate>,
+    /// Where its readings go.
+    pub(super) mailbox: Arc<Mailbox>,
+    /// Its devices, actions before senses.
+    pub(super) devices: Vec<Wanted>,
+    /// Gets the answer; never waited for.
+    pub(super) answer: SyncSender<Result<(), String>>,
+}
+
+/// One device for one stream.
+#[derive(Clone, Debug)]
+pub(super) struct Wanted {
+    /// The stream.
+    pub(super) stream: Id,
+    /// The stream's index in the run.
+    pub(super) index: usize,
+    /// What people call it.
+    pub(super) name: String,
+    /// The device.
+    pub(super) device: String,
+    /// Its parameters.
+    pub(super) params: Params,
+}
+
+/// A value for an action. Void once the gate is closed.
+#[derive(Debug)]
+pub(super) struct Command {
+    /// The gate of the run.
+    pub(super) gate: Arc<Gate>,
+    /// The value.
+    pub(super) value: Value,
+}
+
+impl Desk {
+    /// Wants the robot to hold safely, before anything else.
+    pub(super) fn stop(&self) {
+        self.stop.store(true, Ordering::SeqCst);
+    }
+
+    /// Whether somebody wanted that since the last question.
+    pub(super) fn take_stop(&self) -> bool {
+        self.stop.swap(false, Ordering::SeqCst)
+    }
+
+    /// Wants the robot's thread to end.
+    pub(super) fn end(&self) {
+        self.end.store(true, Ordering::SeqCst);
+    }
+
+    /// Whether the robot's thread is to end.
+    pub(super) fn is_ended(&self) -> bool {
+        self.end.load(Ordering::SeqCst)
+    }
+
+    /// Gives back the devices of a run. Bounded by the number of runs.
+    pub(super) fn close(&self, run: u64) {
+        lock(&self.papers).closes.push(run);
+    }
+
+    /// Asks for devices. Bounded by the number of runs.
+    pub(super) fn open(&self, opening: Opening) {
+        lock(&self.papers).opens.push(opening);
+    }
+
+    /// Hands on what somebody did in the room; the oldest gives way.
+    pub(super) fn edit(&self, edit: SceneEdit) {
+        let edits = &mut lock(&self.papers).edits;
+        if edits.len() >= EDITS_MAX {
+            edits.pop_front();
+        }
+        edits.push_back(edit);
+    }
+
+    /// Hands on a value for an action; an older one of the same stream gives way.
+    pub(super) fn command(&self, user: Use, device: &str, command: Command) {
+        let waiting_max = if matches!(device, "SayInput" | "SayParameter" | "Print") { TEXTS_MAX } else { 1 };
+        lock(&self.papers).commands.push(user, waiting_max, command);
+    }
+
+    /// Everything that waits; commands in the order in which they were given.
+    pub(super) fn take(&self) -> (Papers, Vec<(Use, Command)>) {
+        let mut papers = lock(&self.papers);
+        let commands = papers.commands.take().collect();
+        let taken = Papers {
+            closes: std::mem::take(&mut papers.closes),
+            opens: std::mem::take(&mut papers.opens),
+            edits: std::mem::take(&mut papers.edits),
+            commands: Fair::default(),
+        };
+        (taken, commands)
+    }
+}

@@ -1,0 +1,109 @@
+//! What the robot's thread, the runs' threads and the server share: the desk, the book, and what is shown.
+
+use super::book::{Book, Entry};
+use super::desk::Desk;
+use crate::lock;
+use behaviour::Id;
+use protocol::{RobotState, RunPhase, RunState};
+use robot::Scene;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+use tokio::sync::watch;
+
+/// Everything shared around one robot.
+#[derive(Debug)]
+pub(super) struct House {
+    /// What waits for the robot.
+    pub(super) desk: Desk,
+    /// Which behaviours run; locked only for moments, never while a procedure runs.
+    pub(super) book: Mutex<Book>,
+    /// How many threads of runs live, ended ones included until they notice.
+    pub(super) threads: AtomicUsize,
+    /// The robot in its room.
+    pub(super) scene: watch::Sender<Arc<Scene>>,
+    /// The robot's state.
+    pub(super) state: watch::Sender<Arc<RobotState>>,
+    runs: watch::Sender<Arc<Vec<RunState>>>,
+}
+
+impl House {
+    /// A house with nothing in it.
+    pub(super) fn new(state: RobotState) -> Self {
+        Self {
+            desk: Desk::default(),
+            book: Mutex::default(),
+            threads: AtomicUsize::new(0),
+            scene: watch::Sender::new(Arc::default()),
+            state: watch::Sender::new(Arc::new(state)),
+            runs: watch::Sender::new(Arc::default()),
+        }
+    }
+
+    /// The runs, as people see them.
+    pub(super) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
+        self.runs.subscribe()
+    }
+
+    /// Lets a prepared run begin, in place of an older one of the same behaviour; false if it was stopped meanwhile.
+    pub(super) fn begin(&self, entry: Entry) -> bool {
+        let mut book = lock(&self.book);
+        let Some(replaced) = book.enter(entry) else { return false };
+        self.clear_away(&replaced);
+        self.show(&book);
+        true
+    }
+
+    /// Stops a behaviour, or everything. Takes only the book's lock; true if there was something to stop.
+    pub(super) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
+        if behaviour.is_none() {
+            self.desk.stop();
+        }
+        let mut book = lock(&self.book);
+        let cancelled = book.cancel(behaviour);
+        let ended = book.end(behaviour, &RunPhase::Stopped(by.to_owned()));
+        self.clear_away(&ended);
+        self.show(&book);
+        drop(book);
+        if behaviour.is_none() {
+            self.desk.stop();
+        }
+        cancelled || !ended.is_empty()
+    }
+
+    /// Ends a run that failed by itself, with its actions safe.
+    pub(super) fn fault(&self, run: u64, reason: String) {
+        let mut book = lock(&self.book);
+        let ended = book.end_run(run, RunPhase::Faulted(reason));
+        self.clear_away(ended.as_slice());
+        self.show(&book);
+    }
+
+    /// Ends every run because the robot failed.
+    pub(super) fn fault_all(&self, reason: &str) {
+        let mut book = lock(&self.book);
+        book.cancel(None);
+        let ended = book.end(None, &RunPhase::Faulted(reason.to_owned()));
+        self.clear_away(&ended);
+        self.show(&book);
+    }
+
+    /// How many threads of runs still live.
+    pub(super) fn threads(&self) -> usize {
+        self.threads.load(Ordering::SeqCst)
+    }
+
+    /// Their gates are closed: now the robot holds, gives their devices back, and their threads notice.
+    fn clear_away(&self, ended: &[Entry]) {
+        if ended.iter().any(|entry| entry.acts) {
+            self.desk.stop();
+        }
+        for entry in ended {
+            self.desk.close(entry.state.run);
+            entry.mailbox.ring();
+        }
+    }
+
+    fn show(&self, book: &Book) {
+        self.runs.send_replace(Arc::new(book.states()));
+    }
+}

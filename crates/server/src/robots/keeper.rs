@@ -1,0 +1,199 @@
+//! The robot's thread: the only one that touches the robot. Every step looks at Stop first.
+
+use super::desk::{Command, Desk, Opening};
+use super::gate::Gate;
+use super::house::House;
+use super::mailbox::{Keep, Mailbox};
+use behaviour::Id;
+use protocol::RobotState;
+use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Length of a step of the robot's thread, in milliseconds.
+const STEP_MS: u64 = 10;
+/// Steps between two pictures of the room: about 30 a second.
+const STEPS_PER_PICTURE: u64 = 3;
+/// After a longer gap than this robot time goes on where it was instead of catching up, in milliseconds.
+const GAP_MAX_MS: u64 = 500;
+/// Pause before a robot that failed is made anew, in milliseconds.
+const AGAIN_AFTER_MS: u64 = 1_000;
+
+/// A robot in a room in which people can move things.
+pub(super) trait RoomRobot: Robot {
+    /// What people call it.
+    fn name(&self) -> String;
+    /// Does what a person did in the room.
+    fn edit(&mut self, edit: &SceneEdit);
+}
+
+/// Makes the robot on its own thread.
+pub(super) type Make = Box<dyn Fn() -> Box<dyn RoomRobot> + Send>;
+
+/// Keeps a robot going until the desk says end; one that fails is made anew.
+pub(super) fn keep(house: &House, make: &Make) {
+    while !house.desk.is_ended() {
+        let kept = catch_unwind(AssertUnwindSafe(|| Keeper::new(house, make()).work()));
+        if kept.is_err() {
+            house.fault_all("the robot failed and is started again");
+            let reason = "it failed and is started again".to_owned();
+            house.state.send_modify(|state| Arc::make_mut(state).health = Health::Lost(reason));
+            std::thread::sleep(Duration::from_millis(AGAIN_AFTER_MS));
+        }
+    }
+}
+
+/// The robot, its clock, and who uses it.
+struct Keeper<'a> {
+    house: &'a House,
+    robot: Box<dyn RoomRobot>,
+    steps: u64,
+    began: Instant,
+    users: BTreeMap<u64, User>,
+    readings: Vec<Reading>,
+}
+
+/// A run that uses the robot.
+struct User {
+    gate: Arc<Gate>,
+    mailbox: Arc<Mailbox>,
+    streams: BTreeMap<Id, (usize, Keep)>,
+}
+
+impl<'a> Keeper<'a> {
+    fn new(house: &'a House, robot: Box<dyn RoomRobot>) -> Self {
+        let (users, readings) = (BTreeMap::new(), Vec::new());
+        Self { house, robot, steps: 0, began: Instant::now(), users, readings }
+    }
+
+    fn work(mut self) {
+        while !self.desk().is_ended() {
+            self.step();
+            self.pause();
+        }
+        self.robot.stop(self.now());
+    }
+
+    fn step(&mut self) {
+        self.stop_if_wanted();
+        self.empty_the_desk();
+        self.stop_if_wanted();
+        let mut readings = std::mem::take(&mut self.readings);
+        self.robot.poll(self.now(), &mut readings);
+        for reading in readings.drain(..) {
+            self.hand_out(reading);
+        }
+        self.readings = readings;
+        if self.steps.is_multiple_of(STEPS_PER_PICTURE) {
+            self.show();
+        }
+        self.steps += 1;
+    }
+
+    fn stop_if_wanted(&mut self) {
+        if self.desk().take_stop() {
+            self.robot.stop(self.now());
+        }
+    }
+
+    fn empty_the_desk(&mut self) {
+        let (papers, commands) = self.desk().take();
+        for run in papers.closes {
+            self.close(run);
+        }
+        for opening in papers.opens {
+            self.open(opening);
+        }
+        for edit in papers.edits {
+            self.robot.edit(&edit);
+        }
+        for (user, command) in commands {
+            self.command(&user, &command);
+        }
+    }
+
+    /// What was told before its run was stopped is void.
+    fn command(&mut self, user: &Use, command: &Command) {
+        if !command.gate.is_open() {
+            return;
+        }
+        if let Err(reason) = self.robot.command(user, &command.value, self.now())
+            && let Some(known) = self.users.get(&user.run)
+        {
+            known.mailbox.refuse(&user.stream, reason);
+        }
+    }
+
+    fn open(&mut self, opening: Opening) {
+        let Opening { run, gate, mailbox, devices, answer } = opening;
+        if !gate.is_open() {
+            return;
+        }
+        let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
+        self.users.insert(run, User { gate, mailbox, streams });
+        let opened = devices.iter().try_for_each(|wanted| {
+            let user = Use { run, stream: wanted.stream.clone() };
+            let opened = self.robot.open(&user, &wanted.device, &wanted.params);
+            opened.map_err(|reason| format!("“{}”: {reason}", wanted.name))
+        });
+        if opened.is_err() {
+            self.close(run);
+        }
+        // Who gave up waiting has closed the gate and asked to close.
+        drop(answer.try_send(opened));
+    }
+
+    fn close(&mut self, run: u64) {
+        let Some(user) = self.users.remove(&run) else { return };
+        for stream in user.streams.into_keys() {
+            self.robot.close(&Use { run, stream });
+        }
+    }
+
+    fn hand_out(&self, reading: Reading) {
+        let Some(user) = self.users.get(&reading.to.run).filter(|user| user.gate.is_open()) else { return };
+        if let Some(&(stream, keep)) = user.streams.get(&reading.to.stream) {
+            user.mailbox.put(stream, keep, reading.value);
+        }
+    }
+
+    /// Shows the room and the robot's state, each only if it changed.
+    fn show(&self) {
+        let mut scene = self.robot.scene();
+        let at_ms = scene.at_ms;
+        scene.at_ms = self.house.scene.borrow().at_ms;
+        if scene != **self.house.scene.borrow() {
+            scene.at_ms = at_ms;
+            self.house.scene.send_replace(Arc::new(scene));
+        }
+        let health = match self.robot.health() {
+            Health::Safe => Health::Ready,
+            other => other,
+        };
+        let state = RobotState { name: self.robot.name(), kind: self.robot.kind().to_owned(), health };
+        if state != **self.house.state.borrow() {
+            self.house.state.send_replace(Arc::new(state));
+        }
+    }
+
+    /// Robot time: whole steps, so that every run of the program computes alike.
+    fn now(&self) -> Millis {
+        Millis(self.steps * STEP_MS)
+    }
+
+    /// Sleeps until the next step is due; a gap (a sleeping computer) is left out.
+    fn pause(&mut self) {
+        let due = self.began + Duration::from_millis(self.steps * STEP_MS);
+        let now = Instant::now();
+        if now.saturating_duration_since(due) > Duration::from_millis(GAP_MAX_MS) {
+            self.began = now - Duration::from_millis(self.steps * STEP_MS).min(now - self.began);
+        }
+        std::thread::sleep(due.saturating_duration_since(now));
+    }
+
+    fn desk(&self) -> &'a Desk {
+        &self.house.desk
+    }
+}

@@ -1,0 +1,150 @@
+//! The mailbox of a run: readings wait here until the run's thread takes them; bounded, and never slowing the robot.
+
+use super::fair::Fair;
+use crate::lock;
+use behaviour::{Id, Value};
+use std::collections::BTreeMap;
+use std::sync::{Condvar, Mutex};
+use std::time::Instant;
+
+/// Readings of one stream that may wait when every one counts (touches).
+const QUEUE_MAX_READINGS: usize = 256;
+
+/// Which readings of a stream are kept while the run is busy.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Keep {
+    /// Only the newest: what a camera or joint says now.
+    Newest,
+    /// Every one, up to a bound: what happened.
+    All,
+}
+
+impl Keep {
+    /// How the readings of a sense are kept.
+    pub(super) fn of(device: &str) -> Self {
+        match device {
+            "HeadTouch" | "Tick" => Self::All,
+            _ => Self::Newest,
+        }
+    }
+
+    fn readings_max(self) -> usize {
+        match self {
+            Self::Newest => 1,
+            Self::All => QUEUE_MAX_READINGS,
+        }
+    }
+}
+
+/// A reading and when it arrived.
+#[derive(Debug)]
+pub(super) struct Arrived {
+    /// Index of the stream in the run.
+    pub(super) stream: usize,
+    /// When it came into the mailbox.
+    pub(super) at: Instant,
+    /// What was read.
+    pub(super) value: Value,
+}
+
+/// What the run's thread takes out.
+#[derive(Debug, Default)]
+pub(super) struct Post {
+    /// Readings in order of arrival.
+    pub(super) readings: Vec<Arrived>,
+    /// Commands that the robot dropped, by the actuator stream's id, each with how many and the newest reason.
+    pub(super) refused: BTreeMap<Id, (u64, String)>,
+}
+
+/// The mailbox.
+#[derive(Debug, Default)]
+pub(super) struct Mailbox {
+    inbox: Mutex<Inbox>,
+    bell: Condvar,
+}
+
+#[derive(Debug, Default)]
+struct Inbox {
+    readings: Fair<(usize, Keep), (Instant, Value)>,
+    refused: BTreeMap<Id, (u64, String)>,
+    rung: bool,
+}
+
+impl Mailbox {
+    /// Puts a reading in.
+    pub(super) fn put(&self, stream: usize, keep: Keep, value: Value) {
+        let mut inbox = lock(&self.inbox);
+        inbox.readings.push((stream, keep), keep.readings_max(), (Instant::now(), value));
+        self.bell.notify_one();
+    }
+
+    /// Notes that the robot dropped a command of an actuator stream.
+    pub(super) fn refuse(&self, stream: &Id, reason: String) {
+        let mut inbox = lock(&self.inbox);
+        let noted = inbox.refused.entry(stream.clone()).or_default();
+        *noted = (noted.0 + 1, reason);
+        self.bell.notify_one();
+    }
+
+    /// Wakes the run's thread without a reading.
+    pub(super) fn ring(&self) {
+        lock(&self.inbox).rung = true;
+        self.bell.notify_one();
+    }
+
+    /// Takes everything; waits for something until `until`, or without end if that is none.
+    pub(super) fn take(&self, until: Option<Instant>) -> Post {
+        let mut inbox = lock(&self.inbox);
+        while inbox.is_quiet() {
+            let left = until.map(|until| until.saturating_duration_since(Instant::now()));
+            inbox = match left {
+                Some(left) if left.is_zero() => break,
+                Some(left) => self.bell.wait_timeout(inbox, left).map_or_else(|e| e.into_inner().0, |woken| woken.0),
+                None => self.bell.wait(inbox).unwrap_or_else(std::sync::PoisonError::into_inner),
+            };
+        }
+        inbox.rung = false;
+        let readings = inbox.readings.take().map(|((stream, _), (at, value))| Arrived { stream, at, value }).collect();
+        Post { readings, refused: std::mem::take(&mut inbox.refused) }
+    }
+
+    /// How many readings gave way to newer ones.
+    pub(super) fn dropped(&self) -> u64 {
+        lock(&self.inbox).readings.dropped()
+    }
+}
+
+impl Inbox {
+    fn is_quiet(&self) -> bool {
+        !self.rung && self.readings.is_empty() && self.refused.is_empty()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Keep, Mailbox};
+    use behaviour::Value;
+
+    #[test]
+    fn a_camera_keeps_its_newest_and_a_touch_keeps_every_one() {
+        let mailbox = Mailbox::default();
+        for at in 0..300_i64 {
+            mailbox.put(0, Keep::Newest, Value::Int(at));
+            mailbox.put(1, Keep::All, Value::Int(at));
+        }
+        let post = mailbox.take(None);
+        let of = |stream| post.readings.iter().filter(move |reading| reading.stream == stream);
+        assert_eq!(of(0).map(|reading| reading.value.clone()).collect::<Vec<_>>(), [Value::Int(299)]);
+        assert_eq!(of(1).count(), 256);
+        assert_eq!(of(1).next().unwrap().value, Value::Int(44));
+        assert_eq!(mailbox.dropped(), 299 + 44);
+    }
+
+    #[test]
+    fn waiting_ends_at_its_time_or_when_it_is_rung() {
+        let mailbox = Mailbox::default();
+        assert!(mailbox.take(Some(std::time::Instant::now())).readings.is_empty());
+        mailbox.ring();
+        assert!(mailbox.take(None).readings.is_empty());
+    }
+}

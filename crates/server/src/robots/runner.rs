@@ -1,0 +1,256 @@
+//! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
+
+use super::Start;
+use super::book::Entry;
+use super::desk::{Command, Opening, Wanted};
+use super::gate::Gate;
+use super::house::House;
+use super::live::LiveValues;
+use super::mailbox::{Arrived, Keep, Mailbox};
+use super::tally::Tally;
+use crate::lock;
+use behaviour::{Id, StreamKind};
+use engine::{Emission, Limits, Run};
+use protocol::{RunPhase, RunState};
+use robot::{Millis, Use};
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::mpsc::sync_channel;
+use std::time::{Duration, Instant};
+use tokio::sync::oneshot;
+
+/// The longest a procedure may take, in milliseconds.
+pub(super) const PROCEDURE_MAX_MS: u64 = 20;
+/// After so many calls of one procedure in a row that took too long the behaviour ends.
+const TOO_LONG_MAX_CALLS: u32 = 3;
+/// The longest the robot may take to open the devices, in milliseconds.
+const OPEN_MAX_MS: u64 = 3_000;
+
+/// A run to be.
+pub(super) struct Job {
+    /// Its number.
+    pub(super) run: u64,
+    /// What to run.
+    pub(super) start: Start,
+    /// Its gate.
+    pub(super) gate: Arc<Gate>,
+    /// The rest of the world.
+    pub(super) house: Arc<House>,
+    /// Limits of procedures; the hook comes on top.
+    pub(super) limits: fn() -> Limits,
+}
+
+/// Runs to the end; `answer` hears whether it began. A panic ends this behaviour only.
+pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, String>>) {
+    let done = catch_unwind(AssertUnwindSafe(|| live(job, answer)));
+    let house = &job.house;
+    lock(&house.book).withdraw(job.run);
+    let reason = done.unwrap_or_else(|_| Some("it failed inside; please tell the people who make rrp".to_owned()));
+    // A run that was stopped keeps that as its end; without a reason it came too late for the one who waited.
+    house.fault(job.run, reason.unwrap_or_else(|| "it took too long to prepare".to_owned()));
+    job.gate.close();
+    house.desk.close(job.run);
+}
+
+/// The whole life; a reason if it ended by itself.
+fn live(job: &Job, answer: oneshot::Sender<Result<RunState, String>>) -> Option<String> {
+    match prepare(job) {
+        Ok((runner, state)) => {
+            drop(answer.send(Ok(state)));
+            runner.work()
+        }
+        Err(reason) => {
+            drop(answer.send(Err(reason)));
+            None
+        }
+    }
+}
+
+fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
+    let clock = Rc::new(Cell::new(Instant::now()));
+    let limits = (job.limits)().interrupted_by(interrupt(job.gate.clone(), clock.clone()));
+    let run = Run::build(&job.start.file, limits).map_err(|faults| in_one_sentence(&faults))?;
+    let mailbox = Arc::new(Mailbox::default());
+    let devices = devices(&run);
+    open(job, &mailbox, devices.clone())?;
+    let entry = entry(job, &run, &mailbox, &devices);
+    let (live, state) = (entry.live.clone(), entry.state.clone());
+    let mut runner = Runner::new(job, run, mailbox, live, clock);
+    runner.began = Instant::now();
+    if job.house.begin(entry) { Ok((runner, state)) } else { Err("it was stopped before it began".to_owned()) }
+}
+
+/// Ends a procedure at its deadline, or at once when the run is stopped.
+fn interrupt(gate: Arc<Gate>, clock: Rc<Cell<Instant>>) -> impl Fn() -> bool {
+    move || !gate.is_open() || clock.get().elapsed() > Duration::from_millis(PROCEDURE_MAX_MS)
+}
+
+fn in_one_sentence(faults: &[engine::Fault]) -> String {
+    let first = faults.first().map_or_else(String::new, |fault| fault.reason.clone());
+    if faults.len() > 1 { format!("{first} (and {} more)", faults.len() - 1) } else { first }
+}
+
+/// The devices it uses, actions before senses, each in file order.
+fn devices(run: &Run) -> Vec<Wanted> {
+    let of = |kind: StreamKind| {
+        run.streams().iter().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
+            let (stream, device) = (Id::new(&info.id).ok()?, info.device.clone()?);
+            Some(Wanted { stream, index, name: info.name.clone(), device, params: info.params.clone() })
+        })
+    };
+    of(StreamKind::Actuator).chain(of(StreamKind::Sensor)).collect()
+}
+
+fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>) -> Result<(), String> {
+    let (answer, opened) = sync_channel(1);
+    let (gate, mailbox) = (job.gate.clone(), mailbox.clone());
+    job.house.desk.open(Opening { run: job.run, gate, mailbox, devices, answer });
+    let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
+    waited.unwrap_or_else(|_| Err("the robot does not answer".to_owned()))
+}
+
+fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> Entry {
+    let start = &job.start;
+    let is_sense = |wanted: &&Wanted| run.streams().get(wanted.index).is_some_and(|s| s.kind == StreamKind::Sensor);
+    let senses: BTreeMap<_, _> = devices
+        .iter()
+        .filter(is_sense)
+        .map(|wanted| (wanted.stream.clone(), (wanted.index, Keep::of(&wanted.device))))
+        .collect();
+    Entry {
+        state: RunState {
+            run: job.run,
+            behaviour: start.behaviour.clone(),
+            name: start.file.name.clone(),
+            revision: start.revision,
+            by: start.by.clone(),
+            phase: RunPhase::Running,
+        },
+        gate: job.gate.clone(),
+        mailbox: mailbox.clone(),
+        live: LiveValues::new(job.run, run.streams().len(), run.connectors().len()),
+        acts: senses.len() < devices.len(),
+        senses,
+    }
+}
+
+/// A run that has begun.
+struct Runner<'a> {
+    run: Run,
+    mailbox: Arc<Mailbox>,
+    outcome: Outcome<'a>,
+    began: Instant,
+    /// The next instant that still takes readings; everything before is closed.
+    open_ms: u64,
+}
+
+/// Where what a run emits goes.
+struct Outcome<'a> {
+    job: &'a Job,
+    tally: Tally,
+    /// For every actuator stream its use and device.
+    uses: BTreeMap<usize, (Use, String)>,
+    /// When the procedure that runs now began, or a little before.
+    clock: Rc<Cell<Instant>>,
+    /// The connector that took too long last.
+    too_long: Option<usize>,
+}
+
+impl<'a> Runner<'a> {
+    fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, live: LiveValues, clock: Rc<Cell<Instant>>) -> Self {
+        let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
+        let actions = |wanted: &Wanted| run.streams()[wanted.index].kind == StreamKind::Actuator;
+        let uses = devices(&run).into_iter().filter(actions).map(of).collect();
+        let outcome = Outcome { job, tally: Tally::new(live, &run), uses, clock, too_long: None };
+        Self { run, mailbox, outcome, began: Instant::now(), open_ms: 0 }
+    }
+
+    /// Works until its gate is closed; a reason if it ends by itself.
+    fn work(mut self) -> Option<String> {
+        let mut reason = None;
+        while reason.is_none() && self.outcome.job.gate.is_open() {
+            let post = self.mailbox.take(self.next_wake());
+            for reading in post.readings {
+                self.feed(reading);
+            }
+            self.outcome.tally.refused(post.refused);
+            self.close_instants();
+            self.outcome.tally.tell(&self.run, self.now_ms(), false);
+            reason = self.took_too_long();
+        }
+        self.outcome.tally.tell(&self.run, self.now_ms(), true);
+        let (run, dropped) = (self.outcome.job.run, self.mailbox.dropped());
+        tracing::debug!(run, dropped, "a run ended");
+        reason
+    }
+
+    /// The live rule: a reading counts when it arrived, but never in an instant that is closed.
+    fn feed(&mut self, reading: Arrived) {
+        if !self.outcome.job.gate.is_open() {
+            return;
+        }
+        let arrived_ms = self.ms_at(reading.at);
+        self.open_ms = self.open_ms.max(arrived_ms);
+        let (outcome, at) = (&mut self.outcome, Millis(self.open_ms));
+        outcome.clock.set(Instant::now());
+        self.run.feed(at, reading.stream, reading.value, &mut |emission| outcome.note(emission));
+    }
+
+    /// Closes the instants up to now: their ticks run.
+    fn close_instants(&mut self) {
+        if !self.outcome.job.gate.is_open() {
+            return;
+        }
+        let until_ms = self.now_ms().max(self.open_ms);
+        let outcome = &mut self.outcome;
+        outcome.clock.set(Instant::now());
+        self.run.until(Millis(until_ms), &mut |emission| outcome.note(emission));
+        self.open_ms = until_ms + 1;
+    }
+
+    fn next_wake(&self) -> Option<Instant> {
+        let due = self.run.next_due().map(|due| self.began + Duration::from_millis(due.0));
+        [due, self.outcome.tally.next_telling()].into_iter().flatten().min()
+    }
+
+    fn took_too_long(&mut self) -> Option<String> {
+        let connector = self.outcome.too_long.take()?;
+        let in_a_row = self.run.stats().connectors.get(connector)?.deadlines_in_a_row;
+        let info = self.run.connectors().get(connector)?;
+        let name = &self.run.streams().get(info.output)?.name;
+        let why = "a procedure took too long three times";
+        (in_a_row >= TOO_LONG_MAX_CALLS).then(|| format!("{why}; look at the one that makes “{name}”"))
+    }
+
+    fn now_ms(&self) -> u64 {
+        self.ms_at(Instant::now())
+    }
+
+    fn ms_at(&self, at: Instant) -> u64 {
+        u64::try_from(at.saturating_duration_since(self.began).as_millis()).unwrap_or(u64::MAX)
+    }
+}
+
+impl Outcome<'_> {
+    fn note(&mut self, emission: Emission) {
+        self.clock.set(Instant::now());
+        match emission {
+            Emission::Value { at, stream, value } => {
+                self.tally.carried(stream, at.0);
+                if let Some((user, device)) = self.uses.get(&stream) {
+                    let command = Command { gate: self.job.gate.clone(), value: value.clone() };
+                    self.job.house.desk.command(user.clone(), device, command);
+                }
+            }
+            Emission::Fault { connector, deadline, .. } => {
+                self.tally.failed();
+                if deadline {
+                    self.too_long = Some(connector);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What a run's thread counts for the live view, and when it tells.
+
+use super::beats::{Beats, SLOT_MS};
+use super::live::{Changes, LiveValues};
+use behaviour::Id;
+use engine::{ConnectorStats, Run, StreamStats};
+use protocol::{ConnectorSample, StreamSample};
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+
+/// Time between two tellings, in milliseconds.
+const TELL_MS: u64 = 33;
+
+/// Counts of one run.
+pub(super) struct Tally {
+    live: LiveValues,
+    streams: Vec<StreamTally>,
+    connectors: Vec<ConnectorTally>,
+    changes: Changes,
+    is_stale: bool,
+    told: Instant,
+}
+
+struct StreamTally {
+    id: Option<Id>,
+    beats: Beats,
+    count: u64,
+    rate: f32,
+}
+
+struct ConnectorTally {
+    id: Option<Id>,
+    output: usize,
+    told: (u64, u64),
+    refused: u64,
+    refusal: Option<String>,
+}
+
+impl Tally {
+    /// For a run that has just been built.
+    pub(super) fn new(live: LiveValues, run: &Run) -> Self {
+        let stream = |id: &str| StreamTally { id: Id::new(id).ok(), beats: Beats::default(), count: 0, rate: 0.0 };
+        let connector =
+            |id: &str, output| ConnectorTally { id: Id::new(id).ok(), output, told: (0, 0), refused: 0, refusal: None };
+        Self {
+            live,
+            streams: run.streams().iter().map(|info| stream(&info.id)).collect(),
+            connectors: run.connectors().iter().map(|info| connector(&info.id, info.output)).collect(),
+            changes: Changes::default(),
+            is_stale: false,
+            told: Instant::now(),
+        }
+    }
+
+    /// A value was carried by a stream.
+    pub(super) fn carried(&mut self, stream: usize, at_ms: u64) {
+        self.is_stale = true;
+        if let Some(tally) = self.streams.get_mut(stream) {
+            tally.beats.beat(at_ms);
+        }
+    }
+
+    /// A procedure failed.
+    pub(super) fn failed(&mut self) {
+        self.is_stale = true;
+    }
+
+    /// The robot dropped commands; shown on the connector that gave them.
+    pub(super) fn refused(&mut self, refused: BTreeMap<Id, (u64, String)>) {
+        for (stream, (count, reason)) in refused {
+            let index = self.streams.iter().position(|tally| tally.id.as_ref() == Some(&stream));
+            if let Some(giver) = self.connectors.iter_mut().find(|tally| Some(tally.output) == index) {
+                giver.refused += count;
+                giver.refusal = Some(reason);
+                self.is_stale = true;
+            }
+        }
+    }
+
+    /// When it wants to tell next, if there will be something to tell.
+    pub(super) fn next_telling(&self) -> Option<Instant> {
+        let fades = self.streams.iter().any(|stream| stream.rate > 0.0);
+        let pause_ms = match (self.is_stale, fades) {
+            (true, _) => TELL_MS,
+            (false, true) => SLOT_MS,
+            (false, false) => return None,
+        };
+        Some(self.told + Duration::from_millis(pause_ms))
+    }
+
+    /// Tells what changed if it is time to, or at once at the end.
+    pub(super) fn tell(&mut self, run: &Run, at_ms: u64, is_end: bool) {
+        let is_due = self.next_telling().is_some_and(|due| due <= Instant::now());
+        if !is_due && !is_end {
+            return;
+        }
+        self.collect(run, at_ms);
+        if self.changes.is_empty() || self.live.tell(at_ms, &mut self.changes, is_end) {
+            (self.is_stale, self.told) = (false, Instant::now());
+        }
+    }
+
+    fn collect(&mut self, run: &Run, at_ms: u64) {
+        let stats = run.stats();
+        for (at, (tally, stats)) in self.streams.iter_mut().zip(&stats.streams).enumerate() {
+            if let Some(sample) = tally.sample(stats, at_ms) {
+                self.changes.streams.push((at, sample));
+            }
+        }
+        for (at, (tally, stats)) in self.connectors.iter_mut().zip(&stats.connectors).enumerate() {
+            if let Some(sample) = tally.sample(stats) {
+                self.changes.connectors.push((at, sample));
+            }
+        }
+    }
+}
+
+impl StreamTally {
+    fn sample(&mut self, stats: &StreamStats, at_ms: u64) -> Option<StreamSample> {
+        let (at, value) = stats.last.as_ref()?;
+        let rate = self.beats.per_second(at_ms);
+        let is_same = self.count == stats.count && (self.rate - rate).abs() < f32::EPSILON;
+        (self.count, self.rate) = (stats.count, rate);
+        let sample = || {
+            Some(StreamSample { stream: self.id.clone()?, count: self.count, rate, at_ms: at.0, value: value.clone() })
+        };
+        if is_same { None } else { sample() }
+    }
+}
+
+impl ConnectorTally {
+    fn sample(&mut self, stats: &ConnectorStats) -> Option<ConnectorSample> {
+        let faults = stats.faults + self.refused;
+        if self.told == (stats.fired, faults) {
+            return None;
+        }
+        self.told = (stats.fired, faults);
+        let own = stats.last_fault.as_ref().map(|fault| fault.error.clone());
+        let error = self.refusal.clone().or(own);
+        Some(ConnectorSample { connector: self.id.clone()?, fired: stats.fired, faults, error })
+    }
+}

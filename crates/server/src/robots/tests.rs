@@ -1,0 +1,88 @@
+//! The robot's thread and the runs' threads, with a puppet for a robot and with the simulated NAO.
+
+mod puppet;
+mod running;
+mod simulated;
+mod stopping;
+
+use super::{Robots, Start};
+use behaviour::{BehaviourFile, FORMAT, FileConnector, FileStream, Id, StreamKind, Value};
+use protocol::{RunPhase, RunState};
+use puppet::Puppet;
+use std::time::{Duration, Instant};
+
+/// Long enough for a busy machine; nothing here measures time.
+const PATIENCE_S: u64 = 30;
+
+async fn until(what: &str, mut is_so: impl FnMut() -> bool) {
+    let end = Instant::now() + Duration::from_secs(PATIENCE_S);
+    while !is_so() {
+        assert!(Instant::now() < end, "never: {what}");
+        tokio::time::sleep(Duration::from_millis(5)).await;
+    }
+}
+
+fn id(text: &str) -> Id {
+    Id::new(text).unwrap()
+}
+
+/// A behaviour: a ball, a filter with this body, and a text on the page.
+fn filtered(name: &str, body: &str) -> Start {
+    let stream = |id: &str, kind, device: Option<&str>| FileStream {
+        id: id.to_owned(),
+        kind,
+        name: id.to_owned(),
+        device: device.map(str::to_owned),
+        params: None,
+        resources: None,
+        priority: None,
+        hold_ms: None,
+    };
+    let connector = |id: &str, operation: &str, from: &str, to: &str, body: Option<&str>| FileConnector {
+        id: id.to_owned(),
+        operation: operation.to_owned(),
+        inputs: vec![from.to_owned()],
+        output: to.to_owned(),
+        body: body.map(str::to_owned),
+        args: None,
+        helper: None,
+        period_ms: None,
+    };
+    let file = BehaviourFile {
+        format: FORMAT.to_owned(),
+        name: name.to_owned(),
+        robot: None,
+        engine: None,
+        helpers: Vec::new(),
+        streams: vec![
+            stream("ball", StreamKind::Sensor, Some("RedBall")),
+            stream("good", StreamKind::Ordinary, None),
+            stream("page", StreamKind::Actuator, Some("Print")),
+        ],
+        connectors: vec![
+            connector("test", "filter", "ball", "good", Some(body)),
+            connector("show", "subscribe", "good", "page", None),
+        ],
+        layout: std::collections::BTreeMap::new(),
+    };
+    Start { behaviour: id(name), revision: 1, file, by: "Aiko".to_owned() }
+}
+
+fn phase(robots: &Robots, run: &RunState) -> RunPhase {
+    let runs = robots.runs().borrow().clone();
+    runs.iter().find(|known| known.run == run.run).unwrap().phase.clone()
+}
+
+fn stopped_by(name: &str) -> RunPhase {
+    RunPhase::Stopped(name.to_owned())
+}
+
+/// Shows the ball again and again until the puppet was told this value by this run.
+async fn shows_until_told(puppet: &Puppet, run: &RunState, value: i64) {
+    let told = puppet.told(run.run);
+    until("the value comes out", || {
+        puppet.show_ball(Value::Int(value));
+        puppet.told(run.run)[told.len()..].contains(&Value::Int(value))
+    })
+    .await;
+}

@@ -1,0 +1,135 @@
+//! A robot whose strings the test holds.
+
+use crate::lock;
+use crate::robots::Robots;
+use crate::robots::keeper::RoomRobot;
+use behaviour::{Params, Value};
+use engine::Limits;
+use protocol::RobotState;
+use robot::{Health, Millis, Reading, Robot, Scene, SceneEdit, Use};
+use std::collections::BTreeSet;
+use std::sync::{Arc, Mutex};
+
+/// The strings; a clone holds the same robot.
+#[derive(Clone, Default)]
+pub(super) struct Puppet(Arc<Mutex<Strings>>);
+
+#[derive(Default)]
+struct Strings {
+    open: BTreeSet<Use>,
+    told: Vec<(Use, Value)>,
+    balls: Vec<Value>,
+    stops: usize,
+    made: usize,
+    refuses: Option<&'static str>,
+    fails: bool,
+}
+
+impl Puppet {
+    pub(super) fn robots(&self, limits: fn() -> Limits) -> Robots {
+        let puppet = self.clone();
+        let make = move || -> Box<dyn RoomRobot> {
+            lock(&puppet.0).made += 1;
+            lock(&puppet.0).open.clear();
+            Box::new(puppet.clone())
+        };
+        Robots::with(RobotState::default(), Box::new(make), limits).unwrap()
+    }
+
+    /// Every open ball sees this in the next step.
+    pub(super) fn show_ball(&self, value: Value) {
+        lock(&self.0).balls.push(value);
+    }
+
+    /// What a run told it, oldest first.
+    pub(super) fn told(&self, run: u64) -> Vec<Value> {
+        lock(&self.0).told.iter().filter(|told| told.0.run == run).map(|told| told.1.clone()).collect()
+    }
+
+    pub(super) fn stops(&self) -> usize {
+        lock(&self.0).stops
+    }
+
+    pub(super) fn made(&self) -> usize {
+        lock(&self.0).made
+    }
+
+    /// The runs that use it.
+    pub(super) fn users(&self) -> BTreeSet<u64> {
+        lock(&self.0).open.iter().map(|user| user.run).collect()
+    }
+
+    /// From now on it cannot use this device, and drops its values.
+    pub(super) fn refuse(&self, device: &'static str) {
+        lock(&self.0).refuses = Some(device);
+    }
+
+    /// It breaks in the next step.
+    pub(super) fn fail(&self) {
+        lock(&self.0).fails = true;
+    }
+}
+
+impl Robot for Puppet {
+    fn kind(&self) -> &'static str {
+        "puppet"
+    }
+
+    fn devices(&self) -> Vec<&'static str> {
+        vec!["RedBall", "Print"]
+    }
+
+    fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), String> {
+        let mut strings = lock(&self.0);
+        if strings.refuses == Some(device) {
+            return Err(format!("it has no {device}"));
+        }
+        strings.open.insert(user.clone());
+        Ok(())
+    }
+
+    fn close(&mut self, user: &Use) {
+        lock(&self.0).open.remove(user);
+    }
+
+    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
+        let mut strings = lock(&self.0);
+        if *value == Value::Int(13) {
+            return Err("13 brings bad luck".to_owned());
+        }
+        strings.told.push((user.clone(), value.clone()));
+        Ok(())
+    }
+
+    fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
+        let mut strings = lock(&self.0);
+        let fails = std::mem::take(&mut strings.fails);
+        let balls = std::mem::take(&mut strings.balls);
+        for to in strings.open.iter().filter(|user| user.stream.as_str() == "ball") {
+            let reading = |value: &Value| Reading { to: to.clone(), at: now, value: value.clone() };
+            readings.extend(balls.iter().map(reading));
+        }
+        drop(strings);
+        assert!(!fails, "the puppet breaks, as the test wants");
+    }
+
+    fn stop(&mut self, _now: Millis) {
+        lock(&self.0).stops += 1;
+    }
+
+    fn health(&self) -> Health {
+        Health::Ready
+    }
+
+    fn scene(&self) -> Scene {
+        Scene { at_ms: lock(&self.0).stops as u64, ..Scene::default() }
+    }
+}
+
+impl RoomRobot for Puppet {
+    fn name(&self) -> String {
+        "Puppet".to_owned()
+    }
+
+    fn edit(&mut self, _edit: &SceneEdit) {}
+}

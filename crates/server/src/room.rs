@@ -1,0 +1,190 @@
+//! The task of one open behaviour: it holds the pure room, which decides; it saves and then tells everyone there.
+//! One change is saved at a time; who only looks, comes or goes never waits for saving.
+
+mod jobs;
+mod members;
+mod problems;
+mod saving;
+
+use crate::hub::{Hub, Shelf, bounded, store_no};
+use crate::outbox::{Feed, encode};
+use crate::rooms::{Look, Member, Note};
+use axum::extract::ws::Utf8Bytes;
+use behaviour::{Accepted, Id, Problem, Room};
+use futures_util::future::BoxFuture;
+use jobs::Job;
+use protocol::SaidNo;
+use saving::Saved;
+use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
+use tokio::sync::{mpsc, oneshot, watch};
+use tokio::task::JoinHandle;
+
+/// Changes a room keeps at hand for who missed some; the store has all.
+const LOG_MAX_CHANGES: usize = 512;
+
+/// One open behaviour, or the library.
+struct RoomTask {
+    hub: Arc<Hub>,
+    id: Id,
+    room: Room,
+    /// By the number of their link.
+    members: BTreeMap<u64, Member>,
+    /// What waits for saving.
+    waiting: VecDeque<Job>,
+    /// What is being saved.
+    saving: Option<BoxFuture<'static, Saved>>,
+    /// True when the store may have more than this room knows.
+    uncertain: bool,
+    /// True when it went to the bin.
+    gone: bool,
+    log: VecDeque<Accepted>,
+    shelf: watch::Receiver<Arc<Shelf>>,
+    problems: Vec<Problem>,
+    problems_due: bool,
+    finding: Option<JoinHandle<(u64, Vec<Problem>)>>,
+    revision: watch::Sender<u64>,
+    people_text: watch::Sender<Utf8Bytes>,
+    problems_text: watch::Sender<Utf8Bytes>,
+}
+
+/// Runs a room until nobody needs it.
+pub(crate) async fn run(hub: Arc<Hub>, id: Id, mut inbox: mpsc::Receiver<Note>) {
+    let loaded = bounded(hub.store.load(&id)).await;
+    let no = match loaded {
+        Ok(Some(loaded)) if loaded.removed_ms.is_none() => {
+            let mut task = RoomTask::new(hub.clone(), id.clone(), Room::open(loaded.behaviour, loaded.revision));
+            task.find_problems_at_first().await;
+            return task.live(inbox).await;
+        }
+        Ok(_) => SaidNo::NoBehaviour,
+        Err(error) => store_no(&error),
+    };
+    tracing::info!(behaviour = %id, %no, "a room did not open");
+    while !hub.let_go(&id, &inbox) {
+        if let Ok(note) = inbox.try_recv() {
+            note.refuse(no.clone());
+        }
+    }
+}
+
+impl RoomTask {
+    fn new(hub: Arc<Hub>, id: Id, room: Room) -> Self {
+        let shelf = hub.shelf.subscribe();
+        let revision = watch::Sender::new(room.revision());
+        Self {
+            hub,
+            id,
+            room,
+            members: BTreeMap::new(),
+            waiting: VecDeque::new(),
+            saving: None,
+            uncertain: false,
+            gone: false,
+            log: VecDeque::new(),
+            shelf,
+            problems: Vec::new(),
+            problems_due: false,
+            finding: None,
+            revision,
+            people_text: watch::Sender::new(Utf8Bytes::default()),
+            problems_text: watch::Sender::new(Utf8Bytes::default()),
+        }
+    }
+
+    fn is_library(&self) -> bool {
+        self.id == self.hub.library
+    }
+
+    async fn live(mut self, mut inbox: mpsc::Receiver<Note>) {
+        let stopping = self.hub.stopping.clone();
+        tracing::debug!(behaviour = %self.id, revision = self.room.revision(), "a room opens");
+        while !self.may_go() || !self.hub.let_go(&self.id, &inbox) {
+            self.start_saving();
+            self.start_finding();
+            tokio::select! {
+                saved = due(&mut self.saving) => self.saved(saved),
+                found = due(&mut self.finding) => self.found(found),
+                Some(note) = inbox.recv() => self.take(note),
+                Ok(()) = self.shelf.changed(), if !self.is_library() => self.problems_due = true,
+                () = stopping.cancelled(), if !stopping.is_cancelled() => {}
+            }
+        }
+        tracing::debug!(behaviour = %self.id, "a room closes");
+    }
+
+    /// Never while saving; the library stays open until the server ends.
+    fn may_go(&self) -> bool {
+        let busy = self.saving.is_some() || !self.waiting.is_empty();
+        let needed = !self.members.is_empty() || self.is_library();
+        !busy && (!needed || self.hub.ends())
+    }
+
+    fn take(&mut self, note: Note) {
+        match note {
+            Note::Join(member, ask) => self.join(member, ask),
+            Note::Leave(session) => self.leave(session),
+            Note::Propose(change, answer) => self.wait(Job::Save(change, answer)),
+            Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
+            Note::Since(revision, answer) => self.since(revision, answer),
+            Note::Present(session, pointer, selected) => self.present(session, pointer, selected),
+            Note::Look(waiting) => self.look(waiting),
+        }
+    }
+
+    fn look(&self, waiting: oneshot::Sender<Result<Look, SaidNo>>) {
+        let behaviour = Arc::new(self.room.behaviour().clone());
+        let look = Look { behaviour, revision: self.room.revision() };
+        let _ = waiting.send(if self.gone { Err(SaidNo::NoBehaviour) } else { Ok(look) });
+    }
+
+    fn feed(&self) -> Feed {
+        Feed {
+            behaviour: self.id.clone(),
+            revision: self.revision.subscribe(),
+            people: self.people_text.subscribe(),
+            problems: self.problems_text.subscribe(),
+        }
+    }
+
+    /// Makes a saved change the truth and tells everyone; the copy of who asked carries the ask.
+    fn commit(&mut self, accepted: &Accepted, asked: Option<(u64, u32)>) {
+        self.room.commit(accepted);
+        self.log.push_back(accepted.clone());
+        if self.log.len() > LOG_MAX_CHANGES {
+            self.log.pop_front();
+        }
+        self.tell_accepted(accepted, asked);
+        self.revision.send_replace(accepted.revision);
+        if self.is_library() {
+            let shelf = Shelf { behaviour: self.room.behaviour().clone(), revision: accepted.revision };
+            self.hub.shelf.send_replace(Arc::new(shelf));
+        } else {
+            self.problems_due = true;
+            self.hub.programs.changed(&self.id, self.room.behaviour(), accepted);
+        }
+    }
+
+    fn tell_accepted(&self, accepted: &Accepted, asked: Option<(u64, u32)>) {
+        let reply = || protocol::Reply::Accepted { behaviour: self.id.clone(), accepted: accepted.clone() };
+        let text = encode(None, reply());
+        for (session, member) in &self.members {
+            match asked {
+                Some((asking, ask)) if asking == *session => member.outbox.say(Some(ask), reply()),
+                _ => member.outbox.put(crate::outbox::Out::Text(text.clone())),
+            }
+        }
+    }
+}
+
+/// Waits for something that may be under way, else for ever.
+async fn due<F: Future + Unpin>(under_way: &mut Option<F>) -> F::Output {
+    match under_way {
+        Some(future) => {
+            let output = future.await;
+            *under_way = None;
+            output
+        }
+        None => std::future::pending().await,
+    }
+}

@@ -1,0 +1,140 @@
+//! The routes, and what every answer carries.
+
+use crate::door::{self, Origin};
+use crate::hub::Hub;
+use crate::{page, session, start};
+use axum::extract::rejection::QueryRejection;
+use axum::extract::{Path, Query, Request, State, WebSocketUpgrade};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri, header};
+use axum::middleware::{self, Next};
+use axum::response::{IntoResponse, Response};
+use axum::routing::{any, get, post};
+use axum::{Json, Router};
+use behaviour::{BehaviourFile, Id};
+use protocol::{MESSAGE_MAX_BYTES, SaidNo};
+use serde::Deserialize;
+use std::sync::Arc;
+
+/// What may wait to be written to one socket, in bytes: some large messages; then its writer waits.
+const WRITE_MAX_BYTES: usize = 16 << 20;
+
+/// What every answer carries.
+const HEADERS: [(&str, &str); 5] = [
+    (
+        "content-security-policy",
+        "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'; img-src 'self' data:; \
+         style-src 'self'; font-src 'self'; manifest-src 'self'; base-uri 'none'; form-action 'self'; \
+         frame-ancestors 'none'",
+    ),
+    ("x-content-type-options", "nosniff"),
+    ("referrer-policy", "no-referrer"),
+    ("cross-origin-opener-policy", "same-origin"),
+    ("permissions-policy", "camera=(), microphone=(), geolocation=()"),
+];
+
+#[derive(Clone)]
+struct Porch {
+    hub: Arc<Hub>,
+    port: u16,
+}
+
+/// All routes of a server that listens on `port`.
+pub(crate) fn routes(hub: Arc<Hub>, port: u16) -> Router {
+    let porch = Porch { hub, port };
+    Router::new()
+        .route(protocol::PATH, any(socket))
+        .route(protocol::STOP_PATH, post(stop))
+        .route("/healthz", get(|| async { "ok\n" }))
+        .route("/readyz", get(readyz))
+        .route("/api/behaviours/{file}", get(export))
+        .fallback(get(files))
+        .layer(middleware::from_fn_with_state(porch.clone(), guard))
+        .with_state(porch)
+}
+
+/// Lets in only whom the door lets in, and puts the headers on every answer.
+async fn guard(State(porch): State<Porch>, request: Request, next: Next) -> Response {
+    let mut response = match may_enter(porch.port, &request) {
+        Ok(()) => next.run(request).await,
+        Err(why) => {
+            tracing::warn!(why, "a request was turned away");
+            (StatusCode::FORBIDDEN, format!("Refused: {why}.\n")).into_response()
+        }
+    };
+    for (name, value) in HEADERS {
+        response.headers_mut().insert(HeaderName::from_static(name), HeaderValue::from_static(value));
+    }
+    response
+}
+
+fn may_enter(port: u16, request: &Request) -> Result<(), &'static str> {
+    let of = |name: HeaderName| request.headers().get(name).map(|value| value.to_str().unwrap_or("?"));
+    let path = request.uri().path();
+    let talks = !request.method().is_safe() || path == protocol::PATH;
+    let origin = if talks { of(header::ORIGIN) } else { None };
+    // Stop is never refused to somebody without a browser; other posts must say where they come from.
+    let free = !talks || path == protocol::PATH || path == protocol::STOP_PATH;
+    let need = if free { Origin::Optional } else { Origin::Required };
+    door::check(port, of(header::HOST), origin, need)
+}
+
+async fn socket(State(porch): State<Porch>, upgrade: WebSocketUpgrade) -> Response {
+    let Ok(place) = Arc::clone(&porch.hub.sockets).try_acquire_owned() else {
+        return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages are open. Close some.\n").into_response();
+    };
+    let upgrade = upgrade.max_message_size(MESSAGE_MAX_BYTES).max_frame_size(MESSAGE_MAX_BYTES);
+    let upgrade = upgrade.write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
+    upgrade.on_upgrade(move |socket| async move {
+        let hub = porch.hub;
+        let _ = hub.tasks.clone().spawn(session::run(hub, socket)).await;
+        drop(place);
+    })
+}
+
+#[derive(Deserialize)]
+struct Which {
+    behaviour: Option<Id>,
+}
+
+/// Passes nothing that could wait. An id that is none stops everything: better too much than too little.
+async fn stop(State(porch): State<Porch>, which: Result<Query<Which>, QueryRejection>) -> Response {
+    let behaviour = which.ok().and_then(|Query(which)| which.behaviour);
+    start::stop(&porch.hub, behaviour.as_ref(), "the Stop button");
+    Json(serde_json::json!({ "stopped": true })).into_response()
+}
+
+async fn readyz(State(porch): State<Porch>) -> Response {
+    match crate::hub::bounded(porch.hub.store.healthy()).await {
+        Ok(()) => "ready\n".into_response(),
+        Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
+    }
+}
+
+async fn export(State(porch): State<Porch>, Path(file): Path<String>) -> Response {
+    let id = file.strip_suffix(".json").and_then(|id| Id::new(id).ok());
+    let Some(id) = id else { return (StatusCode::NOT_FOUND, format!("{}\n", SaidNo::NoBehaviour)).into_response() };
+    match porch.hub.look(&id).await {
+        Ok(look) => {
+            let shelf = porch.hub.shelf();
+            attached(&BehaviourFile::of(&look.behaviour, &shelf.helpers()))
+        }
+        Err(no @ SaidNo::NoBehaviour) => (StatusCode::NOT_FOUND, format!("{no}\n")).into_response(),
+        Err(no) => (StatusCode::SERVICE_UNAVAILABLE, format!("{no}\n")).into_response(),
+    }
+}
+
+/// As a file to keep, named after the behaviour as far as letters of file names go.
+fn attached(file: &BehaviourFile) -> Response {
+    let text = serde_json::to_string_pretty(file).map(|text| text + "\n");
+    let Ok(text) = text else { return StatusCode::INTERNAL_SERVER_ERROR.into_response() };
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+    let name: String = file.name.chars().take(60).map(plain).collect();
+    let disposition = format!("attachment; filename=\"{name}.json\"");
+    let headers = [(header::CONTENT_TYPE, "application/json".to_owned()), (header::CONTENT_DISPOSITION, disposition)];
+    (headers, text).into_response()
+}
+
+async fn files(method: Method, uri: Uri, asked: HeaderMap) -> Response {
+    debug_assert!(method.is_safe());
+    page::answer(uri.path(), &asked)
+}

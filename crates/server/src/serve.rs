@@ -1,0 +1,184 @@
+//! Starting and ending the server, each step in its order.
+
+use crate::checking::Checker;
+use crate::clients::Clients;
+use crate::create::first_library;
+use crate::hub::{Hub, SOCKETS_MAX, Shelf, bounded};
+use crate::knowledge::Knowing;
+use crate::programs::Programs;
+use crate::robots::Robots;
+use crate::rooms::Rooms;
+use crate::topics::{self, Topics};
+use crate::{accept, routes};
+use behaviour::Id;
+use std::fmt;
+use std::future::Future;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
+use std::time::Duration;
+use store::{Append, Store, StoreError};
+use tokio::net::TcpListener;
+use tokio::sync::{Semaphore, watch};
+use tokio_util::sync::CancellationToken;
+use tokio_util::task::TaskTracker;
+
+/// How long rooms may take to finish writing at the end.
+const WRITING_MS: u64 = 12_000;
+/// How long connections may take to end.
+const ENDING_MS: u64 = 3_000;
+
+/// What a server needs to know.
+#[derive(Clone, Debug)]
+pub struct Config {
+    /// Where it listens; only this computer's own addresses, port 0 takes a free one.
+    pub listen: SocketAddr,
+    /// The folder of its data.
+    pub data: PathBuf,
+    /// The seed of the simulated robot's noise.
+    pub seed: u64,
+}
+
+/// Why the server did not start, or ended.
+#[derive(Debug)]
+pub enum ServeError {
+    /// The address is not one of this computer's own.
+    NotLoopback(SocketAddr),
+    /// The address cannot be listened on.
+    Listen(SocketAddr, std::io::Error),
+    /// The store cannot be used.
+    Store(StoreError),
+    /// The robot's thread, or the one for checking, did not start.
+    Thread(std::io::Error),
+}
+
+impl fmt::Display for ServeError {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::NotLoopback(address) => write!(
+                to,
+                "This server listens on this computer only, as it has no accounts yet, and {} is an address for \
+                 others. Use 127.0.0.1:{}.",
+                address.ip(),
+                address.port()
+            ),
+            Self::Listen(address, error) => {
+                write!(to, "The address {address} cannot be used ({error}). Choose another port with --listen.")
+            }
+            Self::Store(error) => write!(to, "{error}"),
+            Self::Thread(error) => write!(to, "The robot could not be started: {error}."),
+        }
+    }
+}
+
+impl std::error::Error for ServeError {}
+
+impl From<StoreError> for ServeError {
+    fn from(error: StoreError) -> Self {
+        Self::Store(error)
+    }
+}
+
+/// Serves the data of a folder until `stop`; `ready` is told the address once connections are accepted.
+///
+/// # Errors
+/// A sentence, if the server cannot start.
+pub async fn serve(
+    config: Config,
+    ready: impl FnOnce(SocketAddr),
+    stop: impl Future<Output = ()>,
+) -> Result<(), ServeError> {
+    check_listen(config.listen)?;
+    let store = store::open(&config.data).await?;
+    serve_with(Arc::new(store), config, ready, stop).await
+}
+
+/// The same with a store that is open already.
+///
+/// # Errors
+/// A sentence, if the server cannot start.
+pub async fn serve_with(
+    store: Arc<dyn Store>,
+    config: Config,
+    ready: impl FnOnce(SocketAddr),
+    stop: impl Future<Output = ()>,
+) -> Result<(), ServeError> {
+    check_listen(config.listen)?;
+    let listening = |error| ServeError::Listen(config.listen, error);
+    let listener = TcpListener::bind(config.listen).await.map_err(listening)?;
+    let address = listener.local_addr().map_err(listening)?;
+    let hub = open(store, config.seed).await?;
+    let closing = CancellationToken::new();
+    let (router, connections) = (routes::routes(Arc::clone(&hub), address.port()), TaskTracker::new());
+    let accepting = tokio::spawn(accept::accept(listener, router, connections.clone(), closing.clone()));
+    topics::keep(&hub);
+    tracing::info!(%address, epoch = hub.epoch, "the server is ready");
+    ready(address);
+    stop.await;
+    end(&hub, &closing, &connections).await;
+    let _ = accepting.await;
+    Ok(())
+}
+
+fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
+    if listen.ip().is_loopback() { Ok(()) } else { Err(ServeError::NotLoopback(listen)) }
+}
+
+async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> {
+    let epoch = bounded(store.next_epoch()).await?;
+    let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
+    let shelf = shelf(&*store, &library).await?;
+    let programs = Programs::of(bounded(store.list()).await?);
+    let robots = Robots::simulated(seed).map_err(ServeError::Thread)?;
+    Ok(Arc::new(Hub {
+        topics: Topics::of(&robots),
+        store,
+        robots,
+        knowing: Arc::new(Knowing::default()),
+        checker: Checker::start().map_err(ServeError::Thread)?,
+        epoch,
+        library,
+        shelf: watch::Sender::new(Arc::new(shelf)),
+        rooms: Rooms::default(),
+        clients: Clients::default(),
+        programs,
+        creating: tokio::sync::Mutex::new(()),
+        stops: AtomicU64::new(0),
+        sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),
+        tasks: TaskTracker::new(),
+        stopping: CancellationToken::new(),
+    }))
+}
+
+/// The library; a fresh store gets the helpers that come with the robot.
+async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, ServeError> {
+    if bounded(store.load(library)).await?.is_none() {
+        let first = first_library();
+        if let Append::Conflict { .. } = bounded(store.append(library, &first)).await? {
+            tracing::info!("another server made the library");
+        }
+    }
+    let loaded = bounded(store.load(library)).await?;
+    Ok(loaded.map(|loaded| Shelf { behaviour: loaded.behaviour, revision: loaded.revision }).unwrap_or_default())
+}
+
+/// The robot first, then writing, then the connections.
+async fn end(hub: &Arc<Hub>, closing: &CancellationToken, connections: &TaskTracker) {
+    tracing::info!("the server ends: the robot stops first");
+    crate::start::stop(hub, None, "the server's end");
+    let robots = hub.robots.clone();
+    if let Err(error) = tokio::task::spawn_blocking(move || robots.shut_down()).await {
+        tracing::error!(%error, "the robot did not end in order");
+    }
+    hub.stopping.cancel();
+    hub.tasks.close();
+    if tokio::time::timeout(Duration::from_millis(WRITING_MS), hub.tasks.wait()).await.is_err() {
+        tracing::error!("some changes were not saved in time; nobody was told that they were");
+    }
+    closing.cancel();
+    connections.close();
+    if tokio::time::timeout(Duration::from_millis(ENDING_MS), connections.wait()).await.is_err() {
+        tracing::warn!("some connections did not end in time");
+    }
+}

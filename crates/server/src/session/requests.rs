@@ -1,0 +1,123 @@
+//! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
+
+use super::Session;
+use crate::checking::{Trial, helpers_of};
+use crate::create::{self, Wish};
+use crate::hub::{bounded, store_no};
+use crate::outbox::{Answer, Out};
+use crate::rooms::Note;
+use crate::start;
+use behaviour::{Change, Id};
+use protocol::{Reply, Request, SaidNo};
+use std::future::Future;
+use std::sync::Arc;
+
+impl Session {
+    pub(super) fn request(&mut self, ask: u32, request: Request) {
+        match request {
+            Request::Hello { .. } => self.outbox.no(ask, SaidNo::Unreadable("the greeting came already".to_owned())),
+            Request::List => self.outbox.say(Some(ask), self.hub.programs.reply()),
+            Request::Create { behaviour, name, template } => self.create(ask, behaviour, name, template),
+            Request::Open { behaviour } => self.open(ask, behaviour),
+            Request::Leave => self.leave(ask),
+            Request::Remove { behaviour } => self.remove(ask, &behaviour),
+            Request::Restore { behaviour } => self.restore(ask, behaviour),
+            Request::Propose { behaviour, change } => self.propose(ask, &behaviour, change),
+            Request::Since { behaviour, revision } => {
+                self.hub.tell(&behaviour, Note::Since(revision, self.answer(ask)))
+            }
+            Request::Check { arguments, body, inputs } => {
+                let helpers = helpers_of(&body, &self.hub.shelf().helpers());
+                let (checker, trial) = (self.hub.checker.clone(), Trial { arguments, body, inputs, helpers });
+                self.later(ask, async move { Ok(checker.check(trial).await) });
+            }
+            Request::Present { pointer, selected } => {
+                if let Some(open) = &self.open {
+                    self.hub.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
+                }
+            }
+            Request::Start { behaviour } => {
+                let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
+                self.later(ask, async move { start::start(&hub, behaviour, by).await });
+            }
+            Request::Stop { behaviour } => {
+                start::stop(&self.hub, behaviour.as_ref(), &self.me.name);
+                self.outbox.say(Some(ask), Reply::Done);
+            }
+            Request::Stimulate { behaviour, stream, value } => {
+                let done = self.hub.robots.stimulate(&behaviour, &stream, value);
+                self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+            }
+            Request::Scene { edit } => self.hub.robots.edit_scene(edit),
+            Request::Watch { scene, values } => {
+                self.outbox.put(Out::Watch { scene, values });
+                self.outbox.say(Some(ask), Reply::Done);
+            }
+        }
+    }
+
+    fn answer(&self, ask: u32) -> Answer {
+        Answer::Client(self.outbox.clone(), ask)
+    }
+
+    /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
+    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, SaidNo>> + Send + 'static) {
+        let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
+            return self.outbox.no(ask, SaidNo::TooFast);
+        };
+        let outbox = self.outbox.clone();
+        self.hub.tasks.spawn(async move {
+            let reply = work.await.unwrap_or_else(|no| Reply::No { no });
+            outbox.say(Some(ask), reply);
+            drop(place);
+        });
+    }
+
+    fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
+        let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
+        let wish = Wish { behaviour, name, template, by };
+        self.later(ask, async move { create::create(&hub, wish).await });
+    }
+
+    fn open(&mut self, ask: u32, behaviour: Id) {
+        if behaviour == self.hub.library {
+            return self.outbox.no(ask, SaidNo::NoBehaviour);
+        }
+        self.leave_open();
+        self.outbox.put(Out::Unfollow);
+        self.hub.tell(&behaviour, Note::Join(self.member(), ask));
+        self.open = Some(behaviour);
+    }
+
+    fn leave(&mut self, ask: u32) {
+        self.leave_open();
+        self.outbox.put(Out::Unfollow);
+        self.outbox.say(Some(ask), Reply::Done);
+    }
+
+    /// The author is who sends it, whatever the change says.
+    fn propose(&self, ask: u32, behaviour: &Id, change: Change) {
+        let change = Change { author: self.me.name.clone(), ..change };
+        self.hub.tell(behaviour, Note::Propose(change, self.answer(ask)));
+    }
+
+    fn remove(&self, ask: u32, behaviour: &Id) {
+        if *behaviour == self.hub.library {
+            self.outbox.no(ask, SaidNo::NoBehaviour);
+        } else if self.hub.robots.is_running(behaviour) {
+            self.outbox.no(ask, SaidNo::Running);
+        } else {
+            self.hub.tell(behaviour, Note::Remove(self.me.name.clone(), self.answer(ask)));
+        }
+    }
+
+    fn restore(&self, ask: u32, behaviour: Id) {
+        let hub = Arc::clone(&self.hub);
+        self.later(ask, async move {
+            let back = bounded(hub.store.restore(&behaviour)).await.map_err(|error| store_no(&error))?;
+            let listed = bounded(hub.store.list()).await.map_err(|error| store_no(&error))?;
+            hub.programs.replace(listed);
+            if back { Ok(Reply::Done) } else { Err(SaidNo::NoBehaviour) }
+        });
+    }
+}

@@ -1,0 +1,82 @@
+//! The operator's console against a server: the words people read.
+
+use crate::house::{House, make};
+use shell::Console;
+use std::io::Write;
+use std::sync::{Arc, Mutex};
+
+/// What the console said.
+#[derive(Clone, Default)]
+struct Said(Arc<Mutex<Vec<u8>>>);
+
+impl Write for Said {
+    fn write(&mut self, text: &[u8]) -> std::io::Result<usize> {
+        self.0.lock().unwrap().extend(text);
+        Ok(text.len())
+    }
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+const TALK: &str = "\
+> show programs
+Not connected. Type “connect” first.
+> CONNECT URL
+Connected to URL
+> Show Programs
+Far away
+Far
+> load program f
+“f” could be one of these: Far away, Far. Type more of the name.
+> show streams
+No program is loaded. Type “load program NAME” first.
+> load program far
+Loaded Far: 6 streams, 5 connectors, revision 1
+> show streams
+Ball (sensor RedBall)
+Distance (ordinary)
+Far ball (ordinary)
+Close ball (ordinary)
+Head tracker (actuator Tracker)
+Head and body tracker (actuator Tracker)
+> show out ops
+No stream is loaded. Type “load stream NAME” first.
+> load stream dist
+Loaded stream Distance
+> show in streams
+Ball (sensor RedBall)
+> show start streams
+Ball (sensor RedBall)
+> stimulate ball
+This behaviour does not run. Press Start first.
+> start
+Far runs
+> stimulate ba {\"x\": 0.5}
+Ball got #{x: 0.5}
+> stop far
+Far is stopped
+> disconnect
+Disconnected.
+";
+
+#[tokio::test]
+async fn the_console_says_what_the_thesis_promises() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    for name in ["Far", "Far away"] {
+        make(&aiko, name, Some("Track far and close balls")).await;
+        tokio::time::sleep(std::time::Duration::from_millis(5)).await;
+    }
+    let said = Said::default();
+    let mut console = Console::new(Box::new(said.clone()));
+    let url = house.url();
+    let mut talk = String::new();
+    for line in TALK.lines().filter_map(|line| line.strip_prefix("> ")) {
+        console.obey(&line.replace("URL", &url)).await;
+        let answer = String::from_utf8(std::mem::take(&mut *said.0.lock().unwrap())).unwrap();
+        talk += &format!("> {line}\n{}", answer.replace(&url, "URL"));
+    }
+    assert_eq!(talk, TALK, "{talk}");
+    house.close().await;
+}

@@ -1,0 +1,127 @@
+//! A server in this process on a free port, and things to put into behaviours.
+
+use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind};
+use protocol::{Reply, Request};
+use server::{Config, serve_with};
+use shell::{Client, Trouble};
+use std::net::SocketAddr;
+use std::path::Path;
+use std::sync::Arc;
+use store::{MemoryStore, Store};
+use tokio::sync::oneshot;
+use tokio::task::JoinHandle;
+
+/// A running server.
+pub(crate) struct House {
+    pub(crate) address: SocketAddr,
+    stop: oneshot::Sender<()>,
+    serving: JoinHandle<()>,
+}
+
+impl House {
+    /// On a fresh store in memory.
+    pub(crate) async fn open() -> Self {
+        Self::on(Arc::new(MemoryStore::default())).await
+    }
+
+    /// On the files of a folder.
+    pub(crate) async fn at(folder: &Path) -> Self {
+        Self::on(Arc::new(store::open(folder).await.unwrap())).await
+    }
+
+    pub(crate) async fn on(store: Arc<dyn Store>) -> Self {
+        let (stop, stopped) = oneshot::channel::<()>();
+        let (tell, ready) = oneshot::channel();
+        let config = Config { listen: "127.0.0.1:0".parse().unwrap(), data: "unused".into(), seed: 1 };
+        let serving = tokio::spawn(async move {
+            let stopped = async { drop(stopped.await) };
+            serve_with(store, config, |address| tell.send(address).unwrap(), stopped).await.unwrap();
+        });
+        Self { address: ready.await.unwrap(), stop, serving }
+    }
+
+    pub(crate) async fn close(self) {
+        self.stop.send(()).unwrap();
+        self.serving.await.unwrap();
+    }
+
+    pub(crate) fn url(&self) -> String {
+        format!("http://{}/", self.address)
+    }
+
+    pub(crate) async fn person(&self, name: &str) -> Client {
+        Client::connect(&self.url(), name).await.unwrap()
+    }
+
+    /// A person with a new behaviour open.
+    pub(crate) async fn maker(&self, name: &str) -> (Client, Id) {
+        let client = self.person(name).await;
+        let behaviour = make(&client, "Play", None).await;
+        client.load(&behaviour).await.unwrap();
+        (client, behaviour)
+    }
+}
+
+/// Makes a behaviour and answers with its id.
+pub(crate) async fn make(client: &Client, name: &str, template: Option<&str>) -> Id {
+    let wanted = id(&format!("b{}", client.change("", &behaviour::Behaviour::default(), vec![]).op));
+    let create = Request::Create { behaviour: wanted, name: name.into(), template: template.map(str::to_owned) };
+    match client.ask(create).await.unwrap() {
+        Reply::Created { behaviour } => behaviour,
+        other => panic!("{other:?}"),
+    }
+}
+
+pub(crate) fn id(text: &str) -> Id {
+    Id::new(text).unwrap()
+}
+
+pub(crate) fn stream_id(text: &str) -> RecordId {
+    RecordId::new(Kind::Stream, &id(text))
+}
+
+pub(crate) fn connector_id(text: &str) -> RecordId {
+    RecordId::new(Kind::Connector, &id(text))
+}
+
+pub(crate) fn stream(name: &str, kind: StreamKind, device: Option<&str>) -> Stream {
+    Stream {
+        kind,
+        name: name.into(),
+        device: device.map(str::to_owned),
+        params: behaviour::Params::new(),
+        order: 0,
+        resources: None,
+        priority: None,
+        hold_ms: None,
+    }
+}
+
+pub(crate) fn ball(name: &str) -> Record {
+    Record::Stream(stream(name, StreamKind::Sensor, Some("RedBall")))
+}
+
+pub(crate) fn plain(name: &str) -> Record {
+    Record::Stream(stream(name, StreamKind::Ordinary, None))
+}
+
+pub(crate) fn printer(name: &str) -> Record {
+    Record::Stream(stream(name, StreamKind::Actuator, Some("Print")))
+}
+
+pub(crate) fn map(body: &str, from: &str, to: &str) -> Record {
+    connect(Operation::Map(Procedure::body(body)), &[from], to)
+}
+
+pub(crate) fn connect(operation: Operation, from: &[&str], to: &str) -> Record {
+    let inputs = from.iter().map(|from| id(from)).collect();
+    Record::Connector(Connector { operation, inputs, output: id(to), order: 0 })
+}
+
+/// The sentence of a refusal.
+pub(crate) fn sentence(answer: Result<Reply, Trouble>) -> String {
+    match answer {
+        Err(trouble @ Trouble::No(_)) => trouble.to_string(),
+        other => panic!("this was not refused: {other:?}"),
+    }
+}

@@ -1,0 +1,126 @@
+//! Links: greeting, nonsense, size, replacing, presence, and asking too much.
+
+use crate::house::{House, id, plain, stream_id};
+use futures_util::{SinkExt, StreamExt};
+use protocol::{MESSAGE_MAX_BYTES, Message as Told, Pointer, Reply, Request, SaidNo};
+use shell::{Client, Trouble};
+use std::time::Duration;
+use tokio::net::TcpStream;
+use tokio_tungstenite::tungstenite::Message;
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
+
+pub(crate) type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
+
+pub(crate) async fn socket(house: &House) -> Socket {
+    connect_async(format!("ws://{}/socket", house.address)).await.unwrap().0
+}
+
+/// Says a text and answers with the next text and the code of the closing frame, whichever come.
+async fn say(socket: &mut Socket, text: &str) -> (Option<SaidNo>, Option<u16>) {
+    socket.send(Message::text(text)).await.unwrap();
+    let (mut no, mut code) = (None, None);
+    while let Ok(Some(Ok(message))) = tokio::time::timeout(Duration::from_secs(5), socket.next()).await {
+        match message {
+            Message::Text(text) => {
+                if let Reply::No { no: said } = serde_json::from_str::<Told>(&text).unwrap().reply {
+                    no = Some(said);
+                }
+            }
+            Message::Close(frame) => code = frame.map(|frame| frame.code.into()),
+            _ => {}
+        }
+    }
+    (no, code)
+}
+
+#[tokio::test]
+async fn the_greeting_comes_first_and_in_our_version() {
+    let house = House::open().await;
+    let table = [
+        (r#"{"ask":1,"request":{"is":"list"}}"#, SaidNo::Greeting),
+        (r#"{"ask":1,"request":{"is":"hello","version":99,"client":"a","name":"A"}}"#, SaidNo::Version(1)),
+    ];
+    for (text, expected) in table {
+        assert_eq!(say(&mut socket(&house).await, text).await, (Some(expected), Some(1008)));
+    }
+    let (no, code) = say(&mut socket(&house).await, "hello?").await;
+    assert!(matches!(no, Some(SaidNo::Unreadable(_))) && code == Some(1008), "{no:?}");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_message_that_is_too_large_ends_the_link() {
+    let house = House::open().await;
+    let mut socket = socket(&house).await;
+    let hello = r#"{"ask":1,"request":{"is":"hello","version":1,"client":"a","name":"A"}}"#;
+    socket.send(Message::text(hello)).await.unwrap();
+    let _ = socket.send(Message::text("x".repeat(MESSAGE_MAX_BYTES + 1))).await;
+    let ended = async { while let Some(Ok(_)) = socket.next().await {} };
+    tokio::time::timeout(Duration::from_secs(5), ended).await.expect("the link ends");
+    house.person("Ben").await;
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_newer_link_of_the_same_client_replaces_the_older() {
+    let house = House::open().await;
+    let mut first = Client::connect_as(&house.url(), id("tab"), "Aiko").await.unwrap();
+    let second = Client::connect_as(&house.url(), id("tab"), "Aiko").await.unwrap();
+    while first.next().await.is_some() {}
+    let why = first.ask(Request::List).await.unwrap_err();
+    assert!(matches!(&why, Trouble::Link(sentence) if sentence.contains("replaced")), "{why}");
+    assert!(second.ask(Request::List).await.is_ok());
+    assert_eq!(first.you().color, second.you().color);
+    house.close().await;
+}
+
+#[tokio::test]
+async fn people_see_each_other_and_each_others_pointers() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let mut ben = house.person("  Ben ").await;
+    assert_eq!((ben.you().name.as_str(), aiko.you().color, ben.you().color), ("Ben", 0, 1));
+    ben.load(&play).await.unwrap();
+    let pointer = Some(Pointer { x: 3.0, y: 4.0 });
+    aiko.tell(Request::Present { pointer, selected: Some(id("s1")) }).await.unwrap();
+    let seen =
+        |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer));
+    ben.until(seen).await.unwrap();
+    drop(aiko);
+    ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.len() == 1)).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn who_asks_too_much_is_told_so_but_can_always_stop() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let asks: Vec<_> = (0..300).map(|_| aiko.ask(Request::List)).collect();
+    let answers = futures_util::future::join_all(asks).await;
+    let refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(SaidNo::TooFast))).count();
+    assert!((50..=110).contains(&refused), "{refused}");
+    assert_eq!(aiko.ask(Request::Stop { behaviour: None }).await, Ok(Reply::Done));
+    house.close().await;
+}
+
+#[tokio::test]
+async fn who_missed_changes_gets_them() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Aiko").await;
+    for number in 0..5 {
+        aiko.put("Add", stream_id(&format!("s{number}")), Some(plain(&format!("S{number}")))).await.unwrap();
+    }
+    let missed = aiko.ask(Request::Since { behaviour: play, revision: 3 }).await.unwrap();
+    let Reply::Missed { changes, .. } = missed else { panic!() };
+    assert_eq!(changes.iter().map(|change| change.revision).collect::<Vec<_>>(), [4, 5, 6]);
+    house.close().await;
+}
+
+#[tokio::test]
+async fn the_server_pings_with_the_revision() {
+    let house = House::open().await;
+    let (mut aiko, play) = house.maker("Aiko").await;
+    let ping = aiko.until(|reply| matches!(reply, Reply::Ping { behaviour: Some(_), .. })).await.unwrap();
+    assert_eq!(ping, Reply::Ping { behaviour: Some((play, 1)), library_revision: 1 });
+    house.close().await;
+}

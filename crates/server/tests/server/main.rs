@@ -1,0 +1,11 @@
+//! The whole server over real sockets: people who edit together, bad changes, restarts, and strangers at the door.
+#![expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
+
+mod console;
+mod edits;
+mod house;
+mod http;
+mod links;
+mod lists;
+mod runs;
+mod slow;

@@ -1,0 +1,64 @@
+//! Running: problems stop Start, Stop stops, values come.
+
+use crate::house::{House, ball, connect, connector_id, make, map, plain, printer, stream, stream_id};
+use behaviour::{Operation, Value};
+use protocol::{Reply, Request, RunPhase, SaidNo};
+use shell::Trouble;
+
+#[tokio::test]
+async fn problems_stop_start() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Aiko").await;
+    aiko.put("Add", stream_id("ball"), Some(ball("Red ball"))).await.unwrap();
+    aiko.put("Add", stream_id("far"), Some(plain("Far"))).await.unwrap();
+    aiko.put("Add", connector_id("c"), Some(map("", "ball", "far"))).await.unwrap();
+    let no = aiko.ask(Request::Start { behaviour: play }).await.unwrap_err();
+    assert!(matches!(&no, Trouble::No(SaidNo::Problems(problems)) if problems.len() == 1), "{no:?}");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_behaviour_runs_tells_its_values_and_stops() {
+    let house = House::open().await;
+    let (mut aiko, play) = house.maker("Aiko").await;
+    aiko.put("Add", stream_id("head"), Some(touch())).await.unwrap();
+    aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
+    aiko.put("Add", connector_id("c"), Some(connect(Operation::Subscribe, &["head"], "out"))).await.unwrap();
+    aiko.ask(Request::Start { behaviour: play.clone() }).await.unwrap();
+    aiko.ask(Request::Stimulate { behaviour: play.clone(), stream: "head".parse().unwrap(), value: Value::Int(7) })
+        .await
+        .unwrap();
+    let seven = |reply: &Reply| matches!(reply, Reply::Values { values } if values.streams.iter().any(|s| s.value == Value::Int(7)));
+    aiko.until(seven).await.unwrap();
+    assert_eq!(aiko.ask(Request::Remove { behaviour: play.clone() }).await, Err(Trouble::No(SaidNo::Running)));
+    aiko.ask(Request::Stop { behaviour: Some(play.clone()) }).await.unwrap();
+    let stopped = |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().all(|run| run.phase == RunPhase::Stopped("Aiko".into())) && !runs.is_empty());
+    aiko.until(stopped).await.unwrap();
+    aiko.ask(Request::Remove { behaviour: play }).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn templates_start() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let play = make(&aiko, "Far", Some("Track far and close balls")).await;
+    aiko.ask(Request::Start { behaviour: play }).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_procedure_is_tried() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let inputs = vec![vec![Value::Int(1)], vec![Value::Int(41)]];
+    let check = Request::Check { arguments: vec!["n".into()], body: "n + 1".into(), inputs };
+    let results = vec![Ok(Value::Int(2)), Ok(Value::Int(42))];
+    assert_eq!(aiko.ask(check).await.unwrap(), Reply::Checked { error: None, results });
+    house.close().await;
+}
+
+/// A sense that reads nothing by itself here, so that what a person sends stays the newest value.
+fn touch() -> behaviour::Record {
+    behaviour::Record::Stream(stream("Head", behaviour::StreamKind::Sensor, Some("HeadTouch")))
+}

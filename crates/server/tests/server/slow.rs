@@ -1,0 +1,164 @@
+//! Slow stores and slow readers: they slow nobody else, and never Stop.
+
+use crate::house::{House, plain, stream_id};
+use crate::http::raw;
+use crate::links::socket;
+use async_trait::async_trait;
+use behaviour::{Committed, Id, Kind, Note, Record, RecordId};
+use futures_util::{SinkExt, StreamExt};
+use protocol::{Reply, Request};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+use store::{Append, Listed, Loaded, MemoryStore, Store, StoreError, Usage};
+use tokio_tungstenite::tungstenite::Message;
+
+/// A store that can be made to hang.
+#[derive(Default)]
+struct Hanging {
+    inside: MemoryStore,
+    hangs: AtomicBool,
+}
+
+impl Hanging {
+    async fn wait(&self) {
+        while self.hangs.load(Ordering::SeqCst) {
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
+    }
+}
+
+#[async_trait]
+impl Store for Hanging {
+    async fn append(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError> {
+        self.wait().await;
+        self.inside.append(behaviour, committed).await
+    }
+    async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
+        self.wait().await;
+        self.inside.load(behaviour).await
+    }
+    async fn list(&self) -> Result<Vec<Listed>, StoreError> {
+        self.wait().await;
+        self.inside.list().await
+    }
+    async fn bin(&self) -> Result<Vec<Listed>, StoreError> {
+        self.inside.bin().await
+    }
+    async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
+        self.wait().await;
+        self.inside.history(behaviour, since, most).await
+    }
+    async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
+        self.inside.remove(behaviour, now_ms, by).await
+    }
+    async fn restore(&self, behaviour: &Id) -> Result<bool, StoreError> {
+        self.inside.restore(behaviour).await
+    }
+    async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
+        self.inside.purge(removed_before_ms).await
+    }
+    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+        self.inside.where_used(helper).await
+    }
+    async fn next_epoch(&self) -> Result<u64, StoreError> {
+        self.inside.next_epoch().await
+    }
+    async fn healthy(&self) -> Result<(), StoreError> {
+        self.wait().await;
+        Ok(())
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn stop_and_greetings_work_while_the_store_hangs_and_the_edit_is_saved_after() {
+    let store = Arc::new(Hanging::default());
+    let house = House::on(store.clone()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    store.hangs.store(true, Ordering::SeqCst);
+    let mut ben = house.person("Ben").await;
+    let editing = tokio::spawn(async move {
+        let answer = aiko.put("Add", stream_id("a"), Some(plain("One"))).await;
+        (aiko, answer)
+    });
+    tokio::time::sleep(Duration::from_millis(100)).await;
+    ben.load(&play).await.expect("an open room lets people in while it saves");
+    let start = Instant::now();
+    let stop =
+        format!("POST /stop HTTP/1.1\r\nHost: {}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n", house.address);
+    assert!(raw(&house, &stop).await.contains("\"stopped\":true"));
+    assert_eq!(ben.ask(Request::Stop { behaviour: None }).await, Ok(Reply::Done));
+    assert!(start.elapsed() < Duration::from_millis(500), "{:?}", start.elapsed());
+    store.hangs.store(false, Ordering::SeqCst);
+    let (aiko, answer) = editing.await.unwrap();
+    assert!(matches!(answer, Ok(Reply::Accepted { .. })), "{answer:?}");
+    ben.until(|reply| matches!(reply, Reply::Accepted { .. })).await.unwrap();
+    assert_eq!(aiko.open(), ben.open());
+    house.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn an_edit_that_hung_too_long_is_refused_and_the_room_recovers() {
+    let store = Arc::new(Hanging::default());
+    let house = House::on(store.clone()).await;
+    let (aiko, _) = house.maker("Aiko").await;
+    store.hangs.store(true, Ordering::SeqCst);
+    let answer = aiko.put("Add", stream_id("a"), Some(plain("One"))).await;
+    assert!(matches!(&answer, Err(shell::Trouble::No(protocol::SaidNo::Store(_)))), "{answer:?}");
+    store.hangs.store(false, Ordering::SeqCst);
+    aiko.put("Add", stream_id("b"), Some(plain("Two"))).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_slow_reader_is_cut_off_and_slows_nobody() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let mut slow = socket(&house).await;
+    slow.send(Message::text(r#"{"ask":1,"request":{"is":"hello","version":1,"client":"slow","name":"Slow"}}"#))
+        .await
+        .unwrap();
+    slow.send(Message::text(format!(r#"{{"ask":2,"request":{{"is":"open","behaviour":"{play}"}}}}"#))).await.unwrap();
+    let mut ben = house.person("Ben").await;
+    ben.load(&play).await.unwrap();
+    let mut writers = vec![aiko];
+    for number in 0..7 {
+        let writer = house.person(&format!("Writer {number}")).await;
+        writer.load(&play).await.unwrap();
+        writers.push(writer);
+    }
+    for at in 0..1_500_usize {
+        let writer = &writers[at % writers.len()];
+        // Everyone edits notes of their own, which their mirror knows for certain.
+        let records = writer.open().expect("it is open").records;
+        let change = writer.change("Note", &records, big(at % writers.len(), at));
+        let answer = writer.ask(Request::Propose { behaviour: play.clone(), change }).await;
+        assert!(answer.is_ok(), "{at}: {answer:?}");
+    }
+    let last = |reply: &Reply| matches!(reply, Reply::Accepted { accepted, .. } if accepted.revision == 1_501);
+    ben.until(last).await.unwrap();
+    assert_eq!(cut_off(slow).await, Some(1013));
+    house.close().await;
+}
+
+/// Five long notes of one writer.
+fn big(writer: usize, at: usize) -> Vec<(RecordId, Option<Record>)> {
+    let id = |part: usize| RecordId::new(Kind::Note, &crate::house::id(&format!("n{writer}-{part}")));
+    let note = Record::Note(Note { text: format!("{at} {}", "x".repeat(3_900)) });
+    (0..5).map(|part| (id(part), Some(note.clone()))).collect()
+}
+
+/// Reads what is left and answers with the code of the end; a link that was simply cut says nothing.
+async fn cut_off(mut slow: crate::links::Socket) -> Option<u16> {
+    let end = async {
+        while let Some(message) = slow.next().await {
+            match message {
+                Ok(Message::Close(frame)) => return frame.map(|frame| frame.code.into()),
+                Ok(_) => {}
+                Err(_) => return Some(1013),
+            }
+        }
+        Some(1013)
+    };
+    tokio::time::timeout(Duration::from_secs(10), end).await.expect("it was cut off")
+}

@@ -1,0 +1,211 @@
+//! A client of the server: asks and is answered, hears what is told, and keeps its open behaviour up to date.
+
+mod link;
+mod mirror;
+
+pub use mirror::Mirror;
+
+use crate::client::link::{Line, Link};
+use behaviour::{Behaviour, Change, Id, Record, RecordId};
+use protocol::{Person, Reply, Request, SaidNo, VERSION};
+use std::fmt;
+use std::hash::{BuildHasher, RandomState};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
+use std::time::Duration;
+use tokio::sync::{mpsc, oneshot};
+
+/// Where a server is when nobody says otherwise.
+pub const DEFAULT_URL: &str = "http://127.0.0.1:7130/";
+
+/// How long an answer may take.
+const ANSWER_MS: u64 = 30_000;
+/// How long something awaited may take.
+const AWAITED_MS: u64 = 20_000;
+
+/// Why something asked was not done.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Trouble {
+    /// The server said no.
+    No(SaidNo),
+    /// The link failed; with a sentence.
+    Link(String),
+}
+
+impl fmt::Display for Trouble {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::No(no) => write!(to, "{no}"),
+            Self::Link(sentence) => to.write_str(sentence),
+        }
+    }
+}
+
+impl std::error::Error for Trouble {}
+
+/// A greeted link to a server; dropping it ends the link.
+pub struct Client {
+    link: Arc<Link>,
+    lines: mpsc::Sender<Line>,
+    told: mpsc::Receiver<Reply>,
+    asks: AtomicU32,
+    welcome: Welcome,
+}
+
+/// What the server said at first.
+#[derive(Clone, Debug)]
+struct Welcome {
+    epoch: u64,
+    you: Person,
+}
+
+impl Client {
+    /// Connects to `http://HOST:PORT/` (or `HOST:PORT`) and greets as `name`.
+    ///
+    /// # Errors
+    /// If there is no server, or it refuses the greeting.
+    pub async fn connect(url: &str, name: &str) -> Result<Self, Trouble> {
+        let client = Id::new(&format!("shell-{}", unique())).map_err(Trouble::Link)?;
+        Self::connect_as(url, client, name).await
+    }
+
+    /// The same under a client id of one's own; a newer link of the same id replaces an older one.
+    ///
+    /// # Errors
+    /// If there is no server, or it refuses the greeting.
+    pub async fn connect_as(url: &str, client: Id, name: &str) -> Result<Self, Trouble> {
+        let (link, lines, told) = link::open(url).await?;
+        let nobody = Person { client: client.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
+        let welcome = Welcome { epoch: 0, you: nobody };
+        let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome };
+        let hello = Request::Hello { version: VERSION, client, name: name.to_owned() };
+        match this.ask(hello).await? {
+            Reply::Welcome { epoch, you, .. } => this.welcome = Welcome { epoch, you },
+            other => return Err(Trouble::Link(format!("The server greets in a strange way: {other:?}"))),
+        }
+        Ok(this)
+    }
+
+    /// Who this client is to others.
+    #[must_use]
+    pub fn you(&self) -> &Person {
+        &self.welcome.you
+    }
+
+    /// Grows with every start of the server.
+    #[must_use]
+    pub fn epoch(&self) -> u64 {
+        self.welcome.epoch
+    }
+
+    /// Asks and waits for the answer.
+    ///
+    /// # Errors
+    /// If the server says no, or the link ends.
+    pub async fn ask(&self, request: Request) -> Result<Reply, Trouble> {
+        let (waiting, answer) = oneshot::channel();
+        self.send(request, Some(waiting)).await?;
+        let answered = tokio::time::timeout(Duration::from_millis(ANSWER_MS), answer).await;
+        match answered {
+            Ok(Ok(Reply::No { no })) => Err(Trouble::No(no)),
+            Ok(Ok(reply)) => Ok(reply),
+            Ok(Err(_)) => Err(self.ended()),
+            Err(_) => Err(Trouble::Link("The server does not answer. Try again.".to_owned())),
+        }
+    }
+
+    /// Says what is not answered.
+    ///
+    /// # Errors
+    /// If the link ended.
+    pub async fn tell(&self, request: Request) -> Result<(), Trouble> {
+        self.send(request, None).await
+    }
+
+    async fn send(&self, request: Request, waiting: Option<oneshot::Sender<Reply>>) -> Result<(), Trouble> {
+        let ask = self.asks.fetch_add(1, Ordering::Relaxed) + 1;
+        self.lines.send(Line { ask, request, waiting }).await.map_err(|_| self.ended())
+    }
+
+    fn ended(&self) -> Trouble {
+        Trouble::Link(self.link.ended().unwrap_or_else(|| "The connection has ended. Connect again.".to_owned()))
+    }
+
+    /// The next thing told unasked; none when the link ended. What is not fetched waits, but pictures and live values
+    /// only for a while.
+    pub async fn next(&mut self) -> Option<Reply> {
+        self.told.recv().await
+    }
+
+    /// The next thing told unasked of this kind; others before it are dropped.
+    ///
+    /// # Errors
+    /// If the link ends, or it does not come within 20 s.
+    pub async fn until(&mut self, mut wanted: impl FnMut(&Reply) -> bool) -> Result<Reply, Trouble> {
+        let search = async {
+            while let Some(reply) = self.told.recv().await {
+                if wanted(&reply) {
+                    return Some(reply);
+                }
+            }
+            None
+        };
+        match tokio::time::timeout(Duration::from_millis(AWAITED_MS), search).await {
+            Ok(Some(reply)) => Ok(reply),
+            Ok(None) => Err(self.ended()),
+            Err(_) => Err(Trouble::Link("What was awaited did not come.".to_owned())),
+        }
+    }
+
+    /// The open behaviour as it is now.
+    #[must_use]
+    pub fn open(&self) -> Option<Mirror> {
+        self.link.mirrors().open.clone()
+    }
+
+    /// The library as it is now.
+    #[must_use]
+    pub fn library(&self) -> Mirror {
+        self.link.mirrors().library.clone()
+    }
+
+    /// Opens a behaviour and answers with what it is.
+    ///
+    /// # Errors
+    /// If the server says no, or the link ends.
+    pub async fn load(&self, behaviour: &Id) -> Result<Mirror, Trouble> {
+        self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+        self.open().ok_or(Trouble::No(SaidNo::NothingOpen))
+    }
+
+    /// Proposes putting, or with none taking away, one record of the open behaviour.
+    ///
+    /// # Errors
+    /// If the server says no, or the link ends.
+    pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<Reply, Trouble> {
+        let open = self.open().ok_or(Trouble::No(SaidNo::NothingOpen))?;
+        let change = self.change(label, &open.records, vec![(id, record)]);
+        self.ask(Request::Propose { behaviour: open.behaviour, change }).await
+    }
+
+    /// A change with a name of its own that puts or takes away these records.
+    #[must_use]
+    pub fn change(&self, label: &str, now: &Behaviour, records: Vec<(RecordId, Option<Record>)>) -> Change {
+        let op = Id::new(&format!("op-{}", unique()));
+        let mut change = Change::of(op.unwrap_or_else(|_| self.welcome.you.client.clone()), &self.you().name, label);
+        for (id, record) in records {
+            change = match record {
+                Some(record) => change.put(now, id, record),
+                None => change.take(now, id),
+            };
+        }
+        change
+    }
+}
+
+/// A text that nobody else has: chance of the system and a count.
+pub(crate) fn unique() -> String {
+    static COUNT: AtomicU64 = AtomicU64::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    format!("{:016x}{:016x}", RandomState::new().hash_one(count), RandomState::new().hash_one(std::process::id()))
+}

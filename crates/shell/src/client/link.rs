@@ -1,0 +1,176 @@
+//! The task behind a client: carries messages both ways, answers pings, and keeps the mirrors.
+
+use super::Trouble;
+use super::mirror::Mirrors;
+use futures_util::{SinkExt, StreamExt};
+use protocol::{Ask, Message as Told, PATH, Reply, Request};
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+use tokio::net::TcpStream;
+use tokio::sync::{mpsc, oneshot};
+use tokio_tungstenite::tungstenite::protocol::{CloseFrame, WebSocketConfig};
+use tokio_tungstenite::tungstenite::{Error, Message};
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
+
+/// The largest message taken from the server, in bytes: a whole behaviour comes as one.
+const MESSAGE_MAX_BYTES: usize = 64 << 20;
+/// Requests that may wait to be written.
+const LINES_MAX: usize = 256;
+/// Things told that may wait to be fetched.
+const TOLD_MAX: usize = 4_096;
+/// Of these, places that pictures and live values leave to what matters.
+const TOLD_FREE: usize = 1_024;
+/// How long connecting may take.
+const CONNECT_MS: u64 = 10_000;
+/// Numbers of asks that the link makes itself, apart from the client's.
+const OWN_ASK: u32 = u32::MAX;
+
+type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
+
+/// A request and who waits for its answer.
+pub(super) struct Line {
+    pub(super) ask: u32,
+    pub(super) request: Request,
+    pub(super) waiting: Option<oneshot::Sender<Reply>>,
+}
+
+/// What client and task share.
+pub(super) struct Link {
+    mirrors: Mutex<Mirrors>,
+    ended: Mutex<Option<String>>,
+}
+
+impl Link {
+    pub(super) fn mirrors(&self) -> MutexGuard<'_, Mirrors> {
+        self.mirrors.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Why the link ended, in a sentence.
+    pub(super) fn ended(&self) -> Option<String> {
+        self.ended.lock().unwrap_or_else(PoisonError::into_inner).clone()
+    }
+}
+
+type Opened = (Arc<Link>, mpsc::Sender<Line>, mpsc::Receiver<Reply>);
+
+/// Connects and starts the task.
+pub(super) async fn open(url: &str) -> Result<Opened, Trouble> {
+    let address = socket_address(url);
+    let config =
+        WebSocketConfig::default().max_message_size(Some(MESSAGE_MAX_BYTES)).max_frame_size(Some(MESSAGE_MAX_BYTES));
+    let connecting = tokio_tungstenite::connect_async_with_config(&address, Some(config), true);
+    let connected = tokio::time::timeout(Duration::from_millis(CONNECT_MS), connecting).await;
+    let (socket, _) = match connected {
+        Ok(Ok(connected)) => connected,
+        Ok(Err(error)) => return Err(Trouble::Link(format!("There is no rrp server at {url} ({error})."))),
+        Err(_) => return Err(Trouble::Link(format!("The server at {url} does not answer."))),
+    };
+    let mirrors = Mutex::new(Mirrors::empty().map_err(Trouble::Link)?);
+    let link = Arc::new(Link { mirrors, ended: Mutex::new(None) });
+    let (lines, inbox) = mpsc::channel(LINES_MAX);
+    let (tell, told) = mpsc::channel(TOLD_MAX);
+    let carrier = Carrier { link: Arc::clone(&link), socket, tell, waiting: BTreeMap::new() };
+    tokio::spawn(carrier.carry(inbox));
+    Ok((link, lines, told))
+}
+
+/// `http://HOST:PORT/` or `HOST:PORT` as the address of the socket.
+fn socket_address(url: &str) -> String {
+    let bare = ["http://", "ws://"].iter().find_map(|scheme| url.strip_prefix(scheme)).unwrap_or(url);
+    let host = bare.split('/').next().unwrap_or(bare);
+    format!("ws://{host}{PATH}")
+}
+
+struct Carrier {
+    link: Arc<Link>,
+    socket: Socket,
+    tell: mpsc::Sender<Reply>,
+    waiting: BTreeMap<u32, oneshot::Sender<Reply>>,
+}
+
+impl Carrier {
+    async fn carry(mut self, mut inbox: mpsc::Receiver<Line>) {
+        let why = loop {
+            tokio::select! {
+                line = inbox.recv() => match line {
+                    Some(line) => if let Err(error) = self.send(line).await { break lost(&error) },
+                    None => break "The connection was closed.".to_owned(),
+                },
+                message = self.socket.next() => match message {
+                    Some(Ok(Message::Text(text))) => if let Err(error) = self.hear(&text).await { break lost(&error) },
+                    Some(Ok(Message::Close(frame))) => break goodbye(frame),
+                    Some(Ok(_)) => {}
+                    Some(Err(error)) => break lost(&error),
+                    None => break "The server ended the connection. Connect again.".to_owned(),
+                },
+            }
+        };
+        *self.link.ended.lock().unwrap_or_else(PoisonError::into_inner) = Some(why);
+        let _ = tokio::time::timeout(Duration::from_secs(1), self.socket.close(None)).await;
+    }
+
+    async fn send(&mut self, line: Line) -> Result<(), Error> {
+        if let Some(waiting) = line.waiting {
+            self.waiting.insert(line.ask, waiting);
+        }
+        let ask = Ask { ask: line.ask, request: line.request };
+        let text = serde_json::to_string(&ask).map_err(|error| Error::Io(std::io::Error::other(error)))?;
+        self.socket.send(Message::text(text)).await
+    }
+
+    async fn hear(&mut self, text: &str) -> Result<(), Error> {
+        let told = match serde_json::from_str::<Told>(text) {
+            Ok(told) => told,
+            Err(error) => return Err(Error::Io(std::io::Error::other(error))),
+        };
+        let missing = {
+            let mut mirrors = self.link.mirrors();
+            mirrors.hear(&told.reply);
+            mirrors.missing(&told.reply)
+        };
+        for (behaviour, revision) in missing {
+            self.send(Line { ask: OWN_ASK, request: Request::Since { behaviour, revision }, waiting: None }).await?;
+        }
+        self.pass_on(told);
+        Ok(())
+    }
+
+    /// To who asked, else to who fetches; when that one is slow, pictures go first.
+    fn pass_on(&mut self, told: Told) {
+        if let Some(waiting) = told.ask.and_then(|ask| self.waiting.remove(&ask)) {
+            let _ = waiting.send(told.reply);
+            return;
+        }
+        let picture = matches!(told.reply, Reply::Scene { .. } | Reply::Values { .. } | Reply::People { .. });
+        if !picture || self.tell.capacity() > TOLD_FREE {
+            let _ = self.tell.try_send(told.reply);
+        }
+    }
+}
+
+fn lost(error: &Error) -> String {
+    format!("The connection was lost ({error}). Connect again.")
+}
+
+fn goodbye(frame: Option<CloseFrame>) -> String {
+    match frame.as_ref().map(|frame| frame.reason.as_str()) {
+        Some("restart") => "The server ended. Connect again when it is back.".to_owned(),
+        Some("resync") => "This connection was too slow for the server (resync). Connect again.".to_owned(),
+        Some("replaced") => "The same client connected again elsewhere (replaced).".to_owned(),
+        Some(reason) if !reason.is_empty() => format!("The server ended the connection ({reason})."),
+        _ => "The server ended the connection. Connect again.".to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::socket_address;
+
+    #[test]
+    fn the_socket_is_found_from_what_people_type() {
+        for url in ["http://127.0.0.1:7130/", "127.0.0.1:7130", "ws://127.0.0.1:7130/socket", "http://127.0.0.1:7130"] {
+            assert_eq!(socket_address(url), "ws://127.0.0.1:7130/socket");
+        }
+    }
+}

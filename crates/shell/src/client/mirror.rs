@@ -1,0 +1,71 @@
+//! A behaviour as the server has it, kept by what the server tells.
+
+use behaviour::{Accepted, Behaviour, Id};
+use protocol::{LIBRARY, Reply};
+
+/// One behaviour at one revision.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mirror {
+    /// Its id.
+    pub behaviour: Id,
+    /// Its revision.
+    pub revision: u64,
+    /// Its records.
+    pub records: Behaviour,
+}
+
+/// The open behaviour and the library.
+#[derive(Clone, Debug)]
+pub(super) struct Mirrors {
+    pub(super) open: Option<Mirror>,
+    pub(super) library: Mirror,
+}
+
+impl Mirrors {
+    pub(super) fn empty() -> Result<Self, String> {
+        let library = Mirror { behaviour: Id::new(LIBRARY)?, revision: 0, records: Behaviour::default() };
+        Ok(Self { open: None, library })
+    }
+
+    /// Takes over what a reply says of them.
+    pub(super) fn hear(&mut self, reply: &Reply) {
+        match reply {
+            Reply::Welcome { library, library_revision, .. } => {
+                self.library.records = (**library).clone();
+                self.library.revision = *library_revision;
+            }
+            Reply::Opened { behaviour, revision, records, .. } => {
+                let (behaviour, records) = (behaviour.clone(), (**records).clone());
+                self.open = Some(Mirror { behaviour, revision: *revision, records });
+            }
+            Reply::Accepted { behaviour, accepted } => self.accept(behaviour, accepted),
+            Reply::Missed { behaviour, changes } => changes.iter().for_each(|change| self.accept(behaviour, change)),
+            Reply::Removed { behaviour, .. } if self.open.as_ref().is_some_and(|open| open.behaviour == *behaviour) => {
+                self.open = None;
+            }
+            _ => {}
+        }
+    }
+
+    /// Only the next revision is taken: one that came before changes nothing.
+    fn accept(&mut self, behaviour: &Id, accepted: &Accepted) {
+        for mirror in self.open.iter_mut().chain([&mut self.library]) {
+            if mirror.behaviour == *behaviour && accepted.revision == mirror.revision + 1 {
+                mirror.records.apply(&accepted.change);
+                mirror.revision = accepted.revision;
+            }
+        }
+    }
+
+    /// What a ping shows to be missing: the behaviour and the last revision known.
+    pub(super) fn missing(&self, reply: &Reply) -> Vec<(Id, u64)> {
+        let Reply::Ping { behaviour, library_revision } = reply else { return Vec::new() };
+        let library = (&self.library.behaviour, *library_revision);
+        let told = behaviour.iter().map(|(id, revision)| (id, *revision)).chain([library]);
+        let behind = told.filter_map(|(id, revision)| {
+            let mirror = self.open.iter().chain([&self.library]).find(|mirror| mirror.behaviour == *id)?;
+            (mirror.revision < revision).then(|| (id.clone(), mirror.revision))
+        });
+        behind.collect()
+    }
+}

@@ -1,0 +1,26 @@
+//! Connects to a server.
+
+use super::Command;
+use crate::console::Console;
+use crate::{Client, DEFAULT_URL};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "connect",
+    words: "[URL]",
+    help: "Connects to a running rrp server.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+/// What others see of this console.
+const NAME: &str = "Shell";
+
+async fn run(console: &mut Console, url: &str) -> Result<String, String> {
+    let url = if url.is_empty() { DEFAULT_URL } else { url };
+    let client = Client::connect(url, NAME).await.map_err(|trouble| trouble.to_string())?;
+    // The console asks; pictures and live values are for who watches.
+    let quiet = protocol::Request::Watch { scene: false, values: false };
+    client.ask(quiet).await.map_err(|trouble| trouble.to_string())?;
+    console.client = Some(client);
+    console.stream = None;
+    Ok(format!("Connected to {url}"))
+}

@@ -1,0 +1,18 @@
+//! Ends the connection.
+
+use super::Command;
+use crate::console::Console;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "disconnect",
+    words: "",
+    help: "Ends the connection to the server.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    console.client()?;
+    console.client = None;
+    console.stream = None;
+    Ok("Disconnected.".to_owned())
+}

@@ -1,0 +1,12 @@
+//! Leaves the console.
+
+use super::Command;
+use crate::console::Console;
+
+pub(crate) const COMMAND: Command =
+    Command { name: "exit", words: "", help: "Leaves the shell.", run: |console, words| Box::pin(run(console, words)) };
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    console.done = true;
+    Ok(String::new())
+}

@@ -1,0 +1,23 @@
+//! Loads a program to look at.
+
+use super::Command;
+use crate::console::Console;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "load program",
+    words: "NAME",
+    help: "Loads a program to look at it here.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    if wanted.is_empty() {
+        let all: Vec<_> = console.programs().await?.into_iter().map(|program| (program.name, ())).collect();
+        return crate::find::find("program", wanted, &all).map(|_| String::new());
+    }
+    let (name, id) = console.meant(wanted).await?;
+    let program = console.client()?.load(&id).await.map_err(|trouble| trouble.to_string())?;
+    console.stream = None;
+    let (streams, connectors) = (program.records.streams().count(), program.records.connectors().count());
+    Ok(format!("Loaded {name}: {streams} streams, {connectors} connectors, revision {}", program.revision))
+}

@@ -1,0 +1,20 @@
+//! Loads a stream to look around from it.
+
+use super::Command;
+use crate::console::Console;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "load stream",
+    words: "NAME",
+    help: "Loads a stream to look around from it.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let program = console.program()?;
+    let streams = program.records.streams_in_order().into_iter();
+    let all: Vec<_> = streams.map(|(id, stream)| (stream.name.clone(), id.clone())).collect();
+    let (name, id) = crate::find::find("stream", wanted, &all)?;
+    console.stream = Some(id);
+    Ok(format!("Loaded stream {name}"))
+}

@@ -1,0 +1,16 @@
+//! Lists the connectors into the loaded stream.
+
+use super::Command;
+use crate::console::{Console, connector_lines};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "show in ops",
+    words: "",
+    help: "Shows the connectors into the loaded stream.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    let (program, stream) = console.looked_at()?;
+    Ok(connector_lines(&program, &stream, false))
+}

@@ -1,0 +1,16 @@
+//! Lists the programs.
+
+use super::Command;
+use crate::console::Console;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "show programs",
+    words: "",
+    help: "Shows the programs (behaviours) in the store.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    let names: Vec<_> = console.programs().await?.into_iter().map(|program| program.name).collect();
+    Ok(if names.is_empty() { "No programs.".to_owned() } else { names.join("\n") })
+}

@@ -1,0 +1,18 @@
+//! Lists the streams with a sensor.
+
+use super::Command;
+use crate::console::{Console, stream_lines};
+use behaviour::StreamKind;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "show start streams",
+    words: "",
+    help: "Shows the streams that have a sensor.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    let program = console.program()?;
+    let streams = program.records.streams_in_order().into_iter();
+    Ok(stream_lines(&program, streams.filter(|(_, stream)| stream.kind == StreamKind::Sensor).map(|(id, _)| id)))
+}

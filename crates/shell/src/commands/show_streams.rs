@@ -1,0 +1,16 @@
+//! Lists all streams.
+
+use super::Command;
+use crate::console::{Console, stream_lines};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "show streams",
+    words: "",
+    help: "Shows all streams of the loaded program.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    let program = console.program()?;
+    Ok(stream_lines(&program, program.records.streams_in_order().into_iter().map(|(id, _)| id)))
+}

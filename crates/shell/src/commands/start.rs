@@ -1,0 +1,18 @@
+//! Runs a program.
+
+use super::Command;
+use crate::console::Console;
+use protocol::Request;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "start",
+    words: "[NAME]",
+    help: "Runs the named or the loaded program on the robot.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let (name, behaviour) = console.meant(wanted).await?;
+    console.ask(Request::Start { behaviour }).await?;
+    Ok(format!("{name} runs"))
+}

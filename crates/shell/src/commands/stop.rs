@@ -1,0 +1,19 @@
+//! Stops a program or the robot.
+
+use super::Command;
+use crate::console::Console;
+use protocol::Request;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "stop",
+    words: "[NAME]",
+    help: "Stops the named program, or everything on the robot.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let named = if wanted.is_empty() { None } else { Some(console.meant(wanted).await?) };
+    let (name, behaviour) = named.map_or(("Everything".to_owned(), None), |(name, id)| (name, Some(id)));
+    console.ask(Request::Stop { behaviour }).await?;
+    Ok(format!("{name} is stopped"))
+}

@@ -1,0 +1,44 @@
+//! Prints live values.
+
+use super::Command;
+use crate::console::Console;
+use behaviour::Behaviour;
+use protocol::{Reply, Request, Values};
+use std::time::Duration;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "watch",
+    words: "[SECONDS]",
+    help: "Prints the live values of the loaded program for some seconds (5).",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+/// How long to watch when nobody says.
+const SECONDS: u64 = 5;
+/// The longest watch, in seconds.
+const SECONDS_MAX: u64 = 3_600;
+
+async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+    let seconds = if words.is_empty() { Ok(SECONDS) } else { words.parse() };
+    let seconds = seconds.ok().filter(|seconds| (1..=SECONDS_MAX).contains(seconds));
+    let seconds = seconds.ok_or_else(|| format!("Type a number of seconds from 1 to {SECONDS_MAX}."))?;
+    let program = console.program()?;
+    console.ask(Request::Watch { scene: false, values: true }).await?;
+    let end = tokio::time::Instant::now() + Duration::from_secs(seconds);
+    while let Ok(Some(reply)) = tokio::time::timeout_at(end, console.client()?.next()).await {
+        if let Reply::Values { values } = reply {
+            console.say(&lines(&program.records, &values));
+        }
+    }
+    console.ask(Request::Watch { scene: false, values: false }).await?;
+    Ok(String::new())
+}
+
+/// `1.20 s  Red ball = #{x: 0.1}`, a line for each stream that carried something.
+fn lines(records: &Behaviour, values: &Values) -> String {
+    let lines = values.streams.iter().filter_map(|sample| {
+        let name = &records.stream(&sample.stream)?.name;
+        Some(format!("{:.2} s  {name} = {}", sample.at_ms as f64 / 1_000.0, sample.value))
+    });
+    lines.collect::<Vec<_>>().join("\n")
+}

@@ -1,0 +1,150 @@
+//! The console: what is connected, loaded and looked at, and where answers go.
+
+use crate::commands;
+use crate::{Client, Mirror};
+use behaviour::{Graph, Id};
+use protocol::{Reply, Request, Summary};
+use std::io::Write;
+
+/// A console that obeys one line after another.
+pub struct Console {
+    /// The server.
+    pub(crate) client: Option<Client>,
+    /// The loaded stream.
+    pub(crate) stream: Option<Id>,
+    /// True once exit was typed.
+    pub(crate) done: bool,
+    out: Box<dyn Write + Send>,
+}
+
+impl Console {
+    /// A console that answers to `out`, not connected yet.
+    #[must_use]
+    pub fn new(out: Box<dyn Write + Send>) -> Self {
+        Self { client: None, stream: None, done: false, out }
+    }
+
+    /// True once exit was typed.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.done
+    }
+
+    /// Does what a line says and prints the answer. False if it was refused. Empty lines and `#` lines say nothing.
+    pub async fn obey(&mut self, line: &str) -> bool {
+        let line = line.trim();
+        if line.is_empty() || line.starts_with('#') {
+            return true;
+        }
+        let answer = match commands::read(line) {
+            Ok((command, rest)) => (command.run)(self, rest).await,
+            Err(sentence) => Err(sentence),
+        };
+        let (Ok(text) | Err(text)) = &answer;
+        self.say(text);
+        answer.is_ok()
+    }
+
+    /// Prints lines at once. Nobody may be reading any more; that is no error.
+    pub(crate) fn say(&mut self, text: &str) {
+        if !text.is_empty() {
+            let _ = writeln!(self.out, "{text}").and_then(|()| self.out.flush());
+        }
+    }
+
+    /// The server, or the sentence that there is none.
+    pub(crate) fn client(&mut self) -> Result<&mut Client, String> {
+        self.client.as_mut().ok_or_else(|| "Not connected. Type “connect” first.".to_owned())
+    }
+
+    /// Asks the server.
+    pub(crate) async fn ask(&mut self, request: Request) -> Result<Reply, String> {
+        self.client()?.ask(request).await.map_err(|trouble| trouble.to_string())
+    }
+
+    /// The programs, newest change first.
+    pub(crate) async fn programs(&mut self) -> Result<Vec<Summary>, String> {
+        match self.ask(Request::List).await? {
+            Reply::Programs { programs } => Ok(programs),
+            _ => Err("The server gave no list of programs. Try again.".to_owned()),
+        }
+    }
+
+    /// The loaded program as it is now.
+    pub(crate) fn program(&mut self) -> Result<Mirror, String> {
+        self.client()?.open().ok_or_else(|| "No program is loaded. Type “load program NAME” first.".to_owned())
+    }
+
+    /// The program of that name, or the loaded one if none is named.
+    pub(crate) async fn meant(&mut self, wanted: &str) -> Result<(String, Id), String> {
+        if wanted.is_empty() {
+            let loaded = self.program()?;
+            return Ok((loaded.records.name().to_owned(), loaded.behaviour));
+        }
+        let programs = self.programs().await?;
+        if let Some(program) = programs.iter().find(|program| program.id == wanted) {
+            return Ok((program.name.clone(), Id::new(&program.id)?));
+        }
+        let all: Vec<_> = programs.into_iter().map(|program| (program.name, program.id)).collect();
+        let (name, id) = crate::find::find("program", wanted, &all)?;
+        Ok((name, Id::new(&id)?))
+    }
+
+    /// The loaded stream in the program as it is now.
+    pub(crate) fn looked_at(&mut self) -> Result<(Mirror, Id), String> {
+        let program = self.program()?;
+        let loaded = self.stream.clone().filter(|stream| program.records.stream(stream).is_some());
+        let stream = loaded.ok_or("No stream is loaded. Type “load stream NAME” first.")?;
+        Ok((program, stream))
+    }
+
+    /// What can be named now, for completion.
+    pub(crate) async fn names(&mut self) -> Vec<String> {
+        let programs = if self.client.is_some() { self.programs().await.unwrap_or_default() } else { Vec::new() };
+        let mut names: Vec<_> = programs.into_iter().map(|program| program.name).collect();
+        if let Ok(program) = self.program() {
+            names.extend(program.records.streams_in_order().into_iter().map(|(_, stream)| stream.name.clone()));
+        }
+        names
+    }
+}
+
+/// Streams with their kind, a line each.
+pub(crate) fn stream_lines<'a>(program: &Mirror, streams: impl IntoIterator<Item = &'a Id>) -> String {
+    let lines = streams.into_iter().filter_map(|id| program.records.stream(id)).map(|stream| {
+        let kind = match stream.kind {
+            behaviour::StreamKind::Sensor => "sensor",
+            behaviour::StreamKind::Ordinary => "ordinary",
+            behaviour::StreamKind::Actuator => "actuator",
+        };
+        let device = stream.device.as_ref().map_or_else(String::new, |device| format!(" {device}"));
+        format!("{} ({kind}{device})", stream.name)
+    });
+    or_nothing(lines.collect(), "No streams.")
+}
+
+/// The connectors into or out of a stream, a line each: `map (distance): Red ball -> Far`.
+pub(crate) fn connector_lines(program: &Mirror, stream: &Id, outgoing: bool) -> String {
+    let graph = Graph::of(&program.records);
+    let connectors = if outgoing { graph.out_of_stream(stream) } else { graph.into_stream(stream) };
+    let name = |id: &Id| program.records.stream(id).map_or("?", |stream| stream.name.as_str());
+    let lines = connectors.iter().map(|(_, connector)| {
+        let inputs: Vec<_> = connector.inputs.iter().map(name).collect();
+        format!("{}: {} -> {}", label(connector), inputs.join(", "), name(&connector.output))
+    });
+    or_nothing(lines.collect(), "No connectors.")
+}
+
+fn label(connector: &behaviour::Connector) -> String {
+    let word = connector.operation.word();
+    match (&connector.operation, connector.operation.procedure()) {
+        (_, Some(behaviour::Procedure::Helper(name))) => format!("{word} ({name})"),
+        (_, Some(behaviour::Procedure::Body { body, .. })) => format!("{word} ({})", body.replace('\n', " ")),
+        (behaviour::Operation::Sample { period_ms }, None) => format!("{word} ({period_ms} ms)"),
+        (_, None) => word.to_owned(),
+    }
+}
+
+fn or_nothing(lines: Vec<String>, nothing: &str) -> String {
+    if lines.is_empty() { nothing.to_owned() } else { lines.join("\n") }
+}

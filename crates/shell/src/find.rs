@@ -1,0 +1,54 @@
+//! Finding what a person means by a name typed in part, in any case.
+
+/// The one thing meant. Whole names win over beginnings, and these over parts.
+///
+/// # Errors
+/// The choices, if it could be several, or all there are, if it is none.
+pub(crate) fn find<T: Clone>(what: &str, wanted: &str, all: &[(String, T)]) -> Result<(String, T), String> {
+    let wanted = unquoted(wanted.trim());
+    if wanted.is_empty() {
+        return Err(format!("Which {what}? {}", choices(what, all)));
+    }
+    let lower = wanted.to_lowercase();
+    let fits: [fn(&str, &str) -> bool; 3] =
+        [|name, wanted| name == wanted, |name, wanted| name.starts_with(wanted), |name, wanted| name.contains(wanted)];
+    for fit in fits {
+        let found: Vec<_> = all.iter().filter(|(name, _)| fit(&name.to_lowercase(), &lower)).collect();
+        match found.as_slice() {
+            [] => {}
+            [one] => return Ok((*one).clone()),
+            several => {
+                let names: Vec<_> = several.iter().map(|(name, _)| name.as_str()).collect();
+                return Err(format!("“{wanted}” could be one of these: {}. Type more of the name.", names.join(", ")));
+            }
+        }
+    }
+    Err(format!("There is no {what} “{wanted}”. {}", choices(what, all)))
+}
+
+fn choices<T>(what: &str, all: &[(String, T)]) -> String {
+    let names: Vec<_> = all.iter().map(|(name, _)| name.as_str()).collect();
+    if names.is_empty() { format!("There is no {what} yet.") } else { format!("There are: {}.", names.join(", ")) }
+}
+
+/// Without the quotation marks around it.
+pub(crate) fn unquoted(text: &str) -> &str {
+    text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')).unwrap_or(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::find;
+
+    #[test]
+    fn names_are_found_by_their_beginning_in_any_case() {
+        let all: Vec<(String, ())> = ["Red ball", "Far", "Far away", "Head"].map(|name| (name.to_owned(), ())).to_vec();
+        let found = |wanted| find("stream", wanted, &all).map(|(name, ())| name);
+        assert_eq!(found("RED"), Ok("Red ball".into()));
+        assert_eq!(found("far"), Ok("Far".into()), "a whole name wins");
+        assert_eq!(found("ball"), Ok("Red ball".into()));
+        assert_eq!(found("fa"), Err("“fa” could be one of these: Far, Far away. Type more of the name.".into()));
+        assert_eq!(found("x"), Err("There is no stream “x”. There are: Red ball, Far, Far away, Head.".into()));
+        assert_eq!(found(" "), Err("Which stream? There are: Red ball, Far, Far away, Head.".into()));
+    }
+}

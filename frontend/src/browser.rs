@@ -1,0 +1,140 @@
+//! What the page asks of its browser. Outside of one (host tests) everything answers with nothing.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+use wasm_bindgen::{JsCast, JsValue, closure::Closure};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Storage, Window};
+
+/// The window; none in tests on the host.
+pub(crate) fn window() -> Option<Window> {
+    if cfg!(target_arch = "wasm32") { web_sys::window() } else { None }
+}
+
+/// Milliseconds since the page was loaded.
+pub(crate) fn now_ms() -> f64 {
+    window().and_then(|window| window.performance()).map_or(0.0, |clock| clock.now())
+}
+
+/// A number from 0 to 1.
+pub(crate) fn random() -> f64 {
+    if cfg!(target_arch = "wasm32") { js_sys::Math::random() } else { 0.5 }
+}
+
+/// Does something once, later.
+pub(crate) fn after(ms: i32, act: impl FnOnce() + 'static) {
+    let Some(window) = window() else { return };
+    let act = Closure::once_into_js(act);
+    let _ = window.set_timeout_with_callback_and_timeout_and_arguments_0(act.unchecked_ref(), ms);
+}
+
+/// Does something again and again for as long as the page lives.
+pub(crate) fn every(ms: i32, act: impl FnMut() + 'static) {
+    let Some(window) = window() else { return };
+    let act = Closure::<dyn FnMut()>::new(act).into_js_value();
+    let _ = window.set_interval_with_callback_and_timeout_and_arguments_0(act.unchecked_ref(), ms);
+}
+
+/// Hears an event of the window or the document for as long as the page lives.
+pub(crate) fn hear(target: &web_sys::EventTarget, event: &str, act: impl FnMut(JsValue) + 'static) {
+    let act = Closure::<dyn FnMut(JsValue)>::new(act).into_js_value();
+    let _ = target.add_event_listener_with_callback(event, act.unchecked_ref());
+}
+
+/// Which drawer something is kept in.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Keep {
+    /// As long as this tab.
+    Tab,
+    /// In this browser.
+    Browser,
+}
+
+impl Keep {
+    fn storage(self) -> Option<Storage> {
+        let window = window()?;
+        let storage = match self {
+            Self::Tab => window.session_storage(),
+            Self::Browser => window.local_storage(),
+        };
+        storage.ok().flatten()
+    }
+
+    /// What is kept under a key.
+    pub(crate) fn get(self, key: &str) -> Option<String> {
+        self.storage()?.get_item(key).ok().flatten()
+    }
+
+    /// Keeps a text under a key.
+    pub(crate) fn put(self, key: &str, text: &str) {
+        if let Some(storage) = self.storage() {
+            let _ = storage.set_item(key, text);
+        }
+    }
+
+    /// Keeps nothing under a key any more.
+    pub(crate) fn drop(self, key: &str) {
+        if let Some(storage) = self.storage() {
+            let _ = storage.remove_item(key);
+        }
+    }
+}
+
+/// The part of the address after `#`.
+pub(crate) fn hash() -> String {
+    window().and_then(|window| window.location().hash().ok()).unwrap_or_default()
+}
+
+/// Changes the part after `#`, as a step that Back undoes.
+pub(crate) fn set_hash(hash: &str) {
+    if let Some(window) = window()
+        && window.location().hash().is_ok_and(|now| now != hash && !(now.is_empty() && hash == "#/"))
+    {
+        let _ = window.location().set_hash(hash);
+    }
+}
+
+/// The address of the socket on the server this page came from.
+pub(crate) fn socket_url() -> Option<String> {
+    let location = window()?.location();
+    let scheme = if location.protocol().ok()? == "https:" { "wss" } else { "ws" };
+    Some(format!("{scheme}://{}{}", location.host().ok()?, protocol::PATH))
+}
+
+/// How many measured texts are remembered.
+const MEASURED_MAX: usize = 8_192;
+
+thread_local! {
+    static PEN: Option<CanvasRenderingContext2d> = pen();
+    static MEASURED: RefCell<BTreeMap<(String, u32), f64>> = RefCell::default();
+}
+
+fn pen() -> Option<CanvasRenderingContext2d> {
+    let canvas = window()?.document()?.create_element("canvas").ok()?.dyn_into::<HtmlCanvasElement>().ok()?;
+    canvas.get_context("2d").ok()??.dyn_into().ok()
+}
+
+/// How wide a text is in the page's own letters, semibold, at a size in pixels; none in tests on the host.
+pub(crate) fn text_width(text: &str, size: u32) -> Option<f64> {
+    window()?;
+    let key = (text.to_owned(), size);
+    if let Some(known) = MEASURED.with(|measured| measured.borrow().get(&key).copied()) {
+        return Some(known);
+    }
+    let width = PEN.with(|pen| measure(pen.as_ref()?, text, size))?;
+    MEASURED.with(|measured| {
+        let mut measured = measured.borrow_mut();
+        if measured.len() >= MEASURED_MAX {
+            measured.clear();
+        }
+        measured.insert(key, width);
+    });
+    Some(width)
+}
+
+fn measure(pen: &CanvasRenderingContext2d, text: &str, size: u32) -> Option<f64> {
+    let window = window()?;
+    let body = window.document()?.body()?;
+    let letters = window.get_computed_style(&body).ok()??.get_property_value("font-family").ok()?;
+    pen.set_font(&format!("600 {size}px {letters}"));
+    Some(pen.measure_text(text).ok()?.width())
+}

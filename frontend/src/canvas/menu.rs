@@ -1,0 +1,102 @@
+//! The thunderbolt: every connector that can come out of a stream.
+
+use super::words;
+use crate::browser;
+use crate::desk::{Dialog, use_desk};
+use crate::icons::{Icon, connector_icon};
+use behaviour::Id;
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, FocusEvent, HtmlElement, KeyboardEvent, Node};
+
+/// In the order of the thesis.
+const KINDS: [&str; 7] = ["sample", "subscribe", "filter", "map", "combineLatest", "timestamp", "merge"];
+
+/// The button and its menu.
+#[component]
+pub(super) fn BoltMenu(input: Id) -> impl IntoView {
+    let desk = use_desk();
+    let open = ArcRwSignal::new(false);
+    let root = NodeRef::<leptos::html::Div>::new();
+    let [expanded, shown, toggle, keys, leave] = [(); 5].map(|()| open.clone());
+    let choose = move |kind: &'static str| {
+        open.set(false);
+        desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind }));
+    };
+    view! {
+        <div class="bolt" node_ref=root
+            on:keydown=move |event| key(&event, &keys, root)
+            on:focusout=move |event| left(&event, &leave)
+        >
+            <button type="button" class="tool-button" aria-label=words::add_connector() title=words::add_connector()
+                aria-haspopup="menu" aria-expanded=move || expanded.get().to_string()
+                on:click=move |_| {
+                    toggle.update(|open| *open = !*open);
+                    browser::after(20, move || step(root, |_, _| 0));
+                }>
+                <Icon name="bolt" />
+            </button>
+            {move || shown.get().then(|| view! {
+                <div class="menu" role="menu" aria-label=words::add_connector()>
+                    {KINDS.map(|kind| {
+                        let choose = choose.clone();
+                        view! {
+                            <button type="button" role="menuitem" tabindex="-1" class="item"
+                                title=crate::words::connector_says(kind) on:click=move |_| choose(kind)>
+                                <Icon name=connector_icon(kind) />
+                                <span>{crate::words::connector_word(kind)}</span>
+                            </button>
+                        }
+                    }).collect_view()}
+                </div>
+            })}
+        </div>
+    }
+}
+
+fn key(event: &KeyboardEvent, open: &ArcRwSignal<bool>, root: NodeRef<leptos::html::Div>) {
+    if !open.get_untracked() {
+        return;
+    }
+    match event.key().as_str() {
+        "ArrowDown" => step(root, |at, count| (at + 1) % count),
+        "ArrowUp" => step(root, |at, count| (at + count - 1) % count),
+        "Home" => step(root, |_, _| 0),
+        "End" => step(root, |_, count| count - 1),
+        "Escape" => {
+            open.set(false);
+            if let Some(button) = root.get_untracked().and_then(|root| root.query_selector("button").ok().flatten()) {
+                focus(&button);
+            }
+        }
+        _ => return,
+    }
+    event.prevent_default();
+    event.stop_propagation();
+}
+
+/// The menu closes when the keyboard goes elsewhere.
+fn left(event: &FocusEvent, open: &ArcRwSignal<bool>) {
+    let root = event.current_target().and_then(|root| root.dyn_into::<Node>().ok());
+    let next = event.related_target().and_then(|next| next.dyn_into::<Node>().ok());
+    let inside = root.is_some_and(|root| root.contains(next.as_ref()));
+    if open.get_untracked() && next.is_some() && !inside {
+        open.set(false);
+    }
+}
+
+fn step(root: NodeRef<leptos::html::Div>, next: impl Fn(usize, usize) -> usize) {
+    let Some(root) = root.get_untracked() else { return };
+    let Ok(items) = root.query_selector_all("[role=menuitem]") else { return };
+    let items: Vec<Element> = (0..items.length()).filter_map(|at| items.item(at)?.dyn_into().ok()).collect();
+    let Some(last) = items.len().checked_sub(1) else { return };
+    let now = document().active_element();
+    let at = items.iter().position(|item| Some(item) == now.as_ref());
+    focus(&items[at.map_or(0, |at| next(at, items.len())).min(last)]);
+}
+
+fn focus(element: &Element) {
+    if let Some(element) = element.dyn_ref::<HtmlElement>() {
+        let _ = element.focus();
+    }
+}

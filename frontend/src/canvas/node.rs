@@ -1,0 +1,179 @@
+//! One stream: its shape, its name, what happens on it now.
+
+use super::{Stage, words};
+use crate::desk::{Selected, StreamSignals, use_desk};
+use crate::icons::Icon;
+use crate::layout::{stream_width, what_it_is};
+use crate::live::{rate_words, short_value, sparkline};
+use behaviour::{Id, Kind, Problem, ProblemKind, RecordId, Stream, StreamKind};
+use leptos::prelude::*;
+
+/// The box of a sparkline, in pixels.
+const SPARK: (f64, f64) = (60.0, 16.0);
+
+/// A stream at its place.
+#[component]
+pub(super) fn StreamNode(id: Id) -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let Some(signals) = desk.stream(&id) else { return ().into_any() };
+    let StreamSignals { record, place, .. } = signals.clone();
+    let chosen = {
+        let (desk, id) = (desk.clone(), id.clone());
+        ArcMemo::new(move |_| {
+            desk.selected.with(|selected| matches!(selected, Some(Selected::Stream(chosen)) if *chosen == id))
+        })
+    };
+    let is_stop = {
+        let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
+        move || match stage.stop.get() {
+            Some(stop) => stop == id,
+            None => desk.stream_ids.with(|ids| ids.first() == Some(&id)),
+        }
+    };
+    let is_dragged = {
+        let (stage, id) = (stage.clone(), id.clone());
+        move || stage.dragged.with(|dragged| dragged.as_ref() == Some(&id))
+    };
+    let [by_kind, by_width, by_label, by_title, by_name, by_second, by_icon] = [(); 7].map(|()| record.clone());
+    let (lit, pressed) = (chosen.clone(), chosen);
+    let at = move || {
+        let (place, width) = (place.get(), by_width.with(stream_width));
+        format!("translate({:.1}px,{:.1}px)", place.x - width / 2.0, place.y)
+    };
+    let wide = record.clone();
+    view! {
+        <div
+            class=move || format!("stream {}", kind_class(by_kind.with(|stream| stream.kind)))
+            class:selected=move || lit.get()
+            class:dragged=is_dragged
+            data-node=id.to_string()
+            role="button"
+            tabindex=move || if is_stop() { "0" } else { "-1" }
+            aria-label=move || by_label.with(|stream| words::stream_name(&stream.name, stream.kind))
+            aria-pressed=move || pressed.get().to_string()
+            title=move || by_title.with(whole_title)
+            style:transform=at
+            style:width=move || format!("{:.0}px", wide.with(stream_width))
+        >
+            {move || by_icon.with(device_icon).map(|icon| view! { <span class="icon"><Icon name=icon /></span> })}
+            <span class="texts">
+                <span class="name">{move || by_name.with(|stream| stream.name.clone())}</span>
+                <span class="second" aria-hidden="true">{move || by_second.with(what_it_is)}</span>
+            </span>
+            <ProblemBadge at=RecordId::new(Kind::Stream, &id) />
+            <OthersRing id=id.clone() />
+            <LiveValue signals=signals />
+        </div>
+    }
+    .into_any()
+}
+
+fn kind_class(kind: StreamKind) -> &'static str {
+    match kind {
+        StreamKind::Sensor => "sensor",
+        StreamKind::Ordinary => "ordinary",
+        StreamKind::Actuator => "actuator",
+    }
+}
+
+fn device_icon(stream: &Stream) -> Option<&'static str> {
+    let device = robot::device(stream.kind, stream.device.as_deref()?).ok();
+    Some(device.map_or("warn", |device| device.icon))
+}
+
+fn whole_title(stream: &Stream) -> String {
+    let second = what_it_is(stream);
+    if second.is_empty() { stream.name.clone() } else { format!("{} – {second}", stream.name) }
+}
+
+/// The last value, the rate and a sparkline, or for how long it has been quiet; only while it runs.
+#[component]
+fn LiveValue(signals: StreamSignals) -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let (live, quiet) = (signals.live.clone(), signals.live.clone());
+    let silent = ArcMemo::new(move |_| {
+        let now = desk.clock.get();
+        quiet.with(|live| live.quiet_for(now))
+    });
+    let running = stage.running.clone();
+    move || {
+        if !running.get() || live.with(|live| live.value.is_none()) {
+            return ().into_any();
+        }
+        match silent.get() {
+            Some(seconds) => {
+                view! { <span class="value quiet" aria-hidden="true">{crate::words::quiet_for(u64::from(seconds))}</span> }.into_any()
+            }
+            None => view! { <NewestValue live=live.clone() /> }.into_any(),
+        }
+    }
+}
+
+#[component]
+fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>) -> impl IntoView {
+    let (value, rate, points) = (live.clone(), live.clone(), live);
+    let has_line = {
+        let points = points.clone();
+        ArcMemo::new(move |_| points.with(|live| live.recent.len() > 2))
+    };
+    view! {
+        <span class="value" aria-hidden="true">
+            <b>{move || value.with(|live| live.value.as_ref().map(short_value).unwrap_or_default())}</b>
+            <i>{move || rate.with(|live| rate_words(live.rate))}</i>
+            {move || {
+                let points = points.clone();
+                has_line.get().then(|| view! {
+                    <svg class="spark" width=SPARK.0 height=SPARK.1 aria-hidden="true" focusable="false">
+                        <polyline points=move || points.with(|live| sparkline(&live.recent, SPARK.0, SPARK.1)) />
+                    </svg>
+                })
+            }}
+        </span>
+    }
+}
+
+/// A sign on what has a problem, with the problem as its title. What leads nowhere yet is only in the list: it would
+/// blame everything that is being built.
+#[component]
+pub(super) fn ProblemBadge(at: RecordId) -> impl IntoView {
+    let desk = use_desk();
+    let problem = ArcMemo::new(move |_| {
+        desk.problems.with(|problems| {
+            let known = |problem: &&Problem| problem.at == at && problem.kind != ProblemKind::Unused;
+            let first = problems.iter().find(known)?;
+            Some((first.to_string(), first.blocks))
+        })
+    });
+    move || {
+        problem.get().map(|(sentence, blocks)| {
+            view! {
+                <span class="badge" class:blocks=blocks title=sentence.clone() role="img" aria-label=sentence>
+                    <Icon name="warn" />
+                </span>
+            }
+        })
+    }
+}
+
+/// A ring in the colour of somebody else who selected this.
+#[component]
+pub(super) fn OthersRing(id: Id) -> impl IntoView {
+    let stage = expect_context::<Stage>();
+    let who = ArcMemo::new(move |_| {
+        stage.others.with(|others| {
+            let (_, color, name) = others.iter().find(|(selected, ..)| *selected == id)?;
+            Some((*color, name.clone()))
+        })
+    });
+    move || {
+        who.get().map(|(color, name)| {
+            view! {
+                <span class="ring" aria-hidden="true" style=format!("--person:var(--people-{})", color % 8)>
+                    <span class="tag">{name}</span>
+                </span>
+            }
+        })
+    }
+}

@@ -1,0 +1,254 @@
+//! What the parts of the canvas share: the view, what is drawn, who selected what.
+
+use super::cull::{Cells, drawn};
+use super::view::{Bounds, View};
+use crate::browser;
+use crate::desk::{Desk, Selected};
+use crate::layout::{LEVEL, STREAM_HEIGHT, stream_width};
+use behaviour::{Id, Place};
+use leptos::prelude::*;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use wasm_bindgen::{JsCast, closure::Closure};
+use web_sys::{Element, FocusEvent, FocusOptions, HtmlElement, ResizeObserver};
+
+/// After so long without a move a gesture rests, in milliseconds.
+const REST_MS: i32 = 220;
+/// Room left around what is brought into view, in pixels.
+const REVEAL_MARGIN: f64 = 24.0;
+
+/// The stage. A clone is the same stage.
+#[derive(Clone)]
+pub(crate) struct Stage {
+    pub(super) view: ArcRwSignal<View>,
+    /// Width and height in pixels.
+    pub(super) size: ArcRwSignal<(f64, f64)>,
+    /// The stream that the keyboard comes to.
+    pub(super) stop: ArcRwSignal<Option<Id>>,
+    /// The stream that follows the hand.
+    pub(super) dragged: ArcRwSignal<Option<Id>>,
+    pub(super) running: ArcMemo<bool>,
+    /// Who else selected what: what, their colour, their name.
+    pub(super) others: ArcMemo<Vec<(Id, u8, String)>>,
+    rests: ArcRwSignal<bool>,
+    drawn: ArcMemo<Drawn>,
+    moves: Arc<AtomicU32>,
+    desk: Desk,
+}
+
+/// What is in the page now.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct Drawn {
+    streams: Vec<Id>,
+    connectors: Vec<Id>,
+}
+
+impl Stage {
+    pub(super) fn new(desk: &Desk) -> Self {
+        let (view, size) = (ArcRwSignal::new(View::default()), ArcRwSignal::new((1_200.0, 800.0)));
+        let rests = ArcRwSignal::new(true);
+        let running = {
+            let desk = desk.clone();
+            ArcMemo::new(move |_| desk.running().is_some())
+        };
+        Self {
+            drawn: drawn_memo(desk.clone(), view.clone(), size.clone(), rests.clone()),
+            others: others_memo(desk.clone()),
+            stop: ArcRwSignal::default(),
+            dragged: ArcRwSignal::default(),
+            moves: Arc::default(),
+            desk: desk.clone(),
+            view,
+            size,
+            rests,
+            running,
+        }
+    }
+
+    pub(super) fn streams(&self) -> Vec<Id> {
+        self.drawn.with(|drawn| drawn.streams.clone())
+    }
+
+    pub(super) fn connectors(&self) -> Vec<Id> {
+        self.drawn.with(|drawn| drawn.connectors.clone())
+    }
+
+    pub(super) fn transform(&self) -> String {
+        self.view.with(|view| format!("translate({:.2}px,{:.2}px) scale({:.4})", view.x, view.y, view.zoom))
+    }
+
+    /// Shows another part of the canvas.
+    pub(super) fn look(&self, view: View) {
+        if self.view.get_untracked() == view {
+            return;
+        }
+        if self.rests.get_untracked() {
+            self.rests.set(false);
+        }
+        self.view.set(view);
+        let mine = self.moves.fetch_add(1, Ordering::Relaxed) + 1;
+        let stage = self.clone();
+        browser::after(REST_MS, move || {
+            if stage.moves.load(Ordering::Relaxed) == mine {
+                stage.rests.set(true);
+            }
+        });
+    }
+
+    /// Shows everything.
+    pub(crate) fn fit(&self) {
+        let ids = self.desk.stream_ids.get_untracked();
+        match Bounds::around(ids.iter().filter_map(|id| bounds(&self.desk, id))) {
+            Some(bounds) => self.look(View::fitting(bounds, self.size.get_untracked())),
+            None => self.look(View { x: self.size.get_untracked().0 / 2.0, y: 80.0, zoom: 1.0 }),
+        }
+    }
+
+    /// Zooms around the middle.
+    pub(super) fn zoom_by(&self, factor: f64) {
+        let (width, height) = self.size.get_untracked();
+        self.look(self.view.get_untracked().zoomed((width / 2.0, height / 2.0), factor));
+    }
+
+    /// Pans just so far that a stream and the strip under it are seen.
+    pub(super) fn reveal(&self, id: &Id) {
+        if let Some(bounds) = bounds(&self.desk, id) {
+            let bounds = Bounds { bottom: bounds.bottom + 40.0, ..bounds };
+            self.look(self.view.get_untracked().revealing(bounds, self.size.get_untracked(), REVEAL_MARGIN));
+        }
+    }
+
+    /// Gives a stream the keyboard, once it is in the page.
+    pub(super) fn focus(&self, id: &Id) {
+        self.stop.set(Some(id.clone()));
+        self.reveal(id);
+        let id = id.clone();
+        browser::after(30, move || {
+            let node = document().query_selector(&format!("[data-node='{id}']")).ok().flatten();
+            if let Some(node) = node.and_then(|node| node.dyn_into::<HtmlElement>().ok()) {
+                let how = FocusOptions::new();
+                how.set_prevent_scroll(true);
+                let _ = node.focus_with_options(&how);
+            }
+        });
+    }
+
+    /// A stream that got the keyboard by Tab comes into view.
+    pub(super) fn focused_on(&self, event: &FocusEvent) {
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        let id = target.and_then(|target| target.get_attribute("data-node")).and_then(|id| Id::new(&id).ok());
+        if let Some(id) = id {
+            self.stop.set(Some(id.clone()));
+            self.reveal(&id);
+        }
+    }
+
+    pub(super) fn follow_size(&self, root: NodeRef<leptos::html::Main>) {
+        let stage = self.clone();
+        Effect::new(move |_| {
+            let Some(root) = root.get() else { return };
+            let (measured, stage) = (root.clone(), stage.clone());
+            let measure =
+                move || stage.measured((f64::from(measured.client_width()), f64::from(measured.client_height())));
+            measure();
+            let seen = Closure::<dyn FnMut()>::new(measure).into_js_value();
+            if let Ok(observer) = ResizeObserver::new(seen.unchecked_ref()) {
+                observer.observe(&root);
+            }
+        });
+    }
+
+    fn measured(&self, size: (f64, f64)) {
+        if size.0 > 0.0 && size.1 > 0.0 && self.size.get_untracked() != size {
+            self.size.set(size);
+        }
+    }
+
+    /// What is opened is shown whole.
+    pub(super) fn follow_open(&self, desk: &Desk) {
+        let (stage, desk) = (self.clone(), desk.clone());
+        Effect::new(move |_| {
+            if desk.open.get().is_some() {
+                stage.stop.set(None);
+                let stage = stage.clone();
+                let _ = request_animation_frame(move || stage.fit());
+            }
+        });
+    }
+
+    /// What is selected comes into view; the others are told; a lost keyboard comes along.
+    pub(super) fn follow_selection(&self, desk: &Desk) {
+        let (stage, desk) = (self.clone(), desk.clone());
+        Effect::new(move |_| {
+            let selected = desk.selected.get();
+            desk.present_selection();
+            let Some(Selected::Stream(id)) = selected else { return };
+            stage.stop.set(Some(id.clone()));
+            let (stage, desk) = (stage.clone(), desk.clone());
+            browser::after(40, move || stage.arrive(&desk, &id));
+        });
+    }
+
+    fn arrive(&self, desk: &Desk, id: &Id) {
+        let still = desk.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id));
+        if !still || self.dragged.with_untracked(Option::is_some) {
+            return;
+        }
+        self.reveal(id);
+        let lost =
+            document().active_element().is_none_or(|active| active.tag_name() == "BODY" || active.id() == "stage");
+        if lost && desk.dialog.with_untracked(Option::is_none) {
+            self.focus(id);
+        }
+    }
+}
+
+/// Where a stream is, with its live value and without.
+fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let signals = desk.stream(id)?;
+    let width = signals.record.with_untracked(stream_width);
+    Some(around(signals.place.get_untracked(), width))
+}
+
+fn around(place: Place, width: f64) -> Bounds {
+    Bounds { left: place.x - width / 2.0, top: place.y, right: place.x + width / 2.0, bottom: place.y + STREAM_HEIGHT }
+}
+
+fn drawn_memo(
+    desk: Desk,
+    view: ArcRwSignal<View>,
+    size: ArcRwSignal<(f64, f64)>,
+    rests: ArcRwSignal<bool>,
+) -> ArcMemo<Drawn> {
+    let cells = ArcMemo::new(move |_| Cells::in_view(view.get(), size.get()));
+    ArcMemo::new(move |before: Option<&Drawn>| {
+        desk.revision.track();
+        let (cells, rests) = (cells.get(), rests.get());
+        let none = Drawn::default();
+        let before = before.unwrap_or(&none);
+        let stream_seen = |id: &Id| bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
+        let connector_seen = |id: &Id| connector_bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
+        Drawn {
+            streams: drawn(&desk.stream_ids.get(), stream_seen, &before.streams, rests),
+            connectors: drawn(&desk.connector_ids.get(), connector_seen, &before.connectors, rests),
+        }
+    })
+}
+
+fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let ends = desk.connector(id)?.record.with_untracked(|connector| {
+        let mut ends = connector.inputs.clone();
+        ends.push(connector.output.clone());
+        ends
+    });
+    let places = ends.iter().filter_map(|end| Some(desk.stream(end)?.place.get_untracked()));
+    Bounds::around(places.map(|place| around(place, LEVEL)))
+}
+
+fn others_memo(desk: Desk) -> ArcMemo<Vec<(Id, u8, String)>> {
+    ArcMemo::new(move |_| {
+        let me = desk.me.with(|me| me.as_ref().map(|me| me.client.clone()));
+        let others = desk.people.get().into_iter().filter(|person| Some(&person.client) != me.as_ref());
+        others.filter_map(|person| Some((person.selected?, person.color, person.name))).collect()
+    })
+}

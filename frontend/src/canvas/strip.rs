@@ -1,0 +1,265 @@
+//! The strip under what is selected: likely next steps, then thunderbolt, pencil and trash.
+
+use super::menu::BoltMenu;
+use super::suggest::{Step, suggest};
+use super::view::View;
+use super::{Stage, pointers, words};
+use crate::desk::{ConnectPlan, Desk, Dialog, Output, Selected, use_desk};
+use crate::icons::{Icon, connector_icon};
+use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, text_width};
+use behaviour::{Helper, Id, Operation, Params, Place, Procedure, StreamKind};
+use leptos::prelude::*;
+
+/// Its height and the room it keeps from the edges of the stage, in pixels.
+const HEIGHT: f64 = 56.0;
+const EDGE: f64 = 8.0;
+/// At most so many suggestions; fewer where the stage is narrow.
+const SUGGESTIONS_MAX: usize = 4;
+
+/// The widest label, in pixels; longer ones are cut with an ellipsis.
+const LABEL_MAX: f64 = 170.0;
+
+/// One button for a likely next step.
+#[derive(Clone, Debug, PartialEq)]
+struct Offer {
+    step: Step,
+    icon: &'static str,
+    label: String,
+}
+
+/// The strip, while something is selected.
+#[component]
+pub(super) fn Strip() -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let hidden = stage.dragged.clone();
+    move || {
+        if hidden.with(Option::is_some) {
+            return ().into_any();
+        }
+        match desk.selected.get() {
+            Some(Selected::Stream(id)) => view! { <StreamStrip id=id /> }.into_any(),
+            Some(Selected::Connector(id)) => view! { <ConnectorStrip id=id /> }.into_any(),
+            None => ().into_any(),
+        }
+    }
+}
+
+#[component]
+fn StreamStrip(id: Id) -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let Some(signals) = desk.stream(&id) else { return ().into_any() };
+    let offers = offers_memo(&desk, &id);
+    let [size, shown_size, tall] = [(); 3].map(|()| stage.size.clone());
+    let action = signals.record.with_untracked(|stream| stream.kind == StreamKind::Actuator);
+    let buttons = if action { 2.0 } else { 3.0 };
+    let shown = ArcMemo::new(move |_| as_many_as_fit(offers.get(), shown_size.get().0 - 2.0 * EDGE, buttons));
+    let spot = {
+        let (shown, place) = (shown.clone(), signals.place.clone());
+        ArcMemo::new(move |_| {
+            let width = shown.with(|offers| strip_width(offers, buttons));
+            strip_spot(stage.view.get(), place.get(), STREAM_HEIGHT, width, size.get())
+        })
+    };
+    let is_high = {
+        let (spot, size) = (spot.clone(), tall.clone());
+        move || spot.get().1 < size.get().1 / 2.0
+    };
+    let name = signals.record.with_untracked(|stream| stream.name.clone());
+    let what = Selected::Stream(id.clone());
+    let (offer_desk, offer_id) = (desk.clone(), id.clone());
+    view! {
+        <div class="strip" role="toolbar" class:high=is_high aria-label=words::next_steps(&name)
+            style:transform=move || translated(spot.get())>
+            <For each=move || shown.get().into_iter().enumerate() key=|(at, offer)| (*at, offer.label.clone()) let((at, offer))>
+                <OfferButton desk=offer_desk.clone() id=offer_id.clone() offer=offer first={at == 0} />
+            </For>
+            {(!action).then(|| view! { <BoltMenu input=id.clone() /> })}
+            <EditAndRemove what=what />
+        </div>
+    }
+    .into_any()
+}
+
+#[component]
+fn ConnectorStrip(id: Id) -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let Some(signals) = desk.connector(&id) else { return ().into_any() };
+    let word = signals.record.with_untracked(|connector| connector.operation.word());
+    let spot = {
+        let (desk, record) = (desk.clone(), signals.record.clone());
+        move || {
+            let place = record.with(|connector| super::chip::chip_of(&desk, connector));
+            let spot =
+                |place| strip_spot(stage.view.get(), place, CHIP_HEIGHT, strip_width(&[], 2.0), stage.size.get());
+            place.map(spot).map(translated)
+        }
+    };
+    view! {
+        <div class="strip" role="toolbar" aria-label=words::next_steps(word) style:transform=spot>
+            <EditAndRemove what=Selected::Connector(id) />
+        </div>
+    }
+    .into_any()
+}
+
+#[component]
+fn EditAndRemove(what: Selected) -> impl IntoView {
+    let desk = use_desk();
+    let (remove_desk, removed) = (desk.clone(), what.clone());
+    view! {
+        <button type="button" class="tool-button" aria-label=crate::words::edit() title=crate::words::edit()
+            on:click=move |_| pointers::edit(&desk, &what)>
+            <Icon name="pencil" />
+        </button>
+        <button type="button" class="tool-button" aria-label=crate::words::remove() title=crate::words::remove()
+            on:click=move |_| remove_desk.remove(&removed)>
+            <Icon name="trash" />
+        </button>
+    }
+}
+
+#[component]
+fn OfferButton(desk: Desk, id: Id, offer: Offer, first: bool) -> impl IntoView {
+    let (icon, label, step) = (offer.icon, offer.label, offer.step);
+    view! {
+        <button type="button" class="next" class:likely=first title=title(&step) on:click=move |_| take(&desk, &id, &step)>
+            <Icon name=icon />
+            <span>{label}</span>
+        </button>
+    }
+}
+
+fn title(step: &Step) -> String {
+    match step {
+        Step::Helper(name) => format!("map ({name})"),
+        Step::Connector(word) => crate::words::connector_says(word).to_owned(),
+        Step::Otherwise(body) => format!("filter ({body})"),
+        Step::Action { device, .. } => robot::device(StreamKind::Actuator, device)
+            .map_or_else(|_| (*device).to_owned(), |device| device.says.to_owned()),
+    }
+}
+
+fn offers_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Offer>> {
+    let (desk, id) = (desk.clone(), id.clone());
+    ArcMemo::new(move |_| {
+        desk.revision.track();
+        let helpers: Vec<Helper> = desk.helpers.get().into_iter().map(|(_, helper)| helper).collect();
+        let value = desk.stream(&id).and_then(|signals| signals.live.with_untracked(|live| live.value.clone()));
+        let steps = suggest(&desk.behaviour(), &id, &helpers, value.as_ref());
+        steps.into_iter().take(SUGGESTIONS_MAX).map(offer).collect()
+    })
+}
+
+fn offer(step: Step) -> Offer {
+    let (icon, label) = match &step {
+        Step::Helper(name) => ("fx", name.clone()),
+        Step::Connector(word) => (connector_icon(word), crate::words::connector_word(word).to_owned()),
+        Step::Otherwise(_) => ("filter", words::otherwise().to_owned()),
+        Step::Action { device: "SayParameter", .. } => ("speech", words::say_something().to_owned()),
+        Step::Action { device, .. } => {
+            let icon = robot::device(StreamKind::Actuator, device).map_or("target", |device| device.icon);
+            (icon, (*device).to_owned())
+        }
+    };
+    Offer { step, icon, label }
+}
+
+/// Does what was suggested.
+fn take(desk: &Desk, input: &Id, step: &Step) {
+    match step {
+        Step::Helper(name) => {
+            let output = new_output(desk, &spoken(name), None, Params::new());
+            connect(desk, input, Operation::Map(Procedure::Helper(name.clone())), output, false);
+        }
+        Step::Connector(kind) => {
+            desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind }));
+        }
+        Step::Otherwise(body) => {
+            let output = new_output(desk, "Otherwise", None, Params::new());
+            connect(desk, input, Operation::Filter(Procedure::body(body)), output, false);
+        }
+        Step::Action { device, params } => {
+            let output = new_output(desk, device_name(device), Some(device), params.clone());
+            connect(desk, input, Operation::Subscribe, output, *device == "SayParameter");
+        }
+    }
+}
+
+fn device_name(device: &'static str) -> &'static str {
+    if device == "SayParameter" { "Say" } else { device }
+}
+
+/// `ball_to_distance` becomes "Ball to distance".
+fn spoken(name: &str) -> String {
+    let words = name.replace('_', " ");
+    let mut rest = words.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
+fn new_output(desk: &Desk, base: &str, device: Option<&str>, params: Params) -> Output {
+    Output::New { name: desk.name_for(base), device: device.map(str::to_owned), params }
+}
+
+fn connect(desk: &Desk, input: &Id, operation: Operation, output: Output, then_edit: bool) {
+    let plan = ConnectPlan { operation, inputs: vec![input.clone()], output };
+    let after = desk.clone();
+    desk.connect(plan, move |answer| {
+        let made = if answer.is_ok() && then_edit { after.selected.get_untracked() } else { None };
+        if let Some(Selected::Stream(made)) = made {
+            after.dialog.set(Some(Dialog::EditStream(made)));
+        }
+        after.say_refusal(answer);
+    });
+}
+
+fn offer_width(offer: &Offer) -> f64 {
+    text_width(&offer.label, 15).min(LABEL_MAX) + 52.0
+}
+
+fn strip_width(offers: &[Offer], buttons: f64) -> f64 {
+    offers.iter().map(offer_width).sum::<f64>() + buttons * 46.0 + 14.0
+}
+
+fn as_many_as_fit(mut offers: Vec<Offer>, width: f64, buttons: f64) -> Vec<Offer> {
+    while strip_width(&offers, buttons) > width && offers.pop().is_some() {}
+    offers
+}
+
+fn translated((x, y): (f64, f64)) -> String {
+    format!("translate({x:.0}px,{y:.0}px)")
+}
+
+/// Under what is selected if there is room, else above it; never over the edges of the stage.
+fn strip_spot(view: View, place: Place, height: f64, width: f64, size: (f64, f64)) -> (f64, f64) {
+    let (middle, top) = view.to_stage(place);
+    let below = top + height * view.zoom + 10.0;
+    let y = if below + HEIGHT + EDGE <= size.1 { below } else { top - HEIGHT - 10.0 };
+    let x = (middle - width / 2.0).clamp(EDGE, (size.0 - width - EDGE).max(EDGE));
+    (x, y.clamp(EDGE, (size.1 - HEIGHT - EDGE).max(EDGE)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{View, spoken, strip_spot};
+    use behaviour::Place;
+
+    const STAGE: (f64, f64) = (800.0, 600.0);
+
+    #[test]
+    fn the_strip_stays_on_the_stage() {
+        let at = |x, y| strip_spot(View::default(), Place { x, y }, 48.0, 300.0, STAGE);
+        assert_eq!(at(400.0, 100.0), (250.0, 158.0));
+        assert_eq!(at(10.0, 100.0).0, 8.0);
+        assert_eq!(at(790.0, 100.0).0, 492.0);
+        assert_eq!(at(400.0, 560.0).1, 494.0);
+        assert_eq!(at(400.0, 2_000.0).1, 536.0);
+    }
+
+    #[test]
+    fn helpers_become_names_of_streams() {
+        assert_eq!(spoken("ball_to_distance"), "Ball to distance");
+    }
+}

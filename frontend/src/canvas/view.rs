@@ -1,0 +1,135 @@
+//! What part of the canvas is in view: where it lies and how large it is drawn.
+
+use behaviour::Place;
+
+/// The smallest and the largest zoom.
+pub(super) const ZOOM: [f64; 2] = [0.1, 2.5];
+/// Room around everything when it is fitted into view, in pixels.
+const FIT_MARGIN: f64 = 56.0;
+
+/// Screen = canvas × zoom + shift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct View {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) zoom: f64,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { x: 0.0, y: 0.0, zoom: 1.0 }
+    }
+}
+
+/// A rectangle in canvas units.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Bounds {
+    pub(super) left: f64,
+    pub(super) top: f64,
+    pub(super) right: f64,
+    pub(super) bottom: f64,
+}
+
+impl Bounds {
+    /// Around all of these; none for none.
+    pub(super) fn around(all: impl Iterator<Item = Bounds>) -> Option<Bounds> {
+        all.reduce(|one, other| Bounds {
+            left: one.left.min(other.left),
+            top: one.top.min(other.top),
+            right: one.right.max(other.right),
+            bottom: one.bottom.max(other.bottom),
+        })
+    }
+}
+
+impl View {
+    /// From a point of the stage to the canvas.
+    pub(super) fn to_canvas(self, at: (f64, f64)) -> Place {
+        Place { x: (at.0 - self.x) / self.zoom, y: (at.1 - self.y) / self.zoom }
+    }
+
+    /// From the canvas to a point of the stage.
+    pub(super) fn to_stage(self, place: Place) -> (f64, f64) {
+        (place.x * self.zoom + self.x, place.y * self.zoom + self.y)
+    }
+
+    pub(super) fn panned(self, dx: f64, dy: f64) -> Self {
+        Self { x: self.x + dx, y: self.y + dy, ..self }
+    }
+
+    /// Larger or smaller; the canvas stays under the point.
+    pub(super) fn zoomed(self, at: (f64, f64), factor: f64) -> Self {
+        let zoom = (self.zoom * factor).clamp(ZOOM[0], ZOOM[1]);
+        let real = zoom / self.zoom;
+        Self { x: at.0 - (at.0 - self.x) * real, y: at.1 - (at.1 - self.y) * real, zoom }
+    }
+
+    /// All of `bounds` in the middle of a stage of that size, never larger than it is.
+    pub(super) fn fitting(bounds: Bounds, size: (f64, f64)) -> Self {
+        let (width, height) = ((bounds.right - bounds.left).max(1.0), (bounds.bottom - bounds.top).max(1.0));
+        let free = (size.0 - 2.0 * FIT_MARGIN, size.1 - 2.0 * FIT_MARGIN);
+        let zoom = (free.0 / width).min(free.1 / height).clamp(ZOOM[0], 1.0);
+        let x = size.0 / 2.0 - (bounds.left + bounds.right) / 2.0 * zoom;
+        let spare = (free.1 - height * zoom).max(0.0);
+        // What fits easily hangs near the top, since graphs grow downwards.
+        let y = FIT_MARGIN + spare * 0.3 - bounds.top * zoom;
+        Self { x, y, zoom }
+    }
+
+    /// The least pan that brings `bounds` into a stage of that size with a margin.
+    pub(super) fn revealing(self, bounds: Bounds, size: (f64, f64), margin: f64) -> Self {
+        let (left, top) = self.to_stage(Place { x: bounds.left, y: bounds.top });
+        let (right, bottom) = self.to_stage(Place { x: bounds.right, y: bounds.bottom });
+        self.panned(into(left, right, size.0, margin), into(top, bottom, size.1, margin))
+    }
+}
+
+/// How far a span must move to lie inside, its start first.
+fn into(start: f64, end: f64, size: f64, margin: f64) -> f64 {
+    if start < margin {
+        margin - start
+    } else if end > size - margin {
+        (size - margin - end).max(margin - start)
+    } else {
+        0.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bounds, View};
+    use behaviour::Place;
+
+    const STAGE: (f64, f64) = (800.0, 600.0);
+
+    #[test]
+    fn zooming_keeps_the_canvas_under_the_pointer() {
+        let view = View { x: 10.0, y: -20.0, zoom: 0.8 };
+        let at = (300.0, 200.0);
+        let before = view.to_canvas(at);
+        let after = view.zoomed(at, 1.7).to_canvas(at);
+        assert!((before.x - after.x).abs() < 1e-9 && (before.y - after.y).abs() < 1e-9);
+        assert_eq!(view.zoomed(at, 1e9).zoom, 2.5);
+        assert_eq!(view.zoomed(at, 1e-9).zoom, 0.1);
+    }
+
+    #[test]
+    fn fitting_shows_everything_and_never_enlarges() {
+        let bounds = Bounds { left: -900.0, top: 0.0, right: 900.0, bottom: 700.0 };
+        let view = View::fitting(bounds, STAGE);
+        let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
+        let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
+        assert!(left >= 0.0 && top >= 0.0 && right <= STAGE.0 && bottom <= STAGE.1);
+        let small = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
+        assert_eq!(View::fitting(small, STAGE).zoom, 1.0);
+    }
+
+    #[test]
+    fn revealing_moves_no_more_than_needed() {
+        let view = View::default();
+        let inside = Bounds { left: 100.0, top: 100.0, right: 200.0, bottom: 148.0 };
+        assert_eq!(view.revealing(inside, STAGE, 20.0), view);
+        let below = Bounds { top: 700.0, bottom: 748.0, ..inside };
+        assert_eq!(view.revealing(below, STAGE, 20.0).y, -168.0);
+    }
+}

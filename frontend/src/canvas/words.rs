@@ -1,0 +1,63 @@
+//! The sentences of the canvas, until they move to the words of the page.
+
+use behaviour::StreamKind;
+
+pub(super) fn graph() -> &'static str {
+    "The graph"
+}
+
+pub(super) fn stream_name(name: &str, kind: StreamKind) -> String {
+    match kind {
+        StreamKind::Sensor => format!("{name}, sensor stream"),
+        StreamKind::Ordinary => format!("{name}, stream"),
+        StreamKind::Actuator => format!("{name}, actuator stream"),
+    }
+}
+
+pub(super) fn connector_name(words: &str) -> String {
+    format!("{words}, connector")
+}
+
+pub(super) fn next_steps(name: &str) -> String {
+    format!("Next steps for {name}")
+}
+
+pub(super) fn add_connector() -> &'static str {
+    "Add connector"
+}
+
+pub(super) fn otherwise() -> &'static str {
+    "otherwise"
+}
+
+pub(super) fn say_something() -> &'static str {
+    "Say…"
+}
+
+pub(super) fn zoom_group() -> &'static str {
+    "Zoom"
+}
+
+pub(super) fn zoom_in() -> &'static str {
+    "Zoom in"
+}
+
+pub(super) fn zoom_out() -> &'static str {
+    "Zoom out"
+}
+
+pub(super) fn real_size() -> &'static str {
+    "Real size"
+}
+
+pub(super) fn fit() -> &'static str {
+    "Show everything"
+}
+
+pub(super) fn tidy() -> &'static str {
+    "Tidy"
+}
+
+pub(super) fn percent(zoom: f64) -> String {
+    format!("{:.0} %", zoom * 100.0)
+}

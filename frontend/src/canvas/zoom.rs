@@ -1,0 +1,44 @@
+//! Smaller, real size, larger, everything, tidy.
+
+use super::{Stage, words};
+use crate::desk::use_desk;
+use crate::icons::Icon;
+use leptos::prelude::*;
+
+const STEP: f64 = 1.25;
+
+/// The buttons at the bottom right of the stage.
+#[component]
+pub(super) fn Zoom() -> impl IntoView {
+    let stage = expect_context::<Stage>();
+    let desk = use_desk();
+    let [smaller, real, shown, larger, whole] = [(); 5].map(|()| stage.clone());
+    let to_real = move |_| real.zoom_by(1.0 / real.view.with_untracked(|view| view.zoom));
+    view! {
+        <div class="zoom" role="group" aria-label=words::zoom_group()>
+            <button type="button" class="plain" title=words::tidy() on:click=move |_| { desk.tidy(); refit(&stage) }>
+                {words::tidy()}
+            </button>
+            <button type="button" aria-label=words::zoom_out() title=words::zoom_out()
+                on:click=move |_| smaller.zoom_by(1.0 / STEP)>
+                <Icon name="minus" />
+            </button>
+            <button type="button" class="plain percent" title=words::real_size() on:click=to_real>
+                {move || shown.view.with(|view| words::percent(view.zoom))}
+            </button>
+            <button type="button" aria-label=words::zoom_in() title=words::zoom_in()
+                on:click=move |_| larger.zoom_by(STEP)>
+                <Icon name="plus" />
+            </button>
+            <button type="button" aria-label=words::fit() title=words::fit() on:click=move |_| whole.fit()>
+                <Icon name="fit" />
+            </button>
+        </div>
+    }
+}
+
+/// Shows everything once the streams are at their new places.
+fn refit(stage: &Stage) {
+    let stage = stage.clone();
+    crate::browser::after(250, move || stage.fit());
+}

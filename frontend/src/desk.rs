@@ -1,0 +1,174 @@
+//! The open behaviour as signals, and the only writer: gestures propose changes, replies of the server change signals.
+//!
+//! Every field is its own `ArcRwSignal`, every record has its own signals, and nothing here lives in an owner's arena,
+//! because replies arrive outside of any component.
+
+mod accept;
+mod address;
+mod build;
+mod gestures;
+mod hear;
+mod kinds;
+mod programs;
+mod propose;
+mod queue;
+mod robot_box;
+mod samples;
+mod undo;
+
+pub(crate) use kinds::{
+    ConnectPlan, ConnectorSignals, Dialog, LinkState, Notice, Output, Saving, Selected, StreamSignals,
+};
+
+use behaviour::{Behaviour, Helper, Id, Place, Problem};
+use leptos::prelude::*;
+use protocol::{Person, Pointer, RobotState, RunPhase, RunState, Summary};
+use robot::Scene;
+use std::collections::BTreeMap;
+use std::ops::Deref;
+use std::sync::{Arc, Mutex};
+
+/// The desk. A clone is the same desk.
+#[derive(Clone, Default)]
+pub(crate) struct Desk(Arc<Fields>);
+
+/// What everything on the page shows.
+#[derive(Default)]
+pub(crate) struct Fields {
+    pub(crate) online: ArcRwSignal<LinkState>,
+    pub(crate) saving: ArcRwSignal<Saving>,
+    pub(crate) me: ArcRwSignal<Option<Person>>,
+    /// Everyone in the open behaviour, this tab included.
+    pub(crate) people: ArcRwSignal<Vec<Person>>,
+    pub(crate) programs: ArcRwSignal<Vec<Summary>>,
+    pub(crate) templates: ArcRwSignal<Vec<Summary>>,
+    pub(crate) open: ArcRwSignal<Option<Id>>,
+    pub(crate) name: ArcRwSignal<String>,
+    pub(crate) revision: ArcRwSignal<u64>,
+    /// In file order; changes only when one is added, removed or moved in order.
+    pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,
+    pub(crate) connector_ids: ArcRwSignal<Vec<Id>>,
+    /// The library, by name.
+    pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
+    pub(crate) problems: ArcRwSignal<Vec<Problem>>,
+    pub(crate) robot: ArcRwSignal<RobotState>,
+    pub(crate) runs: ArcRwSignal<Vec<RunState>>,
+    pub(crate) scene: ArcRwSignal<Scene>,
+    pub(crate) selected: ArcRwSignal<Option<Selected>>,
+    pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
+    pub(crate) notice: ArcRwSignal<Option<Notice>>,
+    pub(crate) can_undo: ArcRwSignal<bool>,
+    pub(crate) can_redo: ArcRwSignal<bool>,
+    /// `performance.now()`, renewed twice a second while the open behaviour runs; for "quiet for 3 s".
+    pub(crate) clock: ArcRwSignal<f64>,
+    state: Mutex<State>,
+}
+
+/// What is not shown itself.
+#[derive(Default)]
+struct State {
+    /// The open behaviour as the server has it.
+    confirmed: Behaviour,
+    library: Behaviour,
+    library_revision: u64,
+    streams: BTreeMap<Id, StreamSignals>,
+    connectors: BTreeMap<Id, ConnectorSignals>,
+    /// Where streams stand that nobody placed.
+    fallback: BTreeMap<Id, Place>,
+    queue: queue::Queue,
+    /// Changes that wait are shown before they are saved only while offline, where the page says that they wait.
+    show_waiting: bool,
+    history: undo::History,
+    /// Which behaviour this tab wants to have open.
+    wanted: Option<Id>,
+    start_when_saved: bool,
+    /// The run the live values belong to.
+    run: u64,
+    pointer: Option<Pointer>,
+    presence_planned: bool,
+}
+
+impl Deref for Desk {
+    type Target = Fields;
+    fn deref(&self) -> &Fields {
+        &self.0
+    }
+}
+
+/// The desk of this page; works in components and in everything they call while they are made.
+pub(crate) fn use_desk() -> Desk {
+    expect_context::<Desk>()
+}
+
+impl Desk {
+    /// Connects, and opens what the address or this browser remembers.
+    pub(crate) fn start_up(&self) {
+        self.restore_queue();
+        self.follow_address();
+        crate::link::start(self.clone());
+        let desk = self.clone();
+        crate::browser::every(500, move || {
+            if desk.run_of_open().is_some() {
+                desk.clock.set(crate::browser::now_ms());
+            }
+        });
+    }
+
+    /// The signals of one stream, none when it is gone.
+    pub(crate) fn stream(&self, id: &Id) -> Option<StreamSignals> {
+        self.state().streams.get(id).cloned()
+    }
+
+    /// The signals of one connector, none when it is gone.
+    pub(crate) fn connector(&self, id: &Id) -> Option<ConnectorSignals> {
+        self.state().connectors.get(id).cloned()
+    }
+
+    /// The open behaviour with what waits to be sent; not reactive (read `revision` for that).
+    pub(crate) fn behaviour(&self) -> Behaviour {
+        let state = self.state();
+        match &state.wanted {
+            Some(open) => state.queue.on_top_of(open, &state.confirmed),
+            None => Behaviour::default(),
+        }
+    }
+
+    /// The run of the open behaviour, if it runs. Reactive.
+    pub(crate) fn running(&self) -> Option<RunState> {
+        self.open.track();
+        self.runs.track();
+        self.run_of_open()
+    }
+
+    fn run_of_open(&self) -> Option<RunState> {
+        let open = self.open.get_untracked()?;
+        let is_it = |run: &&RunState| run.behaviour == open && run.phase == RunPhase::Running;
+        self.runs.with_untracked(|runs| runs.iter().rfind(is_it).cloned())
+    }
+
+    /// Shows one sentence; `bad` for refusals and faults.
+    pub(crate) fn say(&self, text: &str, bad: bool) {
+        let number = self.notice.with_untracked(|now| now.as_ref().map_or(0, |notice| notice.number)) + 1;
+        self.notice.set(Some(Notice { number, text: text.to_owned(), bad }));
+    }
+
+    /// Shows why something was not done.
+    pub(crate) fn say_no(&self, no: &protocol::SaidNo) {
+        self.say(&no.to_string(), true);
+    }
+
+    fn state(&self) -> std::sync::MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+}
+
+/// Sets a signal only if that changes something, so that nothing is drawn twice.
+fn set_if_new<T: PartialEq + Send + Sync + 'static>(signal: &ArcRwSignal<T>, value: T) {
+    if signal.with_untracked(|now| *now != value) {
+        signal.set(value);
+    }
+}
+
+fn new_id() -> Id {
+    Id::from_uuid(uuid::Uuid::new_v4())
+}

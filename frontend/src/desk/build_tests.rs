@@ -1,0 +1,77 @@
+//! What gestures make of a behaviour.
+
+use super::{connected, connector_edited, free_name, renamed_all, sensor, stream_edited, without_stream};
+use crate::desk::{ConnectPlan, Output};
+use behaviour::{Behaviour, Change, Id, Operation, Params, Place, Procedure, Stream, StreamKind};
+use std::collections::BTreeMap;
+
+fn id(text: &str) -> Id {
+    Id::new(text).unwrap()
+}
+
+fn start(op: &str) -> Change {
+    Change::of(id(op), "Aiko", "Test")
+}
+
+fn places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
+    behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).collect()
+}
+
+/// RedBall, filtered to Close, which Tracker follows.
+fn track() -> Behaviour {
+    let mut made = Behaviour::default();
+    made.apply(&sensor(&made, &BTreeMap::new(), start("1"), (&id("ball"), "RedBall", Params::new())));
+    let filter = Operation::Filter(Procedure::body("redBall.size > 0.1"));
+    let output = Output::New { name: "Close".into(), device: None, params: Params::new() };
+    let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output };
+    made.apply(&connected(&made, &places(&made), start("2"), (&id("close"), &id("filter")), plan));
+    let output = Output::New { name: "Tracker".into(), device: Some("Tracker".into()), params: Params::new() };
+    let plan = ConnectPlan { operation: Operation::Subscribe, inputs: vec![id("close")], output };
+    made.apply(&connected(&made, &places(&made), start("3"), (&id("tracker"), &id("subscribe")), plan));
+    made
+}
+
+#[test]
+fn streams_are_made_with_kind_order_and_place() {
+    let made = track();
+    let tracker = made.stream(&id("tracker")).unwrap();
+    assert_eq!((tracker.kind, tracker.order), (StreamKind::Actuator, 3));
+    assert!(made.place(&id("tracker")).unwrap().y > made.place(&id("close")).unwrap().y);
+    assert_eq!(free_name(&made, "Tracker"), "Tracker 2");
+}
+
+#[test]
+fn renaming_a_stream_rewrites_the_bodies_that_use_it() {
+    let mut made = track();
+    let renamed = Stream { name: "Near ball".into(), ..made.stream(&id("ball")).unwrap().clone() };
+    let change = stream_edited(&made, start("4"), &id("ball"), renamed);
+    assert_eq!(change.edits.len(), 2);
+    made.apply(&change);
+    let filter = made.connector(&id("filter")).unwrap();
+    assert_eq!(filter.operation.procedure(), Some(&Procedure::body("nearBall.size > 0.1")));
+}
+
+#[test]
+fn editing_a_connector_may_rename_its_output_in_the_same_change() {
+    let made = track();
+    let filter = Operation::Filter(Procedure::body("redBall.size > 0.2"));
+    let change = connector_edited(&made, start("4"), &id("filter"), (filter, vec![id("ball")]), Some("Very close"));
+    assert_eq!(change.edits.len(), 2);
+}
+
+#[test]
+fn a_removed_stream_takes_its_connectors_along() {
+    let mut made = track();
+    let change = without_stream(&made, start("4"), &id("close"));
+    assert_eq!(change.edits.len(), 4);
+    made.apply(&change);
+    assert_eq!((made.streams().count(), made.connectors().count()), (2, 0));
+    made.apply(&change.swapped(id("5"), "Undo"));
+    assert_eq!(made, track());
+}
+
+#[test]
+fn two_names_may_be_exchanged() {
+    let names = |one: &str, two: &str| [one.to_owned(), two.to_owned()];
+    assert_eq!(renamed_all("a - b", &names("a", "b"), &names("b", "a")), "b - a");
+}

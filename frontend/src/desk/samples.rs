@@ -1,0 +1,71 @@
+//! Live values and runs, put into the signals of their streams and connectors.
+
+use super::{Desk, set_if_new};
+use crate::browser;
+use crate::live::{LIT_MS, LiveConnector, LiveStream};
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{ConnectorSample, RunState, StreamSample, Values};
+
+impl Desk {
+    pub(super) fn hear_runs(&self, runs: Vec<RunState>) {
+        set_if_new(&self.runs, runs);
+        self.clock.set(browser::now_ms());
+        if let Some(run) = self.run_of_open() {
+            self.belong_to(run.run);
+        }
+    }
+
+    pub(super) fn hear_values(&self, values: Values) {
+        self.belong_to(values.run);
+        let now = browser::now_ms();
+        values.streams.into_iter().for_each(|sample| self.hear_stream(sample, now));
+        let fired: Vec<Id> =
+            values.connectors.into_iter().filter_map(|sample| self.hear_connector(sample, now)).collect();
+        if !fired.is_empty() {
+            let desk = self.clone();
+            browser::after(LIT_MS + 10, move || desk.dim(&fired));
+        }
+    }
+
+    /// Values of an earlier run are forgotten when another one begins.
+    fn belong_to(&self, run: u64) {
+        if std::mem::replace(&mut self.state().run, run) == run {
+            return;
+        }
+        let (streams, connectors) = {
+            let state = self.state();
+            let streams: Vec<_> = state.streams.values().map(|signals| signals.live.clone()).collect();
+            let connectors: Vec<_> = state.connectors.values().map(|signals| signals.live.clone()).collect();
+            (streams, connectors)
+        };
+        streams.iter().for_each(|live| set_if_new(live, LiveStream::default()));
+        connectors.iter().for_each(|live| set_if_new(live, LiveConnector::default()));
+    }
+
+    fn hear_stream(&self, sample: StreamSample, now: f64) {
+        if let Some(signals) = self.stream(&sample.stream) {
+            signals.live.update(|live| live.hear(sample, now));
+        }
+    }
+
+    /// The connector's id if it has just passed something on.
+    fn hear_connector(&self, sample: ConnectorSample, now: f64) -> Option<Id> {
+        let signals = self.connector(&sample.connector)?;
+        let id = sample.connector.clone();
+        let fired = signals.live.with_untracked(|live| sample.fired > live.fired);
+        signals.live.update(|live| live.hear(sample, now));
+        fired.then_some(id)
+    }
+
+    /// Ends the light of connectors that have not fired again.
+    fn dim(&self, fired: &[Id]) {
+        let now = browser::now_ms();
+        for signals in fired.iter().filter_map(|id| self.connector(id)) {
+            let old = signals.live.with_untracked(|live| live.lit && now - live.fired_at >= f64::from(LIT_MS));
+            if old {
+                signals.live.update(|live| live.lit = false);
+            }
+        }
+    }
+}

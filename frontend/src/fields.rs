@@ -1,0 +1,11 @@
+//! Form fields: each is a label, a control and, where it helps, a unit.
+
+mod choice;
+mod code;
+mod params;
+mod text;
+
+pub(crate) use choice::{Choice, Options, Select};
+pub(crate) use code::CodeField;
+pub(crate) use params::{ParamFields, ParamForm};
+pub(crate) use text::{NumberField, TextField};

@@ -1,0 +1,115 @@
+//! The icon set: simple strokes on a field of 24, drawn in the colour of the text around them.
+
+use leptos::prelude::*;
+
+/// One icon by name; an unknown name draws a small ring, so that nothing is ever empty.
+#[component]
+pub(crate) fn Icon(name: &'static str) -> impl IntoView {
+    let paths = paths(name);
+    view! {
+        <svg
+            viewBox="0 0 24 24"
+            width="18"
+            height="18"
+            fill="none"
+            stroke="currentColor"
+            stroke-width="1.75"
+            stroke-linecap="round"
+            stroke-linejoin="round"
+            aria-hidden="true"
+            focusable="false"
+        >
+            {paths.iter().map(|path| view! { <path d=*path /> }).collect_view()}
+        </svg>
+    }
+}
+
+/// The icon of a connector, by its word.
+pub(crate) fn connector_icon(word: &str) -> &'static str {
+    match word {
+        "filter" => "filter",
+        "sample" => "sample",
+        "subscribe" => "subscribe",
+        "combineLatest" => "combine",
+        "merge" => "merge",
+        "timestamp" => "timestamp",
+        _ => "map",
+    }
+}
+
+const RING: &str = "M12 4a8 8 0 1 0 0 16a8 8 0 1 0 0-16";
+
+fn paths(name: &str) -> &'static [&'static str] {
+    device_paths(name)
+        .or_else(|| connector_paths(name))
+        .or_else(|| tool_paths(name))
+        .unwrap_or(&["M12 8a4 4 0 1 0 0 8a4 4 0 1 0 0-8"])
+}
+
+fn device_paths(name: &str) -> Option<&'static [&'static str]> {
+    Some(match name {
+        "ball" => &[RING, "M8 10a4.5 4.5 0 0 1 3-3"],
+        "blob" => &["M12 4c5 0 8 3 8 7.5S17 20 12.5 20S4 17.5 4 12.5S7 4 12 4", "M12 9v6", "M9 12h6"],
+        "face" => &[RING, "M9 10h.01", "M15 10h.01", "M8.5 14.5c2 2 5 2 7 0"],
+        "touch" => &["M9 12V5.5a1.5 1.5 0 0 1 3 0V11l5 1.2a2 2 0 0 1 1.5 2.2L18 20H10l-4-5.5a1.4 1.4 0 0 1 2-2L9 13.5"],
+        "joint" => {
+            &["M7 14.5a2.5 2.5 0 1 0 0 5a2.5 2.5 0 1 0 0-5", "M17 4.5a2.5 2.5 0 1 0 0 5a2.5 2.5 0 1 0 0-5", "M9 15l6-6"]
+        }
+        "clock" | "timestamp" => &[RING, "M12 7.5V12l3 2"],
+        "target" => &[RING, "M12 9a3 3 0 1 0 0 6a3 3 0 1 0 0-6", "M12 2v4", "M12 18v4", "M2 12h4", "M18 12h4"],
+        "speech" => &["M4 5h16v11H9l-5 4z"],
+        "light" => &["M12 3a6 6 0 0 1 3.5 10.9V17h-7v-3.1A6 6 0 0 1 12 3", "M10 20.5h4"],
+        "brightness" => &[
+            "M12 8a4 4 0 1 0 0 8a4 4 0 1 0 0-8",
+            "M12 2v2.5M12 19.5V22M2 12h2.5M19.5 12H22M5 5l1.7 1.7M17.3 17.3L19 19M5 19l1.7-1.7M17.3 6.7L19 5",
+        ],
+        "remember" => &["M12 4a4 4 0 1 0 0 8a4 4 0 1 0 0-8", "M4.5 20c.8-4 4-5.5 7.5-5.5", "M15 18l2 2l4-4.5"],
+        "print" => &["M4 5h16v14H4z", "M7.5 9.5h9", "M7.5 13h9", "M7.5 16h5"],
+        _ => return None,
+    })
+}
+
+fn connector_paths(name: &str) -> Option<&'static [&'static str]> {
+    Some(match name {
+        "map" => &["M3 12h5", "M11 9a3 3 0 1 0 0 6a3 3 0 1 0 0-6", "M14 12h6", "M17.5 9l3 3l-3 3"],
+        "filter" => &["M4 5h16l-6 7.5V19l-4-2.2v-4.3z"],
+        "sample" => &["M4 19h16", "M7 19v-6", "M12 19V6", "M17 19v-9"],
+        "subscribe" => &["M12 4v11", "M7.5 11L12 15.5L16.5 11", "M5 20h14"],
+        "combine" => &["M9 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11", "M15 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11"],
+        "merge" => &["M6 4c0 5 6 4 6 9v7", "M18 4c0 5-6 4-6 9"],
+        "fx" => &["M5 19c3 0 3-3 3.6-6.5S9.5 5 13 5", "M5.5 11h6", "M14 12.5l5.5 6.5", "M19.5 12.5L14 19"],
+        _ => return None,
+    })
+}
+
+fn tool_paths(name: &str) -> Option<&'static [&'static str]> {
+    Some(match name {
+        "folder" => &["M3.5 6.5h6l2 2.5h9v9.5h-17z"],
+        "plus" => &["M12 5v14", "M5 12h14"],
+        "minus" => &["M5 12h14"],
+        "trash" => &["M4.5 7h15", "M9.5 7V4.5h5V7", "M6.5 7l1 13h9l1-13", "M10.5 11v5.5", "M13.5 11v5.5"],
+        "bolt" => &["M13 3L5.5 13.5H11L10 21l8-11h-5.5z"],
+        "pencil" => &["M5 19l1-4L16.5 4.5l3 3L9 18z", "M14 7l3 3"],
+        "undo" => &["M8.5 5L4.5 9l4 4", "M4.5 9H14a5 5 0 0 1 0 10h-3"],
+        "redo" => &["M15.5 5l4 4l-4 4", "M19.5 9H10a5 5 0 0 0 0 10h3"],
+        "play" => &["M8 5.5v13l10.5-6.5z"],
+        "stop" => &["M6 6h12v12H6z"],
+        "search" => &["M10.5 4a6.5 6.5 0 1 0 0 13a6.5 6.5 0 1 0 0-13", "M15.5 15.5L20.5 20.5"],
+        "close" => &["M6 6l12 12", "M18 6L6 18"],
+        "warn" => &["M12 4L2.5 20h19z", "M12 10v4.5", "M12 17.3h.01"],
+        "menu" => &["M4 7h16", "M4 12h16", "M4 17h16"],
+        "fit" => &["M4 9V4h5", "M15 4h5v5", "M20 15v5h-5", "M9 20H4v-5"],
+        "eye" => &[
+            "M2.5 12S6 5.5 12 5.5S21.5 12 21.5 12S18 18.5 12 18.5S2.5 12 2.5 12",
+            "M12 9.2a2.8 2.8 0 1 0 0 5.6a2.8 2.8 0 1 0 0-5.6",
+        ],
+        "lock" => &["M5.5 11h13v9h-13z", "M8.5 11V8a3.5 3.5 0 0 1 7 0v3"],
+        "user" => &["M12 4a4 4 0 1 0 0 8a4 4 0 1 0 0-8", "M4.5 20c.8-4 4-5.5 7.5-5.5s6.7 1.5 7.5 5.5"],
+        "check" => &["M5 12.5l4.5 4.5L19 7.5"],
+        "chevron" => &["M7 10l5 5l5-5"],
+        "reset" => &["M5 5v5h5", "M5.5 10a7.5 7.5 0 1 1-1 4"],
+        "help" => &[RING, "M9.7 9.5a2.4 2.4 0 1 1 3.3 2.2c-.7.3-1 .8-1 1.6", "M12 16.3h.01"],
+        "up" => &["M12 19V6", "M6.5 11L12 5.5L17.5 11"],
+        _ => return None,
+    })
+}

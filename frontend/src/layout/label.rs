@@ -1,0 +1,126 @@
+//! The short texts on streams and connectors, and how wide they are about.
+
+use behaviour::{Connector, Operation, Procedure, Stream, Value};
+use robot::{Param, ParamKind};
+
+/// The text of a connector's chip: `filter` and `(distanceToBall < 20)`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct ChipWords {
+    pub(crate) word: String,
+    pub(crate) detail: String,
+}
+
+impl ChipWords {
+    /// Both in one text.
+    pub(crate) fn whole(&self) -> String {
+        format!("{} {}", self.word, self.detail).trim_end().to_owned()
+    }
+}
+
+/// What a connector's chip says.
+pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
+    let detail = match &connector.operation {
+        Operation::Sample { period_ms } => format!("({period_ms} ms)"),
+        operation => match operation.procedure() {
+            Some(Procedure::Helper(name)) => format!("({name})"),
+            Some(Procedure::Body { body, .. }) => format!("({})", one_line(body)),
+            None => String::new(),
+        },
+    };
+    let word =
+        if matches!(connector.operation, Operation::CombineLatest(_)) { "combine" } else { connector.operation.word() };
+    ChipWords { word: word.to_owned(), detail }
+}
+
+fn one_line(body: &str) -> String {
+    let line = body.split_whitespace().collect::<Vec<_>>().join(" ");
+    if line.is_empty() { "…".to_owned() } else { line }
+}
+
+/// The second line of a stream: its device's settings in words, "whole body · left arm".
+pub(crate) fn what_it_is(stream: &Stream) -> String {
+    let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
+    let Some(device) = device else { return String::new() };
+    let words = device.params.iter().filter_map(|param| setting(param, stream.params.get(param.name)));
+    words.collect::<Vec<_>>().join(" · ")
+}
+
+fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
+    let default = param.default();
+    let value = given.unwrap_or(&default);
+    match param.kind {
+        ParamKind::Choice(options) => {
+            let word = options.iter().find(|option| value.as_text() == Some(option.0))?.1;
+            (word != "none").then(|| word.to_owned())
+        }
+        ParamKind::Number { unit, .. } => {
+            let number = value.as_number()?;
+            if *value == default && unit != "ms" {
+                None
+            } else {
+                Some(format!("{number} {unit}").trim_end().to_owned())
+            }
+        }
+        ParamKind::Text { .. } => value.as_text().map(|text| format!("“{text}”")),
+    }
+}
+
+/// How wide a text is at a size in pixels, outside of a browser about; only sizes of boxes depend on it.
+pub(crate) fn text_width(text: &str, size: u32) -> f64 {
+    let about = || text.chars().map(char_width).sum::<f64>() * f64::from(size);
+    crate::browser::text_width(text, size).unwrap_or_else(about)
+}
+
+fn char_width(c: char) -> f64 {
+    match c {
+        'i' | 'j' | 'l' | 'I' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' => 0.3,
+        'f' | 'r' | 't' | ' ' | '(' | ')' | '-' | '·' | '“' | '”' => 0.4,
+        'm' | 'w' | 'M' | 'W' => 0.88,
+        'A'..='Z' => 0.68,
+        c if (c as u32) >= 0x1100 => 1.02,
+        _ => 0.57,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{chip_words, text_width, what_it_is};
+    use behaviour::{Connector, Id, Operation, Procedure, Stream, StreamKind, Value};
+
+    fn chip(operation: Operation) -> String {
+        let id = |name: &str| Id::new(name).unwrap();
+        chip_words(&Connector { operation, inputs: vec![id("a")], output: id("b"), order: 0 }).whole()
+    }
+
+    #[test]
+    fn chips_say_what_they_do() {
+        assert_eq!(chip(Operation::Map(Procedure::Helper("distance".into()))), "map (distance)");
+        assert_eq!(chip(Operation::Filter(Procedure::body("a <\n  20"))), "filter (a < 20)");
+        assert_eq!(chip(Operation::Sample { period_ms: 500 }), "sample (500 ms)");
+        assert_eq!(chip(Operation::Subscribe), "subscribe");
+        assert_eq!(chip(Operation::CombineLatest(Procedure::body(""))), "combine (…)");
+    }
+
+    #[test]
+    fn a_tracker_says_how_it_follows() {
+        let mut stream = Stream {
+            kind: StreamKind::Actuator,
+            name: "Tracker".into(),
+            device: Some("Tracker".into()),
+            params: behaviour::Params::new(),
+            order: 0,
+            resources: None,
+            priority: None,
+            hold_ms: None,
+        };
+        assert_eq!(what_it_is(&stream), "red ball · head");
+        stream.params.insert("mode".into(), Value::text("WholeBody"));
+        stream.params.insert("effector".into(), Value::text("LArm"));
+        assert_eq!(what_it_is(&stream), "red ball · whole body · left arm");
+    }
+
+    #[test]
+    fn japanese_is_wider() {
+        assert!(text_width("赤いボール", 15) > text_width("Balls", 15));
+    }
+}

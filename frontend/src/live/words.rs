@@ -1,0 +1,128 @@
+//! How live values are written in the little room beside a stream.
+
+use behaviour::Value;
+
+/// The most characters of a text or list.
+const SHORT_CHARS: usize = 28;
+
+/// A value in few characters: `14.2`, `x 0.08 · y −0.02 · size 0.07`, `hello`.
+pub(crate) fn short_value(value: &Value) -> String {
+    match value {
+        Value::Null => "nothing".to_owned(),
+        Value::Bool(truth) => truth.to_string(),
+        Value::Int(whole) => whole.to_string().replace('-', "−"),
+        Value::Float(number) => short_number(*number),
+        Value::Text(text) => shortened(text),
+        Value::List(items) => shortened(&items.iter().map(short_value).collect::<Vec<_>>().join(", ")),
+        Value::Map(fields) => {
+            let shown = fields.iter().filter(|(name, value)| &***name != "time" && !is_empty(value));
+            let mut parts: Vec<_> = shown.map(|(name, value)| (rank(name), name, short_field(value))).collect();
+            parts.sort_by_key(|part| part.0);
+            parts.iter().take(3).map(|(_, name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(" · ")
+        }
+    }
+}
+
+/// A field of an object: two decimals are enough.
+fn short_field(value: &Value) -> String {
+    match value {
+        Value::Float(number) if number.abs() < 10.0 => trim_zeros(&format!("{number:.2}")).replace('-', "−"),
+        other => short_value(other),
+    }
+}
+
+/// What people look for first: where, then how large.
+fn rank(field: &str) -> usize {
+    ["label", "x", "y", "z", "d", "size", "value"].iter().position(|known| *known == field).unwrap_or(9)
+}
+
+fn is_empty(value: &Value) -> bool {
+    value.as_text().is_some_and(str::is_empty)
+}
+
+/// A number with three significant digits and a real minus sign.
+fn short_number(number: f64) -> String {
+    if number == 0.0 {
+        return "0".to_owned();
+    }
+    let digits = number.abs().log10().floor() as i32;
+    let text = match digits {
+        6.. | ..=-5 => format!("{number:.2e}"),
+        _ => format!("{number:.*}", usize::try_from(2 - digits).unwrap_or(0).min(4)),
+    };
+    trim_zeros(&text).replace('-', "−")
+}
+
+fn trim_zeros(text: &str) -> &str {
+    if !text.contains('.') || text.contains('e') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.')
+}
+
+fn shortened(text: &str) -> String {
+    let mut chars = text.chars();
+    let start: String = chars.by_ref().take(SHORT_CHARS).collect();
+    if chars.next().is_some() { format!("{start}…") } else { start }
+}
+
+/// Values per second: `14/s`, `0.5/s`, nothing when none come.
+pub(crate) fn rate_words(rate: f32) -> String {
+    match rate {
+        r if r < 0.05 => String::new(),
+        r if r < 2.0 => format!("{r:.1}/s"),
+        r => format!("{r:.0}/s"),
+    }
+}
+
+/// The points of a sparkline in a box of that size; nothing for fewer than three numbers.
+pub(crate) fn sparkline(recent: &[f64], width: f64, height: f64) -> Option<String> {
+    if recent.len() < 3 {
+        return None;
+    }
+    let (low, high) = recent.iter().fold((f64::MAX, f64::MIN), |(low, high), n| (low.min(*n), high.max(*n)));
+    let span = if high - low > 1e-9 { high - low } else { 1.0 };
+    let step = width / (recent.len() - 1) as f64;
+    let point = |(at, n): (usize, &f64)| {
+        let y = if high - low > 1e-9 { height - (n - low) / span * height } else { height / 2.0 };
+        format!("{:.1},{y:.1}", at as f64 * step)
+    };
+    Some(recent.iter().enumerate().map(point).collect::<Vec<_>>().join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{rate_words, short_value, sparkline};
+    use behaviour::Value;
+
+    #[test]
+    fn values_are_short() {
+        let ball: Value = serde_json::from_str(r#"{"size":0.0712,"time":120,"x":0.0834,"y":-0.0211}"#).unwrap();
+        let cases = [
+            (ball, "x 0.08 · y −0.02 · size 0.07"),
+            (Value::Float(14.1999), "14.2"),
+            (Value::Float(0.0), "0"),
+            (Value::Float(1234.5), "1234"),
+            (Value::Float(-2.0), "−2"),
+            (Value::Float(2.5e9), "2.50e9"),
+            (Value::Int(-6), "−6"),
+            (Value::text("a text that is much longer than it may be"), "a text that is much longer t…"),
+            (Value::list([Value::Int(1), Value::Bool(true)]), "1, true"),
+        ];
+        for (value, words) in cases {
+            assert_eq!(short_value(&value), words);
+        }
+    }
+
+    #[test]
+    fn rates_are_short() {
+        assert_eq!([rate_words(14.2), rate_words(0.5), rate_words(0.0)], ["14/s", "0.5/s", ""]);
+    }
+
+    #[test]
+    fn a_sparkline_fills_its_box() {
+        assert_eq!(sparkline(&[0.0, 1.0, 0.5], 10.0, 4.0).unwrap(), "0.0,4.0 5.0,0.0 10.0,2.0");
+        assert_eq!(sparkline(&[1.0, 1.0, 1.0], 10.0, 4.0).unwrap(), "0.0,2.0 5.0,2.0 10.0,2.0");
+        assert_eq!(sparkline(&[1.0, 2.0], 10.0, 4.0), None);
+    }
+}

@@ -1,0 +1,27 @@
+//! Everything around the canvas: the bar, the left list, the right column, dialogs, notices and the outline.
+
+mod dialogs;
+mod empty;
+mod focus;
+mod hold;
+mod inspector;
+mod menu;
+mod notices;
+mod outline;
+mod palette;
+mod people;
+mod problems;
+mod right;
+mod robot_box;
+mod room;
+mod toolbar;
+mod tools;
+mod trials;
+
+pub(crate) use dialogs::Dialogs;
+pub(crate) use empty::EmptyStage;
+pub(crate) use notices::Notices;
+pub(crate) use outline::Outline;
+pub(crate) use palette::Palette;
+pub(crate) use right::RightColumn;
+pub(crate) use toolbar::Toolbar;

@@ -1,0 +1,67 @@
+//! The open dialog. Dialogs stand beside Stop, never over it, and give the keyboard back when they close.
+
+mod frame;
+mod helper;
+mod helpers;
+mod names;
+mod operation;
+mod other;
+mod programs;
+mod sensors;
+mod stream;
+
+use super::focus;
+use super::hold::hold;
+use crate::desk::Dialog;
+use leptos::prelude::*;
+use web_sys::HtmlElement;
+
+/// The open dialog, if any.
+#[component]
+pub(crate) fn Dialogs() -> impl IntoView {
+    let desk = hold();
+    let open = Memo::new(move |_| desk.desk().dialog.get());
+    give_focus_back(open);
+    move || open.get().map(content)
+}
+
+fn content(dialog: Dialog) -> AnyView {
+    match dialog {
+        Dialog::Operation { input, connector, kind } => {
+            view! { <operation::Operation input connector kind /> }.into_any()
+        }
+        Dialog::EditStream(id) => view! { <stream::EditStream id /> }.into_any(),
+        Dialog::AddSensor => view! { <sensors::AddSensor /> }.into_any(),
+        Dialog::Helper(id) => view! { <helper::EditHelper id /> }.into_any(),
+        Dialog::Helpers => view! { <helpers::Helpers /> }.into_any(),
+        Dialog::Programs => view! { <programs::Programs /> }.into_any(),
+        Dialog::AddProgram => view! { <names::AddProgram /> }.into_any(),
+        Dialog::RemoveProgram => view! { <names::RemoveProgram /> }.into_any(),
+        Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),
+        Dialog::MyName => view! { <names::MyName /> }.into_any(),
+        Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
+        Dialog::Problems => view! { <other::AllProblems /> }.into_any(),
+        Dialog::Help => view! { <other::Help /> }.into_any(),
+    }
+}
+
+/// Remembers who had the keyboard when a dialog opened, and gives it back when the last one has closed.
+fn give_focus_back(open: Memo<Option<Dialog>>) {
+    let before: StoredValue<Option<HtmlElement>, LocalStorage> = StoredValue::new_local(None);
+    Effect::new(move |was_open: Option<bool>| {
+        let is_open = open.read().is_some();
+        match (was_open.unwrap_or_default(), is_open) {
+            (false, true) => before.set_value(focus::active()),
+            (true, false) => give_back(before.get_value()),
+            _ => {}
+        }
+        is_open
+    });
+}
+
+fn give_back(to: Option<HtmlElement>) {
+    let there = to.filter(|element| element.is_connected() && element.tag_name() != "BODY");
+    if let Some(element) = there.or_else(|| focus::by_id("stage")) {
+        focus::focus(&element);
+    }
+}

@@ -1,0 +1,154 @@
+//! The frame of every dialog: title, contents, feet; Escape closes, Tab stays inside and also reaches Stop.
+
+use crate::icons::Icon;
+use crate::panels::focus;
+use crate::panels::hold::{Hold, hold};
+use crate::words;
+use leptos::html::Div;
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+use web_sys::{HtmlElement, KeyboardEvent};
+
+const TITLE_ID: &str = "dialog-title";
+/// What gets the keyboard first, best first.
+const FIRST: [&str; 3] = [
+    "[data-first]",
+    ".dialog-body input:not([type='radio']):not(:disabled), .dialog-body input:checked, .dialog-body select",
+    ".dialog-body button, button[type='submit']",
+];
+
+/// The frame of a dialog. `save` is called for Enter and the Save button, wherever that is.
+#[component]
+pub(super) fn Frame(
+    #[prop(into)] title: String,
+    #[prop(optional)] narrow: bool,
+    save: Callback<()>,
+    children: Children,
+) -> impl IntoView {
+    let desk = hold();
+    let dialog = NodeRef::<Div>::new();
+    Effect::new(move |_| {
+        if dialog.get().is_some() {
+            let _ = request_animation_frame(move || focus_first(dialog));
+        }
+    });
+    watch_keys_outside(desk, dialog);
+    let keys = move |event: KeyboardEvent| {
+        if (event.ctrl_key() || event.meta_key()) && event.key() == "Enter" {
+            event.prevent_default();
+            save.run(());
+        }
+        trap(&event, desk, dialog);
+        event.stop_propagation();
+    };
+    let submit = move |event: leptos::ev::SubmitEvent| {
+        event.prevent_default();
+        save.run(());
+    };
+    view! {
+        <div class="veil" aria-hidden="true" on:pointerdown=move |_| close(desk)></div>
+        <div class="dialog-place">
+            <div class="dialog" class:narrow=narrow role="dialog" aria-labelledby=TITLE_ID tabindex="-1" node_ref=dialog
+                on:keydown=keys>
+                <form class="dialog-form" novalidate=true autocomplete="off" on:submit=submit>
+                    <div class="dialog-head">
+                        <h2 id=TITLE_ID>{title}</h2>
+                        <button class="tool icon" type="button" data-close="" title=words::close()
+                            aria-label=words::close() on:click=move |_| close(desk)>
+                            <Icon name="close" />
+                        </button>
+                    </div>
+                    {children()}
+                </form>
+            </div>
+        </div>
+    }
+}
+
+/// The feet of a dialog that saves something: Close, Save, and perhaps something apart.
+#[component]
+pub(super) fn Feet(
+    #[prop(default = words::save())] save: &'static str,
+    #[prop(optional)] busy: Option<RwSignal<bool>>,
+    #[prop(optional)] children: Option<Children>,
+) -> impl IntoView {
+    let desk = hold();
+    view! {
+        <div class="dialog-feet">
+            {children.map(|children| children())}
+            <button class="button" type="button" on:click=move |_| close(desk)>{words::close()}</button>
+            <button class="button primary" type="submit" disabled=move || busy.is_some_and(|busy| busy.get())>{save}</button>
+        </div>
+    }
+}
+
+/// Why it could not be saved, in one sentence.
+#[component]
+pub(super) fn Refused(why: RwSignal<Option<String>>) -> impl IntoView {
+    view! {
+        <div role="alert">
+            <Show when=move || why.read().is_some()>
+                <p class="refusal">{move || why.get()}</p>
+            </Show>
+        </div>
+    }
+}
+
+/// Closes the open dialog.
+pub(super) fn close(desk: Hold) {
+    desk.desk().dialog.set(None);
+}
+
+fn focus_first(dialog: NodeRef<Div>) {
+    let Some(dialog) = dialog.try_get_untracked().flatten() else { return };
+    if focus::active().is_some_and(|active| dialog.contains(Some(&active))) {
+        return;
+    }
+    let found = FIRST.iter().find_map(|selector| focus::all(&dialog, selector).into_iter().next());
+    match found.filter(|_| !focus::is_coarse()) {
+        Some(first) => focus::focus(&first),
+        None => focus::focus(dialog.unchecked_ref::<HtmlElement>()),
+    }
+}
+
+/// Keys while Stop or nothing has the keyboard.
+fn watch_keys_outside(desk: Hold, dialog: NodeRef<Div>) {
+    let handle = window_event_listener(leptos::ev::keydown, move |event| {
+        let inside = event.target().and_then(|target| target.dyn_into::<web_sys::Node>().ok());
+        let inside = dialog.get_untracked().is_some_and(|dialog| dialog.contains(inside.as_ref()));
+        if !inside {
+            trap(&event, desk, dialog);
+        }
+    });
+    on_cleanup(move || handle.remove());
+}
+
+fn trap(event: &KeyboardEvent, desk: Hold, dialog: NodeRef<Div>) {
+    match event.key().as_str() {
+        "Escape" if !event.is_composing() => close(desk),
+        "Tab" => {
+            if let Some(dialog) = dialog.get_untracked() {
+                event.prevent_default();
+                step(&dialog, event.shift_key());
+            }
+        }
+        _ => {}
+    }
+}
+
+/// To the next thing in the dialog, or to Stop, round and round.
+fn step(dialog: &HtmlElement, back: bool) {
+    let mut ring = focus::focusable(dialog);
+    ring.extend(focus::by_id("stop"));
+    let now = focus::active();
+    let at = ring.iter().position(|element| Some(element) == now.as_ref());
+    let next = match (at, back) {
+        (Some(at), false) => (at + 1) % ring.len(),
+        (Some(at), true) => (at + ring.len() - 1) % ring.len(),
+        (None, false) => 0,
+        (None, true) => ring.len() - 1,
+    };
+    if let Some(element) = ring.get(next) {
+        focus::focus(element);
+    }
+}

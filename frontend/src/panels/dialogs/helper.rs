@@ -1,0 +1,172 @@
+//! One helper of the library: name, parameters, body, sentence, and where it is used.
+
+use super::frame::{Feet, Frame, Refused};
+use super::stream::answered;
+use crate::fields::{CodeField, TextField};
+use crate::panels::hold::{Hold, Soon, hold};
+use crate::panels::palette::users_of;
+use crate::words;
+use behaviour::{Helper, Id};
+use leptos::prelude::*;
+
+/// How soon a body is looked at while it is typed, in milliseconds.
+const SOON_MS: i32 = 200;
+
+#[derive(Clone, Copy)]
+struct Fields {
+    id: StoredValue<Option<Id>>,
+    name: RwSignal<String>,
+    params: RwSignal<String>,
+    body: RwSignal<String>,
+    says: RwSignal<String>,
+    refusal: RwSignal<Option<String>>,
+    busy: RwSignal<bool>,
+}
+
+/// A helper, or a new one.
+#[component]
+pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
+    let desk = hold();
+    let all = desk.desk().helpers.get_untracked();
+    let found = all.into_iter().find(|(other, _)| Some(other) == id.as_ref()).map(|(_, helper)| helper);
+    let is_there = found.is_some();
+    let fields = Fields::of(id, found);
+    let arguments = Signal::derive(move || params(&fields.params.read()));
+    let save = Callback::new(move |()| save(desk, fields));
+    let title = if is_there { words::edit_helper() } else { words::add_helper() };
+    view! {
+        <Frame title save>
+            <div class="dialog-body">
+                <TextField label=words::helper_name() value=fields.name mono=true />
+                <TextField label=words::helper_params() value=fields.params mono=true />
+                <div class="field">
+                    <span class="label">{words::body()}</span>
+                    <CodeField label=words::body() value=fields.body arguments described_by="helper-said" />
+                    <Lint fields arguments />
+                </div>
+                <TextField label=words::helper_says() value=fields.says />
+                {is_there.then(|| view! { <Users fields /> })}
+                <Refused why=fields.refusal />
+            </div>
+            <Feet busy=fields.busy>{is_there.then(|| view! { <Remove fields /> })}</Feet>
+        </Frame>
+    }
+}
+
+impl Fields {
+    fn of(id: Option<Id>, helper: Option<Helper>) -> Self {
+        let empty = || Helper {
+            name: String::new(),
+            params: vec!["value".to_owned()],
+            body: String::new(),
+            says: String::new(),
+        };
+        let helper = helper.unwrap_or_else(empty);
+        Self {
+            id: StoredValue::new(id),
+            name: RwSignal::new(helper.name),
+            params: RwSignal::new(helper.params.join(", ")),
+            body: RwSignal::new(helper.body),
+            says: RwSignal::new(helper.says),
+            refusal: RwSignal::new(None),
+            busy: RwSignal::new(false),
+        }
+    }
+}
+
+fn params(text: &str) -> Vec<String> {
+    text.split(',').map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect()
+}
+
+fn save(desk: Hold, fields: Fields) {
+    fields.refusal.set(None);
+    let helper = Helper {
+        name: fields.name.get_untracked().trim().to_owned(),
+        params: params(&fields.params.get_untracked()),
+        body: fields.body.get_untracked().trim().to_owned(),
+        says: fields.says.get_untracked().trim().to_owned(),
+    };
+    if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !behaviour::is_identifier(name))
+    {
+        fields.refusal.set(Some(behaviour::Refusal::Identifier(bad.clone()).to_string()));
+        return;
+    }
+    let answered = answered(&desk.desk(), fields.refusal, fields.busy);
+    desk.desk().put_helper(fields.id.get_value(), helper, answered);
+}
+
+/// Says while typing why the body cannot run.
+#[component]
+fn Lint(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
+    let desk = hold();
+    let why = ArcRwSignal::new(None::<String>);
+    let said = why.clone();
+    let soon = Soon::new(move || {
+        let (Some(body), Some(arguments)) = (fields.body.try_get_untracked(), arguments.try_get_untracked()) else {
+            return;
+        };
+        let said = said.clone();
+        if body.trim().is_empty() {
+            said.set(None);
+        } else {
+            desk.desk().check_body(arguments, body, Vec::new(), move |(error, _)| said.set(error));
+        }
+    });
+    Effect::new(move |_| {
+        fields.body.track();
+        arguments.track();
+        soon.within(SOON_MS);
+    });
+    view! {
+        <div role="status" id="helper-said">
+            {move || why.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
+        </div>
+    }
+}
+
+/// Where the helper is used in the open program.
+#[component]
+fn Users(fields: Fields) -> impl IntoView {
+    let desk = hold();
+    let name = fields.name.get_untracked();
+    let users = move || {
+        let desk_now = desk.desk();
+        let label = |id: Id| {
+            let connector = desk_now.connector(&id)?.record.get();
+            let output = desk_now.stream(&connector.output)?.record.get().name;
+            Some(format!("{} → {output}", words::connector_word(connector.operation.word())))
+        };
+        users_of(desk, &name).into_iter().filter_map(label).collect::<Vec<_>>()
+    };
+    let text = move || match users() {
+        users if users.is_empty() => words::used_nowhere().to_owned(),
+        users => format!("{} {}", words::used_by(), users.join(", ")),
+    };
+    view! { <p class="second">{text}</p> }
+}
+
+#[component]
+fn Remove(fields: Fields) -> impl IntoView {
+    let desk = hold();
+    let remove = move |_| {
+        let Some(id) = fields.id.get_value() else { return };
+        let answered = answered(&desk.desk(), fields.refusal, fields.busy);
+        desk.desk().remove_helper(&id, answered);
+    };
+    view! {
+        <button class="button danger apart" type="button" disabled=move || fields.busy.get() on:click=remove>
+            {words::remove()}
+        </button>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::params;
+
+    #[test]
+    fn parameters_are_read_with_or_without_spaces() {
+        assert_eq!(params(" ball,d ,, x"), ["ball", "d", "x"]);
+        assert!(params(" ").is_empty());
+    }
+}

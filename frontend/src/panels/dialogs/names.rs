@@ -1,0 +1,94 @@
+//! Dialogs about names: Add a program, Remove program, rename it, and one's own name.
+
+use super::frame::{Feet, Frame, close};
+use crate::fields::TextField;
+use crate::panels::hold::hold;
+use crate::words;
+use leptos::prelude::*;
+
+/// Add a program.
+#[component]
+pub(super) fn AddProgram() -> impl IntoView {
+    let desk = hold();
+    let name = RwSignal::new(words::new_behaviour().to_owned());
+    let save = Callback::new(move |()| {
+        let name = name.get_untracked().trim().to_owned();
+        if !name.is_empty() {
+            desk.desk().create_program(&name, None);
+            close(desk);
+        }
+    });
+    view! {
+        <Frame title=words::add_program() narrow=true save>
+            <div class="dialog-body"><TextField label=words::name() value=name /></div>
+            <Feet save=words::create() />
+        </Frame>
+    }
+}
+
+/// Remove program: names it and says where it goes.
+#[component]
+pub(super) fn RemoveProgram() -> impl IntoView {
+    let desk = hold();
+    let name = desk.desk().name.get_untracked();
+    let runs = move || desk.desk().running().is_some();
+    let save = Callback::new(move |()| {
+        let open = desk.desk().open.get_untracked();
+        if let Some(id) = open.filter(|_| !untrack(runs)) {
+            desk.desk().remove_program(&id);
+            close(desk);
+        }
+    });
+    view! {
+        <Frame title=words::remove_question(&name) narrow=true save>
+            <div class="dialog-body">
+                <p>{words::to_the_bin()}</p>
+                <Show when=runs><p class="refusal" role="alert">{words::remove_running()}</p></Show>
+            </div>
+            <Feet save=words::remove() />
+        </Frame>
+    }
+}
+
+/// Another name for the open program.
+#[component]
+pub(super) fn RenameProgram() -> impl IntoView {
+    let desk = hold();
+    let name = RwSignal::new(desk.desk().name.get_untracked());
+    let save = Callback::new(move |()| {
+        let name = name.get_untracked().trim().to_owned();
+        if !name.is_empty() {
+            desk.desk().rename_program(&name);
+            close(desk);
+        }
+    });
+    view! {
+        <Frame title=words::rename_program() narrow=true save>
+            <div class="dialog-body"><TextField label=words::name() value=name /></div>
+            <Feet />
+        </Frame>
+    }
+}
+
+/// What the others see as one's name.
+#[component]
+pub(super) fn MyName() -> impl IntoView {
+    let desk = hold();
+    let me = desk.desk().me.get_untracked();
+    let name = RwSignal::new(me.map(|me| me.name).unwrap_or_default());
+    let save = Callback::new(move |()| {
+        let name = name.get_untracked().trim().to_owned();
+        if !name.is_empty() {
+            desk.desk().set_my_name(&name);
+            close(desk);
+        }
+    });
+    view! {
+        <Frame title=words::my_name() narrow=true save>
+            <div class="dialog-body">
+                <TextField label=words::name() value=name hint=words::my_name_hint() max_chars=40 />
+            </div>
+            <Feet />
+        </Frame>
+    }
+}

@@ -1,0 +1,103 @@
+//! Unsaved text is kept for its stream until it is saved, even over a reload.
+
+use super::form::{Form, known};
+use crate::browser::Keep;
+use crate::words;
+use leptos::prelude::*;
+use serde::{Deserialize, Serialize};
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Draft {
+    kind: String,
+    way: String,
+    body: String,
+    helper: String,
+    period: String,
+    name: String,
+}
+
+fn key(form: Form) -> String {
+    let about = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| id.to_string()));
+    let about = about.unwrap_or_else(|| form.source.get_value().to_string());
+    format!("rrp.draft.{about}")
+}
+
+fn read(form: Form) -> Draft {
+    Draft {
+        kind: form.kind.get().to_owned(),
+        way: form.way.get(),
+        body: form.body.get(),
+        helper: form.helper.get(),
+        period: form.period.get(),
+        name: form.name.get(),
+    }
+}
+
+/// Shows the draft of last time, then keeps what changes.
+pub(super) fn keep(form: Form) {
+    let key = key(form);
+    let first: StoredValue<Option<Draft>> = StoredValue::new(None);
+    form.untouched.set_value(Some(untrack(|| read(form))));
+    restore(form, &key);
+    Effect::new(move |_| {
+        let now = read(form);
+        let Some(was) = first.get_value() else {
+            first.set_value(Some(now));
+            return;
+        };
+        if was.body != now.body || was.way != now.way || was.period != now.period || was.kind != now.kind {
+            put(&key, &now);
+        }
+    });
+}
+
+fn put(key: &str, draft: &Draft) {
+    if let Ok(text) = serde_json::to_string(draft) {
+        Keep::Tab.put(key, &text);
+    }
+}
+
+/// A draft is offered where it belongs: for the same connector, or for a new one of the same word.
+fn restore(form: Form, key: &str) {
+    let Some(draft) = Keep::Tab.get(key).and_then(|text| serde_json::from_str::<Draft>(&text).ok()) else { return };
+    if (!form.is_edit() && draft.kind != form.kind.get_untracked()) || draft.body.trim().is_empty() {
+        return;
+    }
+    show(form, draft);
+    form.from_draft.set(true);
+}
+
+fn show(form: Form, draft: Draft) {
+    form.kind.set(known(&draft.kind));
+    form.way.set(draft.way);
+    form.body.set(draft.body);
+    form.helper.set(draft.helper);
+    form.period.set(draft.period);
+    form.name.set(draft.name);
+}
+
+/// Forgets the draft: it is saved, or not wanted.
+pub(super) fn forget(form: Form) {
+    Keep::Tab.drop(&key(form));
+}
+
+/// Says that a draft is shown, and offers to start over.
+#[component]
+pub(super) fn Found(form: Form) -> impl IntoView {
+    let over = move |_| {
+        forget(form);
+        form.from_draft.set(false);
+        if let Some(first) = form.untouched.get_value() {
+            show(form, first);
+        }
+    };
+    view! {
+        <Show when=move || form.from_draft.get()>
+            <p class="second">
+                {words::draft_found()}
+                " "
+                <button class="link" type="button" on:click=over>{words::start_over()}</button>
+            </p>
+        </Show>
+    }
+}

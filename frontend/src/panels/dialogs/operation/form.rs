@@ -1,0 +1,145 @@
+//! What a person has chosen in the Operation dialog so far.
+
+use super::draft::Draft;
+use crate::fields::ParamForm;
+use crate::panels::hold::Hold;
+use behaviour::{Connector, Id, Operation, Procedure};
+use leptos::prelude::*;
+
+/// The connectors in the thesis's order, merge added.
+pub(super) const KINDS: [&str; 7] = ["sample", "subscribe", "filter", "map", "combineLatest", "merge", "timestamp"];
+
+const PERIOD_MS: u64 = 1_000;
+
+/// The dialog's state; a copy is the same dialog.
+#[derive(Clone, Copy)]
+pub(super) struct Form {
+    pub(super) desk: Hold,
+    /// The connector that is edited; none for a new one.
+    pub(super) edits: StoredValue<Option<(Id, Connector)>>,
+    /// The stream it was opened for.
+    pub(super) source: StoredValue<Id>,
+    pub(super) kind: RwSignal<&'static str>,
+    /// In order; the first is the stream it was opened for.
+    pub(super) inputs: RwSignal<Vec<Id>>,
+    /// `body` or `helper`.
+    pub(super) way: RwSignal<String>,
+    pub(super) body: RwSignal<String>,
+    pub(super) helper: RwSignal<String>,
+    pub(super) period: RwSignal<String>,
+    pub(super) name: RwSignal<String>,
+    /// The name that was offered last; another one was typed.
+    pub(super) offered: RwSignal<String>,
+    /// `new:Tracker`, or `id:…` of an actuator stream that is there.
+    pub(super) actuator: RwSignal<String>,
+    pub(super) params: RwSignal<Option<ParamForm>>,
+    pub(super) refusal: RwSignal<Option<String>>,
+    pub(super) busy: RwSignal<bool>,
+    /// Whether a draft of last time is shown.
+    pub(super) from_draft: RwSignal<bool>,
+    /// What was there before anybody typed.
+    pub(super) untouched: StoredValue<Option<Draft>>,
+}
+
+impl Form {
+    pub(super) fn new(desk: Hold, source: Id, edits: Option<(Id, Connector)>, kind: &'static str) -> Self {
+        let connector = edits.as_ref().map(|(_, connector)| connector.clone());
+        let operation = connector.as_ref().map(|connector| connector.operation.clone());
+        let (way, body, helper) = procedure_texts(operation.as_ref());
+        let period = match operation {
+            Some(Operation::Sample { period_ms }) => period_ms,
+            _ => PERIOD_MS,
+        };
+        let name = connector.as_ref().and_then(|connector| desk.desk().stream(&connector.output));
+        let name = name.map(|signals| signals.record.get_untracked().name).unwrap_or_default();
+        let inputs = connector.map_or_else(|| vec![source.clone()], |connector| connector.inputs);
+        let form = Self {
+            desk,
+            edits: StoredValue::new(edits),
+            source: StoredValue::new(source),
+            kind: RwSignal::new(known(kind)),
+            inputs: RwSignal::new(inputs),
+            way: RwSignal::new(way.to_owned()),
+            body: RwSignal::new(body),
+            helper: RwSignal::new(helper),
+            period: RwSignal::new(period.to_string()),
+            name: RwSignal::new(name),
+            offered: RwSignal::new(String::new()),
+            actuator: RwSignal::new(super::actuator::first_choice()),
+            params: RwSignal::new(None),
+            refusal: RwSignal::new(None),
+            busy: RwSignal::new(false),
+            from_draft: RwSignal::new(false),
+            untouched: StoredValue::new(None),
+        };
+        form.offer_names();
+        form
+    }
+
+    pub(super) fn is_edit(&self) -> bool {
+        self.edits.with_value(Option::is_some)
+    }
+
+    /// Another connector; one that takes one stream keeps the first.
+    pub(super) fn choose(&self, kind: &'static str) {
+        if !matches!(kind, "combineLatest" | "merge") {
+            self.inputs.update(|inputs| inputs.truncate(1));
+        }
+        if self.inputs.read_untracked().is_empty() {
+            self.inputs.set(vec![self.source.get_value()]);
+        }
+        self.kind.set(kind);
+    }
+
+    /// The argument names of the body. Reactive.
+    pub(super) fn arguments(&self) -> Vec<String> {
+        let inputs = self.inputs.get();
+        if let Some(given) = self.given_arguments(&inputs) {
+            return given;
+        }
+        let desk = self.desk.desk();
+        let names = inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.clone()));
+        let names: Vec<String> = names.collect();
+        behaviour::argument_names(names.iter().map(String::as_str))
+    }
+
+    /// Argument names that the edited connector has of its own.
+    pub(super) fn given_arguments(&self, inputs: &[Id]) -> Option<Vec<String>> {
+        self.edits.with_value(|edits| {
+            let (_, connector) = edits.as_ref().filter(|(_, connector)| connector.inputs == inputs)?;
+            match connector.operation.procedure()? {
+                Procedure::Body { args, .. } => args.clone(),
+                Procedure::Helper(_) => None,
+            }
+        })
+    }
+
+    /// Offers a free name for the output stream until a person types one.
+    fn offer_names(self) {
+        if self.is_edit() {
+            return;
+        }
+        Effect::new(move |_| {
+            let base = super::saving::name_base(self);
+            let name = self.desk.desk().name_for(&base);
+            let typed = self.name.get_untracked();
+            if typed.is_empty() || typed == self.offered.get_untracked() {
+                self.name.set(name.clone());
+                self.offered.set(name);
+            }
+        });
+    }
+}
+
+/// One of the words of [`KINDS`].
+pub(super) fn known(kind: &str) -> &'static str {
+    KINDS.into_iter().find(|known| *known == kind).unwrap_or("map")
+}
+
+fn procedure_texts(operation: Option<&Operation>) -> (&'static str, String, String) {
+    match operation.and_then(Operation::procedure) {
+        Some(Procedure::Body { body, .. }) => ("body", body.clone(), String::new()),
+        Some(Procedure::Helper(name)) => ("helper", String::new(), name.clone()),
+        None => ("body", String::new(), String::new()),
+    }
+}

@@ -1,0 +1,153 @@
+//! Body or Helper, with the box, what it makes of real values, and offers of the right spelling.
+
+use super::form::Form;
+use crate::fields::{CodeField, Options, Select};
+use crate::panels::trials::{self, Question, TrialLine};
+use crate::words;
+use behaviour::{Helper, StreamKind};
+use leptos::prelude::*;
+
+/// Body or Helper.
+#[component]
+pub(super) fn ProcedureFields(form: Form) -> impl IntoView {
+    let question = Memo::new(move |_| question(form));
+    let answers = trials::ask(question);
+    let error = answers.error.clone();
+    let by_helper = move || form.way.get() == "helper";
+    let fitting = Memo::new(move |_| fitting(form));
+    Effect::new(move |_| choose_fitting(form, &fitting.get()));
+    view! {
+        <Way form />
+        <Show when=move || !by_helper()><Body form /></Show>
+        <Show when=by_helper>
+            <Show when=move || !fitting.read().is_empty() fallback=|| view! { <p class="second">{words::no_fitting_helper()}</p> }>
+                <HelperFields form fitting />
+            </Show>
+        </Show>
+        <div role="status" id="body-said">
+            <TrialLine answers />
+            {move || error.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
+        </div>
+    }
+}
+
+#[component]
+fn Way(form: Form) -> impl IntoView {
+    let radio = move |way: &'static str, label: &'static str| {
+        view! {
+            <label class="radio">
+                <input type="radio" name="way" value=way prop:checked=move || *form.way.read() == way
+                    on:change=move |_| form.way.set(way.to_owned()) />
+                <span>{label}</span>
+            </label>
+        }
+    };
+    view! {
+        <fieldset class="field">
+            <legend class="sr">{words::procedure()}</legend>
+            <div class="radios">{radio("body", words::body())} {radio("helper", words::helper())}</div>
+        </fieldset>
+    }
+}
+
+#[component]
+fn Body(form: Form) -> impl IntoView {
+    let arguments = Signal::derive(move || form.arguments());
+    view! {
+        <div class="field">
+            <span class="label">{words::parameters()}" "<code>{move || arguments.get().join(", ")}</code></span>
+            <CodeField label=words::body() value=form.body arguments described_by="body-said" />
+            <Spellings form arguments />
+            <FieldNames form />
+        </div>
+    }
+}
+
+/// The right spelling of an argument, with one tap.
+#[component]
+fn Spellings(form: Form, arguments: Signal<Vec<String>>) -> impl IntoView {
+    let offers = Memo::new(move |_| behaviour::shown_spellings(&form.body.read(), &arguments.read()));
+    let offer = move |(written, right): (String, String)| {
+        let label = words::spelling(&written, &right);
+        let mend = move |_| form.body.update(|body| *body = behaviour::rename_identifier(body, &written, &right));
+        view! { <button class="button small" type="button" on:click=mend>{label}</button> }
+    };
+    view! {
+        <Show when=move || !offers.read().is_empty()>
+            <div class="offers">{move || offers.get().into_iter().map(offer).collect_view()}</div>
+        </Show>
+    }
+}
+
+/// The fields of what a sense gives, each added to the body with one tap.
+#[component]
+fn FieldNames(form: Form) -> impl IntoView {
+    let fields = move || {
+        let desk = form.desk.desk();
+        let inputs = form.inputs.get();
+        let shape = |id: &behaviour::Id| {
+            let record = desk.stream(id)?.record.get();
+            robot::device(StreamKind::Sensor, record.device.as_deref()?).ok().map(|device| device.shape)
+        };
+        let named: Vec<_> = inputs.iter().map(shape).zip(form.arguments()).collect();
+        named.into_iter().flat_map(|(shape, argument)| names(shape, &argument)).collect::<Vec<_>>()
+    };
+    let button = move |(text, says): (String, String)| {
+        let added = text.clone();
+        let add = move |_| form.body.update(|body| body.push_str(&added));
+        view! { <button class="field-name" type="button" title=says on:click=add><code>{text}</code></button> }
+    };
+    view! { <div class="offers">{move || fields().into_iter().map(button).collect_view()}</div> }
+}
+
+fn names(shape: Option<robot::Shape>, argument: &str) -> Vec<(String, String)> {
+    let fields = shape.as_ref().map_or(&[][..], robot::Shape::fields);
+    let name = |field: &robot::Field| {
+        (format!("{argument}.{}", field.name), words::field_of(argument, field.name, field.says))
+    };
+    fields.iter().map(name).collect()
+}
+
+/// Helpers with as many parameters as there are inputs. Reactive.
+fn fitting(form: Form) -> Vec<Helper> {
+    let count = form.inputs.read().len();
+    let helpers = form.desk.desk().helpers.get();
+    helpers.into_iter().map(|(_, helper)| helper).filter(|helper| helper.params.len() == count).collect()
+}
+
+/// Chooses a helper that fits once Helper is chosen: the shortest name, as it is the most general.
+fn choose_fitting(form: Form, fitting: &[Helper]) {
+    let now = form.helper.get_untracked();
+    if fitting.iter().all(|helper| helper.name != now) {
+        let first = fitting.iter().min_by_key(|helper| helper.name.len());
+        form.helper.set(first.map(|helper| helper.name.clone()).unwrap_or_default());
+    }
+}
+
+#[component]
+fn HelperFields(form: Form, fitting: Memo<Vec<Helper>>) -> impl IntoView {
+    let options = Signal::derive(move || {
+        let option =
+            |helper: Helper| (helper.name.clone(), words::helper_item(&helper.name, &helper.params.join(", ")));
+        fitting.get().into_iter().map(option).collect::<Options>()
+    });
+    let says = move || {
+        let name = form.helper.get();
+        fitting.get().into_iter().find(|helper| helper.name == name).map(|helper| helper.says)
+    };
+    view! {
+        <Select label=words::helper() options value=form.helper />
+        <p class="second">{says}</p>
+    }
+}
+
+/// What the procedure is asked now. Reactive.
+fn question(form: Form) -> Option<Question> {
+    let (inputs, is_test) = (form.inputs.get(), form.kind.get() == "filter");
+    if form.way.get() == "helper" {
+        let name = form.helper.get();
+        let helper = fitting(form).into_iter().find(|helper| helper.name == name)?;
+        return Some(Question { arguments: helper.params, body: helper.body, inputs, is_test });
+    }
+    Some(Question { arguments: form.arguments(), body: form.body.get(), inputs, is_test })
+}

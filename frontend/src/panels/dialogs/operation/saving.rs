@@ -1,0 +1,154 @@
+//! From the form to a connector: checked here as far as the page can, decided by the server.
+
+use super::actuator::{Chosen, chosen};
+use super::draft;
+use super::form::Form;
+use crate::desk::{ConnectPlan, Dialog, LinkState, Output};
+use crate::words;
+use behaviour::{Operation, Params, Procedure, RATE_MS, Refusal};
+use leptos::prelude::*;
+use protocol::SaidNo;
+
+/// Saves what was chosen, or says why not.
+pub(super) fn save(form: Form) {
+    if form.busy.get_untracked() {
+        return;
+    }
+    form.refusal.set(None);
+    let tried = untrack(|| if form.is_edit() { edit(form) } else { connect(form) });
+    if let Err(why) = tried {
+        form.refusal.set(Some(why));
+    }
+}
+
+fn connect(form: Form) -> Result<(), String> {
+    let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)? };
+    let answered = answered(form);
+    form.desk.desk().connect(plan, answered);
+    Ok(())
+}
+
+fn edit(form: Form) -> Result<(), String> {
+    let (id, connector) = form.edits.get_value().ok_or_else(|| words::stream_gone().to_owned())?;
+    let operation = operation(form)?;
+    let name = named(form)?;
+    let before = form.desk.desk().stream(&connector.output).map(|signals| signals.record.get_untracked().name);
+    let renamed = Some(name.as_str()).filter(|name| before.as_deref() != Some(*name));
+    let answered = answered(form);
+    form.desk.desk().edit_connector(&id, operation, form.inputs.get(), renamed, answered);
+    Ok(())
+}
+
+/// What happens with the answer: the dialog closes, or says why not. Without a connection the change waits and is
+/// shown already, so the dialog closes at once.
+fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
+    let desk = form.desk.desk();
+    let mine = desk.dialog.get_untracked();
+    let close = move |desk: &crate::desk::Desk, mine: &Option<Dialog>| {
+        if desk.dialog.get_untracked() == *mine {
+            desk.dialog.set(None);
+        }
+    };
+    if desk.online.get_untracked() == LinkState::Online {
+        form.busy.set(true);
+    } else {
+        close(&desk, &mine);
+    }
+    move |answer| {
+        let still_open = desk.dialog.get_untracked() == mine && form.busy.try_get_untracked().is_some();
+        match answer {
+            Ok(()) => {
+                if still_open {
+                    draft::forget(form);
+                }
+                close(&desk, &mine);
+            }
+            Err(no) if still_open => {
+                form.busy.set(false);
+                form.refusal.set(Some(no.to_string()));
+                desk.notice.set(None);
+            }
+            Err(no) => desk.say(&no.to_string(), true),
+        }
+    }
+}
+
+fn operation(form: Form) -> Result<Operation, String> {
+    Ok(match form.kind.get() {
+        "filter" => Operation::Filter(procedure(form)?),
+        "combineLatest" => Operation::CombineLatest(procedure(form)?),
+        "sample" => Operation::Sample { period_ms: period(form)? },
+        "timestamp" => Operation::Timestamp,
+        "merge" => Operation::Merge,
+        "subscribe" => Operation::Subscribe,
+        _ => Operation::Map(procedure(form)?),
+    })
+}
+
+fn procedure(form: Form) -> Result<Procedure, String> {
+    if form.way.get() == "helper" {
+        let name = form.helper.get();
+        return if name.is_empty() { Err(words::choose_helper().to_owned()) } else { Ok(Procedure::Helper(name)) };
+    }
+    let body = form.body.get().trim().to_owned();
+    if body.is_empty() {
+        return Err(words::write_body().to_owned());
+    }
+    Ok(Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) })
+}
+
+fn period(form: Form) -> Result<u64, String> {
+    let typed = form.period.get().trim().parse::<u64>().unwrap_or_default();
+    if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Refusal::Rate(typed).to_string()) }
+}
+
+fn named(form: Form) -> Result<String, String> {
+    let name = form.name.get().trim().to_owned();
+    if name.is_empty() { Err(words::name_missing().to_owned()) } else { Ok(name) }
+}
+
+fn output(form: Form) -> Result<Output, String> {
+    if form.kind.get() != "subscribe" {
+        return Ok(Output::New { name: named(form)?, device: None, params: Params::new() });
+    }
+    match chosen(&form.actuator.get()) {
+        Some(Chosen::There(id)) => Ok(Output::Existing(id)),
+        Some(Chosen::New(device)) => {
+            let params = form.params.get().map_or_else(|| Ok(Params::new()), |params| params.read())?;
+            let name = form.desk.desk().name_for(device.name);
+            Ok(Output::New { name, device: Some(device.name.to_owned()), params })
+        }
+        None => Err(words::stream_gone().to_owned()),
+    }
+}
+
+/// What the output stream is called before it is made unique. Reactive.
+pub(super) fn name_base(form: Form) -> String {
+    let first = form.inputs.read().first().cloned();
+    let input = first.and_then(|id| form.desk.desk().stream(&id)).map(|signals| signals.record.read().name.clone());
+    let input = input.unwrap_or_default();
+    let by_helper = form.way.get() == "helper" && !form.helper.read().is_empty();
+    match form.kind.get() {
+        "map" | "combineLatest" if by_helper => title(&form.helper.get()),
+        "filter" if by_helper => words::name_that(&title(&form.helper.get()), &input),
+        kind => words::name_out_of(kind, &input),
+    }
+}
+
+/// The name of a helper as the name of a stream: `ball_to_distance` becomes "Ball to distance".
+fn title(helper: &str) -> String {
+    let spaced = helper.replace('_', " ");
+    let mut rest = spaced.trim().chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::title;
+
+    #[test]
+    fn a_helper_names_its_stream() {
+        assert_eq!(title("ball_to_distance"), "Ball to distance");
+        assert_eq!(title("_x"), "X");
+    }
+}

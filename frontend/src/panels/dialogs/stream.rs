@@ -1,0 +1,147 @@
+//! Edit stream sensor, Edit stream actuator: type, name and the device's parameters.
+
+use super::frame::{Feet, Frame, Refused, close};
+use crate::desk::{Desk, LinkState};
+use crate::fields::{Options, ParamFields, ParamForm, Select, TextField};
+use crate::panels::hold::{Hold, hold};
+use crate::words;
+use behaviour::{Id, Stream, StreamKind};
+use leptos::prelude::*;
+
+/// The dialog of one stream.
+#[component]
+pub(super) fn EditStream(id: Id) -> impl IntoView {
+    let desk = hold();
+    let record = desk.desk().stream(&id).map(|signals| signals.record.get_untracked());
+    match record {
+        Some(stream) => view! { <StreamForm id stream /> }.into_any(),
+        None => {
+            let gone = Callback::new(move |()| close(desk));
+            view! { <Frame title=words::edit_ordinary() narrow=true save=gone><p class="dialog-body">{words::stream_gone()}</p></Frame> }
+                .into_any()
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+struct Fields {
+    id: StoredValue<Id>,
+    stream: StoredValue<Stream>,
+    device: RwSignal<String>,
+    name: RwSignal<String>,
+    params: RwSignal<Option<ParamForm>>,
+    refusal: RwSignal<Option<String>>,
+    busy: RwSignal<bool>,
+}
+
+#[component]
+fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
+    let desk = hold();
+    let (kind, has_device) = (stream.kind, stream.device.is_some());
+    let fields = Fields {
+        id: StoredValue::new(id),
+        device: RwSignal::new(stream.device.clone().unwrap_or_default()),
+        name: RwSignal::new(stream.name.clone()),
+        stream: StoredValue::new(stream),
+        params: RwSignal::new(None),
+        refusal: RwSignal::new(None),
+        busy: RwSignal::new(false),
+    };
+    Effect::new(move |_| fields.params.set(form_of(fields, kind)));
+    let save = Callback::new(move |()| save(desk, fields));
+    let says = move || robot::device(kind, &fields.device.read()).map(|device| device.says).ok();
+    view! {
+        <Frame title=title(kind) narrow=true save>
+            <div class="dialog-body">
+                {has_device.then(|| view! {
+                    <div class="field">
+                        <Select label=words::type_label() options=Signal::stored(types(kind)) value=fields.device />
+                        <span class="faint">{says}</span>
+                    </div>
+                })}
+                <TextField label=words::name() value=fields.name />
+                {move || fields.params.get().map(|form| view! { <ParamFields form /> })}
+                <Refused why=fields.refusal />
+            </div>
+            <Feet busy=fields.busy />
+        </Frame>
+    }
+}
+
+fn title(kind: StreamKind) -> &'static str {
+    match kind {
+        StreamKind::Sensor => words::edit_sensor(),
+        StreamKind::Ordinary => words::edit_ordinary(),
+        StreamKind::Actuator => words::edit_actuator(),
+    }
+}
+
+/// Devices as `(name in files, name in the thesis)`.
+fn types(kind: StreamKind) -> Options {
+    let option = |device: &'static robot::Device| (device.name.to_owned(), device.name.to_owned());
+    match kind {
+        StreamKind::Sensor => robot::sensors().map(option).collect(),
+        StreamKind::Actuator => robot::actuators().map(option).collect(),
+        StreamKind::Ordinary => Options::new(),
+    }
+}
+
+/// The parameters of the chosen device; those of the stream while it is the same device. Reactive.
+fn form_of(fields: Fields, kind: StreamKind) -> Option<ParamForm> {
+    let name = fields.device.get();
+    let device = robot::device(kind, &name).ok()?;
+    let stream = fields.stream.get_value();
+    let given = if stream.device.as_deref() == Some(&name) { stream.params } else { behaviour::Params::new() };
+    Some(ParamForm::new(device, &given))
+}
+
+fn edited(fields: Fields) -> Result<Stream, String> {
+    let name = fields.name.get_untracked().trim().to_owned();
+    if name.is_empty() {
+        return Err(words::name_missing().to_owned());
+    }
+    let mut stream = Stream { name, ..fields.stream.get_value() };
+    if let Some(form) = fields.params.get_untracked() {
+        stream.device = Some(fields.device.get_untracked());
+        stream.params = form.read()?;
+    }
+    Ok(stream)
+}
+
+fn save(desk: Hold, fields: Fields) {
+    fields.refusal.set(None);
+    match edited(fields) {
+        Ok(stream) => {
+            let answered = answered(&desk.desk(), fields.refusal, fields.busy);
+            desk.desk().edit_stream(&fields.id.get_value(), stream, answered);
+        }
+        Err(why) => fields.refusal.set(Some(why)),
+    }
+}
+
+/// What a dialog does with the answer: it closes, or says why not. Without a connection it closes at once.
+pub(super) fn answered(
+    desk: &Desk,
+    refusal: RwSignal<Option<String>>,
+    busy: RwSignal<bool>,
+) -> impl FnOnce(Result<(), protocol::SaidNo>) + 'static {
+    let (desk, mine) = (desk.clone(), desk.dialog.get_untracked());
+    if desk.online.get_untracked() == LinkState::Online {
+        busy.set(true);
+    } else {
+        desk.dialog.set(None);
+    }
+    move |answer| {
+        let still_open = mine.is_some() && desk.dialog.get_untracked() == mine;
+        match answer {
+            Ok(()) if still_open => desk.dialog.set(None),
+            Ok(()) => {}
+            Err(no) if still_open => {
+                busy.try_set(false);
+                refusal.try_set(Some(no.to_string()));
+                desk.notice.set(None);
+            }
+            Err(no) => desk.say(&no.to_string(), true),
+        }
+    }
+}

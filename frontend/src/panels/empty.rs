@@ -1,0 +1,113 @@
+//! What the stage shows while there is nothing to draw: the library, or the first three senses.
+
+use super::hold::hold;
+use super::tools::open_program;
+use crate::desk::Dialog;
+use crate::icons::Icon;
+use crate::words;
+use behaviour::Params;
+use leptos::prelude::*;
+use protocol::Summary;
+
+/// How many senses an empty program offers.
+const SENSES: usize = 3;
+
+/// Over the stage while it is empty.
+#[component]
+pub(crate) fn EmptyStage() -> impl IntoView {
+    let desk = hold();
+    let none_open = Memo::new(move |_| desk.desk().open.read().is_none());
+    let is_empty = Memo::new(move |_| desk.desk().stream_ids.read().is_empty());
+    view! {
+        <Show when=move || none_open.get()><Library /></Show>
+        <Show when=move || !none_open.get() && is_empty.get()><FirstSenses /></Show>
+    }
+}
+
+/// The library: programs to open, templates to begin with.
+#[component]
+fn Library() -> impl IntoView {
+    let desk = hold();
+    let programs =
+        move || desk.desk().programs.get().into_iter().map(|summary| view! { <Program summary /> }).collect_view();
+    let templates =
+        move || desk.desk().templates.get().into_iter().map(|summary| view! { <Template summary /> }).collect_view();
+    let none = move || desk.desk().programs.read().is_empty();
+    view! {
+        <div class="library" data-library="">
+            <h1>{words::library_title()}</h1>
+            <p class="second">{words::library_says()}</p>
+            <p class="library-begin">
+                <button class="button primary" type="button"
+                    on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddProgram))>
+                    <Icon name="plus" />
+                    {words::add_program()}
+                </button>
+            </p>
+            <Show when=move || !none()>
+                <h2>{words::behaviours()}</h2>
+                <ul class="gallery">{programs}</ul>
+            </Show>
+            <h2>{words::templates()}</h2>
+            <ul class="gallery">{templates}</ul>
+        </div>
+    }
+}
+
+#[component]
+fn Program(summary: Summary) -> impl IntoView {
+    let desk = hold();
+    let note = words::streams(summary.streams);
+    let by = (!summary.by.is_empty()).then(|| words::changed_by(&summary.by));
+    let name = summary.name.clone();
+    view! {
+        <li>
+            <button class="template" type="button" title=name
+                on:click=move |_| open_program(&desk.desk(), &summary.id)>
+                <b class="cut">{summary.name}</b>
+                <span class="second">{note}{by.map(|by| format!(" · {by}"))}</span>
+            </button>
+        </li>
+    }
+}
+
+#[component]
+fn Template(summary: Summary) -> impl IntoView {
+    let desk = hold();
+    let (name, title) = (summary.name.clone(), summary.name.clone());
+    view! {
+        <li>
+            <button class="template" type="button" title=title
+                on:click=move |_| desk.desk().create_program(&name, Some(&summary.id))>
+                <b>{summary.name}</b>
+                <span class="second">{summary.by}</span>
+                <span class="faint">{words::streams(summary.streams)}</span>
+            </button>
+        </li>
+    }
+}
+
+/// An empty program: the first senses, and all others.
+#[component]
+fn FirstSenses() -> impl IntoView {
+    let desk = hold();
+    let sense = move |device: &'static robot::Device| {
+        let add = move |_| desk.desk().add_sensor(device.name, Params::new());
+        view! {
+            <button class="sense-card" type="button" title=device.says aria-label=words::add_named(device.name) on:click=add>
+                <Icon name=device.icon />
+                {device.name}
+            </button>
+        }
+    };
+    view! {
+        <div class="empty-stage">
+            <h2>{words::begin_with_sense()}</h2>
+            <p class="second">{words::begin_says()}</p>
+            <div class="row">{robot::sensors().take(SENSES).map(sense).collect_view()}</div>
+            <button class="link" type="button" on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddSensor))>
+                {words::more_senses()}
+            </button>
+        </div>
+    }
+}

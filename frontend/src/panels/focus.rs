@@ -1,0 +1,86 @@
+//! Where the keyboard is: walking through a group with arrow keys, and what can be focused in a dialog.
+
+use wasm_bindgen::JsCast;
+use web_sys::{Document, Element, HtmlElement, KeyboardEvent};
+
+const FOCUSABLE: &str = "a[href], button:not(:disabled), input:not(:disabled):not([type='radio']:not(:checked)), select:not(:disabled), \
+    textarea:not(:disabled), [tabindex='0']";
+
+/// The element that has the keyboard.
+pub(crate) fn active() -> Option<HtmlElement> {
+    document()?.active_element()?.dyn_into().ok()
+}
+
+/// One element by its id.
+pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
+    document()?.get_element_by_id(id)?.dyn_into().ok()
+}
+
+/// Gives an element the keyboard.
+pub(crate) fn focus(element: &HtmlElement) {
+    let _ = element.focus();
+}
+
+/// Everything in `root` that Tab reaches and that is shown, in order.
+pub(crate) fn focusable(root: &Element) -> Vec<HtmlElement> {
+    all(root, FOCUSABLE)
+}
+
+/// Everything in `root` that matches and is shown, in order.
+pub(crate) fn all(root: &Element, selector: &str) -> Vec<HtmlElement> {
+    let Ok(found) = root.query_selector_all(selector) else { return Vec::new() };
+    let elements = (0..found.length()).filter_map(|at| found.item(at)?.dyn_into::<HtmlElement>().ok());
+    elements.filter(|element| element.offset_width() > 0 || element.offset_height() > 0).collect()
+}
+
+/// Arrow keys, Home and End walk through the `[data-stop]` elements around the event; they are one stop for Tab.
+pub(crate) fn walk(event: &KeyboardEvent, forward: &str, back: &str) {
+    let Some(root) = event.current_target().and_then(|target| target.dyn_into::<Element>().ok()) else { return };
+    let stops = all(&root, "[data-stop]:not(:disabled)");
+    let Some(now) = active() else { return };
+    let Some(at) = stops.iter().position(|stop| *stop == now) else { return };
+    let typing = now.tag_name() == "INPUT";
+    let key = event.key();
+    let next = match key.as_str() {
+        key if key == forward => (at + 1) % stops.len(),
+        key if key == back => (at + stops.len() - 1) % stops.len(),
+        "Home" if !typing => 0,
+        "End" if !typing => stops.len() - 1,
+        _ => return,
+    };
+    event.prevent_default();
+    rest_on(&stops, next);
+}
+
+/// Makes the element that got the keyboard the one that Tab comes back to.
+pub(crate) fn remember(event: &web_sys::FocusEvent) {
+    let root = event.current_target().and_then(|target| target.dyn_into::<Element>().ok());
+    let target = event.target().and_then(|target| target.dyn_into::<HtmlElement>().ok());
+    let (Some(root), Some(target)) = (root, target) else { return };
+    if target.has_attribute("data-stop") {
+        mark(&all(&root, "[data-stop]"), &target);
+    }
+}
+
+fn rest_on(stops: &[HtmlElement], at: usize) {
+    if let Some(stop) = stops.get(at) {
+        mark(stops, stop);
+        focus(stop);
+    }
+}
+
+fn mark(stops: &[HtmlElement], chosen: &HtmlElement) {
+    for stop in stops {
+        stop.set_tab_index(if stop == chosen { 0 } else { -1 });
+    }
+}
+
+fn document() -> Option<Document> {
+    crate::browser::window()?.document()
+}
+
+/// Whether fingers are the main pointer; then nothing opens the keyboard on the screen by itself.
+pub(crate) fn is_coarse() -> bool {
+    let query = crate::browser::window().and_then(|window| window.match_media("(pointer: coarse)").ok().flatten());
+    query.is_some_and(|query| query.matches())
+}

@@ -1,0 +1,213 @@
+//! What is selected: its name, what it does, its last value, its problems, and what can be done with it.
+
+use super::hold::{Hold, hold};
+use super::problems::{ProblemList, Problems};
+use super::trials::{self, Question, TrialTable};
+use crate::desk::{ConnectorSignals, Dialog, Selected, StreamSignals};
+use crate::icons::{Icon, connector_icon};
+use crate::layout::what_it_is;
+use crate::live::{rate_words, short_value};
+use crate::words;
+use behaviour::{Connector, Id, Procedure, Stream, StreamKind};
+use leptos::prelude::*;
+
+/// The inspector; with nothing selected it lists the problems.
+#[component]
+pub(crate) fn Inspector() -> impl IntoView {
+    let desk = hold();
+    let chosen = Memo::new(move |_| desk.desk().selected.get());
+    let shown = move || match chosen.get() {
+        Some(Selected::Stream(id)) => {
+            desk.desk().stream(&id).map(|signals| view! { <StreamPanel id signals /> }.into_any())
+        }
+        Some(Selected::Connector(id)) => {
+            desk.desk().connector(&id).map(|signals| view! { <ConnectorPanel id signals /> }.into_any())
+        }
+        None => None,
+    };
+    view! { {move || shown().unwrap_or_else(|| view! { <Problems /> }.into_any())} }
+}
+
+#[component]
+fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
+    let record = Memo::new({
+        let record = signals.record.clone();
+        move |_| record.get()
+    });
+    let is_sensor = move || record.read().kind == StreamKind::Sensor;
+    let stimulated = id.clone();
+    let desk = hold();
+    view! {
+        <section class="panel" aria-label=words::inspector_name()>
+            <h2>
+                <span class=move || format!("kind {}", kind_class(record.read().kind))>
+                    {move || device_icon(&record.read()).map(|name| view! { <Icon name /> })}
+                </span>
+                <span class="cut" title=move || record.read().name.clone()>{move || record.read().name.clone()}</span>
+            </h2>
+            <p class="second">{move || says(&record.read())}</p>
+            <p class="second">{move || what_it_is(&record.read())}</p>
+            <StreamLive signals />
+            <ProblemList of=Some(id.clone()) />
+            <div class="row">
+                <Edit dialog=Dialog::EditStream(id.clone()) />
+                <Show when=is_sensor>
+                    <button class="button small" type="button" on:click={
+                        let id = stimulated.clone();
+                        move |_| desk.desk().dialog.set(Some(Dialog::Stimulate(id.clone())))
+                    }>
+                        <Icon name="bolt" />
+                        {words::stimulate()}
+                    </button>
+                </Show>
+                <Remove what=Selected::Stream(id) />
+            </div>
+        </section>
+    }
+}
+
+/// The class of a kind of stream.
+pub(crate) fn kind_class(kind: StreamKind) -> &'static str {
+    match kind {
+        StreamKind::Sensor => "sensor",
+        StreamKind::Ordinary => "ordinary",
+        StreamKind::Actuator => "actuator",
+    }
+}
+
+/// The icon of a stream's device.
+pub(crate) fn device_icon(stream: &Stream) -> Option<&'static str> {
+    robot::device(stream.kind, stream.device.as_deref()?).ok().map(|device| device.icon)
+}
+
+fn says(stream: &Stream) -> &'static str {
+    let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
+    device.map_or(words::says_ordinary(), |device| device.says)
+}
+
+#[component]
+fn StreamLive(signals: StreamSignals) -> impl IntoView {
+    let desk = hold();
+    let live = signals.live;
+    let value =
+        move || live.read().value.as_ref().map(|value| (short_value(value), live.read().rate, live.read().count));
+    let rows = move || match value() {
+        Some((value, rate, count)) => view! {
+            <dl class="row second">
+                <dt class="sr">{words::last_value()}</dt><dd class="cut" title=value.clone()><b>{value.clone()}</b></dd>
+                <dt class="sr">{words::rate()}</dt><dd>{rate_words(rate)}</dd>
+                <dt>{words::carried()}</dt><dd>{count}</dd>
+            </dl>
+        }
+        .into_any(),
+        None => {
+            let runs = desk.desk().running().is_some();
+            let text = if runs { words::no_value_yet() } else { words::starts_to_see() };
+            view! { <p class="faint">{text}</p> }.into_any()
+        }
+    };
+    view! { {rows} }
+}
+
+#[component]
+fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
+    let desk = hold();
+    let record = Memo::new({
+        let record = signals.record.clone();
+        move |_| record.get()
+    });
+    let word = move || record.read().operation.word();
+    let question = Memo::new(move |_| question_of(desk, &record.read()));
+    let answers = trials::ask(question);
+    let removed = Selected::Connector(id.clone());
+    let problems = Some(id.clone());
+    let dialog = edit_dialog(&id, &record.get_untracked());
+    view! {
+        <section class="panel" aria-label=words::inspector_name()>
+            <h2>{move || view! { <Icon name=connector_icon(word()) /> }} {move || words::connector_word(word())}</h2>
+            <p class="second">{move || words::connector_says(word())}</p>
+            {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
+            <TrialTable answers />
+            <ConnectorLive signals />
+            <ProblemList of=problems />
+            <div class="row">
+                <Edit dialog />
+                <Remove what=removed />
+            </div>
+        </section>
+    }
+}
+
+/// The Operation dialog of a connector that is there.
+pub(crate) fn edit_dialog(id: &Id, connector: &Connector) -> Dialog {
+    let kind = connector.operation.word();
+    let input = connector.inputs.first().unwrap_or(&connector.output).clone();
+    Dialog::Operation { input, connector: Some(id.clone()), kind }
+}
+
+/// The procedure of a connector as text.
+fn procedure_text(connector: &Connector) -> Option<String> {
+    match connector.operation.procedure()? {
+        Procedure::Body { body, .. } => Some(body.clone()),
+        Procedure::Helper(name) => Some(name.clone()),
+    }
+}
+
+/// What a connector's procedure is asked. Reactive.
+fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
+    let desk = desk.desk();
+    let is_test = connector.operation.word() == "filter";
+    let inputs = connector.inputs.clone();
+    match connector.operation.procedure()? {
+        Procedure::Body { body, args } => {
+            let names = inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.clone()));
+            let names: Vec<String> = names.collect();
+            let derived = || behaviour::argument_names(names.iter().map(String::as_str));
+            let arguments = args.clone().unwrap_or_else(derived);
+            Some(Question { arguments, body: body.clone(), inputs, is_test })
+        }
+        Procedure::Helper(name) => {
+            let helpers = desk.helpers.get();
+            let (_, helper) = helpers.into_iter().find(|(_, helper)| helper.name == *name)?;
+            let fits = helper.params.len() == inputs.len();
+            fits.then_some(Question { arguments: helper.params, body: helper.body, inputs, is_test })
+        }
+    }
+}
+
+#[component]
+fn ConnectorLive(signals: ConnectorSignals) -> impl IntoView {
+    let live = signals.live;
+    let counts = {
+        let live = live.clone();
+        move || {
+            let (fired, faults) = (live.read().fired, live.read().faults);
+            (fired + faults > 0)
+                .then(|| view! { <p class="faint">{words::fired()}" "{fired}" · "{words::faults()}" "{faults}</p> })
+        }
+    };
+    let error = move || live.read().error.clone().map(|text| view! { <p class="refusal">{text}</p> });
+    view! { {counts} {error} }
+}
+
+#[component]
+fn Edit(dialog: Dialog) -> impl IntoView {
+    let desk = hold();
+    view! {
+        <button class="button small" type="button" on:click=move |_| desk.desk().dialog.set(Some(dialog.clone()))>
+            <Icon name="pencil" />
+            {words::edit()}
+        </button>
+    }
+}
+
+#[component]
+fn Remove(what: Selected) -> impl IntoView {
+    let desk = hold();
+    view! {
+        <button class="button small" type="button" on:click=move |_| desk.desk().remove(&what)>
+            <Icon name="trash" />
+            {words::remove()}
+        </button>
+    }
+}

@@ -1,0 +1,73 @@
+//! One sentence for the person, away from Stop; and the offline line at every size.
+
+use super::hold::hold;
+use crate::browser;
+use crate::desk::{LinkState, Saving};
+use crate::icons::Icon;
+use crate::words;
+use leptos::prelude::*;
+
+/// How long a sentence stays, in milliseconds; refusals stay longer.
+const STAYS_MS: i32 = 5_000;
+const REFUSAL_STAYS_MS: i32 = 12_000;
+
+/// The notices.
+#[component]
+pub(crate) fn Notices() -> impl IntoView {
+    view! {
+        <div class="notices" role="region" aria-label=words::notices_name()>
+            <Sentence bad=false />
+            <Sentence bad=true />
+        </div>
+        <Offline />
+    }
+}
+
+/// Politely said, or at once for what went wrong.
+#[component]
+fn Sentence(bad: bool) -> impl IntoView {
+    let desk = hold();
+    let notice = Memo::new(move |_| desk.desk().notice.get().filter(|notice| notice.bad == bad));
+    Effect::new(move |_| {
+        if let Some(shown) = notice.get() {
+            let signal = desk.desk().notice.clone();
+            let stays = if bad { REFUSAL_STAYS_MS } else { STAYS_MS };
+            browser::after(stays, move || {
+                if signal.get_untracked().is_some_and(|now| now.number == shown.number) {
+                    signal.set(None);
+                }
+            });
+        }
+    });
+    let text = move || notice.get().map(|notice| notice.text);
+    view! {
+        <div role=if bad { "alert" } else { "status" }>
+            <Show when=move || notice.read().is_some()>
+                <div class="notice" class:bad=bad>
+                    <span>{text}</span>
+                    <button class="tool icon" type="button" aria-label=words::dismiss() title=words::dismiss()
+                        on:click=move |_| desk.desk().notice.set(None)>
+                        <Icon name="close" />
+                    </button>
+                </div>
+            </Show>
+        </div>
+    }
+}
+
+#[component]
+fn Offline() -> impl IntoView {
+    let desk = hold();
+    let waiting = move || match desk.desk().saving.get() {
+        Saving::Offline(waiting) => waiting,
+        Saving::Saved | Saving::Saving => 0,
+    };
+    let is_offline = move || desk.desk().online.get() == LinkState::Offline;
+    view! {
+        <div class="offline-place" role="status">
+            <Show when=is_offline>
+                <p class="offline">{move || words::offline_banner(waiting())}</p>
+            </Show>
+        </div>
+    }
+}

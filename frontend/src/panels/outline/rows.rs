@@ -1,0 +1,114 @@
+//! The rows of the outline: a stream with its live value, a connector with its chip's words.
+
+use super::strip::Strip;
+use crate::browser;
+use crate::desk::Selected;
+use crate::icons::{Icon, connector_icon};
+use crate::layout::{chip_words, what_it_is};
+use crate::live::{rate_words, short_value};
+use crate::panels::hold::{Hold, hold};
+use crate::panels::inspector::{device_icon, kind_class};
+use crate::words;
+use behaviour::Id;
+use leptos::prelude::*;
+
+/// After so many milliseconds without a value a stream is quiet.
+const QUIET_MS: f64 = 3_000.0;
+
+#[component]
+pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoView {
+    let desk = hold();
+    let Some(signals) = desk.desk().stream(&id) else { return ().into_any() };
+    let record = Memo::new(move |_| signals.record.get());
+    let live = signals.live;
+    let value = move || {
+        tick.track();
+        let live = live.read();
+        let quiet = browser::now_ms() - live.received;
+        match &live.value {
+            None => String::new(),
+            Some(_) if quiet > QUIET_MS => words::quiet_for((quiet / 1_000.0) as u64),
+            Some(value) => format!("{} {}", short_value(value), rate_words(live.rate)),
+        }
+    };
+    let what = Selected::Stream(id.clone());
+    let second = move || {
+        if again { words::also_above().to_owned() } else { what_it_is(&record.read()) }
+    };
+    view! {
+        <Row what=what.clone()>
+            <span class=move || format!("kind {}", kind_class(record.read().kind))>
+                {move || device_icon(&record.read()).map(|name| view! { <Icon name /> })}
+            </span>
+            <span class="two">
+                <b class="cut">{move || record.read().name.clone()}</b>
+                <span class="second cut">{second}</span>
+            </span>
+            <span class="faint cut">{value}</span>
+        </Row>
+        {(!again).then(|| view! { <Strip what /> })}
+    }
+    .into_any()
+}
+
+#[component]
+pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
+    let desk = hold();
+    let Some(signals) = desk.desk().connector(&id) else { return ().into_any() };
+    let words = Memo::new(move |_| chip_words(&signals.record.read()));
+    let icon = Memo::new({
+        let record = desk.desk().connector(&id).map(|signals| signals.record);
+        move |_| record.as_ref().map_or("map", |record| connector_icon(record.read().operation.word()))
+    });
+    let what = Selected::Connector(id);
+    view! {
+        <Row what=what.clone()>
+            <span class="plain-icon">{move || view! { <Icon name=icon.get() /> }}</span>
+            <span class="two">
+                <span>{move || words.get().word}</span>
+                <code class="cut">{move || words.get().detail}</code>
+            </span>
+        </Row>
+        <Strip what />
+    }
+    .into_any()
+}
+
+/// The button of a row: selects, and shows who else is there and what is missing.
+#[component]
+fn Row(what: Selected, children: Children) -> impl IntoView {
+    let desk = hold();
+    let (chosen, people, problem) = (what.clone(), what.clone(), what.clone());
+    let is_chosen = move || (desk.desk().selected.read().as_ref() == Some(&chosen)).then_some("true");
+    view! {
+        <button class="twig" type="button" aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
+            on:click=move |_| desk.desk().selected.set(Some(what.clone()))>
+            {children()}
+            {move || other_person(desk, &people).map(|(name, color)| view! {
+                <span class="who-tag" style=("--person", format!("var(--people-{color})"))>
+                    <Icon name="lock" />
+                    {words::is_editing(&name)}
+                </span>
+            })}
+        </button>
+    }
+}
+
+/// Somebody else who has chosen it. Reactive.
+fn other_person(desk: Hold, what: &Selected) -> Option<(String, u8)> {
+    let desk = desk.desk();
+    let me = desk.me.get().map(|me| me.client);
+    let people = desk.people.get();
+    let other = people
+        .into_iter()
+        .find(|person| Some(&person.client) != me.as_ref() && person.selected.as_ref() == Some(what.id()));
+    other.map(|person| (person.name, person.color.min(7)))
+}
+
+fn problem_of(desk: Hold, what: &Selected) -> Option<String> {
+    let problems = desk.desk().problems.get();
+    problems
+        .into_iter()
+        .find(|problem| problem.blocks && problem.at.id == *what.id())
+        .map(|problem| problem.to_string())
+}

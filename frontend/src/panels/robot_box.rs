@@ -1,0 +1,135 @@
+//! The robot box: lamp, name, Start, the gap where Stop stands, and one line about what runs.
+
+use super::hold::{Hold, hold};
+use crate::desk::LinkState;
+use crate::icons::Icon;
+use crate::words;
+use leptos::prelude::*;
+use protocol::{RunPhase, RunState};
+use robot::Health;
+
+/// The robot box.
+#[component]
+pub(crate) fn RobotBox() -> impl IntoView {
+    view! {
+        <section class="robot" aria-label=words::robot()>
+            <Head />
+            <div class="start-row"><Start /></div>
+            <Line />
+        </section>
+    }
+}
+
+#[component]
+fn Head() -> impl IntoView {
+    let desk = hold();
+    let health = move || desk.desk().robot.read().health.clone();
+    let title = move || match health() {
+        Health::Connecting => words::health_connecting().to_owned(),
+        Health::Ready => words::robot_ready().to_owned(),
+        Health::Degraded(why) => format!("{}: {why}", words::health_limited()),
+        Health::Lost(why) => format!("{}: {why}", words::health_lost()),
+        Health::Safe => words::robot_safe().to_owned(),
+    };
+    let name = move || desk.desk().robot.read().name.clone();
+    view! {
+        <div class="robot-head">
+            <span class="lamp" role="img" data-health=move || lamp(&health()) title=title aria-label=title></span>
+            <h2>{words::robot()}</h2>
+            <span class="faint cut" title=name>{name}</span>
+        </div>
+    }
+}
+
+fn lamp(health: &Health) -> &'static str {
+    match health {
+        Health::Connecting => "connecting",
+        Health::Ready => "ready",
+        Health::Degraded(_) => "limited",
+        Health::Lost(_) => "lost",
+        Health::Safe => "safe",
+    }
+}
+
+#[component]
+fn Start() -> impl IntoView {
+    let desk = hold();
+    let runs = Memo::new(move |_| desk.desk().running().is_some());
+    let blocked = Memo::new(move |_| !runs.get() && why_not(desk).is_some());
+    let press = move |_| {
+        let is_old = desk.desk().running().is_none_or(|run| run.revision != desk.desk().revision.get_untracked());
+        if is_old {
+            desk.desk().start();
+        }
+    };
+    view! {
+        <button
+            class="start"
+            type="button"
+            aria-pressed=move || runs.get().to_string()
+            aria-describedby="robot-line"
+            disabled=move || blocked.get()
+            on:click=press
+        >
+            <Icon name="play" />
+            <span>{move || if runs.get() { words::running() } else { words::start() }}</span>
+        </button>
+    }
+}
+
+/// Why Start has to wait. Reactive.
+fn why_not(desk: Hold) -> Option<String> {
+    let desk = desk.desk();
+    if desk.open.read().is_none() {
+        return Some(words::open_first().to_owned());
+    }
+    if desk.online.get() != LinkState::Online {
+        return Some(words::starts_when_online().to_owned());
+    }
+    if let Health::Lost(why) = &desk.robot.read().health {
+        return Some(format!("{}: {why}", words::health_lost()));
+    }
+    let problems = desk.problems.get();
+    problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(&problem.to_string()))
+}
+
+#[component]
+fn Line() -> impl IntoView {
+    let desk = hold();
+    let running = Memo::new(move |_| desk.desk().running().map(|run| run.revision));
+    let older = Memo::new(move |_| running.get().filter(|runs| *runs != desk.desk().revision.get()));
+    let blocked = Memo::new(move |_| why_not(desk));
+    let text = move || match (running.get(), older.get()) {
+        (Some(_), Some(runs)) => words::running_older(runs, desk.desk().revision.get()),
+        (Some(revision), None) => words::running_here(revision),
+        (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_default(),
+    };
+    let can_apply = move || older.get().is_some() && blocked.get().is_none();
+    let bad = move || running.get().is_none() && faulted(desk).is_some();
+    view! {
+        <p class="robot-line" class:bad=bad id="robot-line" role="status" hidden=move || text().is_empty()>
+            {text}
+            <Show when=can_apply>
+                " · "
+                <button class="link" type="button" on:click=move |_| desk.desk().start()>{words::apply()}</button>
+            </Show>
+        </p>
+    }
+}
+
+/// How the last run of this program ended, or what else runs. Reactive.
+fn last_words(desk: Hold) -> Option<String> {
+    if let Some(why) = faulted(desk) {
+        return Some(words::ended(&why));
+    }
+    let runs = desk.desk().runs.get();
+    let other = runs.into_iter().rfind(|run| run.phase == RunPhase::Running);
+    other.map(|run| words::other_runs(&run.name))
+}
+
+fn faulted(desk: Hold) -> Option<String> {
+    let desk = desk.desk();
+    let open = desk.open.get()?;
+    let last: RunState = desk.runs.get().into_iter().rfind(|run| run.behaviour == open)?;
+    if let RunPhase::Faulted(why) = last.phase { Some(why.trim_end_matches('.').to_owned()) } else { None }
+}

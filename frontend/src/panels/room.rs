@@ -1,0 +1,100 @@
+//! The robot in its room from above; balls and people are dragged or moved with arrow keys.
+
+mod map;
+mod movable;
+mod picture;
+mod tools;
+
+use super::hold::hold;
+use crate::words;
+use leptos::prelude::*;
+use map::Map;
+use movable::Movable;
+use robot::SceneEdit;
+
+/// The room.
+#[component]
+pub(crate) fn Room() -> impl IntoView {
+    let desk = hold();
+    let held = RwSignal::new(None);
+    let map = Memo::new(move |old: Option<&Map>| match (held.read().is_some(), old) {
+        (true, Some(old)) => *old,
+        _ => Map::of(&desk.desk().scene.read()),
+    });
+    let svg = NodeRef::<leptos::svg::Svg>::new();
+    view! {
+        <section class="room" aria-label=words::room()>
+            <p class="room-title">{words::room_hint()}</p>
+            <svg viewBox=map::VIEW_BOX node_ref=svg role="group" aria-label=words::room_picture()>
+                <picture::Floor map />
+                <picture::Robot map />
+                <People map held svg />
+                <Balls map held svg />
+            </svg>
+            <tools::Bubble map />
+        </section>
+        <tools::Tools />
+        <tools::Printed />
+    }
+}
+
+/// Which thing is held and where it is shown meanwhile, in metres.
+type Held = RwSignal<Option<(String, [f32; 3])>>;
+
+#[component]
+fn Balls(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl IntoView {
+    let desk = hold();
+    let ids = Memo::new(move |_| {
+        let desk = desk.desk();
+        let scene = desk.scene.read();
+        scene.balls.iter().map(|ball| (ball.id.clone(), ball.color.clone())).collect::<Vec<_>>()
+    });
+    let ball = move |(id, color): (String, String)| {
+        let wanted = id.clone();
+        let found = move || desk.desk().scene.read().balls.iter().find(|ball| ball.id == wanted).cloned();
+        let ball = Memo::new(move |_| found());
+        let at = Signal::derive(move || ball.get().map_or([0.0; 3], |ball| ball.at));
+        let edit = Callback::new(move |at| {
+            desk.desk().scene_edit(SceneEdit::MoveBall { id: id.clone(), at });
+            id.clone()
+        });
+        let radius = move || map.get().length(ball.get().map_or(0.03, |ball| ball.radius)).max(7.0);
+        let class = format!("ball-{color}");
+        view! {
+            <Movable label=words::ball_named(&color) key=format!("ball {color}") map held svg at edit>
+                <circle class=class.clone() class:seen=move || ball.get().is_some_and(|ball| ball.seen) r=radius />
+            </Movable>
+        }
+    };
+    view! { <For each=move || ids.get() key=|id| id.clone() children=ball /> }
+}
+
+#[component]
+fn People(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl IntoView {
+    let desk = hold();
+    let ids = Memo::new(move |_| {
+        let desk = desk.desk();
+        let scene = desk.scene.read();
+        let here = scene.people.iter().filter(|person| person.present);
+        here.map(|person| (person.id.clone(), person.known)).collect::<Vec<_>>()
+    });
+    let person = move |(id, known): (String, bool)| {
+        let wanted = id.clone();
+        let person =
+            Memo::new(move |_| desk.desk().scene.read().people.iter().find(|person| person.id == wanted).cloned());
+        let at = Signal::derive(move || person.get().map_or([0.0; 3], |person| [person.at[0], person.at[1], 0.0]));
+        let edit = Callback::new(move |at: [f32; 3]| {
+            desk.desk().scene_edit(SceneEdit::MovePerson { id: id.clone(), at: [at[0], at[1]] });
+            id.clone()
+        });
+        let label = if known { words::person_known() } else { words::person() };
+        let seen = move || person.get().is_some_and(|person| person.seen);
+        view! {
+            <Movable label key="person".to_owned() map held svg at edit>
+                <ellipse class="person" class:seen=seen rx="20" ry="11" />
+                <circle class="person" class:seen=seen r="9" />
+            </Movable>
+        }
+    };
+    view! { <For each=move || ids.get() key=|id| id.clone() children=person /> }
+}

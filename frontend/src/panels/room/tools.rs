@@ -1,0 +1,110 @@
+//! Beside the picture: touching the head, the person, a fresh start, what the robot says and what it shows.
+
+use super::map::{self, Map};
+use crate::icons::Icon;
+use crate::panels::hold::hold;
+use crate::words;
+use leptos::prelude::*;
+use robot::SceneEdit;
+use web_sys::KeyboardEvent;
+
+/// The only person there is.
+const PERSON: &str = "person";
+
+/// The buttons under the room.
+#[component]
+pub(super) fn Tools() -> impl IntoView {
+    let desk = hold();
+    let present = Memo::new(move |_| desk.desk().scene.read().people.iter().any(|person| person.present));
+    let walk = move |_| {
+        let edit = SceneEdit::SetPresent { id: PERSON.to_owned(), present: !present.get_untracked() };
+        desk.desk().scene_edit(edit);
+    };
+    view! {
+        <div class="room-tools">
+            <TouchHead />
+            <button class="button small" type="button" on:click=walk>
+                <Icon name="user" />
+                {move || if present.get() { words::person_out() } else { words::person_in() }}
+            </button>
+            <button class="button small" type="button" on:click=move |_| desk.desk().scene_edit(SceneEdit::Reset)>
+                <Icon name="reset" />
+                {words::reset_room()}
+            </button>
+        </div>
+    }
+}
+
+/// Touches the head for as long as it is pressed.
+#[component]
+fn TouchHead() -> impl IntoView {
+    let desk = hold();
+    let down = RwSignal::new(false);
+    let press = move |now: bool| {
+        if down.get_untracked() != now {
+            down.set(now);
+            desk.desk().scene_edit(SceneEdit::TouchHead { down: now });
+        }
+    };
+    let is_press = |event: &KeyboardEvent| matches!(event.key().as_str(), " " | "Enter");
+    view! {
+        <button
+            class="button small"
+            type="button"
+            aria-pressed=move || down.get().to_string()
+            on:pointerdown=move |_| press(true)
+            on:pointerup=move |_| press(false)
+            on:pointerleave=move |_| press(false)
+            on:pointercancel=move |_| press(false)
+            on:blur=move |_| press(false)
+            on:contextmenu=|event| event.prevent_default()
+            on:keydown=move |event| if is_press(&event) { press(true) }
+            on:keyup=move |event| if is_press(&event) { press(false) }
+        >
+            <Icon name="touch" />
+            {words::touch_head()}
+        </button>
+    }
+}
+
+/// What the robot says, or else follows, beside it.
+#[component]
+pub(super) fn Bubble(map: Memo<Map>) -> impl IntoView {
+    let desk = hold();
+    let text = Memo::new(move |_| {
+        let desk = desk.desk();
+        let body = &desk.scene.read().body;
+        let tracking = (!body.tracking.is_empty()).then(|| words::follows(&body.tracking));
+        if body.saying.is_empty() { tracking } else { Some(words::saying(&body.saying)) }
+    });
+    let place = Memo::new(move |_| {
+        let [x, y, _] = desk.desk().scene.read().body.base;
+        map::percent(map.get().at(x - 0.11, y))
+    });
+    view! {
+        <div role="status">
+            <Show when=move || text.read().is_some()>
+                <p
+                    class="bubble"
+                    style:left=move || format!("{:.1}%", place.get().0)
+                    style:top=move || format!("{:.1}%", place.get().1)
+                >
+                    {move || text.get()}
+                </p>
+            </Show>
+        </div>
+    }
+}
+
+/// The texts that the robot was told to show.
+#[component]
+pub(super) fn Printed() -> impl IntoView {
+    let desk = hold();
+    let lines = Memo::new(move |_| desk.desk().scene.read().body.printed.clone());
+    let shown = move || lines.get().into_iter().rev().map(|line| view! { <li>{line}</li> }).collect_view();
+    view! {
+        <Show when=move || !lines.read().is_empty()>
+            <ol class="printed" aria-label=words::printed()>{shown}</ol>
+        </Show>
+    }
+}

@@ -1,0 +1,235 @@
+//! The bar: the program's name and how saving goes, the thesis's tools in their order, undo, redo and the people.
+
+use super::focus;
+use super::hold::{Hold, hold};
+use super::menu::{Menu, MenuItem};
+use super::people::People;
+use super::tools::{AddSensorMenu, EditHelperMenu, LoadMenu};
+use crate::browser;
+use crate::desk::{Dialog, LinkState, Saving};
+use crate::icons::Icon;
+use crate::words;
+use leptos::prelude::*;
+
+/// The bar.
+#[component]
+pub(crate) fn Toolbar() -> impl IntoView {
+    let desk = hold();
+    let none_open = Signal::derive(move || desk.desk().open.read().is_none());
+    mark_usable(desk);
+    view! {
+        <header class="bar">
+            <div
+                class="tools"
+                role="toolbar"
+                aria-label=words::skip_name()
+                on:keydown=|event| focus::walk(&event, "ArrowRight", "ArrowLeft")
+                on:focusin=|event| focus::remember(&event)
+            >
+                <HamburgerMenu none_open />
+                <Logo />
+                <ProgramName />
+                <span class="rule not-phone"></span>
+                <ProgramMenu none_open />
+                <LoadMenu />
+                <Tool class="not-tablet" icon="plus" label=words::add_program() open=Dialog::AddProgram />
+                <Tool
+                    class="not-tablet"
+                    icon="trash"
+                    label=words::remove_program()
+                    open=Dialog::RemoveProgram
+                    disabled=none_open
+                />
+                <span class="rule not-phone"></span>
+                <AddSensorMenu none_open />
+                <EditHelperMenu />
+                <Tool class="not-phone" icon="plus" label=words::add_helper() open=Dialog::Helper(None) />
+                <span class="rule not-phone"></span>
+                <Back />
+                <span class="spring"></span>
+                <HelpButton />
+                <People />
+            </div>
+        </header>
+    }
+}
+
+/// Tells the browser's clock once when there is something to work with: a program, or the library.
+fn mark_usable(desk: Hold) {
+    let told = StoredValue::new(false);
+    Effect::new(move |_| {
+        let desk = desk.desk();
+        let usable =
+            desk.open.read().is_some() || !desk.programs.read().is_empty() || !desk.templates.read().is_empty();
+        if usable && !told.get_value() {
+            told.set_value(true);
+            if let Some(clock) = browser::window().and_then(|window| window.performance()) {
+                let _ = clock.mark("rrp-usable");
+            }
+        }
+    });
+}
+
+#[component]
+fn Logo() -> impl IntoView {
+    view! {
+        <span class="logo not-phone">
+            <svg viewBox="0 0 32 32" width="26" height="26" aria-hidden="true">
+                <rect x="3" y="3" width="14" height="8" rx="2" fill="var(--sensor)" />
+                <rect x="8" y="12" width="16" height="8" rx="4" fill="var(--stream)" />
+                <rect x="15" y="21" width="14" height="8" rx="2" fill="var(--actuator)" />
+            </svg>
+            "rrp"
+        </span>
+    }
+}
+
+#[component]
+fn ProgramName() -> impl IntoView {
+    let desk = hold();
+    let name = move || {
+        let desk = desk.desk();
+        if desk.open.read().is_some() { desk.name.get() } else { words::untitled().to_owned() }
+    };
+    view! {
+        <div class="program">
+            <h1>
+            <button
+                class="program-name cut"
+                type="button"
+                data-stop=""
+                tabindex="0"
+                title=move || format!("{} · {}", name(), words::rename_program())
+                disabled=move || desk.desk().open.read().is_none()
+                on:click=move |_| desk.desk().dialog.set(Some(Dialog::RenameProgram))
+            >
+                {name}
+            </button>
+            </h1>
+            <span class="saving cut" role="status" data-offline=move || is_offline(desk).then_some("")>
+                {move || saving_line(desk)}
+            </span>
+        </div>
+    }
+}
+
+fn is_offline(desk: Hold) -> bool {
+    let desk = desk.desk();
+    desk.online.get() == LinkState::Offline || matches!(desk.saving.get(), Saving::Offline(_))
+}
+
+fn saving_line(desk: Hold) -> String {
+    let desk = desk.desk();
+    match (desk.online.get(), desk.saving.get()) {
+        (_, Saving::Offline(waiting)) => words::offline(waiting),
+        (LinkState::Offline, Saving::Saved | Saving::Saving) => words::offline(0),
+        (LinkState::Connecting, Saving::Saved | Saving::Saving) => words::connecting().to_owned(),
+        (LinkState::Online, Saving::Saving) => words::saving().to_owned(),
+        (LinkState::Online, Saving::Saved) if desk.open.read().is_some() => words::all_saved().to_owned(),
+        (LinkState::Online, Saving::Saved) => String::new(),
+    }
+}
+
+/// A button of the bar that opens a dialog.
+#[component]
+fn Tool(
+    icon: &'static str,
+    label: &'static str,
+    open: Dialog,
+    class: &'static str,
+    #[prop(optional)] disabled: Option<Signal<bool>>,
+) -> impl IntoView {
+    let desk = hold();
+    view! {
+        <button
+            class=format!("tool {class}")
+            type="button"
+            data-stop=""
+            tabindex="-1"
+            title=label
+            aria-label=label
+            disabled=move || disabled.is_some_and(|disabled| disabled.get())
+            on:click=move |_| desk.desk().dialog.set(Some(open.clone()))
+        >
+            <Icon name=icon />
+            <span class="tool-word">{label}</span>
+        </button>
+    }
+}
+
+#[component]
+fn Back() -> impl IntoView {
+    let desk = hold();
+    let cannot_undo = move || !desk.desk().can_undo.get();
+    let cannot_redo = move || !desk.desk().can_redo.get();
+    view! {
+        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::undo()
+            aria-label=words::undo() disabled=cannot_undo on:click=move |_| desk.desk().undo()>
+            <Icon name="undo" />
+        </button>
+        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::redo()
+            aria-label=words::redo() disabled=cannot_redo on:click=move |_| desk.desk().redo()>
+            <Icon name="redo" />
+        </button>
+    }
+}
+
+#[component]
+fn HelpButton() -> impl IntoView {
+    let desk = hold();
+    let label = words::keys_and_gestures();
+    view! {
+        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=label aria-label=label
+            on:click=move |_| desk.desk().dialog.set(Some(Dialog::Help))>
+            <Icon name="help" />
+        </button>
+    }
+}
+
+/// Sets the open dialog from a menu.
+fn opens(desk: Hold, dialog: Dialog) -> Callback<()> {
+    Callback::new(move |()| desk.desk().dialog.set(Some(dialog.clone())))
+}
+
+#[component]
+fn ProgramMenu(none_open: Signal<bool>) -> impl IntoView {
+    view! {
+        <Menu label=words::program() icon="folder" class="only-tablet">
+            <ProgramItems none_open />
+        </Menu>
+    }
+}
+
+#[component]
+fn ProgramItems(none_open: Signal<bool>) -> impl IntoView {
+    let desk = hold();
+    view! {
+        <MenuItem label=words::load_program() icon="folder" choose=opens(desk, Dialog::Programs) />
+        <MenuItem label=words::add_program() icon="plus" choose=opens(desk, Dialog::AddProgram) />
+        <MenuItem label=words::remove_program() icon="trash" disabled=none_open.get_untracked()
+            choose=opens(desk, Dialog::RemoveProgram) />
+    }
+}
+
+#[component]
+fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
+    let desk = hold();
+    view! {
+        <Menu label=words::menu() icon="menu" icon_only=true class="only-phone">
+            <ProgramItems none_open />
+            <div class="menu-rule" role="separator"></div>
+            <MenuItem label=words::add_sensor() icon="eye" disabled=none_open.get_untracked()
+                choose=opens(desk, Dialog::AddSensor) />
+            <MenuItem label=words::edit_helper() icon="fx" choose=opens(desk, Dialog::Helpers) />
+            <MenuItem label=words::add_helper() icon="plus" choose=opens(desk, Dialog::Helper(None)) />
+            <div class="menu-rule" role="separator"></div>
+            <MenuItem label=words::undo() icon="undo" disabled=!desk.desk().can_undo.get_untracked()
+                choose=Callback::new(move |()| desk.desk().undo()) />
+            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().can_redo.get_untracked()
+                choose=Callback::new(move |()| desk.desk().redo()) />
+            <div class="menu-rule" role="separator"></div>
+            <MenuItem label=words::problems() icon="warn" choose=opens(desk, Dialog::Problems) />
+            <MenuItem label=words::keys_and_gestures() icon="help" choose=opens(desk, Dialog::Help) />
+        </Menu>
+    }
+}

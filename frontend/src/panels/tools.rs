@@ -1,0 +1,105 @@
+//! The menus of the bar: Load program, Add sensor, Edit helper.
+
+use super::hold::hold;
+use super::menu::{Menu, MenuItem};
+use crate::desk::{Desk, Dialog};
+use crate::words;
+use behaviour::{Id, Params};
+use leptos::prelude::*;
+use protocol::Summary;
+
+/// How many programs the menu shows; the dialog shows all.
+const PROGRAMS_MAX: usize = 8;
+
+/// Load program: the newest programs and the templates.
+#[component]
+pub(crate) fn LoadMenu() -> impl IntoView {
+    let desk = hold();
+    let list = Callback::new(move |()| desk.desk().list_programs());
+    view! {
+        <Menu label=words::load_program() icon="folder" class="not-tablet" on_open=list>
+            <ProgramItems />
+        </Menu>
+    }
+}
+
+#[component]
+fn ProgramItems() -> impl IntoView {
+    let desk = hold();
+    let program = move |program: Summary| {
+        let open = Callback::new(move |()| open_program(&desk.desk(), &program.id));
+        view! { <MenuItem label=program.name icon="folder" choose=open /> }
+    };
+    let template = move |template: Summary| {
+        let (id, name) = (template.id, template.name.clone());
+        let make = Callback::new(move |()| desk.desk().create_program(&name, Some(&id)));
+        view! { <MenuItem label=template.name icon="plus" note=template.by choose=make /> }
+    };
+    let programs = move || {
+        let programs = desk.desk().programs.get();
+        programs.into_iter().take(PROGRAMS_MAX).map(program).collect_view()
+    };
+    let templates = move || desk.desk().templates.get().into_iter().map(template).collect_view();
+    let all = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::Programs)));
+    view! {
+        {programs}
+        <div class="menu-head" role="presentation">{words::templates()}</div>
+        {templates}
+        <div class="menu-rule" role="separator"></div>
+        <MenuItem label=words::all_programs() icon="search" choose=all />
+    }
+}
+
+/// Opens a program of the list.
+pub(crate) fn open_program(desk: &Desk, id: &str) {
+    if let Ok(id) = Id::new(id) {
+        desk.open_program(&id);
+    }
+}
+
+/// Add sensor: every sense of the robot.
+#[component]
+pub(crate) fn AddSensorMenu(none_open: Signal<bool>) -> impl IntoView {
+    view! {
+        <Menu label=words::add_sensor() icon="eye" class="not-phone" disabled=none_open>
+            <SensorItems />
+        </Menu>
+    }
+}
+
+#[component]
+fn SensorItems() -> impl IntoView {
+    let desk = hold();
+    let item = move |device: &'static robot::Device| {
+        let add = Callback::new(move |()| desk.desk().add_sensor(device.name, Params::new()));
+        view! { <MenuItem label=device.name icon=device.icon kind="sensor" choose=add /> }
+    };
+    robot::sensors().map(item).collect_view()
+}
+
+/// Edit helper: every helper of the library.
+#[component]
+pub(crate) fn EditHelperMenu() -> impl IntoView {
+    view! {
+        <Menu label=words::edit_helper() icon="fx" class="not-phone">
+            <HelperItems />
+        </Menu>
+    }
+}
+
+#[component]
+fn HelperItems() -> impl IntoView {
+    let desk = hold();
+    let item = move |(id, helper): (Id, behaviour::Helper)| {
+        let edit = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::Helper(Some(id.clone())))));
+        view! { <MenuItem label=words::helper_item(&helper.name, &helper.params.join(", ")) icon="fx" choose=edit /> }
+    };
+    move || {
+        let helpers = desk.desk().helpers.get();
+        if helpers.is_empty() {
+            view! { <p class="menu-head">{words::no_helpers()}</p> }.into_any()
+        } else {
+            helpers.into_iter().map(item).collect_view().into_any()
+        }
+    }
+}

@@ -1,0 +1,181 @@
+//! What a procedure makes of the newest real values: asked of the server while somebody writes or looks.
+
+use super::hold::{Hold, Soon, hold};
+use crate::live::short_value;
+use crate::words;
+use behaviour::{Id, StreamKind, Value};
+use leptos::prelude::*;
+
+/// How many sets of values are tried.
+const SETS_MAX: usize = 5;
+/// How long a person may type before the procedure is looked at, in milliseconds.
+const SOON_MS: i32 = 200;
+
+/// A procedure and the streams it takes from.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Question {
+    pub(crate) arguments: Vec<String>,
+    pub(crate) body: String,
+    pub(crate) inputs: Vec<Id>,
+    /// Whether its result only says if the value passes.
+    pub(crate) is_test: bool,
+}
+
+/// One set of values and what came of it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Trial {
+    pub(crate) given: String,
+    pub(crate) result: String,
+    /// Whether the value passes, or that it failed.
+    pub(crate) mark: Mark,
+}
+
+/// How a trial went.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mark {
+    Passes,
+    Plain,
+    Fails,
+}
+
+/// The answers so far.
+#[derive(Clone)]
+pub(crate) struct Answers {
+    /// Why the procedure cannot run at all.
+    pub(crate) error: ArcRwSignal<Option<String>>,
+    pub(crate) trials: ArcRwSignal<Vec<Trial>>,
+    number: ArcRwSignal<u32>,
+}
+
+/// Keeps asking while the question or the values change.
+pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
+    let answers =
+        Answers { error: ArcRwSignal::new(None), trials: ArcRwSignal::default(), number: ArcRwSignal::new(0) };
+    let desk = hold();
+    let told = answers.clone();
+    let soon = Soon::new(move || {
+        if let Some(asked) = question.try_get_untracked() {
+            told.ask(desk, asked);
+        }
+    });
+    Effect::new(move |_| {
+        if let Some(question) = question.get() {
+            for input in &question.inputs {
+                if let Some(signals) = desk.desk().stream(input) {
+                    signals.live.track();
+                }
+            }
+        }
+        soon.within(SOON_MS);
+    });
+    answers
+}
+
+impl Answers {
+    fn ask(&self, desk: Hold, question: Option<Question>) {
+        let number = self.number.get_untracked() + 1;
+        self.number.set(number);
+        let Some(question) = question.filter(|question| !question.body.trim().is_empty()) else {
+            self.error.set(None);
+            self.trials.set(Vec::new());
+            return;
+        };
+        let sets = sets(desk, &question.inputs);
+        let me = self.clone();
+        let asked = (question.arguments.clone(), question.body.clone(), sets.clone());
+        desk.desk().check_body(asked.0, asked.1, asked.2, move |(error, results)| {
+            if me.number.get_untracked() == number {
+                let trials = sets.iter().zip(results).map(|(set, result)| trial(set, result, question.is_test));
+                me.trials.set(trials.collect());
+                me.error.set(error);
+            }
+        });
+    }
+}
+
+fn trial(set: &[Value], result: Result<Value, String>, is_test: bool) -> Trial {
+    let given = set.iter().map(short_value).collect::<Vec<_>>().join(", ");
+    let (result, mark) = match result {
+        Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), Mark::Passes),
+        Ok(_) if is_test => (words::stopped().to_owned(), Mark::Plain),
+        Ok(value) => (short_value(&value), Mark::Plain),
+        Err(reason) => (reason, Mark::Fails),
+    };
+    Trial { given, result, mark }
+}
+
+/// The newest values of all inputs, then older numbers of a single input; examples where nothing came yet.
+fn sets(desk: Hold, inputs: &[Id]) -> Vec<Vec<Value>> {
+    let newest: Option<Vec<Value>> = inputs.iter().map(|id| newest(desk, id)).collect();
+    let Some(newest) = newest.filter(|set| !set.is_empty()) else { return Vec::new() };
+    let mut sets = vec![newest];
+    if let [input] = inputs
+        && let Some(signals) = desk.desk().stream(input)
+    {
+        for number in signals.live.read_untracked().recent.iter().rev() {
+            let set = vec![Value::Float(*number)];
+            if sets.len() < SETS_MAX && !sets.contains(&set) {
+                sets.push(set);
+            }
+        }
+    }
+    sets
+}
+
+fn newest(desk: Hold, id: &Id) -> Option<Value> {
+    let signals = desk.desk().stream(id)?;
+    if let Some(value) = signals.live.read_untracked().value.clone() {
+        return Some(value);
+    }
+    let stream = signals.record.get_untracked();
+    let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
+    serde_json::from_str(device.example).ok()
+}
+
+/// The trials in one line: "now 14.2 → passes".
+#[component]
+pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
+    let shown = move || {
+        let trial = |(at, trial): (usize, Trial)| {
+            let now = if at == 0 { format!("{} ", words::now()) } else { String::new() };
+            view! { <span class=class(trial.mark)>{now}{words::trial(&trial.given, &trial.result)}</span> }
+        };
+        answers.trials.get().into_iter().enumerate().map(trial).collect_view()
+    };
+    view! { <div class="trials">{shown}</div> }
+}
+
+/// The trials as a table, for the inspector.
+#[component]
+pub(crate) fn TrialTable(answers: Answers) -> impl IntoView {
+    let trials = answers.trials;
+    let any = trials.clone();
+    let row = |trial: Trial| {
+        let mark = if trial.mark == Mark::Passes { "✓ " } else { "" };
+        view! {
+            <tr>
+                <td class="cut" title=trial.given.clone()>{trial.given.clone()}</td>
+                <td class=format!("cut {}", class(trial.mark)) title=trial.result.clone()>{mark}{trial.result.clone()}</td>
+            </tr>
+        }
+    };
+    view! {
+        <Show when=move || !any.read().is_empty()>
+            <table class="values">
+                <thead><tr><th scope="col">{words::last_inputs()}</th><th scope="col">{words::result()}</th></tr></thead>
+                <tbody>{
+                    let trials = trials.clone();
+                    move || trials.get().into_iter().map(row).collect_view()
+                }</tbody>
+            </table>
+        </Show>
+    }
+}
+
+fn class(mark: Mark) -> &'static str {
+    match mark {
+        Mark::Passes => "good",
+        Mark::Plain => "",
+        Mark::Fails => "bad-text",
+    }
+}

@@ -1,0 +1,338 @@
+//! The page in English.
+
+sentences! {
+    // The bar
+    skip_name: "Main tools";
+    untitled: "No program open";
+    load_program: "Load program";
+    add_program: "Add a program";
+    remove_program: "Remove program";
+    add_sensor: "Add sensor";
+    edit_helper: "Edit helper";
+    add_helper: "Add a helper";
+    program: "Program";
+    menu: "Menu";
+    undo: "Undo";
+    redo: "Redo";
+    rename_program: "Rename the program";
+    all_saved: "All changes saved";
+    saving: "Saving …";
+    connecting: "Connecting …";
+    you: "you";
+    my_name: "Your name";
+    my_name_hint: "The others see it beside your pointer and your edits.";
+    no_helpers: "There are no helpers yet.";
+    all_programs: "All programs and templates …";
+    keys_and_gestures: "Keys and gestures";
+
+    // The left list
+    palette_name: "Find or add";
+    find_or_add: "Find or add…";
+    senses: "Senses";
+    helpers: "Helpers";
+    actions: "Actions";
+    choose_stream_first: "Select a stream to lead it to an action.";
+
+    // The robot
+    right_name: "Robot";
+    robot: "Robot";
+    start: "Start";
+    running: "Running";
+    apply: "Apply";
+    open_first: "Open a program to start it.";
+    starts_when_online: "Start needs the connection; it is being made again.";
+    robot_ready: "ready";
+    robot_safe: "stopped, holding safely";
+    health_connecting: "connecting";
+    health_limited: "works with limits";
+    health_lost: "connection lost";
+
+    // The room
+    room: "Room";
+    room_hint: "Room · drag the ball";
+    room_picture: "The robot in its room, seen from above";
+    ball_red: "Red ball";
+    ball_green: "Green ball";
+    ball_blue: "Blue ball";
+    ball_other: "Ball";
+    person: "Person";
+    person_known: "Person it knows";
+    move_hint: "Arrow keys move it by 5 centimetres, Page Up and Page Down lift and lower it.";
+    touch_head: "Touch head";
+    person_in: "Person in";
+    person_out: "Person out";
+    reset_room: "Reset room";
+    printed: "Shown by the robot";
+
+    // The inspector
+    inspector_name: "What is selected";
+    edit: "Edit";
+    remove: "Remove";
+    close: "Close";
+    save: "Save";
+    select: "Select";
+    stimulate: "Send a value";
+    last_value: "Last value";
+    rate: "Rate";
+    carried: "Values so far";
+    fired: "Passed on";
+    faults: "Failed";
+    no_value_yet: "No value yet.";
+    starts_to_see: "Press Start to see values.";
+    problems: "Problems";
+    no_problems: "Nothing is missing. Press Start when you like.";
+    select_to_edit: "Select a stream or a connector to see more of it.";
+    says_ordinary: "Carries what its connector makes.";
+    last_inputs: "last inputs";
+    result: "result";
+    passes: "passes";
+    stopped: "stopped";
+
+    // Connectors
+    word_sample: "sample";
+    word_subscribe: "subscribe";
+    word_filter: "filter";
+    word_map: "map";
+    word_combine: "combine";
+    word_merge: "merge";
+    word_timestamp: "timestamp";
+    says_sample: "Passes on the newest value at a steady beat.";
+    says_subscribe: "Hands each value to an action of the robot.";
+    says_filter: "Keeps the values that pass a test.";
+    says_map: "Makes a new value out of each value.";
+    says_combine: "Makes one value out of the newest values of several streams.";
+    says_merge: "Joins several streams into one, as their values come.";
+    says_timestamp: "Puts the time beside each value.";
+
+    // The Operation dialog
+    operation: "Operation";
+    connector: "Connector";
+    from: "From";
+    body: "Body";
+    helper: "Helper";
+    procedure: "Procedure";
+    parameters: "Parameters:";
+    output_stream_name: "Output stream name";
+    rate_label: "One value every";
+    milliseconds: "ms";
+    actuator: "Actuator";
+    input_streams: "Input streams, in this order";
+    no_fitting_helper: "No helper takes this many values. Write a body, or add a helper.";
+    now: "now";
+    draft_found: "This is your unsaved draft.";
+    start_over: "Start over";
+    choose_helper: "Choose a helper.";
+    write_body: "Write what to do with each value.";
+    name_missing: "Give the output stream a name.";
+    stream_gone: "This stream was removed meanwhile.";
+    earlier: "Earlier in the order";
+
+    // Other dialogs
+    edit_sensor: "Edit stream sensor";
+    edit_actuator: "Edit stream actuator";
+    edit_ordinary: "Edit stream";
+    type_label: "Type";
+    name: "Name";
+    new_behaviour: "New behaviour";
+    create: "Create";
+    behaviours: "Behaviours";
+    templates: "Templates";
+    no_programs: "There are no programs yet. Begin with a template, or with an empty one.";
+    to_the_bin: "It goes to the bin for 30 days. Nobody can edit it there.";
+    remove_running: "It runs on the robot; press Stop first.";
+    helper_name: "Name";
+    helper_params: "Parameters, with commas between them";
+    helper_says: "What it is for, in a sentence";
+    used_nowhere: "Nothing in this program uses it.";
+    used_by: "Used by";
+    value_json: "Value";
+    value_hint: "Sent as if the robot had sensed it, while the program runs.";
+    send: "Send";
+    value_unreadable: "This is no value yet. Write it like the example.";
+
+    // Help
+    help_stop: "Escape twice";
+    help_stop_says: "stops the robot, everywhere on this page";
+    help_walk: "Arrow keys";
+    help_walk_says: "walk along the graph";
+    help_edit: "Enter";
+    help_edit_says: "edits what is selected";
+    help_remove: "Delete";
+    help_remove_says: "removes it; undo brings it back";
+    help_undo: "Ctrl Z, Ctrl Y";
+    help_undo_says: "undo and redo your own changes";
+    help_pan: "Drag the paper, pinch or Ctrl and wheel";
+    help_pan_says: "move and zoom the graph";
+
+    // Empty states
+    library_title: "What shall the robot do?";
+    library_says: "Open a program, begin with a template, or start with an empty one.";
+    begin_with_sense: "Add a sense to begin";
+    begin_says: "What should the robot notice? Everything else follows from it.";
+    more_senses: "More senses …";
+
+    // The outline
+    outline_name: "The program as a list";
+    also_above: "see above";
+    more_connectors: "Add a connector";
+
+    // Notices
+    notices_name: "Messages";
+    dismiss: "Close this message";
+}
+
+pub(crate) fn offline(waiting: usize) -> String {
+    match waiting {
+        0 => "Offline".to_owned(),
+        1 => "Offline: 1 change waits here".to_owned(),
+        many => format!("Offline: {many} changes wait here"),
+    }
+}
+
+pub(crate) fn offline_banner(waiting: usize) -> String {
+    format!("{}. You can go on; it is sent when the connection is back.", offline(waiting))
+}
+
+pub(crate) fn running_older(runs: u64, edits: u64) -> String {
+    format!("Running version {runs}, you edit {edits}")
+}
+
+pub(crate) fn running_here(revision: u64) -> String {
+    format!("Running version {revision}")
+}
+
+pub(crate) fn other_runs(name: &str) -> String {
+    format!("“{name}” is running.")
+}
+
+pub(crate) fn ended(reason: &str) -> String {
+    format!("It ended by itself: {reason}.")
+}
+
+pub(crate) fn cannot_start(problem: &str) -> String {
+    format!("It cannot start yet. {problem}")
+}
+
+pub(crate) fn remove_question(name: &str) -> String {
+    format!("Remove “{name}”?")
+}
+
+pub(crate) fn uses(count: usize) -> String {
+    if count == 1 { "1 use".to_owned() } else { format!("{count} uses") }
+}
+
+pub(crate) fn saying(text: &str) -> String {
+    format!("“{text}”")
+}
+
+pub(crate) fn follows(what: &str) -> String {
+    format!("follows {what}")
+}
+
+pub(crate) fn metres(distance: f64) -> String {
+    format!("{distance:.2} m")
+}
+
+pub(crate) fn quiet_for(seconds: u64) -> String {
+    format!("quiet for {seconds} s")
+}
+
+pub(crate) fn spelling(written: &str, right: &str) -> String {
+    format!("Change {written} to {right}")
+}
+
+pub(crate) fn field_of(argument: &str, field: &str, says: &str) -> String {
+    format!("{argument}.{field}: {says}")
+}
+
+pub(crate) fn trial(given: &str, result: &str) -> String {
+    format!("{given} → {result}")
+}
+
+pub(crate) fn streams(count: u32) -> String {
+    if count == 1 { "1 stream".to_owned() } else { format!("{count} streams") }
+}
+
+pub(crate) fn changed_by(name: &str) -> String {
+    format!("last changed by {name}")
+}
+
+pub(crate) fn is_editing(name: &str) -> String {
+    format!("{name} is editing")
+}
+
+pub(crate) fn helper_item(name: &str, params: &str) -> String {
+    format!("{name} ({params})")
+}
+
+pub(crate) fn example(value: &str) -> String {
+    format!("For example {value}")
+}
+
+pub(crate) fn add_named(name: &str) -> String {
+    format!("Add {name}")
+}
+
+pub(crate) fn lead_to(name: &str) -> String {
+    format!("Lead the selected stream to {name}")
+}
+
+pub(crate) fn lead_to_existing(name: &str) -> String {
+    format!("“{name}”, which is there already")
+}
+
+pub(crate) fn ball_named(color: &str) -> &'static str {
+    match color {
+        "red" => ball_red(),
+        "green" => ball_green(),
+        "blue" => ball_blue(),
+        _ => ball_other(),
+    }
+}
+
+/// What a person calls a connector, and what it does, by its word in files.
+pub(crate) fn connector_word(word: &str) -> &'static str {
+    match word {
+        "sample" => word_sample(),
+        "subscribe" => word_subscribe(),
+        "filter" => word_filter(),
+        "combineLatest" => word_combine(),
+        "merge" => word_merge(),
+        "timestamp" => word_timestamp(),
+        _ => word_map(),
+    }
+}
+
+pub(crate) fn connector_says(word: &str) -> &'static str {
+    match word {
+        "sample" => says_sample(),
+        "subscribe" => says_subscribe(),
+        "filter" => says_filter(),
+        "combineLatest" => says_combine(),
+        "merge" => says_merge(),
+        "timestamp" => says_timestamp(),
+        _ => says_map(),
+    }
+}
+
+/// The name of a stream that a filter with a helper makes: "Near Red ball".
+pub(crate) fn name_that(helper: &str, input: &str) -> String {
+    format!("{helper} {input}")
+}
+
+/// The name of a stream that a connector makes, before anybody thinks of a better one.
+pub(crate) fn name_out_of(kind: &str, input: &str) -> String {
+    match kind {
+        "filter" => format!("Some {input}"),
+        "sample" => format!("{input} at times"),
+        "timestamp" => format!("{input} with time"),
+        "combineLatest" => format!("{input} and more"),
+        "merge" => format!("{input} or more"),
+        _ => format!("New {input}"),
+    }
+}
+
+/// How deep a row of the outline stands, for screen readers.
+pub(crate) fn level(depth: usize) -> String {
+    format!("Level {depth}: ")
+}

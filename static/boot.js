@@ -1,0 +1,125 @@
+// Loads the program, keeps Stop working whatever happens to it, and says so when the program fails.
+
+const RELOADS_MAX = 3;
+const RELOAD_MS = 800;
+const HEALTHY_MS = 20_000;
+const STOP_WAIT_MS = 4_000;
+const SAID_MS = 4_000;
+const ESCAPES_WITHIN_MS = 600;
+const RELOADS = "rrp-reloads";
+
+const form = document.getElementById("stop-form");
+const said = document.getElementById("stop-said");
+const words = form.dataset;
+
+// ---- Stop ---------------------------------------------------------------------------------------------------------
+
+let quietLater = 0;
+let tries = 0;
+
+function say(state, sentence) {
+  clearTimeout(quietLater);
+  form.dataset.state = state;
+  said.textContent = sentence;
+  if (state === "stopped") quietLater = setTimeout(() => say("", ""), SAID_MS);
+}
+
+async function stop() {
+  const mine = ++tries;
+  say("stopping", words.stopping);
+  let reached = false;
+  try {
+    const signal = AbortSignal.timeout(STOP_WAIT_MS);
+    const headers = { accept: "application/json" };
+    reached = (await fetch("/stop", { method: "POST", headers, signal, keepalive: true, cache: "no-store" })).ok;
+  } catch {
+    reached = false;
+  }
+  if (mine !== tries) return;
+  if (reached) say("stopped", words.stopped);
+  else say("failed", words.failed);
+}
+
+form.addEventListener("submit", (event) => {
+  event.preventDefault();
+  stop();
+});
+
+let lastEscape = -Infinity;
+window.addEventListener("keydown", (event) => {
+  if (event.key !== "Escape" || event.repeat || event.isComposing) return;
+  if (event.timeStamp - lastEscape < ESCAPES_WITHIN_MS) {
+    lastEscape = -Infinity;
+    stop();
+  } else {
+    lastEscape = event.timeStamp;
+  }
+}, { capture: true });
+
+// ---- When the program fails ---------------------------------------------------------------------------------------
+
+function reloads() {
+  try { return Number(sessionStorage.getItem(RELOADS)) || 0; } catch { return RELOADS_MAX; }
+}
+
+function setReloads(count) {
+  try { sessionStorage.setItem(RELOADS, String(count)); } catch { /* Private windows may have no storage. */ }
+}
+
+function overlay(sentence, detail, button) {
+  let box = document.getElementById("panic");
+  if (box) return;
+  box = document.createElement("div");
+  box.id = "panic";
+  box.setAttribute("role", "alert");
+  const line = document.createElement("p");
+  line.textContent = sentence;
+  box.append(line);
+  if (button) box.append(reloadButton());
+  document.body.append(box);
+  if (detail) console.error(detail);
+}
+
+function reloadButton() {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.textContent = words.reload;
+  button.addEventListener("click", () => {
+    setReloads(0);
+    location.reload();
+  });
+  return button;
+}
+
+let panicked = false;
+window.rrpPanic = (text) => {
+  if (panicked) return;
+  panicked = true;
+  const count = reloads();
+  if (count >= RELOADS_MAX) {
+    overlay(words.stuck, text, true);
+    return;
+  }
+  setReloads(count + 1);
+  overlay(words.panic, text, false);
+  setTimeout(() => location.reload(), RELOAD_MS);
+};
+
+// ---- The program --------------------------------------------------------------------------------------------------
+
+function addManifest() {
+  const link = document.createElement("link");
+  link.rel = "manifest";
+  link.href = "./manifest.webmanifest";
+  document.head.append(link);
+}
+
+try {
+  const { default: init } = await import("./app.js");
+  await init({ module_or_path: "./app_bg.wasm" });
+  document.getElementById("loading")?.remove();
+  setTimeout(() => { if (!panicked) setReloads(0); }, HEALTHY_MS);
+  setTimeout(addManifest, HEALTHY_MS / 10);
+} catch (error) {
+  if (!panicked) overlay(words.unloaded, error, true);
+}

@@ -1,0 +1,208 @@
+//! The sample applications of the thesis on the simulated NAO: what the robot does when people move things.
+
+use behaviour::{BehaviourFile, Value};
+use house::Outcome;
+use house::rehearsal::{Report, Script, Told, rehearse};
+use robot::{JOINTS, Millis, Scene, SceneEdit};
+
+const SEED: u64 = 7;
+/// Ahead and near the height of the camera, in view of a robot that looks ahead.
+const AHEAD: [f32; 3] = [0.60, 0.0, 0.45];
+const BEHIND: [f32; 3] = [-1.0, 0.5, 0.45];
+
+#[test]
+fn the_eyes_take_the_colour_of_the_ball() -> Outcome<()> {
+    let report = play("reflect_ball_color", &[at(1_000, ball("red", BEHIND)), at(1_000, ball("green", AHEAD))], 2_000)?;
+    assert_eq!(scene(&report, 900).body.eyes, [1.0, 0.0, 0.0]);
+    assert_eq!(scene(&report, 2_000).body.eyes, [0.0, 1.0, 0.0]);
+    assert!(times(&report, "blue-eyes").is_empty());
+    Ok(())
+}
+
+#[test]
+fn the_colour_is_said_once_a_second() -> Outcome<()> {
+    let script = [at(3_500, ball("red", BEHIND)), at(4_200, ball("green", AHEAD))];
+    let report = play("say_ball_color", &script, 6_500)?;
+    assert_eq!(times(&report, "say-red"), [1_000, 2_000, 3_000, 4_000]);
+    assert_eq!(times(&report, "say-green"), [5_000, 6_000]);
+    assert_eq!(words(&report), ["Red", "Red", "Red", "Red", "Green", "Green"]);
+    Ok(())
+}
+
+#[test]
+fn with_merge_one_word_a_second_is_said_and_the_newest_ball_wins() -> Outcome<()> {
+    let script = [at(3_500, ball("red", BEHIND)), at(3_600, ball("green", AHEAD))];
+    let report = play("say_ball_color_merge", &script, 6_500)?;
+    assert_eq!(times(&report, "say"), [1_000, 2_000, 3_000, 4_000, 5_000, 6_000]);
+    assert_eq!(words(&report), ["red", "red", "red", "green", "green", "green"]);
+    Ok(())
+}
+
+#[test]
+fn the_eyes_shine_brighter_as_the_ball_comes_nearer() -> Outcome<()> {
+    let (far, close) = (ball("red", [1.05, 0.0, 0.45]), ball("red", [0.35, 0.0, 0.45]));
+    let nearer = [at(0, far), at(1_000, ball("red", AHEAD)), at(2_000, close)];
+    let report = play("distance_to_brightness", &nearer, 3_000)?;
+    let bright = [900, 1_900, 2_900].map(|at_ms| scene(&report, at_ms).body.eyes[0]);
+    assert!((0.1..0.3).contains(&bright[0]) && (0.5..0.8).contains(&bright[1]) && bright[2] > 0.8, "{bright:?}");
+    Ok(())
+}
+
+#[test]
+fn a_far_ball_turns_the_head_and_a_close_one_the_whole_body() -> Outcome<()> {
+    let script = [at(0, ball("red", [1.20, 0.45, 0.45])), at(3_000, ball("red", [0.32, 0.28, 0.45]))];
+    let report = play("track_far_and_close", &script, 8_000)?;
+    let far = scene(&report, 2_900);
+    assert!((joint(far, "HeadYaw") - 0.36).abs() < 0.05, "the head looks at it: {}", joint(far, "HeadYaw"));
+    assert_eq!(far.body.base, [0.0; 3], "the body stands");
+    assert_eq!(far.body.tracking, "red ball with head");
+    let close = scene(&report, 7_900);
+    assert!(close.body.base[2] > 0.5, "the body turned to it: {:?}", close.body.base);
+    assert_eq!(close.body.tracking, "red ball with whole body");
+    let sees = |scene: &Scene| scene.balls.iter().any(|ball| ball.id == "red" && ball.seen);
+    assert!(sees(far) && sees(close));
+    Ok(())
+}
+
+#[test]
+fn a_new_face_is_greeted_and_remembered_and_greeted_again() -> Outcome<()> {
+    let enters = SceneEdit::SetPresent { id: "person".into(), present: true };
+    let leaves = SceneEdit::SetPresent { id: "person".into(), present: false };
+    let script = [at(5_000, enters.clone()), at(10_050, leaves), at(25_000, enters)];
+    let report = play("greeter", &script, 35_000)?;
+    assert_eq!(words(&report), ["Hello", "Hello Again"]);
+    assert_eq!(times(&report, "hello"), [10_000]);
+    assert_eq!(times(&report, "remember"), [10_000]);
+    assert_eq!(times(&report, "again"), [30_000]);
+    let known = |at_ms| scene(&report, at_ms).people[0].known;
+    assert!(!known(9_900) && known(10_100));
+    Ok(())
+}
+
+/// Left, right, then far away: with the arm while it is close.
+fn left_right_and_away() -> [(Millis, SceneEdit); 3] {
+    let (left, right, far) = ([0.32, 0.10, 0.42], [0.32, -0.10, 0.42], [1.60, 0.20, 0.45]);
+    [at(0, ball("red", left)), at(2_000, ball("red", right)), at(AWAY_MS, ball("red", far))]
+}
+
+/// When the ball goes away in [`left_right_and_away`].
+const AWAY_MS: u64 = 4_000;
+
+#[test]
+fn the_nearest_arm_points_to_a_close_ball() -> Outcome<()> {
+    for name in ["track_nearest_arm", "track_nearest_arm_in_time"] {
+        let report = play(name, &left_right_and_away(), 3_900)?;
+        let (left, right) = (scene(&report, 1_900), scene(&report, 3_900));
+        assert_eq!(left.body.tracking, "red ball with left arm", "{name}");
+        assert_eq!(right.body.tracking, "red ball with right arm", "{name}");
+        assert!(points(left, "LShoulderPitch") && !points(left, "RShoulderPitch"), "{name}: {:?}", left.body.joints);
+        assert!(points(right, "RShoulderPitch") && !points(right, "LShoulderPitch"), "{name}: {:?}", right.body.joints);
+        let said: Vec<&Value> = told(&report, "arm-tracker").map(|told| &told.value).collect();
+        assert!(said.first() == Some(&&Value::text("left")) && said.last() == Some(&&Value::text("right")), "{name}");
+    }
+    Ok(())
+}
+
+#[test]
+fn a_medium_ball_moves_head_and_body_and_a_far_one_the_head() -> Outcome<()> {
+    let script = [at(0, ball("red", [0.65, 0.30, 0.45])), at(3_000, ball("red", [1.60, 0.90, 0.45]))];
+    for name in ["track_nearest_arm", "track_nearest_arm_in_time"] {
+        let report = play(name, &script, 5_000)?;
+        assert_eq!(scene(&report, 2_900).body.tracking, "red ball with whole body", "{name}");
+        assert_eq!(scene(&report, 4_900).body.tracking, "red ball with head", "{name}");
+        assert!(times(&report, "arm-tracker").is_empty(), "{name}");
+    }
+    Ok(())
+}
+
+#[test]
+fn the_timing_bug_moves_the_arm_for_a_ball_that_went_away() -> Outcome<()> {
+    let report = play("track_nearest_arm", &left_right_and_away(), 8_000)?;
+    let late = times(&report, "arm-tracker").into_iter().filter(|at_ms| *at_ms > AWAY_MS + 1_000).count();
+    assert!(late > 50, "only {late} arm commands");
+    assert!(scene(&report, 8_000).body.tracking.contains("arm"));
+    Ok(())
+}
+
+#[test]
+fn the_mended_graph_forgets_the_ball_after_one_second() -> Outcome<()> {
+    let report = play("track_nearest_arm_in_time", &left_right_and_away(), 8_000)?;
+    let last = times(&report, "arm-tracker").into_iter().max();
+    assert!(last.is_some_and(|last| (AWAY_MS..AWAY_MS + 1_000).contains(&last)), "{last:?}");
+    assert_eq!(scene(&report, 8_000).body.tracking, "red ball with head");
+    Ok(())
+}
+
+#[test]
+fn a_rehearsal_is_the_same_every_time() -> Outcome<()> {
+    for name in NAMES {
+        let once = play(name, &left_right_and_away(), 12_000)?;
+        assert_eq!(play(name, &left_right_and_away(), 12_000)?, once, "{name}");
+        assert!(once.troubles.is_empty(), "{name}: {:?}", once.troubles);
+    }
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let mut file = read("greeter").unwrap();
+    assert!(rehearse(&file, SEED, &[at(0, ball("pink", AHEAD))], Millis(10)).is_err());
+    file.connectors[1].body = Some("face.new &&".to_owned());
+    assert!(rehearse(&file, SEED, &[], Millis(10)).unwrap_err().0.starts_with("Greeter cannot run"));
+    assert!(rehearse(&file, SEED, &[], Millis(u64::MAX)).is_err());
+}
+
+const NAMES: [&str; 8] = [
+    "reflect_ball_color",
+    "say_ball_color",
+    "say_ball_color_merge",
+    "distance_to_brightness",
+    "track_far_and_close",
+    "greeter",
+    "track_nearest_arm",
+    "track_nearest_arm_in_time",
+];
+
+fn read(name: &str) -> Outcome<BehaviourFile> {
+    let path = house::root().join("tests/behaviours").join(name).with_extension("json");
+    Ok(serde_json::from_str(&std::fs::read_to_string(path)?)?)
+}
+
+fn play(name: &str, script: &Script, until_ms: u64) -> Outcome<Report> {
+    rehearse(&read(name)?, SEED, script, Millis(until_ms))
+}
+
+fn at(at_ms: u64, edit: SceneEdit) -> (Millis, SceneEdit) {
+    (Millis(at_ms), edit)
+}
+
+fn ball(id: &str, at: [f32; 3]) -> SceneEdit {
+    SceneEdit::MoveBall { id: id.to_owned(), at }
+}
+
+/// The newest picture at that time.
+fn scene(report: &Report, at_ms: u64) -> &Scene {
+    report.scenes.iter().rfind(|scene| scene.at_ms <= at_ms).expect("a picture")
+}
+
+fn joint(scene: &Scene, name: &str) -> f32 {
+    scene.body.joints[JOINTS.iter().position(|joint| *joint == name).expect("a joint of the robot")]
+}
+
+/// Whether an arm is raised ahead: it hangs at about 1.4 rad of shoulder pitch.
+fn points(scene: &Scene, shoulder_pitch: &str) -> bool {
+    joint(scene, shoulder_pitch) < 0.8
+}
+
+fn told<'a>(report: &'a Report, stream: &'a str) -> impl Iterator<Item = &'a Told> {
+    report.commands.iter().filter(move |told| told.stream == stream)
+}
+
+/// When an action was told something, in milliseconds.
+fn times(report: &Report, stream: &str) -> Vec<u64> {
+    told(report, stream).map(|told| told.at.0).collect()
+}
+
+fn words(report: &Report) -> Vec<&str> {
+    report.spoken.iter().map(|spoken| spoken.text.as_str()).collect()
+}
