@@ -2,7 +2,7 @@
 
 use crate::{
     Behaviour, Connector, Engine, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
-    Stream, StreamKind,
+    Stream, StreamKind, calls_helper,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -273,12 +273,16 @@ fn layout_of(behaviour: &Behaviour) -> BTreeMap<String, Place> {
 }
 
 fn used_helpers(connectors: &[FileConnector], library: &[&Helper]) -> Vec<FileHelper> {
-    let texts = connectors.iter().flat_map(|connector| [connector.helper.as_deref(), connector.body.as_deref()]);
-    let mut unread: Vec<&str> = texts.flatten().collect();
-    let mut used = BTreeMap::new();
+    let named = |helper: &Helper| connectors.iter().any(|connector| connector.helper.as_deref() == Some(&helper.name));
+    let mut unread: Vec<&str> = connectors.iter().filter_map(|connector| connector.body.as_deref()).collect();
+    let mut used: BTreeMap<&str, &Helper> = BTreeMap::new();
+    for helper in library.iter().filter(|helper| named(helper)) {
+        used.insert(&helper.name, helper);
+        unread.push(&helper.body);
+    }
     while let Some(text) = unread.pop() {
-        for helper in library.iter().filter(|helper| mentions(text, &helper.name)) {
-            if used.insert(helper.name.clone(), *helper).is_none() {
+        for helper in library.iter().filter(|helper| calls_helper(text, &helper.name)) {
+            if used.insert(&helper.name, helper).is_none() {
                 unread.push(&helper.body);
             }
         }
@@ -293,9 +297,4 @@ fn file_helper(helper: &Helper) -> FileHelper {
         body: helper.body.clone(),
         says: helper.says.clone(),
     }
-}
-
-/// True if the word `name` stands in `text`.
-fn mentions(text: &str, name: &str) -> bool {
-    text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == name)
 }

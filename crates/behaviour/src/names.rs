@@ -97,6 +97,15 @@ pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)
     found.into_iter().collect()
 }
 
+/// True if `body` calls the helper, `distance(ball)`, or points to it, `Fn("distance")`. An argument that happens
+/// to have the helper's name is no call.
+#[must_use]
+pub fn calls_helper(body: &str, helper: &str) -> bool {
+    let opens = |end: usize| body[end..].trim_start().starts_with('(');
+    let called = variables(body).into_iter().any(|place| &body[place.clone()] == helper && opens(place.end));
+    called || body.contains(&format!("Fn(\"{helper}\")"))
+}
+
 /// Where variables and function names stand in a Rhai text.
 fn variables(body: &str) -> Vec<Range<usize>> {
     let bytes = body.as_bytes();
@@ -173,7 +182,7 @@ fn is_key(bytes: &[u8], end: usize) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{argument_names, is_identifier, rename_identifier, shown_spellings};
+    use super::{argument_names, calls_helper, is_identifier, rename_identifier, shown_spellings};
 
     #[test]
     fn stream_names_become_argument_names() {
@@ -215,6 +224,16 @@ mod tests {
         let arguments = ["distanceToBall".to_owned()];
         let offered = shown_spellings("distancetoball < 20 && distanceToBall > 1", &arguments);
         assert_eq!(offered, [("distancetoball".to_owned(), "distanceToBall".to_owned())]);
+    }
+
+    #[test]
+    fn a_helper_is_used_where_it_is_called() {
+        for body in ["distance(ball)", "1 + ball.distance (2)", "[b].map(Fn(\"distance\"))", "`${distance(b)}`"] {
+            assert_eq!(calls_helper(body, "distance"), !body.contains("ball.d"), "{body}");
+        }
+        for body in ["distance < 20", "distances(b)", "// distance(b)", "#{distance: 1}", ""] {
+            assert!(!calls_helper(body, "distance"), "{body}");
+        }
     }
 
     #[test]

@@ -49,14 +49,6 @@ impl Room {
         Self { behaviour, revision, answered: BTreeMap::new(), answered_order: VecDeque::new() }
     }
 
-    /// The room with what the store knows was answered lately, oldest first: a change sent again after a restart is
-    /// answered as the duplicate it is.
-    #[must_use]
-    pub fn remembering(mut self, answered: impl IntoIterator<Item = (Id, u64)>) -> Self {
-        answered.into_iter().for_each(|(op, revision)| self.remember(op, revision));
-        self
-    }
-
     /// The behaviour as everyone may see it.
     #[must_use]
     pub fn behaviour(&self) -> &Behaviour {

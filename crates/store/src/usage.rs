@@ -1,6 +1,6 @@
 //! Whether a record uses a helper, by name or in its body.
 
-use behaviour::{Id, Procedure, Record, RecordId, rename_identifier};
+use behaviour::{Id, Procedure, Record, RecordId, calls_helper};
 use std::collections::BTreeSet;
 
 use crate::Usage;
@@ -24,14 +24,10 @@ fn words_of(body: &str) -> BTreeSet<String> {
 pub(crate) fn uses(record: &Record, helper: &str) -> bool {
     match (record, procedure(record)) {
         (_, Some(Procedure::Helper(name))) => name == helper,
-        (_, Some(Procedure::Body { body, .. })) => mentions(body, helper),
-        (Record::Helper(other), None) => other.name != helper && mentions(&other.body, helper),
+        (_, Some(Procedure::Body { body, .. })) => calls_helper(body, helper),
+        (Record::Helper(other), None) => other.name != helper && calls_helper(&other.body, helper),
         (_, None) => false,
     }
-}
-
-fn mentions(body: &str, helper: &str) -> bool {
-    !helper.is_empty() && rename_identifier(body, helper, "") != body
 }
 
 fn procedure(record: &Record) -> Option<&Procedure> {

@@ -1,9 +1,7 @@
 //! Arms point at the ball, and joints and lights do what they are told.
 
-mod common;
-
+use super::bench::Bench;
 use behaviour::Value;
-use common::Bench;
 use robot::Robot;
 
 /// Angle between shoulder-to-palm and shoulder-to-ball in radians, for the left or right arm.

@@ -1,8 +1,6 @@
 //! The room keeps its bounds, whatever happens in it; and the same story gives the same bits.
 
-mod common;
-
-use common::Bench;
+use super::bench::Bench;
 use robot::{JOINTS, Millis, Robot, SceneEdit};
 use simulation::SimulatedNao;
 

@@ -1,9 +1,7 @@
 //! Senses give what geometry says, at their beat, and nothing when there is nothing.
 
-mod common;
-
+use super::bench::{Bench, number};
 use behaviour::Value;
-use common::{Bench, number};
 use robot::{Millis, Robot};
 
 #[test]
@@ -131,7 +129,11 @@ fn a_tick_counts_at_its_beat_and_a_joint_is_read_twenty_times_a_second() {
     let mut bench = Bench::new();
     bench
         .nao
-        .open(&common::user("tick"), "Tick", &[("period_ms".to_owned(), Value::Float(333.0))].into_iter().collect())
+        .open(
+            &super::bench::user("tick"),
+            "Tick",
+            &[("period_ms".to_owned(), Value::Float(333.0))].into_iter().collect(),
+        )
         .expect("it ticks");
     bench.open("joint", "JointPosition", &[("joint", "LShoulderPitch")]);
     bench.wait(1_000);
@@ -155,10 +157,10 @@ fn readings_come_in_order_of_time() {
 #[test]
 fn what_the_robot_does_not_have_or_cannot_do_is_refused_with_a_sentence() {
     let mut bench = Bench::new();
-    let sentence = bench.nao.open(&common::user("x"), "Wings", &Default::default()).expect_err("it has no wings");
+    let sentence = bench.nao.open(&super::bench::user("x"), "Wings", &Default::default()).expect_err("it has no wings");
     assert_eq!(sentence, "this robot has no device called “Wings”");
     let params = [("color".to_owned(), Value::text("pink"))].into_iter().collect();
-    assert!(bench.nao.open(&common::user("x"), "Blob", &params).is_err());
+    assert!(bench.nao.open(&super::bench::user("x"), "Blob", &params).is_err());
     bench.open("ball", "RedBall", &[]);
     assert!(bench.try_tell("ball", 1.0).is_err());
     assert!(bench.try_tell("nobody", 1.0).is_err());

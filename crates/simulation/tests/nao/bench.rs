@@ -1,5 +1,4 @@
 //! A bench: a simulated robot with a clock, so that tests read like sentences.
-#![allow(dead_code, reason = "every test file uses another part of it")]
 
 use behaviour::{Id, Params, Value};
 use robot::{Millis, Reading, Robot, SceneEdit, Use};

@@ -1,8 +1,6 @@
 //! The head and the body follow what the camera sees.
 
-mod common;
-
-use common::Bench;
+use super::bench::Bench;
 use robot::Robot;
 
 fn following(mode: &str) -> Bench {

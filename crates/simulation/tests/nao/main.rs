@@ -1,0 +1,7 @@
+//! The simulated NAO as the people around it know it: what it sees, how it moves, what it says.
+
+mod arms;
+mod bench;
+mod head;
+mod room;
+mod senses;
