@@ -73,6 +73,26 @@ async fn pressing_finds_what_people_see() -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn a_part_of_the_page_is_meant_alone() -> Outcome<()> {
+    ready!("parts");
+    let (_browser, aiko, _) = someone().await?;
+    aiko.within("group", "Second").press("button", "Twin").await?;
+    assert_eq!(aiko.eval("document.activeElement.id").await?, "second");
+    assert_eq!(aiko.within("group", "Second").find_all("button", "").await?.len(), 1);
+    let here = "function () { return this.id; }";
+    assert_eq!(aiko.until_on("button", "Run", here, "it has a name").await?, "one");
+    aiko.patience(Duration::from_millis(200));
+    let trouble = aiko.within("group", "Second").find("button", "Run").await.err().map(|trouble| trouble.0);
+    let trouble = trouble.unwrap_or_default();
+    assert!(
+        trouble.contains("in the group \"Second\"") && trouble.contains("each button in view: \"Twin\""),
+        "{trouble}"
+    );
+    let _ = std::fs::remove_file(aiko.failure_path());
+    aiko.no_errors()
+}
+
+#[tokio::test]
 async fn a_press_that_cannot_be_says_why_and_leaves_a_picture() -> Outcome<()> {
     ready!("refusals");
     let (_browser, aiko, _) = someone().await?;

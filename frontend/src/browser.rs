@@ -105,7 +105,7 @@ const MEASURED_MAX: usize = 8_192;
 
 thread_local! {
     static PEN: Option<CanvasRenderingContext2d> = pen();
-    static MEASURED: RefCell<BTreeMap<(String, u32), f64>> = RefCell::default();
+    static MEASURED: RefCell<BTreeMap<(String, u32, u32), f64>> = RefCell::default();
 }
 
 fn pen() -> Option<CanvasRenderingContext2d> {
@@ -113,14 +113,14 @@ fn pen() -> Option<CanvasRenderingContext2d> {
     canvas.get_context("2d").ok()??.dyn_into().ok()
 }
 
-/// How wide a text is in the page's own letters, semibold, at a size in pixels; none in tests on the host.
-pub(crate) fn text_width(text: &str, size: u32) -> Option<f64> {
+/// How wide a text is in the page's own letters of some weight, at a size in pixels; none in tests on the host.
+pub(crate) fn text_width(text: &str, weight: u32, size: u32) -> Option<f64> {
     window()?;
-    let key = (text.to_owned(), size);
+    let key = (text.to_owned(), weight, size);
     if let Some(known) = MEASURED.with(|measured| measured.borrow().get(&key).copied()) {
         return Some(known);
     }
-    let width = PEN.with(|pen| measure(pen.as_ref()?, text, size))?;
+    let width = PEN.with(|pen| measure(pen.as_ref()?, text, weight, size))?;
     MEASURED.with(|measured| {
         let mut measured = measured.borrow_mut();
         if measured.len() >= MEASURED_MAX {
@@ -131,10 +131,10 @@ pub(crate) fn text_width(text: &str, size: u32) -> Option<f64> {
     Some(width)
 }
 
-fn measure(pen: &CanvasRenderingContext2d, text: &str, size: u32) -> Option<f64> {
+fn measure(pen: &CanvasRenderingContext2d, text: &str, weight: u32, size: u32) -> Option<f64> {
     let window = window()?;
     let body = window.document()?.body()?;
     let letters = window.get_computed_style(&body).ok()??.get_property_value("font-family").ok()?;
-    pen.set_font(&format!("600 {size}px {letters}"));
+    pen.set_font(&format!("{weight} {size}px {letters}"));
     Some(pen.measure_text(text).ok()?.width())
 }

@@ -9,8 +9,10 @@ mod menu;
 mod node;
 mod people;
 mod pointers;
+mod room;
 mod stage;
 mod strip;
+mod strip_spot;
 mod suggest;
 mod view;
 mod walk;
@@ -26,6 +28,7 @@ use leptos::prelude::*;
 use node::StreamNode;
 use people::Pointers;
 use strip::Strip;
+use wasm_bindgen::JsCast;
 use zoom::Zoom;
 
 /// Below this zoom details are hidden.
@@ -41,6 +44,7 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow_size(root);
     stage.follow_open(&desk);
     stage.follow_selection(&desk);
+    let glides = stage.glides.clone();
     let pointers = pointers::Pointers::new(stage.clone(), desk.clone());
     let [down, moved, up, cancel, lost] = [(); 5].map(|()| pointers.clone());
     let [leave, wheel, click, double] = [(); 4].map(|()| pointers.clone());
@@ -50,6 +54,7 @@ pub(crate) fn Canvas() -> impl IntoView {
     view! {
         <main
             class="stage"
+            class:gliding=move || glides.get()
             class:far=move || far.view.with(|view| view.zoom < FAR)
             id="stage"
             tabindex="-1"
@@ -59,7 +64,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             on:pointermove=move |event| moved.moved(&event)
             on:pointerup=move |event| up.up(&event)
             on:pointercancel=move |event| cancel.cancel(&event)
-            on:lostpointercapture=move |event| lost.cancel(&event)
+            on:lostpointercapture=move |event| lost.lost(&event)
             on:pointerleave=move |event| leave.leave(&event)
             on:wheel=move |event| wheel.wheel(&event)
             on:click=move |event| click.click(&event)
@@ -78,6 +83,23 @@ pub(crate) fn Canvas() -> impl IntoView {
             <Zoom />
             <EmptyStage />
         </main>
+    }
+}
+
+/// The first thing that Tab comes to: a way past all tools.
+#[component]
+pub(crate) fn ToGraph() -> impl IntoView {
+    let desk = use_desk();
+    let ids = desk.stream_ids.clone();
+    let go = move |_| {
+        let stop = document().query_selector("#stage .stream[tabindex='0']").ok().flatten();
+        if let Some(stop) = stop.and_then(|stop| stop.dyn_into::<web_sys::HtmlElement>().ok()) {
+            let _ = stop.focus();
+        }
+    };
+    move || {
+        (!ids.with(Vec::is_empty))
+            .then(|| view! { <button type="button" class="to-graph" on:click=go>{words::to_graph()}</button> })
     }
 }
 

@@ -9,6 +9,7 @@ pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
 pub(crate) use tidy::tidy;
 
 use behaviour::{Place, Stream};
+use label::name_width;
 
 /// The height of a stream, in canvas units.
 pub(crate) const STREAM_HEIGHT: f64 = 48.0;
@@ -18,24 +19,31 @@ pub(crate) const CHIP_HEIGHT: f64 = 28.0;
 pub(crate) const WIDTH_MAX: f64 = 260.0;
 /// From the top of a stream to the top of the next one below.
 pub(crate) const LEVEL: f64 = 140.0;
-/// Between neighbours; also the place of a live value.
-pub(crate) const GAP: f64 = 96.0;
+/// Between neighbours.
+pub(crate) const GAP: f64 = 24.0;
+/// Kept free at the right of every stream for its live value.
+pub(crate) const VALUE_ROOM: f64 = 180.0;
 /// The grid things snap to, so that what looks aligned is aligned.
 pub(crate) const GRID: f64 = 10.0;
 
 /// How wide a stream is.
 pub(crate) fn stream_width(stream: &Stream) -> f64 {
-    let name = text_width(&stream.name, 15);
+    let name = name_width(&stream.name, 15);
     let second = text_width(&what_it_is(stream), 12);
     let icon = if stream.device.is_some() { 36.0 } else { 10.0 };
     let padding = 30.0;
-    (name.max(second) + icon + padding).ceil().clamp(96.0, WIDTH_MAX)
+    even((name.max(second) + icon + padding).clamp(96.0, WIDTH_MAX))
+}
+
+/// Whole and even, so that a box in the middle of something starts on a pixel.
+fn even(width: f64) -> f64 {
+    (width / 2.0).ceil() * 2.0
 }
 
 /// How wide a chip is.
 pub(crate) fn chip_width(words: &ChipWords) -> f64 {
     let text = text_width(&words.word, 13) + words.detail.chars().map(code_width).sum::<f64>();
-    (text + 52.0).ceil().clamp(72.0, WIDTH_MAX)
+    even((text + 52.0).clamp(72.0, WIDTH_MAX))
 }
 
 /// How wide a letter of code is at 12 pixels.

@@ -12,7 +12,7 @@ mod live;
 mod panels;
 mod words;
 
-use canvas::Canvas;
+use canvas::{Canvas, ToGraph};
 use desk::Desk;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -47,7 +47,9 @@ fn App() -> impl IntoView {
     undo_keys(&desk);
     provide_context(desk);
     let phone = is_phone();
+    let wide = phone.clone();
     view! {
+        {move || (!wide.get()).then(|| view! { <ToGraph /> })}
         <panels::Toolbar />
         <panels::Palette />
         {move || if phone.get() {

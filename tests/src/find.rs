@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::page::Page;
+use crate::page::{Page, truthy};
 use crate::{Outcome, Trouble};
 
 /// Names listed in a failure.
@@ -78,12 +78,19 @@ pub struct Node {
     pub point: (f64, f64),
 }
 
+/// What to look inside of, by role and name: a dialog, a toolbar. None is all of the page.
+pub(crate) type Inside<'a> = Option<(&'a str, &'a str)>;
+
 impl Page {
     /// The visible elements with this ARIA `role` and accessible `name`, now.
     /// The name is exact; one that ends with `*` matches as a beginning; an empty one matches any.
     pub async fn find_all(&self, role: &str, name: &str) -> Outcome<Vec<Node>> {
+        self.find_all_in(None, role, name).await
+    }
+
+    pub(crate) async fn find_all_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<Vec<Node>> {
         let mut nodes = Vec::new();
-        for found in self.query(role, name).await? {
+        for found in self.query(inside, role, name).await? {
             nodes.extend(self.visible(&found).await);
         }
         Ok(nodes)
@@ -96,7 +103,12 @@ impl Page {
 
     /// Waits until exactly one visible element has this role and name.
     pub async fn find(&self, role: &str, name: &str) -> Outcome<Node> {
-        self.patiently(&format!("one {role} \"{name}\" in view"), async || self.one(role, name).await).await
+        self.find_in(None, role, name).await
+    }
+
+    pub(crate) async fn find_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<Node> {
+        let what = format!("one {role} \"{name}\" in view{}", place(inside));
+        self.patiently(&what, async || self.one(inside, role, name).await).await
     }
 
     /// Waits until no visible element has this role and name.
@@ -116,7 +128,11 @@ impl Page {
 
     /// What the one element with this role and name says: a field's value, else its visible text.
     pub async fn text(&self, role: &str, name: &str) -> Outcome<String> {
-        let node = self.find(role, name).await?;
+        self.text_in(None, role, name).await
+    }
+
+    pub(crate) async fn text_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<String> {
+        let node = self.find_in(inside, role, name).await?;
         let text = self.ask(node.id, TEXT, json!([])).await?;
         Ok(text.as_str().unwrap_or_default().to_owned())
     }
@@ -127,20 +143,35 @@ impl Page {
         self.ask(node.id, js, json!([])).await
     }
 
-    /// Waits until the one element rests in view with nothing over it, and answers with a point on it.
-    pub(crate) async fn reach(&self, role: &str, name: &str) -> Outcome<(f64, f64)> {
-        let what = format!("the {role} \"{name}\" can be pressed");
-        self.patiently(&what, async || self.reachable(role, name).await).await
+    /// Waits until the function `js`, called with the one element as `this`, answers with something truthy.
+    /// `what` says it in words, for the failure.
+    pub async fn until_on(&self, role: &str, name: &str, js: &str, what: &str) -> Outcome<Value> {
+        let look = async || {
+            let node = self.one(None, role, name).await?;
+            let value = self.ask(node.id, js, json!([])).await.map_err(|trouble| trouble.0)?;
+            if truthy(&value) { Ok(value) } else { Err(format!("the {role} \"{name}\" says {value}")) }
+        };
+        self.patiently(what, look).await
     }
 
-    async fn reachable(&self, role: &str, name: &str) -> Result<(f64, f64), String> {
-        let found = self.one(role, name).await?;
+    /// Waits until the one element rests in view with nothing over it, and answers with a point on it.
+    pub(crate) async fn reach(&self, role: &str, name: &str) -> Outcome<(f64, f64)> {
+        self.reach_in(None, role, name).await
+    }
+
+    pub(crate) async fn reach_in(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<(f64, f64)> {
+        let what = format!("the {role} \"{name}\"{} can be pressed", place(inside));
+        self.patiently(&what, async || self.reachable(inside, role, name).await).await
+    }
+
+    async fn reachable(&self, inside: Inside<'_>, role: &str, name: &str) -> Result<(f64, f64), String> {
+        let found = self.one(inside, role, name).await?;
         if found.disabled {
             return Err("it is disabled".to_owned());
         }
         let scroll = json!({ "backendNodeId": found.id });
         self.call("DOM.scrollIntoViewIfNeeded", scroll).await.map_err(|trouble| trouble.0)?;
-        let (before, now) = (self.one(role, name).await?, self.one(role, name).await?);
+        let (before, now) = (self.one(inside, role, name).await?, self.one(inside, role, name).await?);
         if now != before {
             return Err("it keeps moving".to_owned());
         }
@@ -155,18 +186,18 @@ impl Page {
     }
 
     /// The one visible element, or why there is not one.
-    async fn one(&self, role: &str, name: &str) -> Result<Node, String> {
-        let mut nodes = self.find_all(role, name).await.map_err(|trouble| trouble.0)?;
+    async fn one(&self, inside: Inside<'_>, role: &str, name: &str) -> Result<Node, String> {
+        let mut nodes = self.find_all_in(inside, role, name).await.map_err(|trouble| trouble.0)?;
         match nodes.len() {
             1 => Ok(nodes.remove(0)),
-            0 => Err(format!("there is none; {}", self.alternatives(role).await)),
+            0 => Err(format!("there is none; {}", self.alternatives(inside, role).await)),
             count => Err(format!("there are {count}: {:?}", nodes.iter().map(|node| node.rect).collect::<Vec<_>>())),
         }
     }
 
     /// The names that do exist for a role.
-    async fn alternatives(&self, role: &str) -> String {
-        let nodes = self.find_all(role, "").await.unwrap_or_default();
+    async fn alternatives(&self, inside: Inside<'_>, role: &str) -> String {
+        let nodes = self.find_all_in(inside, role, "").await.unwrap_or_default();
         let names: Vec<String> = nodes.iter().take(NAMES_MAX).map(|node| format!("\"{}\"", node.name)).collect();
         match names.len() {
             0 => format!("nothing in view is a {role}"),
@@ -175,9 +206,19 @@ impl Page {
     }
 
     /// Elements of the accessibility tree, visible or not.
-    async fn query(&self, role: &str, name: &str) -> Outcome<Vec<Value>> {
+    async fn query(&self, inside: Inside<'_>, role: &str, name: &str) -> Outcome<Vec<Value>> {
         let document = self.call("DOM.getDocument", json!({ "depth": 0 })).await?;
-        let mut asked = json!({ "backendNodeId": document["root"]["backendNodeId"], "role": role });
+        let root = document["root"]["backendNodeId"].clone();
+        let Some((outer_role, outer_name)) = inside else { return self.query_under(root, role, name).await };
+        let outer = self.query_under(root, outer_role, outer_name).await?;
+        match outer.as_slice() {
+            [one] => self.query_under(one["backendDOMNodeId"].clone(), role, name).await,
+            none_or_many => Err(Trouble(format!("there are {}{}", none_or_many.len(), place(inside)))),
+        }
+    }
+
+    async fn query_under(&self, root: Value, role: &str, name: &str) -> Outcome<Vec<Value>> {
+        let mut asked = json!({ "backendNodeId": root, "role": role });
         let start = name.strip_suffix('*');
         if start.is_none() && !name.is_empty() {
             asked["accessibleName"] = name.into();
@@ -216,6 +257,11 @@ impl Page {
             None => Ok(answer["result"]["value"].take()),
         }
     }
+}
+
+/// In words, for failures.
+fn place(inside: Inside<'_>) -> String {
+    inside.map_or_else(String::new, |(role, name)| format!(" in the {role} \"{name}\""))
 }
 
 fn named(node: &Value) -> &str {

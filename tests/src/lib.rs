@@ -27,6 +27,7 @@ pub mod sources;
 mod trouble;
 mod watch;
 mod wire;
+mod within;
 
 pub use axe::Violation;
 pub use browser::Browser;
@@ -36,3 +37,4 @@ pub use paths::{folder, root, target};
 pub use server::Server;
 pub use trouble::{Outcome, Trouble};
 pub use watch::Traffic;
+pub use within::Within;

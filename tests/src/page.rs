@@ -258,7 +258,7 @@ fn test_name(person: &str) -> String {
 }
 
 /// What JavaScript takes for true.
-fn truthy(value: &Value) -> bool {
+pub(crate) fn truthy(value: &Value) -> bool {
     match value {
         Value::Null => false,
         Value::Bool(truth) => *truth,

@@ -9,7 +9,7 @@ mod reply;
 mod request;
 
 pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
-pub use reply::{Message, Person, Reply, SaidNo, Summary};
+pub use reply::{Message, Person, Picture, PictureStream, Reply, SaidNo, Summary};
 pub use request::{Ask, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.

@@ -1,7 +1,7 @@
 //! What the server says, asked or unasked.
 
 use crate::{Pointer, RobotState, RunState, Values};
-use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, Value};
+use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, StreamKind, Value};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
 
@@ -213,6 +213,36 @@ pub struct Summary {
     pub by: String,
     /// How many streams it has.
     pub streams: u32,
+    /// What its graph looks like, if that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub picture: Option<Picture>,
+}
+
+/// The outlines of a graph: where its streams stand and which lead to which.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Picture {
+    /// Its streams, at most [`Picture::STREAMS_MAX`].
+    pub streams: Vec<PictureStream>,
+    /// From which stream to which values flow, as places in `streams`.
+    pub lines: Vec<[u16; 2]>,
+}
+
+impl Picture {
+    /// The most streams that a picture shows.
+    pub const STREAMS_MAX: usize = 200;
+}
+
+/// One stream in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct PictureStream {
+    /// The middle of its top edge, to the right, in canvas units.
+    pub x: f32,
+    /// Its top edge, downwards.
+    pub y: f32,
+    /// Sensor, ordinary or actuator.
+    pub kind: StreamKind,
 }
 
 /// A person who is here.

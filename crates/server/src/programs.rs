@@ -54,6 +54,7 @@ impl Programs {
             changed_ms: accepted.change.at_ms,
             by: accepted.change.author.clone(),
             streams: u32::try_from(records.streams().count()).unwrap_or(u32::MAX),
+            picture: None,
         };
         let before = lock(&self.all).insert(summary.id.clone(), summary.clone());
         if before.is_none_or(|before| before.name != summary.name) {
@@ -104,5 +105,6 @@ fn summary_of(listed: Listed) -> Summary {
         changed_ms: listed.changed_ms,
         by: listed.by,
         streams: listed.streams,
+        picture: None,
     }
 }

@@ -1,6 +1,8 @@
 //! The gallery: the sample applications of the thesis, ready to be copied, changed and run.
 
-use behaviour::BehaviourFile;
+use behaviour::{BehaviourFile, Place};
+use protocol::{Picture, PictureStream, Summary};
+use std::collections::BTreeMap;
 
 /// A behaviour to begin with.
 pub(crate) struct Template {
@@ -17,6 +19,36 @@ impl Template {
         #[expect(clippy::expect_used, reason = "the text is part of the program and a test reads every one")]
         serde_json::from_str(self.json).expect("a template is a behaviour file")
     }
+
+    /// What the list of templates says about it.
+    pub(crate) fn summary(&self) -> Summary {
+        let file = self.file();
+        Summary {
+            id: self.name.to_owned(),
+            name: self.name.to_owned(),
+            changed_ms: 0,
+            by: self.says.to_owned(),
+            streams: u32::try_from(file.streams.len()).unwrap_or(u32::MAX),
+            picture: Some(picture(&file)),
+        }
+    }
+}
+
+/// The graph of a file as it is laid out; streams without a place are left out.
+fn picture(file: &BehaviourFile) -> Picture {
+    let placed = file.streams.iter().filter_map(|stream| Some((stream, file.layout.get(&stream.id)?)));
+    let placed: Vec<_> = placed.take(Picture::STREAMS_MAX).collect();
+    let numbers: BTreeMap<&str, u16> = placed.iter().map(|(stream, _)| stream.id.as_str()).zip(0..).collect();
+    let ends =
+        file.connectors.iter().flat_map(|connector| connector.inputs.iter().map(|from| (from, &connector.output)));
+    let line = |(from, to): (&String, &String)| Some([*numbers.get(from.as_str())?, *numbers.get(to.as_str())?]);
+    let lines = ends.filter_map(line).collect();
+    let stream = |(stream, Place { x, y }): (&behaviour::FileStream, &Place)| PictureStream {
+        x: *x as f32,
+        y: *y as f32,
+        kind: stream.kind,
+    };
+    Picture { streams: placed.into_iter().map(stream).collect(), lines }
 }
 
 /// All templates, the simplest first.
@@ -26,18 +58,18 @@ pub(crate) fn templates() -> &'static [Template] {
 
 const TEMPLATES: &[Template] = &[
     Template {
-        name: "Reflect ball colour",
-        says: "The eyes take the colour of the ball that the robot sees.",
+        name: "Reflect ball color",
+        says: "The eyes take the color of the ball that the robot sees.",
         json: include_str!("../../../tests/behaviours/reflect_ball_color.json"),
     },
     Template {
-        name: "Say ball colour",
-        says: "Says the colour of the ball that it sees, once a second.",
+        name: "Say ball color",
+        says: "Says the color of the ball that it sees, once a second.",
         json: include_str!("../../../tests/behaviours/say_ball_color.json"),
     },
     Template {
-        name: "Say ball colour with merge",
-        says: "The same with the colours brought together, so that only one action speaks.",
+        name: "Say ball color with merge",
+        says: "The same with the colors brought together, so that only one action speaks.",
         json: include_str!("../../../tests/behaviours/say_ball_color_merge.json"),
     },
     Template {
@@ -111,6 +143,20 @@ mod tests {
             assert_eq!(again.layout, file.layout);
             assert!(file.helpers.iter().all(|helper| again.helpers.contains(helper)), "{}", template.name);
             assert!(file.streams.iter().all(|stream| file.layout.contains_key(&stream.id)), "{}", template.name);
+        }
+    }
+
+    #[test]
+    fn every_template_has_a_picture_of_its_graph() {
+        for template in templates() {
+            let (file, picture) = (template.file(), template.summary().picture.unwrap());
+            assert_eq!(picture.streams.len(), file.streams.len(), "{}", template.name);
+            let inputs: usize = file.connectors.iter().map(|connector| connector.inputs.len()).sum();
+            assert_eq!(picture.lines.len(), inputs, "{}", template.name);
+            for [from, to] in picture.lines {
+                let (from, to) = (picture.streams[usize::from(from)], picture.streams[usize::from(to)]);
+                assert!(from.y < to.y, "{}: values flow downwards", template.name);
+            }
         }
     }
 

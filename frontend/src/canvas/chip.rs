@@ -1,7 +1,7 @@
 //! One connector: its chip, and its edges behind everything.
 
 use super::curve::{chip_place, curves};
-use super::node::{OthersRing, ProblemBadge};
+use super::node::{OthersRing, ProblemBadge, problem_memo};
 use super::{Stage, words};
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::icons::{Icon, connector_icon};
@@ -72,13 +72,10 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         let record = signals.record.clone();
         ArcMemo::new(move |_| record.with(chip_words))
     };
-    let at = {
-        let text = text.clone();
-        move || {
-            let width = text.with(chip_width);
-            way.with(|way| way.as_ref().map_or_else(String::new, |way| placed(way.chip, width)))
-        }
-    };
+    let at = move || way.with(|way| way.as_ref().map_or_else(String::new, |way| placed(way.chip)));
+    let problem = problem_memo(&desk, RecordId::new(Kind::Connector, &id));
+    let troubles = problem.clone();
+    let ends = ends_memo(&desk, &signals);
     let reached = near_selection(&desk, &signals);
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
     let (pressed, picked, record) = (chosen.clone(), chosen, signals.record.clone());
@@ -90,11 +87,12 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             data-chip=id.to_string()
             role="button"
             tabindex=move || if reached() { "0" } else { "-1" }
-            aria-label=move || words::connector_name(&label.with(ChipWords::whole))
+            aria-label=move || label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)))
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
             style:transform=at
-            style:width=move || format!("{:.0}px", wide.with(chip_width))
+            aria-description=move || troubles.get().map(|(sentence, _)| sentence)
+            style:min-width=move || format!("{:.0}px", wide.with(chip_width))
         >
             {move || {
                 let icon = connector_icon(record.with(|connector| connector.operation.word()));
@@ -102,7 +100,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
             <span class="detail" aria-hidden="true">{move || detail.with(|words| words.detail.clone())}</span>
-            <ProblemBadge at=RecordId::new(Kind::Connector, &id) />
+            <ProblemBadge problem=problem />
             <OthersRing id=id.clone() />
             <Fault signals=signals />
         </div>
@@ -110,8 +108,19 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     .into_any()
 }
 
-fn placed(chip: Place, width: f64) -> String {
-    format!("translate({:.1}px,{:.1}px)", chip.x - width / 2.0, chip.y)
+fn placed(chip: Place) -> String {
+    format!("translate({:.1}px,{:.1}px) translateX(-50%)", chip.x, chip.y)
+}
+
+/// The names of what it takes from and of what it leads to.
+fn ends_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<(Vec<String>, String)> {
+    let (desk, record) = (desk.clone(), signals.record.clone());
+    ArcMemo::new(move |_| {
+        let name = |id: &Id| desk.stream(id).map(|stream| stream.record.with(|stream| stream.name.clone()));
+        record.with(|connector| {
+            (connector.inputs.iter().filter_map(name).collect(), name(&connector.output).unwrap_or_default())
+        })
+    })
 }
 
 /// Tab reaches the chips at the selected stream, and the selected chip itself.

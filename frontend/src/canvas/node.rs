@@ -1,7 +1,7 @@
 //! One stream: its shape, its name, what happens on it now.
 
 use super::{Stage, words};
-use crate::desk::{Selected, StreamSignals, use_desk};
+use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
 use crate::live::{rate_words, short_value, sparkline};
@@ -10,6 +10,8 @@ use leptos::prelude::*;
 
 /// The box of a sparkline, in pixels.
 const SPARK: (f64, f64) = (60.0, 16.0);
+/// With less room than this there is no value, in pixels.
+const ROOM_MIN: f64 = 24.0;
 
 /// A stream at its place.
 #[component]
@@ -38,10 +40,11 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     let [by_kind, by_width, by_label, by_title, by_name, by_second, by_icon] = [(); 7].map(|()| record.clone());
     let (lit, pressed) = (chosen.clone(), chosen);
     let at = move || {
-        let (place, width) = (place.get(), by_width.with(stream_width));
-        format!("translate({:.1}px,{:.1}px)", place.x - width / 2.0, place.y)
+        let place = place.get();
+        format!("translate({:.1}px,{:.1}px) translateX(-50%)", place.x, place.y)
     };
-    let wide = record.clone();
+    let problem = problem_memo(&desk, RecordId::new(Kind::Stream, &id));
+    let troubles = problem.clone();
     view! {
         <div
             class=move || format!("stream {}", kind_class(by_kind.with(|stream| stream.kind)))
@@ -54,16 +57,17 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
             style:transform=at
-            style:width=move || format!("{:.0}px", wide.with(stream_width))
+            aria-description=move || troubles.get().map(|(sentence, _)| sentence)
+            style:min-width=move || format!("{:.0}px", by_width.with(stream_width))
         >
             {move || by_icon.with(device_icon).map(|icon| view! { <span class="icon"><Icon name=icon /></span> })}
             <span class="texts">
                 <span class="name">{move || by_name.with(|stream| stream.name.clone())}</span>
                 <span class="second" aria-hidden="true">{move || by_second.with(what_it_is)}</span>
             </span>
-            <ProblemBadge at=RecordId::new(Kind::Stream, &id) />
+            <ProblemBadge problem=problem />
             <OthersRing id=id.clone() />
-            <LiveValue signals=signals />
+            <LiveValue id=id.clone() signals=signals />
         </div>
     }
     .into_any()
@@ -87,9 +91,10 @@ fn whole_title(stream: &Stream) -> String {
     if second.is_empty() { stream.name.clone() } else { format!("{} – {second}", stream.name) }
 }
 
-/// The last value, the rate and a sparkline, or for how long it has been quiet; only while it runs.
+/// The last value, the rate and a sparkline, or for how long it has been quiet; only while it runs. Where there is
+/// little room the sparkline goes first, then the rate, then the end of the value.
 #[component]
-fn LiveValue(signals: StreamSignals) -> impl IntoView {
+fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
     let (live, quiet) = (signals.live.clone(), signals.live.clone());
@@ -97,29 +102,36 @@ fn LiveValue(signals: StreamSignals) -> impl IntoView {
         let now = desk.clock.get();
         quiet.with(|live| live.quiet_for(now))
     });
-    let running = stage.running.clone();
+    let known = {
+        let (running, live) = (stage.running.clone(), signals.live.clone());
+        ArcMemo::new(move |_| running.get() && live.with(|live| live.value.is_some()))
+    };
+    let room = stage.room(&id);
     move || {
-        if !running.get() || live.with(|live| live.value.is_none()) {
+        if !known.get() || room.get() < ROOM_MIN {
             return ().into_any();
         }
+        let width = format!("{:.0}px", room.get());
         match silent.get() {
             Some(seconds) => {
-                view! { <span class="value quiet" aria-hidden="true">{crate::words::quiet_for(u64::from(seconds))}</span> }.into_any()
+                let words = crate::words::quiet_for(u64::from(seconds));
+                view! { <span class="value quiet" aria-hidden="true" style:max-width=width><b>{words}</b></span> }
+                    .into_any()
             }
-            None => view! { <NewestValue live=live.clone() /> }.into_any(),
+            None => view! { <NewestValue live=live.clone() width=width /> }.into_any(),
         }
     }
 }
 
 #[component]
-fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>) -> impl IntoView {
+fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>, width: String) -> impl IntoView {
     let (value, rate, points) = (live.clone(), live.clone(), live);
     let has_line = {
         let points = points.clone();
         ArcMemo::new(move |_| points.with(|live| live.recent.len() > 2))
     };
     view! {
-        <span class="value" aria-hidden="true">
+        <span class="value" aria-hidden="true" style:max-width=width>
             <b>{move || value.with(|live| live.value.as_ref().map(short_value).unwrap_or_default())}</b>
             <i>{move || rate.with(|live| rate_words(live.rate))}</i>
             {move || {
@@ -134,22 +146,26 @@ fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>) -> impl IntoView {
     }
 }
 
-/// A sign on what has a problem, with the problem as its title. What leads nowhere yet is only in the list: it would
-/// blame everything that is being built.
-#[component]
-pub(super) fn ProblemBadge(at: RecordId) -> impl IntoView {
-    let desk = use_desk();
-    let problem = ArcMemo::new(move |_| {
+/// The first problem of something as a sentence, and whether it keeps the behaviour from running. What leads nowhere
+/// yet is only in the list: it would blame everything that is being built.
+pub(super) fn problem_memo(desk: &Desk, at: RecordId) -> ArcMemo<Option<(String, bool)>> {
+    let desk = desk.clone();
+    ArcMemo::new(move |_| {
         desk.problems.with(|problems| {
             let known = |problem: &&Problem| problem.at == at && problem.kind != ProblemKind::Unused;
             let first = problems.iter().find(known)?;
             Some((first.to_string(), first.blocks))
         })
-    });
+    })
+}
+
+/// A sign on what has a problem, with the problem as its title; what has it says it too.
+#[component]
+pub(super) fn ProblemBadge(problem: ArcMemo<Option<(String, bool)>>) -> impl IntoView {
     move || {
         problem.get().map(|(sentence, blocks)| {
             view! {
-                <span class="badge" class:blocks=blocks title=sentence.clone() role="img" aria-label=sentence>
+                <span class="badge" class:blocks=blocks title=sentence aria-hidden="true">
                     <Icon name="warn" />
                 </span>
             }
@@ -170,7 +186,7 @@ pub(super) fn OthersRing(id: Id) -> impl IntoView {
     move || {
         who.get().map(|(color, name)| {
             view! {
-                <span class="ring" aria-hidden="true" style=format!("--person:var(--people-{})", color % 8)>
+                <span class="ring" aria-hidden="true" style=("--person", format!("var(--people-{})", color % 8))>
                     <span class="tag">{name}</span>
                 </span>
             }

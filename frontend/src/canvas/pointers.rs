@@ -58,7 +58,14 @@ impl Pointers {
         self.act(act, event);
     }
 
-    /// Also when the capture is lost; nothing is left to do then after an ordinary end.
+    /// The stage lost a pointer that it had grabbed. That what a finger went down on loses it to the stage is no loss.
+    pub(super) fn lost(&self, event: &PointerEvent) {
+        if event.target() == event.current_target() {
+            self.cancel(event);
+        }
+    }
+
+    /// The browser took a pointer away; nothing is left to do then after an ordinary end.
     pub(super) fn cancel(&self, event: &PointerEvent) {
         let act = self.hand.borrow_mut().cancel(event.pointer_id());
         self.act(act, event);

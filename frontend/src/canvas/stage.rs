@@ -1,12 +1,15 @@
 //! What the parts of the canvas share: the view, what is drawn, who selected what.
 
+use super::chip::chip_of;
 use super::cull::{Cells, drawn};
+use super::room;
 use super::view::{Bounds, View};
 use crate::browser;
 use crate::desk::{Desk, Selected};
-use crate::layout::{LEVEL, STREAM_HEIGHT, stream_width};
+use crate::layout::{CHIP_HEIGHT, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, stream_width};
 use behaviour::{Id, Place};
 use leptos::prelude::*;
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::{JsCast, closure::Closure};
@@ -15,7 +18,11 @@ use web_sys::{Element, FocusEvent, FocusOptions, HtmlElement, ResizeObserver};
 /// After so long without a move a gesture rests, in milliseconds.
 const REST_MS: i32 = 220;
 /// Room left around what is brought into view, in pixels.
-const REVEAL_MARGIN: f64 = 24.0;
+const REVEAL_MARGIN: f64 = 16.0;
+/// The strip under a stream, in pixels.
+const STRIP: f64 = 66.0;
+/// How long the view glides, in milliseconds, and a little more.
+const GLIDE_MS: i32 = 200;
 
 /// The stage. A clone is the same stage.
 #[derive(Clone)]
@@ -30,6 +37,12 @@ pub(crate) struct Stage {
     pub(super) running: ArcMemo<bool>,
     /// Who else selected what: what, their colour, their name.
     pub(super) others: ArcMemo<Vec<(Id, u8, String)>>,
+    /// The view moves by itself and slowly.
+    pub(super) glides: ArcRwSignal<bool>,
+    /// What the strip keeps clear of: streams, in canvas units.
+    pub(super) shapes: ArcMemo<Vec<(Id, Bounds)>>,
+    /// How wide the live value of a stream may be; nothing while nothing runs.
+    rooms: ArcMemo<BTreeMap<Id, f64>>,
     rests: ArcRwSignal<bool>,
     drawn: ArcMemo<Drawn>,
     moves: Arc<AtomicU32>,
@@ -51,11 +64,16 @@ impl Stage {
             let desk = desk.clone();
             ArcMemo::new(move |_| desk.running().is_some())
         };
+        let dragged = ArcRwSignal::default();
+        let shapes = shapes_memo(desk.clone(), dragged.clone());
         Self {
             drawn: drawn_memo(desk.clone(), view.clone(), size.clone(), rests.clone()),
+            rooms: rooms_memo(desk.clone(), running.clone(), shapes.clone()),
+            glides: ArcRwSignal::new(false),
+            shapes,
             others: others_memo(desk.clone()),
             stop: ArcRwSignal::default(),
-            dragged: ArcRwSignal::default(),
+            dragged,
             moves: Arc::default(),
             desk: desk.clone(),
             view,
@@ -77,8 +95,15 @@ impl Stage {
         self.view.with(|view| format!("translate({:.2}px,{:.2}px) scale({:.4})", view.x, view.y, view.zoom))
     }
 
-    /// Shows another part of the canvas.
+    /// Shows another part of the canvas at once, also in the middle of a glide.
     pub(super) fn look(&self, view: View) {
+        if self.glides.get_untracked() {
+            self.glides.set(false);
+        }
+        self.show(view);
+    }
+
+    fn show(&self, view: View) {
         if self.view.get_untracked() == view {
             return;
         }
@@ -95,27 +120,53 @@ impl Stage {
         });
     }
 
+    /// Shows another part of the canvas, and moves there slowly.
+    pub(super) fn glide(&self, view: View) {
+        if self.view.get_untracked() == view {
+            return;
+        }
+        self.glides.set(true);
+        self.show(view);
+        let mine = self.moves.load(Ordering::Relaxed);
+        let stage = self.clone();
+        browser::after(GLIDE_MS, move || {
+            if stage.moves.load(Ordering::Relaxed) == mine {
+                stage.glides.set(false);
+            }
+        });
+    }
+
     /// Shows everything.
     pub(crate) fn fit(&self) {
-        let ids = self.desk.stream_ids.get_untracked();
-        match Bounds::around(ids.iter().filter_map(|id| bounds(&self.desk, id))) {
-            Some(bounds) => self.look(View::fitting(bounds, self.size.get_untracked())),
-            None => self.look(View { x: self.size.get_untracked().0 / 2.0, y: 80.0, zoom: 1.0 }),
-        }
+        self.glide(self.whole());
+    }
+
+    fn whole(&self) -> View {
+        let (ids, size) = (self.desk.stream_ids.get_untracked(), self.size.get_untracked());
+        let values = |bounds: Bounds| Bounds { right: bounds.right + VALUE_ROOM, ..bounds };
+        let all = Bounds::around(ids.iter().filter_map(|id| bounds(&self.desk, id)).map(values));
+        all.map_or_else(|| View::home(size), |all| View::fitting(all, VALUE_ROOM, size))
     }
 
     /// Zooms around the middle.
     pub(super) fn zoom_by(&self, factor: f64) {
         let (width, height) = self.size.get_untracked();
-        self.look(self.view.get_untracked().zoomed((width / 2.0, height / 2.0), factor));
+        self.glide(self.view.get_untracked().zoomed((width / 2.0, height / 2.0), factor));
     }
 
     /// Pans just so far that a stream and the strip under it are seen.
     pub(super) fn reveal(&self, id: &Id) {
         if let Some(bounds) = bounds(&self.desk, id) {
-            let bounds = Bounds { bottom: bounds.bottom + 40.0, ..bounds };
-            self.look(self.view.get_untracked().revealing(bounds, self.size.get_untracked(), REVEAL_MARGIN));
+            let view = self.view.get_untracked();
+            let bounds = Bounds { bottom: bounds.bottom + STRIP / view.zoom, ..bounds };
+            self.glide(view.revealing(bounds, self.size.get_untracked(), REVEAL_MARGIN));
         }
+    }
+
+    /// How wide the live value of a stream may be.
+    pub(super) fn room(&self, id: &Id) -> ArcMemo<f64> {
+        let (rooms, id) = (self.rooms.clone(), id.clone());
+        ArcMemo::new(move |_| rooms.with(|rooms| rooms.get(&id).copied().unwrap_or(VALUE_ROOM)))
     }
 
     /// Gives a stream the keyboard, once it is in the page.
@@ -164,15 +215,21 @@ impl Stage {
         }
     }
 
-    /// What is opened is shown whole.
+    /// What is opened is shown whole; so is what was empty or became empty.
     pub(super) fn follow_open(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
-        Effect::new(move |_| {
-            if desk.open.get().is_some() {
-                stage.stop.set(None);
+        let ids = desk.stream_ids.clone();
+        let empty = ArcMemo::new(move |_| ids.with(Vec::is_empty));
+        Effect::new(move |before: Option<Option<Id>>| {
+            let (open, _) = (desk.open.get(), empty.get());
+            if open.is_some() {
+                if before.is_some_and(|before| before != open) {
+                    stage.stop.set(None);
+                }
                 let stage = stage.clone();
-                let _ = request_animation_frame(move || stage.fit());
+                let _ = request_animation_frame(move || stage.look(stage.whole()));
             }
+            open
         });
     }
 
@@ -203,7 +260,7 @@ impl Stage {
     }
 }
 
-/// Where a stream is, with its live value and without.
+/// Where a stream is, without its live value.
 fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     let signals = desk.stream(id)?;
     let width = signals.record.with_untracked(stream_width);
@@ -233,6 +290,35 @@ fn drawn_memo(
             connectors: drawn(&desk.connector_ids.get(), connector_seen, &before.connectors, rests),
         }
     })
+}
+
+/// Where streams stand, as of the last drop; nothing moves along with the hand.
+fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id, Bounds)>> {
+    ArcMemo::new(move |before: Option<&Vec<(Id, Bounds)>>| {
+        desk.revision.track();
+        if let (Some(before), true) = (before, dragged.with(Option::is_some)) {
+            return before.clone();
+        }
+        let ids = desk.stream_ids.get();
+        ids.iter().filter_map(|id| Some((id.clone(), bounds(&desk, id)?))).collect()
+    })
+}
+
+fn rooms_memo(desk: Desk, running: ArcMemo<bool>, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<BTreeMap<Id, f64>> {
+    ArcMemo::new(move |_| {
+        if !running.get() {
+            return BTreeMap::new();
+        }
+        let connectors = desk.connector_ids.get();
+        let chips: Vec<Bounds> = connectors.iter().filter_map(|id| chip_bounds(&desk, id)).collect();
+        shapes.with(|shapes| room::rooms(shapes, &chips))
+    })
+}
+
+fn chip_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let record = desk.connector(id)?.record.get_untracked();
+    let chip = untrack(|| chip_of(desk, &record))?;
+    Some(Bounds { bottom: chip.y + CHIP_HEIGHT, ..around(chip, chip_width(&chip_words(&record))) })
 }
 
 fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {

@@ -1,18 +1,16 @@
 //! The strip under what is selected: likely next steps, then thunderbolt, pencil and trash.
 
 use super::menu::BoltMenu;
+use super::strip_spot::{Area, EDGE, Own, strip_spot};
 use super::suggest::{Step, suggest};
-use super::view::View;
+use super::view::{Bounds, View};
 use super::{Stage, pointers, words};
 use crate::desk::{ConnectPlan, Desk, Dialog, Output, Selected, use_desk};
 use crate::icons::{Icon, connector_icon};
-use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, text_width};
+use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, stream_width, text_width};
 use behaviour::{Helper, Id, Operation, Params, Place, Procedure, StreamKind};
 use leptos::prelude::*;
 
-/// Its height and the room it keeps from the edges of the stage, in pixels.
-const HEIGHT: f64 = 56.0;
-const EDGE: f64 = 8.0;
 /// At most so many suggestions; fewer where the stage is narrow.
 const SUGGESTIONS_MAX: usize = 4;
 
@@ -51,15 +49,20 @@ fn StreamStrip(id: Id) -> impl IntoView {
     let stage = expect_context::<Stage>();
     let Some(signals) = desk.stream(&id) else { return ().into_any() };
     let offers = offers_memo(&desk, &id);
+    let glides = stage.glides.clone();
     let [size, shown_size, tall] = [(); 3].map(|()| stage.size.clone());
     let action = signals.record.with_untracked(|stream| stream.kind == StreamKind::Actuator);
     let buttons = if action { 2.0 } else { 3.0 };
     let shown = ArcMemo::new(move |_| as_many_as_fit(offers.get(), shown_size.get().0 - 2.0 * EDGE, buttons));
+    let others = others_memo(&stage, &id);
     let spot = {
-        let (shown, place) = (shown.clone(), signals.place.clone());
+        let (shown, place, record) = (shown.clone(), signals.place.clone(), signals.record.clone());
         ArcMemo::new(move |_| {
+            let view = stage.view.get();
             let width = shown.with(|offers| strip_width(offers, buttons));
-            strip_spot(stage.view.get(), place.get(), STREAM_HEIGHT, width, size.get())
+            let area = on_stage(view, place.get(), record.with(stream_width), STREAM_HEIGHT);
+            let own = Own { area, value: VALUE_ROOM * view.zoom, beside: false };
+            others.with(|others| strip_spot(own, &seen(view, others), width, size.get()))
         })
     };
     let is_high = {
@@ -70,7 +73,8 @@ fn StreamStrip(id: Id) -> impl IntoView {
     let what = Selected::Stream(id.clone());
     let (offer_desk, offer_id) = (desk.clone(), id.clone());
     view! {
-        <div class="strip" role="toolbar" class:high=is_high aria-label=words::next_steps(&name)
+        <div class="strip" role="toolbar" class:high=is_high class:gliding=move || glides.get()
+            aria-label=words::next_steps(&name)
             style:transform=move || translated(spot.get())>
             <For each=move || shown.get().into_iter().enumerate() key=|(at, offer)| (*at, offer.label.clone()) let((at, offer))>
                 <OfferButton desk=offer_desk.clone() id=offer_id.clone() offer=offer first={at == 0} />
@@ -88,17 +92,25 @@ fn ConnectorStrip(id: Id) -> impl IntoView {
     let stage = expect_context::<Stage>();
     let Some(signals) = desk.connector(&id) else { return ().into_any() };
     let word = signals.record.with_untracked(|connector| connector.operation.word());
+    let glides = stage.glides.clone();
+    let others = others_memo(&stage, &id);
     let spot = {
         let (desk, record) = (desk.clone(), signals.record.clone());
         move || {
-            let place = record.with(|connector| super::chip::chip_of(&desk, connector));
-            let spot =
-                |place| strip_spot(stage.view.get(), place, CHIP_HEIGHT, strip_width(&[], 2.0), stage.size.get());
+            let (place, width) =
+                record.with(|connector| (super::chip::chip_of(&desk, connector), chip_width(&chip_words(connector))));
+            let view = stage.view.get();
+            let own = |place| Own { area: on_stage(view, place, width, CHIP_HEIGHT), value: 0.0, beside: true };
+            let spot = |place| {
+                let own = own(place);
+                others.with(|others| strip_spot(own, &seen(view, others), strip_width(&[], 2.0), stage.size.get()))
+            };
             place.map(spot).map(translated)
         }
     };
     view! {
-        <div class="strip" role="toolbar" aria-label=words::next_steps(word) style:transform=spot>
+        <div class="strip" role="toolbar" class:gliding=move || glides.get() aria-label=words::next_steps(word)
+            style:transform=spot>
             <EditAndRemove what=Selected::Connector(id) />
         </div>
     }
@@ -232,31 +244,36 @@ fn translated((x, y): (f64, f64)) -> String {
     format!("translate({x:.0}px,{y:.0}px)")
 }
 
-/// Under what is selected if there is room, else above it; never over the edges of the stage.
-fn strip_spot(view: View, place: Place, height: f64, width: f64, size: (f64, f64)) -> (f64, f64) {
+fn on_stage(view: View, place: Place, width: f64, height: f64) -> Area {
     let (middle, top) = view.to_stage(place);
-    let below = top + height * view.zoom + 10.0;
-    let y = if below + HEIGHT + EDGE <= size.1 { below } else { top - HEIGHT - 10.0 };
-    let x = (middle - width / 2.0).clamp(EDGE, (size.0 - width - EDGE).max(EDGE));
-    (x, y.clamp(EDGE, (size.1 - HEIGHT - EDGE).max(EDGE)))
+    let half = width / 2.0 * view.zoom;
+    Area { left: middle - half, top, right: middle + half, bottom: top + height * view.zoom }
+}
+
+/// The other streams, where they are on the stage.
+fn seen(view: View, others: &[Bounds]) -> Vec<Area> {
+    let area = |bounds: &Bounds| {
+        let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
+        let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
+        Area { left, top, right, bottom }
+    };
+    others.iter().map(area).collect()
+}
+
+/// Where the streams are that are not the one with this id.
+fn others_memo(stage: &Stage, id: &Id) -> ArcMemo<Vec<Bounds>> {
+    let (shapes, id) = (stage.shapes.clone(), id.clone());
+    ArcMemo::new(move |_| {
+        let others = |shapes: &Vec<(Id, Bounds)>| {
+            shapes.iter().filter(|(other, _)| *other != id).map(|(_, bounds)| *bounds).collect()
+        };
+        shapes.with(others)
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{View, spoken, strip_spot};
-    use behaviour::Place;
-
-    const STAGE: (f64, f64) = (800.0, 600.0);
-
-    #[test]
-    fn the_strip_stays_on_the_stage() {
-        let at = |x, y| strip_spot(View::default(), Place { x, y }, 48.0, 300.0, STAGE);
-        assert_eq!(at(400.0, 100.0), (250.0, 158.0));
-        assert_eq!(at(10.0, 100.0).0, 8.0);
-        assert_eq!(at(790.0, 100.0).0, 492.0);
-        assert_eq!(at(400.0, 560.0).1, 494.0);
-        assert_eq!(at(400.0, 2_000.0).1, 536.0);
-    }
+    use super::spoken;
 
     #[test]
     fn helpers_become_names_of_streams() {

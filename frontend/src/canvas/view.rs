@@ -4,8 +4,12 @@ use behaviour::Place;
 
 /// The smallest and the largest zoom.
 pub(super) const ZOOM: [f64; 2] = [0.1, 2.5];
-/// Room around everything when it is fitted into view, in pixels.
-const FIT_MARGIN: f64 = 56.0;
+/// Room above and below everything when it is fitted into view, in pixels.
+const FIT_MARGIN: f64 = 48.0;
+/// The same at the sides.
+const FIT_SIDE: f64 = 24.0;
+/// What fits easily hangs at most so much lower.
+const FIT_LOWER: f64 = 32.0;
 
 /// Screen = canvas × zoom + shift.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,16 +68,23 @@ impl View {
         Self { x: at.0 - (at.0 - self.x) * real, y: at.1 - (at.1 - self.y) * real, zoom }
     }
 
-    /// All of `bounds` in the middle of a stage of that size, never larger than it is.
-    pub(super) fn fitting(bounds: Bounds, size: (f64, f64)) -> Self {
+    /// All of `bounds` in the middle of a stage of that size, never larger than it is. At their right end `spare` is
+    /// room for values, which does not count for the middle where there is enough of it.
+    pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64)) -> Self {
         let (width, height) = ((bounds.right - bounds.left).max(1.0), (bounds.bottom - bounds.top).max(1.0));
-        let free = (size.0 - 2.0 * FIT_MARGIN, size.1 - 2.0 * FIT_MARGIN);
+        let free = (size.0 - 2.0 * FIT_SIDE, size.1 - 2.0 * FIT_MARGIN);
         let zoom = (free.0 / width).min(free.1 / height).clamp(ZOOM[0], 1.0);
-        let x = size.0 / 2.0 - (bounds.left + bounds.right) / 2.0 * zoom;
-        let spare = (free.1 - height * zoom).max(0.0);
+        let middle = size.0 / 2.0 - (bounds.left + bounds.right - spare) / 2.0 * zoom;
+        let rightmost = size.0 - FIT_SIDE - bounds.right * zoom;
+        let x = middle.min(rightmost).max(FIT_SIDE - bounds.left * zoom);
         // What fits easily hangs near the top, since graphs grow downwards.
-        let y = FIT_MARGIN + spare * 0.3 - bounds.top * zoom;
-        Self { x, y, zoom }
+        let lower = ((free.1 - height * zoom) * 0.3).clamp(0.0, FIT_LOWER);
+        Self { x, y: FIT_MARGIN + lower - bounds.top * zoom, zoom }
+    }
+
+    /// Where an empty canvas begins: its origin near the top, in the middle.
+    pub(super) fn home(size: (f64, f64)) -> Self {
+        Self { x: size.0 / 2.0, y: FIT_MARGIN + FIT_LOWER, zoom: 1.0 }
     }
 
     /// The least pan that brings `bounds` into a stage of that size with a margin.
@@ -116,12 +127,20 @@ mod tests {
     #[test]
     fn fitting_shows_everything_and_never_enlarges() {
         let bounds = Bounds { left: -900.0, top: 0.0, right: 900.0, bottom: 700.0 };
-        let view = View::fitting(bounds, STAGE);
+        let view = View::fitting(bounds, 0.0, STAGE);
         let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
         let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
         assert!(left >= 0.0 && top >= 0.0 && right <= STAGE.0 && bottom <= STAGE.1);
         let small = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
-        assert_eq!(View::fitting(small, STAGE).zoom, 1.0);
+        assert_eq!(View::fitting(small, 20.0, STAGE).zoom, 1.0);
+    }
+
+    #[test]
+    fn room_for_values_leaves_streams_in_the_middle() {
+        let bounds = Bounds { left: 0.0, top: 0.0, right: 300.0, bottom: 48.0 };
+        assert_eq!(View::fitting(bounds, 200.0, STAGE).x, 350.0);
+        let wide = Bounds { right: 740.0, ..bounds };
+        assert_eq!(View::fitting(wide, 200.0, STAGE).x, 36.0);
     }
 
     #[test]

@@ -14,8 +14,13 @@ pub(super) fn stream_name(name: &str, kind: StreamKind) -> String {
     }
 }
 
-pub(super) fn connector_name(words: &str) -> String {
-    format!("{words}, connector")
+/// `map (distance), connector from RedBall to Distance`
+pub(super) fn connector_name(words: &str, from: &[String], to: &str) -> String {
+    format!("{words}, connector from {} to {to}", from.join(" and "))
+}
+
+pub(super) fn to_graph() -> &'static str {
+    "To the graph"
 }
 
 pub(super) fn next_steps(name: &str) -> String {

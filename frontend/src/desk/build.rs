@@ -163,6 +163,15 @@ pub(super) fn helper_put(library: &Behaviour, change: Change, id: &Id, helper: H
     change.put(library, key(Kind::Helper, id), Record::Helper(helper))
 }
 
+/// The same change of a record that its author saw as `seen`: if it is not that any more, the server refuses, and nothing
+/// that somebody else saved meanwhile is lost.
+pub(super) fn as_seen(mut change: Change, kind: Kind, id: &Id, seen: Record) -> Change {
+    if let Some(edit) = change.edits.iter_mut().find(|edit| edit.id == key(kind, id)) {
+        edit.before = Some(seen);
+    }
+    change
+}
+
 /// The library without a helper.
 pub(super) fn helper_gone(library: &Behaviour, change: Change, id: &Id) -> Change {
     change.take(library, key(Kind::Helper, id))

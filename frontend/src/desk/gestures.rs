@@ -2,7 +2,7 @@
 
 use super::{ConnectPlan, Desk, Output, Selected, build, new_id};
 use crate::layout;
-use behaviour::{Behaviour, Change, Helper, Id, Operation, Params, Place, Stream};
+use behaviour::{Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Record, Stream};
 use leptos::prelude::*;
 use protocol::SaidNo;
 use std::collections::BTreeMap;
@@ -55,7 +55,7 @@ impl Desk {
     /// Another operation or other inputs; `output_name` renames the output stream in the same change.
     pub(crate) fn edit_connector(
         &self,
-        id: &Id,
+        (id, seen): (&Id, Connector),
         operation: Operation,
         inputs: Vec<Id>,
         output_name: Option<&str>,
@@ -63,16 +63,23 @@ impl Desk {
     ) {
         let change = self.change(&format!("Edit {}", operation.word()));
         let change = build::connector_edited(&self.behaviour(), change, id, (operation, inputs), output_name);
-        self.propose_and(change, on_answer);
+        self.propose_and(build::as_seen(change, Kind::Connector, id, Record::Connector(seen)), on_answer);
     }
 
     /// Another name or other settings; bodies that use its old argument name follow in the same change.
-    pub(crate) fn edit_stream(&self, id: &Id, stream: Stream, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    /// `seen` is what the person saw when they began; the server refuses if it is not that any more.
+    pub(crate) fn edit_stream(
+        &self,
+        (id, seen): (&Id, Stream),
+        stream: Stream,
+        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+    ) {
         let behaviour = self.behaviour();
         let before = behaviour.stream(id).map_or("", |stream| &stream.name);
         let change =
             self.change(&format!("{} {}", if before == stream.name { "Edit" } else { "Rename" }, short(before)));
-        self.propose_and(build::stream_edited(&behaviour, change, id, stream), on_answer);
+        let change = build::stream_edited(&behaviour, change, id, stream);
+        self.propose_and(build::as_seen(change, Kind::Stream, id, Record::Stream(seen)), on_answer);
     }
 
     /// A stream goes with its connectors.
@@ -131,14 +138,18 @@ impl Desk {
     /// A helper of the library, new without an id.
     pub(crate) fn put_helper(
         &self,
-        id: Option<Id>,
+        seen: Option<(Id, Helper)>,
         helper: Helper,
         on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
     ) {
         let change = self.change(&format!("Helper {}", short(&helper.name)));
         let library = self.state().library.clone();
-        let id = id.unwrap_or_else(new_id);
-        self.propose_to_library(build::helper_put(&library, change, &id, helper), on_answer);
+        let (id, seen) = seen.map_or_else(|| (new_id(), None), |(id, seen)| (id, Some(seen)));
+        let mut change = build::helper_put(&library, change, &id, helper);
+        if let Some(seen) = seen {
+            change = build::as_seen(change, Kind::Helper, &id, Record::Helper(seen));
+        }
+        self.propose_to_library(change, on_answer);
     }
 
     /// The library without a helper; refused while programs use it.

@@ -65,10 +65,18 @@ fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
     }
 }
 
-/// How wide a text is at a size in pixels, outside of a browser about; only sizes of boxes depend on it.
+/// How wide a semibold text is at a size in pixels, outside of a browser about; only sizes of boxes depend on it.
+pub(crate) fn name_width(text: &str, size: u32) -> f64 {
+    crate::browser::text_width(text, 600, size).unwrap_or_else(|| about(text, size))
+}
+
+/// The same for plain letters.
 pub(crate) fn text_width(text: &str, size: u32) -> f64 {
-    let about = || text.chars().map(char_width).sum::<f64>() * f64::from(size);
-    crate::browser::text_width(text, size).unwrap_or_else(about)
+    crate::browser::text_width(text, 400, size).unwrap_or_else(|| about(text, size))
+}
+
+fn about(text: &str, size: u32) -> f64 {
+    text.chars().map(char_width).sum::<f64>() * f64::from(size)
 }
 
 fn char_width(c: char) -> f64 {

@@ -1,13 +1,13 @@
 //! A free spot for a new stream: below its sources, beside nothing.
 
-use super::{CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, chip_width, chip_words, snapped, stream_width};
+use super::{CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, snapped, stream_width};
 use behaviour::{Behaviour, Connector, Graph, Id, Place, Stream};
 use std::collections::BTreeMap;
 
 /// How many spots are tried to the sides before the next level is.
 const SIDE_STEPS: i32 = 24;
 /// From the middle of one sensor to the middle of the next, at least.
-const SENSOR_STEP: f64 = 320.0;
+const SENSOR_STEP: f64 = 340.0;
 
 /// Room that something takes.
 #[derive(Clone, Copy, Debug)]
@@ -19,15 +19,23 @@ struct Room {
 }
 
 impl Room {
-    /// A stream with the chips that lead to it.
-    fn of(place: Place, width: f64, has_chip: bool) -> Self {
-        let above = if has_chip { CHIP_HEIGHT + 16.0 } else { 0.0 };
-        Self {
-            left: place.x - width / 2.0,
-            right: place.x + width / 2.0,
+    /// A stream with its live value, and the chips that lead to it.
+    fn of(place: Place, size: Size) -> [Self; 2] {
+        let [half, half_chip] = [size.stream, size.chip].map(|width| width / 2.0);
+        let stream = Self {
+            left: place.x - half,
+            right: place.x + half + VALUE_ROOM,
+            top: place.y,
+            bottom: place.y + STREAM_HEIGHT,
+        };
+        let above = if size.chip > 0.0 { CHIP_HEIGHT + 16.0 } else { 0.0 };
+        let chip = Self {
+            left: place.x - half_chip,
+            right: place.x + half_chip,
             top: place.y - above,
             bottom: place.y + STREAM_HEIGHT,
-        }
+        };
+        [stream, chip]
     }
 
     fn meets(&self, other: &Room) -> bool {
@@ -39,9 +47,24 @@ impl Room {
     }
 }
 
-/// How wide a stream is with the chips that lead to it.
+/// How wide a stream is, and the widest of the chips that lead to it (0 without any).
+#[derive(Clone, Copy, Debug)]
+struct Size {
+    stream: f64,
+    chip: f64,
+}
+
+impl Size {
+    fn of<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> Self {
+        let chip = into.map(|connector| chip_width(&chip_words(connector))).fold(0.0, f64::max);
+        Self { stream: stream_width(stream), chip }
+    }
+}
+
+/// How much room a stream needs around its middle, with its live value and the chips that lead to it.
 pub(super) fn whole_width<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> f64 {
-    into.map(|connector| chip_width(&chip_words(connector))).fold(stream_width(stream), f64::max)
+    let size = Size::of(stream, into);
+    f64::max(size.stream + VALUE_ROOM, size.chip)
 }
 
 /// Where a new stream goes that takes from `inputs` through `connector`.
@@ -57,8 +80,8 @@ pub(crate) fn free_spot(
     }
     let x = sources.iter().map(|place| place.x).sum::<f64>() / sources.len() as f64;
     let y = sources.iter().map(|place| place.y).fold(f64::MIN, f64::max) + LEVEL;
-    let width = whole_width(stream, std::iter::once(connector));
-    beside(&taken(behaviour, places), snapped(Place { x, y }), width, true)
+    let size = Size::of(stream, std::iter::once(connector));
+    beside(&taken(behaviour, places), snapped(Place { x, y }), size)
 }
 
 /// Where a new sensor goes: in the top row, to the right of the others.
@@ -68,14 +91,14 @@ pub(crate) fn free_sensor_spot(behaviour: &Behaviour, places: &BTreeMap<Id, Plac
     let row = places.values().filter(|place| (place.y - y).abs() < STREAM_HEIGHT);
     let right = row.map(|place| place.x).fold(f64::MIN, f64::max);
     let x = if places.is_empty() { 0.0 } else { right + SENSOR_STEP };
-    beside(&taken(behaviour, places), snapped(Place { x, y }), stream_width(stream), false)
+    beside(&taken(behaviour, places), snapped(Place { x, y }), Size::of(stream, std::iter::empty()))
 }
 
 /// The wanted spot, else the nearest free one to its sides, else one lower.
-fn beside(taken: &[Room], wanted: Place, width: f64, has_chip: bool) -> Place {
+fn beside(taken: &[Room], wanted: Place, size: Size) -> Place {
     let is_free = |place: &Place| {
-        let room = Room::of(*place, width, has_chip);
-        taken.iter().all(|other| !room.meets(other))
+        let rooms = Room::of(*place, size);
+        taken.iter().all(|other| rooms.iter().all(|room| !room.meets(other)))
     };
     let levels = (0..4).flat_map(|level| {
         let steps = (0..SIDE_STEPS).flat_map(move |step| {
@@ -91,10 +114,10 @@ fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<Room> {
     let graph = Graph::of(behaviour);
     let rooms = behaviour.streams().filter_map(|(id, stream)| {
         let into = graph.into_stream(id);
-        let width = whole_width(stream, into.iter().map(|(_, connector)| *connector));
-        Some(Room::of(*places.get(id)?, width, !into.is_empty()))
+        let size = Size::of(stream, into.iter().map(|(_, connector)| *connector));
+        Some(Room::of(*places.get(id)?, size))
     });
-    rooms.collect()
+    rooms.flatten().collect()
 }
 
 /// Places for streams that nobody placed: a whole layout if nobody placed any, else a free spot for each.

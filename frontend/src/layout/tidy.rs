@@ -82,7 +82,7 @@ fn put_beside(
         right = f64::max(right, x + width(*at) / 2.0);
         put(*at, snapped(Place { x, y: *y }));
     }
-    right + GAP * 1.5
+    right + GAP * 2.0
 }
 
 #[cfg(test)]

@@ -1,5 +1,8 @@
 //! What the stage shows while there is nothing to draw: the library, or the first three senses.
 
+mod sketch;
+
+use super::focus;
 use super::hold::hold;
 use super::tools::open_program;
 use crate::desk::Dialog;
@@ -8,9 +11,21 @@ use crate::words;
 use behaviour::Params;
 use leptos::prelude::*;
 use protocol::Summary;
+use sketch::Sketch;
+use std::cell::Cell;
 
 /// How many senses an empty program offers.
 const SENSES: usize = 3;
+
+thread_local! {
+    /// Whether the next empty program was just made here, so that the keyboard goes to its first sense.
+    static JUST_MADE: Cell<bool> = const { Cell::new(false) };
+}
+
+/// The empty program that comes next was made by this person.
+pub(crate) fn just_made() {
+    JUST_MADE.set(true);
+}
 
 /// Over the stage while it is empty.
 #[component]
@@ -41,7 +56,7 @@ fn Library() -> impl IntoView {
                 <button class="button primary" type="button"
                     on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddProgram))>
                     <Icon name="plus" />
-                    {words::add_program()}
+                    {words::begin_empty()}
                 </button>
             </p>
             <Show when=move || !none()>
@@ -64,6 +79,7 @@ fn Program(summary: Summary) -> impl IntoView {
         <li>
             <button class="template" type="button" title=name
                 on:click=move |_| open_program(&desk.desk(), &summary.id)>
+                {summary.picture.map(|picture| view! { <Sketch picture /> })}
                 <b class="cut">{summary.name}</b>
                 <span class="second">{note}{by.map(|by| format!(" · {by}"))}</span>
             </button>
@@ -79,6 +95,7 @@ fn Template(summary: Summary) -> impl IntoView {
         <li>
             <button class="template" type="button" title=title
                 on:click=move |_| desk.desk().create_program(&name, Some(&summary.id))>
+                {summary.picture.map(|picture| view! { <Sketch picture /> })}
                 <b>{summary.name}</b>
                 <span class="second">{summary.by}</span>
                 <span class="faint">{words::streams(summary.streams)}</span>
@@ -91,6 +108,12 @@ fn Template(summary: Summary) -> impl IntoView {
 #[component]
 fn FirstSenses() -> impl IntoView {
     let desk = hold();
+    let stage = NodeRef::<leptos::html::Div>::new();
+    Effect::new(move |_| {
+        if stage.get().is_some() && JUST_MADE.take() {
+            let _ = request_animation_frame(move || focus_first(stage));
+        }
+    });
     let sense = move |device: &'static robot::Device| {
         let add = move |_| desk.desk().add_sensor(device.name, Params::new());
         view! {
@@ -101,7 +124,7 @@ fn FirstSenses() -> impl IntoView {
         }
     };
     view! {
-        <div class="empty-stage">
+        <div class="empty-stage" node_ref=stage>
             <h2>{words::begin_with_sense()}</h2>
             <p class="second">{words::begin_says()}</p>
             <div class="row">{robot::sensors().take(SENSES).map(sense).collect_view()}</div>
@@ -109,5 +132,12 @@ fn FirstSenses() -> impl IntoView {
                 {words::more_senses()}
             </button>
         </div>
+    }
+}
+
+fn focus_first(stage: NodeRef<leptos::html::Div>) {
+    let Some(stage) = stage.try_get_untracked().flatten() else { return };
+    if let Some(first) = focus::all(&stage, ".sense-card").first() {
+        focus::focus(first);
     }
 }

@@ -17,12 +17,13 @@ pub(crate) fn Problems() -> impl IntoView {
     let is_open = move || desk.desk().open.read().is_some();
     let none = move || desk.desk().problems.read().is_empty();
     let empty = move || desk.desk().stream_ids.read().is_empty();
+    let runs = move || desk.desk().running().is_some();
     view! {
         <Show when=is_open>
             <section class="panel" aria-label=words::problems()>
                 <h2>{words::problems()}</h2>
                 <Show when=move || none() && !empty()>
-                    <p class="second">{words::no_problems()}</p>
+                    <p class="second">{move || if runs() { words::no_problems_now() } else { words::no_problems() }}</p>
                 </Show>
                 <ProblemList of=None />
                 <p class="faint">{words::select_to_edit()}</p>

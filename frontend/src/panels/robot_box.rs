@@ -87,7 +87,7 @@ fn why_not(desk: Hold) -> Option<String> {
         return Some(words::starts_when_online().to_owned());
     }
     if let Health::Lost(why) = &desk.robot.read().health {
-        return Some(format!("{}: {why}", words::health_lost()));
+        return Some(words::robot_lost(why.trim_end_matches('.')));
     }
     let problems = desk.problems.get();
     problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(&problem.to_string()))

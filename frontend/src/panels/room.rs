@@ -12,6 +12,11 @@ use map::Map;
 use movable::Movable;
 use robot::SceneEdit;
 
+/// The smallest radius of a ball, and how far outside it the ring is that says that the robot sees it; in units of the
+/// picture.
+const BALL_MIN: f32 = 7.0;
+const SEEN_GAP: f32 = 4.0;
+
 /// The room.
 #[component]
 pub(crate) fn Room() -> impl IntoView {
@@ -24,14 +29,23 @@ pub(crate) fn Room() -> impl IntoView {
     let svg = NodeRef::<leptos::svg::Svg>::new();
     view! {
         <section class="room" aria-label=words::room()>
-            <p class="room-title">{words::room_hint()}</p>
+            <p class="room-title">
+                <span>{words::room_hint()}</span>
+                <span class="legend">
+                    <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true" focusable="false">
+                        <circle class="sample" cx="8" cy="8" r="3" />
+                        <circle class="seen-ring" cx="8" cy="8" r="6.5" />
+                    </svg>
+                    {words::room_seen()}
+                </span>
+            </p>
             <svg viewBox=map::VIEW_BOX node_ref=svg role="group" aria-label=words::room_picture()>
                 <picture::Floor map />
                 <picture::Robot map />
                 <People map held svg />
                 <Balls map held svg />
             </svg>
-            <tools::Bubble map />
+            <tools::Bubble />
         </section>
         <tools::Tools />
         <tools::Printed />
@@ -58,11 +72,13 @@ fn Balls(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl Int
             desk.desk().scene_edit(SceneEdit::MoveBall { id: id.clone(), at });
             id.clone()
         });
-        let radius = move || map.get().length(ball.get().map_or(0.03, |ball| ball.radius)).max(7.0);
+        let radius = move || map.get().length(ball.get().map_or(0.03, |ball| ball.radius)).max(BALL_MIN);
+        let seen = Memo::new(move |_| ball.get().is_some_and(|ball| ball.seen));
         let class = format!("ball-{color}");
         view! {
             <Movable label=words::ball_named(&color) key=format!("ball {color}") map held svg at edit>
-                <circle class=class.clone() class:seen=move || ball.get().is_some_and(|ball| ball.seen) r=radius />
+                <circle class=class.clone() r=radius />
+                <Show when=move || seen.get()><circle class="seen-ring" r=move || radius() + SEEN_GAP /></Show>
             </Movable>
         }
     };

@@ -40,7 +40,7 @@ sentences! {
     running: "Running";
     apply: "Apply";
     open_first: "Open a program to start it.";
-    starts_when_online: "Start needs the connection; it is being made again.";
+    starts_when_online: "Start works again as soon as this page is connected.";
     robot_ready: "ready";
     robot_safe: "stopped, holding safely";
     health_connecting: "connecting";
@@ -50,6 +50,7 @@ sentences! {
     // The room
     room: "Room";
     room_hint: "Room · drag the ball";
+    room_seen: "the robot sees it";
     room_picture: "The robot in its room, seen from above";
     ball_red: "Red ball";
     ball_green: "Green ball";
@@ -59,9 +60,11 @@ sentences! {
     person_known: "Person it knows";
     move_hint: "Arrow keys move it by 5 centimetres, Page Up and Page Down lift and lower it.";
     touch_head: "Touch head";
+    touch: "Touch";
     person_in: "Person in";
     person_out: "Person out";
     reset_room: "Reset room";
+    reset: "Reset";
     printed: "Shown by the robot";
 
     // The inspector
@@ -81,6 +84,7 @@ sentences! {
     starts_to_see: "Press Start to see values.";
     problems: "Problems";
     no_problems: "Nothing is missing. Press Start when you like.";
+    no_problems_now: "Nothing is missing.";
     select_to_edit: "Select a stream or a connector to see more of it.";
     says_ordinary: "Carries what its connector makes.";
     last_inputs: "last inputs";
@@ -123,8 +127,9 @@ sentences! {
     start_over: "Start over";
     choose_helper: "Choose a helper.";
     write_body: "Write what to do with each value.";
-    name_missing: "Give the output stream a name.";
-    stream_gone: "This stream was removed meanwhile.";
+    finish_body: "The test is not finished. Write a number after it, such as 20.";
+    name_missing: "Give the stream a name.";
+    stream_gone: "Somebody removed this stream meanwhile. Close this and choose another one.";
     earlier: "Earlier in the order";
 
     // Other dialogs
@@ -166,7 +171,8 @@ sentences! {
 
     // Empty states
     library_title: "What shall the robot do?";
-    library_says: "Open a program, begin with a template, or start with an empty one.";
+    library_says: "Open a program, begin with a template, or start with an empty program.";
+    begin_empty: "Start with an empty program";
     begin_with_sense: "Add a sense to begin";
     begin_says: "What should the robot notice? Everything else follows from it.";
     more_senses: "More senses …";
@@ -206,11 +212,15 @@ pub(crate) fn other_runs(name: &str) -> String {
 }
 
 pub(crate) fn ended(reason: &str) -> String {
-    format!("It ended by itself: {reason}.")
+    format!("It ended by itself: {reason}. Press Start to try again.")
 }
 
 pub(crate) fn cannot_start(problem: &str) -> String {
     format!("It cannot start yet. {problem}")
+}
+
+pub(crate) fn robot_lost(reason: &str) -> String {
+    format!("The robot cannot be reached ({reason}). Look whether it is on and connected.")
 }
 
 pub(crate) fn remove_question(name: &str) -> String {
@@ -318,6 +328,20 @@ pub(crate) fn connector_says(word: &str) -> &'static str {
 /// The name of a stream that a filter with a helper makes: "Near Red ball".
 pub(crate) fn name_that(helper: &str, input: &str) -> String {
     format!("{helper} {input}")
+}
+
+/// The name of a stream that a sample makes: "Distance every 500 ms", "Distance every 2 s".
+pub(crate) fn name_sampled(input: &str, period_ms: u64) -> String {
+    match (period_ms / 1_000, period_ms % 1_000) {
+        (1, 0) => format!("{input} every second"),
+        (seconds, 0) => format!("{input} every {seconds} s"),
+        _ => format!("{input} every {period_ms} ms"),
+    }
+}
+
+/// The name of a stream that a merge makes: "Red or Green".
+pub(crate) fn name_merged(inputs: &[String]) -> String {
+    inputs.join(" or ")
 }
 
 /// The name of a stream that a connector makes, before anybody thinks of a better one.

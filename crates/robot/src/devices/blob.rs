@@ -8,7 +8,7 @@ pub(crate) const DEVICE: Device = Device {
     name: "Blob",
     kind: StreamKind::Sensor,
     label: "Blob",
-    says: "Sees a ball of the chosen colour: where it is and how large it looks.",
+    says: "Sees a ball of the chosen color: where it is and how large it looks.",
     icon: "blob",
     params: &[Param {
         name: "color",

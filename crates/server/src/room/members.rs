@@ -4,8 +4,9 @@ use super::RoomTask;
 use crate::hub::{bounded, store_no};
 use crate::outbox::{Answer, Out, encode};
 use crate::rooms::Member;
+use crate::templates::Template;
 use behaviour::{Accepted, Id};
-use protocol::{Person, Pointer, Reply, SaidNo, Summary};
+use protocol::{Person, Pointer, Reply, SaidNo};
 use std::sync::Arc;
 
 /// Changes in one answer to who missed some; who missed more opens again.
@@ -30,13 +31,7 @@ impl RoomTask {
     }
 
     fn welcome(&self, you: &Person) -> Reply {
-        let templates = crate::templates::templates().iter().map(|template| Summary {
-            id: template.name.to_owned(),
-            name: template.name.to_owned(),
-            changed_ms: 0,
-            by: template.says.to_owned(),
-            streams: u32::try_from(template.file().streams.len()).unwrap_or(u32::MAX),
-        });
+        let templates = crate::templates::templates().iter().map(Template::summary);
         Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.hub.epoch,

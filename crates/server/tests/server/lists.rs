@@ -33,7 +33,7 @@ async fn every_template_becomes_a_behaviour_without_problems() {
     let mut aiko = house.person("Aiko").await;
     let welcome = Client::connect(&house.url(), "Ben").await.unwrap();
     assert_eq!(welcome.library().revision, 1);
-    for name in ["Greeter", "Track far and close balls", "Say ball colour"] {
+    for name in ["Greeter", "Track far and close balls", "Say ball color"] {
         let made = make(&aiko, name, Some(name)).await;
         let opened = aiko.ask(Request::Open { behaviour: made }).await.unwrap();
         let Reply::Opened { problems, records, .. } = opened else { panic!() };

@@ -6,15 +6,17 @@ use crate::fields::{CodeField, TextField};
 use crate::panels::hold::{Hold, Soon, hold};
 use crate::panels::palette::users_of;
 use crate::words;
-use behaviour::{Helper, Id};
+use behaviour::{Helper, Id, Refusal};
 use leptos::prelude::*;
+use protocol::SaidNo;
 
 /// How soon a body is looked at while it is typed, in milliseconds.
 const SOON_MS: i32 = 200;
 
 #[derive(Clone, Copy)]
 struct Fields {
-    id: StoredValue<Option<Id>>,
+    /// The helper as it was when the dialog was opened; none for a new one.
+    seen: StoredValue<Option<(Id, Helper)>>,
     name: RwSignal<String>,
     params: RwSignal<String>,
     body: RwSignal<String>,
@@ -30,7 +32,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     let all = desk.desk().helpers.get_untracked();
     let found = all.into_iter().find(|(other, _)| Some(other) == id.as_ref()).map(|(_, helper)| helper);
     let is_there = found.is_some();
-    let fields = Fields::of(id, found);
+    let fields = Fields::of(id.zip(found));
     let arguments = Signal::derive(move || params(&fields.params.read()));
     let save = Callback::new(move |()| save(desk, fields));
     let title = if is_there { words::edit_helper() } else { words::add_helper() };
@@ -54,16 +56,16 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
 }
 
 impl Fields {
-    fn of(id: Option<Id>, helper: Option<Helper>) -> Self {
+    fn of(seen: Option<(Id, Helper)>) -> Self {
         let empty = || Helper {
             name: String::new(),
             params: vec!["value".to_owned()],
             body: String::new(),
             says: String::new(),
         };
-        let helper = helper.unwrap_or_else(empty);
+        let helper = seen.clone().map_or_else(empty, |(_, helper)| helper);
         Self {
-            id: StoredValue::new(id),
+            seen: StoredValue::new(seen),
             name: RwSignal::new(helper.name),
             params: RwSignal::new(helper.params.join(", ")),
             body: RwSignal::new(helper.body),
@@ -88,11 +90,24 @@ fn save(desk: Hold, fields: Fields) {
     };
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !behaviour::is_identifier(name))
     {
-        fields.refusal.set(Some(behaviour::Refusal::Identifier(bad.clone()).to_string()));
+        fields.refusal.set(Some(Refusal::Identifier(bad.clone()).to_string()));
         return;
     }
     let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-    desk.desk().put_helper(fields.id.get_value(), helper, answered);
+    let look_again = move |answer: Result<(), SaidNo>| {
+        if matches!(answer, Err(SaidNo::Change(Refusal::Stale(_)))) {
+            look_again(desk, fields);
+        }
+        answered(answer);
+    };
+    desk.desk().put_helper(fields.seen.get_value(), helper, look_again);
+}
+
+/// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
+fn look_again(desk: Hold, fields: Fields) {
+    let Some(Some((id, _))) = fields.seen.try_get_value() else { return };
+    let now = desk.desk().helpers.get_untracked().into_iter().find(|(other, _)| *other == id);
+    fields.seen.try_set_value(now);
 }
 
 /// Says while typing why the body cannot run.
@@ -149,7 +164,7 @@ fn Users(fields: Fields) -> impl IntoView {
 fn Remove(fields: Fields) -> impl IntoView {
     let desk = hold();
     let remove = move |_| {
-        let Some(id) = fields.id.get_value() else { return };
+        let Some(id) = fields.seen.with_value(|seen| seen.as_ref().map(|(id, _)| id.clone())) else { return };
         let answered = answered(&desk.desk(), fields.refusal, fields.busy);
         desk.desk().remove_helper(&id, answered);
     };

@@ -2,6 +2,7 @@
 
 use super::frame::{Feet, Frame, close};
 use crate::fields::TextField;
+use crate::panels::empty::just_made;
 use crate::panels::hold::hold;
 use crate::words;
 use leptos::prelude::*;
@@ -14,6 +15,7 @@ pub(super) fn AddProgram() -> impl IntoView {
     let save = Callback::new(move |()| {
         let name = name.get_untracked().trim().to_owned();
         if !name.is_empty() {
+            just_made();
             desk.desk().create_program(&name, None);
             close(desk);
         }

@@ -4,6 +4,8 @@ mod actuator;
 mod draft;
 mod form;
 mod inputs;
+mod naming;
+mod prefill;
 mod procedure;
 mod saving;
 

@@ -5,8 +5,9 @@ use crate::desk::{Desk, LinkState};
 use crate::fields::{Options, ParamFields, ParamForm, Select, TextField};
 use crate::panels::hold::{Hold, hold};
 use crate::words;
-use behaviour::{Id, Stream, StreamKind};
+use behaviour::{Id, Refusal, Stream, StreamKind};
 use leptos::prelude::*;
+use protocol::SaidNo;
 
 /// The dialog of one stream.
 #[component]
@@ -113,9 +114,23 @@ fn save(desk: Hold, fields: Fields) {
     match edited(fields) {
         Ok(stream) => {
             let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-            desk.desk().edit_stream(&fields.id.get_value(), stream, answered);
+            let look_again = move |answer: Result<(), SaidNo>| {
+                if matches!(answer, Err(SaidNo::Change(Refusal::Stale(_)))) {
+                    look_again(desk, fields);
+                }
+                answered(answer);
+            };
+            desk.desk().edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, look_again);
         }
         Err(why) => fields.refusal.set(Some(why)),
+    }
+}
+
+/// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
+fn look_again(desk: Hold, fields: Fields) {
+    let now = fields.id.try_get_value().and_then(|id| desk.desk().stream(&id));
+    if let Some(now) = now {
+        fields.stream.try_set_value(now.record.get_untracked());
     }
 }
 
@@ -124,7 +139,7 @@ pub(super) fn answered(
     desk: &Desk,
     refusal: RwSignal<Option<String>>,
     busy: RwSignal<bool>,
-) -> impl FnOnce(Result<(), protocol::SaidNo>) + 'static {
+) -> impl FnOnce(Result<(), SaidNo>) + 'static {
     let (desk, mine) = (desk.clone(), desk.dialog.get_untracked());
     if desk.online.get_untracked() == LinkState::Online {
         busy.set(true);

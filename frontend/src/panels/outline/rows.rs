@@ -21,7 +21,7 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
     let Some(signals) = desk.desk().stream(&id) else { return ().into_any() };
     let record = Memo::new(move |_| signals.record.get());
     let live = signals.live;
-    let value = move || {
+    let value = Memo::new(move |_| {
         tick.track();
         let live = live.read();
         let quiet = browser::now_ms() - live.received;
@@ -30,7 +30,7 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
             Some(_) if quiet > QUIET_MS => words::quiet_for((quiet / 1_000.0) as u64),
             Some(value) => format!("{} {}", short_value(value), rate_words(live.rate)),
         }
-    };
+    });
     let what = Selected::Stream(id.clone());
     let second = move || {
         if again { words::also_above().to_owned() } else { what_it_is(&record.read()) }
@@ -41,10 +41,10 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
                 {move || device_icon(&record.read()).map(|name| view! { <Icon name /> })}
             </span>
             <span class="two">
-                <b class="cut">{move || record.read().name.clone()}</b>
-                <span class="second cut">{second}</span>
+                <b class="cut" title=move || record.read().name.clone()>{move || record.read().name.clone()}</b>
+                <span class="second cut" title=second>{second}</span>
             </span>
-            <span class="faint cut">{value}</span>
+            <span class="faint cut" title=value>{value}</span>
         </Row>
         {(!again).then(|| view! { <Strip what /> })}
     }
@@ -66,7 +66,7 @@ pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
             <span class="plain-icon">{move || view! { <Icon name=icon.get() /> }}</span>
             <span class="two">
                 <span>{move || words.get().word}</span>
-                <code class="cut">{move || words.get().detail}</code>
+                <code class="cut" title=move || words.get().detail>{move || words.get().detail}</code>
             </span>
         </Row>
         <Strip what />

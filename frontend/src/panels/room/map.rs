@@ -3,12 +3,14 @@
 use robot::Scene;
 
 /// The picture's width and height.
-const WIDTH: f32 = 320.0;
-const HEIGHT: f32 = 240.0;
-pub(super) const VIEW_BOX: &str = "0 0 320 240";
+pub(super) const WIDTH: f32 = 320.0;
+pub(super) const HEIGHT: f32 = 300.0;
+pub(super) const VIEW_BOX: &str = "0 0 320 300";
 
-/// How much of the room behind the robot is shown, in metres.
-const BEHIND: f32 = 0.42;
+/// The height at the lower edge that is left for what the robot says, in units of the picture.
+const FOOT: f32 = 52.0;
+/// How much of the room behind the robot is shown above that, in metres.
+const BEHIND: f32 = 0.15;
 /// How far ahead the picture may reach, in metres.
 const DEPTHS: [f32; 5] = [1.2, 1.8, 2.6, 4.0, 6.0];
 /// What stands nearer to the edge than this counts as outside, in metres.
@@ -27,24 +29,24 @@ impl Map {
         let balls = scene.balls.iter().map(|ball| [ball.at[0], ball.at[1]]);
         let people = scene.people.iter().filter(|person| person.present).map(|person| person.at);
         let places: Vec<[f32; 2]> = balls.chain(people).chain([[scene.body.base[0], scene.body.base[1]]]).collect();
-        let maps = DEPTHS.map(|depth| Self { scale: HEIGHT / (depth + BEHIND) });
+        let maps = DEPTHS.map(|depth| Self { scale: (HEIGHT - FOOT) / (depth + BEHIND) });
         let fits = |map: &Self| places.iter().all(|place| map.shows(*place));
         maps.into_iter().find(fits).unwrap_or(maps[DEPTHS.len() - 1])
     }
 
     fn shows(self, [x, y]: [f32; 2]) -> bool {
-        let ahead = HEIGHT / self.scale - BEHIND;
+        let ahead = (HEIGHT - FOOT) / self.scale - BEHIND;
         x <= ahead - MARGIN && y.abs() <= WIDTH / 2.0 / self.scale - MARGIN
     }
 
     /// Where a place in the room is in the picture.
     pub(super) fn at(self, x: f32, y: f32) -> (f32, f32) {
-        (WIDTH / 2.0 - y * self.scale, HEIGHT - (BEHIND + x) * self.scale)
+        (WIDTH / 2.0 - y * self.scale, HEIGHT - FOOT - (BEHIND + x) * self.scale)
     }
 
     /// Which place in the room a point of the picture is.
     pub(super) fn place(self, right: f32, down: f32) -> (f32, f32) {
-        ((HEIGHT - down) / self.scale - BEHIND, (WIDTH / 2.0 - right) / self.scale)
+        ((HEIGHT - FOOT - down) / self.scale - BEHIND, (WIDTH / 2.0 - right) / self.scale)
     }
 
     /// How long a length in metres is in the picture.
@@ -56,7 +58,7 @@ impl Map {
     pub(super) fn grid(self) -> (Vec<f32>, Vec<f32>) {
         let count = |units: f32| (units / self.scale / 0.5) as i32 + 1;
         let along = (-count(WIDTH) / 2..=count(WIDTH) / 2).map(|line| self.at(0.0, line as f32 * 0.5).0);
-        let across = (-1..=count(HEIGHT)).map(|line| self.at(line as f32 * 0.5, 0.0).1);
+        let across = (-count(FOOT)..=count(HEIGHT)).map(|line| self.at(line as f32 * 0.5, 0.0).1);
         (across.collect(), along.collect())
     }
 }
@@ -66,11 +68,6 @@ pub(super) fn point(client: (f32, f32), corner: (f32, f32), size: (f32, f32)) ->
     let zoom = (size.0 / WIDTH).min(size.1 / HEIGHT).max(f32::EPSILON);
     let empty = ((size.0 - WIDTH * zoom) / 2.0, (size.1 - HEIGHT * zoom) / 2.0);
     ((client.0 - corner.0 - empty.0) / zoom, (client.1 - corner.1 - empty.1) / zoom)
-}
-
-/// A point of the picture as percent of its width and height.
-pub(super) fn percent((right, down): (f32, f32)) -> (f32, f32) {
-    (right / WIDTH * 100.0, down / HEIGHT * 100.0)
 }
 
 #[cfg(test)]
@@ -88,7 +85,7 @@ mod tests {
         let (right, down) = map.at(0.7, -0.3);
         let (x, y) = map.place(right, down);
         assert!((x - 0.7).abs() < 1e-5 && (y + 0.3).abs() < 1e-5);
-        assert_eq!(point((170.0, 130.0), (10.0, 10.0), (320.0, 240.0)), (160.0, 120.0));
+        assert_eq!(point((170.0, 130.0), (10.0, 10.0), (320.0, 300.0)), (160.0, 120.0));
     }
 
     #[test]

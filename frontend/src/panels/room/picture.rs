@@ -1,13 +1,19 @@
 //! The floor with its grid, and the robot: body, arms, head, eyes and what its camera sees.
 
-use super::map::Map;
+use super::map::{HEIGHT, Map, WIDTH};
 use crate::panels::hold::{Hold, hold};
 use leptos::prelude::*;
 
 /// Half the width across the shoulders and half the depth, the head's radius, and how far the view is drawn; in metres.
 const SHOULDERS: f32 = 0.14;
 const CHEST: f32 = 0.075;
-const HEAD: f32 = 0.065;
+const HEAD: f32 = 0.075;
+/// An eye's radius, how far it is from the middle of the face, and how far ahead; in metres, larger than life.
+const EYE: f32 = 0.024;
+const EYE_ASIDE: f32 = 0.034;
+const EYE_AHEAD: f32 = 0.045;
+/// The smallest radius of an eye, in units of the picture.
+const EYE_MIN: f32 = 3.0;
 const SIGHT: f32 = 1.6;
 
 /// The floor.
@@ -15,8 +21,8 @@ const SIGHT: f32 = 1.6;
 pub(super) fn Floor(map: Memo<Map>) -> impl IntoView {
     let lines = move || {
         let (across, along) = map.get().grid();
-        let across = across.into_iter().map(|at| view! { <line class="grid-line" x1="0" x2="320" y1=at y2=at /> });
-        let along = along.into_iter().map(|at| view! { <line class="grid-line" y1="0" y2="240" x1=at x2=at /> });
+        let across = across.into_iter().map(|at| view! { <line class="grid-line" x1="0" x2=WIDTH y1=at y2=at /> });
+        let along = along.into_iter().map(|at| view! { <line class="grid-line" y1="0" y2=HEIGHT x1=at x2=at /> });
         (across.collect_view(), along.collect_view())
     };
     view! { <g aria-hidden="true">{lines}</g> }
@@ -33,9 +39,10 @@ pub(super) fn Robot(map: Memo<Map>) -> impl IntoView {
         format!("rgb({red} {green} {blue})")
     });
     let eye = move |side: f32| {
-        let x = move || map.get().length(side * 0.025);
-        let y = move || -map.get().length(0.042);
-        view! { <circle r=length(0.014) cx=x cy=y fill=move || eyes.get() stroke="currentColor" stroke-width="0.7" /> }
+        let x = move || map.get().length(side * EYE_ASIDE);
+        let y = move || -map.get().length(EYE_AHEAD);
+        let radius = move || map.get().length(EYE).max(EYE_MIN);
+        view! { <circle class="eye" r=radius cx=x cy=y fill=move || eyes.get() /> }
     };
     view! {
         <g aria-hidden="true">

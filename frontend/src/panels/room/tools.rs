@@ -1,6 +1,5 @@
 //! Beside the picture: touching the head, the person, a fresh start, what the robot says and what it shows.
 
-use super::map::{self, Map};
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
@@ -27,9 +26,10 @@ pub(super) fn Tools() -> impl IntoView {
                 <Icon name="user" />
                 {move || if present.get() { words::person_out() } else { words::person_in() }}
             </button>
-            <button class="button small" type="button" on:click=move |_| desk.desk().scene_edit(SceneEdit::Reset)>
+            <button class="button small" type="button" title=words::reset_room() aria-label=words::reset_room()
+                on:click=move |_| desk.desk().scene_edit(SceneEdit::Reset)>
                 <Icon name="reset" />
-                {words::reset_room()}
+                {words::reset()}
             </button>
         </div>
     }
@@ -51,6 +51,8 @@ fn TouchHead() -> impl IntoView {
         <button
             class="button small"
             type="button"
+            title=words::touch_head()
+            aria-label=words::touch_head()
             aria-pressed=move || down.get().to_string()
             on:pointerdown=move |_| press(true)
             on:pointerup=move |_| press(false)
@@ -62,14 +64,14 @@ fn TouchHead() -> impl IntoView {
             on:keyup=move |event| if is_press(&event) { press(false) }
         >
             <Icon name="touch" />
-            {words::touch_head()}
+            {words::touch()}
         </button>
     }
 }
 
-/// What the robot says, or else follows, beside it.
+/// What the robot says, or else follows, under it.
 #[component]
-pub(super) fn Bubble(map: Memo<Map>) -> impl IntoView {
+pub(super) fn Bubble() -> impl IntoView {
     let desk = hold();
     let text = Memo::new(move |_| {
         let desk = desk.desk();
@@ -77,20 +79,11 @@ pub(super) fn Bubble(map: Memo<Map>) -> impl IntoView {
         let tracking = (!body.tracking.is_empty()).then(|| words::follows(&body.tracking));
         if body.saying.is_empty() { tracking } else { Some(words::saying(&body.saying)) }
     });
-    let place = Memo::new(move |_| {
-        let [x, y, _] = desk.desk().scene.read().body.base;
-        map::percent(map.get().at(x - 0.11, y))
-    });
+    let words = move || text.get().unwrap_or_default();
     view! {
         <div role="status">
             <Show when=move || text.read().is_some()>
-                <p
-                    class="bubble"
-                    style:left=move || format!("{:.1}%", place.get().0)
-                    style:top=move || format!("{:.1}%", place.get().1)
-                >
-                    {move || text.get()}
-                </p>
+                <p class="bubble" title=words><span>{words}</span></p>
             </Show>
         </div>
     }

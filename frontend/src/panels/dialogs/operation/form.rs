@@ -1,6 +1,7 @@
 //! What a person has chosen in the Operation dialog so far.
 
 use super::draft::Draft;
+use super::prefill;
 use crate::fields::ParamForm;
 use crate::panels::hold::Hold;
 use behaviour::{Connector, Id, Operation, Procedure};
@@ -25,9 +26,13 @@ pub(super) struct Form {
     /// `body` or `helper`.
     pub(super) way: RwSignal<String>,
     pub(super) body: RwSignal<String>,
+    /// What the body of a new connector began with; alone it is no procedure yet.
+    pub(super) begun: StoredValue<String>,
     pub(super) helper: RwSignal<String>,
     pub(super) period: RwSignal<String>,
     pub(super) name: RwSignal<String>,
+    /// The output's name when the dialog was opened.
+    pub(super) name_at_first: StoredValue<String>,
     /// The name that was offered last; another one was typed.
     pub(super) offered: RwSignal<String>,
     /// `new:Tracker`, or `id:…` of an actuator stream that is there.
@@ -46,6 +51,8 @@ impl Form {
         let connector = edits.as_ref().map(|(_, connector)| connector.clone());
         let operation = connector.as_ref().map(|connector| connector.operation.clone());
         let (way, body, helper) = procedure_texts(operation.as_ref());
+        let begun = if edits.is_none() { prefill::beginning(desk, &source, kind) } else { String::new() };
+        let body = if body.is_empty() { begun.clone() } else { body };
         let period = match operation {
             Some(Operation::Sample { period_ms }) => period_ms,
             _ => PERIOD_MS,
@@ -61,8 +68,10 @@ impl Form {
             inputs: RwSignal::new(inputs),
             way: RwSignal::new(way.to_owned()),
             body: RwSignal::new(body),
+            begun: StoredValue::new(begun),
             helper: RwSignal::new(helper),
             period: RwSignal::new(period.to_string()),
+            name_at_first: StoredValue::new(name.clone()),
             name: RwSignal::new(name),
             offered: RwSignal::new(String::new()),
             actuator: RwSignal::new(super::actuator::first_choice()),
@@ -89,6 +98,16 @@ impl Form {
             self.inputs.set(vec![self.source.get_value()]);
         }
         self.kind.set(kind);
+        self.begin_again(kind);
+    }
+
+    /// Another connector begins another way, unless something was written already.
+    fn begin_again(&self, kind: &str) {
+        let body = self.body.get_untracked();
+        if !self.is_edit() && (body.trim().is_empty() || self.begun.with_value(|begun| *begun == body)) {
+            self.begun.set_value(prefill::beginning(self.desk, &self.source.get_value(), kind));
+            self.body.set(self.begun.get_value());
+        }
     }
 
     /// The argument names of the body. Reactive.
@@ -120,7 +139,7 @@ impl Form {
             return;
         }
         Effect::new(move |_| {
-            let base = super::saving::name_base(self);
+            let base = super::naming::name_base(self);
             let name = self.desk.desk().name_for(&base);
             let typed = self.name.get_untracked();
             if typed.is_empty() || typed == self.offered.get_untracked() {

@@ -32,10 +32,9 @@ fn edit(form: Form) -> Result<(), String> {
     let (id, connector) = form.edits.get_value().ok_or_else(|| words::stream_gone().to_owned())?;
     let operation = operation(form)?;
     let name = named(form)?;
-    let before = form.desk.desk().stream(&connector.output).map(|signals| signals.record.get_untracked().name);
-    let renamed = Some(name.as_str()).filter(|name| before.as_deref() != Some(*name));
+    let renamed = Some(name.as_str()).filter(|name| form.name_at_first.with_value(|first| first != name));
     let answered = answered(form);
-    form.desk.desk().edit_connector(&id, operation, form.inputs.get(), renamed, answered);
+    form.desk.desk().edit_connector((&id, connector), operation, form.inputs.get(), renamed, answered);
     Ok(())
 }
 
@@ -65,12 +64,25 @@ fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
             }
             Err(no) if still_open => {
                 form.busy.set(false);
+                if matches!(no, SaidNo::Change(Refusal::Stale(_))) {
+                    look_again(form);
+                }
                 form.refusal.set(Some(no.to_string()));
                 desk.notice.set(None);
             }
             Err(no) => desk.say(&no.to_string(), true),
         }
     }
+}
+
+/// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
+fn look_again(form: Form) {
+    form.edits.update_value(|edits| {
+        let Some((id, seen)) = edits else { return };
+        if let Some(now) = form.desk.desk().connector(id) {
+            *seen = now.record.get_untracked();
+        }
+    });
 }
 
 fn operation(form: Form) -> Result<Operation, String> {
@@ -93,6 +105,9 @@ fn procedure(form: Form) -> Result<Procedure, String> {
     let body = form.body.get().trim().to_owned();
     if body.is_empty() {
         return Err(words::write_body().to_owned());
+    }
+    if form.begun.with_value(|begun| *begun.trim() == body) {
+        return Err(words::finish_body().to_owned());
     }
     Ok(Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) })
 }
@@ -119,36 +134,5 @@ fn output(form: Form) -> Result<Output, String> {
             Ok(Output::New { name, device: Some(device.name.to_owned()), params })
         }
         None => Err(words::stream_gone().to_owned()),
-    }
-}
-
-/// What the output stream is called before it is made unique. Reactive.
-pub(super) fn name_base(form: Form) -> String {
-    let first = form.inputs.read().first().cloned();
-    let input = first.and_then(|id| form.desk.desk().stream(&id)).map(|signals| signals.record.read().name.clone());
-    let input = input.unwrap_or_default();
-    let by_helper = form.way.get() == "helper" && !form.helper.read().is_empty();
-    match form.kind.get() {
-        "map" | "combineLatest" if by_helper => title(&form.helper.get()),
-        "filter" if by_helper => words::name_that(&title(&form.helper.get()), &input),
-        kind => words::name_out_of(kind, &input),
-    }
-}
-
-/// The name of a helper as the name of a stream: `ball_to_distance` becomes "Ball to distance".
-fn title(helper: &str) -> String {
-    let spaced = helper.replace('_', " ");
-    let mut rest = spaced.trim().chars();
-    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::title;
-
-    #[test]
-    fn a_helper_names_its_stream() {
-        assert_eq!(title("ball_to_distance"), "Ball to distance");
-        assert_eq!(title("_x"), "X");
     }
 }

@@ -1,0 +1,10 @@
+//! Hands on the canvas: fingers, pens, mice and keys, how much work a drag is, and that nothing gets in the way of
+//! anything else.
+
+mod drags;
+mod keyboard;
+mod many;
+mod room;
+mod steps;
+mod together;
+mod wire;

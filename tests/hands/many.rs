@@ -1,0 +1,108 @@
+//! Programs of many streams, and many gestures: how much work they are, and that nothing piles up.
+
+use house::{Outcome, Page};
+
+use crate::steps::{picture, rests, stage, view};
+
+const MOVES: u32 = 60;
+/// A drag may be so many times the work of moving a bare box.
+const WORK_MAX: f64 = 25.0;
+
+/// Work of the page's main thread for each move of a drag by the mouse.
+async fn work_per_move(page: &Page, from: (f64, f64)) -> Outcome<f64> {
+    page.hold(from).await?;
+    page.pull((from.0 + 8.0, from.1 + 2.0)).await?;
+    let before = page.cpu().await?;
+    for step in 0..MOVES {
+        let turn = f64::from(step) / f64::from(MOVES) * std::f64::consts::TAU;
+        page.pull((from.0 + 8.0 + 60.0 * turn.sin(), from.1 + 2.0 + 60.0 * (1.0 - turn.cos()))).await?;
+    }
+    let after = page.cpu().await?;
+    page.release((from.0 + 8.0, from.1 + 2.0)).await?;
+    Ok((after.task - before.task) / f64::from(MOVES))
+}
+
+/// The same for a bare box that follows the mouse, on a page with nothing else.
+async fn bare_work(page: &Page) -> Outcome<f64> {
+    page.goto("about:blank").await?;
+    page.eval(
+        "document.body.innerHTML = '<div style=\"position:fixed;width:100px;height:48px;background:green\">x</div>';
+        const box = document.querySelector('div');
+        addEventListener('pointermove', event => {
+            box.style.transform = `translate(${event.clientX}px, ${event.clientY}px)`; }); 0",
+    )
+    .await?;
+    work_per_move(page, (300.0, 300.0)).await
+}
+
+async fn check(count: usize, budget: f64) -> Outcome<()> {
+    let stage = stage!("many streams");
+    let program = stage.wire.make_large("Many", count).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    let stream = "Stream 24, *";
+    let rest = rests(&aiko, stream).await?;
+    let (zoom, drawn) = (view(&aiko).await?.2, aiko.eval("document.querySelectorAll('#stage .stream').length").await?);
+    picture(&aiko, &format!("many-{count}")).await?;
+    let whole = work_per_move(&aiko, rest.centre()).await?;
+    aiko.press("button", "Real size").await?;
+    rests(&aiko, stream).await.ok();
+    let near = aiko.find_all("button", "Stream *").await?;
+    let paper = aiko.boxed("main", "").await?;
+    let middle = paper.centre();
+    let nearest = near.iter().min_by(|one, other| {
+        let far = |node: &house::Node| (node.rect.centre().0 - middle.0).hypot(node.rect.centre().1 - middle.1);
+        far(one).total_cmp(&far(other))
+    });
+    let nearest = nearest.ok_or("No stream is in view at real size.")?;
+    let real = work_per_move(&aiko, nearest.rect.centre()).await?;
+    aiko.no_errors()?;
+    let bare = bare_work(&aiko).await?;
+    println!(
+        "Dragging one of {count} streams: {whole:.2} ms a step with {drawn} of them in view at {:.0} %, {real:.2} ms at \
+         100 % (budget {budget} ms); a bare box {bare:.2} ms.",
+        zoom * 100.0
+    );
+    let work = whole.max(real) / bare.max(0.05);
+    assert!(work < WORK_MAX, "a drag is {work:.0} times the work of moving a bare box");
+    Ok(())
+}
+
+#[tokio::test]
+async fn dragging_one_of_500_streams_is_little_work() -> Outcome<()> {
+    check(500, 10.0).await
+}
+
+#[tokio::test]
+async fn dragging_one_of_2000_streams_is_little_work() -> Outcome<()> {
+    check(2_000, 12.0).await
+}
+
+#[tokio::test]
+async fn selecting_and_opening_again_and_again_leaves_nothing_behind() -> Outcome<()> {
+    let stage = stage!("again and again");
+    let programs =
+        [stage.wire.make("One", Some("Greeter")).await?, stage.wire.make("Two", Some("Track with nearest arm")).await?];
+    let aiko = stage.person("aiko", &programs[0]).await?;
+    rests(&aiko, "Face,*").await?;
+    let before = elements(&aiko).await?;
+    for _ in 0..50 {
+        aiko.eval("document.querySelector('[aria-label^=\"Face,\"]').click(), 0").await?;
+        aiko.until("document.querySelector('.strip') !== null", "the strip is there").await?;
+        aiko.key("Escape").await?;
+        aiko.until("document.querySelector('.strip') === null", "the strip is gone").await?;
+    }
+    for round in 0..20 {
+        let (program, stream) = if round % 2 == 0 { (&programs[1], "Ball") } else { (&programs[0], "Face") };
+        aiko.eval(&format!("location.hash = '#/b/{program}', 0")).await?;
+        aiko.until(&format!("document.querySelector('[aria-label^=\"{stream},\"]') !== null"), "it is open").await?;
+    }
+    rests(&aiko, "Face,*").await?;
+    let after = elements(&aiko).await?;
+    assert!(after <= before + 20, "elements of the page before {before}, after {after}");
+    aiko.no_errors()
+}
+
+async fn elements(page: &Page) -> Outcome<u64> {
+    let count = page.eval("document.querySelectorAll('*').length").await?;
+    Ok(count.as_u64().unwrap_or_default())
+}

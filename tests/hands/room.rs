@@ -1,0 +1,147 @@
+//! Nothing on the canvas gets in the way of anything else.
+
+use house::{Outcome, Page};
+use serde_json::Value;
+
+use crate::steps::{picture, rests, stage, text};
+
+const TEMPLATES: [&str; 8] = [
+    "Distance to brightness",
+    "Greeter",
+    "Reflect ball color",
+    "Say ball color",
+    "Say ball color with merge",
+    "Track far and close balls",
+    "Track with nearest arm",
+    "Track with nearest arm, in time",
+];
+
+/// Pairs of streams, chips and values of different streams that meet.
+const MEETING: &str = "(() => {
+    const all = [...document.querySelectorAll('#stage .stream, #stage .chip, #stage .value')].map(node => {
+        const own = node.closest('[data-node], [data-chip]');
+        return { name: node.className + ' ' + own.getAttribute('aria-label'), own, at: node.getBoundingClientRect() };
+    });
+    const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
+    return all.flatMap((one, at) => all.slice(at + 1)
+        .filter(other => one.own !== other.own && meet(one.at, other.at))
+        .map(other => one.name + ' / ' + other.name)).join('\\n');
+})()";
+
+/// Streams and chips whose words are cut although they are short.
+const CUT: &str = "[...document.querySelectorAll('#stage .name, #stage .detail')]
+    .filter(node => node.scrollWidth > node.clientWidth + 1 && node.parentElement.closest('[data-node], [data-chip]').offsetWidth < 258)
+    .map(node => node.textContent).join()";
+
+/// What the page shows outside of the stage.
+const OUTSIDE: &str = "(() => {
+    const stage = document.querySelector('#stage').getBoundingClientRect();
+    return [...document.querySelectorAll('#stage .stream, #stage .chip, #stage .value, #stage .strip')]
+        .filter(node => { const at = node.getBoundingClientRect();
+            return at.left < stage.left || at.right > stage.right + 1 || at.top < stage.top || at.bottom > stage.bottom + 1; })
+        .map(node => node.className).join();
+})()";
+
+async fn nothing_meets(page: &Page, what: &str) -> Outcome<()> {
+    let meeting = page.eval(MEETING).await?;
+    assert_eq!(meeting, "", "{what}: {}", text(&meeting));
+    assert_eq!(page.eval(CUT).await?, "", "{what}");
+    Ok(())
+}
+
+#[tokio::test]
+async fn values_of_the_templates_have_room() -> Outcome<()> {
+    let stage = stage!("templates have room");
+    for name in TEMPLATES {
+        let program = stage.wire.make(&format!("My {name}"), Some(name)).await?;
+        let aiko = stage.person("aiko", &program).await?;
+        aiko.press("button", "Start").await?;
+        let _ = aiko.until("document.querySelectorAll('#stage .value').length > 0", "values come").await;
+        tokio::time::sleep(std::time::Duration::from_millis(1_500)).await;
+        picture(&aiko, &program).await?;
+        nothing_meets(&aiko, name).await?;
+        assert_eq!(aiko.eval(OUTSIDE).await?, "", "{name}");
+        aiko.press("button", "Tidy").await?;
+        tokio::time::sleep(std::time::Duration::from_millis(900)).await;
+        picture(&aiko, &format!("{program}-tidy")).await?;
+        nothing_meets(&aiko, &format!("{name}, tidied")).await?;
+        aiko.no_errors()?;
+        aiko.press("button", "Stop").await?;
+        aiko.close().await?;
+    }
+    Ok(())
+}
+
+#[tokio::test]
+async fn values_become_shorter_where_streams_are_close() -> Outcome<()> {
+    let stage = stage!("close streams");
+    let program = stage.wire.make("Close", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    let (far, close) = (rests(&aiko, "Far ball, stream").await?, rests(&aiko, "Close ball, stream").await?);
+    let by = far.x + far.width + 80.0 - close.x;
+    let (x, y) = close.centre();
+    aiko.drag((x, y), (x + by, y), 8).await?;
+    aiko.press("button", "Start").await?;
+    aiko.until("document.querySelectorAll('#stage .value').length > 3", "values come").await?;
+    tokio::time::sleep(std::time::Duration::from_millis(1_200)).await;
+    picture(&aiko, "close-streams").await?;
+    let meeting = aiko.eval(MEETING).await?;
+    let values: Vec<&str> = text(&meeting).lines().filter(|pair| pair.contains("value")).collect();
+    assert!(values.is_empty(), "{values:?}");
+    aiko.press("button", "Stop").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn the_first_sense_stands_at_the_top_and_the_strip_keeps_off_values() -> Outcome<()> {
+    let stage = stage!("first sense");
+    let program = stage.wire.make("Empty", None).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    aiko.find("heading", "Add a sense to begin").await?;
+    assert_eq!(aiko.count("button", "Tidy").await?, 0, "an empty program has nothing to zoom");
+    picture(&aiko, "first-none").await?;
+    aiko.press("button", "Add sensor").await?;
+    aiko.press("option", "RedBall*").await.or(aiko.press("menuitem", "RedBall*").await)?;
+    let ball = rests(&aiko, "RedBall, sensor stream").await?;
+    let paper = aiko
+        .on("main", "", "function () { const at = this.getBoundingClientRect(); return [at.x, at.y, at.width] }")
+        .await?;
+    let number = |at: usize| paper[at].as_f64().unwrap_or_default();
+    assert!((ball.centre().0 - number(0) - number(2) / 2.0).abs() < 30.0, "{ball:?} {paper}");
+    assert!(ball.y - number(1) < 120.0, "{ball:?} {paper}");
+    picture(&aiko, "first-sense").await?;
+    strip_is_clear(&aiko).await?;
+    Ok(())
+}
+
+/// The strip is on the stage and covers no stream.
+async fn strip_is_clear(page: &Page) -> Outcome<()> {
+    page.find("toolbar", "Next steps for*").await?;
+    let js = "(() => {
+        const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+        const strip = document.querySelector('.strip').getBoundingClientRect();
+        return [...document.querySelectorAll('#stage .stream, #stage .value')]
+            .filter(node => meet(node.getBoundingClientRect(), strip)).map(node => node.className).join();
+    })()";
+    assert_eq!(page.eval(js).await?, Value::from(""));
+    assert_eq!(page.eval(OUTSIDE).await?, "");
+    Ok(())
+}
+
+#[tokio::test]
+async fn the_strip_keeps_off_streams() -> Outcome<()> {
+    let stage = stage!("the strip");
+    let program = stage.wire.make("Strip", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    for stream in ["Ball,*", "Distance,*", "Far ball,*", "Close ball,*", "Head tracker,*", "Head and body tracker,*"] {
+        rests(&aiko, stream).await?;
+        aiko.press("button", stream).await?;
+        rests(&aiko, stream).await?;
+        picture(&aiko, &format!("strip-{}", stream.trim_end_matches(",*").replace(' ', "-"))).await?;
+        strip_is_clear(&aiko).await?;
+    }
+    aiko.press("button", "filter (distance < 0.5)*").await?;
+    picture(&aiko, "strip-chip").await?;
+    strip_is_clear(&aiko).await?;
+    aiko.no_errors()
+}

@@ -1,0 +1,76 @@
+//! Two people on one canvas: rings and pointers are allowed by the page's own policy, and edits arrive soon.
+
+use std::time::{Duration, Instant};
+
+use house::Outcome;
+
+use crate::steps::{picture, rests, stage, view};
+
+const EDITS: usize = 40;
+
+/// Waits for the next move of the ball.
+const NEXT_MOVE: &str = "new Promise(done => {
+    const eyes = new MutationObserver(() => { eyes.disconnect(); done(true); });
+    eyes.observe(document.querySelector('[aria-label^=\"Ball,\"]'), { attributeFilter: ['style'] });
+})";
+
+#[tokio::test]
+async fn rings_and_pointers_of_others_are_seen_without_complaints() -> Outcome<()> {
+    let stage = stage!("rings");
+    let program = stage.wire.make("Rings", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    let ben = stage.person("ben", &program).await?;
+    let (x, y) = rests(&ben, "Distance,*").await?.centre();
+    ben.press("button", "Distance,*").await?;
+    ben.move_to((x + 150.0, y + 120.0)).await?;
+    aiko.until("document.querySelector('.ring') !== null", "the ring is there").await?;
+    aiko.until("document.querySelector('.people-pointer') !== null", "the pointer is there").await?;
+    let ring = aiko.eval("getComputedStyle(document.querySelector('.ring')).borderTopColor").await?;
+    let tag = aiko.eval("getComputedStyle(document.querySelector('.ring .tag')).backgroundColor").await?;
+    assert_eq!(ring, tag, "the ring and its tag have the person's colour");
+    picture(&aiko, "ring").await?;
+    for person in [&aiko, &ben] {
+        person.no_errors()?;
+    }
+    Ok(())
+}
+
+#[tokio::test]
+async fn an_edit_reaches_the_other_soon() -> Outcome<()> {
+    let stage = stage!("an edit reaches the other");
+    let program = stage.wire.make("Soon", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    let ben = stage.person("ben", &program).await?;
+    rests(&ben, "Ball,*").await?;
+    let mut took = Vec::new();
+    for edit in 0..EDITS {
+        let (x, y) = rests(&aiko, "Ball,*").await?.centre();
+        let zoom = view(&aiko).await?.2;
+        let to = x + if edit % 2 == 0 { 40.0 } else { -40.0 } * zoom;
+        aiko.hold((x, y)).await?;
+        aiko.pull((to, y)).await?;
+        aiko.pull((to, y)).await?;
+        let seen = async {
+            ben.eval(NEXT_MOVE).await?;
+            Ok(Instant::now())
+        };
+        let done = async {
+            // The other page listens by now.
+            tokio::time::sleep(Duration::from_millis(60)).await;
+            let began = Instant::now();
+            aiko.release((to, y)).await.map(|()| began)
+        };
+        let (seen, began) = tokio::try_join!(seen, done)?;
+        took.push(seen - began);
+    }
+    took.sort();
+    let at = |part: usize| took[(took.len() * part / 100).min(took.len() - 1)];
+    let say = |time: Duration| time.as_secs_f64() * 1_000.0;
+    println!(
+        "An edit reaches the other browser: p50 {:.1} ms, p95 {:.1} ms (budget p95 50 ms, on loopback).",
+        say(at(50)),
+        say(at(95))
+    );
+    aiko.no_errors()?;
+    ben.no_errors()
+}

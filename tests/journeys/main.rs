@@ -1,0 +1,11 @@
+//! Journeys: people use the page in a real browser, against a real server with the simulated robot.
+
+mod edits;
+mod quick;
+mod runaway;
+mod steps;
+mod stop;
+mod templates;
+mod together;
+mod visitor;
+mod walkthrough;

@@ -1,0 +1,193 @@
+//! What people do again and again, in their own words.
+
+use house::{Browser, Outcome, Page, Server};
+use tempfile::TempDir;
+
+/// A server on a fresh folder, and a browser. Server and browser end before the folder goes.
+pub(crate) struct Stage {
+    pub(crate) server: Server,
+    pub(crate) browser: Browser,
+    _folder: TempDir,
+}
+
+impl Stage {
+    pub(crate) async fn set() -> Outcome<Self> {
+        let folder = house::folder()?;
+        let server = Server::start(folder.path()).await?;
+        Ok(Self { server, browser: Browser::launch().await?, _folder: folder })
+    }
+
+    /// A person with the page open on a desktop.
+    pub(crate) async fn person(&self, name: &str) -> Outcome<Page> {
+        let page = self.nobody(name).await?;
+        page.goto(&self.server.url()).await?;
+        usable(&page).await?;
+        Ok(page)
+    }
+
+    /// A person in front of an empty window.
+    pub(crate) async fn nobody(&self, name: &str) -> Outcome<Page> {
+        let page = self.browser.person(name).await?;
+        page.size(1440, 900, false).await?;
+        Ok(page)
+    }
+
+    /// A second person in what another has open.
+    pub(crate) async fn beside(&self, other: &Page, name: &str) -> Outcome<Page> {
+        let page = self.nobody(name).await?;
+        page.goto(&other.address().await?).await?;
+        usable(&page).await?;
+        Ok(page)
+    }
+}
+
+/// Waits until the first screen can be used.
+pub(crate) async fn usable(page: &Page) -> Outcome<()> {
+    page.until("performance.getEntriesByName('rrp-usable').length > 0", "the page is usable").await.map(drop)
+}
+
+/// Makes an empty program through the dialog.
+pub(crate) async fn add_program(page: &Page, name: &str) -> Outcome<()> {
+    page.within("toolbar", "Main tools").press("button", "Add a program").await?;
+    let dialog = page.within("dialog", "Add a program");
+    dialog.fill("textbox", "Name", name).await?;
+    dialog.press("button", "Create").await?;
+    page.gone("dialog", "Add a program").await?;
+    page.find("heading", "Add a sense to begin").await?;
+    page.find("button", name).await?;
+    Ok(())
+}
+
+/// Adds a sense from the list at the left.
+pub(crate) async fn add_sense(page: &Page, sense: &str) -> Outcome<()> {
+    page.within("navigation", "Find or add").press("button", &format!("Add {sense}")).await?;
+    page.find("button", &format!("{sense}, sensor stream")).await?;
+    page.find("toolbar", &format!("Next steps for {sense}")).await?;
+    saved(page).await
+}
+
+/// Waits until everything is saved.
+pub(crate) async fn saved(page: &Page) -> Outcome<()> {
+    says(page, "All changes saved").await
+}
+
+/// Waits until these words are in the page.
+pub(crate) async fn says(page: &Page, words: &str) -> Outcome<()> {
+    let js = format!("document.body.innerText.includes({})", quoted(words));
+    page.until(&js, &format!("the page says “{words}”")).await.map(drop)
+}
+
+/// Waits until these words are nowhere in the page.
+pub(crate) async fn silent(page: &Page, words: &str) -> Outcome<()> {
+    let js = format!("!document.body.innerText.includes({})", quoted(words));
+    page.until(&js, &format!("the page says no more “{words}”")).await.map(drop)
+}
+
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
+
+/// Selects a stream on the canvas by its name.
+pub(crate) async fn select(page: &Page, stream: &str) -> Outcome<()> {
+    page.press("button", &format!("{stream}, *")).await?;
+    page.find("toolbar", &format!("Next steps for {stream}")).await.map(drop)
+}
+
+/// Presses something in the strip under the selected stream.
+pub(crate) async fn next(page: &Page, stream: &str, button: &str) -> Outcome<()> {
+    page.within("toolbar", &format!("Next steps for {stream}")).press("button", button).await
+}
+
+/// Opens the Operation dialog for a connector through the thunderbolt under a stream.
+pub(crate) async fn thunderbolt(page: &Page, stream: &str, connector: &str) -> Outcome<()> {
+    select(page, stream).await?;
+    next(page, stream, "Add connector").await?;
+    page.press("menuitem", connector).await?;
+    page.find("dialog", "Operation").await.map(drop)
+}
+
+/// Saves the open dialog, which closes.
+pub(crate) async fn save(page: &Page, dialog: &str) -> Outcome<()> {
+    page.within("dialog", dialog).press("button", "Save").await?;
+    page.gone("dialog", dialog).await?;
+    saved(page).await
+}
+
+/// Chooses out of a list that drops down, by its first letters.
+pub(crate) async fn choose(page: &Page, list: &str, letters: &str, chosen: &str) -> Outcome<()> {
+    page.on("combobox", list, "function () { this.focus(); }").await?;
+    page.type_text(letters).await?;
+    let js = format!("function () {{ return this.value === {}; }}", quoted(chosen));
+    page.until_on("combobox", list, &js, &format!("{list} is {chosen}")).await.map(drop)
+}
+
+/// Sees these streams and connectors on the canvas, by their accessible names.
+pub(crate) async fn sees(page: &Page, names: &[&str]) -> Outcome<()> {
+    for name in names {
+        page.find("button", name).await?;
+    }
+    Ok(())
+}
+
+/// Waits until a value stands beside a stream.
+pub(crate) async fn shows_value(page: &Page, stream: &str) -> Outcome<String> {
+    let js = "function () { return this.querySelector('.value b')?.textContent; }";
+    let value = page.until_on("button", &format!("{stream}, *"), js, &format!("{stream} shows a value")).await?;
+    Ok(value.as_str().unwrap_or_default().to_owned())
+}
+
+/// Starts the open program.
+pub(crate) async fn start(page: &Page) -> Outcome<()> {
+    page.press("button", "Start").await?;
+    page.find("button", "Running").await.map(drop)
+}
+
+/// Stops everything.
+pub(crate) async fn stop(page: &Page) -> Outcome<()> {
+    page.press("button", "Stop").await?;
+    says(page, "Stopped. The robot holds still.").await
+}
+
+/// Waits until the open program does not run.
+pub(crate) async fn at_rest(page: &Page) -> Outcome<()> {
+    page.find("button", "Start").await.map(drop)
+}
+
+/// Checks that the page complained about nothing.
+pub(crate) fn calm(page: &Page) -> Outcome<()> {
+    page.no_errors()
+}
+
+/// As `calm`, after the server went away: then the browser itself tells that it cannot connect.
+pub(crate) fn calm_but_lost(page: &Page) -> Outcome<()> {
+    page.no_errors_but(&["WebSocket", "ERR_CONNECTION_REFUSED"])
+}
+
+/// Cuts the socket of a page, and lets it come back; the rest of the network stays.
+pub(crate) struct Switch<'a>(&'a Page);
+
+impl<'a> Switch<'a> {
+    /// Takes hold of the sockets of whatever is opened next.
+    pub(crate) async fn install(page: &'a Page) -> Outcome<Self> {
+        let source = "const Real = WebSocket; globalThis.sockets = [];
+            globalThis.WebSocket = class extends Real {
+                constructor(...of) {
+                    if (globalThis.isCut) throw new Error('cut');
+                    super(...of);
+                    globalThis.sockets.push(this);
+                }
+            };";
+        let asked = serde_json::json!({ "source": source });
+        page.call("Page.enable", serde_json::json!({})).await?;
+        page.call("Page.addScriptToEvaluateOnNewDocument", asked).await?;
+        Ok(Self(page))
+    }
+
+    pub(crate) async fn cut(&self) -> Outcome<()> {
+        self.0.eval("globalThis.isCut = true; globalThis.sockets.forEach(socket => socket.close()); 0").await.map(drop)
+    }
+
+    pub(crate) async fn mend(&self) -> Outcome<()> {
+        self.0.eval("globalThis.isCut = false; dispatchEvent(new Event('online')); 0").await.map(drop)
+    }
+}

@@ -1,0 +1,176 @@
+//! Two people in one program: each sees what the other does, and nothing of anybody is lost.
+
+use house::{Outcome, Page, skip};
+
+use crate::steps::*;
+
+const SETTLED: &str = "function () { return this.style.transform; }";
+
+#[tokio::test]
+async fn what_one_does_the_other_sees() -> Outcome<()> {
+    if !skip::ready("journey: two people") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    call_myself(&ben, "Ben").await?;
+    aiko.find("image", "Ben").await?;
+
+    rename_program(&aiko, "Ours", "Our ball").await?;
+    ben.find("button", "Our ball").await?;
+    rename_stream(&aiko, "RedBall", "The ball").await?;
+    ben.find("button", "The ball, sensor stream").await?;
+    drag_aside(&aiko, &ben, "The ball, sensor stream").await?;
+
+    add_sense(&ben, "HeadTouch").await?;
+    aiko.find("button", "HeadTouch, sensor stream").await?;
+    rename_program(&aiko, "Our ball", "My ball").await?;
+    ben.find("button", "My ball").await?;
+    aiko.press("button", "Undo").await?;
+    for person in [&aiko, &ben] {
+        person.find("button", "Our ball").await?;
+        person.find("button", "HeadTouch, sensor stream").await?;
+    }
+    calm(&ben)?;
+    ben.close().await?;
+    aiko.gone("image", "Ben").await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn a_stale_edit_is_refused_and_its_draft_stays() -> Outcome<()> {
+    if !skip::ready("journey: a stale edit") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+    thunderbolt(&aiko, "RedBall", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
+    save(&aiko, "Operation").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    write_body(&aiko, "map (1), connector*", "2 + 2").await?;
+    write_body(&ben, "map (1), connector*", "3").await?;
+    save(&ben, "Operation").await?;
+    aiko.find("button", "map (3), connector*").await?;
+    let dialog = aiko.within("dialog", "Operation");
+    dialog.press("button", "Save").await?;
+    let sentence = dialog.text("alert", "").await?;
+    assert!(sentence.starts_with("Somebody changed") && sentence.ends_with("try again."), "{sentence}");
+    assert_eq!(dialog.text("textbox", "Body").await?, "2 + 2");
+    aiko.find("button", "map (3), connector*").await?;
+    calm(&ben)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn an_edit_without_connection_that_comes_too_late_is_kept_as_a_draft() -> Outcome<()> {
+    if !skip::ready("journey: a late edit") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = Switch::install(&aiko).await?;
+    aiko.goto(&stage.server.url()).await?;
+    usable(&aiko).await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+    thunderbolt(&aiko, "RedBall", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
+    save(&aiko, "Operation").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
+    write_body(&aiko, "map (1), connector*", "2 + 2").await?;
+    aiko.within("dialog", "Operation").press("button", "Save").await?;
+    aiko.gone("dialog", "Operation").await?;
+    aiko.find("button", "map (2 + 2), connector*").await?;
+    says(&aiko, "Offline: 1 change waits here").await?;
+    write_body(&ben, "map (1), connector*", "3").await?;
+    save(&ben, "Operation").await?;
+    socket.mend().await?;
+    says(&aiko, "Somebody changed").await?;
+    aiko.find("button", "map (3), connector*").await?;
+    aiko.press("button", "map (3), connector*").await?;
+    next(&aiko, "map", "Edit").await?;
+    says(&aiko, "This is your unsaved draft.").await?;
+    assert_eq!(aiko.within("dialog", "Operation").text("textbox", "Body").await?, "2 + 2");
+    calm(&ben)
+}
+
+#[tokio::test]
+async fn what_is_done_offline_is_sent_later() -> Outcome<()> {
+    if !skip::ready("journey: offline") {
+        return Ok(());
+    }
+    let mut stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+    saved(&aiko).await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    stage.server.kill9().await?;
+    says(&aiko, "Offline. You can go on; it is sent when the connection is back.").await?;
+    rename_program(&aiko, "Ours", "Ours, later").await?;
+    says(&aiko, "Offline: 1 change waits here").await?;
+    aiko.press("button", "Stop").await?;
+    says(&aiko, "Stop did not reach the robot.").await?;
+    stage.server.restart().await?;
+    saved(&aiko).await?;
+    for person in [&aiko, &ben] {
+        person.find("button", "Ours, later").await?;
+        silent(person, "Offline").await?;
+    }
+    aiko.reload().await?;
+    usable(&aiko).await?;
+    aiko.find("button", "Ours, later").await.map(drop)
+}
+
+/// Chooses one's own name behind one's own sign in the bar.
+async fn call_myself(page: &Page, name: &str) -> Outcome<()> {
+    page.within("toolbar", "Main tools").press("button", "G*").await?;
+    page.within("dialog", "Your name").fill("textbox", "Name*", name).await?;
+    page.within("dialog", "Your name").press("button", "Save").await?;
+    page.gone("dialog", "Your name").await?;
+    saved(page).await
+}
+
+async fn rename_program(page: &Page, from: &str, to: &str) -> Outcome<()> {
+    page.press("button", from).await?;
+    let dialog = page.within("dialog", "Rename the program");
+    dialog.fill("textbox", "Name", to).await?;
+    dialog.press("button", "Save").await?;
+    page.gone("dialog", "Rename the program").await?;
+    page.find("button", to).await.map(drop)
+}
+
+async fn rename_stream(page: &Page, from: &str, to: &str) -> Outcome<()> {
+    select(page, from).await?;
+    next(page, from, "Edit").await?;
+    page.within("dialog", "Edit stream sensor").fill("textbox", "Name", to).await?;
+    save(page, "Edit stream sensor").await
+}
+
+/// One drags a stream; it ends at the same place for the other.
+async fn drag_aside(one: &Page, other: &Page, stream: &str) -> Outcome<()> {
+    let before = other.on("button", stream, SETTLED).await?;
+    let (x, y) = one.boxed("button", stream).await?.centre();
+    one.drag((x, y), (x + 96.0, y + 64.0), 8).await?;
+    saved(one).await?;
+    let there = one.on("button", stream, SETTLED).await?;
+    assert_ne!(there, before);
+    let js = format!("function () {{ return this.style.transform === {there}; }}");
+    other.until_on("button", stream, &js, "the stream is where the other put it").await.map(drop)
+}
+
+/// Opens a connector's dialog and writes another body, without saving.
+async fn write_body(page: &Page, chip: &str, body: &str) -> Outcome<()> {
+    page.press("button", chip).await?;
+    next(page, "map", "Edit").await?;
+    page.within("dialog", "Operation").fill("textbox", "Body", body).await
+}

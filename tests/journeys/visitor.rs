@@ -1,0 +1,134 @@
+//! Somebody without a page: talks to the server over its socket, to look at the room and to ask what no page offers.
+
+use std::time::{Duration, Instant};
+
+use behaviour::{Behaviour, Change, Id};
+use futures_util::{SinkExt, StreamExt};
+use house::{Outcome, Server, Trouble};
+use protocol::{Ask, Message, PATH, Reply, Request, RunPhase};
+use robot::Scene;
+use tokio::net::TcpStream;
+use tokio_tungstenite::tungstenite::Message as Frame;
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
+
+/// How long anything may take.
+const PATIENCE: Duration = Duration::from_secs(30);
+
+/// A second connection.
+pub(crate) struct Visitor {
+    socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
+    asked: u32,
+}
+
+/// A behaviour as the server has it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Opened {
+    pub(crate) id: Id,
+    pub(crate) revision: u64,
+    pub(crate) records: Behaviour,
+}
+
+impl Opened {
+    /// The id of the stream with this name.
+    pub(crate) fn stream(&self, name: &str) -> Outcome<Id> {
+        let found = self.records.streams().find(|(_, stream)| stream.name == name);
+        found.map(|(id, _)| id.clone()).ok_or_else(|| Trouble(format!("There is no stream {name}.")))
+    }
+}
+
+impl Visitor {
+    /// Comes in and greets.
+    pub(crate) async fn enter(server: &Server) -> Outcome<Self> {
+        let address = format!("ws://{}{PATH}", server.address());
+        let connected = tokio_tungstenite::connect_async(&address).await;
+        let (socket, _) = connected.map_err(|error| Trouble(format!("{address}: {error}")))?;
+        let mut visitor = Self { socket, asked: 0 };
+        let hello = Request::Hello { version: protocol::VERSION, client: id("visitor")?, name: "Visitor".to_owned() };
+        match visitor.ask(hello).await? {
+            Reply::Welcome { .. } => Ok(visitor),
+            other => Err(Trouble(format!("The greeting was answered with {other:?}."))),
+        }
+    }
+
+    /// Asks, and reads on until the answer.
+    pub(crate) async fn ask(&mut self, request: Request) -> Outcome<Reply> {
+        self.asked += 1;
+        let text = serde_json::to_string(&Ask { ask: self.asked, request })?;
+        self.socket.send(Frame::text(text)).await.map_err(|error| Trouble(error.to_string()))?;
+        let mine = self.asked;
+        self.hear(|message| (message.ask == Some(mine)).then_some(message.reply), "the answer").await
+    }
+
+    /// Opens the behaviour that was changed last.
+    pub(crate) async fn open_newest(&mut self) -> Outcome<Opened> {
+        let Reply::Programs { programs } = self.ask(Request::List).await? else { return Err("No list came.".into()) };
+        let newest = programs.first().ok_or("There is no program.")?;
+        self.open(&id(&newest.id)?).await
+    }
+
+    /// Opens a behaviour, or looks at it again.
+    pub(crate) async fn open(&mut self, behaviour: &Id) -> Outcome<Opened> {
+        match self.ask(Request::Open { behaviour: behaviour.clone() }).await? {
+            Reply::Opened { behaviour, revision, records, .. } => {
+                Ok(Opened { id: behaviour, revision, records: *records })
+            }
+            other => Err(Trouble(format!("Opening was answered with {other:?}."))),
+        }
+    }
+
+    /// Proposes a change that must be refused; answers with the sentence.
+    pub(crate) async fn refused(&mut self, behaviour: &Id, change: Change) -> Outcome<String> {
+        match self.ask(Request::Propose { behaviour: behaviour.clone(), change }).await? {
+            Reply::No { no } => Ok(no.to_string()),
+            other => Err(Trouble(format!("A bad edit was answered with {other:?}."))),
+        }
+    }
+
+    /// Waits until so many programs run.
+    pub(crate) async fn runs(&mut self, what: &str, wanted: usize) -> Outcome<()> {
+        let look = |message: Message| {
+            let Reply::Runs { runs } = message.reply else { return None };
+            (runs.iter().filter(|run| run.phase == RunPhase::Running).count() == wanted).then_some(())
+        };
+        self.hear(look, what).await
+    }
+
+    /// The first picture of the room from now on that is as wanted; `what` says it in words.
+    pub(crate) async fn scene(&mut self, what: &str, wanted: impl Fn(&Scene) -> bool) -> Outcome<Scene> {
+        let mut last = None;
+        let look = |message: Message| match message.reply {
+            Reply::Scene { scene } if wanted(&scene) => Some(*scene),
+            Reply::Scene { scene } => {
+                last = Some(scene);
+                None
+            }
+            _ => None,
+        };
+        let seen = self.hear(look, what).await;
+        seen.map_err(|trouble| Trouble(format!("{trouble}; the last picture was {last:?}")))
+    }
+
+    /// Reads messages until one is what is looked for.
+    async fn hear<T>(&mut self, mut look: impl FnMut(Message) -> Option<T>, what: &str) -> Outcome<T> {
+        let began = Instant::now();
+        while let Some(left) = PATIENCE.checked_sub(began.elapsed()) {
+            match tokio::time::timeout(left, self.socket.next()).await {
+                Ok(Some(Ok(Frame::Text(text)))) => {
+                    if let Some(found) = look(serde_json::from_str(&text)?) {
+                        return Ok(found);
+                    }
+                }
+                Ok(Some(Ok(_))) => {}
+                Ok(Some(Err(error))) => return Err(Trouble(format!("{what}: the socket broke ({error})"))),
+                Ok(None) => return Err(Trouble(format!("{what}: the server closed the socket"))),
+                Err(_) => break,
+            }
+        }
+        Err(Trouble(format!("{what}: not within {} s", PATIENCE.as_secs())))
+    }
+}
+
+/// An id from a text.
+pub(crate) fn id(text: &str) -> Outcome<Id> {
+    Id::new(text).map_err(Trouble)
+}

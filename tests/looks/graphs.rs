@@ -1,0 +1,126 @@
+//! Makes programs of any size over a socket, without the page.
+
+use behaviour::{
+    Behaviour, Change, Connector, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Stream, StreamKind,
+};
+use futures_util::{SinkExt, StreamExt};
+use house::{Outcome, Server, Trouble};
+use protocol::{Ask, Message, Reply, Request};
+use tokio::net::TcpStream;
+use tokio_tungstenite::tungstenite;
+use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
+
+/// Streams in a row of the graph.
+const ROW: usize = 6;
+
+/// What the streams are called.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Names {
+    Short,
+    /// Of 200 characters, without a place to break.
+    Long,
+    Japanese,
+}
+
+impl Names {
+    fn name(self, number: usize) -> String {
+        match self {
+            Self::Short => format!("Stream {number}"),
+            Self::Long => {
+                let start = format!("Stream{number}");
+                format!(
+                    "{start}{}",
+                    "WideLettersWithoutAnyBreak".repeat(8).chars().take(200 - start.len()).collect::<String>()
+                )
+            }
+            Self::Japanese => format!("赤いボールまでの距離を測るストリーム{number}"),
+        }
+    }
+
+    fn title(self, count: usize) -> String {
+        match self {
+            Self::Short => format!("Program of {count}"),
+            Self::Long => format!("Program of {count} {}", "WideLettersWithoutAnyBreak".repeat(6)),
+            Self::Japanese => format!("子どもと赤いボールで遊ぶプログラム {count}"),
+        }
+    }
+}
+
+/// Makes a program and answers with its id.
+pub(crate) async fn make(server: &Server, names: Names, count: usize) -> Outcome<Id> {
+    let mut line = Line::open(server).await?;
+    let behaviour = id(&format!("looks-{names:?}-{count}"))?;
+    line.ask(Request::Create { behaviour: behaviour.clone(), name: names.title(count), template: None }).await?;
+    line.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+    let mut change = Change::of(id(&format!("op-{names:?}-{count}"))?, "looks", "Add streams");
+    let none = Behaviour::default();
+    for (record_id, record) in records(names, count)? {
+        change = change.put(&none, record_id, record);
+    }
+    line.ask(Request::Propose { behaviour: behaviour.clone(), change }).await?;
+    Ok(behaviour)
+}
+
+/// A sensor, and streams that each come from the one above.
+fn records(names: Names, count: usize) -> Outcome<Vec<(RecordId, Record)>> {
+    let mut records = Vec::new();
+    for at in 0..count {
+        let stream = id(&format!("s{at}"))?;
+        let order = i64::try_from(at).unwrap_or(i64::MAX) * 2;
+        let kind = if at == 0 { StreamKind::Sensor } else { StreamKind::Ordinary };
+        let device = (at == 0).then(|| "RedBall".to_owned());
+        let (name, params) = (names.name(at), Params::new());
+        let record = Stream { kind, name, device, params, order, resources: None, priority: None, hold_ms: None };
+        records.push((RecordId::new(Kind::Stream, &stream), Record::Stream(record)));
+        let place = Place { x: (at % ROW) as f64 * 420.0, y: (at / ROW) as f64 * 150.0 };
+        records.push((RecordId::new(Kind::Place, &stream), Record::Place(place)));
+        if at > 0 {
+            let above = if at < ROW { 0 } else { at - ROW };
+            let operation = Operation::Filter(Procedure::body("true"));
+            let connector =
+                Connector { operation, inputs: vec![id(&format!("s{above}"))?], output: stream, order: order + 1 };
+            records.push((RecordId::new(Kind::Connector, &id(&format!("c{at}"))?), Record::Connector(connector)));
+        }
+    }
+    Ok(records)
+}
+
+fn id(text: &str) -> Outcome<Id> {
+    Id::new(text).map_err(Trouble)
+}
+
+/// A greeted socket.
+struct Line {
+    socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
+    asks: u32,
+}
+
+impl Line {
+    async fn open(server: &Server) -> Outcome<Line> {
+        let address = format!("ws://{}{}", server.address(), protocol::PATH);
+        let connected = tokio_tungstenite::connect_async(address).await;
+        let (socket, _) = connected.map_err(|error| Trouble(format!("There is no socket: {error}")))?;
+        let mut line = Line { socket, asks: 0 };
+        let hello = Request::Hello { version: protocol::VERSION, client: id("looks")?, name: "Looks".to_owned() };
+        line.ask(hello).await?;
+        Ok(line)
+    }
+
+    /// Asks, and waits for a yes.
+    async fn ask(&mut self, request: Request) -> Outcome<()> {
+        self.asks += 1;
+        let text = serde_json::to_string(&Ask { ask: self.asks, request })?;
+        let sent = self.socket.send(tungstenite::Message::text(text)).await;
+        sent.map_err(|error| Trouble(format!("The socket takes nothing: {error}")))?;
+        while let Some(Ok(told)) = self.socket.next().await {
+            let Ok(text) = told.to_text() else { continue };
+            let Ok(message) = serde_json::from_str::<Message>(text) else { continue };
+            match message.reply {
+                Reply::No { no } if message.ask == Some(self.asks) => return Err(Trouble(no.to_string())),
+                _ if message.ask == Some(self.asks) => return Ok(()),
+                _ => {}
+            }
+        }
+        Err("The socket has ended.".into())
+    }
+}

@@ -1,0 +1,9 @@
+//! How every screen looks at every size: accessibility, nothing cut or scrolled sideways, Stop on top, the first load.
+
+mod axe;
+mod graphs;
+mod load;
+mod rules;
+mod screens;
+mod sizes;
+mod targets;

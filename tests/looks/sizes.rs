@@ -1,0 +1,99 @@
+//! Every screen at every size and theme: pictures in `target/looks`, and what holds everywhere.
+
+use crate::graphs::{self, Names};
+use crate::rules;
+use crate::screens::{Stage, nothing, rests, usable, walk};
+use house::{Outcome, Page, skip};
+use std::cell::RefCell;
+
+/// Name, width, height, and whether it is a touch screen. The last two are a desktop and a tablet at 200 %.
+pub(crate) const SIZES: [(&str, u32, u32, bool); 5] = [
+    ("desktop", 1440, 900, false),
+    ("tablet", 1180, 820, true),
+    ("phone", 390, 844, true),
+    ("desktop-200", 720, 450, false),
+    ("tablet-200", 590, 410, false),
+];
+/// The screens that are kept as pictures.
+const KEPT: [&str; 4] = ["empty-library", "empty-program", "running", "operation-filter"];
+
+#[tokio::test]
+async fn every_screen_keeps_the_rules_at_every_size() -> Outcome<()> {
+    if !skip::ready("every screen at every size") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let page = &stage.page;
+    page.media("prefers-reduced-motion", "reduce").await?;
+    let found = RefCell::new(Vec::new());
+    walk(page, async |screen: &str| {
+        for (size, width, height, touch) in SIZES {
+            page.size(width, height, touch).await?;
+            settle(page).await?;
+            let place = format!("{screen}, {size}");
+            let mut broken = rules::broken(page, &place).await?;
+            broken.extend(rules::moving(page, &place).await?);
+            found.borrow_mut().extend(broken);
+            keep(page, screen, size).await?;
+        }
+        page.size(1440, 900, false).await?;
+        settle(page).await
+    })
+    .await?;
+    nothing("broken rules", &found.into_inner())?;
+    page.no_errors()
+}
+
+/// Lets the page draw itself at its new size.
+async fn settle(page: &Page) -> Outcome<()> {
+    let drawn = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
+    page.until(drawn, "the page is drawn").await.map(drop)
+}
+
+/// Keeps pictures in light and dark.
+async fn keep(page: &Page, screen: &str, size: &str) -> Outcome<()> {
+    if !KEPT.contains(&screen) || size == "tablet-200" {
+        return Ok(());
+    }
+    for (dark, theme) in [(true, "dark"), (false, "light")] {
+        page.theme(dark).await?;
+        rests(page).await?;
+        page.screenshot(&house::target().join(format!("looks/{screen}-{size}-{theme}.png"))).await?;
+    }
+    Ok(())
+}
+
+#[tokio::test]
+async fn few_and_many_streams_with_any_names_keep_the_rules() -> Outcome<()> {
+    if !skip::ready("few and many streams") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let page = &stage.page;
+    let mut found = Vec::new();
+    for names in [Names::Short, Names::Long, Names::Japanese] {
+        for count in [1, 12, 60] {
+            let id = graphs::make(&stage.server, names, count).await?;
+            page.goto(&format!("{}#/b/{id}", stage.server.url())).await?;
+            page.reload().await?;
+            usable(page).await?;
+            for (size, width, height, touch) in SIZES {
+                page.size(width, height, touch).await?;
+                page.until(
+                    "document.querySelector('h1').innerText.length > 8 && !document.querySelector('.library')",
+                    "the program is open",
+                )
+                .await?;
+                settle(page).await?;
+                let place = format!("{count} {names:?}, {size}");
+                found.extend(rules::broken(page, &place).await?);
+                if size != "tablet-200" {
+                    page.screenshot(&house::target().join(format!("looks/many-{count}-{names:?}-{size}.png"))).await?;
+                }
+            }
+            page.size(1440, 900, false).await?;
+        }
+    }
+    nothing("broken rules", &found)?;
+    page.no_errors()
+}
