@@ -75,11 +75,11 @@ fn stream(at: usize) -> Vec<Value> {
     let place = json!({ "place": { "x": column as f64 * 340.0, "y": row as f64 * 140.0 } });
     let order = at * 2;
     let kind = if row == 0 { "sensor" } else { "ordinary" };
-    let mut stream = json!({ "kind": kind, "name": format!("Stream {at}"), "order": order });
+    let mut stream = json!({ "kind": kind, "name": format!("Stream {at}"), "params": {}, "order": order });
     if row == 0 {
         stream["device"] = "RedBall".into();
     }
-    let edit = |kind: &str, after: Value| json!({ "id": { "kind": kind, "id": id }, "after": after });
+    let edit = |kind: &str, after: Value| json!({ "id": format!("{kind}/{id}"), "after": after });
     let mut edits = vec![edit("stream", json!({ "stream": stream })), edit("place", place)];
     if row > 0 {
         let operation = json!({ "filter": { "body": { "body": "true" } } });

@@ -12,7 +12,7 @@ async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
     let stage = Stage::set().await?;
     let page = &stage.page;
     let found = RefCell::new(Vec::new());
-    walk(page, async |screen: &str| {
+    let walked = walk(page, async |screen: &str| {
         for dark in [false, true] {
             page.theme(dark).await?;
             rests(page).await?;
@@ -28,11 +28,12 @@ async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
         page.size(1440, 900, false).await?;
         rests(page).await
     })
-    .await?;
+    .await;
     let mut found = found.into_inner();
     found.sort();
     found.dedup();
     nothing("findings of axe", &found)?;
+    walked?;
     page.no_errors()
 }
 

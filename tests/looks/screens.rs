@@ -49,6 +49,7 @@ pub(crate) async fn walk(page: &Page, visit: impl AsyncFn(&str) -> Outcome<()>) 
     visit("add-program").await?;
     page.press("button", "Create").await?;
     page.find("heading", "Add a sense to begin").await?;
+    page.until("document.activeElement.matches('.sense-card')", "the first sense has the keyboard").await?;
     visit("empty-program").await?;
     run_template(page).await?;
     visit("running").await?;
@@ -59,7 +60,7 @@ pub(crate) async fn walk(page: &Page, visit: impl AsyncFn(&str) -> Outcome<()>) 
     visit("edit-actuator").await?;
     leave(page).await?;
     page.press("button", "Edit helper").await?;
-    page.press("menuitem", "distance*").await?;
+    page.press("menuitem", "select_arm*").await?;
     page.find("dialog", "Edit helper").await?;
     visit("helper").await?;
     leave(page).await?;
@@ -88,6 +89,14 @@ async fn operations(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> O
     operation(page).await?;
     for connector in CONNECTORS {
         page.press("radio", connector).await?;
+        if connector == "filter" {
+            page.fill("textbox", "Body", "distance < 0.5").await?;
+            page.until(
+                "document.body.innerText.includes('passes') || document.body.innerText.includes('stopped')",
+                "the test is tried",
+            )
+            .await?;
+        }
         visit(&format!("operation-{connector}")).await?;
     }
     leave(page).await

@@ -8,7 +8,7 @@ use protocol::{Picture, PictureStream};
 const WIDTH: f32 = 104.0;
 const HEIGHT: f32 = 48.0;
 /// Around the graph, and the smallest picture, so that few streams are not drawn large.
-const MARGIN: f32 = 26.0;
+const MARGIN: f32 = 44.0;
 const WIDTH_MIN: f32 = 640.0;
 const HEIGHT_MIN: f32 = 380.0;
 
@@ -66,6 +66,6 @@ mod tests {
         let stream = |x, y| PictureStream { x, y, kind: StreamKind::Ordinary };
         assert_eq!(view_box(&[]), "-320 -190 640 380");
         assert_eq!(view_box(&[stream(100.0, 0.0)]), "-220 -166 640 380");
-        assert_eq!(view_box(&[stream(0.0, 0.0), stream(900.0, 800.0)]), "-78 -26 1056 900");
+        assert_eq!(view_box(&[stream(0.0, 0.0), stream(900.0, 800.0)]), "-96 -44 1092 936");
     }
 }

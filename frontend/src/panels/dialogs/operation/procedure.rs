@@ -149,5 +149,7 @@ fn question(form: Form) -> Option<Question> {
         let helper = fitting(form).into_iter().find(|helper| helper.name == name)?;
         return Some(Question { arguments: helper.params, body: helper.body, inputs, is_test });
     }
-    Some(Question { arguments: form.arguments(), body: form.body.get(), inputs, is_test })
+    let body = form.body.get();
+    let is_only_begun = form.begun.with_value(|begun| !begun.is_empty() && begun.trim() == body.trim());
+    (!is_only_begun).then(|| Question { arguments: form.arguments(), body, inputs, is_test })
 }
