@@ -47,7 +47,7 @@ impl Core {
     /// The fault that dropped it; already counted.
     pub(crate) fn pass(&mut self, at: Millis, connector: usize, value: &Value) -> Result<Option<Value>, Failed> {
         match self.graph.connectors[connector].work {
-            Work::Map => self.call(at, connector, std::iter::once(value)).map(Some),
+            Work::Map => self.call(at, connector, &[value]).map(Some),
             Work::Filter => self.filter(at, connector, value),
             Work::Timestamp => Ok(Some(stamped(at, value))),
             Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => Ok(Some(value.clone())),
@@ -55,7 +55,7 @@ impl Core {
     }
 
     fn filter(&mut self, at: Millis, connector: usize, value: &Value) -> Result<Option<Value>, Failed> {
-        match self.call(at, connector, std::iter::once(value))? {
+        match self.call(at, connector, &[value])? {
             Value::Bool(true) => Ok(Some(value.clone())),
             Value::Bool(false) => Ok(None),
             other => {
@@ -71,17 +71,12 @@ impl Core {
     ///
     /// # Errors
     /// The fault that dropped the value; already counted.
-    pub(crate) fn call<'v>(
-        &mut self,
-        at: Millis,
-        connector: usize,
-        inputs: impl Iterator<Item = &'v Value> + Clone,
-    ) -> Result<Value, Failed> {
+    pub(crate) fn call(&mut self, at: Millis, connector: usize, inputs: &[&Value]) -> Result<Value, Failed> {
         let Some(procedure) = &mut self.procedures[connector] else { return Ok(Value::Null) };
-        let made = procedure.call(&self.engine, inputs.clone());
+        let made = procedure.call(&self.engine, inputs);
         match &made {
             Ok(_) => self.stats.connectors[connector].deadlines_in_a_row = 0,
-            Err(failed) => self.count_fault(at, connector, failed, inputs.cloned().collect()),
+            Err(failed) => self.count_fault(at, connector, failed, inputs.iter().map(|&input| input.clone()).collect()),
         }
         made
     }
@@ -92,6 +87,20 @@ impl Core {
         stats.deadlines_in_a_row = if failed.deadline { stats.deadlines_in_a_row + 1 } else { 0 };
         stats.last_fault = Some(LastFault { at, error: failed.reason.clone(), inputs });
     }
+}
+
+/// Calls with all inputs of a combineLatest, if all are known. A few need no memory of their own.
+pub(crate) fn with_known<R>(known: &[Option<Value>], call: impl FnOnce(&[&Value]) -> R) -> Option<R> {
+    static NOTHING: Value = Value::Null;
+    let mut few = [&NOTHING; 8];
+    if known.len() > few.len() {
+        let inputs: Option<Vec<&Value>> = known.iter().map(Option::as_ref).collect();
+        return inputs.map(|inputs| call(&inputs));
+    }
+    for (input, known) in few.iter_mut().zip(known) {
+        *input = known.as_ref()?;
+    }
+    Some(call(&few[..known.len()]))
 }
 
 fn stamped(at: Millis, value: &Value) -> Value {

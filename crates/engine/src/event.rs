@@ -1,6 +1,6 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
-use crate::core::Core;
+use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
 use crate::procedure::Failed;
 use crate::run::Emission;
@@ -122,11 +122,8 @@ impl Event {
             }
             Work::CombineLatest => {
                 self.latest[connector][slot] = Some(value);
-                let known = &self.latest[connector];
-                if known.iter().any(Option::is_none) {
-                    return Ok(None);
-                }
-                core.call(at, connector, known.iter().flatten()).map(Some)
+                let call = |inputs: &[&Value]| core.call(at, connector, inputs);
+                with_known(&self.latest[connector], call).transpose()
             }
             Work::Map | Work::Filter | Work::Timestamp | Work::Merge | Work::Subscribe => {
                 core.pass(at, connector, &value)

@@ -1,6 +1,6 @@
 //! Frame mode: readings gathered into frames, every connector at most once a frame, no glitches.
 
-use crate::core::Core;
+use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
 use crate::procedure::Failed;
 use crate::run::Emission;
@@ -179,11 +179,8 @@ impl Frame {
                 *cell = Some(carried.value.clone());
             }
         }
-        if known.iter().any(Option::is_none) {
-            return Ok(None);
-        }
-        let value = core.call(at, connector, known.iter().flatten())?;
-        Ok(Some(Carried { value, origin }))
+        let made = with_known(known, |inputs| core.call(at, connector, inputs)).transpose()?;
+        Ok(made.map(|value| Carried { value, origin }))
     }
 
     /// Holds the newest value and gives it in the frame that has the next tick.

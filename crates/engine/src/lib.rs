@@ -17,6 +17,7 @@ mod library;
 mod limits;
 mod maths;
 mod procedure;
+mod quick;
 mod run;
 mod sandbox;
 mod stats;

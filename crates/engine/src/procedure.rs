@@ -2,6 +2,7 @@
 
 use crate::convert::{from_rhai, to_rhai};
 use crate::helpers::Helpers;
+use crate::quick::Quick;
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
 use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
@@ -12,6 +13,8 @@ pub(crate) struct Procedure {
     ast: AST,
     names: Vec<String>,
     slots: Scope<'static>,
+    /// The same, compiled, if all of it can be.
+    quick: Option<Quick>,
 }
 
 /// Why a call gave no value.
@@ -26,16 +29,25 @@ pub(crate) struct Failed {
 impl Procedure {
     /// Compiles a body that may call `helpers`.
     pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
-        let ast = helpers.joined(compile(engine, names, body)?);
-        Ok(Self { ast, names: names.to_vec(), slots: scope_of(names) })
+        let ast = compile(engine, names, body)?;
+        let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
+        Ok(Self { ast: helpers.joined(ast), names: names.to_vec(), slots: scope_of(names), quick })
     }
 
     /// What the procedure makes of the inputs.
-    pub(crate) fn call<'v>(
-        &mut self,
-        engine: &Engine,
-        inputs: impl Iterator<Item = &'v Value>,
-    ) -> Result<Value, Failed> {
+    pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Failed> {
+        let quick = self.quick.as_ref().and_then(|quick| quick.call(inputs));
+        quick.map_or_else(|| self.interpret(engine, inputs), Ok)
+    }
+
+    /// True if the first tier has it.
+    #[cfg(test)]
+    pub(crate) fn is_quick(&self) -> bool {
+        self.quick.is_some()
+    }
+
+    /// What Rhai makes of the inputs.
+    pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Failed> {
         for (name, input) in self.names.iter().zip(inputs) {
             if let Some(slot) = self.slots.get_mut(name) {
                 *slot = to_rhai(input);

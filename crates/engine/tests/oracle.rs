@@ -60,7 +60,10 @@ fn check(mode: impl Fn(&mut Chance) -> Engine) -> (usize, usize) {
             Engine::Event => event::run(&file, &trace, until),
             Engine::Frame { frame_ms } => frame::run(&file, &trace, until, frame_ms),
         };
-        compare(seed, mode, &product(&file, &trace, until, Limits::default()), &wanted);
+        for compiled in [true, false] {
+            let limits = Limits { compiled, ..Limits::default() };
+            compare(seed, mode, &product(&file, &trace, until, limits), &wanted);
+        }
         faults += wanted.iter().filter(|said| matches!(said, Said::Fault(..))).count();
         values += wanted.iter().filter(|said| matches!(said, Said::Value(..))).count();
     }

@@ -1,0 +1,223 @@
+//! The tree of a compiled procedure, and what it computes.
+
+use super::Unsure;
+use super::bounds::Bounds;
+use super::compare::Comparison;
+use super::functions::Function;
+use super::numbers::{Number, Operator};
+use behaviour::Value;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A part of a procedure.
+pub(super) enum Node {
+    Constant(Value),
+    /// An input of the procedure.
+    Input(usize),
+    /// A variable, or a parameter of a helper; 0 is the newest.
+    Local(usize),
+    Field(Box<Node>, Arc<str>),
+    /// An item of a list, or a field by a computed name.
+    Item(Pair),
+    Arithmetic(Operator, Pair),
+    Compare(Comparison, Pair),
+    Negative(Box<Node>),
+    Not(Box<Node>),
+    All(Vec<Node>),
+    Any(Vec<Node>),
+    /// Condition, then, else.
+    If(Box<[Node; 3]>),
+    /// One after the other; the value is that of the second.
+    Then(Pair),
+    /// A variable, and what follows it.
+    Let(Pair),
+    List(Vec<Node>),
+    /// Fields in the order of their names.
+    Object(Vec<(Arc<str>, Node)>),
+    Function(Function, Vec<Node>),
+    /// A helper: its parameters are its first variables.
+    Helper(Rc<Node>, Vec<Node>),
+}
+
+/// Two parts.
+pub(super) type Pair = Box<(Node, Node)>;
+type Made<'a> = Result<Cow<'a, Value>, Unsure>;
+
+/// What a part sees.
+#[derive(Clone, Copy)]
+pub(super) struct Env<'a> {
+    pub(super) inputs: &'a [&'a Value],
+    pub(super) locals: Option<&'a Local<'a>>,
+    pub(super) bounds: &'a Bounds,
+}
+
+/// A variable and the ones before it; they live on the machine's stack, as long as they are seen.
+pub(super) struct Local<'a> {
+    value: Cow<'a, Value>,
+    older: Option<&'a Local<'a>>,
+}
+
+impl<'a> Env<'a> {
+    fn local(&self, back: usize) -> Result<&'a Value, Unsure> {
+        let mut local = self.locals;
+        for _ in 0..back {
+            local = local.and_then(|local| local.older);
+        }
+        local.map(|local| &*local.value).ok_or(Unsure)
+    }
+}
+
+impl Node {
+    /// What it makes, whatever kind it is.
+    pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> Made<'a> {
+        match self {
+            Self::Constant(value) => Ok(Cow::Borrowed(value)),
+            Self::Input(at) => env.inputs.get(*at).map(|input| Cow::Borrowed(*input)).ok_or(Unsure),
+            Self::Local(back) => env.local(*back).map(Cow::Borrowed),
+            Self::Field(of, name) => field(of.value(env)?, name),
+            Self::Item(pair) => item(pair.0.value(env)?, &*pair.1.value(env)?),
+            Self::Arithmetic(Operator::Plus, pair) => plus(&*pair.0.value(env)?, &*pair.1.value(env)?, env.bounds),
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) => Ok(Cow::Owned(self.number(env)?.value())),
+            Self::Compare(..) | Self::Not(_) | Self::All(_) | Self::Any(_) => {
+                Ok(Cow::Owned(Value::Bool(self.truth(env)?)))
+            }
+            Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].value(env),
+            Self::Then(pair) => pair.0.value(env).and_then(|_| pair.1.value(env)),
+            Self::Let(pair) => with_local(pair, env),
+            Self::List(items) => list(items, env),
+            Self::Object(fields) => object(fields, env),
+            Self::Helper(body, arguments) => helper(body, arguments, env, None),
+        }
+    }
+
+    /// What it makes, if that is a number.
+    pub(super) fn number(&self, env: &Env) -> Result<Number, Unsure> {
+        match self {
+            Self::Constant(value) => Number::of(value),
+            Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
+            Self::Arithmetic(operator, pair) => operator.apply(pair.0.number(env)?, pair.1.number(env)?),
+            Self::Negative(of) => of.number(env)?.negative(),
+            Self::Function(function, arguments) => function.call(arguments, env),
+            Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].number(env),
+            _ => Number::of(&*self.value(env)?),
+        }
+    }
+
+    /// What it makes, if that is true or false.
+    pub(super) fn truth(&self, env: &Env) -> Result<bool, Unsure> {
+        match self {
+            Self::Compare(comparison, pair) => comparison.holds(&*pair.0.value(env)?, &*pair.1.value(env)?),
+            Self::Not(of) => of.truth(env).map(|truth| !truth),
+            Self::All(parts) => all(parts, env),
+            Self::Any(parts) => any(parts, env),
+            _ => match &*self.value(env)? {
+                Value::Bool(truth) => Ok(*truth),
+                _ => Err(Unsure),
+            },
+        }
+    }
+}
+
+impl Function {
+    fn call(self, arguments: &[Node], env: &Env) -> Result<Number, Unsure> {
+        let number = |at: usize| arguments.get(at).ok_or(Unsure)?.number(env);
+        let measured = |at| if let Number::Float(number) = number(at)? { Ok(number) } else { Err(Unsure) };
+        Ok(match self {
+            Self::Measured(function) => Number::Float(function(measured(0)?)),
+            Self::Measured2(function) => Number::Float(function(measured(0)?, measured(1)?)),
+            Self::One(function) => function(number(0)?)?,
+            Self::Two(function) => function(number(0)?, number(1)?),
+        })
+    }
+}
+
+fn all(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
+    for part in parts {
+        if !part.truth(env)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+fn any(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
+    for part in parts {
+        if part.truth(env)? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}
+
+fn field<'a>(of: Cow<'a, Value>, name: &str) -> Made<'a> {
+    match of {
+        Cow::Borrowed(of) => of.field(name).map(Cow::Borrowed),
+        Cow::Owned(of) => of.field(name).cloned().map(Cow::Owned),
+    }
+    .ok_or(Unsure)
+}
+
+fn item<'a>(of: Cow<'a, Value>, at: &Value) -> Made<'a> {
+    match of {
+        Cow::Borrowed(of) => item_of(of, at).map(Cow::Borrowed),
+        Cow::Owned(of) => item_of(&of, at).cloned().map(Cow::Owned),
+    }
+    .ok_or(Unsure)
+}
+
+/// Negative places count from the end.
+fn item_of<'v>(of: &'v Value, at: &Value) -> Option<&'v Value> {
+    match (of, at) {
+        (Value::List(items), Value::Int(at)) if *at >= 0 => items.get(usize::try_from(*at).ok()?),
+        (Value::List(items), Value::Int(at)) => {
+            items.get(items.len().checked_sub(usize::try_from(at.unsigned_abs()).ok()?)?)
+        }
+        (Value::Map(fields), Value::Text(name)) => fields.get(name),
+        _ => None,
+    }
+}
+
+/// Adds numbers, joins texts.
+fn plus<'a>(left: &Value, right: &Value, bounds: &Bounds) -> Made<'a> {
+    if let (Value::Text(left), Value::Text(right)) = (left, right) {
+        if left.len() + right.len() > bounds.text_bytes {
+            return Err(Unsure);
+        }
+        return Ok(Cow::Owned(Value::Text([left.as_ref(), right.as_ref()].concat().into())));
+    }
+    Ok(Cow::Owned(Operator::Plus.apply(Number::of(left)?, Number::of(right)?)?.value()))
+}
+
+fn with_local<'a>(pair: &'a (Node, Node), env: &Env<'a>) -> Made<'a> {
+    let local = Local { value: pair.0.value(env)?, older: env.locals };
+    let inner = Env { locals: Some(&local), ..*env };
+    pair.1.value(&inner).map(|made| Cow::Owned(made.into_owned()))
+}
+
+/// Makes the arguments one after the other, each on the stack below the next, then runs the body with them alone.
+fn helper<'a>(body: &'a Node, arguments: &'a [Node], env: &Env<'a>, made: Option<&Local<'_>>) -> Made<'a> {
+    let Some((first, rest)) = arguments.split_first() else {
+        let inner = Env { inputs: &[], locals: made, bounds: env.bounds };
+        return body.value(&inner).map(|made| Cow::Owned(made.into_owned()));
+    };
+    let local = Local { value: first.value(env)?, older: made };
+    helper(body, rest, env, Some(&local))
+}
+
+fn list<'a>(items: &[Node], env: &Env) -> Made<'a> {
+    let mut made = Vec::with_capacity(items.len());
+    for item in items {
+        made.push(item.value(env)?.into_owned());
+    }
+    env.bounds.check(Value::List(Arc::new(made))).map(Cow::Owned)
+}
+
+fn object<'a>(fields: &[(Arc<str>, Node)], env: &Env) -> Made<'a> {
+    let mut made = BTreeMap::new();
+    for (name, field) in fields {
+        made.insert(name.clone(), field.value(env)?.into_owned());
+    }
+    env.bounds.check(Value::Map(Arc::new(made))).map(Cow::Owned)
+}
