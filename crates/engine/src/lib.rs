@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod arbiter;
+mod cells;
 mod check;
 mod convert;
 mod core;

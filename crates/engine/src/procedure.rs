@@ -1,5 +1,6 @@
 //! A procedure, compiled once and called often.
 
+use crate::cells::Number;
 use crate::convert::{from_rhai, to_rhai};
 use crate::helpers::Helpers;
 use crate::quick::Quick;
@@ -34,8 +35,20 @@ impl Procedure {
         Ok(Self { ast: helpers.joined(ast), names: names.to_vec(), slots: scope_of(names), quick })
     }
 
+    /// The number it makes of the inputs, if the first tier knows.
+    #[inline]
+    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<Number> {
+        self.quick.as_ref()?.number(inputs)
+    }
+
+    /// Whether it finds the inputs true, if the first tier knows.
+    #[inline]
+    pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
+        self.quick.as_ref()?.truth(inputs)
+    }
+
     /// What the procedure makes of the inputs.
-    pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Failed> {
+    pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
         let quick = self.quick.as_ref().and_then(|quick| quick.call(inputs));
         quick.map_or_else(|| self.interpret(engine, inputs), Ok)
     }
@@ -47,7 +60,7 @@ impl Procedure {
     }
 
     /// What Rhai makes of the inputs.
-    pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Failed> {
+    pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
         for (name, input) in self.names.iter().zip(inputs) {
             if let Some(slot) = self.slots.get_mut(name) {
                 *slot = to_rhai(input);
@@ -84,8 +97,8 @@ fn scope_of(names: &[String]) -> Scope<'static> {
     scope
 }
 
-fn fault(error: &EvalAltResult) -> Failed {
-    Failed { reason: words::fault(error), deadline: is_interrupt(error) }
+fn fault(error: &EvalAltResult) -> Box<Failed> {
+    Box::new(Failed { reason: words::fault(error), deadline: is_interrupt(error) })
 }
 
 fn is_interrupt(error: &EvalAltResult) -> bool {
@@ -96,6 +109,6 @@ fn is_interrupt(error: &EvalAltResult) -> bool {
     }
 }
 
-fn failed(reason: &str) -> Failed {
-    Failed { reason: reason.to_owned(), deadline: false }
+fn failed(reason: &str) -> Box<Failed> {
+    Box::new(Failed { reason: reason.to_owned(), deadline: false })
 }

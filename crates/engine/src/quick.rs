@@ -15,6 +15,7 @@ mod shelf;
 #[cfg(test)]
 mod tests;
 
+use crate::cells::Number;
 use behaviour::Value;
 use bounds::Bounds;
 use node::{Env, Node};
@@ -30,19 +31,49 @@ struct Unsure;
 pub(crate) struct Quick {
     root: Node,
     bounds: Bounds,
+    says: Says,
+}
+
+/// What kind of value it makes, as far as its form tells.
+#[derive(PartialEq)]
+enum Says {
+    Number,
+    Truth,
+    Anything,
 }
 
 impl Quick {
     /// Compiles a body, if all of it is known here.
     pub(crate) fn of(ast: &AST, names: &[String], shelf: &Shelf) -> Option<Self> {
         let root = build::body(ast, names, shelf)?;
-        Some(Self { root, bounds: shelf.bounds() })
+        let says = match &root {
+            root if root.is_numeric() => Says::Number,
+            Node::Compare(..) | Node::Not(_) | Node::All(_) | Node::Any(_) => Says::Truth,
+            _ => Says::Anything,
+        };
+        Some(Self { root, bounds: shelf.bounds(), says })
+    }
+
+    /// The number it makes of the inputs; nothing if it makes another value or Rhai must decide.
+    #[inline]
+    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<Number> {
+        let made = if self.says == Says::Number { self.root.number(&self.env(inputs)).ok() } else { None };
+        made.filter(|number| number.is_finite())
+    }
+
+    /// Whether it finds the inputs true; nothing if it makes another value or Rhai must decide.
+    #[inline]
+    pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
+        if self.says == Says::Truth { self.root.truth(&self.env(inputs)).ok() } else { None }
+    }
+
+    fn env<'a>(&'a self, inputs: &'a [&'a Value]) -> Env<'a> {
+        Env { inputs, locals: None, bounds: &self.bounds }
     }
 
     /// What the procedure makes of the inputs; nothing if Rhai must decide.
     pub(crate) fn call(&self, inputs: &[&Value]) -> Option<Value> {
-        let env = Env { inputs, locals: None, bounds: &self.bounds };
-        let made = self.root.value(&env).ok()?;
+        let made = self.root.value(&self.env(inputs)).ok()?;
         bounds::may_flow(&made).then(|| made.into_owned())
     }
 }

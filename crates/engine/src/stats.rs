@@ -1,5 +1,7 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
+use crate::cells::{Number, copy, copy_some, put_number};
+use crate::procedure::Failed;
 use behaviour::Value;
 use robot::Millis;
 
@@ -45,4 +47,87 @@ pub struct LastFault {
     pub error: String,
     /// The values the procedure got, in the order of the inputs.
     pub inputs: Vec<Value>,
+}
+
+static NOTHING: Value = Value::Null;
+
+impl Stats {
+    pub(crate) fn of(streams: usize, connectors: usize) -> Self {
+        let (stream, connector) = (StreamStats::default(), ConnectorStats::default());
+        Self { streams: vec![stream; streams], connectors: vec![connector; connectors] }
+    }
+
+    /// The last value of a stream.
+    #[inline]
+    pub(crate) fn value(&self, stream: usize) -> &Value {
+        self.streams[stream].last.as_ref().map_or(&NOTHING, |(_, value)| value)
+    }
+
+    /// Counts a number that a connector puts on its output.
+    #[inline]
+    pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
+        put_number(self.streams[output].open(at), number);
+        let stats = &mut self.connectors[connector];
+        stats.deadlines_in_a_row = 0;
+        put_number(stats.open(), number);
+    }
+
+    /// Counts a value that a connector puts on its output.
+    pub(crate) fn give(&mut self, at: Millis, connector: usize, output: usize, value: Value) {
+        copy(self.connectors[connector].open(), &value);
+        self.connectors[connector].deadlines_in_a_row = 0;
+        *self.streams[output].open(at) = value;
+    }
+
+    /// Counts a value that a connector passes from a stream to its output.
+    #[inline]
+    pub(crate) fn pass(&mut self, at: Millis, connector: usize, stream: usize, output: usize) {
+        copy(
+            self.connectors[connector].open(),
+            self.streams[stream].last.as_ref().map_or(&NOTHING, |(_, value)| value),
+        );
+        if let Ok([from, to]) = self.streams.get_disjoint_mut([stream, output]) {
+            to.copy(at, from.last.as_ref().map_or(&NOTHING, |(_, value)| value));
+        }
+    }
+}
+
+impl StreamStats {
+    /// Counts a value, and gives the place for it.
+    #[inline]
+    fn open(&mut self, at: Millis) -> &mut Value {
+        self.count += 1;
+        let (when, value) = self.last.get_or_insert((at, Value::Null));
+        *when = at;
+        value
+    }
+
+    /// Counts a value.
+    #[inline]
+    pub(crate) fn copy(&mut self, at: Millis, value: &Value) {
+        copy(self.open(at), value);
+    }
+}
+
+impl ConnectorStats {
+    /// Counts a value, and gives the place for it.
+    #[inline]
+    fn open(&mut self) -> &mut Value {
+        self.fired += 1;
+        self.last_output.get_or_insert(Value::Null)
+    }
+
+    /// Counts a value that it gives.
+    pub(crate) fn fire(&mut self, value: &Value) {
+        self.fired += 1;
+        copy_some(&mut self.last_output, value);
+    }
+
+    /// Counts a fault.
+    pub(crate) fn fault(&mut self, at: Millis, failed: &Failed, inputs: &[&Value]) {
+        self.faults += 1;
+        self.deadlines_in_a_row = if failed.deadline { self.deadlines_in_a_row + 1 } else { 0 };
+        let inputs = inputs.iter().map(|&input| input.clone()).collect();
+        self.last_fault = Some(LastFault { at, error: failed.reason.clone(), inputs });
+    }
 }

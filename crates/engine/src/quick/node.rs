@@ -70,6 +70,30 @@ impl<'a> Env<'a> {
 }
 
 impl Node {
+    /// True if it makes a number, or adds what may be texts.
+    pub(super) fn is_numeric(&self) -> bool {
+        match self {
+            Self::Constant(value) => Number::of(value).is_ok(),
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) => true,
+            Self::If(parts) => parts[1].is_numeric() && parts[2].is_numeric(),
+            _ => false,
+        }
+    }
+
+    /// The value itself, where nothing needs to be computed.
+    #[inline]
+    fn place<'a>(&'a self, env: &Env<'a>) -> Option<&'a Value> {
+        match self {
+            Self::Constant(value) => Some(value),
+            Self::Input(at) => env.inputs.get(*at).copied(),
+            Self::Field(of, name) => match of.place(env)? {
+                Value::Map(fields) => fields.get(name),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
     /// What it makes, whatever kind it is.
     pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> Made<'a> {
         match self {
@@ -101,6 +125,7 @@ impl Node {
             Self::Negative(of) => of.number(env)?.negative(),
             Self::Function(function, arguments) => function.call(arguments, env),
             Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].number(env),
+            Self::Field(..) if let Some(value) = self.place(env) => Number::of(value),
             _ => Number::of(&*self.value(env)?),
         }
     }
@@ -108,6 +133,11 @@ impl Node {
     /// What it makes, if that is true or false.
     pub(super) fn truth(&self, env: &Env) -> Result<bool, Unsure> {
         match self {
+            Self::Compare(comparison, pair)
+                if let (Some(left), Some(right)) = (pair.0.place(env), pair.1.place(env)) =>
+            {
+                comparison.holds(left, right)
+            }
             Self::Compare(comparison, pair) => comparison.holds(&*pair.0.value(env)?, &*pair.1.value(env)?),
             Self::Not(of) => of.truth(env).map(|truth| !truth),
             Self::All(parts) => all(parts, env),

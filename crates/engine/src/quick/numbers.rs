@@ -3,12 +3,7 @@
 use super::Unsure;
 use behaviour::Value;
 
-/// A number.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Number {
-    Int(i64),
-    Float(f64),
-}
+pub(super) use crate::cells::Number;
 
 /// An operator between numbers.
 #[derive(Clone, Copy, Debug)]
@@ -27,14 +22,6 @@ impl Number {
             Value::Int(whole) => Ok(Self::Int(*whole)),
             Value::Float(number) => Ok(Self::Float(*number)),
             Value::Null | Value::Bool(_) | Value::Text(_) | Value::List(_) | Value::Map(_) => Err(Unsure),
-        }
-    }
-
-    #[inline]
-    pub(super) fn value(self) -> Value {
-        match self {
-            Self::Int(whole) => Value::Int(whole),
-            Self::Float(number) => Value::Float(number),
         }
     }
 
