@@ -7,12 +7,16 @@ use crate::stats::Stats;
 use crate::validate::Prepared;
 use behaviour::Value;
 use robot::Millis;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// Wiring, procedures and counts.
 pub(crate) struct Core {
     pub(crate) graph: Graph,
     engine: rhai::Engine,
     procedures: Vec<Option<Procedure>>,
+    /// The names of the fields that timestamp makes.
+    stamp: [Arc<str>; 2],
     /// Also where event mode keeps the values on their way: the last one of each stream.
     pub(crate) stats: Stats,
 }
@@ -21,7 +25,7 @@ impl Core {
     pub(crate) fn of(prepared: Prepared) -> Self {
         let Prepared { graph, engine, procedures } = prepared;
         let stats = Stats::of(graph.streams.len(), graph.connectors.len());
-        Self { graph, engine, procedures, stats }
+        Self { graph, engine, procedures, stamp: ["t", "v"].map(Arc::from), stats }
     }
 
     /// Tells and counts a value on a stream.
@@ -41,7 +45,7 @@ impl Core {
                 let passes = self.filter(connector, value);
                 self.counted(at, connector, passes, &[value]).map(|passes| passes.then(|| value.clone()))
             }
-            Work::Timestamp => Ok(Some(stamped(at, value))),
+            Work::Timestamp => Ok(Some(stamped(&self.stamp, at, value))),
             Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => Ok(Some(value.clone())),
         }
     }
@@ -56,7 +60,10 @@ impl Core {
         match info.work {
             Work::Map => return self.map(at, connector, stream),
             Work::Filter => return self.sift(at, connector, stream),
-            Work::Timestamp => self.stats.give(at, connector, output, stamped(at, self.stats.value(stream))),
+            Work::Timestamp => {
+                let stamped = stamped(&self.stamp, at, self.stats.value(stream));
+                self.stats.give(at, connector, output, stamped);
+            }
             Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => {
                 self.stats.pass(at, connector, stream, output);
             }
@@ -86,7 +93,10 @@ impl Core {
         let input = self.stats.value(stream);
         let quick = self.procedures[connector].as_ref().and_then(|procedure| procedure.truth(&[input]));
         let passes = match quick {
-            Some(passes) => passes,
+            Some(passes) => {
+                self.stats.connectors[connector].deadlines_in_a_row = 0;
+                passes
+            }
             None => {
                 let input = input.clone();
                 let passes = self.filter(connector, &input);
@@ -153,9 +163,12 @@ pub(crate) fn with_known<R>(known: &[Option<Value>], call: impl FnOnce(&[&Value]
     Some(call(&few[..known.len()]))
 }
 
-fn stamped(at: Millis, value: &Value) -> Value {
+fn stamped([t, v]: &[Arc<str>; 2], at: Millis, value: &Value) -> Value {
     let time = i64::try_from(at.0).unwrap_or(i64::MAX);
-    Value::object([("v", value.clone()), ("t", Value::Int(time))])
+    let mut fields = BTreeMap::new();
+    fields.insert(t.clone(), Value::Int(time));
+    fields.insert(v.clone(), value.clone());
+    Value::Map(Arc::new(fields))
 }
 
 /// A value in at most 40 characters.

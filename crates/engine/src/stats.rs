@@ -1,6 +1,6 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
-use crate::cells::{Number, copy, copy_some, put_number};
+use crate::cells::{Number, copy, put_number};
 use crate::procedure::Failed;
 use behaviour::Value;
 use robot::Millis;
@@ -28,8 +28,6 @@ pub struct StreamStats {
 pub struct ConnectorStats {
     /// How many values it gave.
     pub fired: u64,
-    /// The last one it gave.
-    pub last_output: Option<Value>,
     /// How many values it dropped by a fault.
     pub faults: u64,
     /// How many of the last calls in a row the caller's interrupt ended.
@@ -67,25 +65,19 @@ impl Stats {
     #[inline]
     pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
         put_number(self.streams[output].open(at), number);
-        let stats = &mut self.connectors[connector];
-        stats.deadlines_in_a_row = 0;
-        put_number(stats.open(), number);
+        self.connectors[connector].gave();
     }
 
     /// Counts a value that a connector puts on its output.
     pub(crate) fn give(&mut self, at: Millis, connector: usize, output: usize, value: Value) {
-        copy(self.connectors[connector].open(), &value);
-        self.connectors[connector].deadlines_in_a_row = 0;
+        self.connectors[connector].gave();
         *self.streams[output].open(at) = value;
     }
 
     /// Counts a value that a connector passes from a stream to its output.
     #[inline]
     pub(crate) fn pass(&mut self, at: Millis, connector: usize, stream: usize, output: usize) {
-        copy(
-            self.connectors[connector].open(),
-            self.streams[stream].last.as_ref().map_or(&NOTHING, |(_, value)| value),
-        );
+        self.connectors[connector].gave();
         if let Ok([from, to]) = self.streams.get_disjoint_mut([stream, output]) {
             to.copy(at, from.last.as_ref().map_or(&NOTHING, |(_, value)| value));
         }
@@ -110,17 +102,11 @@ impl StreamStats {
 }
 
 impl ConnectorStats {
-    /// Counts a value, and gives the place for it.
-    #[inline]
-    fn open(&mut self) -> &mut Value {
-        self.fired += 1;
-        self.last_output.get_or_insert(Value::Null)
-    }
-
     /// Counts a value that it gives.
-    pub(crate) fn fire(&mut self, value: &Value) {
+    #[inline]
+    pub(crate) fn gave(&mut self) {
         self.fired += 1;
-        copy_some(&mut self.last_output, value);
+        self.deadlines_in_a_row = 0;
     }
 
     /// Counts a fault.

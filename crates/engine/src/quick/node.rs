@@ -70,11 +70,11 @@ impl<'a> Env<'a> {
 }
 
 impl Node {
-    /// True if it makes a number, or adds what may be texts.
+    /// True if it makes a number, or most likely one: a field, or a sum of what may be texts.
     pub(super) fn is_numeric(&self) -> bool {
         match self {
             Self::Constant(value) => Number::of(value).is_ok(),
-            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) => true,
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) | Self::Field(..) => true,
             Self::If(parts) => parts[1].is_numeric() && parts[2].is_numeric(),
             _ => false,
         }
