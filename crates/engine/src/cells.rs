@@ -2,12 +2,22 @@
 //! building a whole value in one place and moving it to another costs more than computing it.
 
 use behaviour::Value;
+use std::collections::btree_map::IterMut;
+use std::sync::Arc;
 
 /// A number, as procedures compute it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Number {
     Int(i64),
     Float(f64),
+}
+
+/// What a procedure made, and where it is.
+pub(crate) enum Made {
+    /// In the spare that was handed in.
+    Spare,
+    /// In here.
+    Value(Value),
 }
 
 impl Number {
@@ -56,4 +66,10 @@ pub(crate) fn copy_some(to: &mut Option<Value>, from: &Value) {
         Some(to) => copy(to, from),
         None => *to = Some(from.clone()),
     }
+}
+
+/// The fields of an object that nobody else has.
+#[inline]
+pub(crate) fn own_fields(object: &mut Value) -> Option<IterMut<'_, Arc<str>, Value>> {
+    if let Value::Map(fields) = object { Arc::get_mut(fields).map(|fields| fields.iter_mut()) } else { None }
 }

@@ -1,5 +1,6 @@
 //! What both engines share: running one connector's procedure, counting, and telling the caller.
 
+use crate::cells::{Made, Number, copy, own_fields, put_number};
 use crate::graph::{Graph, Work};
 use crate::procedure::{Failed, Procedure};
 use crate::run::Emission;
@@ -17,6 +18,9 @@ pub(crate) struct Core {
     procedures: Vec<Option<Procedure>>,
     /// The names of the fields that timestamp makes.
     stamp: [Arc<str>; 2],
+    /// For every connector the value before the last, if it gives objects: once nobody has it any more, the next one
+    /// is made in its place.
+    spares: Vec<Value>,
     /// Also where event mode keeps the values on their way: the last one of each stream.
     pub(crate) stats: Stats,
 }
@@ -25,7 +29,8 @@ impl Core {
     pub(crate) fn of(prepared: Prepared) -> Self {
         let Prepared { graph, engine, procedures } = prepared;
         let stats = Stats::of(graph.streams.len(), graph.connectors.len());
-        Self { graph, engine, procedures, stamp: ["t", "v"].map(Arc::from), stats }
+        let spares = vec![Value::Null; graph.connectors.len()];
+        Self { graph, engine, procedures, stamp: ["t", "v"].map(Arc::from), spares, stats }
     }
 
     /// Tells and counts a value on a stream.
@@ -61,8 +66,9 @@ impl Core {
             Work::Map => return self.map(at, connector, stream),
             Work::Filter => return self.sift(at, connector, stream),
             Work::Timestamp => {
-                let stamped = stamped(&self.stamp, at, self.stats.value(stream));
-                self.stats.give(at, connector, output, stamped);
+                let spare = &mut self.spares[connector];
+                let made = stamp(&self.stamp, at, self.stats.value(stream), spare);
+                self.stats.give(at, connector, output, made, spare);
             }
             Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => {
                 self.stats.pass(at, connector, stream, output);
@@ -71,22 +77,41 @@ impl Core {
         Ok(true)
     }
 
+    #[inline]
     fn map(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let output = self.graph.connectors[connector].output;
-        let input = [self.stats.value(stream)];
-        let quick = self.procedures[connector].as_ref().and_then(|procedure| procedure.number(&input));
-        if let Some(number) = quick {
-            self.stats.give_number(at, connector, output, number);
+        let quick = self.procedures[connector].as_ref();
+        if let Some(number) = quick.and_then(|procedure| procedure.number(&[self.stats.value(stream)])) {
+            self.stats.give_number(at, connector, self.graph.connectors[connector].output, number);
             return Ok(true);
         }
-        match call(&self.engine, &mut self.procedures[connector], &input) {
-            Ok(made) => self.stats.give(at, connector, output, made),
+        self.map_any(at, connector, stream)
+    }
+
+    fn map_any(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
+        let output = self.graph.connectors[connector].output;
+        let spare = &mut self.spares[connector];
+        match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(stream)], spare) {
+            Ok(made) => self.stats.give(at, connector, output, made, spare),
             Err(failed) => {
                 let input = self.stats.value(stream).clone();
                 return self.counted(at, connector, Err(failed), &[&input]);
             }
         }
         Ok(true)
+    }
+
+    /// Puts what a combineLatest makes of all its inputs on its output.
+    ///
+    /// # Errors
+    /// The fault that dropped it; already counted.
+    pub(crate) fn combine(&mut self, at: Millis, connector: usize, inputs: &[&Value]) -> Result<(), Box<Failed>> {
+        let output = self.graph.connectors[connector].output;
+        let spare = &mut self.spares[connector];
+        match make(&self.engine, &mut self.procedures[connector], inputs, spare) {
+            Ok(made) => self.stats.give(at, connector, output, made, spare),
+            Err(failed) => return self.counted(at, connector, Err(failed), inputs),
+        }
+        Ok(())
     }
 
     fn sift(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
@@ -145,6 +170,23 @@ impl Core {
     }
 }
 
+/// Runs a procedure the quickest way that gives a result.
+fn make(
+    engine: &rhai::Engine,
+    of: &mut Option<Procedure>,
+    inputs: &[&Value],
+    spare: &mut Value,
+) -> Result<Made, Box<Failed>> {
+    let Some(procedure) = of else { return Ok(Made::Value(Value::Null)) };
+    if let Some(number) = procedure.number(inputs) {
+        return Ok(Made::Value(number.value()));
+    }
+    if procedure.object(inputs, spare) {
+        return Ok(Made::Spare);
+    }
+    procedure.call(engine, inputs).map(Made::Value)
+}
+
 fn call(engine: &rhai::Engine, of: &mut Option<Procedure>, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
     of.as_mut().map_or(Ok(Value::Null), |procedure| procedure.call(engine, inputs))
 }
@@ -169,6 +211,24 @@ fn stamped([t, v]: &[Arc<str>; 2], at: Millis, value: &Value) -> Value {
     fields.insert(t.clone(), Value::Int(time));
     fields.insert(v.clone(), value.clone());
     Value::Map(Arc::new(fields))
+}
+
+/// Two fields.
+fn two<'v, T>(mut fields: impl Iterator<Item = T> + 'v) -> Option<[T; 2]> {
+    Some([fields.next()?, fields.next()?])
+}
+
+/// The same in the place of an older one, where possible.
+fn stamp(names: &[Arc<str>; 2], at: Millis, value: &Value, spare: &mut Value) -> Made {
+    let time = i64::try_from(at.0).unwrap_or(i64::MAX);
+    match own_fields(spare).and_then(two) {
+        Some([(_, t), (_, v)]) => {
+            put_number(t, Number::Int(time));
+            copy(v, value);
+            Made::Spare
+        }
+        _ => Made::Value(stamped(names, at, value)),
+    }
 }
 
 /// A value in at most 40 characters.

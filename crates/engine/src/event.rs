@@ -1,6 +1,6 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
-use crate::cells::copy_some;
+use crate::cells::{Made, copy_some};
 use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
 use crate::procedure::Failed;
@@ -50,7 +50,8 @@ impl Event {
         let at = at.0.max(self.open);
         self.ticks_before(core, at, out);
         self.open = at;
-        core.emit(Millis(at), stream, &value, out);
+        core.stats.read(Millis(at), stream, value);
+        out(Emission::Value { at: Millis(at), stream, value: core.stats.value(stream) });
         self.carry(core, Millis(at), stream, out);
     }
 
@@ -71,7 +72,7 @@ impl Event {
             self.open = self.open.max(at);
             if let Some(value) = self.held[connector].take() {
                 let output = core.graph.connectors[connector].output;
-                core.stats.give(Millis(at), connector, output, value);
+                core.stats.give(Millis(at), connector, output, Made::Value(value), &mut Value::Null);
                 out(Emission::Value { at: Millis(at), stream: output, value: core.stats.value(output) });
                 self.carry(core, Millis(at), output, out);
             }
@@ -113,22 +114,17 @@ impl Event {
         slot: usize,
         stream: usize,
     ) -> Result<bool, Box<Failed>> {
-        let info = &core.graph.connectors[connector];
-        match info.work {
+        match core.graph.connectors[connector].work {
             Work::Sample(period) => {
                 let value = core.stats.value(stream).clone();
                 self.hold(core.graph.ranks[connector], at, connector, period, value);
                 Ok(false)
             }
             Work::CombineLatest => {
-                let (output, known) = (info.output, &mut self.latest[connector]);
+                let known = &mut self.latest[connector];
                 copy_some(&mut known[slot], core.stats.value(stream));
-                let made = with_known(known, |inputs| core.call(at, connector, inputs)).transpose()?;
-                let gives = made.is_some();
-                if let Some(made) = made {
-                    core.stats.give(at, connector, output, made);
-                }
-                Ok(gives)
+                with_known(known, |inputs| core.combine(at, connector, inputs))
+                    .map_or(Ok(false), |made| made.map(|()| true))
             }
             Work::Map | Work::Filter | Work::Timestamp | Work::Merge | Work::Subscribe => {
                 core.carry(at, connector, stream)

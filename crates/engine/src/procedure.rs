@@ -41,6 +41,12 @@ impl Procedure {
         self.quick.as_ref()?.number(inputs)
     }
 
+    /// Makes an object of numbers in the place of `spare`, if the first tier knows and `spare` has the same form.
+    #[inline]
+    pub(crate) fn object(&self, inputs: &[&Value], spare: &mut Value) -> bool {
+        self.quick.as_ref().is_some_and(|quick| quick.object(inputs, spare))
+    }
+
     /// Whether it finds the inputs true, if the first tier knows.
     #[inline]
     pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {

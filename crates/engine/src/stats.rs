@@ -1,9 +1,10 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
-use crate::cells::{Number, copy, put_number};
+use crate::cells::{Made, Number, copy, put_number};
 use crate::procedure::Failed;
 use behaviour::Value;
 use robot::Millis;
+use std::mem::{replace, swap};
 
 /// Counts and last values of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -64,14 +65,24 @@ impl Stats {
     /// Counts a number that a connector puts on its output.
     #[inline]
     pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
-        put_number(self.streams[output].open(at), number);
         self.connectors[connector].gave();
+        put_number(self.streams[output].open(at), number);
     }
 
-    /// Counts a value that a connector puts on its output.
-    pub(crate) fn give(&mut self, at: Millis, connector: usize, output: usize, value: Value) {
+    /// Counts what a connector puts on its output. The value before it becomes the spare.
+    pub(crate) fn give(&mut self, at: Millis, connector: usize, output: usize, made: Made, spare: &mut Value) {
         self.connectors[connector].gave();
-        *self.streams[output].open(at) = value;
+        let place = self.streams[output].open(at);
+        match made {
+            Made::Spare => swap(place, spare),
+            Made::Value(value) => *spare = replace(place, value),
+        }
+    }
+
+    /// Counts a reading.
+    #[inline]
+    pub(crate) fn read(&mut self, at: Millis, stream: usize, value: Value) {
+        *self.streams[stream].open(at) = value;
     }
 
     /// Counts a value that a connector passes from a stream to its output.

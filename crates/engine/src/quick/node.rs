@@ -5,6 +5,7 @@ use super::bounds::Bounds;
 use super::compare::Comparison;
 use super::functions::Function;
 use super::numbers::{Number, Operator};
+use crate::cells::{own_fields, put_number};
 use behaviour::Value;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -114,6 +115,20 @@ impl Node {
             Self::Object(fields) => object(fields, env),
             Self::Helper(body, arguments) => helper(body, arguments, env, None),
         }
+    }
+
+    /// Makes an object of finite numbers over an older one with the same names, which says that it is within bounds.
+    pub(super) fn over(&self, env: &Env, older: &mut Value) -> Option<()> {
+        let Self::Object(fields) = self else { return None };
+        let places = own_fields(older).filter(|places| places.len() == fields.len())?;
+        for ((name, field), (known, place)) in fields.iter().zip(places) {
+            let number = field.number(env).ok().filter(|number| number.is_finite())?;
+            if !Arc::ptr_eq(name, known) {
+                return None;
+            }
+            put_number(place, number);
+        }
+        Some(())
     }
 
     /// What it makes, if that is a number.
