@@ -1,15 +1,19 @@
 //! The four graphs, and the readings they get in turn.
 
-use crate::hand;
+use crate::{hand, streams};
 use behaviour::{BehaviourFile, Value};
 use serde_json::{Value as Json, json};
+
+/// A way to run a graph: it handles that many events.
+pub(crate) type Way = Box<dyn FnMut(u64)>;
 
 /// A graph to measure.
 pub(crate) struct Graph {
     pub(crate) name: &'static str,
     pub(crate) file: BehaviourFile,
     pub(crate) readings: Vec<(String, Value)>,
-    pub(crate) by_hand: fn() -> Box<dyn FnMut(u64)>,
+    /// With closures over shared streams, and with closures that call each other directly.
+    pub(crate) by_hand: [fn() -> Way; 2],
 }
 
 /// All of them.
@@ -17,10 +21,15 @@ pub(crate) fn all() -> [Graph; 4] {
     let numbers = |stream: &str| (0..64).map(|at| (stream.to_owned(), Value::Int(at * 100 / 64))).collect();
     let sensors = (0..100).map(|at| (format!("s{at}"), Value::Int(at))).collect();
     [
-        Graph { name: "chain10", file: chain(), readings: numbers("s"), by_hand: hand::chain },
-        Graph { name: "tracking", file: tracking(), readings: sightings(), by_hand: hand::tracking },
-        Graph { name: "fanout100", file: fanout(), readings: numbers("s"), by_hand: hand::fanout },
-        Graph { name: "merge100", file: merge(), readings: sensors, by_hand: hand::merge },
+        Graph { name: "chain10", file: chain(), readings: numbers("s"), by_hand: [streams::chain, hand::chain] },
+        Graph {
+            name: "tracking",
+            file: tracking(),
+            readings: sightings(),
+            by_hand: [streams::tracking, hand::tracking],
+        },
+        Graph { name: "fanout100", file: fanout(), readings: numbers("s"), by_hand: [streams::fanout, hand::fanout] },
+        Graph { name: "merge100", file: merge(), readings: sensors, by_hand: [streams::merge, hand::merge] },
     ]
 }
 

@@ -1,5 +1,6 @@
-//! The same graphs by hand: typed closures that call each other, the least that a shared stream costs.
+//! The same graphs by hand: typed closures that call each other directly, the limit.
 
+use crate::graphs::Way;
 use std::cell::Cell;
 use std::hint::black_box;
 use std::rc::Rc;
@@ -12,7 +13,7 @@ pub(crate) const YAWS: [f64; 3] = [0.1, 0.5, -0.2];
 type Next<T> = Box<dyn FnMut(T)>;
 
 /// Ten maps in a row.
-pub(crate) fn chain() -> Box<dyn FnMut(u64)> {
+pub(crate) fn chain() -> Way {
     let mut next: Next<i64> = Box::new(|x| _ = black_box(x));
     for _ in 0..10 {
         let mut after = next;
@@ -26,7 +27,7 @@ pub(crate) fn chain() -> Box<dyn FnMut(u64)> {
 }
 
 /// A hundred filters.
-pub(crate) fn fanout() -> Box<dyn FnMut(u64)> {
+pub(crate) fn fanout() -> Way {
     let mut filters: Vec<Next<i64>> = Vec::new();
     for k in 0..100 {
         let mut act: Next<i64> = Box::new(|x| _ = black_box(x));
@@ -45,7 +46,7 @@ pub(crate) fn fanout() -> Box<dyn FnMut(u64)> {
 }
 
 /// A hundred sensors into one map.
-pub(crate) fn merge() -> Box<dyn FnMut(u64)> {
+pub(crate) fn merge() -> Way {
     let mut act: Next<i64> = Box::new(|x| _ = black_box(x));
     let mut map: Next<i64> = Box::new(move |x| {
         if let Some(x) = x.checked_add(1) {
@@ -61,7 +62,7 @@ struct Seen {
 }
 
 /// Figure 4.20 of the thesis.
-pub(crate) fn tracking() -> Box<dyn FnMut(u64)> {
+pub(crate) fn tracking() -> Way {
     let (head, ball) = (Rc::new(Cell::new(None)), Rc::new(Cell::new(None)));
     let (mut on_yaw, mut on_x) = (combined(head.clone(), ball.clone()), combined(head.clone(), ball.clone()));
     let mut act: Next<f64> = Box::new(|x| _ = black_box(x));

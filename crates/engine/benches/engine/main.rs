@@ -1,4 +1,4 @@
-//! Events per CPU second of four graphs: compiled, by Rhai alone, and by closures written by hand.
+//! Events per CPU second of four graphs: compiled, by Rhai alone, and written in Rust.
 //!
 //! `cargo bench -p engine` prints a table; a name after `--` picks one graph. Passes are interleaved and medians shown, so ratios mean something even on
 //! a busy machine.
@@ -6,9 +6,10 @@
 
 mod graphs;
 mod hand;
+mod streams;
 
 use engine::{Limits, Run};
-use graphs::Graph;
+use graphs::{Graph, Way};
 use robot::Millis;
 use std::hint::black_box;
 
@@ -17,26 +18,33 @@ const PASSES: usize = 7;
 const NANOS: u64 = 60_000_000;
 
 fn main() {
-    println!("{:<12}{:>13}{:>13}{:>13}{:>12}{:>12}", "graph", "compiled", "rhai", "by hand", "comp/rhai", "comp/hand");
+    println!("events per CPU second, and what the compiled tier is of the others");
+    println!("{:<10}{:>12}{:>20}{:>20}{:>20}", "graph", "compiled", "rhai", "shared streams", "by hand");
     let only = std::env::args().nth(1).filter(|name| !name.starts_with('-'));
     for graph in graphs::all().into_iter().filter(|graph| only.as_ref().is_none_or(|only| graph.name == only)) {
-        let mut ways: [Box<dyn FnMut(u64)>; 3] = [run(&graph, true), run(&graph, false), (graph.by_hand)()];
-        let rounds: Vec<u64> = ways.iter_mut().map(enough).collect();
-        let mut rates = [(); 3].map(|()| Vec::new());
-        for _ in 0..PASSES {
-            for (way, rates) in ways.iter_mut().enumerate().zip(&mut rates) {
-                let nanos = time(way.1, rounds[way.0]);
-                rates.push(rounds[way.0] as f64 * 1e9 / nanos as f64);
-            }
-        }
-        let [compiled, rhai, hand] = rates.map(median);
-        let ratios = (compiled / rhai, compiled / hand);
-        println!("{:<12}{compiled:>13.0}{rhai:>13.0}{hand:>13.0}{:>12.2}{:>12.3}", graph.name, ratios.0, ratios.1);
+        let [compiled, others @ ..] = measure(&graph);
+        print!("{:<10}{compiled:>12.0}", graph.name);
+        others.iter().for_each(|other| print!("{other:>13.0} {:>6.3}", compiled / other));
+        println!();
     }
 }
 
+/// Median rates: compiled, Rhai alone, shared streams, by hand.
+fn measure(graph: &Graph) -> [f64; 4] {
+    let [shared, by_hand] = graph.by_hand;
+    let mut ways: [Way; 4] = [run(graph, true), run(graph, false), shared(), by_hand()];
+    let rounds: Vec<u64> = ways.iter_mut().map(enough).collect();
+    let mut rates = [(); 4].map(|()| Vec::new());
+    for _ in 0..PASSES {
+        for ((way, rates), rounds) in ways.iter_mut().zip(&mut rates).zip(&rounds) {
+            rates.push(*rounds as f64 * 1e9 / time(way, *rounds) as f64);
+        }
+    }
+    rates.map(median)
+}
+
 /// A run that takes the readings of a graph in turn, a millisecond apart.
-fn run(graph: &Graph, compiled: bool) -> Box<dyn FnMut(u64)> {
+fn run(graph: &Graph, compiled: bool) -> Way {
     let limits = Limits { compiled, ..Limits::default() };
     let mut run = Run::build(&graph.file, limits).map_err(|faults| faults[0].to_string()).unwrap();
     let index = |stream: &str| run.stream_index(stream).unwrap();
@@ -56,7 +64,7 @@ fn run(graph: &Graph, compiled: bool) -> Box<dyn FnMut(u64)> {
 }
 
 /// How many events take the time of one measurement.
-fn enough(way: &mut Box<dyn FnMut(u64)>) -> u64 {
+fn enough(way: &mut Way) -> u64 {
     let mut events = 1_000;
     loop {
         let nanos = time(way, events);
@@ -67,7 +75,7 @@ fn enough(way: &mut Box<dyn FnMut(u64)>) -> u64 {
     }
 }
 
-fn time(way: &mut Box<dyn FnMut(u64)>, events: u64) -> u64 {
+fn time(way: &mut Way, events: u64) -> u64 {
     let before = cpu_nanos();
     way(black_box(events));
     (cpu_nanos() - before).max(1)

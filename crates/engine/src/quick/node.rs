@@ -136,12 +136,22 @@ impl Node {
         match self {
             Self::Constant(value) => Number::of(value),
             Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
-            Self::Arithmetic(operator, pair) => operator.apply(pair.0.number(env)?, pair.1.number(env)?),
+            Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
             Self::Negative(of) => of.number(env)?.negative(),
             Self::Function(function, arguments) => function.call(arguments, env),
             Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].number(env),
             Self::Field(..) if let Some(value) = self.place(env) => Number::of(value),
             _ => Number::of(&*self.value(env)?),
+        }
+    }
+
+    /// The same as [`Node::number`], without a call where nothing needs to be computed.
+    #[inline]
+    fn operand(&self, env: &Env) -> Result<Number, Unsure> {
+        match self {
+            Self::Constant(value) => Number::of(value),
+            Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
+            other => other.number(env),
         }
     }
 
