@@ -1,14 +1,14 @@
 //! What both engines share: running one connector's procedure, counting, and telling the caller.
 
-use crate::cells::{Made, Number, copy, own_fields, put_number};
+use crate::cells::Made;
 use crate::graph::{Graph, Work};
 use crate::procedure::{Failed, Procedure};
 use crate::run::Emission;
+use crate::stamp::{stamp, stamped};
 use crate::stats::Stats;
 use crate::validate::Prepared;
 use behaviour::Value;
 use robot::Millis;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Wiring, procedures and counts.
@@ -203,32 +203,6 @@ pub(crate) fn with_known<R>(known: &[Option<Value>], call: impl FnOnce(&[&Value]
         *input = known.as_ref()?;
     }
     Some(call(&few[..known.len()]))
-}
-
-fn stamped([t, v]: &[Arc<str>; 2], at: Millis, value: &Value) -> Value {
-    let time = i64::try_from(at.0).unwrap_or(i64::MAX);
-    let mut fields = BTreeMap::new();
-    fields.insert(t.clone(), Value::Int(time));
-    fields.insert(v.clone(), value.clone());
-    Value::Map(Arc::new(fields))
-}
-
-/// Two fields.
-fn two<'v, T>(mut fields: impl Iterator<Item = T> + 'v) -> Option<[T; 2]> {
-    Some([fields.next()?, fields.next()?])
-}
-
-/// The same in the place of an older one, where possible.
-fn stamp(names: &[Arc<str>; 2], at: Millis, value: &Value, spare: &mut Value) -> Made {
-    let time = i64::try_from(at.0).unwrap_or(i64::MAX);
-    match own_fields(spare).and_then(two) {
-        Some([(_, t), (_, v)]) => {
-            put_number(t, Number::Int(time));
-            copy(v, value);
-            Made::Spare
-        }
-        _ => Made::Value(stamped(names, at, value)),
-    }
 }
 
 /// A value in at most 40 characters.

@@ -21,6 +21,7 @@ mod procedure;
 mod quick;
 mod run;
 mod sandbox;
+mod stamp;
 mod stats;
 mod texts;
 mod validate;

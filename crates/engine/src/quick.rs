@@ -9,6 +9,8 @@ mod build;
 mod chain;
 mod compare;
 mod functions;
+mod literals;
+mod make;
 mod node;
 mod numbers;
 mod shelf;
