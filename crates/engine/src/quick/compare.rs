@@ -54,6 +54,10 @@ impl Comparison {
     #[inline]
     fn measured(self, x: f64, y: f64) -> bool {
         let scale = if x * y == 0.0 { 1.0 } else { x.abs().max(y.abs()) };
+        if scale == 0.0 {
+            // Only NaN and zero: they count as equal.
+            return self.allows(Ordering::Equal);
+        }
         match self {
             Self::Equal => (x - y).abs() / scale <= f64::EPSILON,
             Self::NotEqual => (x - y).abs() / scale > f64::EPSILON,

@@ -25,10 +25,10 @@ const NUMBERS: [&str; 16] = [
     "0.30000000000000004",
     "2.5e18",
 ];
-const OPERATORS: [&str; 12] = ["+", "-", "*", "/", "%", "==", "!=", "<", "<=", ">", ">=", "-"];
-const UNARY: [&str; 12] =
+pub(super) const OPERATORS: [&str; 12] = ["+", "-", "*", "/", "%", "==", "!=", "<", "<=", ">", ">=", "-"];
+pub(super) const UNARY: [&str; 12] =
     ["abs", "sin", "sqrt", "floor", "round", "ceiling", "to_int", "to_float", "fraction", "half", "pick", "ln"];
-const BINARY: [&str; 6] = ["min", "max", "hypot", "atan", "log", "max"];
+pub(super) const BINARY: [&str; 6] = ["min", "max", "hypot", "atan", "log", "max"];
 
 /// Numbers from a seed (splitmix64).
 pub(super) struct Chance(pub(super) u64);
