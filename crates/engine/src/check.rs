@@ -32,7 +32,7 @@ pub fn try_body(
     }
     let engine = hardened_engine(limits);
     let first = |faults: Vec<crate::Fault>| faults.first().map_or_else(String::new, ToString::to_string);
-    let helpers = Helpers::compile(&engine, helpers).map_err(first)?;
+    let helpers = Helpers::compile(&engine, helpers, limits).map_err(first)?;
     let mut procedure = Procedure::compile(&engine, &helpers, arguments, body)?;
-    procedure.call(&engine, inputs.iter()).map_err(|failed| failed.reason)
+    procedure.call(&engine, &inputs.iter().collect::<Vec<_>>()).map_err(|failed| failed.reason)
 }

@@ -1,68 +1,145 @@
 //! What both engines share: running one connector's procedure, counting, and telling the caller.
 
+use crate::cells::Made;
 use crate::graph::{Graph, Work};
 use crate::procedure::{Failed, Procedure};
 use crate::run::Emission;
-use crate::stats::{ConnectorStats, LastFault, Stats, StreamStats};
+use crate::stamp::{stamp, stamped};
+use crate::stats::Stats;
 use crate::validate::Prepared;
 use behaviour::Value;
 use robot::Millis;
+use std::sync::Arc;
 
 /// Wiring, procedures and counts.
 pub(crate) struct Core {
     pub(crate) graph: Graph,
     engine: rhai::Engine,
     procedures: Vec<Option<Procedure>>,
+    /// The names of the fields that timestamp makes.
+    stamp: [Arc<str>; 2],
+    /// For every connector the value before the last, if it gives objects: once nobody has it any more, the next one
+    /// is made in its place.
+    spares: Vec<Value>,
+    /// Also where event mode keeps the values on their way: the last one of each stream.
     pub(crate) stats: Stats,
 }
 
 impl Core {
     pub(crate) fn of(prepared: Prepared) -> Self {
         let Prepared { graph, engine, procedures } = prepared;
-        let stats = Stats {
-            streams: vec![StreamStats::default(); graph.streams.len()],
-            connectors: vec![ConnectorStats::default(); graph.connectors.len()],
-        };
-        Self { graph, engine, procedures, stats }
+        let stats = Stats::of(graph.streams.len(), graph.connectors.len());
+        let spares = vec![Value::Null; graph.connectors.len()];
+        Self { graph, engine, procedures, stamp: ["t", "v"].map(Arc::from), spares, stats }
     }
 
     /// Tells and counts a value on a stream.
     pub(crate) fn emit(&mut self, at: Millis, stream: usize, value: &Value, out: &mut dyn FnMut(Emission)) {
-        let stats = &mut self.stats.streams[stream];
-        stats.count += 1;
-        stats.last = Some((at, value.clone()));
+        self.stats.streams[stream].copy(at, value);
         out(Emission::Value { at, stream, value });
-    }
-
-    /// Counts a value that a connector gives.
-    pub(crate) fn fired(&mut self, connector: usize, value: &Value) {
-        let stats = &mut self.stats.connectors[connector];
-        stats.fired += 1;
-        stats.last_output = Some(value.clone());
     }
 
     /// What a connector without memory makes of one value.
     ///
     /// # Errors
     /// The fault that dropped it; already counted.
-    pub(crate) fn pass(&mut self, at: Millis, connector: usize, value: &Value) -> Result<Option<Value>, Failed> {
+    pub(crate) fn pass(&mut self, at: Millis, connector: usize, value: &Value) -> Result<Option<Value>, Box<Failed>> {
         match self.graph.connectors[connector].work {
-            Work::Map => self.call(at, connector, std::iter::once(value)).map(Some),
-            Work::Filter => self.filter(at, connector, value),
-            Work::Timestamp => Ok(Some(stamped(at, value))),
+            Work::Map => self.call(at, connector, &[value]).map(Some),
+            Work::Filter => {
+                let passes = self.filter(connector, value);
+                self.counted(at, connector, passes, &[value]).map(|passes| passes.then(|| value.clone()))
+            }
+            Work::Timestamp => Ok(Some(stamped(&self.stamp, at, value))),
             Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => Ok(Some(value.clone())),
         }
     }
 
-    fn filter(&mut self, at: Millis, connector: usize, value: &Value) -> Result<Option<Value>, Failed> {
-        match self.call(at, connector, std::iter::once(value))? {
-            Value::Bool(true) => Ok(Some(value.clone())),
-            Value::Bool(false) => Ok(None),
+    /// Like [`Core::pass`], from one stream straight to the next; false if the value does not pass.
+    ///
+    /// # Errors
+    /// The fault that dropped it; already counted.
+    pub(crate) fn carry(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
+        let info = &self.graph.connectors[connector];
+        let output = info.output;
+        match info.work {
+            Work::Map => return self.map(at, connector, stream),
+            Work::Filter => return self.sift(at, connector, stream),
+            Work::Timestamp => {
+                let spare = &mut self.spares[connector];
+                let made = stamp(&self.stamp, at, self.stats.value(stream), spare);
+                self.stats.give(at, connector, output, made, spare);
+            }
+            Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => {
+                self.stats.pass(at, connector, stream, output);
+            }
+        }
+        Ok(true)
+    }
+
+    #[inline]
+    fn map(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
+        let quick = self.procedures[connector].as_ref();
+        if let Some(number) = quick.and_then(|procedure| procedure.number(&[self.stats.value(stream)])) {
+            self.stats.give_number(at, connector, self.graph.connectors[connector].output, number);
+            return Ok(true);
+        }
+        self.map_any(at, connector, stream)
+    }
+
+    fn map_any(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
+        let output = self.graph.connectors[connector].output;
+        let spare = &mut self.spares[connector];
+        match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(stream)], spare) {
+            Ok(made) => self.stats.give(at, connector, output, made, spare),
+            Err(failed) => {
+                let input = self.stats.value(stream).clone();
+                return self.counted(at, connector, Err(failed), &[&input]);
+            }
+        }
+        Ok(true)
+    }
+
+    /// Puts what a combineLatest makes of all its inputs on its output.
+    ///
+    /// # Errors
+    /// The fault that dropped it; already counted.
+    pub(crate) fn combine(&mut self, at: Millis, connector: usize, inputs: &[&Value]) -> Result<(), Box<Failed>> {
+        let output = self.graph.connectors[connector].output;
+        let spare = &mut self.spares[connector];
+        match make(&self.engine, &mut self.procedures[connector], inputs, spare) {
+            Ok(made) => self.stats.give(at, connector, output, made, spare),
+            Err(failed) => return self.counted(at, connector, Err(failed), inputs),
+        }
+        Ok(())
+    }
+
+    fn sift(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
+        let input = self.stats.value(stream);
+        let quick = self.procedures[connector].as_ref().and_then(|procedure| procedure.truth(&[input]));
+        let passes = match quick {
+            Some(passes) => {
+                self.stats.connectors[connector].deadlines_in_a_row = 0;
+                passes
+            }
+            None => {
+                let input = input.clone();
+                let passes = self.filter(connector, &input);
+                self.counted(at, connector, passes, &[&input])?
+            }
+        };
+        if passes {
+            self.stats.pass(at, connector, stream, self.graph.connectors[connector].output);
+        }
+        Ok(passes)
+    }
+
+    fn filter(&mut self, connector: usize, value: &Value) -> Result<bool, Box<Failed>> {
+        match call(&self.engine, &mut self.procedures[connector], &[value])? {
+            Value::Bool(passes) => Ok(passes),
             other => {
                 let reason = format!("a filter must answer true or false, not {}", shortened(&other));
-                let failed = Failed { reason, deadline: false };
-                self.count_fault(at, connector, &failed, vec![value.clone()]);
-                Err(failed)
+                Err(Box::new(Failed { reason, deadline: false }))
             }
         }
     }
@@ -71,32 +148,61 @@ impl Core {
     ///
     /// # Errors
     /// The fault that dropped the value; already counted.
-    pub(crate) fn call<'v>(
+    pub(crate) fn call(&mut self, at: Millis, connector: usize, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+        let made = call(&self.engine, &mut self.procedures[connector], inputs);
+        self.counted(at, connector, made, inputs)
+    }
+
+    /// Counts a call that ended, well or not.
+    fn counted<T>(
         &mut self,
         at: Millis,
         connector: usize,
-        inputs: impl Iterator<Item = &'v Value> + Clone,
-    ) -> Result<Value, Failed> {
-        let Some(procedure) = &mut self.procedures[connector] else { return Ok(Value::Null) };
-        let made = procedure.call(&self.engine, inputs.clone());
+        made: Result<T, Box<Failed>>,
+        inputs: &[&Value],
+    ) -> Result<T, Box<Failed>> {
+        let stats = &mut self.stats.connectors[connector];
         match &made {
-            Ok(_) => self.stats.connectors[connector].deadlines_in_a_row = 0,
-            Err(failed) => self.count_fault(at, connector, failed, inputs.cloned().collect()),
+            Ok(_) => stats.deadlines_in_a_row = 0,
+            Err(failed) => stats.fault(at, failed, inputs),
         }
         made
     }
-
-    fn count_fault(&mut self, at: Millis, connector: usize, failed: &Failed, inputs: Vec<Value>) {
-        let stats = &mut self.stats.connectors[connector];
-        stats.faults += 1;
-        stats.deadlines_in_a_row = if failed.deadline { stats.deadlines_in_a_row + 1 } else { 0 };
-        stats.last_fault = Some(LastFault { at, error: failed.reason.clone(), inputs });
-    }
 }
 
-fn stamped(at: Millis, value: &Value) -> Value {
-    let time = i64::try_from(at.0).unwrap_or(i64::MAX);
-    Value::object([("v", value.clone()), ("t", Value::Int(time))])
+/// Runs a procedure the quickest way that gives a result.
+fn make(
+    engine: &rhai::Engine,
+    of: &mut Option<Procedure>,
+    inputs: &[&Value],
+    spare: &mut Value,
+) -> Result<Made, Box<Failed>> {
+    let Some(procedure) = of else { return Ok(Made::Value(Value::Null)) };
+    if let Some(number) = procedure.number(inputs) {
+        return Ok(Made::Value(number.value()));
+    }
+    if procedure.object(inputs, spare) {
+        return Ok(Made::Spare);
+    }
+    procedure.call(engine, inputs).map(Made::Value)
+}
+
+fn call(engine: &rhai::Engine, of: &mut Option<Procedure>, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+    of.as_mut().map_or(Ok(Value::Null), |procedure| procedure.call(engine, inputs))
+}
+
+/// Calls with all inputs of a combineLatest, if all are known. A few need no memory of their own.
+pub(crate) fn with_known<R>(known: &[Option<Value>], call: impl FnOnce(&[&Value]) -> R) -> Option<R> {
+    static NOTHING: Value = Value::Null;
+    let mut few = [&NOTHING; 8];
+    if known.len() > few.len() {
+        let inputs: Option<Vec<&Value>> = known.iter().map(Option::as_ref).collect();
+        return inputs.map(|inputs| call(&inputs));
+    }
+    for (input, known) in few.iter_mut().zip(known) {
+        *input = known.as_ref()?;
+    }
+    Some(call(&few[..known.len()]))
 }
 
 /// A value in at most 40 characters.

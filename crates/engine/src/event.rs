@@ -1,6 +1,7 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
-use crate::core::Core;
+use crate::cells::{Made, copy_some};
+use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
 use crate::procedure::Failed;
 use crate::run::Emission;
@@ -18,15 +19,9 @@ pub(crate) struct Event {
     latest: Vec<Vec<Option<Value>>>,
     /// Samples that hold a value: instant, rank, connector. Others would tick in vain.
     due: BTreeSet<(u64, usize, usize)>,
-    /// Values on their way down; a stack of our own, since a graph may be deeper than the machine's.
-    path: Vec<Step>,
-}
-
-/// A value on a stream, and how many of the stream's connectors have had it.
-struct Step {
-    stream: usize,
-    next: usize,
-    value: Value,
+    /// Streams with a value on its way down, which is their last one, and how many of their connectors have had it; a
+    /// stack of our own, since a graph may be deeper than the machine's.
+    path: Vec<(usize, usize)>,
 }
 
 impl Event {
@@ -55,7 +50,9 @@ impl Event {
         let at = at.0.max(self.open);
         self.ticks_before(core, at, out);
         self.open = at;
-        self.carry(core, Millis(at), stream, value, out);
+        core.stats.read(Millis(at), stream, value);
+        out(Emission::Value { at: Millis(at), stream, value: core.stats.value(stream) });
+        self.carry(core, Millis(at), stream, out);
     }
 
     pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut dyn FnMut(Emission)) {
@@ -74,62 +71,63 @@ impl Event {
             self.due.remove(&(at, rank, connector));
             self.open = self.open.max(at);
             if let Some(value) = self.held[connector].take() {
-                core.fired(connector, &value);
-                self.carry(core, Millis(at), core.graph.connectors[connector].output, value, out);
+                let output = core.graph.connectors[connector].output;
+                core.stats.give(Millis(at), connector, output, Made::Value(value), &mut Value::Null);
+                out(Emission::Value { at: Millis(at), stream: output, value: core.stats.value(output) });
+                self.carry(core, Millis(at), output, out);
             }
         }
     }
 
-    /// Hands a value to the connectors of its stream in array order, each to the end before the next.
-    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, value: Value, out: &mut dyn FnMut(Emission)) {
-        core.emit(at, stream, &value, out);
-        self.path.push(Step { stream, next: 0, value });
-        while let Some(step) = self.path.last_mut() {
-            let Some(&(connector, slot)) = core.graph.outgoing[step.stream].get(step.next) else {
+    /// Hands the last value of a stream to its connectors in array order, each to the end before the next.
+    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut dyn FnMut(Emission)) {
+        self.path.push((stream, 0));
+        while let Some((stream, next)) = self.path.last_mut() {
+            let Some(&(connector, slot)) = core.graph.outgoing[*stream].get(*next) else {
                 self.path.pop();
                 continue;
             };
-            step.next += 1;
-            let value = step.value.clone();
-            match self.react(core, at, connector, slot, value) {
-                Ok(None) => {}
-                Ok(Some(made)) => {
-                    core.fired(connector, &made);
+            *next += 1;
+            let stream = *stream;
+            match self.react(core, at, connector, slot, stream) {
+                Ok(false) => {}
+                Ok(true) => {
                     let stream = core.graph.connectors[connector].output;
-                    core.emit(at, stream, &made, out);
-                    self.path.push(Step { stream, next: 0, value: made });
+                    out(Emission::Value { at, stream, value: core.stats.value(stream) });
+                    if !core.graph.outgoing[stream].is_empty() {
+                        self.path.push((stream, 0));
+                    }
                 }
-                Err(Failed { reason, deadline }) => {
-                    out(Emission::Fault { at, connector, error: &reason, deadline });
+                Err(failed) => {
+                    out(Emission::Fault { at, connector, error: &failed.reason, deadline: failed.deadline });
                 }
             }
         }
     }
 
-    /// What a connector gives when a value comes in by one of its inputs.
+    /// Lets a connector take the last value of a stream, one of its inputs; true if it gives one.
     fn react(
         &mut self,
         core: &mut Core,
         at: Millis,
         connector: usize,
         slot: usize,
-        value: Value,
-    ) -> Result<Option<Value>, Failed> {
+        stream: usize,
+    ) -> Result<bool, Box<Failed>> {
         match core.graph.connectors[connector].work {
             Work::Sample(period) => {
+                let value = core.stats.value(stream).clone();
                 self.hold(core.graph.ranks[connector], at, connector, period, value);
-                Ok(None)
+                Ok(false)
             }
             Work::CombineLatest => {
-                self.latest[connector][slot] = Some(value);
-                let known = &self.latest[connector];
-                if known.iter().any(Option::is_none) {
-                    return Ok(None);
-                }
-                core.call(at, connector, known.iter().flatten()).map(Some)
+                let known = &mut self.latest[connector];
+                copy_some(&mut known[slot], core.stats.value(stream));
+                with_known(known, |inputs| core.combine(at, connector, inputs))
+                    .map_or(Ok(false), |made| made.map(|()| true))
             }
             Work::Map | Work::Filter | Work::Timestamp | Work::Merge | Work::Subscribe => {
-                core.pass(at, connector, &value)
+                core.carry(at, connector, stream)
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Frame mode: readings gathered into frames, every connector at most once a frame, no glitches.
 
-use crate::core::Core;
+use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
 use crate::procedure::Failed;
 use crate::run::Emission;
@@ -42,7 +42,7 @@ pub(crate) struct Frame {
 
 enum Said {
     Value(usize, Value),
-    Fault(usize, Failed),
+    Fault(usize, Box<Failed>),
 }
 
 impl Frame {
@@ -125,8 +125,8 @@ impl Frame {
         for said in self.said.drain(..) {
             match said {
                 Said::Value(stream, value) => core.emit(at, stream, &value, out),
-                Said::Fault(connector, Failed { reason, deadline }) => {
-                    out(Emission::Fault { at, connector, error: &reason, deadline });
+                Said::Fault(connector, failed) => {
+                    out(Emission::Fault { at, connector, error: &failed.reason, deadline: failed.deadline });
                 }
             }
         }
@@ -144,7 +144,7 @@ impl Frame {
     /// Puts a value on a connector's output. Of several subscribes into one actuator the last in order wins.
     fn give(&mut self, core: &mut Core, connector: usize, made: Carried) {
         let stream = core.graph.connectors[connector].output;
-        core.fired(connector, &made.value);
+        core.stats.connectors[connector].fired += 1;
         if self.now[stream].is_some() {
             self.said.retain(|said| !matches!(said, Said::Value(other, _) if *other == stream));
         }
@@ -152,7 +152,7 @@ impl Frame {
         self.now[stream] = Some(made);
     }
 
-    fn react(&mut self, core: &mut Core, at: Millis, connector: usize) -> Result<Option<Carried>, Failed> {
+    fn react(&mut self, core: &mut Core, at: Millis, connector: usize) -> Result<Option<Carried>, Box<Failed>> {
         match core.graph.connectors[connector].work {
             Work::CombineLatest => self.combine(core, at, connector),
             Work::Sample(period) => Ok(self.sample(core, at, connector, period)),
@@ -171,7 +171,7 @@ impl Frame {
         present.reduce(|best, other| if other.origin > best.origin { other } else { best })
     }
 
-    fn combine(&mut self, core: &mut Core, at: Millis, connector: usize) -> Result<Option<Carried>, Failed> {
+    fn combine(&mut self, core: &mut Core, at: Millis, connector: usize) -> Result<Option<Carried>, Box<Failed>> {
         let Some(origin) = self.newest(core, connector).map(|newest| newest.origin) else { return Ok(None) };
         let known = &mut self.latest[connector];
         for (cell, &input) in known.iter_mut().zip(&core.graph.connectors[connector].inputs) {
@@ -179,11 +179,8 @@ impl Frame {
                 *cell = Some(carried.value.clone());
             }
         }
-        if known.iter().any(Option::is_none) {
-            return Ok(None);
-        }
-        let value = core.call(at, connector, known.iter().flatten())?;
-        Ok(Some(Carried { value, origin }))
+        let made = with_known(known, |inputs| core.call(at, connector, inputs)).transpose()?;
+        Ok(made.map(|value| Carried { value, origin }))
     }
 
     /// Holds the newest value and gives it in the frame that has the next tick.

@@ -1,6 +1,8 @@
 //! The helpers of a behaviour: checked, compiled once, callable from bodies and from each other.
 
+use crate::limits::Limits;
 use crate::procedure::compile;
+use crate::quick::Shelf;
 use crate::validate::Fault;
 use crate::walk;
 use behaviour::{FileHelper, is_identifier};
@@ -11,26 +13,46 @@ use std::collections::{BTreeMap, BTreeSet};
 #[derive(Default)]
 pub(crate) struct Helpers {
     functions: Option<AST>,
+    shelf: Option<Shelf>,
+}
+
+/// A helper that Rhai accepts.
+struct Read {
+    /// Its body by itself.
+    body: AST,
+    /// The body as a function.
+    function: AST,
+    /// What it calls.
+    calls: BTreeSet<String>,
 }
 
 impl Helpers {
     /// Checks and compiles all helpers.
-    pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper]) -> Result<Self, Vec<Fault>> {
+    pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
         let mut functions: Option<AST> = None;
-        let mut calls = BTreeMap::new();
+        let mut all = BTreeMap::new();
         for (at, helper) in helpers.iter().enumerate() {
             let twice = helpers[..at].iter().any(|other| other.name == helper.name);
             match if twice { Err("this name is used twice".to_owned()) } else { compile_one(engine, helper) } {
-                Ok((ast, called)) => {
-                    calls.insert(helper.name.as_str(), called);
-                    functions = Some(functions.take().map_or_else(|| ast.clone(), |all| all.merge(&ast)));
+                Ok(read) => {
+                    let function = &read.function;
+                    functions = Some(functions.take().map_or_else(|| function.clone(), |all| all.merge(function)));
+                    all.insert(helper.name.as_str(), read);
                 }
                 Err(reason) => faults.push(Fault { id: helper.name.clone(), reason }),
             }
         }
-        faults.extend(recursion(helpers, &calls));
-        if faults.is_empty() { Ok(Self { functions }) } else { Err(faults) }
+        faults.extend(recursion(helpers, &all));
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        Ok(Self { functions, shelf: limits.compiled.then(|| shelf(helpers, &all, limits)) })
+    }
+
+    /// The helpers for the first tier, if it is wanted.
+    pub(crate) fn shelf(&self) -> Option<&Shelf> {
+        self.shelf.as_ref()
     }
 
     /// The body with all helpers within reach.
@@ -43,16 +65,36 @@ impl Helpers {
     }
 }
 
-fn compile_one(engine: &Engine, helper: &FileHelper) -> Result<(AST, BTreeSet<String>), String> {
+fn compile_one(engine: &Engine, helper: &FileHelper) -> Result<Read, String> {
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !is_identifier(name)) {
         return Err(format!("“{bad}” cannot be a name in a procedure"));
     }
     check_distinct(&helper.params)?;
     // By itself first: only a text that is whole by itself may be put between the brackets of a function.
-    let called = walk::called(&compile(engine, &helper.params, &helper.body)?);
-    let function = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
-    let ast = engine.compile(function).map_err(|error| crate::words::refusal(&error, &helper.params))?;
-    Ok((ast, called))
+    let body = compile(engine, &helper.params, &helper.body)?;
+    let text = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
+    let function = engine.compile(text).map_err(|error| crate::words::refusal(&error, &helper.params))?;
+    let calls = walk::called(&body);
+    Ok(Read { body, function, calls })
+}
+
+/// Compiles the helpers for the first tier, those that are called before those that call them.
+fn shelf(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, limits: &Limits) -> Shelf {
+    let mut shelf = Shelf::of(limits);
+    let mut open: Vec<&FileHelper> = helpers.iter().collect();
+    let mut waiting: BTreeSet<&str> = all.keys().copied().collect();
+    while !open.is_empty() {
+        open.retain(|helper| {
+            let Some(read) = all.get(helper.name.as_str()) else { return false };
+            if read.calls.iter().any(|called| waiting.contains(called.as_str())) {
+                return true;
+            }
+            shelf.add(&helper.name, &helper.params, &read.body);
+            waiting.remove(helper.name.as_str());
+            false
+        });
+    }
+    shelf
 }
 
 /// Refuses two equal names among arguments.
@@ -62,13 +104,14 @@ pub(crate) fn check_distinct(names: &[String]) -> Result<(), String> {
 }
 
 /// Helpers that call themselves, also through others.
-fn recursion(helpers: &[FileHelper], calls: &BTreeMap<&str, BTreeSet<String>>) -> Vec<Fault> {
+fn recursion(helpers: &[FileHelper], all: &BTreeMap<&str, Read>) -> Vec<Fault> {
     let reaches = |start: &str| {
         let mut seen = BTreeSet::new();
-        let mut open: Vec<&str> = calls.get(start).into_iter().flatten().map(String::as_str).collect();
+        let called = |name: &str| all.get(name).into_iter().flat_map(|read| &read.calls).map(String::as_str);
+        let mut open: Vec<&str> = called(start).collect();
         while let Some(name) = open.pop() {
             if seen.insert(name) {
-                open.extend(calls.get(name).into_iter().flatten().map(String::as_str));
+                open.extend(called(name));
             }
         }
         seen.contains(start)

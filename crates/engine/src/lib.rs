@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod arbiter;
+mod cells;
 mod check;
 mod convert;
 mod core;
@@ -17,8 +18,10 @@ mod library;
 mod limits;
 mod maths;
 mod procedure;
+mod quick;
 mod run;
 mod sandbox;
+mod stamp;
 mod stats;
 mod texts;
 mod validate;

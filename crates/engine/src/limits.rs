@@ -26,6 +26,8 @@ pub struct Limits {
     pub variables: usize,
     /// Closures in one procedure.
     pub functions: usize,
+    /// Whether procedures are compiled where that is possible; otherwise Rhai runs them all, with the same results.
+    pub compiled: bool,
     /// Asked now and then while a procedure runs; true ends it. The caller's wall deadline and Stop.
     pub interrupt: Option<Rc<dyn Fn() -> bool>>,
 }
@@ -41,6 +43,7 @@ impl Default for Limits {
             map_fields: 256,
             variables: 128,
             functions: 32,
+            compiled: true,
             interrupt: None,
         }
     }

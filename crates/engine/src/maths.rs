@@ -2,10 +2,12 @@
 
 use rhai::{FuncRegistration, Module};
 
-type Unary = (&'static str, fn(f64) -> f64);
-type Binary = (&'static str, fn(f64, f64) -> f64);
+/// A name and a function of one number.
+pub(crate) type Unary = (&'static str, fn(f64) -> f64);
+/// A name and a function of two numbers.
+pub(crate) type Binary = (&'static str, fn(f64, f64) -> f64);
 
-const UNARY: [Unary; 16] = [
+pub(crate) const UNARY: [Unary; 16] = [
     ("sin", libm::sin),
     ("cos", libm::cos),
     ("tan", libm::tan),
@@ -24,7 +26,7 @@ const UNARY: [Unary; 16] = [
     ("log", libm::log10),
 ];
 
-const BINARY: [Binary; 4] =
+pub(crate) const BINARY: [Binary; 4] =
     [("atan", libm::atan2), ("atan2", libm::atan2), ("hypot", libm::hypot), ("log", log_to_base)];
 
 /// Puts them over Rhai's own.

@@ -1,7 +1,9 @@
 //! A procedure, compiled once and called often.
 
+use crate::cells::Number;
 use crate::convert::{from_rhai, to_rhai};
 use crate::helpers::Helpers;
+use crate::quick::Quick;
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
 use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
@@ -12,6 +14,8 @@ pub(crate) struct Procedure {
     ast: AST,
     names: Vec<String>,
     slots: Scope<'static>,
+    /// The same, compiled, if all of it can be.
+    quick: Option<Quick>,
 }
 
 /// Why a call gave no value.
@@ -26,16 +30,43 @@ pub(crate) struct Failed {
 impl Procedure {
     /// Compiles a body that may call `helpers`.
     pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
-        let ast = helpers.joined(compile(engine, names, body)?);
-        Ok(Self { ast, names: names.to_vec(), slots: scope_of(names) })
+        let ast = compile(engine, names, body)?;
+        let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
+        Ok(Self { ast: helpers.joined(ast), names: names.to_vec(), slots: scope_of(names), quick })
+    }
+
+    /// The number it makes of the inputs, if the first tier knows.
+    #[inline]
+    pub(crate) fn number(&self, inputs: &[&Value]) -> Option<Number> {
+        self.quick.as_ref()?.number(inputs)
+    }
+
+    /// Makes an object of numbers in the place of `spare`, if the first tier knows and `spare` has the same form.
+    #[inline]
+    pub(crate) fn object(&self, inputs: &[&Value], spare: &mut Value) -> bool {
+        self.quick.as_ref().is_some_and(|quick| quick.object(inputs, spare))
+    }
+
+    /// Whether it finds the inputs true, if the first tier knows.
+    #[inline]
+    pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
+        self.quick.as_ref()?.truth(inputs)
     }
 
     /// What the procedure makes of the inputs.
-    pub(crate) fn call<'v>(
-        &mut self,
-        engine: &Engine,
-        inputs: impl Iterator<Item = &'v Value>,
-    ) -> Result<Value, Failed> {
+    pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+        let quick = self.quick.as_ref().and_then(|quick| quick.call(inputs));
+        quick.map_or_else(|| self.interpret(engine, inputs), Ok)
+    }
+
+    /// True if the first tier has it.
+    #[cfg(test)]
+    pub(crate) fn is_quick(&self) -> bool {
+        self.quick.is_some()
+    }
+
+    /// What Rhai makes of the inputs.
+    pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
         for (name, input) in self.names.iter().zip(inputs) {
             if let Some(slot) = self.slots.get_mut(name) {
                 *slot = to_rhai(input);
@@ -72,8 +103,8 @@ fn scope_of(names: &[String]) -> Scope<'static> {
     scope
 }
 
-fn fault(error: &EvalAltResult) -> Failed {
-    Failed { reason: words::fault(error), deadline: is_interrupt(error) }
+fn fault(error: &EvalAltResult) -> Box<Failed> {
+    Box::new(Failed { reason: words::fault(error), deadline: is_interrupt(error) })
 }
 
 fn is_interrupt(error: &EvalAltResult) -> bool {
@@ -84,6 +115,6 @@ fn is_interrupt(error: &EvalAltResult) -> bool {
     }
 }
 
-fn failed(reason: &str) -> Failed {
-    Failed { reason: reason.to_owned(), deadline: false }
+fn failed(reason: &str) -> Box<Failed> {
+    Box::new(Failed { reason: reason.to_owned(), deadline: false })
 }

@@ -3,7 +3,7 @@
 use crate::core::Core;
 use crate::event::Event;
 use crate::frame::Frame;
-use crate::graph::{ConnectorInfo, StreamInfo};
+use crate::graph::{ConnectorInfo, StreamInfo, Work};
 use crate::limits::Limits;
 use crate::stats::Stats;
 use crate::validate::{Fault, prepare};
@@ -119,6 +119,15 @@ impl Run {
             Mode::Event(event) => event.next_due(),
             Mode::Frame(frame) => frame.next_due(),
         }
+    }
+
+    /// The last value that a connector gave: it is on its output still, or for a subscribe, on its input.
+    #[must_use]
+    pub fn last_output(&self, connector: usize) -> Option<&Value> {
+        let (stats, info) = (self.stats(), self.connectors().get(connector)?);
+        let stream = if info.work == Work::Subscribe { *info.inputs.first()? } else { info.output };
+        let fired = stats.connectors[connector].fired > 0;
+        stats.streams[stream].last.as_ref().map(|(_, value)| value).filter(|_| fired)
     }
 
     /// What it counted so far.

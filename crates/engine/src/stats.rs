@@ -1,7 +1,10 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
+use crate::cells::{Made, Number, copy, put_number};
+use crate::procedure::Failed;
 use behaviour::Value;
 use robot::Millis;
+use std::mem::{replace, swap};
 
 /// Counts and last values of a run.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -26,8 +29,6 @@ pub struct StreamStats {
 pub struct ConnectorStats {
     /// How many values it gave.
     pub fired: u64,
-    /// The last one it gave.
-    pub last_output: Option<Value>,
     /// How many values it dropped by a fault.
     pub faults: u64,
     /// How many of the last calls in a row the caller's interrupt ended.
@@ -45,4 +46,85 @@ pub struct LastFault {
     pub error: String,
     /// The values the procedure got, in the order of the inputs.
     pub inputs: Vec<Value>,
+}
+
+static NOTHING: Value = Value::Null;
+
+impl Stats {
+    pub(crate) fn of(streams: usize, connectors: usize) -> Self {
+        let (stream, connector) = (StreamStats::default(), ConnectorStats::default());
+        Self { streams: vec![stream; streams], connectors: vec![connector; connectors] }
+    }
+
+    /// The last value of a stream.
+    #[inline]
+    pub(crate) fn value(&self, stream: usize) -> &Value {
+        self.streams[stream].last.as_ref().map_or(&NOTHING, |(_, value)| value)
+    }
+
+    /// Counts a number that a connector puts on its output.
+    #[inline]
+    pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
+        self.connectors[connector].gave();
+        put_number(self.streams[output].open(at), number);
+    }
+
+    /// Counts what a connector puts on its output. The value before it becomes the spare.
+    pub(crate) fn give(&mut self, at: Millis, connector: usize, output: usize, made: Made, spare: &mut Value) {
+        self.connectors[connector].gave();
+        let place = self.streams[output].open(at);
+        match made {
+            Made::Spare => swap(place, spare),
+            Made::Value(value) => *spare = replace(place, value),
+        }
+    }
+
+    /// Counts a reading.
+    #[inline]
+    pub(crate) fn read(&mut self, at: Millis, stream: usize, value: Value) {
+        *self.streams[stream].open(at) = value;
+    }
+
+    /// Counts a value that a connector passes from a stream to its output.
+    #[inline]
+    pub(crate) fn pass(&mut self, at: Millis, connector: usize, stream: usize, output: usize) {
+        self.connectors[connector].gave();
+        if let Ok([from, to]) = self.streams.get_disjoint_mut([stream, output]) {
+            to.copy(at, from.last.as_ref().map_or(&NOTHING, |(_, value)| value));
+        }
+    }
+}
+
+impl StreamStats {
+    /// Counts a value, and gives the place for it.
+    #[inline]
+    fn open(&mut self, at: Millis) -> &mut Value {
+        self.count += 1;
+        let (when, value) = self.last.get_or_insert((at, Value::Null));
+        *when = at;
+        value
+    }
+
+    /// Counts a value.
+    #[inline]
+    pub(crate) fn copy(&mut self, at: Millis, value: &Value) {
+        copy(self.open(at), value);
+    }
+}
+
+impl ConnectorStats {
+    /// Counts a value that it gives.
+    #[inline]
+    pub(crate) fn gave(&mut self) {
+        self.fired += 1;
+        self.deadlines_in_a_row = 0;
+    }
+
+    /// Counts a fault.
+    pub(crate) fn fault(&mut self, at: Millis, failed: &Failed, inputs: &[&Value]) {
+        self.faults += 1;
+        self.deadlines_in_a_row = if failed.deadline { self.deadlines_in_a_row + 1 } else { 0 };
+        let inputs = inputs.iter().map(|&input| input.clone()).collect();
+        self.last_fault = Some(LastFault { at, error: failed.reason.clone(), inputs });
+    }
 }

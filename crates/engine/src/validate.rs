@@ -44,7 +44,7 @@ pub(crate) fn prepare(file: &BehaviourFile, limits: &Limits) -> Result<Prepared,
     door.check_file();
     door.check_ids();
     let connectors = door.connectors();
-    let helpers = Helpers::compile(&engine, &file.helpers).unwrap_or_else(|faults| door.give_up(faults));
+    let helpers = Helpers::compile(&engine, &file.helpers, limits).unwrap_or_else(|faults| door.give_up(faults));
     let procedures: Vec<_> = file.connectors.iter().map(|c| door.procedure(&engine, &helpers, c)).collect();
     let Some(connectors) = connectors else { return Err(door.faults) };
     let streams = file.streams.iter().map(StreamInfo::of).collect();

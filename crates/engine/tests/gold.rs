@@ -25,10 +25,11 @@ fn lines(path: &Path) -> Vec<Json> {
 }
 
 /// Runs a case with all streams and faults shown.
-fn play(case: &Path, mode: Engine) -> Vec<Json> {
+fn play(case: &Path, mode: Engine, compiled: bool) -> Vec<Json> {
     let mut file: BehaviourFile = serde_json::from_str(&read_to_string(case.join("behaviour.json")).unwrap()).unwrap();
     file.engine = Some(mode);
-    let mut run = Run::build(&file, Limits::default()).map_err(|faults| faults[0].to_string()).unwrap();
+    let mut run =
+        Run::build(&file, Limits { compiled, ..Limits::default() }).map_err(|faults| faults[0].to_string()).unwrap();
     let connectors: Vec<_> = run.connectors().iter().map(|connector| connector.id.clone()).collect();
     let streams: Vec<_> = run.streams().iter().map(|stream| stream.id.clone()).collect();
     let mut shown = Vec::new();
@@ -66,8 +67,8 @@ fn same(made: &Json, wanted: &Json) -> bool {
 }
 
 fn check_all(expected: &str, mode: impl Fn(&Path) -> Engine) {
-    for case in cases() {
-        let (made, wanted) = (play(&case, mode(&case)), lines(&case.join(expected)));
+    for (case, compiled) in cases().into_iter().flat_map(|case| [(case.clone(), true), (case, false)]) {
+        let (made, wanted) = (play(&case, mode(&case), compiled), lines(&case.join(expected)));
         for (at, (made, wanted)) in made.iter().zip(&wanted).enumerate() {
             assert!(same(made, wanted), "{} line {}: {made} instead of {wanted}", case.display(), at + 1);
         }
@@ -91,11 +92,13 @@ fn every_case_gives_what_is_expected_frame_by_frame() {
 }
 
 #[test]
-fn two_runs_are_equal_to_the_byte() {
+fn two_runs_are_equal_to_the_byte_compiled_or_not() {
     for case in cases() {
         for mode in [Engine::Event, frames(&case)] {
             let text = |lines: Vec<Json>| lines.iter().map(Json::to_string).collect::<Vec<_>>();
-            assert_eq!(text(play(&case, mode)), text(play(&case, mode)));
+            let made = text(play(&case, mode, true));
+            assert_eq!(made, text(play(&case, mode, true)));
+            assert_eq!(made, text(play(&case, mode, false)), "also the sentences of faults");
         }
     }
 }

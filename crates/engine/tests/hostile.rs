@@ -152,7 +152,10 @@ fn calls_at_the_limit_of_depth_fit_the_stack() {
     on_small_stack(|| {
         let x = ["x".to_owned()];
         let run = |length, depth| try_body(&chain(length, depth), &x, "h0(x)", &[Value::Int(1)], &Limits::default());
-        assert_eq!(run(15, 10), Ok(Value::Int(151)));
+        for (length, depth) in (1..=15).flat_map(|length| [(length, 1), (length, 3), (length, 10)]) {
+            let sum = i64::try_from(length * depth + 1).unwrap();
+            assert_eq!(run(length, depth), Ok(Value::Int(sum)), "{length} helpers of depth {depth}");
+        }
         assert!(run(40, 10).is_err_and(|reason| reason.contains("calls are nested too deep")));
         assert!(run(1, 40).is_err_and(|reason| reason.contains("nested too deep")));
     });

@@ -118,7 +118,7 @@ fn a_faulting_combine_keeps_the_new_value() {
     assert_eq!(feed(&mut run, 2, "a", 2), "2 a=2, 2 c1!");
     assert_eq!(feed(&mut run, 3, "b", 5), "3 b=5, 3 c=4");
     let stats = &run.stats().connectors[0];
-    assert_eq!((stats.fired, stats.faults, stats.last_output.clone()), (1, 2, Some(Value::Int(4))));
+    assert_eq!((stats.fired, stats.faults, run.last_output(0)), (1, 2, Some(&Value::Int(4))));
     let fault = stats.last_fault.as_ref().unwrap();
     assert_eq!((fault.at, fault.error.as_str()), (Millis(2), "division by zero"));
     assert_eq!(fault.inputs, [Value::Int(2), Value::Int(0)]);

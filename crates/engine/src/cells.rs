@@ -1,0 +1,75 @@
+//! Putting a value where another one was. A number goes over a number in place: most of what flows is numbers, and
+//! building a whole value in one place and moving it to another costs more than computing it.
+
+use behaviour::Value;
+use std::collections::btree_map::IterMut;
+use std::sync::Arc;
+
+/// A number, as procedures compute it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Number {
+    Int(i64),
+    Float(f64),
+}
+
+/// What a procedure made, and where it is.
+pub(crate) enum Made {
+    /// In the spare that was handed in.
+    Spare,
+    /// In here.
+    Value(Value),
+}
+
+impl Number {
+    #[inline]
+    pub(crate) fn value(self) -> Value {
+        match self {
+            Self::Int(whole) => Value::Int(whole),
+            Self::Float(number) => Value::Float(number),
+        }
+    }
+
+    #[inline]
+    pub(crate) fn is_finite(self) -> bool {
+        match self {
+            Self::Int(_) => true,
+            Self::Float(number) => number.is_finite(),
+        }
+    }
+}
+
+/// Puts a number over what was there.
+#[inline]
+pub(crate) fn put_number(to: &mut Value, number: Number) {
+    match (to, number) {
+        (Value::Int(to), Number::Int(whole)) => *to = whole,
+        (Value::Float(to), Number::Float(number)) => *to = number,
+        (to, number) => *to = number.value(),
+    }
+}
+
+/// Copies a value over what was there.
+#[inline]
+pub(crate) fn copy(to: &mut Value, from: &Value) {
+    match (to, from) {
+        (Value::Int(to), Value::Int(from)) => *to = *from,
+        (Value::Float(to), Value::Float(from)) => *to = *from,
+        (Value::Bool(to), Value::Bool(from)) => *to = *from,
+        (to, from) => *to = from.clone(),
+    }
+}
+
+/// Copies a value over what was there, if anything was.
+#[inline]
+pub(crate) fn copy_some(to: &mut Option<Value>, from: &Value) {
+    match to {
+        Some(to) => copy(to, from),
+        None => *to = Some(from.clone()),
+    }
+}
+
+/// The fields of an object that nobody else has.
+#[inline]
+pub(crate) fn own_fields(object: &mut Value) -> Option<IterMut<'_, Arc<str>, Value>> {
+    if let Value::Map(fields) = object { Arc::get_mut(fields).map(|fields| fields.iter_mut()) } else { None }
+}

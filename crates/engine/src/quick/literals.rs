@@ -1,0 +1,75 @@
+//! What Rhai's literals and operators are in our tree.
+
+use super::compare::Comparison;
+use super::node::Node;
+use super::numbers::Operator;
+use behaviour::Value;
+use rhai::{Dynamic, Expr, Token};
+
+pub(super) fn operation(token: &Token, arguments: Vec<Node>) -> Option<Node> {
+    let mut arguments = arguments.into_iter();
+    match (token, arguments.next(), arguments.next(), arguments.next()) {
+        (Token::Bang, Some(of), None, None) => Some(Node::Not(Box::new(of))),
+        (Token::UnaryMinus | Token::Minus, Some(of), None, None) => Some(Node::Negative(Box::new(of))),
+        (token, Some(left), Some(right), None) => {
+            let pair = Box::new((left, right));
+            match operator(token) {
+                Some(operator) => Some(Node::Arithmetic(operator, pair)),
+                None => comparison(token).map(|comparison| Node::Compare(comparison, pair)),
+            }
+        }
+        _ => None,
+    }
+}
+
+fn operator(token: &Token) -> Option<Operator> {
+    Some(match token {
+        Token::Plus => Operator::Plus,
+        Token::Minus => Operator::Minus,
+        Token::Multiply => Operator::Times,
+        Token::Divide => Operator::Over,
+        Token::Modulo => Operator::Rest,
+        _ => return None,
+    })
+}
+
+fn comparison(token: &Token) -> Option<Comparison> {
+    Some(match token {
+        Token::EqualsTo => Comparison::Equal,
+        Token::NotEqualsTo => Comparison::NotEqual,
+        Token::LessThan => Comparison::Less,
+        Token::LessThanEqualsTo => Comparison::LessEqual,
+        Token::GreaterThan => Comparison::Greater,
+        Token::GreaterThanEqualsTo => Comparison::GreaterEqual,
+        _ => return None,
+    })
+}
+
+pub(super) fn constant(expression: &Expr) -> Option<Value> {
+    match expression {
+        Expr::Unit(_) => Some(Value::Null),
+        Expr::BoolConstant(truth, _) => Some(Value::Bool(*truth)),
+        Expr::IntegerConstant(whole, _) => Some(Value::Int(*whole)),
+        Expr::FloatConstant(number, _) => Some(Value::Float(**number)),
+        Expr::StringConstant(text, _) => Some(Value::text(text)),
+        Expr::DynamicConstant(made, _) => ready_made(made),
+        _ => None,
+    }
+}
+
+/// A list or object that Rhai has made while reading. Letters are a kind of their own there, and not here.
+fn ready_made(made: &Dynamic) -> Option<Value> {
+    if let Ok(items) = made.as_array_ref() {
+        return items.iter().map(ready_made).collect::<Option<Vec<_>>>().map(Value::list);
+    }
+    if let Ok(fields) = made.as_map_ref() {
+        let fields = fields.iter().map(|(name, made)| Some((name.as_str(), ready_made(made)?)));
+        return fields.collect::<Option<Vec<_>>>().map(Value::object);
+    }
+    if let Ok(text) = made.as_immutable_string_ref() {
+        return Some(Value::text(&*text));
+    }
+    let number = || made.as_float().ok().map(Value::Float).or_else(|| made.as_int().ok().map(Value::Int));
+    let null = || made.is_unit().then_some(Value::Null);
+    number().or_else(|| made.as_bool().ok().map(Value::Bool)).or_else(null)
+}

@@ -1,0 +1,81 @@
+//! How the parts of a procedure that make values other than numbers make them.
+
+use super::Unsure;
+use super::bounds::Bounds;
+use super::node::{Env, Local, Made, Node};
+use super::numbers::{Number, Operator};
+use behaviour::Value;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+pub(super) fn field<'a>(of: Cow<'a, Value>, name: &str) -> Made<'a> {
+    match of {
+        Cow::Borrowed(of) => of.field(name).map(Cow::Borrowed),
+        Cow::Owned(of) => of.field(name).cloned().map(Cow::Owned),
+    }
+    .ok_or(Unsure)
+}
+
+pub(super) fn item<'a>(of: Cow<'a, Value>, at: &Value) -> Made<'a> {
+    match of {
+        Cow::Borrowed(of) => item_of(of, at).map(Cow::Borrowed),
+        Cow::Owned(of) => item_of(&of, at).cloned().map(Cow::Owned),
+    }
+    .ok_or(Unsure)
+}
+
+/// Negative places count from the end.
+fn item_of<'v>(of: &'v Value, at: &Value) -> Option<&'v Value> {
+    match (of, at) {
+        (Value::List(items), Value::Int(at)) if *at >= 0 => items.get(usize::try_from(*at).ok()?),
+        (Value::List(items), Value::Int(at)) => {
+            items.get(items.len().checked_sub(usize::try_from(at.unsigned_abs()).ok()?)?)
+        }
+        (Value::Map(fields), Value::Text(name)) => fields.get(name),
+        _ => None,
+    }
+}
+
+/// Adds numbers, joins texts.
+pub(super) fn plus<'a>(left: &Value, right: &Value, bounds: &Bounds) -> Made<'a> {
+    if let (Value::Text(left), Value::Text(right)) = (left, right) {
+        if left.len() + right.len() > bounds.text_bytes {
+            return Err(Unsure);
+        }
+        return Ok(Cow::Owned(Value::Text([left.as_ref(), right.as_ref()].concat().into())));
+    }
+    Ok(Cow::Owned(Operator::Plus.apply(Number::of(left)?, Number::of(right)?)?.value()))
+}
+
+pub(super) fn with_local<'a>(pair: &'a (Node, Node), env: &Env<'a>) -> Made<'a> {
+    let local = Local { value: pair.0.value(env)?, older: env.locals };
+    let inner = Env { locals: Some(&local), ..*env };
+    pair.1.value(&inner).map(|made| Cow::Owned(made.into_owned()))
+}
+
+/// Makes the arguments one after the other, each on the stack below the next, then runs the body with them alone.
+pub(super) fn helper<'a>(body: &'a Node, arguments: &'a [Node], env: &Env<'a>, made: Option<&Local<'_>>) -> Made<'a> {
+    let Some((first, rest)) = arguments.split_first() else {
+        let inner = Env { inputs: &[], locals: made, bounds: env.bounds };
+        return body.value(&inner).map(|made| Cow::Owned(made.into_owned()));
+    };
+    let local = Local { value: first.value(env)?, older: made };
+    helper(body, rest, env, Some(&local))
+}
+
+pub(super) fn list<'a>(items: &[Node], env: &Env) -> Made<'a> {
+    let mut made = Vec::with_capacity(items.len());
+    for item in items {
+        made.push(item.value(env)?.into_owned());
+    }
+    env.bounds.check(Value::List(Arc::new(made))).map(Cow::Owned)
+}
+
+pub(super) fn object<'a>(fields: &[(Arc<str>, Node)], env: &Env) -> Made<'a> {
+    let mut made = BTreeMap::new();
+    for (name, field) in fields {
+        made.insert(name.clone(), field.value(env)?.into_owned());
+    }
+    env.bounds.check(Value::Map(Arc::new(made))).map(Cow::Owned)
+}

@@ -1,0 +1,208 @@
+//! The tree of a compiled procedure, and what it computes.
+
+use super::Unsure;
+use super::bounds::Bounds;
+use super::compare::Comparison;
+use super::functions::Function;
+use super::make::{field, helper, item, list, object, plus, with_local};
+use super::numbers::{Number, Operator};
+use crate::cells::{own_fields, put_number};
+use behaviour::Value;
+use std::borrow::Cow;
+use std::rc::Rc;
+use std::sync::Arc;
+
+/// A part of a procedure.
+pub(super) enum Node {
+    Constant(Value),
+    /// An input of the procedure.
+    Input(usize),
+    /// A variable, or a parameter of a helper; 0 is the newest.
+    Local(usize),
+    Field(Box<Node>, Arc<str>),
+    /// An item of a list, or a field by a computed name.
+    Item(Pair),
+    Arithmetic(Operator, Pair),
+    Compare(Comparison, Pair),
+    Negative(Box<Node>),
+    Not(Box<Node>),
+    All(Vec<Node>),
+    Any(Vec<Node>),
+    /// Condition, then, else.
+    If(Box<[Node; 3]>),
+    /// One after the other; the value is that of the second.
+    Then(Pair),
+    /// A variable, and what follows it.
+    Let(Pair),
+    List(Vec<Node>),
+    /// Fields in the order of their names.
+    Object(Vec<(Arc<str>, Node)>),
+    Function(Function, Vec<Node>),
+    /// A helper: its parameters are its first variables.
+    Helper(Rc<Node>, Vec<Node>),
+}
+
+/// Two parts.
+pub(super) type Pair = Box<(Node, Node)>;
+/// A value of the inputs or the text, or a new one.
+pub(super) type Made<'a> = Result<Cow<'a, Value>, Unsure>;
+
+/// What a part sees.
+#[derive(Clone, Copy)]
+pub(super) struct Env<'a> {
+    pub(super) inputs: &'a [&'a Value],
+    pub(super) locals: Option<&'a Local<'a>>,
+    pub(super) bounds: &'a Bounds,
+}
+
+/// A variable and the ones before it; they live on the machine's stack, as long as they are seen.
+pub(super) struct Local<'a> {
+    pub(super) value: Cow<'a, Value>,
+    pub(super) older: Option<&'a Local<'a>>,
+}
+
+impl<'a> Env<'a> {
+    fn local(&self, back: usize) -> Result<&'a Value, Unsure> {
+        let mut local = self.locals;
+        for _ in 0..back {
+            local = local.and_then(|local| local.older);
+        }
+        local.map(|local| &*local.value).ok_or(Unsure)
+    }
+}
+
+impl Node {
+    /// True if it makes a number, or most likely one: a field, or a sum of what may be texts.
+    pub(super) fn is_numeric(&self) -> bool {
+        match self {
+            Self::Constant(value) => Number::of(value).is_ok(),
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) | Self::Field(..) => true,
+            Self::If(parts) => parts[1].is_numeric() && parts[2].is_numeric(),
+            _ => false,
+        }
+    }
+
+    /// The value itself, where nothing needs to be computed.
+    #[inline]
+    fn place<'a>(&'a self, env: &Env<'a>) -> Option<&'a Value> {
+        match self {
+            Self::Constant(value) => Some(value),
+            Self::Input(at) => env.inputs.get(*at).copied(),
+            Self::Field(of, name) => match of.place(env)? {
+                Value::Map(fields) => fields.get(name),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// What it makes, whatever kind it is.
+    pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> Made<'a> {
+        match self {
+            Self::Constant(value) => Ok(Cow::Borrowed(value)),
+            Self::Input(at) => env.inputs.get(*at).map(|input| Cow::Borrowed(*input)).ok_or(Unsure),
+            Self::Local(back) => env.local(*back).map(Cow::Borrowed),
+            Self::Field(of, name) => field(of.value(env)?, name),
+            Self::Item(pair) => item(pair.0.value(env)?, &*pair.1.value(env)?),
+            Self::Arithmetic(Operator::Plus, pair) => plus(&*pair.0.value(env)?, &*pair.1.value(env)?, env.bounds),
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) => Ok(Cow::Owned(self.number(env)?.value())),
+            Self::Compare(..) | Self::Not(_) | Self::All(_) | Self::Any(_) => {
+                Ok(Cow::Owned(Value::Bool(self.truth(env)?)))
+            }
+            Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].value(env),
+            Self::Then(pair) => pair.0.value(env).and_then(|_| pair.1.value(env)),
+            Self::Let(pair) => with_local(pair, env),
+            Self::List(items) => list(items, env),
+            Self::Object(fields) => object(fields, env),
+            Self::Helper(body, arguments) => helper(body, arguments, env, None),
+        }
+    }
+
+    /// Makes an object of finite numbers over an older one with the same names, which says that it is within bounds.
+    pub(super) fn over(&self, env: &Env, older: &mut Value) -> Option<()> {
+        let Self::Object(fields) = self else { return None };
+        let places = own_fields(older).filter(|places| places.len() == fields.len())?;
+        for ((name, field), (known, place)) in fields.iter().zip(places) {
+            let number = field.number(env).ok().filter(|number| number.is_finite())?;
+            if !Arc::ptr_eq(name, known) {
+                return None;
+            }
+            put_number(place, number);
+        }
+        Some(())
+    }
+
+    /// What it makes, if that is a number.
+    pub(super) fn number(&self, env: &Env) -> Result<Number, Unsure> {
+        match self {
+            Self::Constant(value) => Number::of(value),
+            Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
+            Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
+            Self::Negative(of) => of.number(env)?.negative(),
+            Self::Function(function, arguments) => function.call(arguments, env),
+            Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].number(env),
+            Self::Field(..) if let Some(value) = self.place(env) => Number::of(value),
+            _ => Number::of(&*self.value(env)?),
+        }
+    }
+
+    /// The same as [`Node::number`], without a call where nothing needs to be computed.
+    #[inline]
+    fn operand(&self, env: &Env) -> Result<Number, Unsure> {
+        match self {
+            Self::Constant(value) => Number::of(value),
+            Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
+            other => other.number(env),
+        }
+    }
+
+    /// What it makes, if that is true or false.
+    pub(super) fn truth(&self, env: &Env) -> Result<bool, Unsure> {
+        match self {
+            Self::Compare(comparison, pair)
+                if let (Some(left), Some(right)) = (pair.0.place(env), pair.1.place(env)) =>
+            {
+                comparison.holds(left, right)
+            }
+            Self::Compare(comparison, pair) => comparison.holds(&*pair.0.value(env)?, &*pair.1.value(env)?),
+            Self::Not(of) => of.truth(env).map(|truth| !truth),
+            Self::All(parts) => all(parts, env),
+            Self::Any(parts) => any(parts, env),
+            _ => match &*self.value(env)? {
+                Value::Bool(truth) => Ok(*truth),
+                _ => Err(Unsure),
+            },
+        }
+    }
+}
+
+impl Function {
+    fn call(self, arguments: &[Node], env: &Env) -> Result<Number, Unsure> {
+        let number = |at: usize| arguments.get(at).ok_or(Unsure)?.number(env);
+        let measured = |at| if let Number::Float(number) = number(at)? { Ok(number) } else { Err(Unsure) };
+        Ok(match self {
+            Self::Measured(function) => Number::Float(function(measured(0)?)),
+            Self::Measured2(function) => Number::Float(function(measured(0)?, measured(1)?)),
+            Self::One(function) => function(number(0)?)?,
+            Self::Two(function) => function(number(0)?, number(1)?),
+        })
+    }
+}
+
+fn all(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
+    for part in parts {
+        if !part.truth(env)? {
+            return Ok(false);
+        }
+    }
+    Ok(true)
+}
+
+fn any(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
+    for part in parts {
+        if part.truth(env)? {
+            return Ok(true);
+        }
+    }
+    Ok(false)
+}

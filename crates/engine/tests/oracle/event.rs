@@ -1,0 +1,78 @@
+//! Event mode, millisecond by millisecond (rules E1 to E8).
+
+use crate::graphs::Reading;
+use crate::plain::{Said, by_rank, call, stream};
+use behaviour::{BehaviourFile, Value};
+use std::collections::BTreeMap;
+
+struct Slow<'f> {
+    file: &'f BehaviourFile,
+    held: BTreeMap<usize, Value>,
+    known: BTreeMap<(usize, usize), Value>,
+    said: Vec<Said>,
+}
+
+/// What the readings lead to until a time, inclusive.
+pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<Said> {
+    let mut slow = Slow { file, held: BTreeMap::new(), known: BTreeMap::new(), said: Vec::new() };
+    let order = by_rank(file);
+    for now in 0..=until {
+        for reading in trace.iter().filter(|reading| reading.at == now) {
+            slow.put(now, reading.stream, &reading.value);
+        }
+        for sample in &order {
+            slow.tick(now, *sample);
+        }
+    }
+    slow.said
+}
+
+impl Slow<'_> {
+    fn tick(&mut self, now: u64, sample: usize) {
+        let connector = &self.file.connectors[sample];
+        let due = connector.operation == "sample" && now > 0 && now.is_multiple_of(connector.period_ms.unwrap());
+        if let Some(value) = due.then(|| self.held.remove(&sample)).flatten() {
+            self.put(now, stream(self.file, &connector.output), &value);
+        }
+    }
+
+    /// A value on a stream goes to the stream's connectors in array order, to the end of each.
+    fn put(&mut self, now: u64, on: usize, value: &Value) {
+        self.said.push(Said::Value(now, on, value.clone()));
+        for (at, connector) in self.file.connectors.iter().enumerate() {
+            for (slot, input) in connector.inputs.iter().enumerate() {
+                if stream(self.file, input) == on {
+                    self.react(now, at, slot, value);
+                }
+            }
+        }
+    }
+
+    fn react(&mut self, now: u64, at: usize, slot: usize, value: &Value) {
+        let connector = &self.file.connectors[at];
+        let made = match connector.operation.as_str() {
+            "map" => call(self.file, connector, std::slice::from_ref(value)).ok_or(()),
+            "filter" => match call(self.file, connector, std::slice::from_ref(value)) {
+                Some(Value::Bool(true)) => Ok(value.clone()),
+                Some(Value::Bool(false)) => return,
+                _ => Err(()),
+            },
+            "timestamp" => Ok(Value::object([("v", value.clone()), ("t", Value::Int(i64::try_from(now).unwrap()))])),
+            "sample" => {
+                self.held.insert(at, value.clone());
+                return;
+            }
+            "combineLatest" => {
+                self.known.insert((at, slot), value.clone());
+                let known = (0..connector.inputs.len()).map(|slot| self.known.get(&(at, slot)).cloned());
+                let Some(inputs) = known.collect::<Option<Vec<_>>>() else { return };
+                call(self.file, connector, &inputs).ok_or(())
+            }
+            _ => Ok(value.clone()),
+        };
+        match made {
+            Ok(made) => self.put(now, stream(self.file, &connector.output), &made),
+            Err(()) => self.said.push(Said::Fault(now, at)),
+        }
+    }
+}

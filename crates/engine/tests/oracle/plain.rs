@@ -1,0 +1,99 @@
+//! What both slow engines share: calling Rhai plainly, the rank of a connector, what is said.
+
+use behaviour::{BehaviourFile, FileConnector, FileHelper, Value};
+use rhai::{Dynamic, Engine, Map, Scope};
+
+/// One thing that is said: time and stream or connector.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Said {
+    /// A value on a stream.
+    Value(u64, usize, Value),
+    /// A connector dropped a value.
+    Fault(u64, usize),
+}
+
+/// The place of a stream in the file.
+pub(crate) fn stream(file: &BehaviourFile, id: &str) -> usize {
+    file.streams.iter().position(|stream| stream.id == id).unwrap()
+}
+
+/// The length of the longest path from a source, by asking again and again.
+pub(crate) fn rank(file: &BehaviourFile, connector: &FileConnector) -> usize {
+    let feeding = |input: &String| file.connectors.iter().filter(|other| other.output == *input).collect::<Vec<_>>();
+    let above = connector.inputs.iter().flat_map(feeding);
+    1 + above.map(|other| rank(file, other)).max().unwrap_or(0)
+}
+
+/// The connectors by rank, then place.
+pub(crate) fn by_rank(file: &BehaviourFile) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..file.connectors.len()).collect();
+    order.sort_by_key(|&at| (rank(file, &file.connectors[at]), at));
+    order
+}
+
+/// A procedure on its inputs; nothing for any fault.
+pub(crate) fn call(file: &BehaviourFile, connector: &FileConnector, inputs: &[Value]) -> Option<Value> {
+    let names = connector.args.as_ref().unwrap();
+    let mut scope = Scope::new();
+    for (name, input) in names.iter().zip(inputs) {
+        scope.push_dynamic(name.as_str(), to_rhai(input));
+    }
+    let body = match &connector.helper {
+        Some(helper) => format!("{helper}({})", names.join(", ")),
+        None => connector.body.clone().unwrap(),
+    };
+    let program: String = file.helpers.iter().map(function).chain([body]).collect();
+    PLAIN.with(|engine| from_rhai(&engine.eval_with_scope::<Dynamic>(&mut scope, &program).ok()?))
+}
+
+thread_local! {
+    /// Made once: it takes longer than everything else here.
+    static PLAIN: Engine = plain_engine();
+}
+
+fn function(helper: &FileHelper) -> String {
+    format!("fn {}({}) {{ {} }}\n", helper.name, helper.params.join(", "), helper.body)
+}
+
+fn plain_engine() -> Engine {
+    let mut engine = Engine::new();
+    engine.set_fail_on_invalid_map_property(true).set_strict_variables(true);
+    engine
+}
+
+pub(crate) fn to_rhai(value: &Value) -> Dynamic {
+    match value {
+        Value::Null => Dynamic::UNIT,
+        Value::Bool(truth) => (*truth).into(),
+        Value::Int(whole) => (*whole).into(),
+        Value::Float(number) => (*number).into(),
+        Value::Text(text) => text.to_string().into(),
+        Value::List(items) => items.iter().map(to_rhai).collect::<Vec<_>>().into(),
+        Value::Map(fields) => {
+            Dynamic::from_map(fields.iter().map(|(name, value)| (name.as_ref().into(), to_rhai(value))).collect())
+        }
+    }
+}
+
+/// Nothing for what must not flow.
+pub(crate) fn from_rhai(made: &Dynamic) -> Option<Value> {
+    if made.is_map() {
+        let fields = made.clone_cast::<Map>();
+        let fields: Option<Vec<_>> =
+            fields.iter().map(|(name, made)| Some((name.as_str(), from_rhai(made)?))).collect();
+        return fields.map(Value::object);
+    }
+    if made.is_array() {
+        let items = made.clone_cast::<Vec<Dynamic>>();
+        return items.iter().map(from_rhai).collect::<Option<Vec<_>>>().map(Value::list);
+    }
+    if made.is_string() {
+        return Some(Value::text(made.clone_cast::<String>()));
+    }
+    if made.is_unit() {
+        return Some(Value::Null);
+    }
+    let whole = || made.as_int().ok().map(Value::Int);
+    let number = || made.as_float().ok().filter(|number| number.is_finite()).map(Value::Float);
+    made.as_bool().ok().map(Value::Bool).or_else(whole).or_else(number)
+}
