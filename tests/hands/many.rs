@@ -2,7 +2,7 @@
 
 use house::{Outcome, Page};
 
-use crate::steps::{picture, rests, stage, view};
+use crate::steps::{picture, rests, say, stage, view};
 
 const MOVES: u32 = 60;
 const SELECT: &str = "(face => { face.focus(); face.click(); })(document.querySelector('[aria-label^=\"Face,\"]'))";
@@ -45,7 +45,7 @@ async fn check(count: usize, budget: f64) -> Outcome<()> {
     let (zoom, drawn) = (view(&aiko).await?.2, aiko.eval("document.querySelectorAll('#stage .stream').length").await?);
     picture(&aiko, &format!("many-{count}")).await?;
     let whole = work_per_move(&aiko, rest.centre()).await?;
-    aiko.press("button", "Real size").await?;
+    aiko.eval("document.querySelector('.zoom .percent').click(), 0").await?;
     rests(&aiko, stream).await.ok();
     let near = aiko.find_all("button", "Stream *").await?;
     let paper = aiko.boxed("main", "").await?;
@@ -58,11 +58,11 @@ async fn check(count: usize, budget: f64) -> Outcome<()> {
     let real = work_per_move(&aiko, nearest.rect.centre()).await?;
     aiko.no_errors()?;
     let bare = bare_work(&aiko).await?;
-    println!(
+    say(&format!(
         "Dragging one of {count} streams: {whole:.2} ms a step with {drawn} of them in view at {:.0} %, {real:.2} ms at \
          100 % (budget {budget} ms); a bare box {bare:.2} ms.",
         zoom * 100.0
-    );
+    ));
     let work = whole.max(real) / bare.max(0.05);
     assert!(work < WORK_MAX, "a drag is {work:.0} times the work of moving a bare box");
     Ok(())

@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use house::Outcome;
 
-use crate::steps::{picture, rests, stage, view};
+use crate::steps::{picture, rests, say, stage, view};
 
 const EDITS: usize = 40;
 
@@ -65,12 +65,12 @@ async fn an_edit_reaches_the_other_soon() -> Outcome<()> {
     }
     took.sort();
     let at = |part: usize| took[(took.len() * part / 100).min(took.len() - 1)];
-    let say = |time: Duration| time.as_secs_f64() * 1_000.0;
-    println!(
+    let ms = |time: Duration| time.as_secs_f64() * 1_000.0;
+    say(&format!(
         "An edit reaches the other browser: p50 {:.1} ms, p95 {:.1} ms (budget p95 50 ms, on loopback).",
-        say(at(50)),
-        say(at(95))
-    );
+        ms(at(50)),
+        ms(at(95))
+    ));
     aiko.no_errors()?;
     ben.no_errors()
 }

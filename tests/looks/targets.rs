@@ -48,7 +48,7 @@ async fn whatever_can_be_pressed_is_large_enough() -> Outcome<()> {
             found.borrow_mut().extend(coarse);
         }
         page.size(1440, 900, false).await?;
-        page.until("matchMedia('(pointer: fine)').matches", "a mouse points").await.map(drop)
+        page.until("!matchMedia('(pointer: coarse)').matches", "no fingers point").await.map(drop)
     })
     .await;
     nothing("small targets", &found.into_inner())?;

@@ -80,6 +80,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
     let (pressed, picked, record) = (chosen.clone(), chosen, signals.record.clone());
     view! {
+        <div class="at of-chip" style:transform=at>
         <div
             class="chip connector"
             class:fired=move || lit.get()
@@ -90,7 +91,6 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             aria-label=move || label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)))
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
-            style:transform=at
             aria-description=move || troubles.get().map(|(sentence, _)| sentence)
             style:min-width=move || format!("{:.0}px", wide.with(chip_width))
         >
@@ -100,6 +100,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
             <span class="detail" aria-hidden="true">{move || detail.with(|words| words.detail.clone())}</span>
+        </div>
             <ProblemBadge problem=problem />
             <OthersRing id=id.clone() />
             <Fault signals=signals />

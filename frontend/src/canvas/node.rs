@@ -37,7 +37,8 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         let (stage, id) = (stage.clone(), id.clone());
         move || stage.dragged.with(|dragged| dragged.as_ref() == Some(&id))
     };
-    let [by_kind, by_width, by_label, by_title, by_name, by_second, by_icon] = [(); 7].map(|()| record.clone());
+    let [at_kind, by_kind, by_width, by_label, by_title, by_name, by_second, by_icon] =
+        [(); 8].map(|()| record.clone());
     let (lit, pressed) = (chosen.clone(), chosen);
     let at = move || {
         let place = place.get();
@@ -47,16 +48,19 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     let troubles = problem.clone();
     view! {
         <div
+            class=move || format!("at {}", kind_class(at_kind.with(|stream| stream.kind)))
+            class:dragged=is_dragged
+            style:transform=at
+        >
+        <div
             class=move || format!("stream {}", kind_class(by_kind.with(|stream| stream.kind)))
             class:selected=move || lit.get()
-            class:dragged=is_dragged
             data-node=id.to_string()
             role="button"
             tabindex=move || if is_stop() { "0" } else { "-1" }
-            aria-label=move || by_label.with(|stream| words::stream_name(&stream.name, stream.kind))
+            aria-label=move || by_label.with(|stream| words::stream_name(&stream.name, &what_it_is(stream), stream.kind))
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
-            style:transform=at
             aria-description=move || troubles.get().map(|(sentence, _)| sentence)
             style:min-width=move || format!("{:.0}px", by_width.with(stream_width))
         >
@@ -65,6 +69,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
                 <span class="name">{move || by_name.with(|stream| stream.name.clone())}</span>
                 <span class="second" aria-hidden="true">{move || by_second.with(what_it_is)}</span>
             </span>
+        </div>
             <ProblemBadge problem=problem />
             <OthersRing id=id.clone() />
             <LiveValue id=id.clone() signals=signals />

@@ -6,12 +6,14 @@ pub(super) fn graph() -> &'static str {
     "The graph"
 }
 
-pub(super) fn stream_name(name: &str, kind: StreamKind) -> String {
-    match kind {
-        StreamKind::Sensor => format!("{name}, sensor stream"),
-        StreamKind::Ordinary => format!("{name}, stream"),
-        StreamKind::Actuator => format!("{name}, actuator stream"),
-    }
+/// `Head tracker, red ball · head, actuator stream`
+pub(super) fn stream_name(name: &str, what_it_is: &str, kind: StreamKind) -> String {
+    let kind = match kind {
+        StreamKind::Sensor => "sensor stream",
+        StreamKind::Ordinary => "stream",
+        StreamKind::Actuator => "actuator stream",
+    };
+    if what_it_is.is_empty() { format!("{name}, {kind}") } else { format!("{name}, {what_it_is}, {kind}") }
 }
 
 /// `map (distance), connector from RedBall to Distance`
