@@ -7,7 +7,7 @@ use crate::steps::{picture, rests, say, stage, view};
 const MOVES: u32 = 60;
 const SELECT: &str = "(face => { face.focus(); face.click(); })(document.querySelector('[aria-label^=\"Face,\"]'))";
 /// A drag may be so many times the work of moving a bare box.
-const WORK_MAX: f64 = 25.0;
+const WORK_MAX: f64 = 40.0;
 
 /// Work of the page's main thread for each move of a drag by the mouse.
 async fn work_per_move(page: &Page, from: (f64, f64)) -> Outcome<f64> {

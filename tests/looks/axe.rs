@@ -17,14 +17,17 @@ async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
             page.theme(dark).await?;
             rests(page).await?;
             let place = format!("{screen}, {}", if dark { "dark" } else { "light" });
-            found.borrow_mut().extend(check(page, &place).await?);
+            let more = check(page, &place).await?;
+            found.borrow_mut().extend(more);
         }
         page.size(390, 844, true).await?;
         rests(page).await?;
-        found.borrow_mut().extend(check(page, &format!("{screen}, phone, dark")).await?);
+        let more = check(page, &format!("{screen}, phone, dark")).await?;
+        found.borrow_mut().extend(more);
         page.theme(false).await?;
         rests(page).await?;
-        found.borrow_mut().extend(check(page, &format!("{screen}, phone, light")).await?);
+        let more = check(page, &format!("{screen}, phone, light")).await?;
+        found.borrow_mut().extend(more);
         page.size(1440, 900, false).await?;
         rests(page).await
     })

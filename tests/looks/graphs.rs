@@ -75,7 +75,7 @@ fn records(names: Names, count: usize) -> Outcome<Vec<(RecordId, Record)>> {
         let place = Place { x: (at % ROW) as f64 * 420.0, y: (at / ROW) as f64 * 150.0 };
         records.push((RecordId::new(Kind::Place, &stream), Record::Place(place)));
         if at > 0 {
-            let above = if at < ROW { 0 } else { at - ROW };
+            let above = at.saturating_sub(ROW);
             let operation = Operation::Filter(Procedure::body("true"));
             let connector =
                 Connector { operation, inputs: vec![id(&format!("s{above}"))?], output: stream, order: order + 1 };

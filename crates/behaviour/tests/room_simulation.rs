@@ -46,7 +46,7 @@ struct Town {
 }
 
 fn id(text: String) -> Id {
-    Id::new(&text).unwrap()
+    Id::new(&text).expect("a short id")
 }
 
 fn stream(kind: StreamKind, name: String) -> Record {
@@ -84,7 +84,7 @@ impl Town {
         let seen = &self.people[who].seen;
         let change = Change::of(id(format!("op{}", self.ops)), "somebody", "gesture");
         let name = |dice: &mut Dice| format!("s{}", dice.roll(8));
-        let key = |kind, name: &str| RecordId::new(kind, &Id::new(name).unwrap());
+        let key = |kind, name: &str| RecordId::new(kind, &id(name.to_owned()));
         let some = name(dice);
         match dice.roll(5) {
             0 => {

@@ -16,7 +16,7 @@ impl Knowledge for Anything {
 }
 
 fn id(text: &str) -> Id {
-    Id::new(text).unwrap()
+    Id::new(text).expect("a short id")
 }
 
 fn stream(kind: StreamKind, name: &str) -> Record {
@@ -61,7 +61,10 @@ fn start() -> Behaviour {
     behaviour
 }
 
-fn propose(edits: &[(Kind, &str, Option<Record>)]) -> Decision {
+/// A record and what becomes of it.
+type Touched<'a> = (Kind, &'a str, Option<Record>);
+
+fn propose(edits: &[Touched]) -> Decision {
     let room = Room::open(start(), 7);
     let mut change = Change::of(id("op"), "Aiko", "Test");
     for (kind, name, after) in edits {
@@ -85,7 +88,7 @@ fn each_broken_rule_is_refused_with_its_sentence() {
     };
     let put = |name: &'static str, record| (Kind::Stream, name, Some(record));
     let sample = |period_ms| Operation::Sample { period_ms };
-    let cases: Vec<((Kind, &str, Option<Record>), &str)> = vec![
+    let cases: Vec<(Touched, &str)> = vec![
         (new(map(""), &["close"], "distance"), "already gets its values"),
         (new(map(""), &["ball"], "tracker"), "Only subscribe"),
         (new(sub.clone(), &["ball"], "close"), "must lead to an action"),

@@ -69,7 +69,7 @@ fn spots(own: Own, others: &[Area], width: f64) -> Vec<(f64, f64)> {
     }
     for y in [below, above] {
         spots.push((middle, y));
-        let near = |other: &&Area| other.top < y + HEIGHT && other.bottom > y;
+        let near = |other: &&Area| !own.beside && other.top < y + HEIGHT && other.bottom > y;
         for other in others.iter().filter(near).take(PASSED_MAX) {
             spots.extend([(other.left - EDGE - width, y), (other.right + EDGE, y)]);
         }
@@ -115,6 +115,7 @@ mod tests {
     fn the_strip_of_a_chip_is_at_its_side() {
         let own = Own { area: stream(400.0, 100.0), value: 0.0, beside: true };
         assert_eq!(strip_spot(own, &[], 106.0, STAGE), (460.0, 96.0));
-        assert_eq!(strip_spot(own, &[stream(520.0, 100.0)], 106.0, STAGE), (234.0, 96.0));
+        let around = [stream(520.0, 100.0), stream(400.0, 160.0), stream(400.0, 10.0)];
+        assert_eq!(strip_spot(own, &around, 106.0, STAGE), (234.0, 96.0));
     }
 }
