@@ -38,7 +38,7 @@ async fn keys_reach_walk_edit_remove_and_bring_back() -> Outcome<()> {
         ("ArrowDown", "Distance, stream"),
         ("ArrowDown", "Far ball, stream"),
         ("ArrowRight", "Close ball, stream"),
-        ("ArrowDown", "Head and body tracker, actuator stream"),
+        ("ArrowDown", "Head and body tracker, red ball · whole body, actuator stream"),
         ("ArrowUp", "Close ball, stream"),
     ] {
         aiko.key(key).await?;

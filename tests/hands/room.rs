@@ -19,8 +19,8 @@ const TEMPLATES: [&str; 8] = [
 /// Pairs of streams, chips and values of different streams that meet.
 const MEETING: &str = "(() => {
     const all = [...document.querySelectorAll('#stage .stream, #stage .chip, #stage .value')].map(node => {
-        const own = node.closest('[data-node], [data-chip]');
-        return { name: node.className + ' ' + own.getAttribute('aria-label'), own, at: node.getBoundingClientRect() };
+        const own = node.closest('.at');
+        return { name: node.className + ' ' + own.querySelector('[aria-label]').getAttribute('aria-label'), own, at: node.getBoundingClientRect() };
     });
     const meet = (a, b) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1;
     return all.flatMap((one, at) => all.slice(at + 1)

@@ -44,7 +44,7 @@ async fn ball_to_tracker(page: &Page) -> Outcome<()> {
     next(page, "RedBall", "distance").await?;
     page.find("button", "Distance, stream").await?;
     next(page, "Distance", "Tracker").await?;
-    page.find("button", "Tracker, actuator stream").await?;
+    page.find("button", "Tracker, *").await?;
     saved(page).await
 }
 

@@ -78,7 +78,7 @@ async fn the_walkthrough_in_few_presses() -> Outcome<()> {
     let aiko = Counted::new(page);
     let close = aiko.close_balls().await?;
     aiko.suggested(&close, "Tracker").await?;
-    page.find("button", "Tracker, actuator stream").await?;
+    page.find("button", "Tracker, *").await?;
     aiko.press(page.within("region", "Robot"), "Start").await?;
     page.find("button", "Running").await?;
     says(page, "follows red ball with head").await?;
@@ -113,7 +113,7 @@ async fn the_create_task_in_few_presses() -> Outcome<()> {
     select(page, "Distance").await?;
     aiko.suggested("Distance", "otherwise").await?;
     aiko.suggested("Otherwise", "Tracker").await?;
-    page.find("button", "Tracker 2, actuator stream").await?;
+    page.find("button", "Tracker 2, *").await?;
     aiko.press(page.within("region", "Robot"), "Start").await?;
     page.find("button", "Running").await?;
     says(page, "follows red ball with whole body").await?;

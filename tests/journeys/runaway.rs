@@ -19,7 +19,7 @@ async fn an_endless_loop_harms_only_itself() -> Outcome<()> {
     thunderbolt(&aiko, "RedBall", "filter").await?;
     write_endless(&aiko).await?;
     start(&aiko).await?;
-    let js = "function () { return this.querySelector('.fault')?.textContent; }";
+    let js = "function () { return this.closest('.at').querySelector('.fault')?.textContent; }";
     let why = aiko.until_on("button", CHIP, js, "the connector says why it fails").await?;
     assert!(why.as_str().is_some_and(|why| why.contains("too many steps")), "{why}");
 

@@ -131,7 +131,7 @@ pub(crate) async fn sees(page: &Page, names: &[&str]) -> Outcome<()> {
 
 /// Waits until a value stands beside a stream.
 pub(crate) async fn shows_value(page: &Page, stream: &str) -> Outcome<String> {
-    let js = "function () { return this.querySelector('.value b')?.textContent; }";
+    let js = "function () { return this.closest('.at').querySelector('.value b')?.textContent; }";
     let value = page.until_on("button", &format!("{stream}, *"), js, &format!("{stream} shows a value")).await?;
     Ok(value.as_str().unwrap_or_default().to_owned())
 }

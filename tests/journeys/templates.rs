@@ -51,7 +51,7 @@ async fn runs(page: &Page, template: &str) -> Outcome<()> {
     let problems = page.eval("document.querySelectorAll('.badge.blocks').length").await?;
     assert_eq!(problems, 0, "“{template}” has a problem that blocks");
     start(page).await?;
-    let value = "document.querySelector('.stream .value b')?.textContent";
+    let value = "document.querySelector('.world .value b')?.textContent";
     page.until(value, &format!("“{template}” shows a value")).await?;
     stop(page).await?;
     at_rest(page).await

@@ -14,7 +14,7 @@ const ALL: [&str; 7] = [
     "filter (distanceToBall < 60), connector*",
     "Close balls, stream",
     "subscribe, connector*",
-    "Tracker, actuator stream",
+    "Tracker, *",
 ];
 
 #[tokio::test]
