@@ -4,7 +4,7 @@ use house::{Outcome, Page, skip};
 
 use crate::steps::*;
 
-const SETTLED: &str = "function () { return this.style.transform; }";
+const SETTLED: &str = "function () { return this.parentElement.style.transform; }";
 
 #[tokio::test]
 async fn what_one_does_the_other_sees() -> Outcome<()> {
@@ -164,7 +164,7 @@ async fn drag_aside(one: &Page, other: &Page, stream: &str) -> Outcome<()> {
     saved(one).await?;
     let there = one.on("button", stream, SETTLED).await?;
     assert_ne!(there, before);
-    let js = format!("function () {{ return this.style.transform === {there}; }}");
+    let js = format!("function () {{ return this.parentElement.style.transform === {there}; }}");
     other.until_on("button", stream, &js, "the stream is where the other put it").await.map(drop)
 }
 
