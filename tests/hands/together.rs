@@ -11,7 +11,7 @@ const EDITS: usize = 40;
 /// Waits for the next move of the ball.
 const NEXT_MOVE: &str = "new Promise(done => {
     const eyes = new MutationObserver(() => { eyes.disconnect(); done(true); });
-    eyes.observe(document.querySelector('[aria-label^=\"Ball,\"]'), { attributeFilter: ['style'] });
+    eyes.observe(document.querySelector('[aria-label^=\"Ball,\"]').parentElement, { attributeFilter: ['style'] });
 })";
 
 #[tokio::test]

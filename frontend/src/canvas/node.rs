@@ -67,6 +67,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             {move || by_icon.with(device_icon).map(|icon| view! { <span class="icon"><Icon name=icon /></span> })}
             <span class="texts">
                 <span class="name">{move || by_name.with(|stream| stream.name.clone())}</span>
+                " "
                 <span class="second" aria-hidden="true">{move || by_second.with(what_it_is)}</span>
             </span>
         </div>
