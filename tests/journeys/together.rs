@@ -26,13 +26,13 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
     drag_aside(&aiko, &ben, "The ball, sensor stream").await?;
 
     add_sense(&ben, "HeadTouch").await?;
-    aiko.find("button", "HeadTouch, sensor stream").await?;
+    aiko.find("button", "HeadTouch, anywhere, sensor stream").await?;
     rename_program(&aiko, "Our ball", "My ball").await?;
     ben.find("button", "My ball").await?;
     aiko.press("button", "Undo").await?;
     for person in [&aiko, &ben] {
         person.find("button", "Our ball").await?;
-        person.find("button", "HeadTouch, sensor stream").await?;
+        person.find("button", "HeadTouch, anywhere, sensor stream").await?;
     }
     calm(&ben)?;
     ben.close().await?;
