@@ -61,7 +61,7 @@ pub(crate) async fn add_program(page: &Page, name: &str) -> Outcome<()> {
 /// Adds a sense from the list at the left.
 pub(crate) async fn add_sense(page: &Page, sense: &str) -> Outcome<()> {
     page.within("navigation", "Find or add").press("button", &format!("Add {sense}")).await?;
-    page.find("button", &format!("{sense}, sensor stream")).await?;
+    page.find("button", &format!("{sense}, *")).await?;
     page.find("toolbar", &format!("Next steps for {sense}")).await?;
     saved(page).await
 }

@@ -69,7 +69,7 @@ impl Run<'_> {
     fn tests(&mut self, more: &[&str]) -> Outcome<()> {
         let list = self.workspace.target.join("skipped.txt");
         let _ = fs::remove_file(&list);
-        let mut cargo = self.workspace.cargo(&["test", "--workspace"]);
+        let mut cargo = self.workspace.cargo(&["test", "--workspace", "--no-fail-fast"]);
         cargo.args(more).env("RRP_SKIPPED_LIST", &list);
         self.show_parts(&mut cargo);
         let result = tools::run(&mut cargo, "`cargo test --workspace`");
