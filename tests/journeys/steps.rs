@@ -25,6 +25,14 @@ impl Stage {
         Ok(page)
     }
 
+    /// Opens the page in an empty window, with a switch that cuts and mends its socket.
+    pub(crate) async fn enter_with_switch<'a>(&self, page: &'a Page) -> Outcome<Switch<'a>> {
+        let socket = Switch::install(page).await?;
+        page.goto(&self.server.url()).await?;
+        usable(page).await?;
+        Ok(socket)
+    }
+
     /// A person in front of an empty window.
     pub(crate) async fn nobody(&self, name: &str) -> Outcome<Page> {
         let page = self.browser.person(name).await?;

@@ -38,9 +38,7 @@ async fn stop_works_without_the_socket() -> Outcome<()> {
     }
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
-    let socket = Switch::install(&aiko).await?;
-    aiko.goto(&stage.server.url()).await?;
-    usable(&aiko).await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
     running_ball(&aiko).await?;
     socket.cut().await?;
     says(&aiko, "Offline").await?;

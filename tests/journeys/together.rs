@@ -40,6 +40,15 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
     calm(&aiko)
 }
 
+/// Makes a program with a map whose body is 1.
+async fn add_map(page: &Page) -> Outcome<()> {
+    add_program(page, "Ours").await?;
+    add_sense(page, "RedBall").await?;
+    thunderbolt(page, "RedBall", "map").await?;
+    page.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
+    save(page, "Operation").await
+}
+
 #[tokio::test]
 async fn a_stale_edit_is_refused_and_its_draft_stays() -> Outcome<()> {
     if !skip::ready("journey: a stale edit") {
@@ -47,11 +56,7 @@ async fn a_stale_edit_is_refused_and_its_draft_stays() -> Outcome<()> {
     }
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
-    add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
-    save(&aiko, "Operation").await?;
+    add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
     write_body(&aiko, "map (1), connector*", "2 + 2").await?;
     write_body(&ben, "map (1), connector*", "3").await?;
@@ -74,14 +79,8 @@ async fn an_edit_without_connection_that_comes_too_late_is_kept_as_a_draft() -> 
     }
     let stage = Stage::set().await?;
     let aiko = stage.nobody("aiko").await?;
-    let socket = Switch::install(&aiko).await?;
-    aiko.goto(&stage.server.url()).await?;
-    usable(&aiko).await?;
-    add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
-    save(&aiko, "Operation").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
+    add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
     socket.cut().await?;
     says(&aiko, "Offline").await?;

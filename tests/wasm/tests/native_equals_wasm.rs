@@ -7,7 +7,7 @@ use std::process::Command;
 use wasmi::{CompilationMode, Config, Engine, Linker, Module, Store, TypedFunc};
 
 /// 10 ms each; enough for every event of the story, and about 4 s for a seed in an interpreter that is not optimised.
-const STEPS: u32 = 60;
+const STEPS: u32 = 1_000;
 const TARGET: &str = "wasm32-unknown-unknown";
 
 /// Builds the module in its own target directory, so that it never waits for the lock of the build that runs it.
