@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use wasmi::{CompilationMode, Config, Engine, Linker, Module, Store, TypedFunc};
 
-/// 10 ms each; enough for every event of the story, and about 4 s for a seed in an interpreter that is not optimised.
+/// 10 ms each: ten seconds, with every event of the story.
 const STEPS: u32 = 1_000;
 const TARGET: &str = "wasm32-unknown-unknown";
 
