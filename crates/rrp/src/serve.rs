@@ -27,6 +27,9 @@ pub(crate) struct ServeArgs {
     /// The folder of the data; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
     #[arg(long, value_name = "DIR")]
     data: Option<PathBuf>,
+    /// The address of another store instead of a folder.
+    #[arg(long, value_name = "URL", env = "RRP_STORE", conflicts_with = "data")]
+    store: Option<String>,
     /// The seed of the simulated robot's noise.
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
     seed: u64,
@@ -50,9 +53,8 @@ pub(crate) fn serve(args: ServeArgs) -> ExitCode {
 }
 
 fn run(args: ServeArgs) -> Result<(), String> {
-    let data =
-        args.data.or_else(usual_data).ok_or("There is no home folder. Say where the data is with --data DIR.")?;
-    let config = Config { listen: args.listen, data, seed: args.seed };
+    let store = store_url(args.store, args.data)?;
+    let config = Config { listen: args.listen, store, seed: args.seed };
     let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("The server could not start: {error}."))?;
     let served: Result<(), ServeError> = runtime.block_on(async {
         let stop = asked_to_stop();
@@ -60,6 +62,12 @@ fn run(args: ServeArgs) -> Result<(), String> {
     });
     runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
     served.map_err(|error| error.to_string())
+}
+
+/// The address of the store: the one that was given, or a folder.
+pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<String, String> {
+    let folder = || data.or_else(usual_data).map(|folder| folder.display().to_string());
+    store.or_else(folder).ok_or_else(|| "There is no home folder. Say where the data is with --data DIR.".to_owned())
 }
 
 fn usual_data() -> Option<PathBuf> {

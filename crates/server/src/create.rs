@@ -72,16 +72,16 @@ async fn save(hub: &Arc<Hub>, wish: &Wish, mut records: Behaviour) -> Result<(),
         change = change.put(&Behaviour::default(), id.clone(), record.clone());
     }
     let first = Accepted { revision: 1, change };
-    append_first(hub, &wish.behaviour, &first).await?;
+    append_first(hub, &wish.behaviour, &first, &records).await?;
     hub.programs.changed(&wish.behaviour, &records, &first);
     Ok(())
 }
 
 /// Once more if the outcome is open: the op id settles it.
-async fn append_first(hub: &Hub, id: &Id, first: &Committed) -> Result<(), SaidNo> {
-    let mut answer = bounded(hub.store.append(id, first)).await;
+async fn append_first(hub: &Hub, id: &Id, first: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
+    let mut answer = bounded(hub.store.append(id, first, after)).await;
     if answer.as_ref().is_err_and(StoreError::is_open) {
-        answer = bounded(hub.store.append(id, first)).await;
+        answer = bounded(hub.store.append(id, first, after)).await;
     }
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),

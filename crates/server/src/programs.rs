@@ -1,6 +1,7 @@
 //! The list of behaviours, and when everyone is told that it changed: at once when a name or the number of behaviours
 //! changed, otherwise together with other changes, a little later.
 
+use crate::hub::bounded;
 use crate::lock;
 use crate::outbox::encode;
 use axum::extract::ws::Utf8Bytes;
@@ -10,7 +11,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
-use store::Listed;
+use store::{Listed, Query, Store, StoreError};
 use tokio::sync::watch;
 
 /// The behaviours that are not in the bin.
@@ -95,6 +96,19 @@ impl Programs {
     fn tell(&self) {
         let reply = self.reply();
         self.text.send_replace(encode(None, reply));
+    }
+}
+
+/// Everything that is not in the bin, page by page.
+pub(crate) async fn all(store: &dyn Store) -> Result<Vec<Listed>, StoreError> {
+    let (mut lines, mut query) = (Vec::new(), Query::default());
+    loop {
+        let page = bounded(store.list(&query)).await?;
+        lines.extend(page.lines);
+        query.after = page.next;
+        if query.after.is_none() {
+            return Ok(lines);
+        }
     }
 }
 

@@ -5,16 +5,15 @@ use crate::clients::Clients;
 use crate::create::first_library;
 use crate::hub::{Hub, SOCKETS_MAX, Shelf, bounded};
 use crate::knowledge::Knowing;
-use crate::programs::Programs;
+use crate::programs::{Programs, all};
 use crate::robots::Robots;
 use crate::rooms::Rooms;
 use crate::topics::{self, Topics};
 use crate::{accept, routes};
-use behaviour::Id;
+use behaviour::{Behaviour, Id};
 use std::fmt;
 use std::future::Future;
 use std::net::SocketAddr;
-use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 use std::time::Duration;
@@ -34,8 +33,8 @@ const ENDING_MS: u64 = 3_000;
 pub struct Config {
     /// Where it listens; only this computer's own addresses, port 0 takes a free one.
     pub listen: SocketAddr,
-    /// The folder of its data.
-    pub data: PathBuf,
+    /// The address of its store: a folder for the embedded one, or what [`store::open_url`] knows.
+    pub store: String,
     /// The seed of the simulated robot's noise.
     pub seed: u64,
 }
@@ -80,7 +79,7 @@ impl From<StoreError> for ServeError {
     }
 }
 
-/// Serves the data of a folder until `stop`; `ready` is told the address once connections are accepted.
+/// Serves a store until `stop`; `ready` is told the address once connections are accepted.
 ///
 /// # Errors
 /// A sentence, if the server cannot start.
@@ -90,8 +89,8 @@ pub async fn serve(
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
-    let store = store::open(&config.data).await?;
-    serve_with(Arc::new(store), config, ready, stop).await
+    let store = store::open_url(&config.store).await?;
+    serve_with(store, config, ready, stop).await
 }
 
 /// The same with a store that is open already.
@@ -129,7 +128,7 @@ async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> 
     let epoch = bounded(store.next_epoch()).await?;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
     let shelf = shelf(&*store, &library).await?;
-    let programs = Programs::of(bounded(store.list()).await?);
+    let programs = Programs::of(all(&*store).await?);
     let robots = Robots::simulated(seed).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
@@ -154,8 +153,9 @@ async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> 
 /// The library; a fresh store gets the helpers that come with the robot.
 async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, ServeError> {
     if bounded(store.load(library)).await?.is_none() {
-        let first = first_library();
-        if let Append::Conflict { .. } = bounded(store.append(library, &first)).await? {
+        let (first, mut after) = (first_library(), Behaviour::default());
+        after.apply(&first.change);
+        if let Append::Conflict { .. } = bounded(store.append(library, &first, &after)).await? {
             tracing::info!("another server made the library");
         }
     }

@@ -3,7 +3,9 @@
 mod bin;
 mod changes;
 mod crowd;
+mod insight;
 mod large;
+mod lists;
 mod random;
 mod samples;
 mod usage;
@@ -23,6 +25,8 @@ where
     changes::check(&make).await;
     bin::check(&make).await;
     usage::check(&make).await;
+    lists::check(&make).await;
+    insight::check(&make).await;
     crowd::check(&make).await;
     large::check(make().await.as_ref()).await;
     for seed in 0..random::SEEDS {

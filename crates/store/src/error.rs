@@ -23,6 +23,9 @@ pub enum StoreError {
         /// The newest version this program knows.
         known: u32,
     },
+    /// The store's address cannot be understood; with what it should be.
+    #[error("This is no address of a store: {0}.")]
+    Address(String),
     /// The behaviour is in the bin and takes no changes.
     #[error("This behaviour is in the bin. Restore it before changing it.")]
     Gone,
@@ -43,7 +46,13 @@ impl StoreError {
     pub fn is_open(&self) -> bool {
         match self {
             Self::Timeout | Self::Unavailable(_) => true,
-            Self::Busy(_) | Self::Full | Self::Damaged(_) | Self::Newer { .. } | Self::Gone | Self::Refused(_) => false,
+            Self::Busy(_)
+            | Self::Full
+            | Self::Damaged(_)
+            | Self::Newer { .. }
+            | Self::Address(_)
+            | Self::Gone
+            | Self::Refused(_) => false,
         }
     }
 }

@@ -8,17 +8,24 @@
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
 mod error;
+mod insight;
 mod json;
 mod memory;
+mod open;
+mod query;
 mod sqlite;
 mod usage;
 
 pub use error::StoreError;
+pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
+pub use open::open_url;
+pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
 pub use sqlite::{SqliteStore, open};
+pub use usage::Usage;
 
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id, RecordId};
+use behaviour::{Behaviour, Committed, Id};
 
 /// The id of the behaviour that holds the helper library. It has no settings record, is never listed and never
 /// goes to the bin.
@@ -30,18 +37,18 @@ pub trait Store: Send + Sync {
     /// Saves a change under its revision, which must be one more than the last; revision 1 creates the behaviour.
     /// Durable when it answers. Checks in order: op id seen in this behaviour, in the bin, revision.
     ///
+    /// `after` is the whole behaviour with the change made, a graph that keeps the rules: every connector's streams
+    /// exist. What lists and searches show is taken from it.
+    ///
     /// # Errors
     /// [`StoreError::Gone`] for a behaviour in the bin, [`StoreError::Refused`] for values that cannot be kept (such as NaN).
-    async fn append(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError>;
+    async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError>;
 
     /// The behaviour as it is now, also from the bin; none if there never was one or it was purged.
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError>;
 
-    /// All behaviours that are not in the bin, last changed first. Never the library.
-    async fn list(&self) -> Result<Vec<Listed>, StoreError>;
-
-    /// All behaviours in the bin, last removed first; `changed_ms` and `by` tell of the removal.
-    async fn bin(&self) -> Result<Vec<Listed>, StoreError>;
+    /// A page of the behaviours that a query finds. Never the library.
+    async fn list(&self, query: &Query) -> Result<Listing, StoreError>;
 
     /// At most `most` changes with a revision above `since`, oldest first.
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError>;
@@ -55,9 +62,24 @@ pub trait Store: Send + Sync {
     /// Deletes for ever what went to the bin before that time, with its history; says how many behaviours.
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError>;
 
-    /// Who uses a helper: connectors of behaviours outside the bin that name it or mention it in their body, and
-    /// other helpers of the library that mention it. In order of behaviour and record.
-    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError>;
+    /// Who uses a helper itself: connectors of behaviours outside the bin that name it or call it in their body, and
+    /// other helpers of the library that call it. In order of behaviour and record.
+    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError>;
+
+    /// Who uses a helper, also through other helpers. Nearest uses first, then in order of behaviour and record.
+    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+        usage::through_others(self, helper).await
+    }
+
+    /// Behaviours outside the bin that drive an action of the robot, by its name in the catalogue, each with the names
+    /// of the sensor streams that lead there. In order of behaviour.
+    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError>;
+
+    /// Actions that more than one behaviour outside the bin drives, by name, each with those behaviours.
+    async fn contested(&self) -> Result<Vec<Contested>, StoreError>;
+
+    /// Other behaviours outside the bin that use the same senses and actions, most shared first, then by id.
+    async fn similar(&self, behaviour: &Id, most: u32) -> Result<Vec<Similar>, StoreError>;
 
     /// The next number of a server start. Grows by one at each call and is durable when it answers.
     async fn next_epoch(&self) -> Result<u64, StoreError>;
@@ -107,17 +129,8 @@ pub struct Listed {
     pub changed_ms: u64,
     /// Who did that.
     pub by: String,
+    /// Who made it.
+    pub owner: String,
     /// How many streams it has.
     pub streams: u32,
-}
-
-/// One use of a helper.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Usage {
-    /// The behaviour with the connector, or [`LIBRARY`].
-    pub behaviour: Id,
-    /// What to call the user: the behaviour's name, or in the library the other helper's name.
-    pub name: String,
-    /// The connector, or the other helper.
-    pub record: RecordId,
 }

@@ -1,9 +1,15 @@
 //! A store in memory, for tests and for trying things out. Clones share what they keep.
 
+use crate::insight::{devices_of, sensors_of};
+use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
-use crate::{Append, LIBRARY, Listed, Loaded, Store, StoreError, Usage, json};
+use crate::{
+    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Store, StoreError, Usage,
+    json, search_text,
+};
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Committed, Id, StreamKind};
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -40,7 +46,7 @@ impl MemoryStore {
 
 #[async_trait]
 impl Store for MemoryStore {
-    async fn append(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError> {
+    async fn append(&self, behaviour: &Id, committed: &Committed, _after: &Behaviour) -> Result<Append, StoreError> {
         json::checked(committed)?;
         self.kept().append(behaviour, committed)
     }
@@ -49,12 +55,8 @@ impl Store for MemoryStore {
         Ok(self.kept().behaviours.get(behaviour).map(Shelf::loaded))
     }
 
-    async fn list(&self) -> Result<Vec<Listed>, StoreError> {
-        Ok(self.kept().listed(|shelf| shelf.removed.is_none()))
-    }
-
-    async fn bin(&self) -> Result<Vec<Listed>, StoreError> {
-        Ok(self.kept().listed(|shelf| shelf.removed.is_some()))
+    async fn list(&self, query: &Query) -> Result<Listing, StoreError> {
+        Ok(self.kept().listing(query))
     }
 
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
@@ -83,10 +85,26 @@ impl Store for MemoryStore {
         Ok(u32::try_from(before - kept.behaviours.len()).unwrap_or(u32::MAX))
     }
 
-    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
         let kept = self.kept();
-        let shelves = kept.behaviours.iter().filter(|(_, shelf)| shelf.removed.is_none());
-        Ok(in_order(shelves.flat_map(|(id, shelf)| shelf.uses(id, helper)).collect()))
+        Ok(in_order(kept.open().flat_map(|(id, shelf)| shelf.uses(id, helper)).collect()))
+    }
+
+    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+        let kept = self.kept();
+        let drivers = kept.open().filter_map(|(id, shelf)| {
+            let sensors = sensors_of(&shelf.behaviour, actuator)?;
+            Some(Driver { behaviour: id.clone(), name: shelf.behaviour.name().to_owned(), sensors })
+        });
+        Ok(drivers.collect())
+    }
+
+    async fn contested(&self) -> Result<Vec<Contested>, StoreError> {
+        Ok(self.kept().contested())
+    }
+
+    async fn similar(&self, behaviour: &Id, most: u32) -> Result<Vec<Similar>, StoreError> {
+        Ok(self.kept().similar(behaviour, most))
     }
 
     async fn next_epoch(&self) -> Result<u64, StoreError> {
@@ -118,11 +136,60 @@ impl Kept {
         Ok(Append::Applied)
     }
 
-    fn listed(&self, wanted: impl Fn(&Shelf) -> bool) -> Vec<Listed> {
-        let shelves = self.behaviours.iter().filter(|(_, shelf)| wanted(shelf));
-        let mut lines: Vec<_> = shelves.filter_map(|(id, shelf)| shelf.line(id)).collect();
-        lines.sort_by_key(|line| std::cmp::Reverse(line.changed_ms));
-        lines
+    /// The behaviours outside the bin.
+    fn open(&self) -> impl Iterator<Item = (&Id, &Shelf)> {
+        self.behaviours.iter().filter(|(_, shelf)| shelf.removed.is_none())
+    }
+
+    fn listing(&self, query: &Query) -> Listing {
+        let there = self.behaviours.iter().filter(|(_, shelf)| shelf.removed.is_some() == (query.place == Place::Bin));
+        let there: Vec<_> = there.filter_map(|(id, shelf)| Some((shelf, shelf.line(id)?))).collect();
+        let (total, needles) = (there.len() as u64, query.needles());
+        let found = there.into_iter().filter(|(shelf, line)| {
+            let text = if needles.is_empty() { String::new() } else { search_text(&shelf.behaviour) };
+            let mine = query.owner.as_ref().is_none_or(|owner| *owner == line.owner);
+            mine && needles.iter().all(|word| text.contains(word)) && query.comes_after(line)
+        });
+        let mut lines: Vec<_> = found.map(|(_, line)| line).collect();
+        match query.sort {
+            Sort::Changed => lines.sort_by_key(|line| Reverse((line.changed_ms, line.id.clone()))),
+            Sort::Name => lines.sort_by_key(|line| (name_key(&line.name), line.id.clone())),
+        }
+        Listing::of(lines, query, total)
+    }
+
+    fn contested(&self) -> Vec<Contested> {
+        let mut drivers: BTreeMap<&str, Vec<(Id, String)>> = BTreeMap::new();
+        for (id, shelf) in self.open() {
+            let devices = devices_of(&shelf.behaviour).into_iter();
+            for (_, device) in devices.filter(|(kind, _)| *kind == StreamKind::Actuator) {
+                drivers.entry(device).or_default().push((id.clone(), shelf.behaviour.name().to_owned()));
+            }
+        }
+        let contested = drivers.into_iter().filter(|(_, behaviours)| behaviours.len() > 1);
+        let one = |(actuator, mut behaviours): (&str, Vec<_>)| {
+            let count = behaviours.len() as u64;
+            behaviours.truncate(Contested::SHOWN_MAX);
+            Contested { actuator: actuator.to_owned(), behaviours, count }
+        };
+        contested.map(one).collect()
+    }
+
+    fn similar(&self, behaviour: &Id, most: u32) -> Vec<Similar> {
+        let Some(this) = self.behaviours.get(behaviour) else { return Vec::new() };
+        let devices = devices_of(&this.behaviour);
+        let others = self.open().filter(|(id, _)| *id != behaviour);
+        let mut similar: Vec<_> = others
+            .map(|(id, shelf)| {
+                let shared = devices_of(&shelf.behaviour).intersection(&devices).count();
+                let name = shelf.behaviour.name().to_owned();
+                Similar { behaviour: id.clone(), name, shared: u32::try_from(shared).unwrap_or(u32::MAX) }
+            })
+            .filter(|similar| similar.shared > 0)
+            .collect();
+        similar.sort_by_key(|similar| (Reverse(similar.shared), similar.behaviour.clone()));
+        similar.truncate(most as usize);
+        similar
     }
 }
 
@@ -145,7 +212,8 @@ impl Shelf {
         let (changed_ms, by) = self.removed.clone().unwrap_or_else(|| (last.at_ms, last.author.clone()));
         let name = self.behaviour.settings()?.name.clone();
         let streams = u32::try_from(self.behaviour.streams().count()).unwrap_or(u32::MAX);
-        Some(Listed { id: id.clone(), name, revision: self.head(), changed_ms, by, streams })
+        let owner = self.history.first()?.change.author.clone();
+        Some(Listed { id: id.clone(), name, revision: self.head(), changed_ms, by, owner, streams })
     }
 
     fn uses(&self, id: &Id, helper: &str) -> Vec<Usage> {

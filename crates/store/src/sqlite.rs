@@ -2,6 +2,8 @@
 
 mod door;
 mod fault;
+mod insight;
+mod list;
 mod read;
 mod readers;
 mod schema;
@@ -10,9 +12,9 @@ mod tests;
 mod write;
 mod writer;
 
-use crate::{Append, Listed, Loaded, Store, StoreError, Usage};
+use crate::{Append, Contested, Driver, Listing, Loaded, Query, Similar, Store, StoreError, Usage};
 use async_trait::async_trait;
-use behaviour::{Committed, Id};
+use behaviour::{Behaviour, Committed, Id};
 use fault::Fault;
 use readers::Readers;
 use std::path::{Path, PathBuf};
@@ -51,9 +53,9 @@ fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
 
 #[async_trait]
 impl Store for SqliteStore {
-    async fn append(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError> {
-        let (id, committed) = (behaviour.clone(), committed.clone());
-        let ready = tokio::task::spawn_blocking(move || Ready::new(committed)).await;
+    async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
+        let (id, committed, after) = (behaviour.clone(), committed.clone(), after.clone());
+        let ready = tokio::task::spawn_blocking(move || Ready::new(committed, after)).await;
         let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
         self.writer.ask(move |at| write::append(at, &id, &ready)).await
     }
@@ -63,12 +65,9 @@ impl Store for SqliteStore {
         self.readers.ask(move |at| read::load(at, &id)).await
     }
 
-    async fn list(&self) -> Result<Vec<Listed>, StoreError> {
-        self.readers.ask(read::list).await
-    }
-
-    async fn bin(&self) -> Result<Vec<Listed>, StoreError> {
-        self.readers.ask(read::bin).await
+    async fn list(&self, query: &Query) -> Result<Listing, StoreError> {
+        let query = query.clone();
+        self.readers.ask(move |at| list::list(at, &query)).await
     }
 
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
@@ -90,9 +89,23 @@ impl Store for SqliteStore {
         self.writer.ask(move |at| write::purge(at, removed_before_ms)).await
     }
 
-    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
         let helper = helper.to_owned();
-        self.readers.ask(move |at| read::where_used(at, &helper)).await
+        self.readers.ask(move |at| read::users(at, &helper)).await
+    }
+
+    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+        let actuator = actuator.to_owned();
+        self.readers.ask(move |at| insight::drivers(at, &actuator)).await
+    }
+
+    async fn contested(&self) -> Result<Vec<Contested>, StoreError> {
+        self.readers.ask(insight::contested).await
+    }
+
+    async fn similar(&self, behaviour: &Id, most: u32) -> Result<Vec<Similar>, StoreError> {
+        let id = behaviour.clone();
+        self.readers.ask(move |at| insight::similar(at, &id, most)).await
     }
 
     async fn next_epoch(&self) -> Result<u64, StoreError> {

@@ -1,9 +1,41 @@
 //! Whether a record uses a helper, by name or in its body.
 
+use crate::{LIBRARY, Store, StoreError};
 use behaviour::{Id, Procedure, Record, RecordId, calls_helper};
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, VecDeque};
 
-use crate::Usage;
+/// One use of a helper.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Usage {
+    /// The behaviour with the connector, or [`LIBRARY`].
+    pub behaviour: Id,
+    /// What to call the user: the behaviour's name, or in the library the other helper's name.
+    pub name: String,
+    /// The connector, or the other helper.
+    pub record: RecordId,
+    /// Through which other helper, the one that the user itself uses; none if it uses the helper itself.
+    pub through: Option<String>,
+}
+
+/// Who uses a helper, also through other helpers; every user once, by its shortest way.
+pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    let (mut found, mut seen): (Vec<Usage>, BTreeSet<(Id, RecordId)>) = Default::default();
+    let mut open = VecDeque::from([helper.to_owned()]);
+    while let Some(next) = open.pop_front() {
+        let through = (next != helper).then(|| next.clone());
+        for user in store.users(&next).await? {
+            let is_helper = user.behaviour.as_str() == LIBRARY;
+            if (is_helper && user.name == helper) || !seen.insert((user.behaviour.clone(), user.record.clone())) {
+                continue;
+            }
+            if is_helper {
+                open.push_back(user.name.clone());
+            }
+            found.push(Usage { through: through.clone(), ..user });
+        }
+    }
+    Ok(found)
+}
 
 /// Every word in a record that may be a helper; an index of candidates for [`uses`].
 pub(crate) fn words(record: &Record) -> BTreeSet<String> {
@@ -37,7 +69,7 @@ fn procedure(record: &Record) -> Option<&Procedure> {
 /// The use of a helper by this record, in a behaviour of that name.
 pub(crate) fn usage(behaviour: &Id, name: &str, id: &RecordId, record: &Record) -> Usage {
     let name = if let Record::Helper(helper) = record { &helper.name } else { name };
-    Usage { behaviour: behaviour.clone(), name: name.to_owned(), record: id.clone() }
+    Usage { behaviour: behaviour.clone(), name: name.to_owned(), record: id.clone(), through: None }
 }
 
 /// Puts uses in their order.

@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use store::{Append, Store, open};
 
-const ROUNDS: usize = 20;
+const ROUNDS: usize = 200;
 const DIRECTORY: &str = "RRP_STORE_KILLED_CHILD";
 const ACKNOWLEDGED: &str = "acknowledged ";
 
@@ -26,9 +26,12 @@ fn committed(revision: u64) -> Committed {
 async fn child_that_saves_until_it_is_killed() {
     let Ok(directory) = std::env::var(DIRECTORY) else { return };
     let store = open(Path::new(&directory)).await.expect("the directory is free");
-    let head = store.load(&id("b")).await.expect("an answer").map_or(0, |loaded| loaded.revision);
+    let loaded = store.load(&id("b")).await.expect("an answer");
+    let (mut after, head) = loaded.map(|loaded| (loaded.behaviour, loaded.revision)).unwrap_or_default();
     for revision in head + 1.. {
-        assert_eq!(store.append(&id("b"), &committed(revision)).await, Ok(Append::Applied));
+        let made = committed(revision);
+        after.apply(&made.change);
+        assert_eq!(store.append(&id("b"), &made, &after).await, Ok(Append::Applied));
         let mut out = std::io::stdout().lock();
         writeln!(out, "\n{ACKNOWLEDGED}{revision}").and_then(|()| out.flush()).expect("somebody listens");
     }

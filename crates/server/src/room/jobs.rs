@@ -1,7 +1,7 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
 use super::RoomTask;
-use super::saving::{self, Saved};
+use super::saving::{self, Keep, Saved};
 use crate::outbox::Answer;
 use behaviour::{Change, Decision, Kind, Record, Refusal};
 use protocol::{Reply, SaidNo};
@@ -64,7 +64,10 @@ impl RoomTask {
         match self.room.propose(crate::now_ms(), change.clone(), &*self.hub.knowing) {
             Decision::Save(committed) => {
                 let helpers = helpers_let_go(&committed.change);
-                self.saving = Some(Box::pin(saving::save(hub, id, committed, helpers, from)));
+                let mut after = self.room.behaviour().clone();
+                after.apply(&committed.change);
+                let keep = Keep { committed, after, helpers };
+                self.saving = Some(Box::pin(saving::save(hub, id, keep, from)));
             }
             Decision::Duplicate(revision) => match self.log.iter().find(|known| known.revision == revision) {
                 Some(known) => from.give(Reply::Accepted { behaviour: id, accepted: known.clone() }),

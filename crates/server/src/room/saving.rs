@@ -2,7 +2,7 @@
 
 use crate::hub::{Hub, bounded, reason, store_no};
 use crate::outbox::Answer;
-use behaviour::{Accepted, Change, Committed, Id, Refusal};
+use behaviour::{Accepted, Behaviour, Change, Committed, Id, Refusal};
 use protocol::SaidNo;
 use std::sync::Arc;
 use store::{Append, StoreError};
@@ -36,13 +36,24 @@ pub(super) enum Saved {
     },
 }
 
+/// What is to be kept, and what has to be so before.
+pub(super) struct Keep {
+    /// The change.
+    pub(super) committed: Committed,
+    /// The behaviour with the change made.
+    pub(super) after: Behaviour,
+    /// Helpers that nobody may use.
+    pub(super) helpers: Vec<String>,
+}
+
 /// Keeps a change.
-pub(super) async fn save(hub: Arc<Hub>, id: Id, committed: Committed, helpers: Vec<String>, from: Answer) -> Saved {
+pub(super) async fn save(hub: Arc<Hub>, id: Id, keep: Keep, from: Answer) -> Saved {
+    let Keep { committed, after, helpers } = keep;
     let before = committed.revision.saturating_sub(1);
     let no = |no, uncertain| (Vec::new(), Err(no), uncertain);
     let (news, answer, uncertain) = match unused(&hub, helpers).await {
         Err(refusal) => no(refusal, false),
-        Ok(()) => match append(&hub, &id, &committed).await {
+        Ok(()) => match append(&hub, &id, &committed, &after).await {
             Ok(Append::Applied) => (vec![committed.clone()], Ok(committed), false),
             Ok(Append::Duplicate { revision }) => {
                 let answer = one(&hub, &id, revision).await;
@@ -61,11 +72,11 @@ pub(super) async fn save(hub: Arc<Hub>, id: Id, committed: Committed, helpers: V
 }
 
 /// Once more if the outcome is open: the store keeps an op once.
-async fn append(hub: &Hub, id: &Id, committed: &Committed) -> Result<Append, StoreError> {
-    match bounded(hub.store.append(id, committed)).await {
+async fn append(hub: &Hub, id: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
+    match bounded(hub.store.append(id, committed, after)).await {
         Err(error) if error.is_open() => {
             tracing::warn!(behaviour = %id, %error, "saving is tried once more");
-            bounded(hub.store.append(id, committed)).await
+            bounded(hub.store.append(id, committed, after)).await
         }
         answer => answer,
     }
@@ -93,7 +104,7 @@ async fn one(hub: &Hub, id: &Id, revision: u64) -> Result<Accepted, SaidNo> {
 /// under revision 0, which is never the next one, it keeps nothing.
 pub(super) async fn settle(hub: Arc<Hub>, id: Id, change: Change, refusal: Refusal, from: Answer) -> Saved {
     let probe = Committed { revision: 0, change };
-    let answer = match bounded(hub.store.append(&id, &probe)).await {
+    let answer = match bounded(hub.store.append(&id, &probe, &Behaviour::default())).await {
         Ok(Append::Duplicate { revision }) => one(&hub, &id, revision).await,
         _ => Err(SaidNo::Change(refusal)),
     };
@@ -128,7 +139,7 @@ pub(super) async fn remove(hub: Arc<Hub>, id: Id, by: String, from: Answer) -> S
 /// Refuses to let go a helper that is used, with who uses it.
 async fn unused(hub: &Hub, helpers: Vec<String>) -> Result<(), SaidNo> {
     for helper in helpers {
-        let users = bounded(hub.store.where_used(&helper)).await.map_err(|error| store_no(&error))?;
+        let users = bounded(hub.store.users(&helper)).await.map_err(|error| store_no(&error))?;
         let mut names: Vec<String> = users.into_iter().map(|user| format!("“{}”", user.name)).collect();
         names.sort();
         names.dedup();

@@ -5,6 +5,7 @@ use crate::checking::{Trial, helpers_of};
 use crate::create::{self, Wish};
 use crate::hub::{bounded, store_no};
 use crate::outbox::{Answer, Out};
+use crate::programs::all;
 use crate::rooms::Note;
 use crate::start;
 use behaviour::{Change, Id};
@@ -115,7 +116,7 @@ impl Session {
         let hub = Arc::clone(&self.hub);
         self.later(ask, async move {
             let back = bounded(hub.store.restore(&behaviour)).await.map_err(|error| store_no(&error))?;
-            let listed = bounded(hub.store.list()).await.map_err(|error| store_no(&error))?;
+            let listed = all(&*hub.store).await.map_err(|error| store_no(&error))?;
             hub.programs.replace(listed);
             if back { Ok(Reply::Done) } else { Err(SaidNo::NoBehaviour) }
         });

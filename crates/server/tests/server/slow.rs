@@ -4,13 +4,13 @@ use crate::house::{House, plain, stream_id};
 use crate::http::raw;
 use crate::links::socket;
 use async_trait::async_trait;
-use behaviour::{Committed, Id, Kind, Note, Record, RecordId};
+use behaviour::{Behaviour, Committed, Id, Kind, Note, Record, RecordId};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Reply, Request};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use store::{Append, Listed, Loaded, MemoryStore, Store, StoreError, Usage};
+use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Usage};
 use tokio_tungstenite::tungstenite::Message;
 
 /// A store that can be made to hang.
@@ -30,21 +30,18 @@ impl Hanging {
 
 #[async_trait]
 impl Store for Hanging {
-    async fn append(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError> {
+    async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
         self.wait().await;
-        self.inside.append(behaviour, committed).await
+        self.inside.append(behaviour, committed, after).await
     }
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
         self.wait().await;
         self.inside.load(behaviour).await
     }
-    async fn list(&self) -> Result<Vec<Listed>, StoreError> {
-        self.wait().await;
-        self.inside.list().await
+    async fn list(&self, query: &Query) -> Result<Listing, StoreError> {
+        self.inside.list(query).await
     }
-    async fn bin(&self) -> Result<Vec<Listed>, StoreError> {
-        self.inside.bin().await
-    }
+
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
         self.wait().await;
         self.inside.history(behaviour, since, most).await
@@ -58,9 +55,22 @@ impl Store for Hanging {
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
         self.inside.purge(removed_before_ms).await
     }
-    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
-        self.inside.where_used(helper).await
+    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+        self.inside.users(helper).await
     }
+
+    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+        self.inside.drivers(actuator).await
+    }
+
+    async fn contested(&self) -> Result<Vec<Contested>, StoreError> {
+        self.inside.contested().await
+    }
+
+    async fn similar(&self, behaviour: &Id, most: u32) -> Result<Vec<Similar>, StoreError> {
+        self.inside.similar(behaviour, most).await
+    }
+
     async fn next_epoch(&self) -> Result<u64, StoreError> {
         self.inside.next_epoch().await
     }

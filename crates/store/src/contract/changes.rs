@@ -1,7 +1,7 @@
 //! One change after the other: saved once, in order, and read back as it was.
 
-use super::samples::{append, change, id, key, note, save, settings, stream};
-use crate::{Append, Store, StoreError};
+use super::samples::{append, change, id, in_bin, key, note, save, settings, stream, try_append};
+use crate::{Append, Listing, Query, Store, StoreError};
 use behaviour::{Change, Committed, Kind, Place, Record, RecordId};
 use std::future::Future;
 use std::sync::Arc;
@@ -20,8 +20,8 @@ pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -
 
 async fn nothing_is_there_at_first(store: &dyn Store) {
     assert_eq!(store.load(&id("b")).await, Ok(None));
-    assert_eq!(store.list().await, Ok(vec![]));
-    assert_eq!(store.bin().await, Ok(vec![]));
+    assert_eq!(store.list(&Query::default()).await, Ok(Listing::default()));
+    assert_eq!(store.list(&in_bin()).await, Ok(Listing::default()));
     assert_eq!(store.history(&id("b"), 0, 10).await, Ok(vec![]));
     assert_eq!(store.where_used("near").await, Ok(vec![]));
 }
@@ -44,7 +44,7 @@ async fn an_op_id_counts_in_its_behaviour_only(store: &dyn Store) {
     for behaviour in ["a", "b"] {
         save(store, behaviour, "op", vec![(RecordId::settings(), settings(behaviour))]).await;
     }
-    assert_eq!(store.list().await.expect("a list").len(), 2);
+    assert_eq!(store.list(&Query::default()).await.expect("a page").total, 2);
 }
 
 async fn only_the_next_revision_is_saved(store: &dyn Store) {
@@ -96,7 +96,8 @@ async fn every_script_is_kept(store: &dyn Store) {
         let history = store.history(&id(&behaviour), 0, 1).await;
         assert_eq!(history, Ok(vec![Committed { revision: 1, change: made }]));
     }
-    let listed = store.list().await.expect("a list");
+    let listed = store.list(&Query::default()).await.expect("a page").lines;
+    let listed: Vec<_> = listed.into_iter().rev().collect();
     assert_eq!(listed.iter().map(|line| line.name.as_str()).collect::<Vec<_>>(), names);
     assert_eq!(listed.iter().map(|line| line.by.as_str()).collect::<Vec<_>>(), names);
 }
@@ -104,7 +105,7 @@ async fn every_script_is_kept(store: &dyn Store) {
 async fn what_would_not_read_back_is_refused(store: &dyn Store) {
     let nowhere = Record::Place(Place { x: f64::NAN, y: 0.0 });
     let bad = change("op", 1, vec![(RecordId::settings(), settings("B")), (key(Kind::Place, "p"), nowhere)]);
-    let answer = store.append(&id("b"), &Committed { revision: 1, change: bad }).await;
+    let answer = try_append(store, "b", 1, bad).await;
     assert!(matches!(answer, Err(StoreError::Refused(_))), "{answer:?}");
     assert_eq!(store.load(&id("b")).await, Ok(None), "nothing is half saved");
 }
@@ -130,9 +131,9 @@ async fn the_list_shows_the_newest_first(store: &dyn Store) {
     let start = store.load(&id("a")).await.expect("an answer").expect("a behaviour").behaviour;
     let take = Change { at_ms: 40, ..Change::of(id("take"), "Ben", "Remove S") };
     append(store, "a", 2, take.take(&start, key(Kind::Stream, "s"))).await;
-    let listed = store.list().await.expect("a list");
+    let listed = store.list(&Query::default()).await.expect("a page").lines;
     let lines: Vec<_> =
         listed.iter().map(|l| (l.id.as_str(), l.revision, l.changed_ms, l.by.as_str(), l.streams)).collect();
-    let wanted = [("a", 2, 40, "Ben", 0), ("c", 1, 30, "Aiko", 1), ("b", 1, 20, "Aiko", 1), ("b2", 1, 20, "Aiko", 1)];
+    let wanted = [("a", 2, 40, "Ben", 0), ("c", 1, 30, "Aiko", 1), ("b2", 1, 20, "Aiko", 1), ("b", 1, 20, "Aiko", 1)];
     assert_eq!(lines, wanted);
 }

@@ -1,7 +1,7 @@
 //! Chance against a model: whatever is done in whatever order, the store and the model stay equal.
 
-use super::samples::{Chance, filter, helper, id, key, note, settings, stream};
-use crate::{Append, Store, StoreError};
+use super::samples::{Chance, filter, helper, id, in_bin, key, note, settings, stream, two_streams};
+use crate::{Append, Query, Store, StoreError};
 use behaviour::{Behaviour, Change, Committed, Id, Kind, Place, Procedure, Record, RecordId};
 use std::collections::BTreeMap;
 
@@ -47,10 +47,19 @@ impl Model {
         self.shelves.get(name).map_or(0, |shelf| shelf.history.len() as u64)
     }
 
+    fn after(&self, name: &Id, change: &Change) -> Behaviour {
+        let mut after = self.shelves.get(name).map(|shelf| shelf.behaviour.clone()).unwrap_or_default();
+        after.apply(change);
+        after
+    }
+
     fn change(&mut self, name: &Id, step: u64, chance: &mut Chance) -> Change {
         self.ops += 1;
         let now = self.shelves.get(name).map_or_else(Behaviour::default, |shelf| shelf.behaviour.clone());
         let start = Change { at_ms: step, ..Change::of(id(&format!("op{}", self.ops)), "Aiko", "Edit") };
+        let first = self.head(name) == 0 && name.as_str() != crate::LIBRARY;
+        let streams = if first { two_streams() } else { Vec::new() };
+        let start = streams.into_iter().fold(start, |made, (key, record)| made.put(&now, key, record));
         (0..=chance.below(4)).fold(start, |made, _| {
             let (key, record) = any_edit(name, chance);
             if let Some(record) = record { made.put(&now, key, record) } else { made.take(&now, key) }
@@ -59,7 +68,7 @@ impl Model {
 
     async fn append(&mut self, store: &dyn Store, name: &Id, step: u64, chance: &mut Chance) {
         let made = Committed { revision: self.head(name) + 1, change: self.change(name, step, chance) };
-        let answer = store.append(name, &made).await;
+        let answer = store.append(name, &made, &self.after(name, &made.change)).await;
         if self.shelves.get(name).is_some_and(|shelf| shelf.removed_ms.is_some()) {
             return assert_eq!(answer, Err(StoreError::Gone), "seed {}", self.seed);
         }
@@ -72,7 +81,7 @@ impl Model {
     async fn send_again(&self, store: &dyn Store, name: &Id, chance: &mut Chance) {
         let Some(shelf) = self.shelves.get(name) else { return };
         let old = &shelf.history[chance.below(shelf.history.len() as u64) as usize];
-        let answer = store.append(name, old).await;
+        let answer = store.append(name, old, &shelf.behaviour).await;
         assert_eq!(answer, Ok(Append::Duplicate { revision: old.revision }), "seed {}", self.seed);
     }
 
@@ -84,7 +93,8 @@ impl Model {
             return;
         }
         let made = Committed { revision, change: self.change(name, 0, chance) };
-        assert_eq!(store.append(name, &made).await, Ok(Append::Conflict { head }), "seed {}", self.seed);
+        let answer = store.append(name, &made, &self.after(name, &made.change)).await;
+        assert_eq!(answer, Ok(Append::Conflict { head }), "seed {}", self.seed);
     }
 
     async fn remove(&mut self, store: &dyn Store, name: &Id, step: u64) {
@@ -124,20 +134,20 @@ impl Model {
     }
 
     async fn compare_lists(&self, store: &dyn Store) {
-        let shown = |in_bin: bool| {
-            let shelves = self.shelves.iter().filter(move |(_, shelf)| shelf.removed_ms.is_some() == in_bin);
+        let shown = |is_bin: bool| {
+            let shelves = self.shelves.iter().filter(move |(_, shelf)| shelf.removed_ms.is_some() == is_bin);
             let shelves = shelves.filter(|(_, shelf)| shelf.behaviour.settings().is_some());
             shelves.map(|(name, s)| (name.clone(), s.behaviour.name().to_owned(), s.behaviour.streams().count()))
         };
-        for (in_bin, lines) in [(false, store.list().await), (true, store.bin().await)] {
-            let lines = lines.expect("an answer").into_iter();
+        for (is_bin, query) in [(false, Query::default()), (true, in_bin())] {
+            let lines = store.list(&query).await.expect("an answer").lines.into_iter();
             let mut lines: Vec<_> = lines.map(|line| (line.id, line.name, line.streams as usize)).collect();
             lines.sort();
-            assert_eq!(lines, shown(in_bin).collect::<Vec<_>>(), "seed {}", self.seed);
+            assert_eq!(lines, shown(is_bin).collect::<Vec<_>>(), "seed {}", self.seed);
         }
         let open = self.shelves.values().filter(|shelf| shelf.removed_ms.is_none());
         let used = open.flat_map(|shelf| shelf.behaviour.records.values()).filter(|record| **record == user()).count();
-        assert_eq!(store.where_used("near").await.expect("uses").len(), used, "seed {}", self.seed);
+        assert_eq!(store.users("near").await.expect("uses").len(), used, "seed {}", self.seed);
     }
 }
 
@@ -151,7 +161,7 @@ fn any_edit(name: &Id, chance: &mut Chance) -> (RecordId, Option<Record>) {
     let (key, record) = match (name.as_str() == crate::LIBRARY, chance.below(6)) {
         (true, _) => (key(Kind::Helper, &which), helper(&format!("h{number}"), "x + 1")),
         (false, 0) => (RecordId::settings(), settings(&format!("Name {number}"))),
-        (false, 1..=2) => (key(Kind::Stream, &which), stream(&format!("S {number}"), 0)),
+        (false, 1..=2) => (key(Kind::Stream, &which), stream(&format!("S {which} {number}"), 0)),
         (false, 3) => (key(Kind::Connector, &which), if number < 500 { user() } else { filter(Procedure::body("x")) }),
         (false, 4) => (key(Kind::Place, &which), Record::Place(Place { x: number as f64 / 7.0, y: -0.0 })),
         (false, _) => (key(Kind::Note, &which), note(&number.to_string())),

@@ -1,6 +1,6 @@
 //! Things to put into a store, and chance that a seed repeats.
 
-use crate::{Append, Store};
+use crate::{Append, Place, Query, Store, StoreError};
 use behaviour::{
     Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Procedure, Record, RecordId, Settings,
     Stream, StreamKind,
@@ -57,7 +57,57 @@ pub(super) fn change(op: &str, at_ms: u64, edits: Vec<(RecordId, Record)>) -> Ch
 
 /// Hands over a change under a revision.
 pub(super) async fn append(store: &dyn Store, to: &str, revision: u64, change: Change) -> Append {
-    store.append(&id(to), &Committed { revision, change }).await.expect("the store answers")
+    try_append(store, to, revision, change).await.expect("the store answers")
+}
+
+/// The same, with the error if there is one.
+pub(super) async fn try_append(
+    store: &dyn Store,
+    to: &str,
+    revision: u64,
+    change: Change,
+) -> Result<Append, StoreError> {
+    let mut after = now(store, to).await;
+    after.apply(&change);
+    store.append(&id(to), &Committed { revision, change }, &after).await
+}
+
+/// A behaviour as it is; empty if there is none.
+pub(super) async fn now(store: &dyn Store, of: &str) -> Behaviour {
+    store.load(&id(of)).await.expect("the store answers").map(|loaded| loaded.behaviour).unwrap_or_default()
+}
+
+/// The names of a page's behaviours.
+pub(super) async fn names(store: &dyn Store, query: Query) -> Vec<String> {
+    store.list(&query).await.expect("a page").lines.into_iter().map(|line| line.name).collect()
+}
+
+/// What is in the bin.
+pub(super) fn in_bin() -> Query {
+    Query { place: Place::Bin, ..Query::default() }
+}
+
+/// The two streams that [`filter`] connects.
+pub(super) fn two_streams() -> Vec<(RecordId, Record)> {
+    ["s0", "s1"].map(|name| (key(Kind::Stream, name), stream(name, 0))).into()
+}
+
+/// A sensor, an ordinary and an actuator stream, each leading to the next.
+pub(super) fn driving(actuator: &str) -> Vec<(RecordId, Record)> {
+    let stream = |kind, name: &str, device: Option<&str>| {
+        let Record::Stream(stream) = stream(name, 0) else { unreachable!("a stream is a stream") };
+        Record::Stream(Stream { kind, device: device.map(str::to_owned), ..stream })
+    };
+    let connector = |operation, from: &str, to: &str| {
+        Record::Connector(Connector { operation, inputs: vec![id(from)], output: id(to), order: 0 })
+    };
+    vec![
+        (key(Kind::Stream, "in"), stream(StreamKind::Sensor, "Ball", Some("RedBall"))),
+        (key(Kind::Stream, "mid"), stream(StreamKind::Ordinary, "Near", None)),
+        (key(Kind::Stream, "out"), stream(StreamKind::Actuator, "Look", Some(actuator))),
+        (key(Kind::Connector, "c1"), connector(Operation::Merge, "in", "mid")),
+        (key(Kind::Connector, "c2"), connector(Operation::Subscribe, "mid", "out")),
+    ]
 }
 
 /// Saves what is said as the next revision.

@@ -1,6 +1,6 @@
 //! Where a helper is used: by name, in bodies, in other helpers; nowhere else.
 
-use super::samples::{append, filter, helper, id, key, note, save, settings};
+use super::samples::{append, filter, helper, id, key, note, save, settings, two_streams};
 use crate::{LIBRARY, Store};
 use behaviour::{Change, Kind, Procedure, RecordId};
 use std::future::Future;
@@ -9,10 +9,11 @@ use std::sync::Arc;
 pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -> F) {
     every_use_is_found(make().await.as_ref()).await;
     the_answer_follows_the_changes(make().await.as_ref()).await;
+    uses_through_other_helpers_are_found(make().await.as_ref()).await;
 }
 
 async fn used(store: &dyn Store, name: &str) -> Vec<(String, String, String)> {
-    let uses = store.where_used(name).await.expect("uses");
+    let uses = store.users(name).await.expect("uses");
     uses.into_iter().map(|found| (found.behaviour.to_string(), found.name, found.record.to_string())).collect()
 }
 
@@ -31,7 +32,7 @@ async fn every_use_is_found(store: &dyn Store) {
     let connectors = connectors.map(|(name, record)| (key(Kind::Connector, name), record));
     save(store, "b", "op1", vec![(RecordId::settings(), settings("Track")), (key(Kind::Note, "n"), note("near"))])
         .await;
-    save(store, "b", "op2", connectors.into()).await;
+    save(store, "b", "op2", [two_streams(), connectors.into()].concat()).await;
     let helpers =
         [("h0", helper("near", "x < 1 || near(x)")), ("h1", helper("far", "!near(x)")), ("h2", helper("one", "1"))];
     let helpers = helpers.map(|(name, record)| (key(Kind::Helper, name), record));
@@ -46,7 +47,8 @@ async fn every_use_is_found(store: &dyn Store) {
 
 async fn the_answer_follows_the_changes(store: &dyn Store) {
     let connector = key(Kind::Connector, "c");
-    save(store, "b", "op1", vec![(connector.clone(), filter(Procedure::Helper("near".into())))]).await;
+    let first = [two_streams(), vec![(connector.clone(), filter(Procedure::Helper("near".into())))]];
+    save(store, "b", "op1", first.concat()).await;
     save(store, "b", "op2", vec![(connector.clone(), filter(Procedure::body("far(x)")))]).await;
     assert_eq!(used(store, "near").await, []);
     assert_eq!(used(store, "far").await, [line("b", "", "connector/c")]);
@@ -56,4 +58,16 @@ async fn the_answer_follows_the_changes(store: &dyn Store) {
     let now = store.load(&id("b")).await.expect("an answer").expect("a behaviour").behaviour;
     append(store, "b", 3, Change::of(id("op3"), "Ben", "Remove").take(&now, connector)).await;
     assert_eq!(used(store, "far").await, []);
+}
+
+async fn uses_through_other_helpers_are_found(store: &dyn Store) {
+    let user = (key(Kind::Connector, "c"), filter(Procedure::Helper("far".into())));
+    let edits = [two_streams(), vec![(RecordId::settings(), settings("Track")), user]].concat();
+    save(store, "b", "op1", edits).await;
+    let bodies = [("h0", "near", "x < 1"), ("h1", "far", "!near(x)"), ("h2", "farther", "far(x) && far(2 * x)")];
+    let helpers = bodies.map(|(name, helper_name, body)| (key(Kind::Helper, name), helper(helper_name, body)));
+    save(store, LIBRARY, "op1", helpers.into()).await;
+    let found = store.where_used("near").await.expect("uses");
+    let lines: Vec<_> = found.iter().map(|u| (u.name.as_str(), u.record.id.as_str(), u.through.as_deref())).collect();
+    assert_eq!(lines, [("far", "h1", None), ("Track", "c", Some("far")), ("farther", "h2", Some("far"))]);
 }

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::write::{kept, read};
 use crate::usage::{in_order, usage, uses};
-use crate::{Listed, Loaded, Usage, json};
+use crate::{Loaded, Usage, json};
 use behaviour::{Behaviour, Committed, Id, Record, RecordId};
 use rusqlite::{Connection, OptionalExtension, Row, params};
 
@@ -37,46 +37,19 @@ fn wrong_type(error: rusqlite::types::FromSqlError) -> Fault {
     Fault::Content(error.to_string())
 }
 
-/// The behaviours that are not in the bin.
-pub(super) fn list(at: &Connection) -> Result<Vec<Listed>, Fault> {
-    lines(
-        at,
-        "SELECT id, name, revision, streams, changed_ms, by FROM behaviour \
-         WHERE removed_ms IS NULL AND name IS NOT NULL ORDER BY changed_ms DESC, id",
-    )
-}
-
-/// The behaviours in the bin.
-pub(super) fn bin(at: &Connection) -> Result<Vec<Listed>, Fault> {
-    lines(
-        at,
-        "SELECT id, name, revision, streams, removed_ms, removed_by FROM behaviour \
-         WHERE removed_ms IS NOT NULL AND name IS NOT NULL ORDER BY removed_ms DESC, id",
-    )
-}
-
-fn lines(at: &Connection, sql: &str) -> Result<Vec<Listed>, Fault> {
-    let mut query = at.prepare_cached(sql)?;
+/// Every behaviour, also in the bin, and the library.
+pub(super) fn ids(at: &Connection) -> Result<Vec<Id>, Fault> {
+    let mut query = at.prepare("SELECT id FROM behaviour ORDER BY id")?;
     let mut rows = query.query([])?;
-    let mut lines = Vec::new();
+    let mut ids = Vec::new();
     while let Some(row) = rows.next()? {
-        lines.push(line(row)?);
+        ids.push(id(row, 0)?);
     }
-    Ok(lines)
+    Ok(ids)
 }
 
-fn line(row: &Row) -> Result<Listed, Fault> {
-    Ok(Listed {
-        id: id(row, 0)?,
-        name: row.get(1)?,
-        revision: read(row.get(2)?),
-        streams: row.get(3)?,
-        changed_ms: read(row.get(4)?),
-        by: row.get(5)?,
-    })
-}
-
-fn id(row: &Row, column: usize) -> Result<Id, Fault> {
+/// An id in a column.
+pub(super) fn id(row: &Row, column: usize) -> Result<Id, Fault> {
     Id::new(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(Fault::Content)
 }
 
@@ -95,8 +68,8 @@ pub(super) fn history(at: &Connection, id: &Id, since: u64, most: u32) -> Result
     Ok(changes)
 }
 
-/// Who uses a helper: the index finds candidates, the records decide.
-pub(super) fn where_used(at: &Connection, helper: &str) -> Result<Vec<Usage>, Fault> {
+/// Who uses a helper itself: the index finds candidates, the records decide.
+pub(super) fn users(at: &Connection, helper: &str) -> Result<Vec<Usage>, Fault> {
     let mut query = at.prepare_cached(
         "SELECT behaviour.id, behaviour.name, record.id, record.json FROM used \
          JOIN behaviour ON behaviour.id = used.behaviour \

@@ -1,12 +1,16 @@
 //! The tables of the embedded store: numbered SQL files, each applied once, in order.
 
 use super::fault::Fault;
+use super::{read, write};
 use crate::StoreError;
 use rusqlite::{Connection, TransactionBehavior};
 
 /// Every migration, oldest first; its place, counted from 1, is the schema version it makes. Never edit one that
 /// was released: add the next.
-const MIGRATIONS: [&str; 1] = [include_str!("../../migrations/0001-start.sql")];
+const MIGRATIONS: [&str; 2] = [
+    include_str!("../../../../migrations/sqlite/0001-start.sql"),
+    include_str!("../../../../migrations/sqlite/0002-library-page.sql"),
+];
 
 /// Brings the tables up to date, all steps or none.
 pub(super) fn migrate(at: &mut Connection) -> Result<(), Fault> {
@@ -22,8 +26,20 @@ pub(super) fn migrate(at: &mut Connection) -> Result<(), Fault> {
     for sql in &MIGRATIONS[found..] {
         step.execute_batch(sql)?;
     }
+    derive_all(&step)?;
     step.execute("UPDATE meta SET schema_version = ?1", [known as i64])?;
     Ok(step.commit()?)
+}
+
+/// Fills what is derived from the records, for every behaviour.
+fn derive_all(at: &Connection) -> Result<(), Fault> {
+    for id in read::ids(at)? {
+        let Some(loaded) = read::load(at, &id)? else { continue };
+        let first = read::history(at, &id, 0, 1)?.pop();
+        write::put_owner(at, &id, first.as_ref().map_or("", |first| &first.change.author))?;
+        write::put_derived(at, &id, &loaded.behaviour)?;
+    }
+    Ok(())
 }
 
 fn version(at: &Connection) -> Result<usize, Fault> {

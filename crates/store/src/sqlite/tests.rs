@@ -2,8 +2,8 @@
 
 use super::write::{self, Ready};
 use super::{door, open, read};
-use crate::{Append, MemoryStore, Store, StoreError, contract};
-use behaviour::{Change, Committed, Id, Kind, Note, Record, RecordId};
+use crate::{Append, MemoryStore, Query, Store, StoreError, contract, json};
+use behaviour::{Behaviour, Change, Committed, Id, Kind, Note, Record, RecordId};
 use rusqlite::Connection;
 use std::path::Path;
 use std::sync::{Arc, Mutex};
@@ -17,6 +17,13 @@ fn committed(revision: u64, text: &str) -> Committed {
     let note = Record::Note(Note { text: text.to_owned() });
     let key = RecordId::new(Kind::Note, &id(&format!("n{revision}")));
     Committed { revision, change: change.put(&Default::default(), key, note) }
+}
+
+async fn put(store: &dyn Store, made: &Committed) -> Result<Append, StoreError> {
+    let loaded = store.load(&id("b")).await.expect("an answer");
+    let mut after = loaded.map(|loaded| loaded.behaviour).unwrap_or_default();
+    after.apply(&made.change);
+    store.append(&id("b"), made, &after).await
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -40,8 +47,8 @@ async fn the_embedded_store_keeps_the_contract() {
 async fn clones_in_memory_share_what_they_keep() {
     let store = MemoryStore::new();
     let other = store.clone();
-    assert_eq!(store.append(&id("b"), &committed(1, "one")).await, Ok(Append::Applied));
-    assert_eq!(other.append(&id("b"), &committed(2, "two")).await, Ok(Append::Applied));
+    assert_eq!(put(&store, &committed(1, "one")).await, Ok(Append::Applied));
+    assert_eq!(put(&other, &committed(2, "two")).await, Ok(Append::Applied));
     assert_eq!(store.load(&id("b")).await, other.load(&id("b")).await);
 }
 
@@ -66,7 +73,7 @@ async fn everything_is_there_after_opening_again() {
         let store = open(&deep).await.expect("a store");
         assert_eq!(store.next_epoch().await, Ok(start), "the epoch grows over every start");
         assert_eq!(store.load(&id("b")).await.expect("an answer"), before);
-        assert_eq!(store.append(&id("b"), &committed(start, "kept")).await, Ok(Append::Applied));
+        assert_eq!(put(&store, &committed(start, "kept")).await, Ok(Append::Applied));
         before = store.load(&id("b")).await.expect("an answer");
     }
     assert_eq!(before.expect("a behaviour").revision, 3);
@@ -76,10 +83,10 @@ async fn everything_is_there_after_opening_again() {
 async fn purging_leaves_no_row_behind() {
     let dir = tempfile::tempdir().expect("a directory");
     let store = open(dir.path()).await.expect("a store");
-    store.append(&id("b"), &committed(1, "one")).await.expect("an answer");
+    put(&store, &committed(1, "one")).await.expect("an answer");
     store.remove(&id("b"), 1, "Ben").await.expect("an answer");
     assert_eq!(store.purge(2).await, Ok(1));
-    for table in ["behaviour", "record", "op", "used"] {
+    for table in ["behaviour", "record", "op", "used", "searched", "search", "device"] {
         let count = format!("SELECT count(*) FROM {table}");
         let rows: i64 =
             Connection::open(&store.file).expect("open").query_row(&count, [], |row| row.get(0)).expect("a number");
@@ -94,7 +101,7 @@ async fn a_newer_schema_is_refused_and_left_alone() {
     let file = door::database(dir.path());
     Connection::open(&file).expect("open").execute("UPDATE meta SET schema_version = 99", []).expect("an update");
     let refusal = open(dir.path()).await.err().expect("a refusal");
-    assert_eq!(refusal, StoreError::Newer { found: 99, known: 1 });
+    assert_eq!(refusal, StoreError::Newer { found: 99, known: 2 });
 }
 
 /// Opens a directory whose database was damaged; says the error of opening, or of reading everything.
@@ -111,7 +118,7 @@ async fn filled() -> tempfile::TempDir {
     let dir = tempfile::tempdir().expect("a directory");
     let store = open(dir.path()).await.expect("a store");
     for revision in 1..=40 {
-        store.append(&id("b"), &committed(revision, &"text ".repeat(500))).await.expect("an answer");
+        put(&store, &committed(revision, &"text ".repeat(500))).await.expect("an answer");
     }
     dir
 }
@@ -166,10 +173,10 @@ async fn on_a_full_disk_everything_can_still_be_read() {
     store.writer.ask(limit(1)).await.expect("a limit");
     let before = store.load(&id("b")).await.expect("an answer");
     let large = committed(41, &"large ".repeat(50_000));
-    assert_eq!(store.append(&id("b"), &large).await, Err(StoreError::Full));
+    assert_eq!(put(&store, &large).await, Err(StoreError::Full));
     assert_eq!(store.load(&id("b")).await.expect("an answer"), before, "nothing is half saved");
     store.writer.ask(limit(1_000_000)).await.expect("a limit");
-    assert_eq!(store.append(&id("b"), &large).await, Ok(Append::Applied), "it works again with room");
+    assert_eq!(put(&store, &large).await, Ok(Append::Applied), "it works again with room");
 }
 
 /// Holds the writer until everything else waits, so that the next transaction takes all of it.
@@ -185,7 +192,8 @@ async fn one_job_that_fails_spoils_no_other_in_its_transaction() {
         Ok(())
     });
     let append = |name: &str, revision| {
-        let (name, ready) = (id(name), Ready::new(committed(revision, "x")).expect("it can be kept"));
+        let ready = Ready::new(committed(revision, "x"), Behaviour::default());
+        let (name, ready) = (id(name), ready.expect("it can be kept"));
         store.writer.ask(move |at| write::append(at, &name, &ready))
     };
     let spoilt = store.writer.ask(|at| {
@@ -219,11 +227,44 @@ async fn a_reader_sees_one_moment_while_others_write() {
     });
     let write_between = async {
         has_started.await.expect("the reader has started");
-        assert_eq!(store.append(&id("b"), &committed(41, "new")).await, Ok(Append::Applied));
+        assert_eq!(put(&store, &committed(41, "new")).await, Ok(Append::Applied));
         go.send(()).expect("the reader waits");
     };
     let (seen, ()) = tokio::join!(read_twice, write_between);
     let (first, second) = seen.expect("an answer");
     assert_eq!(first, second);
     assert_eq!(store.load(&id("b")).await.expect("an answer").expect("a behaviour").revision, 41);
+}
+
+/// A database as the first version wrote it, with one behaviour of Aiko's that Ben changed.
+async fn of_the_first_version(dir: &Path) {
+    let at = Connection::open(door::database(dir)).expect("open");
+    at.execute_batch(include_str!("../../../../migrations/sqlite/0001-start.sql")).expect("its tables");
+    let change = Change::of(id("op1"), "Aiko", "Add").put(
+        &Behaviour::default(),
+        RecordId::settings(),
+        Record::Settings(behaviour::Settings::named("Old one")),
+    );
+    let (made, record) = (json::encode(&change).expect("json"), json::encode(&change.edits[0].after).expect("json"));
+    let note = json::encode(&committed(2, "near").change).expect("json");
+    at.execute("UPDATE meta SET schema_version = 1", []).expect("its version");
+    at.execute("INSERT INTO behaviour VALUES ('b', 'Old one', 2, 7, 'Ben', 0, NULL, NULL)", []).expect("a row");
+    at.execute("INSERT INTO record VALUES ('b', 'settings/behaviour', 1, ?1)", [record]).expect("a row");
+    let op = "INSERT INTO op VALUES ('b', ?1, ?2, ?3, 'Edit', 7, ?4)";
+    at.execute(op, rusqlite::params![1, "op1", "Aiko", made]).expect("a row");
+    at.execute(op, rusqlite::params![2, "op2", "Ben", note]).expect("a row");
+}
+
+#[tokio::test]
+async fn what_an_older_version_wrote_is_brought_up_to_date() {
+    let dir = tempfile::tempdir().expect("a directory");
+    of_the_first_version(dir.path()).await;
+    let store = open(dir.path()).await.expect("a store");
+    let query = Query { words: "OLD".to_owned(), owner: Some("Aiko".to_owned()), ..Query::default() };
+    let lines = store.list(&query).await.expect("a page").lines;
+    assert_eq!(
+        lines.iter().map(|line| (line.name.as_str(), line.by.as_str())).collect::<Vec<_>>(),
+        [("Old one", "Ben")]
+    );
+    assert_eq!(put(&store, &committed(3, "more")).await, Ok(Append::Applied));
 }

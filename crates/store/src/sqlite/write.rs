@@ -1,23 +1,31 @@
 //! What the writing thread does in the tables.
 
 use super::fault::Fault;
+use crate::query::name_key;
 use crate::usage::words;
-use crate::{Append, LIBRARY, StoreError, json};
-use behaviour::{Committed, Edit, Id, Kind, Record, RecordId};
+use crate::{Append, LIBRARY, StoreError, json, search_text};
+use behaviour::{Behaviour, Committed, Edit, Id, Kind, StreamKind};
 use rusqlite::{Connection, OptionalExtension, params};
 
 /// A change made ready to be saved: everything that needs no database is done.
 pub(super) struct Ready {
     committed: Committed,
     json: String,
+    after: Option<Behaviour>,
 }
 
 impl Ready {
     /// Checks and encodes a change.
-    pub(super) fn new(committed: Committed) -> Result<Self, StoreError> {
+    pub(super) fn new(committed: Committed, after: Behaviour) -> Result<Self, StoreError> {
         let json = json::checked(&committed)?;
-        Ok(Self { committed, json })
+        let after = tells(&committed).then_some(after);
+        Ok(Self { committed, json, after })
     }
+}
+
+/// True if what lists and searches show may change with it: a move changes nothing there.
+fn tells(committed: &Committed) -> bool {
+    committed.revision == 1 || committed.change.edits.iter().any(|edit| edit.id.kind != Kind::Place)
 }
 
 /// A time or revision as SQLite keeps it; what is larger is as good as the largest.
@@ -48,7 +56,12 @@ pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, 
     for edit in &committed.change.edits {
         put_edit(at, id, committed.revision, edit)?;
     }
-    put_summary(at, id, committed)?;
+    if committed.revision == 1 {
+        put_owner(at, id, &committed.change.author)?;
+    }
+    if let Some(after) = &ready.after {
+        put_derived(at, id, after)?;
+    }
     Ok(Append::Applied)
 }
 
@@ -99,20 +112,43 @@ fn put_edit(at: &Connection, id: &Id, revision: u64, edit: &Edit) -> Result<(), 
     Ok(())
 }
 
-/// Brings name and number of streams up to date, where the change touched them.
-fn put_summary(at: &Connection, id: &Id, committed: &Committed) -> Result<(), Fault> {
-    let edits = &committed.change.edits;
-    for edit in edits.iter().filter(|edit| edit.id == RecordId::settings()) {
-        let name = if let Some(Record::Settings(settings)) = &edit.after { Some(&settings.name) } else { None };
-        at.prepare_cached("UPDATE behaviour SET name = ?2 WHERE id = ?1")?.execute(params![id.as_str(), name])?;
-    }
-    if edits.iter().any(|edit| edit.id.kind == Kind::Stream) {
-        // '0' is the character after '/'.
-        let count = "UPDATE behaviour SET streams = (SELECT count(*) FROM record \
-            WHERE behaviour = ?1 AND record.id > 'stream/' AND record.id < 'stream0') WHERE id = ?1";
-        at.prepare_cached(count)?.execute([id.as_str()])?;
+/// Keeps who made a behaviour.
+pub(super) fn put_owner(at: &Connection, id: &Id, owner: &str) -> Result<(), Fault> {
+    at.prepare_cached("UPDATE behaviour SET owner = ?2 WHERE id = ?1")?.execute([id.as_str(), owner])?;
+    Ok(())
+}
+
+/// Brings up to date what is derived from all records: name, number of streams, searched text, devices.
+pub(super) fn put_derived(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), Fault> {
+    let name = behaviour.settings().map(|settings| settings.name.as_str());
+    let key = name.map(name_key).unwrap_or_default();
+    let streams = i64::try_from(behaviour.streams().count()).unwrap_or(i64::MAX);
+    at.prepare_cached("UPDATE behaviour SET name = ?2, name_key = ?3, streams = ?4 WHERE id = ?1")?
+        .execute(params![id.as_str(), name, key, streams])?;
+    let search = "INSERT INTO searched (behaviour, text) VALUES (?1, ?2) \
+        ON CONFLICT (behaviour) DO UPDATE SET text = ?2 WHERE text <> ?2";
+    at.prepare_cached(search)?.execute([id.as_str(), &search_text(behaviour)])?;
+    put_devices(at, id, behaviour)
+}
+
+fn put_devices(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), Fault> {
+    at.prepare_cached("DELETE FROM device WHERE behaviour = ?1")?.execute([id.as_str()])?;
+    let mut put = at.prepare_cached("INSERT INTO device (behaviour, kind, name, stream) VALUES (?1, ?2, ?3, ?4)")?;
+    for (key, stream) in behaviour.streams() {
+        if let Some(device) = &stream.device {
+            put.execute([id.as_str(), kind_word(stream.kind), device, key.as_str()])?;
+        }
     }
     Ok(())
+}
+
+/// The kind of a stream as the tables have it.
+pub(super) fn kind_word(kind: StreamKind) -> &'static str {
+    match kind {
+        StreamKind::Sensor => "sensor",
+        StreamKind::Ordinary => "ordinary",
+        StreamKind::Actuator => "actuator",
+    }
 }
 
 /// Moves a behaviour to the bin.

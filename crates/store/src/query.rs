@@ -1,0 +1,176 @@
+//! What the library page asks: which behaviours, in which order, from where on.
+
+use crate::Listed;
+use behaviour::{Behaviour, Id, Procedure, Record};
+use serde::{Deserialize, Serialize};
+
+/// The most lines of one page.
+pub const PAGE_MAX_LINES: u32 = 1_000;
+/// The most bytes of a behaviour that are searched; what comes later is not found. An index of Neo4j takes no more.
+const SEARCH_MAX_BYTES: usize = 24_000;
+
+/// Where to look.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Place {
+    /// Everything that is not in the bin.
+    #[default]
+    Here,
+    /// The bin.
+    Bin,
+}
+
+/// The order of the lines.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Sort {
+    /// Last changed (in the bin: removed) first, then by id from the end.
+    #[default]
+    Changed,
+    /// By name in lower case, then by id.
+    Name,
+}
+
+/// Which behaviours.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Query {
+    /// Where to look.
+    pub place: Place,
+    /// Words that must all occur, in any case, anywhere in [`search_text`]; empty for everything.
+    pub words: String,
+    /// Only those that this person made.
+    pub owner: Option<String>,
+    /// The order.
+    pub sort: Sort,
+    /// After which line the page begins.
+    pub after: Option<Cursor>,
+    /// How many lines, at most [`PAGE_MAX_LINES`].
+    pub most: u32,
+}
+
+impl Default for Query {
+    fn default() -> Self {
+        Self {
+            place: Place::Here,
+            words: String::new(),
+            owner: None,
+            sort: Sort::Changed,
+            after: None,
+            most: PAGE_MAX_LINES,
+        }
+    }
+}
+
+impl Query {
+    /// The words to look for, in lower case.
+    #[must_use]
+    pub fn needles(&self) -> Vec<String> {
+        self.words.split_whitespace().map(str::to_lowercase).collect()
+    }
+
+    /// True if a line is on this page or a later one.
+    #[must_use]
+    pub fn comes_after(&self, line: &Listed) -> bool {
+        let Some(after) = &self.after else { return true };
+        match self.sort {
+            Sort::Changed => (line.changed_ms, &line.id) < (after.changed_ms, &after.id),
+            Sort::Name => (name_key(&line.name), &line.id) > (after.name_key.clone(), &after.id),
+        }
+    }
+}
+
+/// A line of a page: the next one begins after it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub struct Cursor {
+    /// When it was changed (in the bin: removed), in milliseconds since 1970.
+    pub changed_ms: u64,
+    /// Its name as names are ordered.
+    pub name_key: String,
+    /// Its id.
+    pub id: Id,
+}
+
+impl Cursor {
+    /// The place of a line.
+    #[must_use]
+    pub fn at(line: &Listed) -> Self {
+        Self { changed_ms: line.changed_ms, name_key: name_key(&line.name), id: line.id.clone() }
+    }
+}
+
+/// A page.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Listing {
+    /// Its lines.
+    pub lines: Vec<Listed>,
+    /// Where the next page begins, if there is one.
+    pub next: Option<Cursor>,
+    /// How many behaviours are in that place altogether, whatever the query asks.
+    pub total: u64,
+}
+
+impl Listing {
+    /// A page from lines in order, of which there may be one more than asked for.
+    #[must_use]
+    pub fn of(mut lines: Vec<Listed>, query: &Query, total: u64) -> Self {
+        let most = query.most.min(PAGE_MAX_LINES) as usize;
+        let more = lines.len() > most;
+        lines.truncate(most);
+        let next = lines.last().filter(|_| more).map(Cursor::at);
+        Self { lines, next, total }
+    }
+}
+
+/// A name as names are ordered.
+pub(crate) fn name_key(name: &str) -> String {
+    name.to_lowercase()
+}
+
+/// The text in which words are searched, in lower case: the name, then streams with their devices, notes, and
+/// procedures.
+#[must_use]
+pub fn search_text(behaviour: &Behaviour) -> String {
+    let mut text = behaviour.name().to_owned();
+    for part in behaviour.records.values().flat_map(parts) {
+        text.push('\n');
+        text.push_str(part);
+        if text.len() > SEARCH_MAX_BYTES {
+            break;
+        }
+    }
+    let mut text = text.to_lowercase();
+    text.truncate(text.floor_char_boundary(SEARCH_MAX_BYTES));
+    text
+}
+
+fn parts(record: &Record) -> Vec<&str> {
+    match record {
+        Record::Stream(stream) => {
+            [Some(stream.name.as_str()), stream.device.as_deref()].into_iter().flatten().collect()
+        }
+        Record::Note(note) => vec![&note.text],
+        Record::Connector(connector) => match connector.operation.procedure() {
+            Some(Procedure::Body { body, .. }) => vec![body],
+            Some(Procedure::Helper(name)) => vec![name],
+            None => Vec::new(),
+        },
+        Record::Settings(_) | Record::Place(_) | Record::Helper(_) => Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{SEARCH_MAX_BYTES, search_text};
+    use behaviour::{Behaviour, Id, Kind, Note, Record, RecordId, Settings};
+
+    #[test]
+    fn the_searched_text_has_a_bound_and_begins_with_the_name() {
+        let mut behaviour = Behaviour::default();
+        behaviour.records.insert(RecordId::settings(), Record::Settings(Settings::named("Ball İ")));
+        let note = Record::Note(Note { text: "é".repeat(SEARCH_MAX_BYTES) });
+        behaviour.records.insert(RecordId::new(Kind::Note, &Id::new("n").unwrap()), note);
+        let text = search_text(&behaviour);
+        assert!(text.starts_with("ball ") && text.len() <= SEARCH_MAX_BYTES && text.len() > SEARCH_MAX_BYTES - 4);
+    }
+}

@@ -1,0 +1,143 @@
+//! A page of the list, read with the index that has its order.
+
+use super::fault::Fault;
+use super::read::id;
+use super::write::{kept, read};
+use crate::{Listed, Listing, PAGE_MAX_LINES, Place, Query, Sort};
+use rusqlite::types::Value;
+use rusqlite::{Connection, Row, params_from_iter};
+
+/// Letters that the index of the searched text keeps together.
+const LETTERS: usize = 3;
+
+/// A page.
+pub(super) fn list(at: &Connection, query: &Query) -> Result<Listing, Fault> {
+    let mut asked = Asked::new(query.place);
+    asked.words(query);
+    asked.owner(query);
+    asked.after(query);
+    let sql = asked.sql(query);
+    let mut statement = at.prepare_cached(&sql)?;
+    let mut rows = statement.query(params_from_iter(asked.values))?;
+    let mut lines = Vec::new();
+    while let Some(row) = rows.next()? {
+        lines.push(line(row)?);
+    }
+    Ok(Listing::of(lines, query, total(at, query.place)?))
+}
+
+fn total(at: &Connection, place: Place) -> Result<u64, Fault> {
+    let sql = format!("SELECT count(*) FROM behaviour WHERE {}", there(place));
+    Ok(read(at.prepare_cached(&sql)?.query_row([], |row| row.get(0))?))
+}
+
+fn there(place: Place) -> &'static str {
+    match place {
+        Place::Here => "removed_ms IS NULL AND name IS NOT NULL",
+        Place::Bin => "removed_ms IS NOT NULL AND name IS NOT NULL",
+    }
+}
+
+fn line(row: &Row) -> Result<Listed, Fault> {
+    Ok(Listed {
+        id: id(row, 0)?,
+        name: row.get(1)?,
+        revision: read(row.get(2)?),
+        streams: row.get(3)?,
+        changed_ms: read(row.get(4)?),
+        by: row.get(5)?,
+        owner: row.get(6)?,
+    })
+}
+
+/// A statement on its way: conditions and their values.
+struct Asked {
+    time: &'static str,
+    by: &'static str,
+    conditions: String,
+    values: Vec<Value>,
+}
+
+impl Asked {
+    fn new(place: Place) -> Self {
+        let (time, by) = match place {
+            Place::Here => ("changed_ms", "by"),
+            Place::Bin => ("removed_ms", "removed_by"),
+        };
+        Self { time, by, conditions: there(place).to_owned(), values: Vec::new() }
+    }
+
+    fn value(&mut self, value: impl Into<Value>) -> String {
+        self.values.push(value.into());
+        format!("?{}", self.values.len())
+    }
+
+    fn and(&mut self, condition: &str) {
+        self.conditions.push_str(" AND ");
+        self.conditions.push_str(condition);
+    }
+
+    /// The index finds who has all the letters, the text decides.
+    fn words(&mut self, query: &Query) {
+        let needles = query.needles();
+        if needles.is_empty() {
+            return;
+        }
+        let mut inner = "SELECT behaviour FROM searched WHERE true".to_owned();
+        let letters = letters(&needles);
+        if !letters.is_empty() {
+            let place = self.value(letters);
+            inner.push_str(&format!(" AND number IN (SELECT rowid FROM search WHERE search MATCH {place})"));
+        }
+        for needle in needles {
+            let place = self.value(needle);
+            inner.push_str(&format!(" AND instr(text, {place}) > 0"));
+        }
+        self.and(&format!("id IN ({inner})"));
+    }
+
+    fn owner(&mut self, query: &Query) {
+        if let Some(owner) = &query.owner {
+            let place = self.value(owner.clone());
+            self.and(&format!("owner = {place}"));
+        }
+    }
+
+    fn after(&mut self, query: &Query) {
+        let Some(after) = &query.after else { return };
+        let first = match query.sort {
+            Sort::Changed => self.value(kept(after.changed_ms)),
+            Sort::Name => self.value(after.name_key.clone()),
+        };
+        let id = self.value(after.id.as_str().to_owned());
+        let condition = match query.sort {
+            Sort::Changed => format!("({}, id) < ({first}, {id})", self.time),
+            Sort::Name => format!("(name_key, id) > ({first}, {id})"),
+        };
+        self.and(&condition);
+    }
+
+    fn sql(&mut self, query: &Query) -> String {
+        let most = self.value(i64::from(query.most.min(PAGE_MAX_LINES)) + 1);
+        let Self { time, by, conditions, .. } = self;
+        let order = match query.sort {
+            Sort::Changed => format!("{time} DESC, id DESC"),
+            Sort::Name => "name_key, id".to_owned(),
+        };
+        format!(
+            "SELECT id, name, revision, streams, {time}, {by}, owner FROM behaviour \
+             WHERE {conditions} ORDER BY {order} LIMIT {most}"
+        )
+    }
+}
+
+/// Every three letters in a row of every word, as a question to the index; empty if no word is long enough.
+fn letters(needles: &[String]) -> String {
+    let mut letters = Vec::new();
+    for needle in needles.iter().filter(|needle| !needle.contains('\0')) {
+        let chars: Vec<char> = needle.chars().collect();
+        let quoted = |three: &[char]| format!("\"{}\"", three.iter().collect::<String>().replace('"', "\"\""));
+        letters.extend(chars.windows(LETTERS).map(quoted));
+    }
+    letters.join(" AND ")
+}
