@@ -1,4 +1,5 @@
-//! Where behaviours are kept: one trait, the embedded SQLite store, a store in memory, and the contract both keep.
+//! Where behaviours are kept: one trait, the embedded SQLite store, a folder of files, a store in memory, and the
+//! contract that all keep.
 //!
 //! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
 //! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once. After an error the
@@ -7,7 +8,9 @@
 
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
+mod door;
 mod error;
+mod folder;
 mod insight;
 mod json;
 mod memory;
@@ -17,6 +20,7 @@ mod sqlite;
 mod usage;
 
 pub use error::StoreError;
+pub use folder::FolderStore;
 pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
 pub use open::open_url;

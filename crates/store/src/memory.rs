@@ -29,6 +29,8 @@ struct Kept {
 struct Shelf {
     behaviour: Behaviour,
     history: Vec<Committed>,
+    /// Every op id with the revision it made.
+    ops: BTreeMap<Id, u64>,
     removed: Option<(u64, String)>,
 }
 
@@ -37,6 +39,57 @@ impl MemoryStore {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// What [`Store::append`] would answer, without saving anything.
+    pub(crate) fn judge(&self, behaviour: &Id, committed: &Committed) -> Result<Append, StoreError> {
+        self.kept().judge(behaviour, committed)
+    }
+
+    /// Keeps a change that was judged to be the next one.
+    pub(crate) fn put(&self, behaviour: &Id, committed: &Committed) {
+        self.kept().put(behaviour, committed);
+    }
+
+    /// Whether a behaviour is in the bin; none if there is no such behaviour.
+    pub(crate) fn in_bin(&self, behaviour: &Id) -> Option<bool> {
+        Some(self.kept().behaviours.get(behaviour)?.removed.is_some())
+    }
+
+    /// Moves a behaviour to the bin. False if it is not there, already in the bin, or the library.
+    pub(crate) fn removed(&self, behaviour: &Id, now_ms: u64, by: &str) -> bool {
+        let mut kept = self.kept();
+        let shelf = kept.behaviours.get_mut(behaviour).filter(|shelf| shelf.removed.is_none());
+        let Some(shelf) = shelf.filter(|_| behaviour.as_str() != LIBRARY) else { return false };
+        shelf.removed = Some((now_ms, by.to_owned()));
+        true
+    }
+
+    /// Takes a behaviour out of the bin. False if it is not there.
+    pub(crate) fn restored(&self, behaviour: &Id) -> bool {
+        self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.removed.take().is_some())
+    }
+
+    /// Deletes a behaviour for ever.
+    pub(crate) fn forget(&self, behaviour: &Id) {
+        self.kept().behaviours.remove(behaviour);
+    }
+
+    /// The number of the last server start.
+    pub(crate) fn epoch(&self) -> u64 {
+        self.kept().epoch
+    }
+
+    /// The same, set.
+    pub(crate) fn set_epoch(&self, epoch: u64) {
+        self.kept().epoch = epoch;
+    }
+
+    /// The behaviours that went to the bin before that time.
+    pub(crate) fn removed_before(&self, removed_before_ms: u64) -> Vec<Id> {
+        let kept = self.kept();
+        let old = kept.behaviours.iter().filter(|(_, shelf)| shelf.removed_before(removed_before_ms));
+        old.map(|(id, _)| id.clone()).collect()
     }
 
     fn kept(&self) -> MutexGuard<'_, Kept> {
@@ -48,7 +101,12 @@ impl MemoryStore {
 impl Store for MemoryStore {
     async fn append(&self, behaviour: &Id, committed: &Committed, _after: &Behaviour) -> Result<Append, StoreError> {
         json::checked(committed)?;
-        self.kept().append(behaviour, committed)
+        let mut kept = self.kept();
+        let verdict = kept.judge(behaviour, committed)?;
+        if verdict == Append::Applied {
+            kept.put(behaviour, committed);
+        }
+        Ok(verdict)
     }
 
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
@@ -66,22 +124,17 @@ impl Store for MemoryStore {
     }
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
-        let mut kept = self.kept();
-        let shelf = kept.behaviours.get_mut(behaviour).filter(|shelf| shelf.removed.is_none());
-        let Some(shelf) = shelf.filter(|_| behaviour.as_str() != LIBRARY) else { return Ok(false) };
-        shelf.removed = Some((now_ms, by.to_owned()));
-        Ok(true)
+        Ok(self.removed(behaviour, now_ms, by))
     }
 
     async fn restore(&self, behaviour: &Id) -> Result<bool, StoreError> {
-        let mut kept = self.kept();
-        Ok(kept.behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.removed.take().is_some()))
+        Ok(self.restored(behaviour))
     }
 
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
         let mut kept = self.kept();
         let before = kept.behaviours.len();
-        kept.behaviours.retain(|_, shelf| shelf.removed.as_ref().is_none_or(|(at_ms, _)| *at_ms >= removed_before_ms));
+        kept.behaviours.retain(|_, shelf| !shelf.removed_before(removed_before_ms));
         Ok(u32::try_from(before - kept.behaviours.len()).unwrap_or(u32::MAX))
     }
 
@@ -119,21 +172,25 @@ impl Store for MemoryStore {
 }
 
 impl Kept {
-    fn append(&mut self, id: &Id, committed: &Committed) -> Result<Append, StoreError> {
-        if let Some(revision) = self.behaviours.get(id).and_then(|shelf| shelf.revision_of(&committed.change.op)) {
-            return Ok(Append::Duplicate { revision });
+    fn judge(&self, id: &Id, committed: &Committed) -> Result<Append, StoreError> {
+        let Some(shelf) = self.behaviours.get(id) else {
+            return Ok(if committed.revision == 1 { Append::Applied } else { Append::Conflict { head: 0 } });
+        };
+        if let Some(revision) = shelf.ops.get(&committed.change.op) {
+            return Ok(Append::Duplicate { revision: *revision });
         }
-        let head = self.behaviours.get(id).map_or(0, Shelf::head);
-        if self.behaviours.get(id).is_some_and(|shelf| shelf.removed.is_some()) {
+        if shelf.removed.is_some() {
             return Err(StoreError::Gone);
         }
-        if head.checked_add(1) != Some(committed.revision) {
-            return Ok(Append::Conflict { head });
-        }
+        let next = shelf.head().checked_add(1) == Some(committed.revision);
+        Ok(if next { Append::Applied } else { Append::Conflict { head: shelf.head() } })
+    }
+
+    fn put(&mut self, id: &Id, committed: &Committed) {
         let shelf = self.behaviours.entry(id.clone()).or_default();
         shelf.behaviour.apply(&committed.change);
+        shelf.ops.insert(committed.change.op.clone(), committed.revision);
         shelf.history.push(committed.clone());
-        Ok(Append::Applied)
     }
 
     /// The behaviours outside the bin.
@@ -198,8 +255,8 @@ impl Shelf {
         self.history.last().map_or(0, |last| last.revision)
     }
 
-    fn revision_of(&self, op: &Id) -> Option<u64> {
-        self.history.iter().find(|made| made.change.op == *op).map(|made| made.revision)
+    fn removed_before(&self, at_ms: u64) -> bool {
+        self.removed.as_ref().is_some_and(|(removed_ms, _)| *removed_ms < at_ms)
     }
 
     fn loaded(&self) -> Loaded {

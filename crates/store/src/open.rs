@@ -1,17 +1,21 @@
 //! A store by its address.
 
-use crate::{Store, StoreError};
+use crate::{FolderStore, Store, StoreError};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one.
+/// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
+/// file of changes a behaviour.
 ///
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
 pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    if let Some(folder) = url.strip_prefix("files:").filter(|folder| !folder.is_empty()) {
+        return Ok(Arc::new(FolderStore::open(Path::new(folder)).await?));
+    }
     let folder = url.strip_prefix("sqlite:").unwrap_or(url);
     if folder.contains("://") || folder.is_empty() {
-        let known = "begin it with sqlite: and a folder";
+        let known = "begin it with sqlite: or files: and a folder";
         return Err(StoreError::Address(known.to_owned()));
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))

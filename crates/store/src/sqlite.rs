@@ -42,7 +42,7 @@ pub async fn open(data_dir: &Path) -> Result<SqliteStore, StoreError> {
 }
 
 fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
-    let lock = door::lock(data_dir)?;
+    let lock = crate::door::lock(data_dir)?;
     let file = door::database(data_dir);
     let told = |fault: Fault| fault.told(&file);
     let at = door::writer(&file).map_err(told)?;

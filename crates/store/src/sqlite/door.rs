@@ -1,14 +1,13 @@
-//! Opens the data directory: locks it, opens the database in it, and looks whether it is whole.
+//! Opens the database in the data directory, and looks whether it is whole.
 
 use super::fault::Fault;
 use super::schema;
 use crate::StoreError;
 use rusqlite::{Connection, OpenFlags};
-use std::fs::{File, TryLockError};
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-const LOCK: &str = "rrp.lock";
 const DATABASE: &str = "rrp.sqlite";
 /// The smallest page, and so the smallest database, of SQLite.
 const PAGE_MIN_BYTES: u64 = 512;
@@ -23,18 +22,6 @@ const READER: &str = "PRAGMA query_only = ON; PRAGMA trusted_schema = OFF;";
 /// The database of a data directory.
 pub(super) fn database(data_dir: &Path) -> PathBuf {
     data_dir.join(DATABASE)
-}
-
-/// Makes the directory if need be and keeps every other server out of it for as long as the file is held.
-pub(super) fn lock(data_dir: &Path) -> Result<File, StoreError> {
-    let unusable = |error: std::io::Error| StoreError::Unavailable(format!("{}: {error}", data_dir.display()));
-    std::fs::create_dir_all(data_dir).map_err(unusable)?;
-    let file = File::options().create(true).truncate(false).write(true).open(data_dir.join(LOCK)).map_err(unusable)?;
-    match file.try_lock() {
-        Ok(()) => Ok(file),
-        Err(TryLockError::WouldBlock) => Err(StoreError::Busy(data_dir.to_owned())),
-        Err(TryLockError::Error(error)) => Err(unusable(error)),
-    }
 }
 
 /// The one connection that writes, to a database that is whole and up to date.

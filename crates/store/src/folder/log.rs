@@ -1,0 +1,193 @@
+//! The files: `b-ID.jsonl`, one JSON object a line, each line whole and synced or not there.
+
+use crate::{StoreError, json};
+use behaviour::{Committed, Id};
+use serde::{Deserialize, Serialize};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+
+const PREFIX: &str = "b-";
+const SUFFIX: &str = ".jsonl";
+/// Stands before a letter that is upper case, since some disks do not tell the cases apart.
+const UPPER: char = '+';
+const EPOCH: &str = "epoch.json";
+
+/// One line of a file.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(super) enum Line {
+    /// A change and its revision.
+    Change(Committed),
+    /// It went to the bin.
+    #[serde(rename_all = "camelCase")]
+    Removed {
+        /// When, in milliseconds since 1970.
+        at_ms: u64,
+        /// Who said so.
+        by: String,
+    },
+    /// It came back from the bin.
+    Restored,
+    /// How often a server started; in a file of its own.
+    Epoch(u64),
+}
+
+/// The files of a folder.
+pub(super) struct Logs {
+    folder: PathBuf,
+    /// Why nothing more can be written, once a line could not be taken back.
+    broken: Option<StoreError>,
+}
+
+impl Logs {
+    /// Reads every file, each line through `take`.
+    pub(super) fn open(folder: &Path, take: impl Fn(&Id, Line) -> Result<(), String>) -> Result<Self, StoreError> {
+        let logs = Self { folder: folder.to_owned(), broken: None };
+        for (id, path) in logs.files()? {
+            let length = read(&path, |line| take(&id, line))?;
+            cut(&path, length).map_err(|error| told(&path, &error))?;
+        }
+        let epoch = logs.folder.join(EPOCH);
+        if let Ok(text) = std::fs::read_to_string(&epoch) {
+            let line = json::decode(&text).and_then(|line| take(&library()?, line));
+            line.map_err(|reason| damaged(&epoch, 1, &reason))?;
+        }
+        Ok(logs)
+    }
+
+    fn files(&self) -> Result<Vec<(Id, PathBuf)>, StoreError> {
+        let unreadable = |error: io::Error| told(&self.folder, &error);
+        let mut files = Vec::new();
+        for entry in std::fs::read_dir(&self.folder).map_err(unreadable)? {
+            let path = entry.map_err(unreadable)?.path();
+            if let Some(id) = path.file_name().and_then(|name| id_of(name.to_str()?)) {
+                files.push((id, path));
+            }
+        }
+        files.sort();
+        Ok(files)
+    }
+
+    /// Writes a line and syncs it; after an error the file is as it was.
+    pub(super) fn add(&mut self, id: &Id, line: &Line) -> Result<(), StoreError> {
+        if let Some(broken) = &self.broken {
+            return Err(broken.clone());
+        }
+        let path = self.folder.join(name_of(id));
+        let mut text = json::encode(line).map_err(StoreError::Refused)?;
+        text.push('\n');
+        let was = std::fs::metadata(&path).map_or(0, |about| about.len());
+        let written = write(&path, text.as_bytes()).and_then(|()| if was == 0 { self.sync_names() } else { Ok(()) });
+        written.map_err(|error| {
+            if let Err(worse) = cut(&path, was) {
+                self.broken = Some(told(&path, &worse));
+            }
+            told(&path, &error)
+        })
+    }
+
+    /// Deletes a behaviour for ever.
+    pub(super) fn delete(&mut self, id: &Id) -> Result<(), StoreError> {
+        let path = self.folder.join(name_of(id));
+        std::fs::remove_file(&path).and_then(|()| self.sync_names()).map_err(|error| told(&path, &error))
+    }
+
+    /// Keeps the number of the server's start.
+    pub(super) fn set_epoch(&mut self, epoch: u64) -> Result<(), StoreError> {
+        let (path, fresh) = (self.folder.join(EPOCH), self.folder.join("epoch.new"));
+        let text = json::encode(&Line::Epoch(epoch)).map_err(StoreError::Refused)?;
+        let _none_is_fine = std::fs::remove_file(&fresh);
+        let written = write(&fresh, text.as_bytes()).and_then(|()| std::fs::rename(&fresh, &path));
+        written.and_then(|()| self.sync_names()).map_err(|error| told(&path, &error))
+    }
+
+    /// Writes without changing anything, to see whether that works.
+    pub(super) fn probe(&mut self) -> Result<(), StoreError> {
+        let path = self.folder.join("probe");
+        let tried = write(&path, b"probe").and_then(|()| std::fs::remove_file(&path));
+        tried.map_err(|error| told(&path, &error))?;
+        self.broken.clone().map_or(Ok(()), Err)
+    }
+
+    /// Makes new and lost names survive a power cut.
+    fn sync_names(&self) -> io::Result<()> {
+        File::open(&self.folder)?.sync_all()
+    }
+}
+
+fn library() -> Result<Id, String> {
+    Id::new(crate::LIBRARY)
+}
+
+fn name_of(id: &Id) -> String {
+    let mut name = PREFIX.to_owned();
+    for letter in id.as_str().chars() {
+        if letter.is_ascii_uppercase() {
+            name.push(UPPER);
+        }
+        name.push(letter.to_ascii_lowercase());
+    }
+    name + SUFFIX
+}
+
+fn id_of(name: &str) -> Option<Id> {
+    let mut id = String::new();
+    let mut upper = false;
+    for letter in name.strip_prefix(PREFIX)?.strip_suffix(SUFFIX)?.chars() {
+        match letter {
+            UPPER => upper = true,
+            _ => {
+                id.push(if upper { letter.to_ascii_uppercase() } else { letter });
+                upper = false;
+            }
+        }
+    }
+    Id::new(&id).ok()
+}
+
+/// Reads the lines of a file; says how many bytes are whole lines.
+fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), String>) -> Result<u64, StoreError> {
+    let mut from = BufReader::new(File::open(path).map_err(|error| told(path, &error))?);
+    let (mut length, mut text) = (0, Vec::new());
+    for number in 1.. {
+        text.clear();
+        let bytes = from.read_until(b'\n', &mut text).map_err(|error| told(path, &error))?;
+        if text.pop() != Some(b'\n') {
+            break;
+        }
+        let line = std::str::from_utf8(&text).map_err(|error| error.to_string()).and_then(json::decode);
+        line.and_then(&mut take).map_err(|reason| damaged(path, number, &reason))?;
+        length += bytes as u64;
+    }
+    Ok(length)
+}
+
+fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut file = File::options().create(true).append(true).open(path)?;
+    file.write_all(bytes)?;
+    file.sync_all()
+}
+
+/// Cuts a file to its whole lines.
+fn cut(path: &Path, length: u64) -> io::Result<()> {
+    match std::fs::metadata(path) {
+        Ok(about) if about.len() > length => {
+            let file = File::options().write(true).open(path)?;
+            file.set_len(length)?;
+            file.sync_all()
+        }
+        _ => Ok(()),
+    }
+}
+
+fn told(path: &Path, error: &io::Error) -> StoreError {
+    match error.kind() {
+        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => StoreError::Full,
+        _ => StoreError::Unavailable(format!("{}: {error}", path.display())),
+    }
+}
+
+fn damaged(path: &Path, line: u64, reason: &str) -> StoreError {
+    StoreError::Damaged(format!("{} line {line}: {reason}", path.display()))
+}
