@@ -37,6 +37,8 @@ pub(crate) struct Desk(Arc<Fields>);
 pub(crate) struct Fields {
     pub(crate) online: ArcRwSignal<LinkState>,
     pub(crate) saving: ArcRwSignal<Saving>,
+    /// Why the server cannot save now, if so.
+    pub(crate) away: ArcRwSignal<Option<String>>,
     pub(crate) me: ArcRwSignal<Option<Person>>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
@@ -76,8 +78,11 @@ struct State {
     /// Where streams stand that nobody placed.
     fallback: BTreeMap<Id, Place>,
     queue: queue::Queue,
-    /// Changes that wait are shown before they are saved only while offline, where the page says that they wait.
+    /// Changes that wait are shown before they are saved only while nothing can be saved, where the page says that they
+    /// wait.
     show_waiting: bool,
+    /// The server could not save the last change; it is sent again in a moment.
+    stalled: bool,
     history: undo::History,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,

@@ -101,6 +101,12 @@ pub enum Reply {
         /// Everyone.
         people: Vec<Person>,
     },
+    /// Whether behaviours can be saved; told at first and when that changes.
+    Store {
+        /// Why they cannot be saved now, if so. Everything can go on; a change refused with [`SaidNo::Store`] may be sent
+        /// again once this is none.
+        away: Option<String>,
+    },
     /// The robot changed its state.
     Robot {
         /// The robot.

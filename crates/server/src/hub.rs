@@ -2,6 +2,7 @@
 
 use crate::checking::Checker;
 use crate::clients::Clients;
+use crate::health::Health;
 use crate::knowledge::Knowing;
 use crate::programs::Programs;
 use crate::robots::Robots;
@@ -27,6 +28,8 @@ pub(crate) const SOCKETS_MAX: usize = 512;
 pub(crate) struct Hub {
     /// Where behaviours are kept.
     pub(crate) store: Arc<dyn Store>,
+    /// Whether it can be reached.
+    pub(crate) health: Health,
     /// The robot.
     pub(crate) robots: Robots,
     /// Devices and procedures.

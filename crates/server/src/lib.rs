@@ -10,6 +10,7 @@ mod clients;
 mod create;
 mod cut;
 mod door;
+mod health;
 mod hub;
 mod knowledge;
 mod outbox;

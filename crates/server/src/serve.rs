@@ -3,6 +3,7 @@
 use crate::checking::Checker;
 use crate::clients::Clients;
 use crate::create::first_library;
+use crate::health::{self, Health};
 use crate::hub::{Hub, SOCKETS_MAX, Shelf, bounded};
 use crate::knowledge::Knowing;
 use crate::programs::{Programs, all};
@@ -112,6 +113,7 @@ pub async fn serve_with(
     let (router, connections) = (routes::routes(Arc::clone(&hub), address.port()), TaskTracker::new());
     let accepting = tokio::spawn(accept::accept(listener, router, connections.clone(), closing.clone()));
     topics::keep(&hub);
+    health::keep(&hub);
     tracing::info!(%address, epoch = hub.epoch, "the server is ready");
     ready(address);
     stop.await;
@@ -133,6 +135,7 @@ async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> 
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
         store,
+        health: Health::good(),
         robots,
         knowing: Arc::new(Knowing::default()),
         checker: Checker::start().map_err(ServeError::Thread)?,

@@ -164,6 +164,10 @@ impl Store for FolderStore {
         .await
     }
 
+    async fn reachable(&self) -> Result<(), StoreError> {
+        Ok(())
+    }
+
     async fn healthy(&self) -> Result<(), StoreError> {
         self.write(|_, logs| logs.probe()).await
     }

@@ -88,6 +88,11 @@ pub trait Store: Send + Sync {
     /// The next number of a server start. Grows by one at each call and is durable when it answers.
     async fn next_epoch(&self) -> Result<u64, StoreError>;
 
+    /// Whether the store answers; cheap enough to be asked every second.
+    async fn reachable(&self) -> Result<(), StoreError> {
+        self.healthy().await
+    }
+
     /// Whether changes can be saved now; else why not.
     async fn healthy(&self) -> Result<(), StoreError>;
 }

@@ -112,10 +112,16 @@ impl Store for SqliteStore {
         self.writer.ask(write::next_epoch).await
     }
 
-    async fn healthy(&self) -> Result<(), StoreError> {
-        if !self.file.exists() {
-            return Err(StoreError::Unavailable(format!("{} is not there any more", self.file.display())));
+    async fn reachable(&self) -> Result<(), StoreError> {
+        if self.file.exists() {
+            Ok(())
+        } else {
+            Err(StoreError::Unavailable(format!("{} is not there any more", self.file.display())))
         }
+    }
+
+    async fn healthy(&self) -> Result<(), StoreError> {
+        self.reachable().await?;
         self.writer.ask(write::probe).await
     }
 }

@@ -45,6 +45,7 @@ impl Desk {
             }
             Reply::People { behaviour, people } if self.is_open(&behaviour) => set_if_new(&self.people, people),
             Reply::Removed { behaviour, by } => self.removed(&behaviour, &by),
+            Reply::Store { away } => self.hear_store(away),
             Reply::Robot { robot } => set_if_new(&self.robot, robot),
             Reply::Runs { runs } => self.hear_runs(runs),
             Reply::Values { values } => self.hear_values(*values),

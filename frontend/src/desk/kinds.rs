@@ -14,13 +14,15 @@ pub(crate) enum LinkState {
 }
 
 /// How saving goes; the number counts changes that wait.
-#[expect(clippy::enum_variant_names, reason = "saving is saved, saving or offline")]
+#[expect(clippy::enum_variant_names, reason = "saving is saved, saving, offline or away")]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Saving {
     #[default]
     Saved,
     Saving,
     Offline(usize),
+    /// The server is there, but its store is not.
+    Away(usize),
 }
 
 /// The one thing a person has chosen.

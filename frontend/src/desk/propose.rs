@@ -14,6 +14,9 @@ const QUEUE_KEY: &str = "rrp.waiting";
 /// The largest change, so that it fits in a message with what surrounds it.
 const CHANGE_MAX_BYTES: usize = protocol::MESSAGE_MAX_BYTES - 1_024;
 
+/// When a change that could not be saved is sent again.
+const STALLED_MS: i32 = 2_000;
+
 type OnAnswer = Box<dyn FnOnce(Result<(), SaidNo>)>;
 
 thread_local! {
@@ -74,7 +77,7 @@ impl Desk {
 
     /// Sends the next change if none is under way, and shows how saving goes.
     pub(super) fn pump(&self) {
-        if link::is_up()
+        if self.can_save()
             && let Some(next) = self.next_to_send()
         {
             let (desk, op) = (self.clone(), next.change.op.clone());
@@ -87,9 +90,11 @@ impl Desk {
                 self.state().queue.link_lost();
             }
         }
-        let mut state = self.state();
-        state.show_waiting &= state.queue.len() > 0 || !link::is_up();
+        let state = self.state();
+        let waits = state.queue.len() > 0;
         drop(state);
+        let shows = waits || !self.can_save();
+        self.state().show_waiting &= shows;
         self.keep_queue();
         self.show_saving();
         self.start_if_saved();
@@ -101,6 +106,9 @@ impl Desk {
 
     /// The server said yes or no to a change of this tab.
     pub(super) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
+        if let Err(SaidNo::Store(_)) = &answer {
+            return self.stall();
+        }
         let waiting = self.state().queue.answered(op);
         let Some(waiting) = waiting else { return };
         if answer.is_err() {
@@ -118,6 +126,33 @@ impl Desk {
             None => self.say_refusal(answer),
         }
         self.pump();
+    }
+
+    /// Whether what is proposed can be saved now.
+    pub(crate) fn can_save(&self) -> bool {
+        link::is_up() && self.away.with_untracked(Option::is_none) && !self.state().stalled
+    }
+
+    /// The server could not save: everything waits here and is sent again, under its old names.
+    fn stall(&self) {
+        self.state().stalled = true;
+        self.link_lost();
+        let desk = self.clone();
+        crate::browser::after(STALLED_MS, move || {
+            desk.state().stalled = false;
+            desk.pump();
+        });
+    }
+
+    /// The server says whether it can save.
+    pub(super) fn hear_store(&self, away: Option<String>) {
+        let lost = away.is_some();
+        set_if_new(&self.away, away);
+        if lost {
+            self.link_lost();
+        } else {
+            self.pump();
+        }
     }
 
     /// Shows a refusal as a notice.
@@ -158,9 +193,14 @@ impl Desk {
     }
 
     fn show_saving(&self) {
-        let waiting = self.state().queue.len();
+        let (waiting, stalled) = {
+            let state = self.state();
+            (state.queue.len(), state.stalled)
+        };
+        let away = stalled || self.away.with_untracked(Option::is_some);
         let saving = match self.online.get_untracked() {
             LinkState::Offline => Saving::Offline(waiting),
+            LinkState::Connecting | LinkState::Online if away => Saving::Away(waiting),
             LinkState::Connecting | LinkState::Online if waiting > 0 => Saving::Saving,
             LinkState::Connecting | LinkState::Online => Saving::Saved,
         };

@@ -58,15 +58,20 @@ fn Sentence(bad: bool) -> impl IntoView {
 #[component]
 fn Offline() -> impl IntoView {
     let desk = hold();
-    let waiting = move || match desk.desk().saving.get() {
-        Saving::Offline(waiting) => waiting,
-        Saving::Saved | Saving::Saving => 0,
+    let line = move || {
+        let desk = desk.desk();
+        match (desk.online.get(), desk.saving.get()) {
+            (_, Saving::Offline(waiting)) => Some(words::offline_banner(waiting)),
+            (LinkState::Offline, _) => Some(words::offline_banner(0)),
+            (_, Saving::Away(waiting)) => Some(words::away_banner(desk.away.get(), waiting)),
+            (_, Saving::Saved | Saving::Saving) => None,
+        }
     };
-    let is_offline = move || desk.desk().online.get() == LinkState::Offline;
+    let there = Memo::new(move |_| line().is_some());
     view! {
         <div class="offline-place" role="status">
-            <Show when=is_offline>
-                <p class="offline">{move || words::offline_banner(waiting())}</p>
+            <Show when=move || there.get()>
+                <p class="offline">{line}</p>
             </Show>
         </div>
     }

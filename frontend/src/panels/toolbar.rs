@@ -115,13 +115,14 @@ fn ProgramName() -> impl IntoView {
 
 fn is_offline(desk: Hold) -> bool {
     let desk = desk.desk();
-    desk.online.get() == LinkState::Offline || matches!(desk.saving.get(), Saving::Offline(_))
+    desk.online.get() == LinkState::Offline || matches!(desk.saving.get(), Saving::Offline(_) | Saving::Away(_))
 }
 
 fn saving_line(desk: Hold) -> String {
     let desk = desk.desk();
     match (desk.online.get(), desk.saving.get()) {
         (_, Saving::Offline(waiting)) => words::offline(waiting),
+        (_, Saving::Away(waiting)) => words::not_saved(waiting),
         (LinkState::Offline, Saving::Saved | Saving::Saving) => words::offline(0),
         (LinkState::Connecting, Saving::Saved | Saving::Saving) => words::connecting().to_owned(),
         (LinkState::Online, Saving::Saving) => words::saving().to_owned(),

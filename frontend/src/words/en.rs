@@ -199,6 +199,19 @@ pub(crate) fn offline_banner(waiting: usize) -> String {
     format!("{}. You can go on; it is sent when the connection is back.", offline(waiting))
 }
 
+pub(crate) fn not_saved(waiting: usize) -> String {
+    match waiting {
+        0 => "Nothing can be saved now".to_owned(),
+        1 => "Not saved: 1 change waits here".to_owned(),
+        many => format!("Not saved: {many} changes wait here"),
+    }
+}
+
+pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
+    let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
+    format!("{}{reason}. You can go on; it is saved as soon as that is possible.", not_saved(waiting))
+}
+
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
     format!("Running version {runs}, you edit {edits}")
 }

@@ -40,6 +40,10 @@ impl RoomTask {
     /// Begins the next jobs until one has to wait for the store.
     pub(super) fn start_saving(&mut self) {
         while self.saving.is_none() && !self.waiting.is_empty() {
+            if let Some(no) = self.hub.health.away() {
+                self.waiting.drain(..).for_each(|job| job.no(no.clone()));
+                return;
+            }
             if self.uncertain {
                 let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
                 self.saving = Some(Box::pin(saving::catch_up(hub, id, self.room.revision())));

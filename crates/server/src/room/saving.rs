@@ -65,6 +65,7 @@ pub(super) async fn save(hub: Arc<Hub>, id: Id, keep: Keep, from: Answer) -> Sav
             }
             Err(StoreError::Gone) => no(SaidNo::Change(Refusal::Gone), false),
             Err(error) if error.is_open() => no(store_no(&error), true),
+            Err(error @ StoreError::Full) => no(store_no(&error), false),
             Err(error) => no(SaidNo::Change(Refusal::NotSaved(reason(&error))), false),
         },
     };
@@ -73,13 +74,14 @@ pub(super) async fn save(hub: Arc<Hub>, id: Id, keep: Keep, from: Answer) -> Sav
 
 /// Once more if the outcome is open: the store keeps an op once.
 async fn append(hub: &Hub, id: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
-    match bounded(hub.store.append(id, committed, after)).await {
-        Err(error) if error.is_open() => {
-            tracing::warn!(behaviour = %id, %error, "saving is tried once more");
-            bounded(hub.store.append(id, committed, after)).await
-        }
-        answer => answer,
+    let mut answer = bounded(hub.store.append(id, committed, after)).await;
+    if let Err(error) = answer.as_ref().map_err(Clone::clone)
+        && error.is_open()
+    {
+        tracing::warn!(behaviour = %id, %error, "saving is tried once more");
+        answer = bounded(hub.store.append(id, committed, after)).await;
     }
+    answer.inspect_err(|error| hub.health.failed(error))
 }
 
 async fn with_news(

@@ -24,8 +24,8 @@ const CLOSE_MS: u64 = 1_000;
 struct Writer {
     hub: Arc<Hub>,
     sink: SplitSink<WebSocket, Message>,
-    /// Told to everyone: runs, robot, list of behaviours.
-    topics: [watch::Receiver<Utf8Bytes>; 3],
+    /// Told to everyone: runs, robot, the store's health, list of behaviours.
+    topics: [watch::Receiver<Utf8Bytes>; 4],
     scene: watch::Receiver<Utf8Bytes>,
     scene_wanted: bool,
     values_wanted: bool,
@@ -37,8 +37,9 @@ struct Writer {
 
 /// Writes until the link is cut.
 pub(super) async fn write(hub: Arc<Hub>, sink: SplitSink<WebSocket, Message>, inbox: mpsc::Receiver<Out>, cut: Cut) {
-    let mut topics = [hub.topics.runs.subscribe(), hub.topics.robot.subscribe(), hub.programs.text()];
-    topics[..2].iter_mut().for_each(watch::Receiver::mark_changed);
+    let mut topics =
+        [hub.topics.runs.subscribe(), hub.topics.robot.subscribe(), hub.health.text(), hub.programs.text()];
+    topics[..3].iter_mut().for_each(watch::Receiver::mark_changed);
     let mut scene = hub.topics.scene.subscribe();
     scene.mark_changed();
     let mut writer = Writer {

@@ -1,7 +1,7 @@
 //! Edit stream sensor, Edit stream actuator: type, name and the device's parameters.
 
 use super::frame::{Feet, Frame, Refused, close};
-use crate::desk::{Desk, LinkState};
+use crate::desk::Desk;
 use crate::fields::{Options, ParamFields, ParamForm, Select, TextField};
 use crate::panels::hold::{Hold, hold};
 use crate::words;
@@ -134,14 +134,14 @@ fn look_again(desk: Hold, fields: Fields) {
     }
 }
 
-/// What a dialog does with the answer: it closes, or says why not. Without a connection it closes at once.
+/// What a dialog does with the answer: it closes, or says why not. While nothing can be saved it closes at once.
 pub(super) fn answered(
     desk: &Desk,
     refusal: RwSignal<Option<String>>,
     busy: RwSignal<bool>,
 ) -> impl FnOnce(Result<(), SaidNo>) + 'static {
     let (desk, mine) = (desk.clone(), desk.dialog.get_untracked());
-    if desk.online.get_untracked() == LinkState::Online {
+    if desk.can_save() {
         busy.set(true);
     } else {
         desk.dialog.set(None);

@@ -3,7 +3,7 @@
 use super::actuator::{Chosen, chosen};
 use super::draft;
 use super::form::Form;
-use crate::desk::{ConnectPlan, Dialog, LinkState, Output};
+use crate::desk::{ConnectPlan, Dialog, Output};
 use crate::words;
 use behaviour::{Operation, Params, Procedure, RATE_MS, Refusal};
 use leptos::prelude::*;
@@ -38,7 +38,7 @@ fn edit(form: Form) -> Result<(), String> {
     Ok(())
 }
 
-/// What happens with the answer: the dialog closes, or says why not. Without a connection the change waits and is
+/// What happens with the answer: the dialog closes, or says why not. While nothing can be saved the change waits and is
 /// shown already, so the dialog closes at once.
 fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
     let desk = form.desk.desk();
@@ -48,7 +48,7 @@ fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
             desk.dialog.set(None);
         }
     };
-    if desk.online.get_untracked() == LinkState::Online {
+    if desk.can_save() {
         form.busy.set(true);
     } else {
         close(&desk, &mine);
