@@ -1,20 +1,26 @@
 //! What people do again and again, in their own words.
 
 use house::{Browser, Outcome, Page, Server};
+use std::path::Path;
 use tempfile::TempDir;
 
 /// A server on a fresh folder, and a browser. Server and browser end before the folder goes.
 pub(crate) struct Stage {
     pub(crate) server: Server,
     pub(crate) browser: Browser,
-    _folder: TempDir,
+    folder: TempDir,
 }
 
 impl Stage {
     pub(crate) async fn set() -> Outcome<Self> {
         let folder = house::folder()?;
         let server = Server::start(folder.path()).await?;
-        Ok(Self { server, browser: Browser::launch().await?, _folder: folder })
+        Ok(Self { server, browser: Browser::launch().await?, folder })
+    }
+
+    /// Where the data is.
+    pub(crate) fn folder(&self) -> &Path {
+        self.folder.path()
     }
 
     /// A person with the page open on a desktop.
@@ -72,6 +78,16 @@ pub(crate) async fn add_sense(page: &Page, sense: &str) -> Outcome<()> {
     page.find("button", &format!("{sense}, *")).await?;
     page.find("toolbar", &format!("Next steps for {sense}")).await?;
     saved(page).await
+}
+
+/// Gives the open program another name.
+pub(crate) async fn rename_program(page: &Page, from: &str, to: &str) -> Outcome<()> {
+    page.press("button", from).await?;
+    let dialog = page.within("dialog", "Rename the program");
+    dialog.fill("textbox", "Name", to).await?;
+    dialog.press("button", "Save").await?;
+    page.gone("dialog", "Rename the program").await?;
+    page.find("button", to).await.map(drop)
 }
 
 /// Waits until everything is saved.

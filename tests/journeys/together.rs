@@ -139,15 +139,6 @@ async fn call_myself(page: &Page, name: &str) -> Outcome<()> {
     saved(page).await
 }
 
-async fn rename_program(page: &Page, from: &str, to: &str) -> Outcome<()> {
-    page.press("button", from).await?;
-    let dialog = page.within("dialog", "Rename the program");
-    dialog.fill("textbox", "Name", to).await?;
-    dialog.press("button", "Save").await?;
-    page.gone("dialog", "Rename the program").await?;
-    page.find("button", to).await.map(drop)
-}
-
 async fn rename_stream(page: &Page, from: &str, to: &str) -> Outcome<()> {
     select(page, from).await?;
     next(page, from, "Edit").await?;
