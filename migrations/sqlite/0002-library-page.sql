@@ -32,3 +32,19 @@ CREATE TABLE device (
   PRIMARY KEY (kind, name, behaviour, stream)
 ) STRICT, WITHOUT ROWID;
 CREATE INDEX device_of ON device (behaviour, stream);
+
+-- How many behaviours are listed, and how many lie in the bin: counted as they come and go.
+CREATE TABLE tally (place TEXT NOT NULL PRIMARY KEY, count INTEGER NOT NULL) STRICT, WITHOUT ROWID;
+INSERT INTO tally SELECT 'here', count(*) FROM behaviour WHERE name IS NOT NULL AND removed_ms IS NULL;
+INSERT INTO tally SELECT 'bin', count(*) FROM behaviour WHERE name IS NOT NULL AND removed_ms IS NOT NULL;
+CREATE TRIGGER tally_added AFTER INSERT ON behaviour WHEN new.name IS NOT NULL BEGIN
+  UPDATE tally SET count = count + 1 WHERE place = iif(new.removed_ms IS NULL, 'here', 'bin');
+END;
+CREATE TRIGGER tally_gone AFTER DELETE ON behaviour WHEN old.name IS NOT NULL BEGIN
+  UPDATE tally SET count = count - 1 WHERE place = iif(old.removed_ms IS NULL, 'here', 'bin');
+END;
+CREATE TRIGGER tally_moved AFTER UPDATE OF name, removed_ms ON behaviour
+WHEN (old.name IS NULL) <> (new.name IS NULL) OR (old.removed_ms IS NULL) <> (new.removed_ms IS NULL) BEGIN
+  UPDATE tally SET count = count - 1 WHERE old.name IS NOT NULL AND place = iif(old.removed_ms IS NULL, 'here', 'bin');
+  UPDATE tally SET count = count + 1 WHERE new.name IS NOT NULL AND place = iif(new.removed_ms IS NULL, 'here', 'bin');
+END;

@@ -140,7 +140,9 @@ impl Model {
             shelves.map(|(name, s)| (name.clone(), s.behaviour.name().to_owned(), s.behaviour.streams().count()))
         };
         for (is_bin, query) in [(false, Query::default()), (true, in_bin())] {
-            let lines = store.list(&query).await.expect("an answer").lines.into_iter();
+            let listing = store.list(&query).await.expect("an answer");
+            assert_eq!(listing.total, listing.lines.len() as u64, "seed {}", self.seed);
+            let lines = listing.lines.into_iter();
             let mut lines: Vec<_> = lines.map(|line| (line.id, line.name, line.streams as usize)).collect();
             lines.sort();
             assert_eq!(lines, shown(is_bin).collect::<Vec<_>>(), "seed {}", self.seed);

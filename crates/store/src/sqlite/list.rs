@@ -27,8 +27,12 @@ pub(super) fn list(at: &Connection, query: &Query) -> Result<Listing, Fault> {
 }
 
 fn total(at: &Connection, place: Place) -> Result<u64, Fault> {
-    let sql = format!("SELECT count(*) FROM behaviour WHERE {}", there(place));
-    Ok(read(at.prepare_cached(&sql)?.query_row([], |row| row.get(0))?))
+    let place = match place {
+        Place::Here => "here",
+        Place::Bin => "bin",
+    };
+    let mut query = at.prepare_cached("SELECT count FROM tally WHERE place = ?1")?;
+    Ok(read(query.query_row([place], |row| row.get(0))?))
 }
 
 fn there(place: Place) -> &'static str {
