@@ -1,4 +1,4 @@
-//! Where behaviours are kept: one trait, the embedded SQLite store, a store in memory, and the contract both keep.
+//! Where behaviours are kept: one trait, the embedded SQLite store, Neo4j, a store in memory, and the contract they keep.
 //!
 //! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
 //! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once. After an error the
@@ -11,6 +11,7 @@ mod error;
 mod insight;
 mod json;
 mod memory;
+mod neo4j;
 mod open;
 mod query;
 mod sqlite;
@@ -19,6 +20,7 @@ mod usage;
 pub use error::StoreError;
 pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
+pub use neo4j::{Neo4jStore, open_neo4j};
 pub use open::open_url;
 pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
 pub use sqlite::{SqliteStore, open};

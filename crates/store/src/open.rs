@@ -4,14 +4,18 @@ use crate::{Store, StoreError};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one.
+/// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one;
+/// `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see [`crate::open_neo4j`]).
 ///
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
 pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    if crate::neo4j::is_neo4j(url) {
+        return Ok(Arc::new(crate::open_neo4j(url).await?));
+    }
     let folder = url.strip_prefix("sqlite:").unwrap_or(url);
     if folder.contains("://") || folder.is_empty() {
-        let known = "begin it with sqlite: and a folder";
+        let known = "begin it with sqlite: and a folder, or with bolt:// for a Neo4j";
         return Err(StoreError::Address(known.to_owned()));
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))
