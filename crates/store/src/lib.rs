@@ -1,5 +1,5 @@
-//! Where behaviours are kept: one trait, the embedded SQLite store, a folder of files, a store in memory, and the
-//! contract that all keep.
+//! Where behaviours are kept: one trait, the embedded SQLite store, Neo4j, a folder of files, a store in memory, and
+//! the contract that all keep.
 //!
 //! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
 //! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once. After an error the
@@ -14,6 +14,7 @@ mod folder;
 mod insight;
 mod json;
 mod memory;
+mod neo4j;
 mod open;
 mod query;
 mod sqlite;
@@ -23,6 +24,7 @@ pub use error::StoreError;
 pub use folder::FolderStore;
 pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
+pub use neo4j::{Neo4jStore, open_neo4j};
 pub use open::open_url;
 pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
 pub use sqlite::{SqliteStore, open};

@@ -5,17 +5,20 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
-/// file of changes a behaviour.
+/// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see [`crate::open_neo4j`]).
 ///
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
 pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    if crate::neo4j::is_neo4j(url) {
+        return Ok(Arc::new(crate::open_neo4j(url).await?));
+    }
     if let Some(folder) = url.strip_prefix("files:").filter(|folder| !folder.is_empty()) {
         return Ok(Arc::new(FolderStore::open(Path::new(folder)).await?));
     }
     let folder = url.strip_prefix("sqlite:").unwrap_or(url);
     if folder.contains("://") || folder.is_empty() {
-        let known = "begin it with sqlite: or files: and a folder";
+        let known = "begin it with sqlite: or files: and a folder, or with bolt:// for a Neo4j";
         return Err(StoreError::Address(known.to_owned()));
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))

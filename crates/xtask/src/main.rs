@@ -2,6 +2,7 @@
 #![expect(clippy::print_stdout, reason = "a command line tool speaks on standard output")]
 
 mod dist;
+mod neo4j;
 mod page;
 mod serve;
 mod test;
@@ -16,6 +17,7 @@ cargo xtask COMMAND
 
   page [--dev]              build the page into target/page (--dev: quicker to build, not compressed)
   serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground
+  neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
 
@@ -37,6 +39,10 @@ fn obey(words: &[String]) -> Outcome<()> {
         ["page"] => page::build(&Workspace::here()?, page::Mode::Small),
         ["page", "--dev"] => page::build(&Workspace::here()?, page::Mode::Quick),
         ["serve", rest @ ..] => serve::run(&Workspace::here()?, rest),
+        ["neo4j"] => {
+            println!("RRP_NEO4J={}", neo4j::ensure(&Workspace::here()?)?.display());
+            Ok(())
+        }
         ["test"] => test::all(&Workspace::here()?),
         ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),
         [] | ["help" | "--help" | "-h"] | [_, "--help" | "-h"] => {

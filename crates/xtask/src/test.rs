@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use crate::neo4j;
 use crate::page::{self, Mode};
 use crate::tools::{self, Outcome, WASM, Workspace};
 
@@ -17,8 +18,9 @@ const HOW_TO_GET_CHROMIUM: &str =
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 8] = [
+const STEPS: [Step; 9] = [
     ("tools", find_tools),
+    ("a Neo4j for the tests", find_neo4j),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("the pure crates for the browser", check_pure),
@@ -32,13 +34,14 @@ const STEPS: [Step; 8] = [
 struct Run<'a> {
     workspace: &'a Workspace,
     chromium: Option<PathBuf>,
+    neo4j: Option<PathBuf>,
     skipped: Vec<String>,
 }
 
 /// Runs every check and stops at the first that fails.
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
-    let mut run = Run { workspace, chromium: None, skipped: Vec::new() };
+    let mut run = Run { workspace, chromium: None, neo4j: None, skipped: Vec::new() };
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
@@ -53,8 +56,9 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run = Run { workspace, chromium: None, skipped: Vec::new() };
+    let mut run = Run { workspace, chromium: None, neo4j: None, skipped: Vec::new() };
     find_tools(&mut run)?;
+    find_neo4j(&mut run)?;
     run.tests(&[filter])?;
     tell_skipped(&run.skipped);
     Ok(())
@@ -63,6 +67,11 @@ pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
 impl Run<'_> {
     fn cargo(&mut self, words: &[&str]) -> Outcome<()> {
         tools::run(&mut self.workspace.cargo(words), &format!("`cargo {}`", words.join(" ")))
+    }
+
+    fn skip(&mut self, part: String) {
+        println!("SKIPPED by name: {part}");
+        self.skipped.push(part);
     }
 
     /// Runs the tests and gathers the names of those that skipped themselves.
@@ -77,11 +86,14 @@ impl Run<'_> {
         result
     }
 
-    /// Tells the tests where the browser and the server are.
+    /// Tells the tests where the browser, the server and Neo4j are.
     fn show_parts(&self, cargo: &mut Command) {
         let server = self.workspace.server();
         if let Some(chromium) = &self.chromium {
             cargo.env("RRP_CHROMIUM", chromium);
+        }
+        if let Some(neo4j) = &self.neo4j {
+            cargo.env("RRP_NEO4J", neo4j);
         }
         if server.is_file() {
             cargo.env("RRP_BIN", server).env("RRP_TOOLS_READY", "1");
@@ -100,11 +112,20 @@ fn find_tools(run: &mut Run) -> Outcome<()> {
         None if in_ci() => {
             return Err(format!("CI needs Chromium for the browser journeys; {HOW_TO_GET_CHROMIUM}."));
         }
-        None => {
-            let part = format!("browser journeys (no Chromium; {HOW_TO_GET_CHROMIUM})");
-            println!("SKIPPED by name: {part}");
-            run.skipped.push(part);
+        None => run.skip(format!("browser journeys (no Chromium; {HOW_TO_GET_CHROMIUM})")),
+    }
+    Ok(())
+}
+
+/// Makes the Neo4j that the tests of its store start.
+fn find_neo4j(run: &mut Run) -> Outcome<()> {
+    match neo4j::ensure(run.workspace) {
+        Ok(folder) => {
+            println!("Neo4j is in {}.", folder.display());
+            run.neo4j = Some(folder);
         }
+        Err(why) if in_ci() => return Err(format!("CI needs Neo4j for the tests of its store: {why}")),
+        Err(why) => run.skip(format!("tests of the Neo4j store ({})", why.trim_end_matches('.'))),
     }
     Ok(())
 }

@@ -91,7 +91,7 @@ pub(crate) fn run(command: &mut Command, what: &str) -> Outcome<()> {
 }
 
 /// What `command` prints, trimmed, when it succeeds.
-fn said(command: &mut Command) -> Option<String> {
+pub(crate) fn said(command: &mut Command) -> Option<String> {
     let output = command.stderr(Stdio::null()).output().ok()?;
     let text = String::from_utf8(output.stdout).ok()?;
     output.status.success().then(|| text.trim().to_owned())
@@ -131,18 +131,26 @@ fn chromium() -> Option<PathBuf> {
     CHROMIUM_NAMES.iter().find_map(|name| on_path(name))
 }
 
-fn on_path(name: &str) -> Option<PathBuf> {
+/// Where PATH has a program of that name.
+pub(crate) fn on_path(name: &str) -> Option<PathBuf> {
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(name)).find(|path| path.is_file())
 }
 
 fn install_chromium() {
-    if env::var_os("RRP_CHROMIUM").is_some_and(|path| !path.is_empty()) || on_path("apt-get").is_none() {
+    if env::var_os("RRP_CHROMIUM").is_none_or(|path| path.is_empty()) {
+        install("Chromium", &["chromium"]);
+    }
+}
+
+/// Installs Debian packages because `what` is missing, where that is possible without asking.
+pub(crate) fn install(what: &str, packages: &[&str]) {
+    if on_path("apt-get").is_none() {
         return;
     }
     let Some(mut words) = as_root() else { return };
     words.push("apt-get");
-    println!("Chromium is missing; installing it with `{}`.", words.join(" "));
-    let steps: [&[&str]; 2] = [&["update"], &["install", "-y", "--no-install-recommends", "chromium"]];
+    println!("{what} is missing; installing {} with `{}`.", packages.join(" and "), words.join(" "));
+    let steps = [vec!["update"], [&["install", "-y", "--no-install-recommends"], packages].concat()];
     for step in steps {
         let mut command = Command::new(words[0]);
         command.args(&words[1..]).args(step).env("DEBIAN_FRONTEND", "noninteractive");

@@ -1,0 +1,101 @@
+//! Behaviours in a Neo4j database, as the thesis maps them (5.2.4): a stream is a node, a simple connector a
+//! relationship.
+
+mod address;
+mod append;
+mod bin;
+mod delta;
+mod fault;
+mod insight;
+mod link;
+mod list;
+mod load;
+mod nodes;
+mod schema;
+
+use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Usage, json};
+use address::Address;
+pub(crate) use address::is_neo4j;
+use async_trait::async_trait;
+use behaviour::{Behaviour, Committed, Id};
+use link::Link;
+
+/// Keeps behaviours in a Neo4j database, which other servers may use at the same time. Every call answers within
+/// 3 seconds, also when Neo4j does not; what failed then works again as soon as Neo4j does.
+pub struct Neo4jStore {
+    link: Link,
+}
+
+/// Opens the database at `bolt://USER:PASSWORD@HOST:PORT` (also `neo4j://`, and `+s` or `+ssc` for encryption; a
+/// database other than the default one as `/NAME`) and brings its schema up to date. Without a password in the
+/// address, it is taken from the variable `RRP_NEO4J_PASSWORD` or the file that `RRP_NEO4J_PASSWORD_FILE` names.
+///
+/// # Errors
+/// [`StoreError::Address`] for an address that cannot be understood, [`StoreError::Newer`] or
+/// [`StoreError::Unavailable`] if the database there cannot be used.
+pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
+    let address = Address::read(url, &|name| std::env::var(name).ok())?;
+    schema::migrate(&address).await?;
+    let link = Link::new(&address)?;
+    append::warm_up(&link).await?;
+    Ok(Neo4jStore { link })
+}
+
+#[async_trait]
+impl Store for Neo4jStore {
+    async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
+        let json = json::checked(committed)?;
+        append::append(&self.link, behaviour, committed, json, after).await
+    }
+
+    async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
+        load::load(&self.link, behaviour).await
+    }
+
+    async fn list(&self, query: &Query) -> Result<Listing, StoreError> {
+        list::list(&self.link, query).await
+    }
+
+    async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
+        load::history(&self.link, behaviour, since, most).await
+    }
+
+    async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
+        if behaviour.as_str() == LIBRARY {
+            return Ok(false);
+        }
+        bin::remove(&self.link, behaviour, now_ms, by).await
+    }
+
+    async fn restore(&self, behaviour: &Id) -> Result<bool, StoreError> {
+        bin::restore(&self.link, behaviour).await
+    }
+
+    async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
+        bin::purge(&self.link, removed_before_ms).await
+    }
+
+    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+        insight::users(&self.link, helper).await
+    }
+
+    async fn drivers(&self, actuator: &str) -> Result<Vec<Driver>, StoreError> {
+        insight::drivers(&self.link, actuator).await
+    }
+
+    async fn contested(&self) -> Result<Vec<Contested>, StoreError> {
+        insight::contested(&self.link).await
+    }
+
+    async fn similar(&self, behaviour: &Id, most: u32) -> Result<Vec<Similar>, StoreError> {
+        insight::similar(&self.link, behaviour, most).await
+    }
+
+    async fn next_epoch(&self) -> Result<u64, StoreError> {
+        bin::next_epoch(&self.link).await
+    }
+
+    async fn healthy(&self) -> Result<(), StoreError> {
+        bin::probe(&self.link).await
+    }
+}

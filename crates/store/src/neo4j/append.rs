@@ -1,0 +1,264 @@
+//! Saving a change: one statement, made of the parts that this change needs, which does all of it or nothing.
+
+use super::delta::Delta;
+use super::link::{Broken, Link, Params};
+use crate::{Append, LIBRARY, StoreError};
+use behaviour::{Behaviour, Committed, Id};
+use serde::Deserialize;
+use serde_json::{Value, json};
+use std::time::Duration;
+
+/// One part of the statement: the list it works through, the Cypher, and what must be true of its counts.
+struct Part {
+    list: &'static str,
+    cypher: &'static str,
+    counts: Option<&'static str>,
+}
+
+const fn part(list: &'static str, cypher: &'static str) -> Part {
+    Part { list, cypher, counts: None }
+}
+
+const fn counted(list: &'static str, cypher: &'static str, counts: &'static str) -> Part {
+    Part { list, cypher, counts: Some(counts) }
+}
+
+/// In this order. Touched connectors go, whatever they were, and come back as what they are now; nodes that
+/// behaviours share are made in one order and linked only where that changes, or else they would deadlock.
+const PARTS: [Part; 16] = [
+    part("connectors", CONNECTORS_GO),
+    part(
+        "gone_places",
+        "CALL () { UNWIND $gone_places AS x MATCH (n:Place {program_id: $id, id: x}) DETACH DELETE n }",
+    ),
+    part("gone_notes", "CALL () { UNWIND $gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }"),
+    part(
+        "gone_helpers",
+        "CALL () { UNWIND $gone_helpers AS x MATCH (n:Helper {program_id: $id, id: x}) DETACH DELETE n }",
+    ),
+    part("gone_streams", STREAMS_GO),
+    part("devices", "CALL () { UNWIND $devices AS d MERGE (:Device {kind: d.kind, name: d.name}) }"),
+    part("streams", STREAMS),
+    counted("simple", SIMPLE_CONNECTORS, "simple = size($simple)"),
+    counted("nodes", CONNECTOR_NODES, "nodes = size($nodes) AND inputs = $inputs"),
+    part("places", PLACES),
+    part("notes", NOTES),
+    part("helpers", HELPERS),
+    // One at a time: a helper that appears and a connector that names it must not miss each other.
+    part("doors", "CALL () { UNWIND $doors AS x MATCH (n:Shared {name: x}) SET n.lock = true REMOVE n.lock }"),
+    part("named", NAMED),
+    part("linked", LINKED),
+    part("calls", CALLS),
+];
+
+const CONNECTORS_GO: &str = "
+  CALL () { UNWIND $connectors AS x MATCH (n:Connector {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $connectors AS x MATCH ()-[r:map {program_id: $id, id: x}]->() DELETE r }
+  CALL () { UNWIND $connectors AS x MATCH ()-[r:filter {program_id: $id, id: x}]->() DELETE r }
+  CALL () { UNWIND $connectors AS x MATCH ()-[r:sample {program_id: $id, id: x}]->() DELETE r }
+  CALL () { UNWIND $connectors AS x MATCH ()-[r:timestamp {program_id: $id, id: x}]->() DELETE r }
+  CALL () { UNWIND $connectors AS x MATCH ()-[r:subscribe {program_id: $id, id: x}]->() DELETE r }";
+
+/// Not detached: a connector left behind makes the whole change fail.
+const STREAMS_GO: &str = "
+  CALL () {
+    UNWIND $gone_streams AS x MATCH (n:Stream {program_id: $id, id: x})
+    OPTIONAL MATCH (n)-[own:program|device]->() DELETE own, n
+  }";
+
+const STREAMS: &str = "
+  CALL (p) {
+    UNWIND $streams AS s
+    MERGE (n:Stream {program_id: $id, id: s.id})
+    SET n = s.properties
+    REMOVE n:Sensor:Ordinary:Actuator
+    SET n:$(s.label)
+    MERGE (n)-[:program]->(p)
+    WITH n, s
+    CALL (n, s) {
+      MATCH (n)-[old:device]->(d:Device)
+      WHERE s.device IS NULL OR d.kind <> s.device.kind OR d.name <> s.device.name DELETE old
+    }
+    CALL (n, s) {
+      MATCH (d:Device {kind: s.device.kind, name: s.device.name}) WHERE NOT EXISTS { (n)-[:device]->(d) }
+      CREATE (n)-[:device]->(d)
+    }
+  }";
+
+const SIMPLE_CONNECTORS: &str = "
+  CALL () {
+    UNWIND $simple AS c
+    MATCH (a:Stream {program_id: $id, id: c.input})
+    MATCH (b:Stream {program_id: $id, id: c.output})
+    CREATE (a)-[r:$(c.type)]->(b)
+    SET r = c.properties
+    RETURN count(*) AS simple
+  }";
+
+const CONNECTOR_NODES: &str = "
+  CALL (p) {
+    UNWIND $nodes AS c
+    MATCH (b:Stream {program_id: $id, id: c.output})
+    CREATE (n:Connector)-[:program]->(p)
+    CREATE (n)-[:output]->(b)
+    SET n = c.properties, n:$(c.label)
+    WITH n, c
+    CALL (n, c) {
+      UNWIND range(0, size(c.inputs) - 1) AS slot
+      MATCH (a:Stream {program_id: $id, id: c.inputs[slot]})
+      CREATE (a)-[:input {slot: slot}]->(n)
+      RETURN count(*) AS found
+    }
+    RETURN count(*) AS nodes, sum(found) AS inputs
+  }";
+
+const PLACES: &str = "
+  CALL (p) {
+    UNWIND $places AS x
+    MERGE (n:Place {program_id: $id, id: x.id}) SET n.x = x.x, n.y = x.y
+    MERGE (n)-[:program]->(p)
+  }";
+
+const NOTES: &str = "
+  CALL (p) {
+    UNWIND $notes AS x MERGE (n:Note {program_id: $id, id: x.id}) SET n.text = x.text MERGE (n)-[:program]->(p)
+  }";
+
+const HELPERS: &str = "
+  CALL (p) {
+    UNWIND $helpers AS x MERGE (n:Helper {program_id: $id, id: x.id}) SET n = x.properties MERGE (n)-[:program]->(p)
+  }";
+
+const NAMED: &str = "
+  CALL () {
+    UNWIND $named AS c
+    MATCH (n:Connector {program_id: $id, id: c.id})
+    MATCH (h:Helper {program_id: 'library', name: c.helper})
+    CREATE (n)-[:helper]->(h)
+  }";
+
+const LINKED: &str = "
+  CALL () {
+    UNWIND $linked AS x
+    MATCH (h:Helper {program_id: 'library', id: x})
+    CALL (h) { MATCH (c:Connector)-[old:helper]->(h) WHERE c.helper <> h.name DELETE old }
+    CALL (h) { MATCH (c:Connector {helper: h.name}) WHERE NOT EXISTS { (c)-[:helper]->(h) } CREATE (c)-[:helper]->(h) }
+    CALL (h) { MATCH (h)-[old:calls]-(:Helper) DELETE old }
+  }";
+
+const CALLS: &str = "
+  CALL () {
+    UNWIND $calls AS c
+    MATCH (h:Helper {program_id: 'library', id: c.from})
+    MATCH (other:Helper {program_id: 'library', id: c.to})
+    MERGE (h)-[:calls]->(other)
+  }";
+
+/// The first change makes the behaviour.
+const NEW: &str = "MERGE (p:Behaviour {id: $id}) ON CREATE SET p.revision = 0, p:$($shelf)";
+const KNOWN: &str = "MATCH (p:Behaviour {id: $id})";
+
+/// The lock comes before anything of p is read, so that writers of one behaviour follow one another.
+const GUARD: &str = "
+SET p.lock = true REMOVE p.lock
+WITH p OPTIONAL MATCH (done:Op {program_id: $id, id: $op.id})
+WITH p, done, p.revision AS head, p:Binned AS binned
+CALL (p, done, head, binned) {
+  WITH p WHERE done IS NULL AND NOT binned AND head = $base";
+
+const COMMIT: &str = "
+  CREATE (:Op {program_id: $id, id: $op.id, revision: $base + one, author: $op.author, label: $op.label,
+    at_ms: $op.at_ms, change: $op.change})
+  SET p += $summary, p.revision = $base + one
+  RETURN count(*) AS applied
+}
+RETURN head, binned, applied, done.revision AS duplicate";
+
+/// How long the plans of the usual statements may take when we start.
+const WARM_UP_MAX: Duration = Duration::from_secs(60);
+
+#[derive(Deserialize)]
+struct Outcome {
+    head: u64,
+    binned: bool,
+    applied: u64,
+    duplicate: Option<u64>,
+}
+
+/// The statement with the parts that are asked for.
+fn statement(first: bool, needed: impl Fn(&str) -> bool) -> String {
+    let parts: Vec<&Part> = PARTS.iter().filter(|part| needed(part.list)).collect();
+    let cypher: Vec<&str> = parts.iter().map(|part| part.cypher).collect();
+    let counts: Vec<&str> = parts.iter().filter_map(|part| part.counts).collect();
+    let one = match counts.as_slice() {
+        [] => "WITH p, 1 AS one".to_owned(),
+        // Dividing by zero undoes everything.
+        counts => format!("WITH p, 1 / CASE WHEN {} THEN 1 ELSE 0 END AS one", counts.join(" AND ")),
+    };
+    let start = if first { NEW } else { KNOWN };
+    format!("{start}{GUARD}\n{}\n{one}{COMMIT}", cypher.join("\n"))
+}
+
+/// Saves a change, whose JSON is given, unless it was saved before or is not the next one.
+pub(super) async fn append(
+    link: &Link,
+    id: &Id,
+    committed: &Committed,
+    json: String,
+    after: &Behaviour,
+) -> Result<Append, StoreError> {
+    let delta = Delta::of(id, committed, after)?;
+    let text = statement(committed.revision == 1, |list| delta.has(list));
+    let found = link.ask(&text, params(id, committed, json, delta), Broken::Again).await?;
+    let Some(outcome) = found.rows.into_iter().next() else { return Ok(Append::Conflict { head: 0 }) };
+    outcome_of(&outcome, committed.revision, found.open_before)
+}
+
+fn outcome_of(outcome: &Outcome, revision: u64, open_before: bool) -> Result<Append, StoreError> {
+    match outcome.duplicate {
+        // Saved by an attempt of this very call, whose answer was lost.
+        Some(saved) if open_before && saved == revision => Ok(Append::Applied),
+        Some(saved) => Ok(Append::Duplicate { revision: saved }),
+        None if outcome.applied > 0 => Ok(Append::Applied),
+        None if outcome.binned => Err(StoreError::Gone),
+        None => Ok(Append::Conflict { head: outcome.head }),
+    }
+}
+
+fn params(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params {
+    let change = &committed.change;
+    let op = json!({
+        "id": change.op, "author": change.author, "label": change.label, "at_ms": change.at_ms, "change": json,
+    });
+    let base = committed.revision.checked_sub(1).and_then(|base| i64::try_from(base).ok()).unwrap_or(-1);
+    let mut params = delta.params();
+    params.insert("id".to_owned(), json!(id));
+    params.insert("shelf".to_owned(), json!(if id.as_str() == LIBRARY { "Library" } else { "Program" }));
+    params.insert("op".to_owned(), op);
+    params.insert("base".to_owned(), base.into());
+    params
+}
+
+/// Has the plans of the usual statements made: the first of each takes longer than people should wait.
+pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
+    let usual: [&[&str]; 4] = [
+        &["places"],
+        &["streams", "devices", "simple"],
+        &["connectors", "simple"],
+        &["connectors", "gone_streams", "gone_places"],
+    ];
+    let statements = usual.iter().map(|lists| statement(false, |list| lists.contains(&list)));
+    for text in statements.chain([statement(true, |list| list == "notes"), super::load::LOAD.to_owned()]) {
+        let explained = format!("EXPLAIN {text}");
+        link.ask_for::<Value>(WARM_UP_MAX, &explained, empty_params(), Broken::Again).await?;
+    }
+    Ok(())
+}
+
+/// Every parameter that a statement may name.
+fn empty_params() -> Params {
+    let lists = PARTS.iter().map(|part| (part.list.to_owned(), json!([])));
+    let others = [("id", json!("")), ("shelf", json!("Program")), ("base", json!(-1)), ("inputs", json!(0))];
+    let maps = [("op", json!({})), ("summary", json!({}))];
+    lists.chain(others.into_iter().chain(maps).map(|(name, value)| (name.to_owned(), value))).collect()
+}

@@ -1,0 +1,96 @@
+//! What Neo4j and its driver complain about, in the words of the store.
+
+use crate::StoreError;
+use neo4rs::{Error, Neo4jClientErrorKind, Neo4jError, Neo4jErrorKind};
+use std::io::ErrorKind;
+use std::time::Duration;
+
+/// Codes that the driver takes for lasting, but that another attempt gets past: somebody else deleted meanwhile what
+/// this attempt had found.
+const PASSING: [&str; 2] = ["Neo.ClientError.Statement.EntityNotFound", "Neo.ClientError.Transaction.Outdated"];
+
+/// Why an attempt failed.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) enum Fault {
+    /// Undone by Neo4j; it may go well the next time. With the reason.
+    Passing(String),
+    /// The connection broke; whether it was done is open.
+    Broken,
+    /// There is no server.
+    Away,
+    /// No answer in time; whether it was done is open.
+    Silent,
+    /// It will not go well, whoever tries again.
+    Said(StoreError),
+}
+
+impl Fault {
+    /// What is in the database cannot be what we wrote.
+    pub(super) fn damaged(reason: &str) -> Self {
+        Self::Said(StoreError::Damaged(format!("the Neo4j database: {reason}")))
+    }
+}
+
+impl From<Error> for Fault {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::IOError { detail } if detail.kind() == ErrorKind::ConnectionRefused => Self::Away,
+            Error::IOError { .. } | Error::IncompleteBoltExchange | Error::ConnectionTimedOut => Self::Broken,
+            Error::ConnectionError => Self::Passing("all connections are in use".to_owned()),
+            Error::Neo4j(error) => of_server(&error),
+            Error::AuthenticationError(_) => unknown_user(),
+            Error::DeserializationError(error) => Self::damaged(&error.to_string()),
+            Error::ConversionError | Error::StringTooLong | Error::MapTooBig | Error::ListTooLong => {
+                Self::Said(StoreError::Refused("it holds a number or text that is too large".to_owned()))
+            }
+            other => Self::Said(StoreError::Unavailable(format!("Neo4j: {other}"))),
+        }
+    }
+}
+
+fn unknown_user() -> Fault {
+    let why = "Neo4j refuses this user and password; check the store's address and RRP_NEO4J_PASSWORD";
+    Fault::Said(StoreError::Unavailable(why.to_owned()))
+}
+
+fn of_server(error: &Neo4jError) -> Fault {
+    let (code, message) = (error.code(), error.message());
+    if PASSING.contains(&code) {
+        return Fault::Passing(message.to_owned());
+    }
+    match error.kind() {
+        Neo4jErrorKind::Transient | Neo4jErrorKind::Client(Neo4jClientErrorKind::SessionExpired) => {
+            Fault::Passing(message.to_owned())
+        }
+        Neo4jErrorKind::Client(Neo4jClientErrorKind::Security(_)) => unknown_user(),
+        Neo4jErrorKind::Client(_) | Neo4jErrorKind::Database | Neo4jErrorKind::Unknown => {
+            Fault::Said(refused(code, message))
+        }
+    }
+}
+
+/// The guard of a change divides by zero when one of its ends is missing; the rest is said by Neo4j itself.
+fn refused(code: &str, message: &str) -> StoreError {
+    let why = if code.ends_with("Statement.ArithmeticError") {
+        "a connector leads to a stream that is not there"
+    } else if code.ends_with("ConstraintValidationFailed") && message.contains("still has relationships") {
+        "a stream would go while a connector still uses it"
+    } else if message.contains("too large to index") {
+        "a name in it is too long"
+    } else {
+        return StoreError::Unavailable(format!("Neo4j says: {}", message.lines().next().unwrap_or(code)));
+    };
+    StoreError::Refused(why.to_owned())
+}
+
+/// What to tell when no further attempt is made.
+pub(super) fn told(fault: Fault, server: &str, at_most: Duration) -> StoreError {
+    let why = match fault {
+        Fault::Said(error) => return error,
+        Fault::Passing(reason) => format!("Neo4j at {server} is too busy: {reason}"),
+        Fault::Broken => format!("the connection to Neo4j at {server} broke"),
+        Fault::Away => format!("there is no Neo4j at {server}; start it"),
+        Fault::Silent => format!("Neo4j at {server} did not answer within {} s", at_most.as_secs()),
+    };
+    StoreError::Unavailable(why)
+}

@@ -1,0 +1,144 @@
+//! The way to the server: every call has an end, and is made again where that is safe.
+
+use super::address::Address;
+use super::fault::{Fault, told};
+use crate::StoreError;
+use neo4rs::{BoltType, ConfigBuilder, Graph, query};
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+use tokio::time::{Instant, sleep, timeout_at};
+
+/// How long one call may take, all attempts together.
+pub(super) const ANSWER_MAX: Duration = Duration::from_secs(3);
+/// Connections kept open at the same time; further calls wait for one.
+const CONNECTIONS_MAX: usize = 16;
+/// Rows fetched at a time.
+const ROWS_AT_ONCE: usize = 1_000;
+/// The first pause before another attempt; it doubles up to the longest.
+const PAUSE_MIN: Duration = Duration::from_millis(5);
+const PAUSE_MAX: Duration = Duration::from_millis(320);
+/// Attempts after a broken connection; a server that is away does not come back within one call.
+const BROKEN_MAX: u32 = 3;
+
+/// The parameters of a statement.
+pub(super) type Params = Map<String, Value>;
+
+/// What to do when the connection broke before the answer came.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Broken {
+    /// Do it again: twice does the same as once.
+    Again,
+    /// Give up: it may have been done.
+    GiveUp,
+}
+
+/// Connections to one Neo4j.
+pub(super) struct Link {
+    graph: Graph,
+    server: String,
+    pauses: AtomicU64,
+}
+
+/// What a call found, and whether an earlier attempt of it may have done its work too.
+pub(super) struct Found<T> {
+    pub(super) rows: Vec<T>,
+    pub(super) open_before: bool,
+}
+
+impl Link {
+    /// A way to the server; it connects when first asked.
+    pub(super) fn new(address: &Address) -> Result<Self, StoreError> {
+        let config = ConfigBuilder::default()
+            .uri(&address.server)
+            .user(&address.user)
+            .password(&address.password)
+            .fetch_size(ROWS_AT_ONCE)
+            .max_connections(CONNECTIONS_MAX)
+            .connection_timeout(ANSWER_MAX)
+            // The driver's name for how long to wait for a free connection.
+            .max_lifetime(Some(ANSWER_MAX));
+        let config = match &address.database {
+            Some(name) => config.db(name.as_str()),
+            None => config,
+        };
+        let graph = config.build().and_then(Graph::connect);
+        let graph = graph.map_err(|error| StoreError::Unavailable(format!("{}: {error}", address.server)))?;
+        Ok(Self { graph, server: address.server.clone(), pauses: AtomicU64::new(u64::from(std::process::id())) })
+    }
+
+    /// The driver's own handle, for transactions.
+    pub(super) fn graph(&self) -> &Graph {
+        &self.graph
+    }
+
+    /// Reads rows.
+    pub(super) async fn read<T: DeserializeOwned>(&self, text: &str, params: Params) -> Result<Vec<T>, StoreError> {
+        Ok(self.ask(text, params, Broken::Again).await?.rows)
+    }
+
+    /// Reads or writes, and answers within [`ANSWER_MAX`].
+    pub(super) async fn ask<T: DeserializeOwned>(
+        &self,
+        text: &str,
+        params: Params,
+        broken: Broken,
+    ) -> Result<Found<T>, StoreError> {
+        self.ask_for(ANSWER_MAX, text, params, broken).await
+    }
+
+    /// The same within another time.
+    pub(super) async fn ask_for<T: DeserializeOwned>(
+        &self,
+        at_most: Duration,
+        text: &str,
+        params: Params,
+        broken: Broken,
+    ) -> Result<Found<T>, StoreError> {
+        let end = Instant::now() + at_most;
+        let (mut open_before, mut tries, mut breaks) = (false, 0, 0);
+        loop {
+            let fault = match timeout_at(end, self.once(text, &params)).await {
+                Ok(Ok(rows)) => return Ok(Found { rows, open_before }),
+                Ok(Err(fault)) => fault,
+                Err(_) => Fault::Silent,
+            };
+            breaks += u32::from(fault == Fault::Broken);
+            open_before |= fault == Fault::Broken;
+            let again = match fault {
+                Fault::Passing(_) => true,
+                Fault::Broken => broken == Broken::Again && breaks < BROKEN_MAX,
+                Fault::Away | Fault::Silent | Fault::Said(_) => false,
+            };
+            let pause = self.pause(tries);
+            tries += 1;
+            if !again || Instant::now() + pause >= end {
+                return Err(told(fault, &self.server, at_most));
+            }
+            sleep(pause).await;
+        }
+    }
+
+    /// One attempt: the statement, then every row. (Rows left unread would leave errors unread too.)
+    async fn once<T: DeserializeOwned>(&self, text: &str, params: &Params) -> Result<Vec<T>, Fault> {
+        let statement = params.iter().try_fold(query(text), |statement, (name, value)| {
+            Ok::<_, Fault>(statement.param(name, BoltType::try_from(value.clone())?))
+        })?;
+        let mut stream = self.graph.execute(statement).await?;
+        let mut rows = Vec::new();
+        while let Some(row) = stream.next().await? {
+            let row: Value = row.to().map_err(|error| Fault::damaged(&error.to_string()))?;
+            rows.push(serde_json::from_value(row).map_err(|error| Fault::damaged(&error.to_string()))?);
+        }
+        Ok(rows)
+    }
+
+    /// A pause of chance length, so that those who collided do not collide again.
+    fn pause(&self, tries: u32) -> Duration {
+        let longest = PAUSE_MAX.min(PAUSE_MIN * 2_u32.saturating_pow(tries.min(16)));
+        let drawn = self.pauses.fetch_add(0x9E37_79B9_7F4A_7C15, Ordering::Relaxed);
+        let mixed = (drawn ^ (drawn >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        longest.mul_f64(0.5 + ((mixed >> 11) as f64) / ((1_u64 << 53) as f64) / 2.0)
+    }
+}

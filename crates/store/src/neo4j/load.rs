@@ -1,0 +1,98 @@
+//! Reading a behaviour and its history.
+
+use super::fault::{Fault, told};
+use super::link::{ANSWER_MAX, Broken, Link, Params};
+use super::nodes::{ConnectorNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole};
+use crate::{Loaded, StoreError, json};
+use behaviour::{Behaviour, Committed, Id};
+use serde::Deserialize;
+use serde_json::json;
+
+/// One behaviour whole, in one row. It waits for a change that is being saved: Neo4j would show half of one.
+pub(super) const LOAD: &str = "
+MATCH (p:Behaviour {id: $id})
+SET p.lock = true REMOVE p.lock
+WITH p
+CALL (p) {
+  MATCH (s:Stream)-[:program]->(p)
+  RETURN collect(s {.*, kind: CASE WHEN s:Sensor THEN 'sensor' WHEN s:Actuator THEN 'actuator' ELSE 'ordinary' END})
+    AS streams
+}
+CALL (p) {
+  MATCH (a:Stream)-[:program]->(p) MATCH (a)-[r:map|filter|sample|timestamp|subscribe]->(b:Stream)
+  RETURN collect(r {.*, kind: type(r), inputs: [a.id], output: b.id}) AS simple
+}
+CALL (p) {
+  MATCH (c:Connector)-[:program]->(p) MATCH (c)-[:output]->(b:Stream)
+  RETURN collect(c {.*, kind: [x IN labels(c) WHERE x <> 'Connector'][0], output: b.id,
+    inputs: COLLECT { MATCH (a:Stream)-[e:input]->(c) RETURN a.id ORDER BY e.slot }}) AS nodes
+}
+CALL (p) { MATCH (n:Place)-[:program]->(p) RETURN collect(n {.*}) AS places }
+CALL (p) { MATCH (n:Note)-[:program]->(p) RETURN collect(n {.*}) AS notes }
+CALL (p) { MATCH (n:Helper)-[:program]->(p) RETURN collect(n {.*}) AS helpers }
+RETURN p.revision AS revision, p.removed_ms AS removed_ms, p {.name, .robot, .engine_json} AS settings,
+  streams, simple, nodes, places, notes, helpers";
+
+const HISTORY: &str = "
+MATCH (o:Op) WHERE o.program_id = $id AND o.revision > $since
+RETURN o.revision AS revision, o.change AS change ORDER BY o.program_id, o.revision LIMIT $most";
+
+#[derive(Deserialize)]
+struct Row {
+    revision: u64,
+    removed_ms: Option<u64>,
+    settings: SettingsNode,
+    streams: Vec<StreamNode>,
+    simple: Vec<ConnectorNode>,
+    nodes: Vec<ConnectorNode>,
+    places: Vec<PlaceNode>,
+    notes: Vec<NoteNode>,
+    helpers: Vec<HelperNode>,
+}
+
+#[derive(Deserialize)]
+struct Made {
+    revision: u64,
+    change: String,
+}
+
+/// A behaviour as it is now.
+pub(super) async fn load(link: &Link, id: &Id) -> Result<Option<Loaded>, StoreError> {
+    let params = Params::from_iter([("id".to_owned(), json!(id))]);
+    let found = link.ask::<Row>(LOAD, params, Broken::Again).await?;
+    let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
+    let (revision, removed_ms) = (row.revision, row.removed_ms);
+    let behaviour = behaviour(row).map_err(|fault| told(fault, "", ANSWER_MAX))?;
+    Ok(Some(Loaded { behaviour, revision, removed_ms }))
+}
+
+fn behaviour(row: Row) -> Result<Behaviour, Fault> {
+    let mut behaviour = Behaviour::default();
+    let records = &mut behaviour.records;
+    records.extend(row.settings.record()?);
+    for stream in row.streams {
+        records.extend([stream.record()?]);
+    }
+    for connector in row.simple.into_iter().chain(row.nodes) {
+        records.extend([connector.record()?]);
+    }
+    records.extend(row.places.into_iter().map(PlaceNode::record));
+    records.extend(row.notes.into_iter().map(NoteNode::record));
+    records.extend(row.helpers.into_iter().map(HelperNode::record));
+    Ok(behaviour)
+}
+
+/// Changes after a revision, oldest first.
+pub(super) async fn history(link: &Link, id: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
+    // No revision is larger than the largest i64.
+    let since = i64::try_from(since).unwrap_or(i64::MAX);
+    let params = [("id", json!(id)), ("since", json!(since)), ("most", whole(u64::from(most)))];
+    let params = params.map(|(name, value)| (name.to_owned(), value)).into_iter().collect();
+    let rows = link.read::<Made>(HISTORY, params).await?;
+    rows.into_iter().map(committed).collect()
+}
+
+fn committed(made: Made) -> Result<Committed, StoreError> {
+    let damaged = |reason| StoreError::Damaged(format!("the Neo4j database: change {}: {reason}", made.revision));
+    Ok(Committed { revision: made.revision, change: json::decode(&made.change).map_err(damaged)? })
+}

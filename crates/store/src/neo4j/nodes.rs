@@ -1,0 +1,247 @@
+//! Records as the properties of nodes and relationships, and back.
+
+use super::fault::Fault;
+use crate::json;
+use crate::usage::words;
+use behaviour::{
+    Connector, Engine, Helper, Id, Kind, Note, Operation, Place, Procedure, Record, RecordId, Settings, Stream,
+    StreamKind,
+};
+use serde::{Deserialize, Deserializer};
+use serde_json::{Value, json};
+
+/// A whole number from 0 on. Neo4j has none above the largest `i64`; a larger one is kept as its digits.
+pub(super) fn whole(number: u64) -> Value {
+    i64::try_from(number).map_or_else(|_| Value::from(number.to_string()), Value::from)
+}
+
+fn read_whole<'de, D: Deserializer<'de>>(from: D) -> Result<Option<u64>, D::Error> {
+    let wrong = |what: Value| serde::de::Error::custom(format!("{what} is no whole number"));
+    match Option::<Value>::deserialize(from)? {
+        None | Some(Value::Null) => Ok(None),
+        Some(Value::String(digits)) => digits.parse().map(Some).map_err(|_| wrong(Value::String(digits))),
+        Some(number) => number.as_u64().map(Some).ok_or_else(|| wrong(number)),
+    }
+}
+
+/// The label of a stream's kind.
+pub(super) fn label(kind: StreamKind) -> &'static str {
+    match kind {
+        StreamKind::Sensor => "Sensor",
+        StreamKind::Ordinary => "Ordinary",
+        StreamKind::Actuator => "Actuator",
+    }
+}
+
+/// The kind of a device, which is that of the streams it feeds.
+pub(super) fn device_kind(kind: StreamKind) -> &'static str {
+    match kind {
+        StreamKind::Sensor => "sensor",
+        StreamKind::Ordinary => "ordinary",
+        StreamKind::Actuator => "actuator",
+    }
+}
+
+/// The label of a connector that is a node.
+pub(super) fn connector_label(operation: &Operation) -> &'static str {
+    match operation {
+        Operation::Map(_) => "Map",
+        Operation::Filter(_) => "Filter",
+        Operation::Timestamp => "Timestamp",
+        Operation::Sample { .. } => "Sample",
+        Operation::CombineLatest(_) => "CombineLatest",
+        Operation::Merge => "Merge",
+        Operation::Subscribe => "Subscribe",
+    }
+}
+
+/// True if the thesis draws the connector as a relationship between two streams.
+pub(super) fn is_simple(connector: &Connector) -> bool {
+    let simple = match &connector.operation {
+        Operation::Map(procedure) | Operation::Filter(procedure) => matches!(procedure, Procedure::Body { .. }),
+        Operation::Timestamp | Operation::Sample { .. } | Operation::Subscribe => true,
+        Operation::CombineLatest(_) | Operation::Merge => false,
+    };
+    simple && connector.inputs.len() == 1
+}
+
+/// The properties of a stream's node.
+pub(super) fn of_stream(program: &Id, id: &Id, stream: &Stream) -> Result<Value, String> {
+    let params = if stream.params.is_empty() { None } else { Some(json::encode(&stream.params)?) };
+    Ok(json!({
+        "program_id": program, "id": id, "name": stream.name, "order": stream.order, "device": stream.device,
+        "params_json": params, "resources": stream.resources, "priority": stream.priority,
+        "hold_ms": stream.hold_ms.map(whole),
+    }))
+}
+
+/// The properties of a connector's node or relationship.
+pub(super) fn of_connector(program: &Id, id: &Id, record: &Record, connector: &Connector) -> Value {
+    let (body, args, helper) = match connector.operation.procedure() {
+        Some(Procedure::Body { body, args }) => (Some(body), args.as_ref(), None),
+        Some(Procedure::Helper(name)) => (None, None, Some(name)),
+        None => (None, None, None),
+    };
+    let period_ms =
+        if let Operation::Sample { period_ms } = connector.operation { Some(whole(period_ms)) } else { None };
+    json!({
+        "program_id": program, "id": id, "order": connector.order, "body": body, "args": args, "helper": helper,
+        "period_ms": period_ms, "words": body.map(|_| words(record)).filter(|words| !words.is_empty()),
+    })
+}
+
+/// The properties of a helper's node.
+pub(super) fn of_helper(program: &Id, id: &Id, record: &Record, helper: &Helper) -> Value {
+    json!({
+        "program_id": program, "id": id, "name": helper.name, "params": helper.params, "body": helper.body,
+        "says": helper.says, "words": Some(words(record)).filter(|words| !words.is_empty()),
+    })
+}
+
+/// The properties of the settings, on the node of their behaviour; all null without settings.
+pub(super) fn of_settings(settings: Option<&Settings>) -> Result<Value, String> {
+    let engine = settings.map(|settings| json::encode(&settings.engine)).transpose()?;
+    let name = settings.map(|settings| &settings.name);
+    Ok(json!({ "name": name, "robot": settings.map(|settings| &settings.robot), "engine_json": engine }))
+}
+
+/// Settings as they are read.
+#[derive(Deserialize)]
+pub(super) struct SettingsNode {
+    name: Option<String>,
+    robot: Option<String>,
+    engine_json: Option<String>,
+}
+
+impl SettingsNode {
+    /// The settings, if there are any.
+    pub(super) fn record(self) -> Result<Option<(RecordId, Record)>, Fault> {
+        let (Some(name), Some(robot), Some(engine)) = (self.name, self.robot, self.engine_json) else {
+            return Ok(None);
+        };
+        let engine: Engine = json::decode(&engine).map_err(|reason| Fault::damaged(&reason))?;
+        Ok(Some((RecordId::settings(), Record::Settings(Settings { name, robot, engine }))))
+    }
+}
+
+/// A stream as it is read.
+#[derive(Deserialize)]
+pub(super) struct StreamNode {
+    id: Id,
+    kind: StreamKind,
+    name: String,
+    order: i64,
+    device: Option<String>,
+    params_json: Option<String>,
+    resources: Option<Vec<String>>,
+    priority: Option<i64>,
+    #[serde(default, deserialize_with = "read_whole")]
+    hold_ms: Option<u64>,
+}
+
+impl StreamNode {
+    /// The stream.
+    pub(super) fn record(self) -> Result<(RecordId, Record), Fault> {
+        let params = self.params_json.as_deref().map(json::decode).transpose();
+        let stream = Stream {
+            kind: self.kind,
+            name: self.name,
+            device: self.device,
+            params: params.map_err(|reason| Fault::damaged(&reason))?.unwrap_or_default(),
+            order: self.order,
+            resources: self.resources,
+            priority: self.priority,
+            hold_ms: self.hold_ms,
+        };
+        Ok((RecordId::new(Kind::Stream, &self.id), Record::Stream(stream)))
+    }
+}
+
+/// A connector as it is read, from a node or a relationship.
+#[derive(Deserialize)]
+pub(super) struct ConnectorNode {
+    id: Id,
+    kind: String,
+    inputs: Vec<Id>,
+    output: Id,
+    order: i64,
+    body: Option<String>,
+    args: Option<Vec<String>>,
+    helper: Option<String>,
+    #[serde(default, deserialize_with = "read_whole")]
+    period_ms: Option<u64>,
+}
+
+impl ConnectorNode {
+    /// The connector.
+    pub(super) fn record(self) -> Result<(RecordId, Record), Fault> {
+        let wrong = || Fault::damaged(&format!("connector {} has a part too few", self.id));
+        let procedure = || match (&self.helper, &self.body) {
+            (Some(name), _) => Ok(Procedure::Helper(name.clone())),
+            (None, Some(body)) => Ok(Procedure::Body { body: body.clone(), args: self.args.clone() }),
+            (None, None) => Err(wrong()),
+        };
+        let operation = match self.kind.as_str() {
+            "map" | "Map" => Operation::Map(procedure()?),
+            "filter" | "Filter" => Operation::Filter(procedure()?),
+            "timestamp" | "Timestamp" => Operation::Timestamp,
+            "sample" | "Sample" => Operation::Sample { period_ms: self.period_ms.ok_or_else(wrong)? },
+            "CombineLatest" => Operation::CombineLatest(procedure()?),
+            "Merge" => Operation::Merge,
+            "subscribe" | "Subscribe" => Operation::Subscribe,
+            _ => return Err(wrong()),
+        };
+        let key = RecordId::new(Kind::Connector, &self.id);
+        Ok((
+            key,
+            Record::Connector(Connector { operation, inputs: self.inputs, output: self.output, order: self.order }),
+        ))
+    }
+}
+
+/// A helper as it is read.
+#[derive(Deserialize)]
+pub(super) struct HelperNode {
+    id: Id,
+    name: String,
+    params: Vec<String>,
+    body: String,
+    says: String,
+}
+
+impl HelperNode {
+    /// The helper.
+    pub(super) fn record(self) -> (RecordId, Record) {
+        let helper = Helper { name: self.name, params: self.params, body: self.body, says: self.says };
+        (RecordId::new(Kind::Helper, &self.id), Record::Helper(helper))
+    }
+}
+
+/// A place as it is read.
+#[derive(Deserialize)]
+pub(super) struct PlaceNode {
+    id: Id,
+    x: f64,
+    y: f64,
+}
+
+impl PlaceNode {
+    /// The place.
+    pub(super) fn record(self) -> (RecordId, Record) {
+        (RecordId::new(Kind::Place, &self.id), Record::Place(Place { x: self.x, y: self.y }))
+    }
+}
+
+/// A note as it is read.
+#[derive(Deserialize)]
+pub(super) struct NoteNode {
+    id: Id,
+    text: String,
+}
+
+impl NoteNode {
+    /// The note.
+    pub(super) fn record(self) -> (RecordId, Record) {
+        (RecordId::new(Kind::Note, &self.id), Record::Note(Note { text: self.text }))
+    }
+}

@@ -1,0 +1,64 @@
+//! One Neo4j for all tests that do it no harm; they use it one after the other.
+
+use crate::server::{self, Neo4j};
+use neo4rs::{Graph, query};
+use serde_json::Value;
+use store::Neo4jStore;
+use tokio::sync::{Mutex, MutexGuard, OnceCell};
+
+static SHARED: OnceCell<Option<Neo4j>> = OnceCell::const_new();
+static TURN: Mutex<()> = Mutex::const_new(());
+
+/// The shared Neo4j, for one test at a time.
+pub(crate) struct Alone {
+    neo4j: &'static Neo4j,
+    _turn: MutexGuard<'static, ()>,
+}
+
+/// Waits for the shared Neo4j; none if there is none here.
+pub(crate) async fn alone(part: &str) -> Option<Alone> {
+    let folder = server::folder(part)?;
+    let turn = TURN.lock().await;
+    let start = || async { tokio::task::spawn_blocking(|| Some(Neo4j::start(folder))).await.expect("a start") };
+    let neo4j = SHARED.get_or_init(start).await.as_ref()?;
+    Some(Alone { neo4j, _turn: turn })
+}
+
+impl Alone {
+    pub(crate) fn url(&self) -> String {
+        self.neo4j.url()
+    }
+
+    /// A handle like that of another server on the same database.
+    pub(crate) async fn store(&self) -> Neo4jStore {
+        store::open_neo4j(&self.url()).await.expect("a store")
+    }
+
+    /// Takes everything out but the schema.
+    pub(crate) async fn empty(&self) {
+        self.rows("MATCH (n) WHERE NOT n:Migration AND NOT n:Shared DETACH DELETE n").await;
+    }
+
+    /// A handle to a database without anything in it.
+    pub(crate) async fn empty_store(&self) -> Neo4jStore {
+        let store = self.store().await;
+        self.empty().await;
+        store
+    }
+
+    /// What the database itself answers.
+    pub(crate) async fn rows(&self, text: &str) -> Vec<Value> {
+        rows(self.neo4j, text).await
+    }
+}
+
+/// What a Neo4j answers, row by row.
+pub(crate) async fn rows(neo4j: &Neo4j, text: &str) -> Vec<Value> {
+    let graph = Graph::new(neo4j.place(), "neo4j", neo4j.password()).expect("a graph");
+    let mut stream = graph.execute(query(text)).await.expect("the statement runs");
+    let mut rows = Vec::new();
+    while let Some(row) = stream.next().await.expect("a row") {
+        rows.push(row.to().expect("values"));
+    }
+    rows
+}
