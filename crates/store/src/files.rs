@@ -61,6 +61,31 @@ pub struct Looked {
     pub places: BTreeMap<String, (u32, u32)>,
 }
 
+impl Looked {
+    /// Faults that begin with the id of what they are about, `id: reason`, with the place of it.
+    #[must_use]
+    pub fn place(&self, faults: &[String]) -> Vec<FileFault> {
+        let place = |fault: &String| {
+            let (id, reason) = fault.split_once(": ").unwrap_or(("", fault));
+            let known = self.places.get(id);
+            let (line, column) = known.copied().unwrap_or((1, 1));
+            let reason = if known.is_some() { reason } else { fault };
+            FileFault { line, column, reason: sentence(reason) }
+        };
+        let mut placed: Vec<_> = faults.iter().map(place).collect();
+        placed.sort();
+        placed.dedup();
+        placed
+    }
+}
+
+/// With a capital letter and a full stop.
+fn sentence(reason: &str) -> String {
+    let mut rest = reason.trim_end_matches('.').chars();
+    let first = rest.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}.", rest.as_str())
+}
+
 /// Reads a behaviour, as JSON or XML.
 ///
 /// # Errors
