@@ -31,7 +31,7 @@ const LIBRARIES: [(&str, &[&str]); 6] = [
     ("protocol", &["serde"]),
     ("robot", &["serde"]),
     ("simulation", &["libm", "rapier3d", "serde", "toml"]),
-    ("store", &["async-trait", "neo4rs", "rusqlite", "serde", "serde_json", "thiserror", "tokio"]),
+    ("store", &["async-trait", "neo4rs", "quick-xml", "rusqlite", "serde", "serde_json", "thiserror", "tokio"]),
 ];
 
 /// Rooms without clock, threads, network or chance.

@@ -17,10 +17,10 @@ mod value;
 mod words;
 
 pub use change::{Change, Edit};
-pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
+pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 pub use graph::Graph;
 pub use ids::{Id, Kind, RecordId};
-pub use names::{argument_names, calls_helper, is_identifier, rename_identifier, shown_spellings};
+pub use names::{argument_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings};
 pub use problems::{Problem, ProblemKind, problems};
 pub use record::{
     Behaviour, Connector, Engine, Helper, Note, Operation, Params, Place, Procedure, Record, Settings, Stream,

@@ -1,6 +1,6 @@
 //! From the names of streams to the argument names of procedures (thesis 6.2.1), and back when a stream is renamed.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// Words that Rhai 1.27 keeps for itself; the engine's tests hold this list against Rhai.
@@ -8,6 +8,9 @@ const RHAI_KEYWORDS: &str = "Fn as async await break call case catch const conti
     false fn for go goto if import in is is_def_fn is_def_var is_shared let loop match module new nil null package print \
     private protected public return shared spawn static super switch sync this thread throw true try type_of until use var \
     void while with yield";
+
+/// How a body begins to point to a helper.
+const POINTER: &str = "Fn(\"";
 
 /// The argument names of a procedure from the names of its input streams, in order: `Red ball` becomes `redBall`.
 pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
@@ -101,9 +104,39 @@ pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)
 /// to have the helper's name is no call.
 #[must_use]
 pub fn calls_helper(body: &str, helper: &str) -> bool {
-    let opens = |end: usize| body[end..].trim_start().starts_with('(');
-    let called = variables(body).into_iter().any(|place| &body[place.clone()] == helper && opens(place.end));
-    called || body.contains(&format!("Fn(\"{helper}\")"))
+    uses(body).into_iter().any(|place| &body[place] == helper)
+}
+
+/// The body with every helper that it uses under its new name, all at once. Arguments, fields and texts keep theirs.
+#[must_use]
+pub fn rename_helpers(body: &str, names: &BTreeMap<String, String>) -> String {
+    let mut places = uses(body);
+    places.sort_by_key(|place| place.start);
+    let mut renamed = String::with_capacity(body.len());
+    let mut done = 0;
+    for place in places {
+        let new = names.get(&body[place.clone()]).filter(|_| place.start >= done);
+        if let Some(new) = new {
+            renamed.push_str(&body[done..place.start]);
+            renamed.push_str(new);
+            done = place.end;
+        }
+    }
+    renamed.push_str(&body[done..]);
+    renamed
+}
+
+/// Where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
+fn uses(body: &str) -> Vec<Range<usize>> {
+    let opens = |place: &Range<usize>| body[place.end..].trim_start().starts_with('(');
+    let mut found: Vec<_> = variables(body).into_iter().filter(opens).collect();
+    for (at, before) in body.match_indices(POINTER) {
+        let start = at + before.len();
+        if let Some(length) = body[start..].find("\")") {
+            found.push(start..start + length);
+        }
+    }
+    found
 }
 
 /// Where variables and function names stand in a Rhai text.
@@ -234,6 +267,15 @@ mod tests {
         for body in ["distance < 20", "distances(b)", "// distance(b)", "#{distance: 1}", ""] {
             assert!(!calls_helper(body, "distance"), "{body}");
         }
+    }
+
+    #[test]
+    fn helpers_get_their_new_names_all_at_once() {
+        let names = [("near".to_owned(), "near2".to_owned()), ("near2".to_owned(), "near22".to_owned())].into();
+        let body = "near(x) && near2 (x) || near < 1 && [x].map(Fn(\"near\")) && \"near(x)\" == x.near(1) // near(x)";
+        let wanted =
+            "near2(x) && near22 (x) || near < 1 && [x].map(Fn(\"near2\")) && \"near(x)\" == x.near(1) // near(x)";
+        assert_eq!(super::rename_helpers(body, &names), wanted);
     }
 
     #[test]

@@ -1,18 +1,14 @@
 //! Making a behaviour: empty or from a template, whose helpers join the library.
 
+use crate::carry;
 use crate::hub::{Hub, bounded, reason, store_no};
 use crate::templates::{Template, templates};
-use behaviour::{
-    Accepted, Behaviour, BehaviourFile, Change, Committed, Helper, Id, Kind, Record, RecordId, Refusal, Settings,
-};
+use behaviour::{Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings};
 use protocol::{Reply, SaidNo};
-use std::collections::BTreeMap;
 use std::sync::Arc;
+use store::files::Mode;
 use store::{Append, StoreError};
 use uuid::Uuid;
-
-/// How often a helper is offered to the library when others change it at the same moment.
-const TRIES: usize = 5;
 
 /// What a client wants made.
 pub(crate) struct Wish {
@@ -50,7 +46,7 @@ fn find(name: &str) -> Result<&'static Template, SaidNo> {
     templates().iter().find(|template| template.name == name).ok_or_else(shown)
 }
 
-fn check_name(name: &str) -> Result<(), SaidNo> {
+pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
     let no = |refusal| Err(SaidNo::Change(refusal));
     if name.trim().is_empty() || name.chars().any(char::is_control) {
         return no(Refusal::Name(name.chars().filter(|c| !c.is_control()).take(40).collect()));
@@ -72,16 +68,16 @@ async fn save(hub: &Arc<Hub>, wish: &Wish, mut records: Behaviour) -> Result<(),
         change = change.put(&Behaviour::default(), id.clone(), record.clone());
     }
     let first = Accepted { revision: 1, change };
-    append_first(hub, &wish.behaviour, &first, &records).await?;
+    append(hub, &wish.behaviour, &first, &records).await?;
     hub.programs.changed(&wish.behaviour, &records, &first);
     Ok(())
 }
 
-/// Once more if the outcome is open: the op id settles it.
-async fn append_first(hub: &Hub, id: &Id, first: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
-    let mut answer = bounded(hub.store.append(id, first, after)).await;
+/// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
+pub(crate) async fn append(hub: &Hub, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
+    let mut answer = bounded(hub.store.append(id, made, after)).await;
     if answer.as_ref().is_err_and(StoreError::is_open) {
-        answer = bounded(hub.store.append(id, first, after)).await;
+        answer = bounded(hub.store.append(id, made, after)).await;
     }
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
@@ -92,65 +88,10 @@ async fn append_first(hub: &Hub, id: &Id, first: &Committed, after: &Behaviour) 
 
 /// The records of a template under new ids, its helpers in the library.
 async fn from_template(hub: &Arc<Hub>, template: &Template, by: &str) -> Result<Behaviour, SaidNo> {
-    let mut file = template.file();
-    let names = shelve(hub, &file, by).await?;
-    rename_helpers(&mut file, &names);
-    let records = file.records(|_| Some(Id::from_uuid(Uuid::new_v4())));
-    records.map_err(|faults| SaidNo::CannotStart(faults.join("; ")))
-}
-
-/// Puts the helpers of a file into the library: old name to the name it has there.
-async fn shelve(hub: &Arc<Hub>, file: &BehaviourFile, by: &str) -> Result<BTreeMap<String, String>, SaidNo> {
-    let mut last = SaidNo::TooFast;
-    for _ in 0..TRIES {
-        let shelf = hub.shelf();
-        let (names, change) = shelving(&shelf.behaviour, &file.library(), by);
-        if change.edits.is_empty() {
-            return Ok(names);
-        }
-        match hub.propose_to_library(change).await {
-            Ok(()) => return Ok(names),
-            Err(no @ SaidNo::Change(Refusal::Stale(_) | Refusal::NameTaken(_))) => last = no,
-            Err(no) => return Err(no),
-        }
-    }
-    Err(last)
-}
-
-/// The change that adds what is missing. A helper that is there as it is stays; one that differs comes under a
-/// numbered name.
-fn shelving(library: &Behaviour, helpers: &[Helper], by: &str) -> (BTreeMap<String, String>, Change) {
-    let mut change = Change::of(Id::from_uuid(Uuid::new_v4()), by, "Add helpers of a template");
-    let mut there: BTreeMap<String, Helper> = library.helpers().map(|(_, h)| (h.name.clone(), h.clone())).collect();
-    let mut names = BTreeMap::new();
-    for helper in helpers {
-        let same = |other: &Helper| other.params == helper.params && other.body == helper.body;
-        let numbered = (2_u32..).map(|number| format!("{}{number}", helper.name));
-        let mut candidates = std::iter::once(helper.name.clone()).chain(numbered);
-        let Some(name) = candidates.find(|name| there.get(name).is_none_or(same)) else { continue };
-        if !there.contains_key(&name) {
-            let added = Helper { name: name.clone(), ..helper.clone() };
-            let id = RecordId::new(Kind::Helper, &Id::from_uuid(Uuid::new_v4()));
-            change = change.put(library, id, Record::Helper(added.clone()));
-            there.insert(name.clone(), added);
-        }
-        names.insert(helper.name.clone(), name);
-    }
-    (names, change)
-}
-
-/// Uses the helpers under the names they have in the library.
-fn rename_helpers(file: &mut BehaviourFile, names: &BTreeMap<String, String>) {
-    for connector in &mut file.connectors {
-        if let Some(name) = connector.helper.as_ref().and_then(|old| names.get(old)) {
-            connector.helper = Some(name.clone());
-        }
-        if let Some(body) = &mut connector.body {
-            for (old, new) in names.iter().filter(|(old, new)| old != new) {
-                *body = behaviour::rename_identifier(body, old, new);
-            }
-        }
-    }
+    let brought = carry::shelve(hub, &Arc::new(template.file()), Mode::Copy, by).await?;
+    let mut records = Behaviour::default();
+    brought.changes.iter().for_each(|change| records.apply(change));
+    Ok(records)
 }
 
 /// The library of a fresh store: the helpers that come with the robot, as one change.

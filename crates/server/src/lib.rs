@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod accept;
+mod carry;
 mod checking;
 mod clients;
 mod create;

@@ -2,18 +2,20 @@
 
 use crate::door::{self, Origin};
 use crate::hub::Hub;
-use crate::{page, session, start};
-use axum::extract::rejection::QueryRejection;
-use axum::extract::{Path, Query, Request, State, WebSocketUpgrade};
+use crate::{carry, page, session, start};
+use axum::body::Bytes;
+use axum::extract::rejection::{BytesRejection, QueryRejection};
+use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri, header};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{any, get, post};
 use axum::{Json, Router};
-use behaviour::{BehaviourFile, Id};
-use protocol::{MESSAGE_MAX_BYTES, SaidNo};
+use behaviour::Id;
+use protocol::MESSAGE_MAX_BYTES;
 use serde::Deserialize;
 use std::sync::Arc;
+use store::files::FILE_MAX_BYTES;
 
 /// What may wait to be written to one socket, in bytes: some large messages; then its writer waits.
 const WRITE_MAX_BYTES: usize = 16 << 20;
@@ -46,7 +48,8 @@ pub(crate) fn routes(hub: Arc<Hub>, port: u16) -> Router {
         .route(protocol::STOP_PATH, post(stop))
         .route("/healthz", get(|| async { "ok\n" }))
         .route("/readyz", get(readyz))
-        .route("/api/behaviours/{file}", get(export))
+        .route("/api/behaviours/{file}", get(download))
+        .route("/api/import", post(upload).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)))
         .fallback(get(files))
         .layer(middleware::from_fn_with_state(porch.clone(), guard))
         .with_state(porch)
@@ -110,28 +113,16 @@ async fn readyz(State(porch): State<Porch>) -> Response {
     }
 }
 
-async fn export(State(porch): State<Porch>, Path(file): Path<String>) -> Response {
-    let id = file.strip_suffix(".json").and_then(|id| Id::new(id).ok());
-    let Some(id) = id else { return (StatusCode::NOT_FOUND, format!("{}\n", SaidNo::NoBehaviour)).into_response() };
-    match porch.hub.look(&id).await {
-        Ok(look) => {
-            let shelf = porch.hub.shelf();
-            attached(&BehaviourFile::of(&look.behaviour, &shelf.helpers()))
-        }
-        Err(no @ SaidNo::NoBehaviour) => (StatusCode::NOT_FOUND, format!("{no}\n")).into_response(),
-        Err(no) => (StatusCode::SERVICE_UNAVAILABLE, format!("{no}\n")).into_response(),
-    }
+async fn download(State(porch): State<Porch>, Path(file): Path<String>) -> Response {
+    carry::download(&porch.hub, &file).await
 }
 
-/// As a file to keep, named after the behaviour as far as letters of file names go.
-fn attached(file: &BehaviourFile) -> Response {
-    let text = serde_json::to_string_pretty(file).map(|text| text + "\n");
-    let Ok(text) = text else { return StatusCode::INTERNAL_SERVER_ERROR.into_response() };
-    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
-    let name: String = file.name.chars().take(60).map(plain).collect();
-    let disposition = format!("attachment; filename=\"{name}.json\"");
-    let headers = [(header::CONTENT_TYPE, "application/json".to_owned()), (header::CONTENT_DISPOSITION, disposition)];
-    (headers, text).into_response()
+async fn upload(
+    State(porch): State<Porch>,
+    Query(how): Query<carry::How>,
+    body: Result<Bytes, BytesRejection>,
+) -> Response {
+    carry::upload(&porch.hub, how, body).await
 }
 
 async fn files(method: Method, uri: Uri, asked: HeaderMap) -> Response {

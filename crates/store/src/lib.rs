@@ -10,6 +10,7 @@
 pub mod contract;
 mod door;
 mod error;
+pub mod files;
 mod folder;
 mod insight;
 mod json;

@@ -50,6 +50,7 @@ fn filtered(name: &str, body: &str) -> Start {
     };
     let file = BehaviourFile {
         format: FORMAT.to_owned(),
+        id: None,
         name: name.to_owned(),
         robot: None,
         engine: None,
@@ -63,6 +64,8 @@ fn filtered(name: &str, body: &str) -> Start {
             connector("test", "filter", "ball", "good", Some(body)),
             connector("show", "subscribe", "good", "page", None),
         ],
+        notes: Vec::new(),
+        order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };
     Start { behaviour: id(name), revision: 1, file, by: "Aiko".to_owned() }

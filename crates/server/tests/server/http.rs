@@ -89,3 +89,88 @@ async fn half_a_header_and_a_silent_socket_do_not_stay() {
     assert!(start.elapsed() < Duration::from_secs(15), "{:?}", start.elapsed());
     house.close().await;
 }
+
+fn post(house: &House, path: &str, body: &str) -> String {
+    let more = format!("Origin: http://{}\r\nContent-Length: {}\r\n\r\n{body}", house.address, body.len());
+    line("POST", path, house, &more).trim_end_matches("\r\n").to_owned()
+}
+
+/// Status line and body of what came back.
+async fn asked(house: &House, request: &str) -> (String, String) {
+    let answer = raw(house, request).await;
+    let (head, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
+    let status = head.split_whitespace().nth(1).expect("a status").to_owned();
+    (status, body.to_owned())
+}
+
+async fn exported(house: &House, id: &str, ending: &str) -> String {
+    let (status, body) = asked(house, &line("GET", &format!("/api/behaviours/{id}.{ending}"), house, "")).await;
+    assert_eq!(status, "200", "{body}");
+    body
+}
+
+#[tokio::test]
+async fn an_exported_file_comes_back_as_a_copy_or_as_itself() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let made = make(&aiko, "Far <&>", Some("Track far and close balls")).await.to_string();
+    let other = House::open().await;
+    for ending in ["json", "xml"] {
+        let file = exported(&house, &made, ending).await;
+        let (status, copied) = asked(&house, &post(&house, "/api/import?by=Ben", &file)).await;
+        let copied: serde_json::Value = serde_json::from_str(&copied).unwrap();
+        assert_eq!((status.as_str(), &copied["renamedHelpers"]), ("200", &serde_json::json!([])));
+        assert!(copied["id"] != made.as_str() && copied["name"].as_str().unwrap().starts_with("Far <&> "));
+        let (status, taken) = asked(&house, &post(&house, "/api/import?mode=restore", &file)).await;
+        assert!(status == "409" && taken.contains("here already"), "{taken}");
+    }
+    let (status, restored) =
+        asked(&other, &post(&other, "/api/import?mode=restore", &exported(&house, &made, "xml").await)).await;
+    assert_eq!((status.as_str(), restored.contains(&made)), ("200", true), "{restored}");
+    assert_eq!(exported(&other, &made, "json").await, exported(&house, &made, "json").await);
+    let svg = exported(&house, &made, "svg").await;
+    assert!(svg.contains("<title id=\"title\">Far &lt;&amp;&gt;</title>"), "{svg}");
+    for house in [house, other] {
+        house.close().await;
+    }
+}
+
+#[tokio::test]
+async fn a_helper_that_means_something_else_here_is_told() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let made = make(&aiko, "Far", Some("Track far and close balls")).await.to_string();
+    let file = exported(&house, &made, "json").await.replace("0.03 / sin(ball.size)", "1.0 / ball.size");
+    let (status, answer) = asked(&house, &post(&house, "/api/import", &file)).await;
+    let answer: serde_json::Value = serde_json::from_str(&answer).unwrap();
+    assert_eq!(status, "200", "{answer}");
+    assert_eq!(answer["renamedHelpers"], serde_json::json!([["ball_to_distance", "ball_to_distance2"]]));
+    let copy = exported(&house, answer["id"].as_str().unwrap(), "json").await;
+    assert!(copy.contains("\"helper\": \"ball_to_distance2\"") && copy.contains("1.0 / ball.size"), "{copy}");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_file_that_cannot_be_imported_is_refused_with_line_and_reason() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let made = make(&aiko, "Far", Some("Track far and close balls")).await.to_string();
+    let file = exported(&house, &made, "json").await;
+    let cases = [
+        (file.replace("\"sensor\"", "\"sense\""), "400", "Line 9, column "),
+        (file.replace("\"device\": \"RedBall\"", "\"device\": \"Nose\""), "422", "Nose"),
+        (file.replace("distance >= 0.5", "distance >="), "422", "This procedure cannot run"),
+        (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "A name is missing"),
+        ("<!DOCTYPE x><behaviour/>".to_owned(), "400", "Line 1, column 1: A DOCTYPE"),
+        (" ".repeat(store::files::FILE_MAX_BYTES + 1), "413", "larger than 2097152 bytes"),
+    ];
+    for (text, status, reason) in cases {
+        let (said, body) = asked(&house, &post(&house, "/api/import", &text)).await;
+        let answer: serde_json::Value = serde_json::from_str(&body).unwrap();
+        let sentence = answer["error"].as_str().unwrap();
+        assert!(said == status && sentence.contains(reason) && sentence.ends_with('.'), "{said} {sentence}");
+    }
+    let strange = line("POST", "/api/import", &house, "Origin: http://evil.example\r\nContent-Length: 0\r\n");
+    assert_eq!(asked(&house, &strange).await.0, "403");
+    house.close().await;
+}

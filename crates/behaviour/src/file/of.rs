@@ -1,0 +1,113 @@
+//! From a behaviour to its file.
+
+use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
+use crate::{
+    Behaviour, Connector, Engine, Helper, Id, Operation, Place, Procedure, Record, Settings, Stream, calls_helper,
+};
+use std::collections::BTreeMap;
+
+impl BehaviourFile {
+    /// The file of a behaviour with those helpers of `library` that it uses, also through other helpers.
+    #[must_use]
+    pub fn of(behaviour: &Behaviour, library: &[&Helper]) -> Self {
+        let settings = behaviour.settings().cloned().unwrap_or_else(|| Settings::named(""));
+        let connectors: Vec<_> =
+            behaviour.connectors_in_order().into_iter().map(|(id, c)| file_connector(id, c)).collect();
+        Self {
+            format: FORMAT.to_owned(),
+            id: None,
+            name: settings.name,
+            robot: Some(settings.robot).filter(|robot| robot != "nao"),
+            engine: Some(settings.engine).filter(|engine| *engine != Engine::Event),
+            helpers: used_helpers(&connectors, library),
+            streams: behaviour.streams_in_order().into_iter().map(|(id, stream)| file_stream(id, stream)).collect(),
+            connectors,
+            notes: notes_of(behaviour),
+            order: order_of(behaviour),
+            layout: layout_of(behaviour),
+        }
+    }
+}
+
+/// The creation numbers that the position in the file does not tell.
+fn order_of(behaviour: &Behaviour) -> BTreeMap<String, i64> {
+    let streams = behaviour.streams_in_order().into_iter().map(|(id, stream)| (id, stream.order));
+    let connectors = behaviour.connectors_in_order().into_iter().map(|(id, connector)| (id, connector.order));
+    let numbered = (0..).zip(streams).chain((0..).zip(connectors));
+    numbered.filter(|(at, (_, order))| at != order).map(|(_, (id, order))| (id.to_string(), order)).collect()
+}
+
+fn notes_of(behaviour: &Behaviour) -> Vec<FileNote> {
+    let notes = behaviour.records.iter().filter_map(|(key, record)| match record {
+        Record::Note(note) => Some(FileNote { id: key.id.to_string(), text: note.text.clone() }),
+        _ => None,
+    });
+    notes.collect()
+}
+
+fn file_stream(id: &Id, stream: &Stream) -> FileStream {
+    FileStream {
+        id: id.to_string(),
+        kind: stream.kind,
+        name: stream.name.clone(),
+        device: stream.device.clone(),
+        params: Some(stream.params.clone()).filter(|params| !params.is_empty()),
+        resources: stream.resources.clone(),
+        priority: stream.priority,
+        hold_ms: stream.hold_ms,
+    }
+}
+
+fn file_connector(id: &Id, connector: &Connector) -> FileConnector {
+    let (body, args, helper) = match connector.operation.procedure() {
+        Some(Procedure::Body { body, args }) => (Some(body.clone()), args.clone(), None),
+        Some(Procedure::Helper(name)) => (None, None, Some(name.clone())),
+        None => (None, None, None),
+    };
+    let period_ms = if let Operation::Sample { period_ms } = connector.operation { Some(period_ms) } else { None };
+    FileConnector {
+        id: id.to_string(),
+        operation: connector.operation.word().to_owned(),
+        inputs: connector.inputs.iter().map(Id::to_string).collect(),
+        output: connector.output.to_string(),
+        body,
+        args,
+        helper,
+        period_ms,
+    }
+}
+
+fn layout_of(behaviour: &Behaviour) -> BTreeMap<String, Place> {
+    let places = behaviour.records.iter().filter_map(|(key, record)| match record {
+        Record::Place(place) => Some((key.id.to_string(), *place)),
+        _ => None,
+    });
+    places.collect()
+}
+
+fn used_helpers(connectors: &[FileConnector], library: &[&Helper]) -> Vec<FileHelper> {
+    let named = |helper: &Helper| connectors.iter().any(|connector| connector.helper.as_deref() == Some(&helper.name));
+    let mut unread: Vec<&str> = connectors.iter().filter_map(|connector| connector.body.as_deref()).collect();
+    let mut used: BTreeMap<&str, &Helper> = BTreeMap::new();
+    for helper in library.iter().filter(|helper| named(helper)) {
+        used.insert(&helper.name, helper);
+        unread.push(&helper.body);
+    }
+    while let Some(text) = unread.pop() {
+        for helper in library.iter().filter(|helper| calls_helper(text, &helper.name)) {
+            if used.insert(&helper.name, helper).is_none() {
+                unread.push(&helper.body);
+            }
+        }
+    }
+    used.into_values().map(file_helper).collect()
+}
+
+fn file_helper(helper: &Helper) -> FileHelper {
+    FileHelper {
+        name: helper.name.clone(),
+        params: helper.params.clone(),
+        body: helper.body.clone(),
+        says: helper.says.clone(),
+    }
+}

@@ -1,0 +1,78 @@
+//! A behaviour as a file and back: nothing that its records hold is lost.
+
+use behaviour::{
+    Behaviour, BehaviourFile, Connector, Id, Kind, Note, Operation, Params, Place, Procedure, Record, RecordId,
+    Settings, Stream, StreamKind,
+};
+
+fn id(text: &str) -> Id {
+    Id::new(text).expect("an id")
+}
+
+fn stream(name: &str, order: i64) -> Record {
+    Record::Stream(Stream {
+        kind: StreamKind::Ordinary,
+        name: name.to_owned(),
+        device: None,
+        params: Params::from([("gain".to_owned(), 0.1.into())]),
+        order,
+        resources: Some(Vec::new()),
+        priority: Some(-1),
+        hold_ms: Some(7),
+    })
+}
+
+fn full() -> Behaviour {
+    let sample = Operation::Map(Procedure::Body { body: "a".to_owned(), args: Some(vec!["a".to_owned()]) });
+    let connector = Connector { operation: sample, inputs: vec![id("s1")], output: id("s0"), order: 9 };
+    let settings = Settings { robot: "pepper".to_owned(), ..Settings::named("Full") };
+    let place = |x| Record::Place(Place { x, y: -0.5 });
+    let records = [
+        (RecordId::settings(), Record::Settings(settings)),
+        (RecordId::new(Kind::Stream, &id("s0")), stream("Last", 5)),
+        (RecordId::new(Kind::Stream, &id("s1")), stream("First", -3)),
+        (RecordId::new(Kind::Stream, &id("s2")), stream("Middle", 1)),
+        (RecordId::new(Kind::Connector, &id("c0")), Record::Connector(connector)),
+        (RecordId::new(Kind::Note, &id("n0")), Record::Note(Note { text: "Look\nhere".to_owned() })),
+        (RecordId::new(Kind::Place, &id("n0")), place(1.0)),
+        (RecordId::new(Kind::Place, &id("s0")), place(0.1)),
+        (RecordId::new(Kind::Place, &id("gone")), place(3.0)),
+    ];
+    Behaviour { records: records.into() }
+}
+
+#[test]
+fn under_the_same_ids_everything_comes_back() {
+    let file = BehaviourFile::of(&full(), &[]);
+    assert_eq!(file.records(|_| None).unwrap(), full());
+    assert_eq!(file.order.len(), 3, "a creation number that is the position is not written: {:?}", file.order);
+}
+
+#[test]
+fn a_copy_has_new_ids_the_same_order_and_its_notes() {
+    let file = BehaviourFile::of(&full(), &[]);
+    let copy = file.records(|old| Some(id(&format!("new-{old}")))).unwrap();
+    let names: Vec<_> = copy.streams_in_order().into_iter().map(|(_, stream)| stream.name.clone()).collect();
+    assert_eq!(names, ["First", "Middle", "Last"]);
+    assert!(copy.records.contains_key(&RecordId::new(Kind::Note, &id("new-n0"))));
+    assert_eq!(copy.place(&id("new-n0")), Some(Place { x: 1.0, y: -0.5 }));
+    assert_eq!(copy.connector(&id("new-c0")).unwrap().inputs, [id("new-s1")]);
+    assert_eq!(copy.records.len(), full().records.len() - 1, "the place of nothing stays behind");
+}
+
+#[test]
+fn creation_numbers_that_contradict_the_file_are_refused() {
+    let mut file = BehaviourFile::of(&full(), &[]);
+    file.order.insert("s2".to_owned(), 99);
+    let faults = file.records(|_| None).unwrap_err();
+    assert_eq!(faults, ["s0: its order 5 comes before 99, the one above it; leave order out of the file"]);
+    file.order = [("nobody".to_owned(), 1)].into();
+    assert_eq!(file.records(|_| None).unwrap_err().len(), 1);
+}
+
+#[test]
+fn an_id_names_one_thing() {
+    let mut file = BehaviourFile::of(&full(), &[]);
+    file.notes[0].id = "c0".to_owned();
+    assert_eq!(file.records(|_| None).unwrap_err(), ["c0: this id is used twice"]);
+}

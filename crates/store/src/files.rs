@@ -1,0 +1,133 @@
+//! Behaviours as files to carry: reading with the line of every fault, writing so that it can be compared, and what
+//! an import changes. Texts in, values out; no file is opened here.
+
+mod import;
+mod json;
+mod place;
+mod shape;
+mod svg;
+mod tree;
+mod xml;
+
+#[cfg(test)]
+mod samples;
+#[cfg(test)]
+mod schemas;
+#[cfg(test)]
+mod tests;
+
+pub use import::{Import, Mode, import};
+pub use json::write::write_json;
+pub use svg::write_svg;
+pub use xml::write::write_xml;
+
+use behaviour::BehaviourFile;
+use place::Lines;
+use std::collections::BTreeMap;
+use std::fmt;
+
+/// The largest file that is read, in bytes.
+pub const FILE_MAX_BYTES: usize = 2 << 20;
+/// The longest body, note or other text in a file, in bytes.
+pub const TEXT_MAX_BYTES: usize = 64 << 10;
+
+/// What is wrong with a file, and where.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct FileFault {
+    /// The line, from 1.
+    pub line: u32,
+    /// The character in the line, from 1.
+    pub column: u32,
+    /// What is wrong and what to do, in a sentence.
+    pub reason: String,
+}
+
+impl fmt::Display for FileFault {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        write!(to, "Line {}, column {}: {}", self.line, self.column, self.reason)
+    }
+}
+
+impl std::error::Error for FileFault {}
+
+/// A file that was looked at.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Looked {
+    /// The behaviour, if its form is right.
+    pub file: Option<BehaviourFile>,
+    /// What is wrong with its form, from top to bottom.
+    pub faults: Vec<FileFault>,
+    /// Line and column of each stream, connector and note by id, and of each helper by name.
+    pub places: BTreeMap<String, (u32, u32)>,
+}
+
+impl Looked {
+    /// Faults that begin with the id of what they are about, `id: reason`, with the place of it.
+    #[must_use]
+    pub fn place(&self, faults: &[String]) -> Vec<FileFault> {
+        let place = |fault: &String| {
+            let (id, reason) = fault.split_once(": ").unwrap_or(("", fault));
+            let known = self.places.get(id);
+            let (line, column) = known.copied().unwrap_or((1, 1));
+            let reason = if known.is_some() { reason } else { fault };
+            FileFault { line, column, reason: sentence(reason) }
+        };
+        let mut placed: Vec<_> = faults.iter().map(place).collect();
+        placed.sort();
+        placed.dedup();
+        placed
+    }
+}
+
+/// With a capital letter and a full stop.
+fn sentence(reason: &str) -> String {
+    let mut rest = reason.trim_end_matches('.').chars();
+    let first = rest.next().map(|first| first.to_uppercase().to_string()).unwrap_or_default();
+    format!("{first}{}.", rest.as_str())
+}
+
+/// Reads a behaviour, as JSON or XML.
+///
+/// # Errors
+/// The first fault.
+pub fn read(bytes: &[u8]) -> Result<BehaviourFile, FileFault> {
+    let looked = look(bytes);
+    let unknown = || FileFault { line: 1, column: 1, reason: "This is no behaviour.".to_owned() };
+    looked.file.ok_or_else(|| looked.faults.into_iter().next().unwrap_or_else(unknown))
+}
+
+/// Looks at a whole file and tells every fault of its form.
+#[must_use]
+pub fn look(bytes: &[u8]) -> Looked {
+    match looked(bytes) {
+        Ok(looked) => looked,
+        Err(fault) => Looked { faults: vec![fault], ..Looked::default() },
+    }
+}
+
+fn looked(bytes: &[u8]) -> Result<Looked, FileFault> {
+    let text = text(bytes)?;
+    let lines = Lines::of(text);
+    let start = text.len() - text.trim_start().len();
+    let tree = match text.as_bytes().get(start) {
+        Some(b'{') => json::tree(text, &lines)?,
+        Some(b'<') => xml::tree(text, &lines)?,
+        Some(_) => return Err(lines.fault(start, "This is no behaviour: a file begins with { (JSON) or < (XML).")),
+        None => return Err(lines.fault(start, "The file is empty. Choose another one.")),
+    };
+    Ok(shape::behaviour(&tree, &lines))
+}
+
+/// The text of a file that is not too large.
+fn text(bytes: &[u8]) -> Result<&str, FileFault> {
+    let at_start = |reason: String| FileFault { line: 1, column: 1, reason };
+    if bytes.len() > FILE_MAX_BYTES {
+        let reason = format!("The file has {} bytes, and a behaviour may have {FILE_MAX_BYTES}.", bytes.len());
+        return Err(at_start(reason + " Split it into several."));
+    }
+    let text = std::str::from_utf8(bytes).map_err(|error| {
+        let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
+        Lines::of(&good).fault(good.len(), "This is no UTF-8 text. Save the file as UTF-8.")
+    })?;
+    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+}

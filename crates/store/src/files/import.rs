@@ -1,0 +1,243 @@
+//! What importing a file changes: the behaviour it makes, and the helpers that join the library.
+
+mod helpers;
+
+use behaviour::{Behaviour, BehaviourFile, Change, EDITS_MAX, Id, NAME_MAX_CHARS, Record, RecordId};
+use helpers::Shelved;
+
+/// Whose ids the imported behaviour gets.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// New ones: a second behaviour beside the first.
+    Copy,
+    /// The file's own: the same behaviour again, in a store that does not have it.
+    Restore,
+}
+
+/// What to save so that a file is imported: first the library, then the behaviour from nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Import {
+    /// The behaviour's id.
+    pub behaviour: Id,
+    /// Its name.
+    pub name: String,
+    /// The change to the library; none if it has all helpers already.
+    pub library: Option<Change>,
+    /// The changes that make the behaviour, in order, from revision 1. Almost always one.
+    pub changes: Vec<Change>,
+    /// Helpers whose names meant something else here: the name in the file and the one they have now.
+    pub renamed: Vec<(String, String)>,
+}
+
+/// What importing `file` changes, given the library as it is now and a source of new ids.
+///
+/// # Errors
+/// One sentence for every reason, each beginning with the id of what it is about.
+pub fn import(
+    file: &BehaviourFile,
+    mode: Mode,
+    library: &Behaviour,
+    by: &str,
+    mut new_id: impl FnMut() -> Id,
+) -> Result<Import, Vec<String>> {
+    let Shelved { names, change } = helpers::shelve(file, library, by, &mut new_id).map_err(|reason| vec![reason])?;
+    let file = helpers::renamed(file, &names);
+    let records = match mode {
+        Mode::Copy => file.records(|_| Some(new_id()))?,
+        Mode::Restore => file.records(|_| None)?,
+    };
+    let own = file.id.as_deref().filter(|_| mode == Mode::Restore);
+    let behaviour = own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![format!("id: {reason}")])?;
+    let changes = from_nothing(&records, &file.name, by, &mut new_id);
+    let renamed = names.into_iter().filter(|(old, new)| old != new).collect();
+    let library = Some(change).filter(|change| !change.edits.is_empty());
+    Ok(Import { behaviour, name: file.name, library, changes, renamed })
+}
+
+/// The changes that make all records, streams before what needs them.
+fn from_nothing(records: &Behaviour, name: &str, by: &str, new_id: &mut impl FnMut() -> Id) -> Vec<Change> {
+    let label: String = format!("Import {name}").chars().take(NAME_MAX_CHARS).collect();
+    debug_assert!(records.records.contains_key(&RecordId::settings()), "a file always has settings");
+    let nothing = Behaviour::default();
+    let all: Vec<(&RecordId, &Record)> = records.records.iter().collect();
+    let mut changes = Vec::new();
+    for part in all.chunks(EDITS_MAX) {
+        let start = Change::of(new_id(), by, &label);
+        changes.push(part.iter().fold(start, |made, (id, record)| {
+            let (id, record) = ((*id).clone(), (*record).clone());
+            made.put(&nothing, id, record)
+        }));
+    }
+    changes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Import, Mode, import};
+    use crate::files::samples::templates;
+    use behaviour::{
+        Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, StreamKind,
+    };
+
+    fn ids() -> impl FnMut() -> Id {
+        let mut next = 0;
+        move || {
+            next += 1;
+            Id::new(&format!("new{next}")).expect("an id")
+        }
+    }
+
+    fn helper(name: &str, body: &str) -> FileHelper {
+        FileHelper { name: name.to_owned(), params: vec!["x".to_owned()], body: body.to_owned(), says: String::new() }
+    }
+
+    fn library(helpers: &[(&str, &str)]) -> Behaviour {
+        let record = |(at, (name, body)): (usize, &(&str, &str))| {
+            let FileHelper { name, params, body, says } = helper(name, body);
+            let id = Id::new(&format!("h{at}")).expect("an id");
+            (RecordId::new(Kind::Helper, &id), Record::Helper(Helper { name, params, body, says }))
+        };
+        Behaviour { records: helpers.iter().enumerate().map(record).collect() }
+    }
+
+    /// A sensor, and one map after the other.
+    fn file(helpers: Vec<FileHelper>, maps: &[Procedure]) -> BehaviourFile {
+        let text = r#"{"format":"rrp-behaviour/1","id":"own","name":"Near","helpers":[],
+            "streams":[{"id":"s0","kind":"sensor","name":"Near","device":"RedBall"}],"connectors":[]}"#;
+        let mut file = crate::files::read(text.as_bytes()).expect("a file");
+        file.helpers = helpers;
+        for (at, procedure) in maps.iter().enumerate() {
+            let (mut stream, mut text) = (file.streams[0].clone(), (None, None));
+            stream.kind = StreamKind::Ordinary;
+            stream.id = format!("s{}", at + 1);
+            file.streams.push(stream);
+            match procedure {
+                Procedure::Body { body, .. } => text.0 = Some(body.clone()),
+                Procedure::Helper(name) => text.1 = Some(name.clone()),
+            }
+            file.connectors.push(behaviour::FileConnector {
+                id: format!("c{at}"),
+                operation: "map".to_owned(),
+                inputs: vec!["s0".to_owned()],
+                output: format!("s{}", at + 1),
+                body: text.0,
+                args: None,
+                helper: text.1,
+                period_ms: None,
+            });
+        }
+        file
+    }
+
+    fn done(made: &Import) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        made.changes.iter().for_each(|change| behaviour.apply(change));
+        behaviour
+    }
+
+    /// Name and body of what the library gets.
+    fn added(change: Option<&Change>) -> Vec<(String, String)> {
+        let edits = change.map_or(&[][..], |change| &change.edits);
+        let helper = |edit: &behaviour::Edit| match &edit.after {
+            Some(Record::Helper(helper)) => (helper.name.clone(), helper.body.clone()),
+            other => panic!("{other:?}"),
+        };
+        let mut all: Vec<_> = edits.iter().map(helper).collect();
+        all.sort();
+        all
+    }
+
+    fn procedures(made: &Import) -> Vec<Procedure> {
+        let behaviour = done(made);
+        let all = behaviour.connectors_in_order();
+        all.into_iter().filter_map(|(_, connector)| connector.operation.procedure().cloned()).collect()
+    }
+
+    #[test]
+    fn a_helper_that_is_there_with_the_same_meaning_is_used() {
+        let file = file(vec![helper("near", "x < 1")], &[Procedure::Helper("near".into())]);
+        let made = import(&file, Mode::Copy, &library(&[("near", "x < 1")]), "Aiko", ids()).unwrap();
+        assert_eq!((made.library.as_ref(), made.renamed.len()), (None, 0));
+        assert_eq!(procedures(&made), [Procedure::Helper("near".into())]);
+        assert_eq!(made.changes[0].author, "Aiko");
+    }
+
+    #[test]
+    fn a_helper_that_means_something_else_here_gets_a_free_name_wherever_it_is_used() {
+        let helpers = vec![helper("near", "x < 1"), helper("near3", "1"), helper("close", "near(x) && far(x)")];
+        let maps = [Procedure::Helper("near".into()), Procedure::body("near < 1 || near(near) || close(near)")];
+        let there = library(&[("near", "x < 2"), ("near2", "x < 3")]);
+        let made = import(&file(helpers, &maps), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        assert_eq!(made.renamed, [("near".to_owned(), "near4".to_owned())]);
+        let wanted = [("close", "near4(x) && far(x)"), ("near3", "1"), ("near4", "x < 1")];
+        assert_eq!(added(made.library.as_ref()), wanted.map(|(name, body)| (name.to_owned(), body.to_owned())));
+        let wanted = [Procedure::Helper("near4".into()), Procedure::body("near < 1 || near4(near) || close(near)")];
+        assert_eq!(procedures(&made), wanted);
+    }
+
+    #[test]
+    fn a_helper_whose_own_helper_differs_means_something_else() {
+        let helpers = vec![helper("close", "near(x)"), helper("near", "x < 1")];
+        let there = library(&[("near", "x < 2"), ("close", "near(x)")]);
+        let made = import(&file(helpers, &[]), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        let pair = |a: &str, b: &str| (a.to_owned(), b.to_owned());
+        assert_eq!(made.renamed, [pair("close", "close2"), pair("near", "near2")]);
+        assert_eq!(added(made.library.as_ref()), [pair("close2", "near2(x)"), pair("near2", "x < 1")]);
+    }
+
+    #[test]
+    fn imported_again_the_numbered_helper_is_found() {
+        let file = file(vec![helper("near", "x < 1")], &[Procedure::Helper("near".into())]);
+        let mut there = library(&[("near", "x < 2")]);
+        let first = import(&file, Mode::Copy, &there, "Aiko", ids()).unwrap();
+        there.apply(&first.library.unwrap());
+        let again = import(&file, Mode::Copy, &there, "Aiko", ids()).unwrap();
+        assert_eq!((again.library, again.renamed), (None, first.renamed));
+    }
+
+    #[test]
+    fn a_copy_has_new_ids_and_a_restored_one_its_own() {
+        for (name, text) in templates() {
+            let mut file = crate::files::read(text.as_bytes()).unwrap();
+            file.id = Some("own".to_owned());
+            let restored = import(&file, Mode::Restore, &library(&[]), "Aiko", ids()).unwrap();
+            assert_eq!(done(&restored), file.records(|_| None).unwrap(), "{name}");
+            assert_eq!(restored.behaviour.as_str(), "own");
+            let copied = import(&file, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap();
+            assert!(copied.behaviour.as_str().starts_with("new") && copied.name == file.name);
+            let library = file.library();
+            let mut again = BehaviourFile::of(&done(&copied), &library.iter().collect::<Vec<_>>());
+            assert!(again.streams.iter().all(|stream| stream.id.starts_with("new")), "{name}");
+            let mut plain = file.clone();
+            for one in [&mut again, &mut plain] {
+                one.streams.iter_mut().for_each(|stream| stream.id.clear());
+                one.layout.clear();
+            }
+            assert_eq!(again.streams, plain.streams, "{name}");
+        }
+    }
+
+    #[test]
+    fn helpers_that_call_each_other_in_a_circle_and_missing_streams_are_refused() {
+        let circle = file(vec![helper("a", "b(x)"), helper("b", "a(x)")], &[]);
+        let refused = import(&circle, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
+        assert_eq!(refused, ["a: it calls itself, also through others. Change its body."]);
+        let mut dangling = file(vec![], &[Procedure::body("1")]);
+        dangling.connectors[0].inputs = vec!["nobody".to_owned()];
+        let refused = import(&dangling, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
+        assert_eq!(refused, ["c0: there is no stream \"nobody\""]);
+    }
+
+    #[test]
+    fn a_behaviour_too_large_for_one_change_is_made_by_several() {
+        let mut file = file(vec![], &vec![Procedure::body("1"); 1_500]);
+        for (at, prefix) in
+            [("s", 1_501), ("c", 1_500), ("x", 6_000)].into_iter().flat_map(|(p, n)| (0..n).map(move |at| (at, p)))
+        {
+            file.layout.insert(format!("{prefix}{at}"), behaviour::Place { x: 0.0, y: 0.0 });
+        }
+        let made = import(&file, Mode::Restore, &library(&[]), "Aiko", ids()).unwrap();
+        assert_eq!(made.changes.len(), 2);
+        assert_eq!(done(&made), file.records(|_| None).unwrap());
+    }
+}

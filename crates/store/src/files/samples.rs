@@ -1,0 +1,194 @@
+//! Behaviours for tests: the templates of the house, and ones made by chance.
+
+use behaviour::{
+    BehaviourFile, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Params, Place, StreamKind, Value,
+};
+use proptest::collection::{btree_map, vec};
+use proptest::option;
+use proptest::prelude::*;
+
+/// Every template with its file name.
+pub(super) fn templates() -> Vec<(String, String)> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/behaviours");
+    let mut all: Vec<_> =
+        std::fs::read_dir(folder).expect("the templates").map(|entry| entry.expect("a file").path()).collect();
+    all.sort();
+    let read = |path: &std::path::PathBuf| {
+        let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+        (name, std::fs::read_to_string(path).expect("a text"))
+    };
+    let all: Vec<_> = all.iter().map(read).collect();
+    assert!(all.len() >= 8, "the templates are there");
+    all
+}
+
+/// Texts that files find hard, without control characters.
+pub(super) fn any_text() -> impl Strategy<Value = String> {
+    let hard = [
+        "<",
+        ">",
+        "&",
+        "\"",
+        "'",
+        "]]>",
+        "<!--",
+        "&lt;",
+        "&#0;",
+        "\n",
+        "\r",
+        "\r\n",
+        "\t",
+        " ",
+        "  ",
+        "\u{85}",
+        "\u{2028}",
+        "\u{a0}",
+        "שלום",
+        "مرحبا",
+        "\u{202e}",
+        "🤖",
+        "👩‍🔬",
+        "é",
+        "e\u{301}",
+        "赤いボール",
+        "\\",
+        "\\u0041",
+        "{",
+        "}",
+        "/",
+        "\u{feff}",
+        "a",
+        "b",
+        "1",
+        "<script>alert(1)</script>",
+        "<![CDATA[",
+        "\u{7f}",
+        "\u{e000}",
+    ];
+    vec(prop_oneof![4 => proptest::sample::select(hard.to_vec()).prop_map(str::to_owned), 1 => any::<char>().prop_map(plain)], 0..8)
+        .prop_map(|parts| parts.concat())
+}
+
+fn plain(c: char) -> String {
+    if (c.is_control() && c > '\u{0}' && c < ' ') || matches!(c, '\0' | '\u{fffe}' | '\u{ffff}') {
+        String::new()
+    } else {
+        c.to_string()
+    }
+}
+
+fn any_value() -> impl Strategy<Value = Value> {
+    let float = any::<f64>().prop_filter("finite", |float| float.is_finite());
+    let leaf = prop_oneof![
+        Just(Value::Null),
+        any::<bool>().prop_map(Value::Bool),
+        any::<i64>().prop_map(Value::Int),
+        float.prop_map(Value::Float),
+        Just(Value::Float(-0.0)),
+        Just(Value::Float(42.699_999_999_999_996)),
+        any_text().prop_map(Value::text),
+    ];
+    leaf.prop_recursive(3, 12, 4, |inner| {
+        prop_oneof![
+            vec(inner.clone(), 0..4).prop_map(Value::list),
+            btree_map(any_text(), inner, 0..4).prop_map(|fields| {
+                let fields: Vec<_> = fields.into_iter().collect();
+                Value::object(fields.iter().map(|(name, value)| (name.as_str(), value.clone())))
+            }),
+        ]
+    })
+}
+
+fn any_coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        any::<f64>().prop_filter("finite", |float| float.is_finite()),
+        (-5000_i32..5000).prop_map(f64::from),
+        Just(-0.0),
+        Just(9_007_199_254_740_993.0),
+    ]
+}
+
+fn any_names(most: usize) -> impl Strategy<Value = Vec<String>> {
+    (0..=most).prop_map(|many| (0..many).map(|n| format!("arg_{n}")).collect())
+}
+
+fn any_stream(at: usize) -> impl Strategy<Value = FileStream> {
+    let kind = prop_oneof![Just(StreamKind::Sensor), Just(StreamKind::Ordinary), Just(StreamKind::Actuator)];
+    let params = btree_map(any_text(), any_value(), 0..3);
+    let rest = (option::of(any_text()), params, option::of(vec(any_text(), 0..3)), option::of(any::<i64>()));
+    (kind, any_text(), rest, option::of(0..=i64::MAX.cast_unsigned())).prop_map(
+        move |(kind, name, (device, params, resources, priority), hold_ms)| FileStream {
+            id: format!("s{at}"),
+            kind,
+            name,
+            device,
+            params: Some(params).filter(|params: &Params| !params.is_empty()),
+            resources,
+            priority,
+            hold_ms,
+        },
+    )
+}
+
+fn any_connector(at: usize) -> impl Strategy<Value = FileConnector> {
+    let words = ["map", "filter", "combineLatest", "timestamp", "sample", "merge", "subscribe"];
+    let inputs = vec((0_usize..4).prop_map(|n| format!("s{n}")), 0..4);
+    let body = (option::of(any_text()), option::of(any_names(3)), option::of(any_text()));
+    (proptest::sample::select(words.to_vec()), inputs, body, 1_u64..=3_600_000).prop_map(
+        move |(word, inputs, (body, args, helper), period)| {
+            let takes = matches!(word, "map" | "filter" | "combineLatest");
+            let helper = helper.filter(|_| takes && body.is_none());
+            let body = body.filter(|_| takes);
+            FileConnector {
+                id: format!("c{at}"),
+                operation: word.to_owned(),
+                inputs,
+                output: format!("s{at}"),
+                args: args.filter(|_| body.is_some()),
+                body,
+                helper,
+                period_ms: Some(period).filter(|_| word == "sample"),
+            }
+        },
+    )
+}
+
+fn any_helper(at: usize) -> impl Strategy<Value = FileHelper> {
+    (any_names(3), any_text(), any_text()).prop_map(move |(params, body, says)| FileHelper {
+        name: format!("helper_{at}"),
+        params,
+        body,
+        says,
+    })
+}
+
+fn numbered<T, S: Strategy<Value = T>>(most: usize, one: fn(usize) -> S) -> impl Strategy<Value = Vec<T>>
+where
+    T: std::fmt::Debug,
+{
+    (0..=most).prop_flat_map(move |many| (0..many).map(one).collect::<Vec<_>>())
+}
+
+/// Any file whose form is right, whether it makes sense or not.
+pub(super) fn any_file() -> impl Strategy<Value = BehaviourFile> {
+    let engine = prop_oneof![Just(Engine::Event), (1_u64..=1000).prop_map(|frame_ms| Engine::Frame { frame_ms })];
+    let head = (option::of("[a-z]{1,8}"), any_text(), option::of(any_text()), option::of(engine));
+    let graph = (numbered(3, any_helper), numbered(5, any_stream), numbered(5, any_connector));
+    let place = (any_coordinate(), any_coordinate()).prop_map(|(x, y)| Place { x, y });
+    let notes = vec(any_text(), 0..3);
+    (head, graph, notes, btree_map(any_text(), place, 0..4), any::<i64>()).prop_map(
+        |((id, name, robot, engine), (helpers, streams, connectors), notes, layout, order)| BehaviourFile {
+            format: FORMAT.to_owned(),
+            id,
+            name,
+            robot,
+            engine,
+            order: streams.iter().take(2).map(|stream| (stream.id.clone(), order)).collect(),
+            notes: (0..).zip(notes).map(|(at, text)| FileNote { id: format!("n{at}"), text }).collect(),
+            helpers,
+            streams,
+            connectors,
+            layout,
+        },
+    )
+}

@@ -1,0 +1,164 @@
+//! The schemas in `schemas/` tell the truth: what is written keeps them, and what breaks them is refused.
+
+use super::samples::{any_file, templates};
+use super::{read, write_json, write_xml};
+use proptest::prelude::*;
+use proptest::strategy::ValueTree;
+use proptest::test_runner::TestRunner;
+use std::io::Write;
+use std::process::{Command, Stdio};
+
+const JSON: &str = include_str!("../../schemas/rrp-behaviour-1.schema.json");
+const XSD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/schemas/rrp-behaviour-1.xsd");
+/// Files that xmllint is shown.
+const SHOWN: usize = 100;
+
+fn validator() -> jsonschema::Validator {
+    let schema: serde_json::Value = serde_json::from_str(JSON).expect("the schema is JSON");
+    assert!(jsonschema::meta::is_valid(&schema), "the schema is one of draft 2020-12");
+    jsonschema::draft202012::new(&schema).expect("a schema")
+}
+
+fn keeps(validator: &jsonschema::Validator, text: &str) -> bool {
+    serde_json::from_str(text).is_ok_and(|value| validator.is_valid(&value))
+}
+
+#[test]
+fn every_template_keeps_the_json_schema() {
+    let validator = validator();
+    for (name, text) in templates() {
+        assert!(keeps(&validator, &text), "{name}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(128))]
+    #[test]
+    fn whatever_is_written_keeps_the_json_schema(file in any_file()) {
+        let text = write_json(&file);
+        let value = serde_json::from_str(&text).unwrap();
+        let broken: Vec<_> = validator().iter_errors(&value).map(|error| error.to_string()).collect();
+        prop_assert!(broken.is_empty(), "{:?}\n{}", broken, text);
+    }
+}
+
+/// What breaks a file of one map, one sample and one note.
+const BREAKS: [(&str, &str); 23] = [
+    ("rrp-behaviour/1", "rrp-behaviour/2"),
+    ("\"name\": \"Whole\",", ""),
+    ("\"name\": \"Whole\",", "\"name\": \"Whole\", \"colour\": 1,"),
+    ("\"id\": \"own\"", "\"id\": \"no id\""),
+    ("\"engine\": {\"frame\": {\"frameMs\": 50}}", "\"engine\": \"fast\""),
+    ("\"frameMs\": 50", "\"frameMs\": 1001"),
+    ("\"params\": [\"x\"]", "\"params\": [\"2x\"]"),
+    ("\"kind\": \"sensor\"", "\"kind\": \"sense\""),
+    ("\"kind\": \"sensor\"", "\"kind\": \"sensor\", \"x\": 1"),
+    ("\"priority\": 1", "\"priority\": 1.5"),
+    ("\"priority\": 1", "\"holdMs\": -1"),
+    ("\"type\": \"map\"", "\"type\": \"sieve\""),
+    ("\"type\": \"map\"", "\"type\": \"merge\""),
+    ("\"body\": \"x\"", "\"body\": \"x\", \"helper\": \"h\""),
+    ("\"body\": \"x\"", "\"args\": [\"x\"]"),
+    ("\"body\": \"x\"", "\"body\": 1"),
+    ("\"periodMs\": 10", "\"periodMs\": 0"),
+    (", \"periodMs\": 10", ""),
+    ("\"inputs\": [\"a\"]", "\"inputs\": \"a\""),
+    ("\"text\": \"t\"", "\"text\": null"),
+    ("\"order\": {\"a\": 0}", "\"order\": {\"a\": \"0\"}"),
+    ("\"y\": 2.5", "\"y\": \"2.5\""),
+    ("\"y\": 2.5", "\"y\": 2.5, \"z\": 0"),
+];
+
+const WHOLE: &str = r#"{
+  "format": "rrp-behaviour/1",
+  "id": "own",
+  "name": "Whole",
+  "engine": {"frame": {"frameMs": 50}},
+  "helpers": [{"name": "h", "params": ["x"], "body": "x"}],
+  "streams": [
+    {"id": "a", "kind": "sensor", "name": "A", "device": "RedBall", "priority": 1, "params": {"gain": 0.1}, "resources": ["head"]},
+    {"id": "b", "kind": "ordinary", "name": "B"}
+  ],
+  "connectors": [
+    {"id": "c", "type": "map", "inputs": ["a"], "output": "b", "body": "x"},
+    {"id": "d", "type": "sample", "inputs": ["a"], "output": "b", "periodMs": 10}
+  ],
+  "notes": [{"id": "n", "text": "t"}],
+  "order": {"a": 0},
+  "layout": {"a": {"x": 1, "y": 2.5}}
+}"#;
+
+#[test]
+fn what_breaks_the_json_schema_is_refused_and_the_other_way_round() {
+    let validator = validator();
+    assert!(keeps(&validator, WHOLE) && read(WHOLE.as_bytes()).is_ok());
+    for (right, wrong) in BREAKS {
+        assert!(WHOLE.contains(right), "{right}");
+        let text = WHOLE.replacen(right, wrong, 1);
+        assert!(!keeps(&validator, &text), "the schema takes {wrong}");
+        assert!(read(text.as_bytes()).is_err(), "the reader takes {wrong}");
+    }
+}
+
+/// True if xmllint is here; else it is said loudly that this part is left out.
+fn has_xmllint() -> bool {
+    let here = Command::new("xmllint").arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status().is_ok();
+    if !here {
+        let said = "SKIPPED: xmllint is not here, so the XSD was not tried; install libxml2-utils to try it.\n";
+        std::io::stderr().write_all(said.as_bytes()).expect("a terminal");
+    }
+    here
+}
+
+/// What xmllint says about a file; none if it keeps the XSD.
+fn xmllint(text: &str) -> Option<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("behaviour.xml");
+    std::fs::write(&file, text).expect("written");
+    let done =
+        Command::new("xmllint").args(["--noout", "--nonet", "--schema", XSD]).arg(&file).output().expect("xmllint");
+    (!done.status.success()).then(|| String::from_utf8_lossy(&done.stderr).into_owned())
+}
+
+#[test]
+fn whatever_is_written_keeps_the_xsd() {
+    if !has_xmllint() {
+        return;
+    }
+    for (name, text) in templates() {
+        let xml = write_xml(&read(text.as_bytes()).unwrap()).unwrap();
+        assert_eq!(xmllint(&xml), None, "{name}");
+    }
+    let mut runner = TestRunner::deterministic();
+    for _ in 0..SHOWN {
+        let file = any_file().new_tree(&mut runner).unwrap().current();
+        let xml = write_xml(&file).unwrap();
+        assert_eq!(xmllint(&xml), None, "{xml}");
+    }
+}
+
+#[test]
+fn what_breaks_the_xsd_is_refused() {
+    let xml = write_xml(&read(WHOLE.as_bytes()).unwrap()).unwrap();
+    let breaks = [
+        ("format=\"1\"", "format=\"2\""),
+        ("name=\"Whole\"", ""),
+        ("<helpers>", "<helpers/><helpers>"),
+        ("<sensor id=\"a\"", "<sense id=\"a\""),
+        ("id=\"b\"", "id=\"a\""),
+        ("id=\"b\"", "id=\"no id\""),
+        ("frame=\"50ms\"", "frame=\"50\""),
+        ("period=\"10ms\"", ""),
+        ("<map id=\"c\"", "<map colour=\"red\" id=\"c\""),
+        ("args=\"x\"", "args=\"2x\""),
+        ("y=\"2.5\"", "y=\"INF\""),
+        ("<from stream=\"a\"/><body>", "<from stream=\"a\"/>text<body>"),
+    ];
+    let linted = has_xmllint();
+    for (right, wrong) in breaks {
+        assert!(xml.contains(right), "{right} in {xml}");
+        let text = xml.replacen(right, wrong, 1);
+        assert!(read(text.as_bytes()).is_err(), "the reader takes {wrong}");
+        assert!(!linted || xmllint(&text).is_some(), "the XSD takes {wrong}");
+    }
+}

@@ -1,0 +1,309 @@
+//! From the tree to the behaviour: every field known, of its kind and within its bounds, else a fault with its place.
+
+mod fields;
+
+use super::place::Lines;
+use super::tree::{Node, What};
+use super::{FileFault, Looked, TEXT_MAX_BYTES};
+use behaviour::{
+    BehaviourFile, CONNECTORS_MAX, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Id, NAME_MAX_CHARS,
+    Place, RATE_MS, STREAMS_MAX, StreamKind, is_identifier,
+};
+use fields::Fields;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Helpers in one file.
+const HELPERS_MAX: usize = 1_000;
+/// Notes in one file.
+const NOTES_MAX: usize = 2_000;
+/// The lengths a frame may have, in milliseconds.
+const FRAME_MS: std::ops::RangeInclusive<u64> = 1..=1000;
+
+/// The behaviour in a tree, with everything that is wrong with it.
+pub(super) fn behaviour(root: &Node, lines: &Lines) -> Looked {
+    let mut reader = Reader { lines, faults: Vec::new(), places: BTreeMap::new(), helpers: BTreeMap::new() };
+    reader.check_twice(root);
+    let file = reader.file(root);
+    // Helpers are found by name, unless something else has it as its id.
+    for (helper, place) in std::mem::take(&mut reader.helpers) {
+        reader.places.entry(helper).or_insert(place);
+    }
+    reader.faults.sort();
+    reader.faults.dedup();
+    let file = Some(file).filter(|_| reader.faults.is_empty());
+    Looked { file, faults: reader.faults, places: reader.places }
+}
+
+struct Reader<'l, 't> {
+    lines: &'l Lines<'t>,
+    faults: Vec<FileFault>,
+    places: BTreeMap<String, (u32, u32)>,
+    helpers: BTreeMap<String, (u32, u32)>,
+}
+
+impl Reader<'_, '_> {
+    fn fault(&mut self, at: usize, reason: impl Into<String>) {
+        self.faults.push(self.lines.fault(at, reason));
+    }
+
+    /// Nothing may be said twice, however deep.
+    fn check_twice(&mut self, node: &Node) {
+        match &node.what {
+            What::Plain(_) => {}
+            What::Array(items) => items.iter().for_each(|item| self.check_twice(item)),
+            What::Object(fields) => {
+                let mut seen = BTreeSet::new();
+                for (name, field) in fields {
+                    if !seen.insert(name) {
+                        self.fault(field.at, format!("“{name}” is there twice. Leave one out."));
+                    }
+                    self.check_twice(field);
+                }
+            }
+        }
+    }
+
+    fn file(&mut self, root: &Node) -> BehaviourFile {
+        const KNOWN: &str = "format id name robot engine helpers streams connectors notes order layout";
+        let fields = Fields::of(self, root, "a behaviour", KNOWN);
+        let format = fields.text(self, "format");
+        if let Some(node) = fields.get("format").filter(|_| format != FORMAT) {
+            self.fault(node.at, format!("This is not the format {FORMAT}. Export it again with this rrp."));
+        }
+        let id = fields.maybe_text(self, "id");
+        if let (Some(id), Some(node)) = (&id, fields.get("id")) {
+            self.check_id(node.at, id);
+        }
+        let name = fields.text(self, "name");
+        self.check_name(root.at, &name);
+        let file = BehaviourFile {
+            format,
+            id,
+            name,
+            robot: fields.maybe_text(self, "robot"),
+            engine: fields.get("engine").map(|node| self.engine(node)),
+            helpers: self.each(&fields, "helpers", HELPERS_MAX, Self::helper),
+            streams: self.each(&fields, "streams", STREAMS_MAX, Self::stream),
+            connectors: self.each(&fields, "connectors", CONNECTORS_MAX, Self::connector),
+            notes: if fields.get("notes").is_some() {
+                self.each(&fields, "notes", NOTES_MAX, Self::note)
+            } else {
+                vec![]
+            },
+            order: self.entries(&fields, "order", Self::whole),
+            layout: self.entries(&fields, "layout", Self::place),
+        };
+        self.check_order(&fields, &file);
+        file
+    }
+
+    fn each<T>(&mut self, fields: &Fields, name: &str, most: usize, read: fn(&mut Self, &Node) -> T) -> Vec<T> {
+        let items = fields.list(self, name);
+        if let (Some(node), true) = (fields.get(name), items.len() > most) {
+            self.fault(node.at, format!("{} {name} are too many: a file may have {most}. Split it.", items.len()));
+            return Vec::new();
+        }
+        items.iter().map(|item| read(self, item)).collect()
+    }
+
+    fn entries<T>(&mut self, fields: &Fields, name: &str, read: fn(&mut Self, &Node) -> T) -> BTreeMap<String, T> {
+        match fields.get(name).map(|node| (&node.what, node.at)) {
+            Some((What::Object(entries), _)) => {
+                entries.iter().map(|(id, node)| (id.clone(), read(self, node))).collect()
+            }
+            Some((What::Array(_) | What::Plain(_), at)) => {
+                self.fault(at, format!("“{name}” must be an object of ids, such as {{\"s1\": …}}."));
+                BTreeMap::new()
+            }
+            None => BTreeMap::new(),
+        }
+    }
+
+    fn engine(&mut self, node: &Node) -> Engine {
+        if node.value().as_text() == Some("event") {
+            return Engine::Event;
+        }
+        let fields = Fields::of(self, node, "an engine", "frame");
+        let Some(frame) = fields.get("frame") else {
+            self.fault(node.at, "The engine must be \"event\" or {\"frame\": {\"frameMs\": 50}}.");
+            return Engine::Event;
+        };
+        let fields = Fields::of(self, frame, "a frame", "frameMs");
+        let frame_ms = fields.count(self, "frameMs").unwrap_or_default();
+        if !FRAME_MS.contains(&frame_ms) {
+            self.fault(frame.at, "A frame must have 1 to 1000 milliseconds.");
+        }
+        Engine::Frame { frame_ms }
+    }
+
+    fn helper(&mut self, node: &Node) -> FileHelper {
+        let fields = Fields::of(self, node, "a helper", "name params body says");
+        let name = fields.text(self, "name");
+        self.check_identifier(node.at, &name);
+        self.check_name(node.at, &name);
+        if self.helpers.insert(name.clone(), self.lines.place(node.at)).is_some() {
+            self.fault(node.at, format!("There are two helpers “{}”. Leave one out.", short(&name)));
+        }
+        let params = fields.names(self, "params").unwrap_or_default();
+        let says = fields.maybe_text(self, "says").unwrap_or_default();
+        FileHelper { name, params, body: fields.text(self, "body"), says }
+    }
+
+    fn stream(&mut self, node: &Node) -> FileStream {
+        let fields = Fields::of(self, node, "a stream", "id kind name device params resources priority holdMs");
+        let (id, name) = (self.own_id(node, &fields), fields.text(self, "name"));
+        self.check_name(node.at, &name);
+        FileStream {
+            id,
+            kind: self.kind(&fields),
+            name,
+            device: fields.maybe_text(self, "device"),
+            // None and none at all mean the same.
+            params: Some(fields.params(self)).filter(|params| !params.is_empty()),
+            resources: fields.texts(self, "resources"),
+            priority: fields.maybe_whole(self, "priority"),
+            hold_ms: fields.count(self, "holdMs"),
+        }
+    }
+
+    fn kind(&mut self, fields: &Fields) -> StreamKind {
+        match fields.text(self, "kind").as_str() {
+            "sensor" => StreamKind::Sensor,
+            "ordinary" => StreamKind::Ordinary,
+            "actuator" => StreamKind::Actuator,
+            other => {
+                let at = fields.at("kind");
+                self.fault(at, format!("A stream is a sensor, ordinary or an actuator, not “{}”.", short(other)));
+                StreamKind::Ordinary
+            }
+        }
+    }
+
+    fn connector(&mut self, node: &Node) -> FileConnector {
+        let fields = Fields::of(self, node, "a connector", "id type inputs output body args helper periodMs");
+        let connector = FileConnector {
+            id: self.own_id(node, &fields),
+            operation: fields.text(self, "type"),
+            inputs: fields.texts(self, "inputs").unwrap_or_else(|| self.missing(node.at, "inputs")),
+            output: fields.text(self, "output"),
+            body: fields.maybe_text(self, "body"),
+            args: fields.names(self, "args"),
+            helper: fields.maybe_text(self, "helper"),
+            period_ms: fields.count(self, "periodMs"),
+        };
+        self.check_connector(&fields, &connector);
+        connector
+    }
+
+    fn check_connector(&mut self, fields: &Fields, connector: &FileConnector) {
+        let word = short(&connector.operation);
+        let may = match word.as_str() {
+            "map" | "filter" | "combineLatest" => "body args helper",
+            "sample" => "periodMs",
+            "timestamp" | "merge" | "subscribe" => "",
+            _ => {
+                let known = "map, filter, timestamp, sample, combineLatest, merge or subscribe";
+                return self.fault(fields.at("type"), format!("There is no connector “{word}”. Use {known}."));
+            }
+        };
+        for name in ["body", "args", "helper", "periodMs"] {
+            if fields.get(name).is_some() && !may.split(' ').any(|known| known == name) {
+                self.fault(fields.at(name), format!("“{word}” takes no {name}. Leave it out."));
+            }
+        }
+        if connector.helper.is_some() && (connector.body.is_some() || connector.args.is_some()) {
+            self.fault(fields.at("helper"), "It has both a helper and a body. Leave one out.");
+        }
+        if connector.args.is_some() && connector.body.is_none() {
+            self.fault(fields.at("args"), "It has args, but no body to use them. Add one, or leave args out.");
+        }
+        let beat = connector.period_ms.is_some_and(|beat| RATE_MS.contains(&beat));
+        if word == "sample" && !beat {
+            self.fault(fields.at("periodMs"), "A sample needs a period from 1 to 3,600,000 milliseconds.");
+        }
+    }
+
+    fn note(&mut self, node: &Node) -> FileNote {
+        let fields = Fields::of(self, node, "a note", "id text");
+        FileNote { id: self.own_id(node, &fields), text: fields.text(self, "text") }
+    }
+
+    fn whole(&mut self, node: &Node) -> i64 {
+        fields::whole(self, node, "order").unwrap_or_default()
+    }
+
+    fn place(&mut self, node: &Node) -> Place {
+        let fields = Fields::of(self, node, "a place", "x y");
+        let mut number = |name: &str| {
+            let found = fields.get(name).and_then(|node| node.value().as_number());
+            found.unwrap_or_else(|| {
+                self.fault(fields.at(name), format!("“{name}” must be a number, such as 12 or 0.5."));
+                0.0
+            })
+        };
+        Place { x: number("x"), y: number("y") }
+    }
+
+    /// An id, of which there is one.
+    fn own_id(&mut self, node: &Node, fields: &Fields) -> String {
+        let id = fields.text(self, "id");
+        self.check_id(fields.at("id"), &id);
+        self.remember(node.at, &id);
+        id
+    }
+
+    fn remember(&mut self, at: usize, name: &str) {
+        let before = self.places.insert(name.to_owned(), self.lines.place(at));
+        if before.is_some() && Id::new(name).is_ok() {
+            self.fault(at, format!("“{name}” is used twice. Give one of the two another id."));
+        }
+    }
+
+    fn check_id(&mut self, at: usize, id: &str) {
+        if Id::new(id).is_err() {
+            let reason = format!("“{}” is no id: use 1 to 64 letters, digits, - or _.", short(id));
+            self.fault(at, reason);
+        }
+    }
+
+    fn check_identifier(&mut self, at: usize, name: &str) {
+        if !is_identifier(name) {
+            let reason = format!("“{}” cannot be used in a body. Use letters, digits and _ only.", short(name));
+            self.fault(at, reason);
+        }
+    }
+
+    fn check_name(&mut self, at: usize, name: &str) {
+        let many = name.chars().count();
+        if many > NAME_MAX_CHARS {
+            self.fault(at, format!("A name has {many} characters, and {NAME_MAX_CHARS} fit. Shorten it."));
+        }
+    }
+
+    fn check_length(&mut self, at: usize, text: &str) {
+        if text.len() > TEXT_MAX_BYTES {
+            self.fault(at, format!("A text has {} bytes, and {TEXT_MAX_BYTES} fit. Shorten it.", text.len()));
+        }
+    }
+
+    /// Order names things that are there, and tells the same as their position.
+    fn check_order(&mut self, fields: &Fields, file: &BehaviourFile) {
+        let Some(What::Object(entries)) = fields.get("order").map(|node| &node.what) else { return };
+        let streams = file.streams.iter().map(|stream| stream.id.as_str());
+        let connectors = file.connectors.iter().map(|connector| connector.id.as_str());
+        let all: BTreeSet<&str> = streams.chain(connectors).collect();
+        for (id, node) in entries.iter().filter(|(id, _)| !all.contains(id.as_str())) {
+            self.fault(node.at, format!("There is no stream or connector “{}”. Leave its order out.", short(id)));
+        }
+    }
+
+    fn missing<T: Default>(&mut self, at: usize, name: &str) -> T {
+        self.fault(at, format!("“{name}” is missing. Add it."));
+        T::default()
+    }
+}
+
+/// A name as it fits into a sentence.
+fn short(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).take(40).collect()
+}

@@ -1,0 +1,131 @@
+//! The fields of one thing: known, there, and of their kind.
+
+use super::Reader;
+use crate::files::tree::{Node, What};
+use behaviour::{Params, Value};
+
+/// The fields of an object.
+pub(super) struct Fields<'n> {
+    at: usize,
+    /// False if it is no object, which is said already.
+    whole: bool,
+    all: &'n [(String, Node)],
+}
+
+impl<'n> Fields<'n> {
+    /// The fields of `node`, which must be an object with no other than the `known` ones.
+    pub(super) fn of(to: &mut Reader, node: &'n Node, what: &str, known: &str) -> Self {
+        let What::Object(all) = &node.what else {
+            to.fault(node.at, format!("Here should be {what}: an object with {}.", known.replace(' ', ", ")));
+            return Self { at: node.at, whole: false, all: &[] };
+        };
+        for (name, field) in all.iter().filter(|(name, _)| !known.split(' ').any(|one| one == name)) {
+            let (name, known) = (super::short(name), known.replace(' ', ", "));
+            to.fault(field.at, format!("“{name}” is not known here; {what} has {known}. Leave it out."));
+        }
+        Self { at: node.at, whole: true, all }
+    }
+
+    pub(super) fn get(&self, name: &str) -> Option<&'n Node> {
+        self.all.iter().rev().find(|(known, _)| known == name).map(|(_, node)| node)
+    }
+
+    /// Where the field begins, or the whole if it is not there.
+    pub(super) fn at(&self, name: &str) -> usize {
+        self.get(name).map_or(self.at, |node| node.at)
+    }
+
+    /// A text that must be there.
+    pub(super) fn text(&self, to: &mut Reader, name: &str) -> String {
+        if self.get(name).is_none() && self.whole {
+            return to.missing(self.at, name);
+        }
+        self.maybe_text(to, name).unwrap_or_default()
+    }
+
+    /// A text, if it is there.
+    pub(super) fn maybe_text(&self, to: &mut Reader, name: &str) -> Option<String> {
+        text(to, self.get(name)?, name)
+    }
+
+    /// A list that must be there.
+    pub(super) fn list(&self, to: &mut Reader, name: &str) -> &'n [Node] {
+        let Some(node) = self.get(name) else {
+            if self.whole {
+                to.missing::<()>(self.at, name);
+            }
+            return &[];
+        };
+        let What::Array(items) = &node.what else {
+            to.fault(node.at, format!("“{name}” must be a list."));
+            return &[];
+        };
+        items
+    }
+
+    /// A list of texts, if it is there.
+    pub(super) fn texts(&self, to: &mut Reader, name: &str) -> Option<Vec<String>> {
+        self.get(name)?;
+        Some(self.list(to, name).iter().filter_map(|item| text(to, item, name)).collect())
+    }
+
+    /// A list of names for bodies, if it is there.
+    pub(super) fn names(&self, to: &mut Reader, name: &str) -> Option<Vec<String>> {
+        let names = self.texts(to, name)?;
+        for one in &names {
+            to.check_identifier(self.at(name), one);
+        }
+        Some(names)
+    }
+
+    /// A whole number, if it is there.
+    pub(super) fn maybe_whole(&self, to: &mut Reader, name: &str) -> Option<i64> {
+        whole(to, self.get(name)?, name)
+    }
+
+    /// A whole number that is not negative, if it is there.
+    pub(super) fn count(&self, to: &mut Reader, name: &str) -> Option<u64> {
+        let whole = self.maybe_whole(to, name)?;
+        if whole < 0 {
+            to.fault(self.at(name), format!("“{name}” must not be negative."));
+        }
+        u64::try_from(whole).ok()
+    }
+
+    /// The parameters of a device; none if they are not there.
+    pub(super) fn params(&self, to: &mut Reader) -> Params {
+        let Some(node) = self.get("params") else { return Params::new() };
+        let What::Object(all) = &node.what else {
+            to.fault(node.at, "“params” must be an object of names and values.");
+            return Params::new();
+        };
+        all.iter().map(|(name, node)| (name.clone(), value(to, node))).collect()
+    }
+}
+
+/// Any value, with texts that are not too long.
+fn value(to: &mut Reader, node: &Node) -> Value {
+    let value = node.value();
+    let length = value.to_string().len();
+    if length > crate::files::TEXT_MAX_BYTES {
+        to.fault(node.at, format!("A parameter has {length} bytes. Shorten it."));
+    }
+    value
+}
+
+fn text(to: &mut Reader, node: &Node, name: &str) -> Option<String> {
+    if let What::Plain(Value::Text(text)) = &node.what {
+        to.check_length(node.at, text);
+        return Some(text.to_string());
+    }
+    to.fault(node.at, format!("“{name}” must be a text in quotes."));
+    None
+}
+
+pub(super) fn whole(to: &mut Reader, node: &Node, name: &str) -> Option<i64> {
+    if let What::Plain(Value::Int(whole)) = node.what {
+        return Some(whole);
+    }
+    to.fault(node.at, format!("“{name}” must be a whole number."));
+    None
+}

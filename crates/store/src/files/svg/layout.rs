@@ -1,0 +1,166 @@
+//! Where everything stands in the drawing: as people placed it; what has no place stands in layers, values flowing down.
+
+use super::shapes::{one_line, wide};
+use behaviour::{BehaviourFile, FileConnector, FileNote, FileStream, Place};
+use std::collections::BTreeMap;
+
+/// The height of a stream, in canvas units.
+pub(super) const HEIGHT: f64 = 48.0;
+/// From one layer to the next.
+const LAYER: f64 = 140.0;
+/// Between two streams in a layer, and around the whole drawing.
+const GAP: f64 = 40.0;
+/// No coordinate is further away, whatever the file says.
+const FAR: f64 = 1e6;
+/// The longest label of a connector, in characters.
+const LABEL_MAX_CHARS: usize = 60;
+
+/// A point: to the right, downwards.
+pub(super) type Point = (f64, f64);
+
+/// A connector's label on its way.
+pub(super) struct Chip<'f> {
+    pub(super) label: String,
+    pub(super) middle: Point,
+    connector: &'f FileConnector,
+}
+
+/// Everything with its place: streams by the middle of their top edge, notes by their corner.
+pub(super) struct Drawing<'f> {
+    pub(super) streams: Vec<(&'f FileStream, Point)>,
+    pub(super) chips: Vec<Chip<'f>>,
+    pub(super) notes: Vec<(&'f FileNote, Point)>,
+    tops: BTreeMap<&'f str, Point>,
+}
+
+impl<'f> Drawing<'f> {
+    pub(super) fn of(file: &'f BehaviourFile) -> Self {
+        let tops = tops(file);
+        let top = |id: &str| tops.get(id).copied().unwrap_or_default();
+        let streams: Vec<_> = file.streams.iter().map(|stream| (stream, top(&stream.id))).collect();
+        let right = streams.iter().map(|(stream, top)| top.0 + width(stream) / 2.0).fold(0.0, f64::max);
+        let chip = |connector: &'f FileConnector| {
+            let placed = file.layout.get(&connector.id).map(|place| near(*place));
+            let middle = placed.unwrap_or_else(|| chip_middle(connector, &tops));
+            Chip { label: label(connector), middle, connector }
+        };
+        let note = |(at, note): (u16, &'f FileNote)| {
+            let beside = (right + GAP, GAP + f64::from(at) * LAYER);
+            (note, file.layout.get(&note.id).map_or(beside, |place| near(*place)))
+        };
+        let (chips, notes) = (file.connectors.iter().map(chip).collect(), (0..).zip(&file.notes).map(note).collect());
+        Self { streams, chips, notes, tops }
+    }
+
+    /// Every line, from its upper end to its lower one.
+    pub(super) fn edges(&self) -> Vec<(Point, Point)> {
+        let mut edges = Vec::new();
+        for chip in &self.chips {
+            let inputs = chip.connector.inputs.iter().filter_map(|id| self.tops.get(id.as_str()));
+            edges.extend(inputs.map(|top| ((top.0, top.1 + HEIGHT), chip.middle)));
+            edges.extend(self.tops.get(chip.connector.output.as_str()).map(|top| (chip.middle, *top)));
+        }
+        edges
+    }
+
+    /// Left, top, width and height of all there is.
+    pub(super) fn bounds(&self) -> (f64, f64, f64, f64) {
+        let streams =
+            self.streams.iter().map(|(stream, top)| (top.0 - width(stream) / 2.0, top.1, width(stream), HEIGHT));
+        let chips = self.chips.iter().map(|chip| {
+            let wide = super::shapes::chip_width(&chip.label);
+            (chip.middle.0 - wide / 2.0, chip.middle.1 - 14.0, wide, 28.0)
+        });
+        let notes = self.notes.iter().map(|(note, corner)| {
+            let (width, height) = super::shapes::note_size(&note.text);
+            (corner.0, corner.1, width, height)
+        });
+        let boxes: Vec<_> = streams.chain(chips).chain(notes).collect();
+        let least = |of: fn(&(f64, f64, f64, f64)) -> f64| boxes.iter().map(of).reduce(f64::min).unwrap_or_default();
+        let most = |of: fn(&(f64, f64, f64, f64)) -> f64| boxes.iter().map(of).reduce(f64::max).unwrap_or_default();
+        let (left, top) = (least(|part| part.0) - GAP, least(|part| part.1) - GAP);
+        (left, top, most(|part| part.0 + part.2) + GAP - left, most(|part| part.1 + part.3) + GAP - top)
+    }
+}
+
+/// The width of a stream's shape, by its name.
+pub(super) fn width(stream: &FileStream) -> f64 {
+    (wide(&one_line(&stream.name), 15.0) + 40.0).max(120.0)
+}
+
+/// What a connector is called: `map (distance)`, `sample (500 ms)`.
+pub(super) fn label(connector: &FileConnector) -> String {
+    let body = connector.body.as_deref().map(one_line).filter(|body| !body.is_empty());
+    let period = connector.period_ms.map(|ms| format!("{ms} ms"));
+    let Some(inside) = connector.helper.clone().or(body).or(period) else { return one_line(&connector.operation) };
+    let mut short: String = inside.chars().take(LABEL_MAX_CHARS).collect();
+    if short.len() < inside.len() {
+        short.push('…');
+    }
+    one_line(&format!("{} ({short})", connector.operation))
+}
+
+fn near(place: Place) -> Point {
+    (place.x.clamp(-FAR, FAR), place.y.clamp(-FAR, FAR))
+}
+
+/// Between the streams, where all inputs have met.
+fn chip_middle(connector: &FileConnector, tops: &BTreeMap<&str, Point>) -> Point {
+    let inputs: Vec<_> = connector.inputs.iter().filter_map(|id| tops.get(id.as_str())).collect();
+    let Some((x, y)) = tops.get(connector.output.as_str()) else { return (0.0, 0.0) };
+    match inputs.as_slice() {
+        [(from_x, from_y)] => (f64::midpoint(*from_x, *x), f64::midpoint(from_y + HEIGHT, *y)),
+        _ => (*x, y - (LAYER - HEIGHT) / 2.0),
+    }
+}
+
+/// The place of every stream. Those without one stand to the right of the others, layer by layer.
+fn tops(file: &BehaviourFile) -> BTreeMap<&str, Point> {
+    let mut tops: BTreeMap<&str, Point> = BTreeMap::new();
+    let mut right = 0.0_f64;
+    for stream in &file.streams {
+        if let Some(place) = file.layout.get(&stream.id) {
+            let top = near(*place);
+            right = right.max(top.0 + width(stream) / 2.0 + GAP);
+            tops.insert(&stream.id, top);
+        }
+    }
+    let ranks = ranks(file);
+    let mut ends: BTreeMap<usize, f64> = BTreeMap::new();
+    for stream in file.streams.iter().filter(|stream| !file.layout.contains_key(&stream.id)) {
+        let rank = ranks.get(stream.id.as_str()).copied().unwrap_or_default();
+        let end = ends.entry(rank).or_insert(right);
+        tops.insert(&stream.id, (*end + width(stream) / 2.0, GAP + rank as f64 * LAYER));
+        *end += width(stream) + GAP;
+    }
+    tops
+}
+
+/// The longest way from a sense to each stream, in connectors; 0 where values flow in a circle.
+fn ranks(file: &BehaviourFile) -> BTreeMap<&str, usize> {
+    let mut waiting: BTreeMap<&str, usize> = file.streams.iter().map(|stream| (stream.id.as_str(), 0)).collect();
+    let mut below: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for connector in &file.connectors {
+        for input in connector.inputs.iter().filter(|input| waiting.contains_key(input.as_str())) {
+            below.entry(input).or_default().push(&connector.output);
+        }
+    }
+    for output in below.values().flatten() {
+        *waiting.entry(output).or_default() += 1;
+    }
+    let mut ranks = BTreeMap::new();
+    let mut ready: Vec<&str> = waiting.iter().filter(|(_, left)| **left == 0).map(|(id, _)| *id).collect();
+    while let Some(id) = ready.pop() {
+        let rank = *ranks.entry(id).or_insert(0_usize);
+        for output in below.get(id).into_iter().flatten() {
+            let least = ranks.entry(output).or_insert(0);
+            *least = (*least).max(rank + 1);
+            let left = waiting.entry(output).or_default();
+            *left = left.saturating_sub(1);
+            if *left == 0 {
+                ready.push(output);
+            }
+        }
+    }
+    ranks
+}

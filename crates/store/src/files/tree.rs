@@ -1,0 +1,52 @@
+//! A file as a tree of named things, each with its place: what JSON and XML have in common.
+
+use behaviour::Value;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// How deep things may lie in each other.
+pub(super) const DEPTH_MAX: usize = 32;
+
+/// A thing in the file.
+#[derive(Debug)]
+pub(super) struct Node {
+    /// The byte where it begins.
+    pub(super) at: usize,
+    pub(super) what: What,
+}
+
+#[derive(Debug)]
+pub(super) enum What {
+    /// Named things, in the order of the file.
+    Object(Vec<(String, Node)>),
+    /// Things in a row.
+    Array(Vec<Node>),
+    /// A text, a number, true, false or nothing.
+    Plain(Value),
+}
+
+impl Node {
+    pub(super) fn text(at: usize, text: impl AsRef<str>) -> Self {
+        Self { at, what: What::Plain(Value::text(text)) }
+    }
+
+    pub(super) fn array(at: usize, items: Vec<Node>) -> Self {
+        Self { at, what: What::Array(items) }
+    }
+
+    pub(super) fn object(at: usize, fields: Vec<(String, Node)>) -> Self {
+        Self { at, what: What::Object(fields) }
+    }
+
+    /// The same without places; of a name that is there twice the last one.
+    pub(super) fn value(&self) -> Value {
+        match &self.what {
+            What::Plain(value) => value.clone(),
+            What::Array(items) => Value::list(items.iter().map(Node::value)),
+            What::Object(fields) => {
+                let fields = fields.iter().map(|(name, node)| (Arc::from(name.as_str()), node.value()));
+                Value::Map(Arc::new(fields.collect::<BTreeMap<_, _>>()))
+            }
+        }
+    }
+}

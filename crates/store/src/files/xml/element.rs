@@ -1,0 +1,187 @@
+//! XML text into elements with their places. quick-xml finds the marks; what it would let pass is refused here.
+
+use super::escape::{cannot_hold, of_attribute, of_element, reference};
+use crate::files::FileFault;
+use crate::files::place::Lines;
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+
+/// How deep elements may lie in each other.
+const DEPTH_MAX: usize = 8;
+
+/// An element with what it holds.
+#[derive(Debug, Default)]
+pub(super) struct Element {
+    pub(super) name: String,
+    /// The byte where it begins.
+    pub(super) at: usize,
+    /// Name, place and text, in the order of the file.
+    pub(super) attributes: Vec<(String, usize, String)>,
+    pub(super) children: Vec<Element>,
+    pub(super) text: String,
+    /// Where its text begins.
+    pub(super) text_at: usize,
+}
+
+impl Element {
+    /// Where there is text other than blanks.
+    pub(super) fn loose_text_at(&self) -> Option<usize> {
+        (!self.text.trim_matches([' ', '\t', '\n', '\r']).is_empty()).then_some(self.text_at)
+    }
+
+    fn add(&mut self, at: usize, text: &str) {
+        if self.text.trim().is_empty() {
+            self.text_at = at + text.len() - text.trim_start().len();
+        }
+        self.text.push_str(text);
+    }
+}
+
+/// The one element around all others.
+pub(super) fn root(text: &str, lines: &Lines) -> Result<Element, FileFault> {
+    if let Some((at, _)) = text.char_indices().find(|(_, c)| cannot_hold(*c)) {
+        return Err(lines.fault(at, "There is a control character that XML cannot hold. Take it out."));
+    }
+    let mut parser = Parser { lines, reader: Reader::from_str(text), open: Vec::new(), root: None };
+    let config = parser.reader.config_mut();
+    config.check_comments = true;
+    while parser.step()? {}
+    parser.finish(text.len())
+}
+
+struct Parser<'l, 't> {
+    lines: &'l Lines<'t>,
+    reader: Reader<&'t [u8]>,
+    open: Vec<Element>,
+    root: Option<Element>,
+}
+
+impl Parser<'_, '_> {
+    fn no<T>(&self, at: usize, reason: impl Into<String>) -> Result<T, FileFault> {
+        Err(self.lines.fault(at, reason))
+    }
+
+    /// One mark further; false at the end.
+    fn step(&mut self) -> Result<bool, FileFault> {
+        let at = position(self.reader.buffer_position());
+        let event = match self.reader.read_event() {
+            Ok(event) => event,
+            Err(error) => return self.no(position(self.reader.error_position()), broken(&error)),
+        };
+        match event {
+            Event::Start(start) => self.start(at, &start)?,
+            Event::Empty(start) => {
+                self.start(at, &start)?;
+                self.end();
+            }
+            Event::End(_) => self.end(),
+            Event::Text(text) => self.text(at, &of_element(&String::from_utf8_lossy(&text)))?,
+            Event::CData(text) => self.text(at, &of_element(&String::from_utf8_lossy(&text)))?,
+            Event::GeneralRef(name) => {
+                let read = reference(&String::from_utf8_lossy(&name));
+                let c = read.map_err(|reason| self.lines.fault(at, reason))?;
+                self.text(at, c.encode_utf8(&mut [0; 4]))?;
+            }
+            Event::Decl(declared) => self.declared(at, &declared)?,
+            Event::DocType(_) => return self.no(at, "A DOCTYPE may not be in a behaviour. Take it out."),
+            Event::PI(_) => return self.no(at, "<?…?> may not be in a behaviour. Take it out."),
+            Event::Comment(_) => {}
+            Event::Eof => return Ok(false),
+        }
+        Ok(true)
+    }
+
+    fn declared(&self, at: usize, declared: &quick_xml::events::BytesDecl) -> Result<(), FileFault> {
+        let encoding = declared.encoding().map(|found| found.map(|name| name.eq_ignore_ascii_case(b"utf-8")));
+        let version = declared.version().is_ok_and(|version| version.as_ref() == b"1.0");
+        if at == 0 && version && !matches!(encoding, Some(Err(_) | Ok(false))) {
+            return Ok(());
+        }
+        self.no(at, "<?xml …?> must be the first line, with version 1.0 and UTF-8. Mend it or leave it out.")
+    }
+
+    fn start(&mut self, at: usize, start: &BytesStart) -> Result<(), FileFault> {
+        let name = String::from_utf8_lossy(start.name().as_ref()).into_owned();
+        if self.open.len() >= DEPTH_MAX {
+            return self.no(at, format!("Elements lie in each other more than {DEPTH_MAX} deep. Make it simpler."));
+        }
+        if self.root.is_some() {
+            return self.no(at, format!("<{name}> stands after the end of the behaviour. Take it out."));
+        }
+        let attributes = self.attributes(at, start)?;
+        self.open.push(Element { name, at, attributes, ..Element::default() });
+        Ok(())
+    }
+
+    fn attributes(&self, at: usize, start: &BytesStart) -> Result<Vec<(String, usize, String)>, FileFault> {
+        let mut all = Vec::new();
+        for attribute in start.attributes() {
+            let attribute = attribute.or_else(|error| {
+                let reason = match error {
+                    quick_xml::events::attributes::AttrError::Duplicated(..) => "An attribute is there twice.",
+                    _ => "An attribute is broken; write it as name=\"value\".",
+                };
+                self.no(at, format!("{reason} Mend it in <{}>.", String::from_utf8_lossy(start.name().as_ref())))
+            })?;
+            let name = String::from_utf8_lossy(attribute.key.as_ref()).into_owned();
+            let key = inside(start, attribute.key.as_ref());
+            if !start.get(key.wrapping_sub(1)).is_some_and(u8::is_ascii_whitespace) {
+                return self.no(at + 1 + key, format!("There must be a blank before {name}. Add one."));
+            }
+            let raw = String::from_utf8_lossy(&attribute.value);
+            let value_at = at + 1 + inside(start, &attribute.value);
+            let text = of_attribute(&raw).map_err(|(within, reason)| self.lines.fault(value_at + within, reason))?;
+            all.push((name, at + 1 + key, text));
+        }
+        Ok(all)
+    }
+
+    fn end(&mut self) {
+        let Some(done) = self.open.pop() else { return };
+        match self.open.last_mut() {
+            Some(around) => around.children.push(done),
+            None => self.root = Some(done),
+        }
+    }
+
+    fn text(&mut self, at: usize, text: &str) -> Result<(), FileFault> {
+        match self.open.last_mut() {
+            Some(element) => element.add(at, text),
+            None if text.trim_start_matches('\u{feff}').trim().is_empty() => {}
+            None => {
+                let at = at + text.len() - text.trim_start().len();
+                return self.no(at, "There is text outside of the behaviour. Take it out.");
+            }
+        }
+        Ok(())
+    }
+
+    fn finish(self, end: usize) -> Result<Element, FileFault> {
+        if let Some(open) = self.open.last() {
+            let reason = format!("The file ends inside of <{}>. Copy it again as a whole.", open.name);
+            return self.no(end, reason);
+        }
+        match self.root {
+            Some(root) => Ok(root),
+            None => Err(self.lines.fault(end, "There is no behaviour in this file. Choose another one.")),
+        }
+    }
+}
+
+fn position(at: u64) -> usize {
+    usize::try_from(at).unwrap_or(usize::MAX)
+}
+
+/// Where a part of a start mark begins in it.
+fn inside(start: &BytesStart, part: &[u8]) -> usize {
+    let offset = (part.as_ptr() as usize).wrapping_sub(start.as_ptr() as usize);
+    if offset <= start.len() { offset } else { 0 }
+}
+
+fn broken(error: &quick_xml::Error) -> String {
+    match error {
+        quick_xml::Error::IllFormed(why) => format!("This is no XML: {why}. Mend it here."),
+        quick_xml::Error::Syntax(why) => format!("This is no XML: {why}. Mend it here."),
+        other => format!("This is no XML: {other}. Mend it here."),
+    }
+}

@@ -1,0 +1,152 @@
+//! A behaviour as XML: the same sections in the same order as in JSON, one thing a line.
+
+use super::escape::{cannot_hold, in_attribute, in_element};
+use crate::files::json::write::{coordinate, spaced};
+use behaviour::{BehaviourFile, Engine, FileConnector, FileHelper, FileStream, StreamKind, Value};
+
+/// The file as XML. What is read from it is the same file, bit for bit.
+///
+/// # Errors
+/// A sentence, if a text has a control character, which XML cannot hold, or the file is not one that could be read.
+pub fn write_xml(file: &BehaviourFile) -> Result<String, String> {
+    let json = super::super::json::write::write_json(file);
+    let read = super::super::read(json.as_bytes()).map_err(|fault| fault.reason)?;
+    let mut to = Page { text: "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_owned() };
+    to.behaviour(&read);
+    if to.text.chars().any(cannot_hold) {
+        return Err("A text has a control character, which XML cannot hold. Export it as JSON.".to_owned());
+    }
+    Ok(to.text)
+}
+
+struct Page {
+    text: String,
+}
+
+/// A start mark under way.
+struct Mark(String);
+
+impl Mark {
+    fn of(name: &str) -> Self {
+        Self(format!("<{name}"))
+    }
+
+    fn with(mut self, name: &str, text: &str) -> Self {
+        self.0.push_str(&format!(" {name}=\"{}\"", in_attribute(text)));
+        self
+    }
+
+    fn maybe(self, name: &str, text: Option<String>) -> Self {
+        match text {
+            Some(text) => self.with(name, &text),
+            None => self,
+        }
+    }
+}
+
+impl Page {
+    fn line(&mut self, depth: usize, line: &str) {
+        self.text.push_str(&"  ".repeat(depth));
+        self.text.push_str(line);
+        self.text.push('\n');
+    }
+
+    fn behaviour(&mut self, file: &BehaviourFile) {
+        let (event, frame) = match file.engine {
+            None => (None, None),
+            Some(Engine::Event) => (Some("event".to_owned()), None),
+            Some(Engine::Frame { frame_ms }) => (None, Some(format!("{frame_ms}ms"))),
+        };
+        let mark = Mark::of("behaviour").with("format", super::VERSION).maybe("id", file.id.clone());
+        let mark = mark.with("name", &file.name).maybe("robot", file.robot.clone());
+        self.line(0, &(mark.maybe("engine", event).maybe("frame", frame).0 + ">"));
+        self.section("helpers", &file.helpers, |helper| vec![helper_line(helper)]);
+        self.section("streams", &file.streams, |stream| stream_lines(stream, file));
+        self.section("connectors", &file.connectors, |connector| vec![connector_line(connector, file)]);
+        if !file.notes.is_empty() {
+            let note =
+                |note: &behaviour::FileNote| with_text(&Mark::of("note").with("id", &note.id), "note", &note.text);
+            self.section("notes", &file.notes, |one| vec![note(one)]);
+        }
+        if !file.layout.is_empty() {
+            let places: Vec<_> = file.layout.iter().collect();
+            self.section("layout", &places, |(id, place)| {
+                let mark = Mark::of("at").with("ref", id).with("x", &coordinate(place.x));
+                vec![mark.with("y", &coordinate(place.y)).0 + "/>"]
+            });
+        }
+        self.line(0, "</behaviour>");
+    }
+
+    fn section<T>(&mut self, name: &str, items: &[T], lines: impl Fn(&T) -> Vec<String>) {
+        if items.is_empty() {
+            return self.line(1, &format!("<{name}/>"));
+        }
+        self.line(1, &format!("<{name}>"));
+        for line in items.iter().flat_map(lines) {
+            self.line(2, &line);
+        }
+        self.line(1, &format!("</{name}>"));
+    }
+}
+
+fn with_text(mark: &Mark, name: &str, text: &str) -> String {
+    format!("{}>{}</{name}>", mark.0, in_element(text))
+}
+
+fn helper_line(helper: &FileHelper) -> String {
+    let says = Some(helper.says.clone()).filter(|says| !says.is_empty());
+    let mark = Mark::of("helper").with("id", &helper.name).with("args", &helper.params.join(" "));
+    with_text(&mark.maybe("says", says), "helper", &helper.body)
+}
+
+fn order_of(file: &BehaviourFile, id: &str) -> Option<String> {
+    file.order.get(id).map(i64::to_string)
+}
+
+fn stream_lines(stream: &FileStream, file: &BehaviourFile) -> Vec<String> {
+    let word = match stream.kind {
+        StreamKind::Sensor => "sensor",
+        StreamKind::Ordinary => "stream",
+        StreamKind::Actuator => "actuator",
+    };
+    let mark = Mark::of(word).with("id", &stream.id).with("name", &stream.name);
+    let mark = mark.maybe("device", stream.device.clone()).maybe("priority", stream.priority.map(|p| p.to_string()));
+    let mark =
+        mark.maybe("hold", stream.hold_ms.map(|ms| format!("{ms}ms"))).maybe("order", order_of(file, &stream.id));
+    let mut inside: Vec<String> = stream.params.iter().flatten().map(|(name, value)| param(name, value)).collect();
+    inside.extend(stream.resources.as_deref().map(resources));
+    if inside.is_empty() {
+        return vec![mark.0 + "/>"];
+    }
+    let inside = inside.into_iter().map(|line| format!("  {line}"));
+    std::iter::once(mark.0 + ">").chain(inside).chain([format!("</{word}>")]).collect()
+}
+
+fn param(name: &str, value: &Value) -> String {
+    let mark = Mark::of("param").with("name", name);
+    let mark = match value {
+        Value::Text(text) => mark.with("value", text),
+        other => mark.with("json", &spaced(other)),
+    };
+    mark.0 + "/>"
+}
+
+fn resources(names: &[String]) -> String {
+    let inside: String = names.iter().map(|name| Mark::of("resource").with("name", name).0 + "/>").collect();
+    if inside.is_empty() { "<resources/>".to_owned() } else { format!("<resources>{inside}</resources>") }
+}
+
+fn connector_line(connector: &FileConnector, file: &BehaviourFile) -> String {
+    let word = &connector.operation;
+    let mark = Mark::of(word).with("id", &connector.id).with("to", &connector.output);
+    let mark = mark.maybe("helper", connector.helper.clone());
+    let mark = mark.maybe("period", connector.period_ms.map(|ms| format!("{ms}ms")));
+    let mark = mark.maybe("order", order_of(file, &connector.id));
+    let mut inside: String = connector.inputs.iter().map(|id| Mark::of("from").with("stream", id).0 + "/>").collect();
+    if let Some(body) = &connector.body {
+        let args = connector.args.as_ref().map(|args| args.join(" "));
+        inside.push_str(&with_text(&Mark::of("body").maybe("args", args), "body", body));
+    }
+    if inside.is_empty() { mark.0 + "/>" } else { format!("{}>{inside}</{word}>", mark.0) }
+}
