@@ -19,12 +19,17 @@ pub(crate) use address::is_neo4j;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
 use link::Link;
+use std::sync::Arc;
+use std::time::Duration;
 
 /// Keeps behaviours in a Neo4j database, which other servers may use at the same time. Every call answers within
 /// 3 seconds, also when Neo4j does not; what failed then works again as soon as Neo4j does.
 pub struct Neo4jStore {
-    link: Link,
+    link: Arc<Link>,
 }
+
+/// How long a call may take, all attempts together.
+const ANSWER_MAX: Duration = Duration::from_secs(3);
 
 /// Opens the database at `bolt://USER:PASSWORD@HOST:PORT` (also `neo4j://`, and `+s` or `+ssc` for encryption; a
 /// database other than the default one as `/NAME`) and brings its schema up to date. Without a password in the
@@ -34,10 +39,20 @@ pub struct Neo4jStore {
 /// [`StoreError::Address`] for an address that cannot be understood, [`StoreError::Newer`] or
 /// [`StoreError::Unavailable`] if the database there cannot be used.
 pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
+    open_neo4j_within(url, ANSWER_MAX).await
+}
+
+/// The same with another time within which every call answers: for work on much data, where nobody waits.
+///
+/// # Errors
+/// As [`open_neo4j`].
+pub async fn open_neo4j_within(url: &str, answer_max: Duration) -> Result<Neo4jStore, StoreError> {
     let address = Address::read(url, &|name| std::env::var(name).ok())?;
     schema::migrate(&address).await?;
-    let link = Link::new(&address)?;
-    append::warm_up(&link).await?;
+    let link = Arc::new(Link::new(&address, answer_max)?);
+    let warming = Arc::clone(&link);
+    // Only for speed: what fails here is said to whoever asks next.
+    tokio::spawn(async move { append::warm_up(&warming).await });
     Ok(Neo4jStore { link })
 }
 

@@ -8,47 +8,32 @@ use serde::Deserialize;
 use serde_json::{Value, json};
 use std::time::Duration;
 
-/// One part of the statement: the list it works through, the Cypher, and what must be true of its counts.
+/// One part of the statement: the lists it works through, the Cypher, and what must be true of its counts.
 struct Part {
-    list: &'static str,
+    lists: &'static [&'static str],
     cypher: &'static str,
     counts: Option<&'static str>,
 }
 
-const fn part(list: &'static str, cypher: &'static str) -> Part {
-    Part { list, cypher, counts: None }
-}
-
-const fn counted(list: &'static str, cypher: &'static str, counts: &'static str) -> Part {
-    Part { list, cypher, counts: Some(counts) }
+const fn part(lists: &'static [&'static str], cypher: &'static str) -> Part {
+    Part { lists, cypher, counts: None }
 }
 
 /// In this order. Touched connectors go, whatever they were, and come back as what they are now; nodes that
 /// behaviours share are made in one order and linked only where that changes, or else they would deadlock.
-const PARTS: [Part; 16] = [
-    part("connectors", CONNECTORS_GO),
-    part(
-        "gone_places",
-        "CALL () { UNWIND $gone_places AS x MATCH (n:Place {program_id: $id, id: x}) DETACH DELETE n }",
-    ),
-    part("gone_notes", "CALL () { UNWIND $gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }"),
-    part(
-        "gone_helpers",
-        "CALL () { UNWIND $gone_helpers AS x MATCH (n:Helper {program_id: $id, id: x}) DETACH DELETE n }",
-    ),
-    part("gone_streams", STREAMS_GO),
-    part("devices", "CALL () { UNWIND $devices AS d MERGE (:Device {kind: d.kind, name: d.name}) }"),
-    part("streams", STREAMS),
-    counted("simple", SIMPLE_CONNECTORS, "simple = size($simple)"),
-    counted("nodes", CONNECTOR_NODES, "nodes = size($nodes) AND inputs = $inputs"),
-    part("places", PLACES),
-    part("notes", NOTES),
-    part("helpers", HELPERS),
+const PARTS: [Part; 11] = [
+    part(&["connectors"], CONNECTORS_GO),
+    part(&["gone_streams"], STREAMS_GO),
+    part(&["streams", "devices"], STREAMS),
+    Part { lists: &["simple"], cypher: SIMPLE_CONNECTORS, counts: Some("simple = size($simple)") },
+    Part { lists: &["nodes"], cypher: CONNECTOR_NODES, counts: Some("nodes = size($nodes) AND inputs = $inputs") },
+    part(&["places", "gone_places"], PLACES),
+    part(&["notes", "gone_notes"], NOTES),
+    part(&["helpers", "gone_helpers"], HELPERS),
     // One at a time: a helper that appears and a connector that names it must not miss each other.
-    part("doors", "CALL () { UNWIND $doors AS x MATCH (n:Shared {name: x}) SET n.lock = true REMOVE n.lock }"),
-    part("named", NAMED),
-    part("linked", LINKED),
-    part("calls", CALLS),
+    part(&["doors"], "CALL () { UNWIND $doors AS x MATCH (n:Shared {name: x}) SET n.lock = true REMOVE n.lock }"),
+    part(&["named"], NAMED),
+    part(&["linked", "calls"], LINKED),
 ];
 
 const CONNECTORS_GO: &str = "
@@ -67,6 +52,7 @@ const STREAMS_GO: &str = "
   }";
 
 const STREAMS: &str = "
+  CALL () { UNWIND $devices AS d MERGE (:Device {kind: d.kind, name: d.name}) }
   CALL (p) {
     UNWIND $streams AS s
     MERGE (n:Stream {program_id: $id, id: s.id})
@@ -113,6 +99,7 @@ const CONNECTOR_NODES: &str = "
   }";
 
 const PLACES: &str = "
+  CALL () { UNWIND $gone_places AS x MATCH (n:Place {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
     UNWIND $places AS x
     MERGE (n:Place {program_id: $id, id: x.id}) SET n.x = x.x, n.y = x.y
@@ -120,11 +107,13 @@ const PLACES: &str = "
   }";
 
 const NOTES: &str = "
+  CALL () { UNWIND $gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
     UNWIND $notes AS x MERGE (n:Note {program_id: $id, id: x.id}) SET n.text = x.text MERGE (n)-[:program]->(p)
   }";
 
 const HELPERS: &str = "
+  CALL () { UNWIND $gone_helpers AS x MATCH (n:Helper {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
     UNWIND $helpers AS x MERGE (n:Helper {program_id: $id, id: x.id}) SET n = x.properties MERGE (n)-[:program]->(p)
   }";
@@ -144,9 +133,7 @@ const LINKED: &str = "
     CALL (h) { MATCH (c:Connector)-[old:helper]->(h) WHERE c.helper <> h.name DELETE old }
     CALL (h) { MATCH (c:Connector {helper: h.name}) WHERE NOT EXISTS { (c)-[:helper]->(h) } CREATE (c)-[:helper]->(h) }
     CALL (h) { MATCH (h)-[old:calls]-(:Helper) DELETE old }
-  }";
-
-const CALLS: &str = "
+  }
   CALL () {
     UNWIND $calls AS c
     MATCH (h:Helper {program_id: 'library', id: c.from})
@@ -185,9 +172,9 @@ struct Outcome {
     duplicate: Option<u64>,
 }
 
-/// The statement with the parts that are asked for.
+/// The statement with the parts that these lists need.
 fn statement(first: bool, needed: impl Fn(&str) -> bool) -> String {
-    let parts: Vec<&Part> = PARTS.iter().filter(|part| needed(part.list)).collect();
+    let parts: Vec<&Part> = PARTS.iter().filter(|part| part.lists.iter().any(|list| needed(list))).collect();
     let cypher: Vec<&str> = parts.iter().map(|part| part.cypher).collect();
     let counts: Vec<&str> = parts.iter().filter_map(|part| part.counts).collect();
     let one = match counts.as_slice() {
@@ -231,7 +218,8 @@ fn params(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params 
         "id": change.op, "author": change.author, "label": change.label, "at_ms": change.at_ms, "change": json,
     });
     let base = committed.revision.checked_sub(1).and_then(|base| i64::try_from(base).ok()).unwrap_or(-1);
-    let mut params = delta.params();
+    let mut params = empty_params();
+    params.extend(delta.params());
     params.insert("id".to_owned(), json!(id));
     params.insert("shelf".to_owned(), json!(if id.as_str() == LIBRARY { "Library" } else { "Program" }));
     params.insert("op".to_owned(), op);
@@ -239,16 +227,22 @@ fn params(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params 
     params
 }
 
+/// What the usual gestures touch: move, add a stream, add or edit a connector, rename, delete, write a note.
+const USUAL: [&[&str]; 7] = [
+    &["places"],
+    &["streams", "places"],
+    &["connectors", "streams", "simple", "places"],
+    &["connectors", "simple"],
+    &["connectors", "streams", "simple"],
+    &["connectors", "gone_streams", "places"],
+    &["notes", "places"],
+];
+
 /// Has the plans of the usual statements made: the first of each takes longer than people should wait.
 pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
-    let usual: [&[&str]; 4] = [
-        &["places"],
-        &["streams", "devices", "simple"],
-        &["connectors", "simple"],
-        &["connectors", "gone_streams", "gone_places"],
-    ];
-    let statements = usual.iter().map(|lists| statement(false, |list| lists.contains(&list)));
-    for text in statements.chain([statement(true, |list| list == "notes"), super::load::LOAD.to_owned()]) {
+    let usual = USUAL.iter().map(|lists| statement(false, |list| lists.contains(&list)));
+    let new = statement(true, |list| ["streams", "simple", "places"].contains(&list));
+    for text in usual.chain([new, super::load::LOAD.to_owned()]) {
         let explained = format!("EXPLAIN {text}");
         link.ask_for::<Value>(WARM_UP_MAX, &explained, empty_params(), Broken::Again).await?;
     }
@@ -257,7 +251,7 @@ pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
 
 /// Every parameter that a statement may name.
 fn empty_params() -> Params {
-    let lists = PARTS.iter().map(|part| (part.list.to_owned(), json!([])));
+    let lists = PARTS.iter().flat_map(|part| part.lists).map(|list| ((*list).to_owned(), json!([])));
     let others = [("id", json!("")), ("shelf", json!("Program")), ("base", json!(-1)), ("inputs", json!(0))];
     let maps = [("op", json!({})), ("summary", json!({}))];
     lists.chain(others.into_iter().chain(maps).map(|(name, value)| (name.to_owned(), value))).collect()

@@ -10,8 +10,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 use tokio::time::{Instant, sleep, timeout_at};
 
-/// How long one call may take, all attempts together.
-pub(super) const ANSWER_MAX: Duration = Duration::from_secs(3);
 /// Connections kept open at the same time; further calls wait for one.
 const CONNECTIONS_MAX: usize = 16;
 /// Rows fetched at a time.
@@ -38,6 +36,7 @@ pub(super) enum Broken {
 pub(super) struct Link {
     graph: Graph,
     server: String,
+    answer_max: Duration,
     pauses: AtomicU64,
 }
 
@@ -48,24 +47,25 @@ pub(super) struct Found<T> {
 }
 
 impl Link {
-    /// A way to the server; it connects when first asked.
-    pub(super) fn new(address: &Address) -> Result<Self, StoreError> {
+    /// A way to the server, where a call may take that long, all attempts together. It connects when first asked.
+    pub(super) fn new(address: &Address, answer_max: Duration) -> Result<Self, StoreError> {
         let config = ConfigBuilder::default()
             .uri(&address.server)
             .user(&address.user)
             .password(&address.password)
             .fetch_size(ROWS_AT_ONCE)
             .max_connections(CONNECTIONS_MAX)
-            .connection_timeout(ANSWER_MAX)
+            .connection_timeout(answer_max)
             // The driver's name for how long to wait for a free connection.
-            .max_lifetime(Some(ANSWER_MAX));
+            .max_lifetime(Some(answer_max));
         let config = match &address.database {
             Some(name) => config.db(name.as_str()),
             None => config,
         };
         let graph = config.build().and_then(Graph::connect);
         let graph = graph.map_err(|error| StoreError::Unavailable(format!("{}: {error}", address.server)))?;
-        Ok(Self { graph, server: address.server.clone(), pauses: AtomicU64::new(u64::from(std::process::id())) })
+        let pauses = AtomicU64::new(u64::from(std::process::id()));
+        Ok(Self { graph, server: address.server.clone(), answer_max, pauses })
     }
 
     /// The driver's own handle, for transactions.
@@ -78,14 +78,19 @@ impl Link {
         Ok(self.ask(text, params, Broken::Again).await?.rows)
     }
 
-    /// Reads or writes, and answers within [`ANSWER_MAX`].
+    /// What to tell about a fault.
+    pub(super) fn told(&self, fault: Fault) -> StoreError {
+        told(fault, &self.server, self.answer_max)
+    }
+
+    /// Reads or writes.
     pub(super) async fn ask<T: DeserializeOwned>(
         &self,
         text: &str,
         params: Params,
         broken: Broken,
     ) -> Result<Found<T>, StoreError> {
-        self.ask_for(ANSWER_MAX, text, params, broken).await
+        self.ask_for(self.answer_max, text, params, broken).await
     }
 
     /// The same within another time.

@@ -1,7 +1,7 @@
 //! Reading a behaviour and its history.
 
-use super::fault::{Fault, told};
-use super::link::{ANSWER_MAX, Broken, Link, Params};
+use super::fault::Fault;
+use super::link::{Broken, Link, Params};
 use super::nodes::{ConnectorNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole};
 use crate::{Loaded, StoreError, json};
 use behaviour::{Behaviour, Committed, Id};
@@ -62,7 +62,7 @@ pub(super) async fn load(link: &Link, id: &Id) -> Result<Option<Loaded>, StoreEr
     let found = link.ask::<Row>(LOAD, params, Broken::Again).await?;
     let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
     let (revision, removed_ms) = (row.revision, row.removed_ms);
-    let behaviour = behaviour(row).map_err(|fault| told(fault, "", ANSWER_MAX))?;
+    let behaviour = behaviour(row).map_err(|fault| link.told(fault))?;
     Ok(Some(Loaded { behaviour, revision, removed_ms }))
 }
 

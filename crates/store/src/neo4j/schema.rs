@@ -1,7 +1,7 @@
 //! The schema of a database: numbered Cypher files, each applied once, in order, and recorded with its checksum.
 
 use super::address::Address;
-use super::fault::{Fault, told};
+use super::fault::Fault;
 use super::link::{Broken, Link, Params};
 use crate::StoreError;
 use neo4rs::{Txn, query};
@@ -45,20 +45,20 @@ struct Applied {
 /// with a step that was edited since, or if Neo4j cannot be used.
 pub(super) async fn migrate(address: &Address) -> Result<(), StoreError> {
     // Its own connections: whatever is left open here ends with them.
-    let link = Link::new(address)?;
+    let link = Link::new(address, STEP_MAX)?;
     step(&link, RECORDS, Params::new()).await?;
     if missing(&link).await?.is_empty() {
         return Ok(());
     }
-    let lock = lock(&link, &address.server).await?;
+    let lock = lock(&link).await?;
     let done = apply(&link).await;
     if let Err(error) = timeout(STEP_MAX, lock.rollback()).await.unwrap_or(Ok(())) {
-        return done.and(Err(told(error.into(), &address.server, STEP_MAX)));
+        return done.and(Err(link.told(error.into())));
     }
     done
 }
 
-async fn lock(link: &Link, server: &str) -> Result<Txn, StoreError> {
+async fn lock(link: &Link) -> Result<Txn, StoreError> {
     let locked = async {
         let mut lock = link.graph().start_txn().await?;
         match lock.execute(query(LOCK)).await {
@@ -71,7 +71,7 @@ async fn lock(link: &Link, server: &str) -> Result<Txn, StoreError> {
         Ok(lock)
     };
     let locked = timeout(OTHERS_MAX, locked).await.unwrap_or(Err(Fault::Silent));
-    locked.map_err(|fault| told(fault, server, OTHERS_MAX))
+    locked.map_err(|fault| link.told(fault))
 }
 
 async fn apply(link: &Link) -> Result<(), StoreError> {

@@ -1,6 +1,12 @@
-//! The Neo4j store on a real Neo4j Community, and against a server that misbehaves on purpose.
+//! The Neo4j store on a real Neo4j Community: the contract, the graph, crowds, and a server that is killed or hangs.
 
 mod contract;
+mod crowd;
+mod exact;
+mod faults;
+mod graph;
+mod helpers;
+mod migrations;
 mod samples;
 #[path = "../../../../tests/neo4j/server.rs"]
 mod server;

@@ -3,8 +3,11 @@
 use crate::server::{self, Neo4j};
 use neo4rs::{Graph, query};
 use serde_json::Value;
+use std::time::Duration;
 use store::Neo4jStore;
 use tokio::sync::{Mutex, MutexGuard, OnceCell};
+
+const PATIENCE: Duration = Duration::from_secs(120);
 
 static SHARED: OnceCell<Option<Neo4j>> = OnceCell::const_new();
 static TURN: Mutex<()> = Mutex::const_new(());
@@ -29,9 +32,10 @@ impl Alone {
         self.neo4j.url()
     }
 
-    /// A handle like that of another server on the same database.
+    /// A handle like that of another server on the same database. It waits longer than people would: these tests
+    /// are about what is kept, on machines of any speed.
     pub(crate) async fn store(&self) -> Neo4jStore {
-        store::open_neo4j(&self.url()).await.expect("a store")
+        store::open_neo4j_within(&self.url(), PATIENCE).await.expect("a store")
     }
 
     /// Takes everything out but the schema.

@@ -1,0 +1,120 @@
+//! What is read is what was written: every kind of record, every number, every text.
+
+use crate::samples::{id, now, save};
+use crate::shared;
+use behaviour::{
+    Connector, Engine, Helper, Kind, Note, Operation, Place, Procedure, Record, RecordId, Settings, Stream, StreamKind,
+    Value,
+};
+use store::LIBRARY;
+
+const HOSTILE: &str = "\u{0} \"'`\\ ${x} $id \n\r\t مرحبا 赤いボール 👩‍🔬 \u{10FFFF} \u{FEFF}";
+
+fn texts() -> Option<Vec<String>> {
+    Some(vec![String::new(), HOSTILE.to_owned()])
+}
+
+fn streams() -> Vec<(RecordId, Record)> {
+    let params = [
+        ("floats", Value::list([0.1, -0.0, 5e-324, f64::MAX, f64::MIN_POSITIVE, 1.0].map(Value::Float))),
+        ("whole", Value::list([i64::MIN, -1, 0, i64::MAX].map(Value::Int))),
+        (HOSTILE, Value::object([("", Value::Null), ("x", Value::Bool(true)), ("text", Value::text(HOSTILE))])),
+    ];
+    let plain = Stream {
+        kind: StreamKind::Sensor,
+        name: HOSTILE.to_owned(),
+        device: Some(String::new()),
+        params: params.map(|(name, value)| (name.to_owned(), value)).into(),
+        order: i64::MIN,
+        resources: texts(),
+        priority: Some(i64::MAX),
+        hold_ms: Some(u64::MAX),
+    };
+    let empty =
+        Stream { resources: Some(Vec::new()), hold_ms: Some(i64::MAX as u64), order: i64::MAX, ..plain.clone() };
+    let least = Stream {
+        kind: StreamKind::Ordinary,
+        name: String::new(),
+        device: None,
+        params: Default::default(),
+        order: 0,
+        resources: None,
+        priority: None,
+        hold_ms: None,
+    };
+    [("s0", plain), ("s1", empty), ("s2", least)]
+        .map(|(key, stream)| (RecordId::new(Kind::Stream, &id(key)), Record::Stream(stream)))
+        .into()
+}
+
+fn connectors() -> Vec<(RecordId, Record)> {
+    let body = |args| Procedure::Body { body: HOSTILE.to_owned(), args };
+    let operations = [
+        Operation::Map(body(None)),
+        Operation::Map(body(Some(Vec::new()))),
+        Operation::Filter(body(texts())),
+        Operation::Filter(Procedure::Helper(HOSTILE.to_owned())),
+        Operation::Map(Procedure::Helper(String::new())),
+        Operation::Timestamp,
+        Operation::Sample { period_ms: u64::MAX },
+        Operation::Sample { period_ms: 0 },
+        Operation::CombineLatest(body(texts())),
+        Operation::CombineLatest(Procedure::Helper("near".to_owned())),
+        Operation::Merge,
+        Operation::Subscribe,
+    ];
+    let inputs: [&[&str]; 3] = [&["s0"], &["s1", "s0", "s1"], &[]];
+    let all = operations.iter().flat_map(|operation| inputs.map(|inputs| (operation.clone(), inputs)));
+    let connector = |(number, (operation, inputs)): (usize, (Operation, &[&str]))| {
+        let inputs = inputs.iter().map(|input| id(input)).collect();
+        let connector = Connector { operation, inputs, output: id("s2"), order: -(number as i64) };
+        (RecordId::new(Kind::Connector, &id(&format!("c{number}"))), Record::Connector(connector))
+    };
+    all.enumerate().map(connector).collect()
+}
+
+fn others() -> Vec<(RecordId, Record)> {
+    let settings =
+        Settings { name: HOSTILE.to_owned(), robot: String::new(), engine: Engine::Frame { frame_ms: u64::MAX } };
+    let place = |x, y| Record::Place(Place { x, y });
+    vec![
+        (RecordId::settings(), Record::Settings(settings)),
+        (RecordId::new(Kind::Place, &id("s0")), place(-0.0, 5e-324)),
+        (RecordId::new(Kind::Place, &id("nothing")), place(f64::MAX, 42.699_999_999_999_996)),
+        (RecordId::new(Kind::Note, &id("s0")), Record::Note(Note { text: HOSTILE.to_owned() })),
+        (RecordId::new(Kind::Note, &id("empty")), Record::Note(Note { text: String::new() })),
+    ]
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn every_record_reads_back_as_it_was() {
+    let Some(neo4j) = shared::alone("exact records").await else { return };
+    let store = neo4j.empty_store().await;
+    let records = [streams(), connectors(), others()].concat();
+    save(&store, "a", "op1", records.clone()).await;
+    let loaded = now(&store, "a").await.records;
+    for (key, record) in &records {
+        assert_eq!(loaded.get(key), Some(record), "{key}");
+    }
+    assert_eq!(loaded.len(), records.len());
+    let bits = |place: Option<Place>| place.map(|place| (place.x.to_bits(), place.y.to_bits()));
+    let placed = now(&store, "a").await.place(&id("s0"));
+    assert_eq!(bits(placed), Some(((-0.0_f64).to_bits(), 5e-324_f64.to_bits())));
+    save(&store, "a", "op2", records).await;
+    assert_eq!(now(&store, "a").await.records, loaded, "writing the same again changes nothing");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn helpers_read_back_as_they_were() {
+    let Some(neo4j) = shared::alone("exact helpers").await else { return };
+    let store = neo4j.empty_store().await;
+    let helper = |params, says: &str| {
+        Record::Helper(Helper { name: "near".to_owned(), params, body: HOSTILE.to_owned(), says: says.to_owned() })
+    };
+    let records = vec![
+        (RecordId::new(Kind::Helper, &id("h1")), helper(Vec::new(), "")),
+        (RecordId::new(Kind::Helper, &id("h2")), helper(vec![HOSTILE.to_owned(), String::new()], HOSTILE)),
+    ];
+    save(&store, LIBRARY, "op1", records.clone()).await;
+    assert_eq!(now(&store, LIBRARY).await.records, records.into_iter().collect());
+}

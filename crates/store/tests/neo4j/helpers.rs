@@ -1,0 +1,49 @@
+//! Helpers are nodes linked from what uses them, whichever comes first.
+
+use crate::samples::{connector, follow, helper, named, save, stream, take};
+use crate::shared::{self, Alone};
+use behaviour::{Kind, Operation};
+use serde_json::json;
+use store::{Append, LIBRARY};
+
+async fn linked(neo4j: &Alone) -> Vec<(String, String)> {
+    let rows =
+        neo4j.rows("MATCH (c:Connector)-[:helper]->(h:Helper) RETURN c.id AS a, h.name AS b ORDER BY a, b").await;
+    pairs(&rows)
+}
+
+async fn calls(neo4j: &Alone) -> Vec<(String, String)> {
+    pairs(&neo4j.rows("MATCH (h:Helper)-[:calls]->(o:Helper) RETURN h.name AS a, o.name AS b ORDER BY a, b").await)
+}
+
+fn pairs(rows: &[serde_json::Value]) -> Vec<(String, String)> {
+    let text = |value: &serde_json::Value| value.as_str().expect("a text").to_owned();
+    rows.iter().map(|row| (text(&row["a"]), text(&row["b"]))).collect()
+}
+
+fn pair(a: &str, b: &str) -> (String, String) {
+    (a.to_owned(), b.to_owned())
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn links_follow_helpers_that_appear_are_renamed_and_go() {
+    let Some(neo4j) = shared::alone("links to helpers").await else { return };
+    let store = neo4j.empty_store().await;
+    save(&store, "a", "op1", follow("Follow")).await;
+    assert_eq!(linked(&neo4j).await, [], "a helper may be missing");
+    save(&store, LIBRARY, "op1", vec![helper("h1", "distance", "x"), helper("h2", "other", "distance(x)")]).await;
+    assert_eq!(linked(&neo4j).await, [pair("c1", "distance")]);
+    assert_eq!(calls(&neo4j).await, [pair("other", "distance")]);
+    let more = vec![stream("s", "S", ""), connector("c5", Operation::Map(named("other")), &["ball"], "s")];
+    save(&store, "a", "op2", more).await;
+    assert_eq!(linked(&neo4j).await, [pair("c1", "distance"), pair("c5", "other")]);
+    // They swap their names in one change.
+    save(&store, LIBRARY, "op2", vec![helper("h1", "other", "x"), helper("h2", "distance", "other(x)")]).await;
+    assert_eq!(linked(&neo4j).await, [pair("c1", "distance"), pair("c5", "other")]);
+    assert_eq!(calls(&neo4j).await, [pair("distance", "other")]);
+    assert_eq!(take(&store, LIBRARY, "op3", &[(Kind::Helper, "h1")]).await, Ok(Append::Applied));
+    assert_eq!(linked(&neo4j).await, [pair("c1", "distance")]);
+    assert_eq!(calls(&neo4j).await, []);
+    let kept = neo4j.rows("MATCH (c:Connector {id: 'c5'}) RETURN c.helper AS helper").await;
+    assert_eq!(kept, [json!({ "helper": "other" })], "the name stays where the helper went");
+}

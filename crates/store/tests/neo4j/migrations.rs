@@ -1,0 +1,55 @@
+//! Schema steps are applied once, recorded, and refused when they are edited or unknown.
+
+use crate::shared;
+use serde_json::json;
+use store::{StoreError, open_neo4j};
+
+const RECORDED: &str = "MATCH (n:Migration) RETURN n.version AS version, n.name AS name ORDER BY version";
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_step_is_recorded_and_refused_when_edited_or_unknown() {
+    let Some(neo4j) = shared::alone("schema steps").await else { return };
+    neo4j.store().await;
+    assert_eq!(neo4j.rows(RECORDED).await, [json!({ "version": 1, "name": "0001_schema" })]);
+    neo4j.rows("MATCH (n:Migration {version: 1}) SET n.kept = n.checksum, n.checksum = 'edited'").await;
+    let edited = open_neo4j(&neo4j.url()).await.err().expect("a refusal");
+    neo4j.rows("MATCH (n:Migration {version: 1}) SET n.checksum = n.kept REMOVE n.kept").await;
+    assert!(edited.to_string().contains("0001_schema") && edited.to_string().contains("undo the edit"), "{edited}");
+    neo4j.rows("CREATE (:Migration {version: 7, name: 'later', checksum: ''})").await;
+    let newer = open_neo4j(&neo4j.url()).await.err().expect("a refusal");
+    neo4j.rows("MATCH (n:Migration {version: 7}) DELETE n").await;
+    assert_eq!(newer, StoreError::Newer { found: 7, known: 1 });
+    neo4j.store().await;
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn servers_that_start_together_make_one_schema() {
+    let Some(neo4j) = shared::alone("servers that start together").await else { return };
+    neo4j.rows("MATCH (n) WHERE n:Migration OR n:Shared DELETE n").await;
+    for index in neo4j.rows("SHOW CONSTRAINTS YIELD name RETURN name").await {
+        neo4j.rows(&format!("DROP CONSTRAINT {}", index["name"].as_str().expect("a name"))).await;
+    }
+    for index in neo4j.rows("SHOW INDEXES YIELD name, type WHERE type <> 'LOOKUP' RETURN name").await {
+        neo4j.rows(&format!("DROP INDEX {}", index["name"].as_str().expect("a name"))).await;
+    }
+    let starts: Vec<_> = (0..4)
+        .map(|_| {
+            let url = neo4j.url();
+            tokio::spawn(async move { open_neo4j(&url).await.map(|_| ()) })
+        })
+        .collect();
+    for start in starts {
+        assert_eq!(start.await.expect("an end"), Ok(()));
+    }
+    assert_eq!(neo4j.rows(RECORDED).await.len(), 1);
+    let constraints = neo4j.rows("SHOW CONSTRAINTS YIELD name RETURN count(*) AS many").await;
+    assert_eq!(constraints, [json!({ "many": 16 })]);
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_wrong_password_is_told_without_showing_it() {
+    let Some(neo4j) = shared::alone("a wrong password").await else { return };
+    let url = neo4j.url().replace("only", "secret");
+    let refused = open_neo4j(&url).await.err().expect("a refusal").to_string();
+    assert!(refused.contains("refuses this user and password") && !refused.contains("secret"), "{refused}");
+}
