@@ -6,6 +6,7 @@
 //! outcome may be open ([`StoreError::is_open`]): send the same change again, and the op id settles it.
 #![warn(missing_docs)]
 
+pub mod backup;
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
 mod door;

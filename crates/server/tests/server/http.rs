@@ -160,7 +160,7 @@ async fn a_file_that_cannot_be_imported_is_refused_with_line_and_reason() {
         (file.replace("\"sensor\"", "\"sense\""), "400", "Line 9, column "),
         (file.replace("\"device\": \"RedBall\"", "\"device\": \"Nose\""), "422", "Nose"),
         (file.replace("distance >= 0.5", "distance >="), "422", "This procedure cannot run"),
-        (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "A name is missing"),
+        (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "cannot be a name"),
         ("<!DOCTYPE x><behaviour/>".to_owned(), "400", "Line 1, column 1: A DOCTYPE"),
         (" ".repeat(store::files::FILE_MAX_BYTES + 1), "413", "larger than 2097152 bytes"),
     ];
