@@ -26,6 +26,7 @@ mod start;
 mod templates;
 mod topics;
 
+pub use create::first_library;
 pub use serve::{Config, ServeError, serve, serve_with};
 
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -8,7 +8,7 @@ mod restore;
 mod tests;
 
 pub use copy::{Difference, compare, migrate};
-pub use restore::restore;
+pub use restore::{restore, verify};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
 use behaviour::Id;

@@ -43,6 +43,9 @@ pub async fn migrate(
     while !copying.is_empty() {
         finished(&mut copying, &mut done, many, progress).await?;
     }
+    // Locks of the first store must stay void in the second.
+    let epoch = from.next_epoch().await?;
+    while to.next_epoch().await? < epoch {}
     let differences = compare(&**from, &**to).await?;
     Ok((done, differences))
 }

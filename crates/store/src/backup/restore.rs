@@ -56,6 +56,15 @@ where
     Ok(done)
 }
 
+/// Reads a whole backup without a store; answers with its counts.
+///
+/// # Errors
+/// [`BackupError::Broken`] if it is not whole.
+pub fn verify(from: &mut dyn BufRead) -> Result<Counted, BackupError> {
+    let mut look = Look { heads: Heads::new(), revisions: Heads::new(), now: None };
+    read(from, &mut look).map(|(_, counted)| counted)
+}
+
 fn stopped(error: &tokio::task::JoinError) -> StoreError {
     StoreError::Unavailable(format!("restoring stopped: {error}"))
 }
