@@ -1,6 +1,7 @@
 //! `rrp export`: a behaviour with its helpers as a file to carry.
 
-use crate::store_at::{StoreArgs, find, listed, run};
+use crate::link::Link;
+use crate::store_at::{Named, StoreArgs, Way, find, listed, run};
 use behaviour::{Behaviour, BehaviourFile, Helper, Id};
 use clap::{Args, ValueEnum};
 use std::io::Write;
@@ -41,16 +42,15 @@ enum Format {
 
 /// Exports, or says why not.
 pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
-    let file = run(async {
-        let store = args.at.open().await?;
-        let id = find(&listed(&*store).await?, &args.behaviour)?;
-        file(&*store, &id).await
+    let text = run(async {
+        match args.at.way().await? {
+            Way::Store(store) => {
+                let id = find(&listed(&*store).await?, &args.behaviour)?;
+                written(&file(&*store, &id).await?, args.format)
+            }
+            Way::Server(link) => through(&link, args),
+        }
     })?;
-    let text = match args.format {
-        Format::Json => store::files::write_json(&file),
-        Format::Xml => store::files::write_xml(&file)?,
-        Format::Svg => store::files::write_svg(&file),
-    };
     let named = |error: std::io::Error| match &args.out {
         Some(path) => format!("{} could not be written: {error}.", path.display()),
         None => format!("The file could not be written: {error}."),
@@ -59,6 +59,30 @@ pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
         Some(path) => std::fs::write(path, text).map_err(named),
         None => std::io::stdout().lock().write_all(text.as_bytes()).map_err(named),
     }
+}
+
+fn written(file: &BehaviourFile, format: Format) -> Result<String, String> {
+    match format {
+        Format::Json => Ok(store::files::write_json(file)),
+        Format::Xml => store::files::write_xml(file),
+        Format::Svg => Ok(store::files::write_svg(file)),
+    }
+}
+
+/// The same from the server that has the store.
+fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
+    let listed: Vec<Named> = serde_json::from_str(&link.get("/api/behaviours")?.text()?).map_err(|error| {
+        format!("The rrp server gave a list that cannot be read ({error}). Is it of another version?")
+    })?;
+    let ending = match args.format {
+        Format::Json => "json",
+        Format::Xml => "xml",
+        Format::Svg => "svg",
+    };
+    let answer = link.get(&format!("/api/behaviours/{}.{ending}", find(&listed, &args.behaviour)?))?;
+    let fine = answer.fine;
+    let text = answer.text()?;
+    if fine { Ok(text) } else { Err(text.trim().to_owned()) }
 }
 
 /// The file of a behaviour, with its id.

@@ -1,7 +1,8 @@
 //! `rrp import`: files into a store, each as a new behaviour or as itself.
 
 use crate::knowledge::{Known, judge};
-use crate::store_at::{StoreArgs, listed, run};
+use crate::link::Link;
+use crate::store_at::{StoreArgs, Way, listed, run};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
 use std::io::{Read, Write};
@@ -33,9 +34,12 @@ pub(crate) struct ImportArgs {
 /// Imports, and answers with the exit code.
 pub(crate) fn import(args: &ImportArgs) -> ExitCode {
     let done = run(async {
-        let store = args.at.open().await?;
+        let way = args.at.way().await?;
         for file in &args.files {
-            let brought = import_one(&*store, file, args.restore).await?;
+            let brought = match &way {
+                Way::Store(store) => import_one(&**store, file, args.restore).await?.into(),
+                Way::Server(link) => through(link, file, args.restore)?,
+            };
             tell(file, &brought);
         }
         Ok(())
@@ -43,10 +47,48 @@ pub(crate) fn import(args: &ImportArgs) -> ExitCode {
     crate::ended(done)
 }
 
-fn tell(file: &Path, brought: &Import) {
+/// What came of a file.
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Brought {
+    id: Id,
+    name: String,
+    renamed_helpers: Vec<(String, String)>,
+}
+
+impl From<Import> for Brought {
+    fn from(import: Import) -> Self {
+        Self { id: import.behaviour, name: import.name, renamed_helpers: import.renamed }
+    }
+}
+
+/// The same through the server that has the store.
+fn through(link: &Link, path: &Path, restore: bool) -> Result<Brought, String> {
+    #[derive(serde::Deserialize)]
+    struct No {
+        error: String,
+    }
+    let mode = if restore { "restore" } else { "copy" };
+    let bytes = read(path)?;
+    if bytes.len() > FILE_MAX_BYTES {
+        return Err(format!("{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display()));
+    }
+    let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), &bytes)?;
+    let fine = answer.fine;
+    let text = answer.text()?;
+    let unread =
+        |error| format!("The rrp server gave an answer that cannot be read ({error}). Is it of another version?");
+    if fine {
+        return serde_json::from_str(&text).map_err(unread);
+    }
+    let No { error } = serde_json::from_str(&text).map_err(unread)?;
+    Err(format!("{}: {error}", path.display()))
+}
+
+fn tell(file: &Path, brought: &Brought) {
     let mut out = std::io::stdout().lock();
-    let _ = writeln!(out, "{}: “{}” is here now, as {}.", file.display(), brought.name, brought.behaviour);
-    for (old, new) in &brought.renamed {
+    let _ = writeln!(out, "{}: “{}” is here now, as {}.", file.display(), brought.name, brought.id);
+    for (old, new) in &brought.renamed_helpers {
         let _ = writeln!(out, "  Its helper {old} means something else here; it came as {new}.");
     }
 }

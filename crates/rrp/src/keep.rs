@@ -1,6 +1,7 @@
 //! `rrp backup`, `rrp restore` and `rrp migrate`: a whole store at once.
 
-use crate::store_at::{StoreArgs, open, run};
+use crate::link::Link;
+use crate::store_at::{StoreArgs, Way, open, run};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fs::File;
@@ -59,8 +60,10 @@ pub(crate) struct MigrateArgs {
 pub(crate) fn backup(args: &BackupArgs) -> Result<(), String> {
     let (part, bar) = (part(&args.file), Bar::new());
     let done = run(async {
-        let store = args.at.open().await?;
-        write(&*store, &part, &bar).await.map_err(|error| error.to_string())
+        match args.at.way().await? {
+            Way::Store(store) => write(&*store, &part, &bar).await.map_err(|error| error.to_string()),
+            Way::Server(link) => fetch(&link, &part),
+        }
     });
     let done = done.and_then(|done| {
         let kept = std::fs::rename(&part, &args.file);
@@ -98,6 +101,17 @@ async fn write(store: &dyn Store, part: &Path, bar: &Bar) -> Result<Counted, Bac
         .map_err(std::io::IntoInnerError::into_error)?;
     file.sync_all()?;
     Ok(done)
+}
+
+/// The same from the server that has the store.
+fn fetch(link: &Link, part: &Path) -> Result<Counted, String> {
+    let unwritten = |error| format!("{} could not be written: {error}.", part.display());
+    let mut file = BufWriter::new(File::create(part).map_err(unwritten)?);
+    link.get("/api/backup")?.copy(&mut file)?;
+    let file = file.into_inner().map_err(|error| unwritten(error.into_error()))?;
+    file.sync_all().map_err(unwritten)?;
+    let mut written = BufReader::new(File::open(part).map_err(unwritten)?);
+    store::backup::verify(&mut written).map_err(|error| error.to_string())
 }
 
 /// Restores, or says why not.

@@ -5,6 +5,7 @@ mod export;
 mod import;
 mod keep;
 mod knowledge;
+mod link;
 mod replay;
 mod serve;
 mod store_at;

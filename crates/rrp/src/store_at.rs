@@ -1,12 +1,13 @@
 //! Which store a command works on, and the way to it.
 
+use crate::link::Link;
 use crate::serve::store_url;
 use behaviour::Id;
 use clap::Args;
 use std::future::Future;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use store::{Listed, Query, Store, StoreError};
+use store::{Query, Store, StoreError};
 
 /// The store to work on.
 #[derive(Debug, Default, Args)]
@@ -19,22 +20,51 @@ pub(crate) struct StoreArgs {
     pub(crate) data: Option<PathBuf>,
 }
 
+/// The way to a store.
+pub(crate) enum Way {
+    /// It is ours alone.
+    Store(Arc<dyn Store>),
+    /// A running server has it.
+    Server(Link),
+}
+
 impl StoreArgs {
-    /// Opens it. A store that a server uses is not touched.
-    pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, String> {
+    /// Opens it, or finds the running server that uses it.
+    pub(crate) async fn way(&self) -> Result<Way, String> {
         let url = store_url(self.store.clone(), self.data.clone())?;
-        open(&url).await
+        match store::open_url(&url).await {
+            Ok(store) => Ok(Way::Store(store)),
+            Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
+                Some(address) => Ok(Way::Server(Link { address })),
+                None => Err(busy(&folder)),
+            },
+            Err(error) => Err(error.to_string()),
+        }
+    }
+
+    /// Opens it; a store that a server uses is not touched.
+    pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, String> {
+        open(&store_url(self.store.clone(), self.data.clone())?).await
     }
 }
 
-/// Opens a store by its address.
+/// Opens a store by its address; one that a server uses is not touched.
 pub(crate) async fn open(url: &str) -> Result<Arc<dyn Store>, String> {
     store::open_url(url).await.map_err(|error| match error {
-        StoreError::Busy(folder) => {
-            format!("A running rrp server uses {}. Stop it, then do this again.", folder.display())
-        }
+        StoreError::Busy(folder) => busy(&folder),
         other => other.to_string(),
     })
+}
+
+fn busy(folder: &Path) -> String {
+    format!("A running rrp server uses {}. Stop it, then do this again.", folder.display())
+}
+
+/// A behaviour.
+#[derive(Debug, serde::Deserialize)]
+pub(crate) struct Named {
+    pub(crate) id: Id,
+    pub(crate) name: String,
 }
 
 /// Runs what waits for a store, to its end.
@@ -43,12 +73,12 @@ pub(crate) fn run<T>(work: impl Future<Output = Result<T, String>>) -> Result<T,
     runtime.block_on(work)
 }
 
-/// Everything that is not in the bin, by name.
-pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Listed>, String> {
+/// Id and name of everything that is not in the bin, by name.
+pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Named>, String> {
     let (mut lines, mut query) = (Vec::new(), Query { sort: store::Sort::Name, ..Query::default() });
     loop {
         let page = store.list(&query).await.map_err(|error| error.to_string())?;
-        lines.extend(page.lines);
+        lines.extend(page.lines.into_iter().map(|line| Named { id: line.id, name: line.name }));
         query.after = page.next;
         if query.after.is_none() {
             return Ok(lines);
@@ -57,7 +87,7 @@ pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Listed>, String> {
 }
 
 /// The one behaviour that has this id or name.
-pub(crate) fn find(listed: &[Listed], wanted: &str) -> Result<Id, String> {
+pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, String> {
     if let Some(line) = listed.iter().find(|line| line.id.as_str() == wanted) {
         return Ok(line.id.clone());
     }
@@ -74,7 +104,7 @@ pub(crate) fn find(listed: &[Listed], wanted: &str) -> Result<Id, String> {
     }
 }
 
-fn choices(listed: &[Listed]) -> String {
+fn choices(listed: &[Named]) -> String {
     const SHOWN: usize = 10;
     let names: Vec<_> = listed.iter().take(SHOWN).map(|line| format!("“{}”", line.name)).collect();
     let more = if listed.len() > SHOWN { ", …" } else { "" };
@@ -87,13 +117,11 @@ fn choices(listed: &[Listed]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::find;
+    use super::{Named, find};
     use behaviour::Id;
-    use store::Listed;
 
-    fn line(id: &str, name: &str) -> Listed {
-        let (id, name) = (Id::new(id).expect("an id"), name.to_owned());
-        Listed { id, name, revision: 1, changed_ms: 0, by: String::new(), owner: String::new(), streams: 0 }
+    fn line(id: &str, name: &str) -> Named {
+        Named { id: Id::new(id).expect("an id"), name: name.to_owned() }
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub use error::StoreError;
 pub use folder::FolderStore;
 pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
-pub use open::open_url;
+pub use open::{folder_of, open_url};
 pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
 pub use sqlite::{SqliteStore, open};
 pub use usage::Usage;
