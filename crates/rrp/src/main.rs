@@ -1,9 +1,17 @@
 //! The front door: the command line of rrp.
 
+mod check;
+mod export;
+mod import;
+mod keep;
+mod knowledge;
+mod link;
 mod replay;
 mod serve;
+mod store_at;
 
 use clap::{Parser, Subcommand};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Robot behaviours made together: a page for therapists, a robot or its simulation, and tools around them.
@@ -19,6 +27,12 @@ enum What {
     Serve(serve::ServeArgs),
     Shell(ShellArgs),
     Replay(replay::ReplayArgs),
+    Export(export::ExportArgs),
+    Import(import::ImportArgs),
+    Check(check::CheckArgs),
+    Backup(keep::BackupArgs),
+    Restore(keep::RestoreArgs),
+    Migrate(keep::MigrateArgs),
 }
 
 /// Opens the operator's console on a running server.
@@ -36,13 +50,34 @@ const EXAMPLES: &str = "Examples:
   rrp serve                            serve on this computer, on http://127.0.0.1:7130/
   rrp serve --listen 127.0.0.1:0       on a free port
   rrp shell                            look around and start behaviours from a terminal
-  rrp replay --behaviour tracking.json --trace morning.jsonl";
+  rrp replay --behaviour tracking.json --trace morning.jsonl
+  rrp export \"Track far and close balls\" --format xml --out tracking.xml
+  rrp import tracking.xml              bring a behaviour in, as a copy
+  rrp check tracking.xml               look what is wrong with a file
+  rrp backup monday.rrpbackup          keep everything in one file";
 
 fn main() -> ExitCode {
     match Line::parse().what {
         What::Serve(args) => serve::serve(args),
         What::Shell(args) => console(&args.url),
         What::Replay(args) => replay::replay(&args),
+        What::Export(args) => ended(export::export(&args)),
+        What::Import(args) => import::import(&args),
+        What::Check(args) => check::check(&args),
+        What::Backup(args) => ended(keep::backup(&args)),
+        What::Restore(args) => ended(keep::restore(&args)),
+        What::Migrate(args) => ended(keep::migrate(&args)),
+    }
+}
+
+/// Success, or a sentence on standard error and exit code 1.
+fn ended(done: Result<(), String>) -> ExitCode {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(sentence) => {
+            let _ = writeln!(std::io::stderr(), "{sentence}");
+            ExitCode::FAILURE
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::create::{append, check_name};
 use crate::hub::{Hub, bounded, store_no};
 use axum::Json;
-use axum::body::Bytes;
+use axum::body::{Body, Bytes};
 use axum::extract::rejection::BytesRejection;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
@@ -14,6 +14,8 @@ use std::sync::Arc;
 use store::files::{FILE_MAX_BYTES, FileFault, Import, Looked, Mode};
 use uuid::Uuid;
 
+/// Lines of a backup that wait to be sent.
+const LINES_MAX: usize = 16;
 /// How often a helper is offered to the library when others change it at the same moment.
 const TRIES: usize = 5;
 
@@ -73,6 +75,40 @@ pub(crate) async fn download(hub: &Arc<Hub>, file: &str) -> Response {
             Err(reason) => (StatusCode::UNPROCESSABLE_ENTITY, format!("{reason}\n")).into_response(),
         },
     }
+}
+
+/// Id and name of every behaviour that is not in the bin, by name.
+pub(crate) fn list(hub: &Hub) -> Response {
+    let names = hub.programs.names();
+    let line = |(id, name): &(String, String)| serde_json::json!({"id": id, "name": name});
+    Json(names.iter().map(line).collect::<Vec<_>>()).into_response()
+}
+
+/// Everything that is kept, line by line as it is read; the last line tells that nothing is missing.
+pub(crate) fn backup(hub: &Arc<Hub>) -> Response {
+    let (tell, told) = tokio::sync::mpsc::channel::<String>(LINES_MAX);
+    let writing = Arc::clone(hub);
+    hub.tasks.spawn(async move {
+        let put = |line: String| {
+            let tell = tell.clone();
+            async move { tell.send(line).await.map_err(std::io::Error::other) }
+        };
+        let taken = store::backup::backup(&*writing.store, writing.epoch, put, &|_, _| {});
+        match writing.stopping.run_until_cancelled(taken).await {
+            Some(Ok(done)) => tracing::info!(?done, "a backup was taken"),
+            Some(Err(error)) => tracing::warn!(%error, "a backup did not come to its end"),
+            None => {}
+        }
+    });
+    let lines = futures_util::stream::unfold(told, async |mut told| {
+        let line = told.recv().await?;
+        Some((Ok::<_, std::io::Error>(line), told))
+    });
+    let headers = [
+        (header::CONTENT_TYPE, "application/jsonl"),
+        (header::CONTENT_DISPOSITION, "attachment; filename=\"rrp.rrpbackup\""),
+    ];
+    (headers, Body::from_stream(lines)).into_response()
 }
 
 /// As a file to keep, named after the behaviour as far as letters of file names go.

@@ -95,7 +95,8 @@ async fn from_template(hub: &Arc<Hub>, template: &Template, by: &str) -> Result<
 }
 
 /// The library of a fresh store: the helpers that come with the robot, as one change.
-pub(crate) fn first_library() -> Committed {
+#[must_use]
+pub fn first_library() -> Committed {
     let mut change = Change::of(Id::from_uuid(Uuid::new_v4()), "rrp", "Add the helpers that come with rrp");
     change.at_ms = crate::now_ms();
     for helper in robot::shipped_helpers() {

@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod accept;
+mod address;
 mod carry;
 mod checking;
 mod clients;
@@ -27,6 +28,8 @@ mod start;
 mod templates;
 mod topics;
 
+pub use address::address_in;
+pub use create::first_library;
 pub use serve::{Config, ServeError, serve, serve_with};
 
 use std::sync::{Mutex, MutexGuard, PoisonError};

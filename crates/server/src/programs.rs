@@ -40,6 +40,13 @@ impl Programs {
         self.text.subscribe()
     }
 
+    /// Id and name of every behaviour, by name.
+    pub(crate) fn names(&self) -> Vec<(String, String)> {
+        let mut names: Vec<_> = lock(&self.all).values().map(|one| (one.name.clone(), one.id.clone())).collect();
+        names.sort();
+        names.into_iter().map(|(name, id)| (id, name)).collect()
+    }
+
     /// The list as a reply, newest change first.
     pub(crate) fn reply(&self) -> Reply {
         let mut programs: Vec<_> = lock(&self.all).values().cloned().collect();

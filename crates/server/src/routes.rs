@@ -48,7 +48,9 @@ pub(crate) fn routes(hub: Arc<Hub>, port: u16) -> Router {
         .route(protocol::STOP_PATH, post(stop))
         .route("/healthz", get(|| async { "ok\n" }))
         .route("/readyz", get(readyz))
+        .route("/api/behaviours", get(list))
         .route("/api/behaviours/{file}", get(download))
+        .route("/api/backup", get(backup))
         .route("/api/import", post(upload).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)))
         .fallback(get(files))
         .layer(middleware::from_fn_with_state(porch.clone(), guard))
@@ -111,6 +113,14 @@ async fn readyz(State(porch): State<Porch>) -> Response {
         Ok(()) => "ready\n".into_response(),
         Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
     }
+}
+
+async fn list(State(porch): State<Porch>) -> Response {
+    carry::list(&porch.hub)
+}
+
+async fn backup(State(porch): State<Porch>) -> Response {
+    carry::backup(&porch.hub)
 }
 
 async fn download(State(porch): State<Porch>, Path(file): Path<String>) -> Response {

@@ -1,5 +1,6 @@
 //! Starting and ending the server, each step in its order.
 
+use crate::address::Told;
 use crate::checking::Checker;
 use crate::clients::Clients;
 use crate::create::first_library;
@@ -91,6 +92,12 @@ pub async fn serve(
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
     let store = store::open_url(&config.store).await?;
+    let (url, told) = (config.store.clone(), std::sync::OnceLock::new());
+    let ready = |address| {
+        // Before anybody is told, so that whoever waits for the server finds it.
+        let _first = told.set(Told::new(&url, address));
+        ready(address);
+    };
     serve_with(store, config, ready, stop).await
 }
 

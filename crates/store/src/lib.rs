@@ -6,6 +6,7 @@
 //! outcome may be open ([`StoreError::is_open`]): send the same change again, and the op id settles it.
 #![warn(missing_docs)]
 
+pub mod backup;
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
 mod door;
@@ -26,7 +27,7 @@ pub use folder::FolderStore;
 pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within};
-pub use open::open_url;
+pub use open::{folder_of, open_url};
 pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
 pub use sqlite::{SqliteStore, open};
 pub use usage::Usage;

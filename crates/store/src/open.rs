@@ -23,3 +23,24 @@ pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))
 }
+
+/// The folder of a store that is one, embedded or of files; none for a store somewhere else.
+#[must_use]
+pub fn folder_of(url: &str) -> Option<&Path> {
+    let folder = url.strip_prefix("files:").or_else(|| url.strip_prefix("sqlite:")).unwrap_or(url);
+    (!folder.contains("://") && !folder.is_empty()).then(|| Path::new(folder))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::folder_of;
+    use std::path::Path;
+
+    #[test]
+    fn a_folder_is_known_by_its_address() {
+        for url in ["sqlite:/a/b", "files:/a/b", "/a/b"] {
+            assert_eq!(folder_of(url), Some(Path::new("/a/b")), "{url}");
+        }
+        assert_eq!((folder_of("neo4j://a/b"), folder_of("sqlite:")), (None, None));
+    }
+}

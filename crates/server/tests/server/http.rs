@@ -160,7 +160,7 @@ async fn a_file_that_cannot_be_imported_is_refused_with_line_and_reason() {
         (file.replace("\"sensor\"", "\"sense\""), "400", "Line 9, column "),
         (file.replace("\"device\": \"RedBall\"", "\"device\": \"Nose\""), "422", "Nose"),
         (file.replace("distance >= 0.5", "distance >="), "422", "This procedure cannot run"),
-        (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "A name is missing"),
+        (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "cannot be a name"),
         ("<!DOCTYPE x><behaviour/>".to_owned(), "400", "Line 1, column 1: A DOCTYPE"),
         (" ".repeat(store::files::FILE_MAX_BYTES + 1), "413", "larger than 2097152 bytes"),
     ];
@@ -172,5 +172,19 @@ async fn a_file_that_cannot_be_imported_is_refused_with_line_and_reason() {
     }
     let strange = line("POST", "/api/import", &house, "Origin: http://evil.example\r\nContent-Length: 0\r\n");
     assert_eq!(asked(&house, &strange).await.0, "403");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn the_list_and_a_whole_backup_can_be_had() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let made = make(&aiko, "Far", Some("Track far and close balls")).await.to_string();
+    let (_, list) = asked(&house, &line("GET", "/api/behaviours", &house, "")).await;
+    assert_eq!(list, format!(r#"[{{"id":"{made}","name":"Far"}}]"#));
+    let request = format!("GET /api/backup HTTP/1.0\r\nHost: {}\r\n\r\n", house.address);
+    let (status, backup) = asked(&house, &request).await;
+    let counted = store::backup::verify(&mut backup.as_bytes()).unwrap();
+    assert_eq!((status.as_str(), counted.behaviours), ("200", 2), "the library and one behaviour");
     house.close().await;
 }

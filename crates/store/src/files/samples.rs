@@ -1,7 +1,8 @@
 //! Behaviours for tests: the templates of the house, and ones made by chance.
 
 use behaviour::{
-    BehaviourFile, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Params, Place, StreamKind, Value,
+    Behaviour, BehaviourFile, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Helper, Params, Place,
+    StreamKind, Value,
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option;
@@ -191,4 +192,17 @@ pub(super) fn any_file() -> impl Strategy<Value = BehaviourFile> {
             layout,
         },
     )
+}
+
+/// Any behaviour with its library, as records: everything that can be kept.
+pub(super) fn any_behaviour() -> impl Strategy<Value = (Behaviour, Vec<Helper>)> {
+    any_file().prop_map(|mut file| {
+        let ids: Vec<String> = file.streams.iter().map(|stream| stream.id.clone()).collect();
+        file.connectors
+            .retain(|connector| connector.inputs.iter().chain([&connector.output]).all(|id| ids.contains(id)));
+        file.order = ids.iter().zip(0_i64..).map(|(id, at)| (id.clone(), at * 3 - 5)).collect();
+        let owners = ids.into_iter().chain(file.notes.iter().map(|note| note.id.clone()));
+        file.layout = owners.zip(file.layout.into_values()).collect();
+        (file.records(|_| None).expect("a behaviour"), file.library())
+    })
 }

@@ -1,6 +1,6 @@
 //! Files there and back, and files that nobody should have made.
 
-use super::samples::{any_file, any_text, templates};
+use super::samples::{any_behaviour, any_file, any_text, templates};
 use super::{FILE_MAX_BYTES, look, read, write_json, write_xml};
 use behaviour::BehaviourFile;
 use proptest::prelude::*;
@@ -278,6 +278,14 @@ proptest! {
         let again = read(text.as_bytes()).map_err(|fault| TestCaseError::fail(format!("{fault}\n{text}")))?;
         same(&again, &file);
         prop_assert_eq!(write_xml(&again).unwrap(), text);
+    }
+
+    #[test]
+    fn nothing_that_a_behaviour_holds_is_lost((behaviour, library) in any_behaviour()) {
+        let file = BehaviourFile::of(&behaviour, &library.iter().collect::<Vec<_>>());
+        for text in [write_json(&file), write_xml(&file).unwrap()] {
+            prop_assert_eq!(&read(text.as_bytes()).unwrap().records(|_| None).unwrap(), &behaviour);
+        }
     }
 
     #[test]

@@ -1,0 +1,132 @@
+//! `rrp check`: everything that is wrong with a file, each with its place.
+
+use crate::import::read;
+use crate::knowledge::{Known, judge};
+use behaviour::{Behaviour, BehaviourFile, Helper, Id};
+use clap::Args;
+use std::io::Write;
+use std::path::PathBuf;
+use std::process::ExitCode;
+use store::files::{FileFault, Looked, Mode};
+
+/// The most lines that are printed.
+const SHOWN_MAX_LINES: usize = 200;
+
+/// Looks at a file and prints all that is wrong with it, a line each: FILE:LINE:COLUMN: sentence.
+///
+/// Exit codes: 0 it can be imported and started; 1 it can be imported, but not started yet; 3 it cannot be imported;
+/// 4 it cannot be opened.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp check tracking.json
+  rrp check tracking.xml --json | jq '.problems[].reason'")]
+pub(crate) struct CheckArgs {
+    /// The file, rrp-behaviour/1 as JSON or XML; - reads standard input.
+    #[arg(value_name = "FILE|-")]
+    file: PathBuf,
+    /// Prints one JSON object: file, importable, ready and problems with line, column, blocks and reason.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What was found.
+#[derive(Debug, Default, PartialEq)]
+struct Found {
+    /// Why it cannot be imported.
+    refused: Vec<FileFault>,
+    /// Why it cannot be started.
+    blocks: Vec<FileFault>,
+    /// What else could be better.
+    hints: Vec<FileFault>,
+}
+
+/// Checks, prints, and answers with the exit code.
+pub(crate) fn check(args: &CheckArgs) -> ExitCode {
+    let name = args.file.display().to_string();
+    let bytes = match read(&args.file) {
+        Ok(bytes) => bytes,
+        Err(sentence) => {
+            let _ = writeln!(std::io::stderr(), "{sentence}");
+            return ExitCode::from(4);
+        }
+    };
+    let found = found(&store::files::look(&bytes));
+    // Whoever reads may have seen enough.
+    let _ = if args.json { print_json(&name, &found) } else { print(&name, &found) };
+    match (found.refused.is_empty(), found.blocks.is_empty()) {
+        (false, _) => ExitCode::from(3),
+        (true, false) => ExitCode::from(1),
+        (true, true) => ExitCode::SUCCESS,
+    }
+}
+
+fn found(looked: &Looked) -> Found {
+    let Some(file) = &looked.file else { return Found { refused: looked.faults.clone(), ..Found::default() } };
+    match graph(file) {
+        Err(reasons) => Found { refused: looked.place(&reasons), ..Found::default() },
+        Ok(behaviour) => problems(file, &behaviour, looked),
+    }
+}
+
+/// The behaviour, if it could be imported.
+fn graph(file: &BehaviourFile) -> Result<Behaviour, Vec<String>> {
+    let behaviour = file.records(|_| None)?;
+    let mut number = 0;
+    let new_id = || {
+        number += 1;
+        Id::from_uuid(uuid::Uuid::from_u128(number))
+    };
+    let brought = store::files::import(file, Mode::Restore, &Behaviour::default(), "", new_id)?;
+    let helpers = brought.library.as_slice();
+    let refused = judge(&brought.changes).and_then(|()| judge(helpers)).err();
+    let Some(refusal) = refused else { return Ok(behaviour) };
+    // The engine knows most reasons with their place; the rule's sentence stands where it knows none.
+    let placed: Vec<String> = engine::validate(file).iter().map(ToString::to_string).collect();
+    Err(if placed.is_empty() { vec![refusal.to_string()] } else { placed })
+}
+
+fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked) -> Found {
+    let library = file.library();
+    let helpers: Vec<&Helper> = library.iter().collect();
+    let all = behaviour::problems(behaviour, &helpers, &Known);
+    let said = |blocks: bool| {
+        let those = all.iter().filter(|problem| problem.blocks == blocks);
+        those.map(|problem| format!("{}: {problem}", problem.at.id)).collect::<Vec<_>>()
+    };
+    let mut blocks = said(true);
+    if blocks.is_empty() {
+        blocks = engine::validate(file).iter().map(ToString::to_string).collect();
+    }
+    Found { refused: Vec::new(), blocks: looked.place(&blocks), hints: looked.place(&said(false)) }
+}
+
+fn print(name: &str, found: &Found) -> std::io::Result<()> {
+    let mut out = std::io::stdout().lock();
+    let all: Vec<_> = [&found.refused, &found.blocks, &found.hints].into_iter().flatten().collect();
+    for fault in all.iter().take(SHOWN_MAX_LINES) {
+        writeln!(out, "{name}:{}:{}: {}", fault.line, fault.column, fault.reason)?;
+    }
+    if all.len() > SHOWN_MAX_LINES {
+        writeln!(out, "{name}: and {} more.", all.len() - SHOWN_MAX_LINES)?;
+    }
+    let verdict = match (found.refused.is_empty(), found.blocks.is_empty()) {
+        (false, _) => "cannot be imported.",
+        (true, false) => "can be imported, but not started yet.",
+        (true, true) => "can be imported and started.",
+    };
+    writeln!(out, "{name}: {verdict}")
+}
+
+fn print_json(name: &str, found: &Found) -> std::io::Result<()> {
+    let lines = |faults: &[FileFault], blocks: bool| {
+        let line = move |fault: &FileFault| {
+            let FileFault { line, column, reason } = fault;
+            serde_json::json!({"line": line, "column": column, "blocks": blocks, "reason": reason})
+        };
+        faults.iter().map(line).collect::<Vec<_>>()
+    };
+    let problems = [lines(&found.refused, true), lines(&found.blocks, true), lines(&found.hints, false)].concat();
+    let (importable, ready) = (found.refused.is_empty(), found.refused.is_empty() && found.blocks.is_empty());
+    let answer = serde_json::json!({"file": name, "importable": importable, "ready": ready, "problems": problems});
+    writeln!(std::io::stdout().lock(), "{answer}")
+}

@@ -1,0 +1,98 @@
+//! `rrp export`: a behaviour with its helpers as a file to carry.
+
+use crate::link::Link;
+use crate::store_at::{Named, StoreArgs, Way, find, listed, run};
+use behaviour::{Behaviour, BehaviourFile, Helper, Id};
+use clap::{Args, ValueEnum};
+use std::io::Write;
+use std::path::PathBuf;
+use store::{LIBRARY, Store};
+
+/// Writes a behaviour with the helpers it uses as a file, to standard output or --out.
+///
+/// Exit codes: 0 written; 1 there is no such behaviour, or the store or the file cannot be used.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp export \"Track far and close balls\" > tracking.json
+  rrp export 3f2a9c --format svg --out tracking.svg --data /srv/rrp")]
+pub(crate) struct ExportArgs {
+    /// The behaviour's name or id.
+    #[arg(value_name = "NAME-OR-ID")]
+    behaviour: String,
+    /// JSON and XML can be imported again; SVG is the drawing.
+    #[arg(long, value_enum, default_value_t = Format::Json)]
+    format: Format,
+    /// The file to write instead of standard output.
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    at: StoreArgs,
+}
+
+/// The form of the file.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    /// rrp-behaviour/1, what rrp replay reads.
+    Json,
+    /// The same as XML.
+    Xml,
+    /// The drawing.
+    Svg,
+}
+
+/// Exports, or says why not.
+pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
+    let text = run(async {
+        match args.at.way().await? {
+            Way::Store(store) => {
+                let id = find(&listed(&*store).await?, &args.behaviour)?;
+                written(&file(&*store, &id).await?, args.format)
+            }
+            Way::Server(link) => through(&link, args),
+        }
+    })?;
+    let named = |error: std::io::Error| match &args.out {
+        Some(path) => format!("{} could not be written: {error}.", path.display()),
+        None => format!("The file could not be written: {error}."),
+    };
+    match &args.out {
+        Some(path) => std::fs::write(path, text).map_err(named),
+        None => std::io::stdout().lock().write_all(text.as_bytes()).map_err(named),
+    }
+}
+
+fn written(file: &BehaviourFile, format: Format) -> Result<String, String> {
+    match format {
+        Format::Json => Ok(store::files::write_json(file)),
+        Format::Xml => store::files::write_xml(file),
+        Format::Svg => Ok(store::files::write_svg(file)),
+    }
+}
+
+/// The same from the server that has the store.
+fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
+    let listed: Vec<Named> = serde_json::from_str(&link.get("/api/behaviours")?.text()?).map_err(|error| {
+        format!("The rrp server gave a list that cannot be read ({error}). Is it of another version?")
+    })?;
+    let ending = match args.format {
+        Format::Json => "json",
+        Format::Xml => "xml",
+        Format::Svg => "svg",
+    };
+    let answer = link.get(&format!("/api/behaviours/{}.{ending}", find(&listed, &args.behaviour)?))?;
+    let fine = answer.fine;
+    let text = answer.text()?;
+    if fine { Ok(text) } else { Err(text.trim().to_owned()) }
+}
+
+/// The file of a behaviour, with its id.
+async fn file(store: &dyn Store, id: &Id) -> Result<BehaviourFile, String> {
+    let library = Id::new(LIBRARY)?;
+    let load = async |id: &Id| store.load(id).await.map_err(|error| error.to_string());
+    let behaviour = load(id).await?.ok_or("The behaviour is gone. Choose another one.")?.behaviour;
+    let library = load(&library).await?.map_or_else(Behaviour::default, |loaded| loaded.behaviour);
+    let helpers: Vec<&Helper> = library.helpers().map(|(_, helper)| helper).collect();
+    let mut file = BehaviourFile::of(&behaviour, &helpers);
+    file.id = Some(id.to_string());
+    Ok(file)
+}

@@ -1,0 +1,208 @@
+//! `rrp import`: files into a store, each as a new behaviour or as itself.
+
+use crate::knowledge::{Known, judge};
+use crate::link::Link;
+use crate::store_at::{StoreArgs, Way, listed, run};
+use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
+use clap::Args;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+use std::time::{SystemTime, UNIX_EPOCH};
+use store::files::{FILE_MAX_BYTES, Import, Looked, Mode};
+use store::{Append, LIBRARY, Store};
+
+/// Brings files into a store: the behaviours, and the helpers that its library does not have yet.
+///
+/// A helper whose name means something else there comes under a free name, and the behaviour uses that. Nothing is
+/// ever started. Exit codes: 0 all are imported; 1 one could not be, those before it are; every reason is printed.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp import tracking.json greeting.xml
+  rrp import --restore tracking.json --store files:/srv/rrp")]
+pub(crate) struct ImportArgs {
+    /// The files, rrp-behaviour/1 as JSON or XML; - reads standard input.
+    #[arg(value_name = "FILE", required = true)]
+    files: Vec<PathBuf>,
+    /// Under the ids of the file, for a store that does not have the behaviour; else it becomes a copy.
+    #[arg(long)]
+    restore: bool,
+    #[command(flatten)]
+    at: StoreArgs,
+}
+
+/// Imports, and answers with the exit code.
+pub(crate) fn import(args: &ImportArgs) -> ExitCode {
+    let done = run(async {
+        let way = args.at.way().await?;
+        for file in &args.files {
+            let brought = match &way {
+                Way::Store(store) => import_one(&**store, file, args.restore).await?.into(),
+                Way::Server(link) => through(link, file, args.restore)?,
+            };
+            tell(file, &brought);
+        }
+        Ok(())
+    });
+    crate::ended(done)
+}
+
+/// What came of a file.
+#[derive(serde::Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Brought {
+    id: Id,
+    name: String,
+    renamed_helpers: Vec<(String, String)>,
+}
+
+impl From<Import> for Brought {
+    fn from(import: Import) -> Self {
+        Self { id: import.behaviour, name: import.name, renamed_helpers: import.renamed }
+    }
+}
+
+/// The same through the server that has the store.
+fn through(link: &Link, path: &Path, restore: bool) -> Result<Brought, String> {
+    #[derive(serde::Deserialize)]
+    struct No {
+        error: String,
+    }
+    let mode = if restore { "restore" } else { "copy" };
+    let bytes = read(path)?;
+    if bytes.len() > FILE_MAX_BYTES {
+        return Err(format!("{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display()));
+    }
+    let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), &bytes)?;
+    let fine = answer.fine;
+    let text = answer.text()?;
+    let unread =
+        |error| format!("The rrp server gave an answer that cannot be read ({error}). Is it of another version?");
+    if fine {
+        return serde_json::from_str(&text).map_err(unread);
+    }
+    let No { error } = serde_json::from_str(&text).map_err(unread)?;
+    Err(format!("{}: {error}", path.display()))
+}
+
+fn tell(file: &Path, brought: &Brought) {
+    let mut out = std::io::stdout().lock();
+    let _ = writeln!(out, "{}: “{}” is here now, as {}.", file.display(), brought.name, brought.id);
+    for (old, new) in &brought.renamed_helpers {
+        let _ = writeln!(out, "  Its helper {old} means something else here; it came as {new}.");
+    }
+}
+
+/// The bytes of a file, or of standard input for `-`, one more than fit at most.
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
+    let named = |error: std::io::Error| format!("{} could not be opened: {error}.", path.display());
+    let source: Box<dyn Read> = if path == Path::new("-") {
+        Box::new(std::io::stdin().lock())
+    } else {
+        Box::new(std::fs::File::open(path).map_err(named)?)
+    };
+    let mut bytes = Vec::new();
+    source.take(FILE_MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(named)?;
+    Ok(bytes)
+}
+
+async fn import_one(store: &dyn Store, path: &Path, restore: bool) -> Result<Import, String> {
+    let mut looked = store::files::look(&read(path)?);
+    let named = |faults: Vec<store::files::FileFault>| {
+        let line = |fault: &store::files::FileFault| {
+            format!("{}:{}:{}: {}", path.display(), fault.line, fault.column, fault.reason)
+        };
+        faults.iter().map(line).collect::<Vec<_>>().join("\n")
+    };
+    let Some(mut file) = looked.file.take() else { return Err(named(looked.faults)) };
+    let mode = if restore { Mode::Restore } else { Mode::Copy };
+    if restore {
+        check_absent(store, &file).await?;
+    }
+    file.name = free_name(store, file.name.trim()).await?;
+    let library = library(store).await?;
+    let brought = judged(&file, mode, library.behaviour(), &looked).map_err(named)?;
+    save_library(store, library, &brought).await?;
+    save(store, &brought).await?;
+    Ok(brought)
+}
+
+fn judged(
+    file: &BehaviourFile,
+    mode: Mode,
+    library: &Behaviour,
+    looked: &Looked,
+) -> Result<Import, Vec<store::files::FileFault>> {
+    file.records(|_| None).map_err(|faults| looked.place(&faults))?;
+    let new_id = || Id::from_uuid(uuid::Uuid::new_v4());
+    let brought = store::files::import(file, mode, library, "rrp import", new_id);
+    let brought = brought.map_err(|faults| looked.place(&faults))?;
+    judge(&brought.changes).map_err(|refusal| looked.place(&[refusal.to_string()]))?;
+    Ok(brought)
+}
+
+async fn check_absent(store: &dyn Store, file: &BehaviourFile) -> Result<(), String> {
+    let Some(id) = file.id.as_deref().and_then(|id| Id::new(id).ok()) else { return Ok(()) };
+    let there = store.load(&id).await.map_err(|error| error.to_string())?;
+    if there.is_none() && id.as_str() != LIBRARY {
+        return Ok(());
+    }
+    Err(format!("“{}” is there already, perhaps in the bin. Import it without --restore to get a copy.", file.name))
+}
+
+/// This name, or with a number if another behaviour has it.
+async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, String> {
+    let listed = listed(store).await?;
+    let taken = |name: &str| listed.iter().any(|line| line.name == name);
+    let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
+    Ok(std::iter::once(wanted.to_owned()).chain(numbered).find(|name| !taken(name)).unwrap_or_default())
+}
+
+/// The library as it is; a fresh store gets the helpers that come with the robot, as from a server.
+async fn library(store: &dyn Store) -> Result<Room, String> {
+    let id = Id::new(LIBRARY)?;
+    let mut loaded = store.load(&id).await.map_err(|error| error.to_string())?;
+    if loaded.is_none() {
+        let (first, mut after) = (server::first_library(), Behaviour::default());
+        after.apply(&first.change);
+        store.append(&id, &first, &after).await.map_err(|error| error.to_string())?;
+        loaded = store.load(&id).await.map_err(|error| error.to_string())?;
+    }
+    Ok(loaded
+        .map_or_else(|| Room::open(Behaviour::default(), 0), |loaded| Room::open(loaded.behaviour, loaded.revision)))
+}
+
+async fn save_library(store: &dyn Store, library: Room, brought: &Import) -> Result<(), String> {
+    let Some(change) = brought.library.clone() else { return Ok(()) };
+    match library.propose(now_ms(), change, &Known) {
+        Decision::Save(made) => {
+            let mut after = library.behaviour().clone();
+            after.apply(&made.change);
+            append(store, &Id::new(LIBRARY)?, &made, &after).await
+        }
+        Decision::Duplicate(_) => Ok(()),
+        Decision::Refuse(refusal) => Err(refusal.to_string()),
+    }
+}
+
+async fn save(store: &dyn Store, brought: &Import) -> Result<(), String> {
+    let (mut after, now_ms) = (Behaviour::default(), now_ms());
+    for (revision, change) in (1..).zip(&brought.changes) {
+        after.apply(change);
+        let made = Committed { revision, change: Change { at_ms: now_ms, ..change.clone() } };
+        append(store, &brought.behaviour, &made, &after).await?;
+    }
+    Ok(())
+}
+
+async fn append(store: &dyn Store, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), String> {
+    match store.append(id, made, after).await.map_err(|error| error.to_string())? {
+        Append::Applied | Append::Duplicate { .. } => Ok(()),
+        Append::Conflict { .. } => Err("Somebody else changed the store just now. Try again.".to_owned()),
+    }
+}
+
+fn now_ms() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
+    u64::try_from(since.as_millis()).unwrap_or(u64::MAX)
+}

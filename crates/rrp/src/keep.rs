@@ -1,0 +1,182 @@
+//! `rrp backup`, `rrp restore` and `rrp migrate`: a whole store at once.
+
+use crate::link::Link;
+use crate::store_at::{StoreArgs, Way, open, run};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::fs::File;
+use std::io::{BufReader, BufWriter, IsTerminal, Write};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use store::Store;
+use store::backup::{BackupError, Counted};
+
+/// How often the bar is drawn, in times a second.
+const DRAWN_HZ: u8 = 10;
+
+/// Writes every behaviour with its whole history, the bin and the library into one file of JSON lines.
+///
+/// The last line tells whether the file is whole. Exit codes: 0 written; 1 not, and no file of that name is left behind.
+#[derive(Debug, Args)]
+#[command(after_help = "Example: rrp backup monday.rrpbackup --data /srv/rrp")]
+pub(crate) struct BackupArgs {
+    /// The file to write; one that is there is replaced at the end.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    #[command(flatten)]
+    at: StoreArgs,
+}
+
+/// Puts a backup into an empty store.
+///
+/// The whole file is read before anything is changed. Ended early, the same command goes on where it was.
+/// Exit codes: 0 restored; 1 not.
+#[derive(Debug, Args)]
+#[command(after_help = "Example: rrp restore monday.rrpbackup --store files:/srv/new")]
+pub(crate) struct RestoreArgs {
+    /// The backup.
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    #[command(flatten)]
+    at: StoreArgs,
+}
+
+/// Copies a whole store into another one that is empty, then compares both.
+///
+/// Revision, records, history and bin of every behaviour are compared at the end. Ended early, the same command goes on
+/// where it was; the first store stays as it is. Exit codes: 0 both hold the same; 1 not.
+#[derive(Debug, Args)]
+#[command(after_help = "Example: rrp migrate --from sqlite:/srv/rrp --to files:/srv/rrp-files")]
+pub(crate) struct MigrateArgs {
+    /// The address of the store to copy.
+    #[arg(long, value_name = "URL")]
+    from: String,
+    /// The address of the store to fill.
+    #[arg(long, value_name = "URL")]
+    to: String,
+}
+
+/// Backs up, or says why not.
+pub(crate) fn backup(args: &BackupArgs) -> Result<(), String> {
+    let (part, bar) = (part(&args.file), Bar::new());
+    let done = run(async {
+        match args.at.way().await? {
+            Way::Store(store) => write(&*store, &part, &bar).await.map_err(|error| error.to_string()),
+            Way::Server(link) => fetch(&link, &part),
+        }
+    });
+    let done = done.and_then(|done| {
+        let kept = std::fs::rename(&part, &args.file);
+        kept.map(|()| done).map_err(|error| format!("{} could not be written: {error}.", args.file.display()))
+    });
+    match done {
+        Ok(done) => say(&format!("{} in {}.", counted(done), args.file.display())),
+        Err(sentence) => {
+            // It may not even have been begun.
+            let _ = std::fs::remove_file(&part);
+            Err(sentence)
+        }
+    }
+}
+
+/// The file that is written until all of it is there.
+fn part(file: &Path) -> PathBuf {
+    let mut name = file.file_name().unwrap_or_default().to_owned();
+    name.push(".part");
+    file.with_file_name(name)
+}
+
+async fn write(store: &dyn Store, part: &Path, bar: &Bar) -> Result<Counted, BackupError> {
+    let to = Mutex::new(BufWriter::new(File::create(part)?));
+    let put = |line: String| {
+        let written = to.lock().unwrap_or_else(PoisonError::into_inner).write_all(line.as_bytes());
+        std::future::ready(written)
+    };
+    let epoch = store.next_epoch().await?;
+    let done = store::backup::backup(store, epoch, put, &|done, of| bar.at(done, of)).await?;
+    let file = to
+        .into_inner()
+        .unwrap_or_else(PoisonError::into_inner)
+        .into_inner()
+        .map_err(std::io::IntoInnerError::into_error)?;
+    file.sync_all()?;
+    Ok(done)
+}
+
+/// The same from the server that has the store.
+fn fetch(link: &Link, part: &Path) -> Result<Counted, String> {
+    let unwritten = |error| format!("{} could not be written: {error}.", part.display());
+    let mut file = BufWriter::new(File::create(part).map_err(unwritten)?);
+    link.get("/api/backup")?.copy(&mut file)?;
+    let file = file.into_inner().map_err(|error| unwritten(error.into_error()))?;
+    file.sync_all().map_err(unwritten)?;
+    let mut written = BufReader::new(File::open(part).map_err(unwritten)?);
+    store::backup::verify(&mut written).map_err(|error| error.to_string())
+}
+
+/// Restores, or says why not.
+pub(crate) fn restore(args: &RestoreArgs) -> Result<(), String> {
+    let unopened = |error| format!("{} could not be opened: {error}.", args.file.display());
+    let (file, bar) = (BufReader::new(File::open(&args.file).map_err(unopened)?), Bar::new());
+    let done = run(async {
+        let store = args.at.open().await?;
+        let restored = store::backup::restore(file, &store, &|done, of| bar.at(done, of)).await;
+        restored.map_err(|error| error.to_string())
+    })?;
+    say(&format!("{} from {}.", counted(done), args.file.display()))
+}
+
+/// Copies, or says why not.
+pub(crate) fn migrate(args: &MigrateArgs) -> Result<(), String> {
+    let bar = Bar::new();
+    let (done, differences) = run(async {
+        if args.from == args.to {
+            return Err(BackupError::Same.to_string());
+        }
+        let (from, to): (Arc<dyn Store>, _) = (open(&args.from).await?, open(&args.to).await?);
+        let copied = store::backup::migrate(&from, &to, &|done, of| bar.at(done, of)).await;
+        copied.map_err(|error| error.to_string())
+    })?;
+    let lines: Vec<_> = differences.iter().map(|one| format!("  {}: {} differs", one.behaviour, one.what)).collect();
+    if !lines.is_empty() {
+        return Err(format!("The stores are not the same. Empty the second one and try again:\n{}", lines.join("\n")));
+    }
+    say(&format!("{}; both stores hold the same: revisions, records, histories and bin.", counted(done)))
+}
+
+fn counted(done: Counted) -> String {
+    let some = |many: u64, one: &str| format!("{many} {one}{}", if many == 1 { "" } else { "s" });
+    format!("{} with {}", some(done.behaviours, "behaviour"), some(done.changes, "change"))
+}
+
+fn say(sentence: &str) -> Result<(), String> {
+    writeln!(std::io::stdout().lock(), "{sentence}").map_err(|error| error.to_string())
+}
+
+/// How far it is, on a terminal only.
+struct Bar(ProgressBar);
+
+impl Bar {
+    fn new() -> Self {
+        let target = if std::io::stderr().is_terminal() {
+            ProgressDrawTarget::stderr_with_hz(DRAWN_HZ)
+        } else {
+            ProgressDrawTarget::hidden()
+        };
+        let bar = ProgressBar::with_draw_target(None, target);
+        let style = ProgressStyle::with_template("{wide_bar} {pos} of {len} behaviours, {msg} changes, {elapsed}");
+        Self(style.map_or_else(|_| bar.clone(), |style| bar.clone().with_style(style)))
+    }
+
+    fn at(&self, done: Counted, of: u64) {
+        self.0.set_length(of);
+        self.0.set_position(done.behaviours);
+        self.0.set_message(done.changes.to_string());
+    }
+}
+
+impl Drop for Bar {
+    fn drop(&mut self) {
+        self.0.finish_and_clear();
+    }
+}

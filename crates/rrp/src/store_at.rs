@@ -1,0 +1,137 @@
+//! Which store a command works on, and the way to it.
+
+use crate::link::Link;
+use crate::serve::store_url;
+use behaviour::Id;
+use clap::Args;
+use std::future::Future;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use store::{Query, Store, StoreError};
+
+/// The store to work on.
+#[derive(Debug, Default, Args)]
+pub(crate) struct StoreArgs {
+    /// The address of the store: sqlite:FOLDER, files:FOLDER or what else this rrp knows.
+    #[arg(long, value_name = "URL", env = "RRP_STORE", conflicts_with = "data")]
+    pub(crate) store: Option<String>,
+    /// The folder of the data; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) data: Option<PathBuf>,
+}
+
+/// The way to a store.
+pub(crate) enum Way {
+    /// It is ours alone.
+    Store(Arc<dyn Store>),
+    /// A running server has it.
+    Server(Link),
+}
+
+impl StoreArgs {
+    /// Opens it, or finds the running server that uses it.
+    pub(crate) async fn way(&self) -> Result<Way, String> {
+        let url = store_url(self.store.clone(), self.data.clone())?;
+        match store::open_url(&url).await {
+            Ok(store) => Ok(Way::Store(store)),
+            Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
+                Some(address) => Ok(Way::Server(Link { address })),
+                None => Err(busy(&folder)),
+            },
+            Err(error) => Err(error.to_string()),
+        }
+    }
+
+    /// Opens it; a store that a server uses is not touched.
+    pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, String> {
+        open(&store_url(self.store.clone(), self.data.clone())?).await
+    }
+}
+
+/// Opens a store by its address; one that a server uses is not touched.
+pub(crate) async fn open(url: &str) -> Result<Arc<dyn Store>, String> {
+    store::open_url(url).await.map_err(|error| match error {
+        StoreError::Busy(folder) => busy(&folder),
+        other => other.to_string(),
+    })
+}
+
+fn busy(folder: &Path) -> String {
+    format!("A running rrp server uses {}. Stop it, then do this again.", folder.display())
+}
+
+/// A behaviour.
+#[derive(Debug, serde::Deserialize)]
+pub(crate) struct Named {
+    pub(crate) id: Id,
+    pub(crate) name: String,
+}
+
+/// Runs what waits for a store, to its end.
+pub(crate) fn run<T>(work: impl Future<Output = Result<T, String>>) -> Result<T, String> {
+    let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("This could not start: {error}."))?;
+    runtime.block_on(work)
+}
+
+/// Id and name of everything that is not in the bin, by name.
+pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Named>, String> {
+    let (mut lines, mut query) = (Vec::new(), Query { sort: store::Sort::Name, ..Query::default() });
+    loop {
+        let page = store.list(&query).await.map_err(|error| error.to_string())?;
+        lines.extend(page.lines.into_iter().map(|line| Named { id: line.id, name: line.name }));
+        query.after = page.next;
+        if query.after.is_none() {
+            return Ok(lines);
+        }
+    }
+}
+
+/// The one behaviour that has this id or name.
+pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, String> {
+    if let Some(line) = listed.iter().find(|line| line.id.as_str() == wanted) {
+        return Ok(line.id.clone());
+    }
+    let exact: Vec<_> = listed.iter().filter(|line| line.name == wanted).collect();
+    let lower = wanted.to_lowercase();
+    let near: Vec<_> = listed.iter().filter(|line| line.name.to_lowercase() == lower).collect();
+    match (exact.as_slice(), near.as_slice()) {
+        ([one], _) | ([], [one]) => Ok(one.id.clone()),
+        ([], []) => Err(format!("There is no behaviour “{wanted}”. {}", choices(listed))),
+        ([], many) | (many, _) => {
+            let ids: Vec<_> = many.iter().map(|line| line.id.as_str()).collect();
+            Err(format!("Several behaviours are called “{wanted}”. Say which one by its id: {}.", ids.join(", ")))
+        }
+    }
+}
+
+fn choices(listed: &[Named]) -> String {
+    const SHOWN: usize = 10;
+    let names: Vec<_> = listed.iter().take(SHOWN).map(|line| format!("“{}”", line.name)).collect();
+    let more = if listed.len() > SHOWN { ", …" } else { "" };
+    if names.is_empty() {
+        "The store is empty; look whether --store or --data is right.".to_owned()
+    } else {
+        format!("There are {}{more}.", names.join(", "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Named, find};
+    use behaviour::Id;
+
+    fn line(id: &str, name: &str) -> Named {
+        Named { id: Id::new(id).expect("an id"), name: name.to_owned() }
+    }
+
+    #[test]
+    fn a_behaviour_is_found_by_id_or_name_and_doubt_is_told() {
+        let listed = [line("a1", "Greet"), line("b2", "Follow"), line("c3", "follow"), line("d4", "Greet")];
+        assert_eq!(find(&listed, "b2").unwrap().as_str(), "b2");
+        assert_eq!(find(&listed, "Follow").unwrap().as_str(), "b2");
+        assert!(find(&listed, "FOLLOW").unwrap_err().contains("b2, c3"));
+        assert!(find(&listed, "Greet").unwrap_err().contains("a1, d4"));
+        assert!(find(&listed, "Dance").unwrap_err().contains("There are “Greet”"));
+        assert!(find(&[], "Dance").unwrap_err().contains("empty"));
+    }
+}

@@ -1,0 +1,134 @@
+//! A whole store as one file of JSON lines, back again, and from one store into another: every behaviour with its
+//! whole history, the bin and the library.
+
+mod copy;
+mod lines;
+mod restore;
+#[cfg(test)]
+mod tests;
+
+pub use copy::{Difference, compare, migrate};
+pub use restore::{restore, verify};
+
+use crate::{LIBRARY, Place, Query, Store, StoreError};
+use behaviour::Id;
+use lines::{Line, Sum};
+use std::future::Future;
+use thiserror::Error;
+
+/// The format's name and version.
+pub const BACKUP_FORMAT: &str = "rrp-backup/1";
+/// Changes that are fetched at once.
+const PAGE_CHANGES: u32 = 256;
+
+/// Why a backup, a restore or a migration did not come to its end. What was done stays; done again, it goes on.
+#[derive(Debug, Error)]
+pub enum BackupError {
+    /// The store could not do it.
+    #[error("{0}")]
+    Store(#[from] StoreError),
+    /// The file could not be read or written.
+    #[error("The backup could not be read or written: {0}. Check the disk and try again.")]
+    File(#[from] std::io::Error),
+    /// The file is no whole backup; with the line and the reason.
+    #[error("Line {0} of the backup: {1} Take another backup.")]
+    Broken(u64, String),
+    /// The store to fill holds something else already; with its id.
+    #[error("The store is not empty: it holds “{0}”, which is not from here. Choose an empty one.")]
+    NotEmpty(Id),
+    /// Both stores are the same.
+    #[error("Both addresses are the same store. Choose another one to fill.")]
+    Same,
+}
+
+/// How much was done.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counted {
+    /// Behaviours, also those in the bin, and the library.
+    pub behaviours: u64,
+    /// Changes in their histories.
+    pub changes: u64,
+}
+
+/// One behaviour, before its history.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Shelf {
+    id: Id,
+    revision: u64,
+    /// When and by whom it went to the bin.
+    removed: Option<(u64, String)>,
+}
+
+/// Tells how far it is: what is done, of how many behaviours.
+pub type Progress<'p> = &'p (dyn Fn(Counted, u64) + Send + Sync);
+
+/// Writes a whole store, line by line through `put`. `epoch` is the store's own; see [`Store::next_epoch`].
+///
+/// # Errors
+/// What the store or `put` fails with.
+pub async fn backup<F, W>(
+    store: &dyn Store,
+    epoch: u64,
+    mut put: F,
+    progress: Progress<'_>,
+) -> Result<Counted, BackupError>
+where
+    F: FnMut(String) -> W,
+    W: Future<Output = std::io::Result<()>>,
+{
+    let (shelves, mut sum, mut done) = (shelves(store).await?, Sum::default(), Counted::default());
+    put(sum.line(&Line::Start { format: BACKUP_FORMAT.to_owned(), epoch })).await?;
+    for shelf in &shelves {
+        put(sum.line(&Line::of(shelf))).await?;
+        let mut since = 0;
+        while since < shelf.revision {
+            for change in page(store, shelf, since).await? {
+                since = change.revision;
+                done.changes += 1;
+                put(sum.line(&Line::Change(change))).await?;
+            }
+        }
+        done.behaviours += 1;
+        progress(done, shelves.len() as u64);
+    }
+    put(sum.end(done)).await?;
+    Ok(done)
+}
+
+/// The next changes of a behaviour, up to the revision that it had at first.
+async fn page(store: &dyn Store, shelf: &Shelf, since: u64) -> Result<Vec<behaviour::Committed>, BackupError> {
+    let mut page = store.history(&shelf.id, since, PAGE_CHANGES).await?;
+    page.retain(|change| change.revision <= shelf.revision);
+    if page.is_empty() {
+        let lost = format!("the history of {} ends at {since} instead of {}", shelf.id, shelf.revision);
+        return Err(StoreError::Damaged(lost).into());
+    }
+    Ok(page)
+}
+
+/// Everything that the store holds, the library first, then in order of id.
+pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError> {
+    let mut all = Vec::new();
+    for place in [Place::Here, Place::Bin] {
+        let mut query = Query { place, ..Query::default() };
+        loop {
+            let page = store.list(&query).await?;
+            all.extend(page.lines.into_iter().map(|line| Shelf {
+                id: line.id,
+                revision: line.revision,
+                removed: (place == Place::Bin).then_some((line.changed_ms, line.by)),
+            }));
+            query.after = page.next;
+            if query.after.is_none() {
+                break;
+            }
+        }
+    }
+    all.sort_by(|a, b| a.id.cmp(&b.id));
+    all.dedup_by(|a, b| a.id == b.id);
+    let library = Id::new(LIBRARY).map_err(StoreError::Damaged)?;
+    if let Some(loaded) = store.load(&library).await? {
+        all.insert(0, Shelf { id: library, revision: loaded.revision, removed: None });
+    }
+    Ok(all)
+}

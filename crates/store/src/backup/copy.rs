@@ -1,0 +1,188 @@
+//! Behaviour by behaviour into another store, several at a time, and the proof that both hold the same.
+
+use super::{BackupError, Counted, Progress, Shelf, page, shelves};
+use crate::{Append, Store, StoreError};
+use behaviour::{Behaviour, Committed, Id};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use tokio::task::JoinSet;
+
+/// Behaviours that are written at the same time: enough for a store to gather many changes into one sync.
+const AT_ONCE: usize = 16;
+
+/// What a store has of each behaviour: the revision and the op id of its last change.
+pub(super) type Heads = BTreeMap<Id, (u64, Id)>;
+
+/// Where two stores differ.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Difference {
+    /// The behaviour.
+    pub behaviour: Id,
+    /// What differs, in a few words.
+    pub what: &'static str,
+}
+
+/// Copies everything into a store that is empty or holds a part of the same; then compares both.
+///
+/// # Errors
+/// What the stores fail with, [`BackupError::NotEmpty`]. Done again, it goes on where it ended.
+pub async fn migrate(
+    from: &Arc<dyn Store>,
+    to: &Arc<dyn Store>,
+    progress: Progress<'_>,
+) -> Result<(Counted, Vec<Difference>), BackupError> {
+    let (shelves, heads) = (shelves(&**from).await?, heads(&**to).await?);
+    check_heads(&**from, &shelves, &heads).await?;
+    let (many, mut done, mut copying) = (shelves.len() as u64, Counted::default(), JoinSet::new());
+    for shelf in shelves {
+        if copying.len() >= AT_ONCE || done.behaviours + copying.len() as u64 == 1 {
+            finished(&mut copying, &mut done, many, progress).await?;
+        }
+        copying.spawn(copy(Arc::clone(from), Arc::clone(to), shelf));
+    }
+    while !copying.is_empty() {
+        finished(&mut copying, &mut done, many, progress).await?;
+    }
+    // Locks of the first store must stay void in the second.
+    let epoch = from.next_epoch().await?;
+    while to.next_epoch().await? < epoch {}
+    let differences = compare(&**from, &**to).await?;
+    Ok((done, differences))
+}
+
+/// Waits for one behaviour to be there.
+pub(super) async fn finished(
+    copying: &mut JoinSet<Result<u64, BackupError>>,
+    done: &mut Counted,
+    many: u64,
+    progress: Progress<'_>,
+) -> Result<(), BackupError> {
+    if let Some(changes) = copying.join_next().await {
+        let stopped = |error| StoreError::Unavailable(format!("copying stopped: {error}"));
+        done.changes += changes.map_err(stopped)??;
+        done.behaviours += 1;
+        progress(*done, many);
+    }
+    Ok(())
+}
+
+async fn copy(from: Arc<dyn Store>, to: Arc<dyn Store>, shelf: Shelf) -> Result<u64, BackupError> {
+    let mut filling = Filling::of(&*to, &shelf).await?;
+    let mut since = 0;
+    while since < shelf.revision {
+        for change in page(&*from, &shelf, since).await? {
+            since = change.revision;
+            filling.put(&change).await?;
+        }
+    }
+    filling.end().await
+}
+
+/// One behaviour on its way into a store.
+pub(super) struct Filling<'s> {
+    to: &'s dyn Store,
+    shelf: &'s Shelf,
+    /// What is there already.
+    head: u64,
+    after: Behaviour,
+    changes: u64,
+}
+
+impl<'s> Filling<'s> {
+    pub(super) async fn of(to: &'s dyn Store, shelf: &'s Shelf) -> Result<Self, BackupError> {
+        let head = to.load(&shelf.id).await?.map_or(0, |loaded| loaded.revision);
+        Ok(Self { to, shelf, head, after: Behaviour::default(), changes: 0 })
+    }
+
+    pub(super) async fn put(&mut self, change: &Committed) -> Result<(), BackupError> {
+        self.after.apply(&change.change);
+        self.changes += 1;
+        if change.revision <= self.head {
+            return Ok(());
+        }
+        let mut answer = self.to.append(&self.shelf.id, change, &self.after).await;
+        if answer.as_ref().is_err_and(StoreError::is_open) {
+            answer = self.to.append(&self.shelf.id, change, &self.after).await;
+        }
+        match answer? {
+            Append::Applied => Ok(()),
+            Append::Duplicate { revision } if revision == change.revision => Ok(()),
+            Append::Duplicate { .. } | Append::Conflict { .. } => Err(BackupError::NotEmpty(self.shelf.id.clone())),
+        }
+    }
+
+    /// Into the bin, if it belongs there; answers with the number of changes.
+    pub(super) async fn end(self) -> Result<u64, BackupError> {
+        if let Some((at_ms, by)) = &self.shelf.removed {
+            self.to.remove(&self.shelf.id, *at_ms, by).await?;
+        }
+        Ok(self.changes)
+    }
+}
+
+/// What the store to fill has already.
+pub(super) async fn heads(store: &dyn Store) -> Result<Heads, BackupError> {
+    let mut heads = Heads::new();
+    for shelf in shelves(store).await? {
+        let last = store.history(&shelf.id, shelf.revision.saturating_sub(1), 1).await?;
+        if let Some(last) = last.into_iter().next() {
+            heads.insert(shelf.id, (last.revision, last.change.op));
+        }
+    }
+    Ok(heads)
+}
+
+/// What is there already must be the beginning of what comes.
+async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Result<(), BackupError> {
+    for (id, (revision, op)) in heads {
+        let known = shelves.iter().any(|shelf| shelf.id == *id);
+        let same = if known { from.history(id, revision.saturating_sub(1), 1).await? } else { Vec::new() };
+        if same.first().is_none_or(|change| change.revision != *revision || change.change.op != *op) {
+            return Err(BackupError::NotEmpty(id.clone()));
+        }
+    }
+    Ok(())
+}
+
+/// Where two stores differ: in revision, records, history or bin of a behaviour.
+///
+/// # Errors
+/// What the stores fail with.
+pub async fn compare(one: &dyn Store, other: &dyn Store) -> Result<Vec<Difference>, BackupError> {
+    let (mut differences, ours) = (Vec::new(), shelves(one).await?);
+    for shelf in shelves(other).await? {
+        if !ours.iter().any(|known| known.id == shelf.id) {
+            differences.push(Difference { behaviour: shelf.id, what: "it is in one store only" });
+        }
+    }
+    for shelf in ours {
+        if let Some(what) = difference(one, other, &shelf).await? {
+            differences.push(Difference { behaviour: shelf.id, what });
+        }
+    }
+    Ok(differences)
+}
+
+async fn difference(one: &dyn Store, other: &dyn Store, shelf: &Shelf) -> Result<Option<&'static str>, BackupError> {
+    let (Some(ours), Some(theirs)) = (one.load(&shelf.id).await?, other.load(&shelf.id).await?) else {
+        return Ok(Some("it is in one store only"));
+    };
+    if ours.revision != theirs.revision {
+        return Ok(Some("its revision"));
+    }
+    if ours.removed_ms != theirs.removed_ms {
+        return Ok(Some("whether it is in the bin"));
+    }
+    if ours.behaviour != theirs.behaviour {
+        return Ok(Some("its records"));
+    }
+    let mut since = 0;
+    while since < shelf.revision {
+        let page = page(one, shelf, since).await?;
+        if other.history(&shelf.id, since, u32::try_from(page.len()).unwrap_or(u32::MAX)).await? != page {
+            return Ok(Some("its history"));
+        }
+        since = page.last().map_or(shelf.revision, |last| last.revision);
+    }
+    Ok(None)
+}

@@ -1,0 +1,145 @@
+//! The lines of a backup, and the sum at its end that tells whether it is whole.
+
+use super::{BACKUP_FORMAT, BackupError, Counted, Shelf};
+use behaviour::{Committed, Id};
+use serde::{Deserialize, Serialize};
+use std::io::BufRead;
+
+/// The longest line, in bytes: a change of the most edits with the longest bodies.
+const LINE_MAX_BYTES: u64 = 256 << 20;
+
+/// One line.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(super) enum Line {
+    /// The first one.
+    Start { format: String, epoch: u64 },
+    /// A behaviour; its changes follow.
+    Behaviour { id: Id, revision: u64, removed: Option<Removed> },
+    /// The next change of it.
+    Change(Committed),
+    /// The last one.
+    End { behaviours: u64, changes: u64, sum: String },
+}
+
+/// When and by whom a behaviour went to the bin.
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(super) struct Removed {
+    at_ms: u64,
+    by: String,
+}
+
+impl Line {
+    pub(super) fn of(shelf: &Shelf) -> Self {
+        let removed = shelf.removed.clone().map(|(at_ms, by)| Removed { at_ms, by });
+        Self::Behaviour { id: shelf.id.clone(), revision: shelf.revision, removed }
+    }
+}
+
+/// FNV-1a over all bytes so far: no secret, but no accident passes it either.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sum(u64);
+
+impl Default for Sum {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Sum {
+    fn add(&mut self, bytes: &[u8]) {
+        for byte in bytes {
+            self.0 = (self.0 ^ u64::from(*byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+
+    /// A line as it is written, with its end.
+    pub(super) fn line(&mut self, line: &Line) -> String {
+        let text = serde_json::to_string(line).unwrap_or_default() + "\n";
+        self.add(text.as_bytes());
+        text
+    }
+
+    pub(super) fn end(mut self, done: Counted) -> String {
+        let Counted { behaviours, changes } = done;
+        let sum = format!("{:016x}", self.0);
+        self.line(&Line::End { behaviours, changes, sum })
+    }
+}
+
+/// What a backup says, one thing after the other, checked as it comes.
+pub(super) trait Listener {
+    /// A behaviour begins.
+    fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError>;
+    /// Its next change.
+    fn change(&mut self, change: Committed) -> Result<(), BackupError>;
+}
+
+/// Reads a whole backup and tells the listener; answers with its epoch and its counts. An error may come after much
+/// was told: who must know first whether it is whole reads it twice.
+pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<(u64, Counted), BackupError> {
+    let mut reading = Reading { from, number: 0, sum: Sum::default() };
+    let epoch = match reading.next()? {
+        (_, Line::Start { format, epoch }) if format == BACKUP_FORMAT => epoch,
+        _ => return reading.broken(format!("This is no {BACKUP_FORMAT}.")),
+    };
+    let (mut done, mut left) = (Counted::default(), 0..0_u64);
+    loop {
+        let (sum_before, line) = reading.next()?;
+        match line {
+            Line::Behaviour { id, revision, removed } if left.is_empty() => {
+                done.behaviours += 1;
+                left = 0..revision;
+                to.behaviour(Shelf { id, revision, removed: removed.map(|removed| (removed.at_ms, removed.by)) })?;
+            }
+            Line::Change(change) if left.next().is_some_and(|before| change.revision == before + 1) => {
+                done.changes += 1;
+                to.change(change)?;
+            }
+            Line::End { behaviours, changes, sum } if left.is_empty() => {
+                if (Counted { behaviours, changes }) != done || sum != format!("{:016x}", sum_before.0) {
+                    return reading.broken("Something before it was changed.".to_owned());
+                }
+                return reading.nothing_more().map(|()| (epoch, done));
+            }
+            _ => return reading.broken("It does not follow what is before it.".to_owned()),
+        }
+    }
+}
+
+struct Reading<'r> {
+    from: &'r mut dyn BufRead,
+    number: u64,
+    sum: Sum,
+}
+
+impl Reading<'_> {
+    fn broken<T>(&self, reason: String) -> Result<T, BackupError> {
+        Err(BackupError::Broken(self.number, reason))
+    }
+
+    /// The next line, with the sum of all before it.
+    fn next(&mut self) -> Result<(Sum, Line), BackupError> {
+        let mut bytes = Vec::new();
+        std::io::Read::take(&mut *self.from, LINE_MAX_BYTES).read_until(b'\n', &mut bytes)?;
+        self.number += 1;
+        if bytes.last() != Some(&b'\n') {
+            return self.broken("The file ends too early.".to_owned());
+        }
+        let before = self.sum;
+        self.sum.add(&bytes);
+        match serde_json::from_slice(&bytes) {
+            Ok(line) => Ok((before, line)),
+            Err(error) => self.broken(format!("It cannot be read ({error}).")),
+        }
+    }
+
+    fn nothing_more(&mut self) -> Result<(), BackupError> {
+        if self.from.fill_buf()?.is_empty() {
+            return Ok(());
+        }
+        self.number += 1;
+        self.broken("It comes after the end.".to_owned())
+    }
+}
