@@ -1,9 +1,13 @@
 //! What a library of ten thousand behaviours costs, on any store: a page of the list, a search, opening one, saving a
 //! move. Prints one line a question with the middle and the slowest hundredth of its times.
 //!
-//! `cargo bench -p store --bench stores`; RRP_BENCH_STORE names another store's address, RRP_BENCH_BEHAVIOURS another
-//! size.
+//! `cargo xtask bench stores` runs it on SQLite and on a real Neo4j. RRP_BENCH_STORE names another store's address instead,
+//! RRP_BENCH_BEHAVIOURS another size.
 #![expect(clippy::print_stdout, reason = "a benchmark speaks on standard output")]
+
+#[expect(dead_code, reason = "a benchmark does not kill its server")]
+#[path = "../../../tests/neo4j/server.rs"]
+mod server;
 
 use behaviour::{
     Behaviour, Change, Committed, Connector, Id, Kind, Operation, Place, Procedure, Record, RecordId, Settings, Stream,
@@ -153,11 +157,22 @@ async fn move_one(store: &Arc<dyn Store>, number: usize, step: usize) -> usize {
 #[tokio::main]
 async fn main() {
     let many = std::env::var("RRP_BENCH_BEHAVIOURS").ok().and_then(|text| text.parse().ok()).unwrap_or(10_000);
+    if let Ok(url) = std::env::var("RRP_BENCH_STORE") {
+        return measure("the store named", &url, many).await;
+    }
     let folder = tempfile::tempdir().expect("a folder");
-    let url = std::env::var("RRP_BENCH_STORE").unwrap_or_else(|_| folder.path().display().to_string());
-    let store = store::open_url(&url).await.expect("a store");
+    measure("SQLite", &folder.path().display().to_string(), many).await;
+    if let Some(parts) = server::folder("the benchmark of Neo4j") {
+        let neo4j = server::Neo4j::start(parts);
+        measure("Neo4j", &neo4j.url(), many).await;
+    }
+}
+
+async fn measure(what: &str, url: &str, many: usize) {
+    let store = store::open_url(url).await.expect("a store");
     let start = Instant::now();
     fill(&store, many).await;
-    println!("{many} behaviours of {STREAMS} streams saved in {:.1} s", start.elapsed().as_secs_f64());
+    let seconds = start.elapsed().as_secs_f64();
+    println!("\n{what}: {many} behaviours of {STREAMS} streams saved in {seconds:.1} s");
     questions(&store, many).await;
 }

@@ -1,6 +1,7 @@
 //! `cargo xtask`: builds the page, serves the whole house, and runs every test, without any tool to install by hand.
 #![expect(clippy::print_stdout, reason = "a command line tool speaks on standard output")]
 
+mod bench;
 mod dist;
 mod neo4j;
 mod page;
@@ -18,6 +19,7 @@ cargo xtask COMMAND
   page [--dev]              build the page into target/page (--dev: quicker to build, not compressed)
   serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
+  bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
 
@@ -43,6 +45,7 @@ fn obey(words: &[String]) -> Outcome<()> {
             println!("RRP_NEO4J={}", neo4j::ensure(&Workspace::here()?)?.display());
             Ok(())
         }
+        ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["test"] => test::all(&Workspace::here()?),
         ["test", filter] if !filter.starts_with('-') => test::only(&Workspace::here()?, filter),
         [] | ["help" | "--help" | "-h"] | [_, "--help" | "-h"] => {
