@@ -22,7 +22,7 @@ const STREAMS: usize = 60;
 /// Questions of each kind.
 const TIMES: usize = 200;
 /// Behaviours saved at the same time while filling.
-const AT_ONCE: usize = 64;
+const AT_ONCE: usize = 16;
 
 fn id(text: &str) -> Id {
     Id::new(text).expect("an id")
@@ -97,8 +97,15 @@ async fn fill(store: &Arc<dyn Store>, many: usize) {
         let store = Arc::clone(store);
         tasks.spawn(async move {
             let made = behaviour(number);
-            let answer = store.append(&id(&format!("b{number}")), &first(number, &made), &made).await;
-            assert_eq!(answer, Ok(Append::Applied));
+            let (name, first) = (id(&format!("b{number}")), first(number, &made));
+            // A database that is still warming up may be too slow for its bound: sent again, the op id settles it.
+            let answer = loop {
+                match store.append(&name, &first, &made).await {
+                    Err(error) if error.is_open() => {}
+                    answer => break answer,
+                }
+            };
+            assert!(matches!(answer, Ok(Append::Applied | Append::Duplicate { .. })), "{answer:?}");
         });
     }
     while let Some(task) = tasks.join_next().await {

@@ -11,7 +11,11 @@ mod link;
 mod list;
 mod load;
 mod nodes;
+#[cfg(test)]
+mod peer;
 mod schema;
+#[cfg(test)]
+mod tests;
 
 use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Usage, json};
 use address::Address;

@@ -5,9 +5,10 @@ use crate::samples::{change, id, place};
 use crate::server::{self, Neo4j};
 use behaviour::{Behaviour, Committed};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::Duration;
 use store::{Append, Neo4jStore, Store, StoreError, open_neo4j};
-use tokio::task::{JoinHandle, JoinSet, spawn_blocking};
+use tokio::task::{JoinSet, spawn_blocking};
 use tokio::time::timeout;
 
 const KILLS: usize = 6;
@@ -49,22 +50,36 @@ async fn again(mut neo4j: Neo4j) -> Neo4j {
     started.await.expect("a start")
 }
 
-/// One behaviour's changes, one after the other, until an answer is an error; says which revision is in doubt.
-fn write_on(store: &Arc<Neo4jStore>, writer: usize, from: u64, saved: &Arc<tokio::sync::Semaphore>) -> JoinHandle<u64> {
-    let (store, saved) = (Arc::clone(store), Arc::clone(saved));
-    tokio::spawn(async move {
-        for revision in from.. {
-            match append(&store, writer, revision).await {
-                Ok(answer) => assert_eq!(answer, Append::Applied),
-                Err(error) => {
-                    assert!(error.is_open(), "{error}");
-                    return revision;
-                }
+/// What the writers of one round share: how much was acknowledged, and whether Neo4j was killed.
+#[derive(Default)]
+struct Round {
+    acknowledged: AtomicUsize,
+    killed: AtomicBool,
+}
+
+/// One behaviour's changes, one after the other, until Neo4j is killed; says which revision is in doubt then.
+async fn write_on(store: Arc<Neo4jStore>, writer: usize, from: u64, round: Arc<Round>) -> u64 {
+    let mut revision = from;
+    loop {
+        match append(&store, writer, revision).await {
+            Ok(answer) => {
+                assert!(matches!(answer, Append::Applied | Append::Duplicate { .. }), "{answer:?}");
+                revision += 1;
+                round.acknowledged.fetch_add(1, Ordering::SeqCst);
             }
-            saved.add_permits(1);
+            Err(error) if error.is_open() && round.killed.load(Ordering::SeqCst) => return revision,
+            Err(error) => assert!(error.is_open(), "{error}"),
         }
-        unreachable!("revisions have no end")
-    })
+    }
+}
+
+async fn until_acknowledged(round: &Round) {
+    let acknowledged = async {
+        while round.acknowledged.load(Ordering::SeqCst) < BEFORE_KILL {
+            tokio::time::sleep(Duration::from_millis(5)).await;
+        }
+    };
+    timeout(BACK_MAX, acknowledged).await.expect("changes are saved");
 }
 
 #[tokio::test(flavor = "multi_thread")]
@@ -72,9 +87,11 @@ async fn nothing_acknowledged_is_lost_when_neo4j_is_killed() {
     let Some((mut neo4j, store)) = started("kill -9 of Neo4j").await else { return };
     let mut in_doubt = [1_u64; WRITERS];
     for _ in 0..KILLS {
-        let saved = Arc::new(tokio::sync::Semaphore::new(0));
-        let writers: Vec<_> = (0..WRITERS).map(|writer| write_on(&store, writer, in_doubt[writer], &saved)).collect();
-        saved.acquire_many(BEFORE_KILL as u32).await.expect("changes are saved").forget();
+        let round = Arc::new(Round::default());
+        let write = |writer| write_on(Arc::clone(&store), writer, in_doubt[writer], Arc::clone(&round));
+        let writers: Vec<_> = (0..WRITERS).map(|writer| tokio::spawn(write(writer))).collect();
+        until_acknowledged(&round).await;
+        round.killed.store(true, Ordering::SeqCst);
         neo4j.kill();
         for (writer, ended) in writers.into_iter().enumerate() {
             in_doubt[writer] = ended.await.expect("the writer ends well");
