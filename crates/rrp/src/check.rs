@@ -81,8 +81,17 @@ fn graph(file: &BehaviourFile) -> Result<Behaviour, Vec<String>> {
     let refused = judge(&brought.changes).and_then(|()| judge(helpers)).err();
     let Some(refusal) = refused else { return Ok(behaviour) };
     // The engine knows most reasons with their place; the rule's sentence stands where it knows none.
-    let placed: Vec<String> = engine::validate(file).iter().map(ToString::to_string).collect();
+    let placed = engine_says(file);
     Err(if placed.is_empty() { vec![refusal.to_string()] } else { placed })
+}
+
+/// Why the engine would not run it, with ids; a line within a procedure is not one of the file.
+fn engine_says(file: &BehaviourFile) -> Vec<String> {
+    let said = |fault: &engine::Fault| match fault.reason.strip_prefix("line ") {
+        Some(rest) => format!("{}: in its procedure, line {rest}", fault.id),
+        None => fault.to_string(),
+    };
+    engine::validate(file).iter().map(said).collect()
 }
 
 fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked) -> Found {
@@ -95,7 +104,7 @@ fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked) -> Fou
     };
     let mut blocks = said(true);
     if blocks.is_empty() {
-        blocks = engine::validate(file).iter().map(ToString::to_string).collect();
+        blocks = engine_says(file);
     }
     Found { refused: Vec::new(), blocks: looked.place(&blocks), hints: looked.place(&said(false)) }
 }

@@ -132,6 +132,10 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     let said = rrp(&["check", &room.put("cycle.json", &cycle)]);
     assert!(said.code == 3 && said.out.contains("cycle.json:1"), "{}", said.out);
 
+    let body = good.replace("\"body\": \"face.new\"", "\"body\": \"\\n face.\"");
+    let said = rrp(&["check", &room.put("body.json", &body)]);
+    assert!(said.code == 3 && said.out.contains("body.json:17:5: In its procedure, line 2, column "), "{}", said.out);
+
     let said = rrp(&["check", "--json", &bad]);
     let told: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");
     assert_eq!((said.code, &told["importable"], &told["ready"]), (3, &false.into(), &false.into()));

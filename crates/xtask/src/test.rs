@@ -106,6 +106,10 @@ fn find_tools(run: &mut Run) -> Outcome<()> {
     tools::ensure_wasm(run.workspace)?;
     let page = run.workspace.page();
     fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))?;
+    // The XSD of behaviour files is tried with it; its test says so if it is not to be had.
+    if tools::on_path("xmllint").is_none() {
+        tools::install("xmllint", &["libxml2-utils"]);
+    }
     run.chromium = tools::ensure_chromium();
     match &run.chromium {
         Some(path) => println!("Chromium is {}.", path.display()),

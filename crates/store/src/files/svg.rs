@@ -107,6 +107,22 @@ mod tests {
     }
 
     #[test]
+    fn no_label_of_a_template_covers_another() {
+        for (name, text) in templates() {
+            let file = crate::files::read(text.as_bytes()).expect("a template");
+            let drawing = super::layout::Drawing::of(&file);
+            for (at, one) in drawing.chips.iter().enumerate() {
+                for other in &drawing.chips[at + 1..] {
+                    let wide = super::shapes::chip_width(&one.label) + super::shapes::chip_width(&other.label);
+                    let apart = (one.middle.0 - other.middle.0).abs() * 2.0 >= wide;
+                    let above = (one.middle.1 - other.middle.1).abs() >= super::layout::CHIP_HEIGHT;
+                    assert!(apart || above, "{name}: {} {}", one.label, other.label);
+                }
+            }
+        }
+    }
+
+    #[test]
     fn without_places_values_still_flow_downwards_and_nothing_overlaps() {
         for (name, text) in templates() {
             let mut file = crate::files::read(text.as_bytes()).expect("a template");

@@ -7,6 +7,7 @@ mod faults;
 mod graph;
 mod helpers;
 mod migrations;
+mod moving;
 mod samples;
 #[path = "../../../../tests/neo4j/server.rs"]
 mod server;

@@ -1,11 +1,13 @@
 //! Where everything stands in the drawing: as people placed it; what has no place stands in layers, values flowing down.
 
-use super::shapes::{one_line, wide};
+use super::shapes::{chip_width, one_line, wide};
 use behaviour::{BehaviourFile, FileConnector, FileNote, FileStream, Place};
 use std::collections::BTreeMap;
 
 /// The height of a stream, in canvas units.
 pub(super) const HEIGHT: f64 = 48.0;
+/// The height of a connector's label.
+pub(super) const CHIP_HEIGHT: f64 = 28.0;
 /// From one layer to the next.
 const LAYER: f64 = 140.0;
 /// Between two streams in a layer, and around the whole drawing.
@@ -39,16 +41,11 @@ impl<'f> Drawing<'f> {
         let top = |id: &str| tops.get(id).copied().unwrap_or_default();
         let streams: Vec<_> = file.streams.iter().map(|stream| (stream, top(&stream.id))).collect();
         let right = streams.iter().map(|(stream, top)| top.0 + width(stream) / 2.0).fold(0.0, f64::max);
-        let chip = |connector: &'f FileConnector| {
-            let placed = file.layout.get(&connector.id).map(|place| near(*place));
-            let middle = placed.unwrap_or_else(|| chip_middle(connector, &tops));
-            Chip { label: label(connector), middle, connector }
-        };
         let note = |(at, note): (u16, &'f FileNote)| {
             let beside = (right + GAP, GAP + f64::from(at) * LAYER);
             (note, file.layout.get(&note.id).map_or(beside, |place| near(*place)))
         };
-        let (chips, notes) = (file.connectors.iter().map(chip).collect(), (0..).zip(&file.notes).map(note).collect());
+        let (chips, notes) = (chips(file, &tops), (0..).zip(&file.notes).map(note).collect());
         Self { streams, chips, notes, tops }
     }
 
@@ -68,8 +65,8 @@ impl<'f> Drawing<'f> {
         let streams =
             self.streams.iter().map(|(stream, top)| (top.0 - width(stream) / 2.0, top.1, width(stream), HEIGHT));
         let chips = self.chips.iter().map(|chip| {
-            let wide = super::shapes::chip_width(&chip.label);
-            (chip.middle.0 - wide / 2.0, chip.middle.1 - 14.0, wide, 28.0)
+            let wide = chip_width(&chip.label);
+            (chip.middle.0 - wide / 2.0, chip.middle.1 - CHIP_HEIGHT / 2.0, wide, CHIP_HEIGHT)
         });
         let notes = self.notes.iter().map(|(note, corner)| {
             let (width, height) = super::shapes::note_size(&note.text);
@@ -104,12 +101,40 @@ fn near(place: Place) -> Point {
     (place.x.clamp(-FAR, FAR), place.y.clamp(-FAR, FAR))
 }
 
-/// Between the streams, where all inputs have met.
-fn chip_middle(connector: &FileConnector, tops: &BTreeMap<&str, Point>) -> Point {
+/// Every connector's label, none on another as far as there is room near its line.
+fn chips<'f>(file: &'f BehaviourFile, tops: &BTreeMap<&str, Point>) -> Vec<Chip<'f>> {
+    let mut into: BTreeMap<&str, usize> = BTreeMap::new();
+    for connector in &file.connectors {
+        *into.entry(&connector.output).or_default() += 1;
+    }
+    let mut chips: Vec<Chip> = Vec::new();
+    for connector in &file.connectors {
+        let alone = into.get(connector.output.as_str()).is_none_or(|many| *many == 1);
+        let (label, placed) = (label(connector), file.layout.get(&connector.id).map(|place| near(*place)));
+        let middle = placed.unwrap_or_else(|| free(chip_middle(connector, tops, alone), &label, &chips));
+        chips.push(Chip { label, middle, connector });
+    }
+    chips
+}
+
+/// The first place near the wanted one where no other label is.
+fn free((x, y): Point, label: &str, others: &[Chip]) -> Point {
+    let taken = |y: f64| {
+        others.iter().any(|other| {
+            let apart = f64::midpoint(chip_width(label), chip_width(&other.label));
+            (other.middle.1 - y).abs() < CHIP_HEIGHT && (other.middle.0 - x).abs() < apart
+        })
+    };
+    let steps = [0.0, -1.0, 1.0, -2.0, 2.0].map(|step| y + step * (CHIP_HEIGHT + 2.0));
+    (x, steps.into_iter().find(|y| !taken(*y)).unwrap_or(y))
+}
+
+/// Above the stream it leads to, or on the way there if others lead there too.
+fn chip_middle(connector: &FileConnector, tops: &BTreeMap<&str, Point>, alone: bool) -> Point {
     let inputs: Vec<_> = connector.inputs.iter().filter_map(|id| tops.get(id.as_str())).collect();
     let Some((x, y)) = tops.get(connector.output.as_str()) else { return (0.0, 0.0) };
     match inputs.as_slice() {
-        [(from_x, from_y)] => (f64::midpoint(*from_x, *x), f64::midpoint(from_y + HEIGHT, *y)),
+        [(from_x, from_y)] => (if alone { *x } else { f64::midpoint(*from_x, *x) }, f64::midpoint(from_y + HEIGHT, *y)),
         _ => (*x, y - (LAYER - HEIGHT) / 2.0),
     }
 }

@@ -1,6 +1,6 @@
 //! The shapes of the drawing, in the colours of the light theme.
 
-use super::layout::{HEIGHT, Point, width};
+use super::layout::{CHIP_HEIGHT, HEIGHT, Point, width};
 use crate::files::xml::{cannot_hold, in_element};
 use behaviour::{FileNote, FileStream, StreamKind};
 
@@ -65,9 +65,9 @@ pub(super) fn chip_width(label: &str) -> f64 {
 
 pub(super) fn chip(label: &str, (x, y): Point) -> String {
     let wide = chip_width(label);
-    let (left, top, base) = (x - wide / 2.0, y - 14.0, y + 4.5);
+    let (left, top, base) = (x - wide / 2.0, y - CHIP_HEIGHT / 2.0, y + 4.5);
     format!(
-        "<g><rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{wide:.1}\" height=\"28\" rx=\"10\" fill=\"{SURFACE}\" stroke=\"{EDGE}\"/>\
+        "<g><rect x=\"{left:.1}\" y=\"{top:.1}\" width=\"{wide:.1}\" height=\"{CHIP_HEIGHT}\" rx=\"10\" fill=\"{SURFACE}\" stroke=\"{EDGE}\"/>\
          <text x=\"{x:.1}\" y=\"{base:.1}\" text-anchor=\"middle\" font-size=\"13\" fill=\"{INK}\">{}</text></g>",
         text(label)
     )
