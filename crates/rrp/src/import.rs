@@ -19,11 +19,15 @@ use store::{Append, LIBRARY, Store};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   rrp import tracking.json greeting.xml
-  rrp import --restore tracking.json --store files:/srv/rrp")]
+  rrp import --restore tracking.json --store files:/srv/rrp
+  rrp import --thesis bolt://neo4j@127.0.0.1:7687")]
 pub(crate) struct ImportArgs {
     /// The files, rrp-behaviour/1 as JSON or XML; - reads standard input.
-    #[arg(value_name = "FILE", required = true)]
+    #[arg(value_name = "FILE", required_unless_present = "thesis")]
     files: Vec<PathBuf>,
+    /// Every program of a Neo4j that the thesis's own environment wrote.
+    #[arg(long, value_name = "URL", conflicts_with_all = ["files", "restore"])]
+    thesis: Option<String>,
     /// Under the ids of the file, for a store that does not have the behaviour; else it becomes a copy.
     #[arg(long)]
     restore: bool,
@@ -35,16 +39,26 @@ pub(crate) struct ImportArgs {
 pub(crate) fn import(args: &ImportArgs) -> ExitCode {
     let done = run(async {
         let way = args.at.way().await?;
-        for file in &args.files {
+        for (file, bytes) in given(args).await? {
             let brought = match &way {
-                Way::Store(store) => import_one(&**store, file, args.restore).await?.into(),
-                Way::Server(link) => through(link, file, args.restore)?,
+                Way::Store(store) => import_one(&**store, &file, &bytes, args.restore).await?.into(),
+                Way::Server(link) => through(link, &file, &bytes, args.restore)?,
             };
-            tell(file, &brought);
+            tell(&file, &brought);
         }
         Ok(())
     });
     crate::ended(done)
+}
+
+/// What to import: its name and its bytes.
+async fn given(args: &ImportArgs) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
+    let Some(url) = &args.thesis else {
+        return args.files.iter().map(|file| Ok((file.clone(), read(file)?))).collect();
+    };
+    let programs = store::read_thesis(url).await.map_err(|error| error.to_string())?;
+    let files = programs.into_iter().map(|file| (PathBuf::from(&file.name), store::files::write_json(&file).into()));
+    Ok(files.collect())
 }
 
 /// What came of a file.
@@ -63,17 +77,16 @@ impl From<Import> for Brought {
 }
 
 /// The same through the server that has the store.
-fn through(link: &Link, path: &Path, restore: bool) -> Result<Brought, String> {
+fn through(link: &Link, path: &Path, bytes: &[u8], restore: bool) -> Result<Brought, String> {
     #[derive(serde::Deserialize)]
     struct No {
         error: String,
     }
     let mode = if restore { "restore" } else { "copy" };
-    let bytes = read(path)?;
     if bytes.len() > FILE_MAX_BYTES {
         return Err(format!("{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display()));
     }
-    let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), &bytes)?;
+    let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), bytes)?;
     let fine = answer.fine;
     let text = answer.text()?;
     let unread =
@@ -106,8 +119,8 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-async fn import_one(store: &dyn Store, path: &Path, restore: bool) -> Result<Import, String> {
-    let mut looked = store::files::look(&read(path)?);
+async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], restore: bool) -> Result<Import, String> {
+    let mut looked = store::files::look(bytes);
     let named = |faults: Vec<store::files::FileFault>| {
         let line = |fault: &store::files::FileFault| {
             format!("{}:{}:{}: {}", path.display(), fault.line, fault.column, fault.reason)

@@ -26,7 +26,7 @@ pub use error::StoreError;
 pub use folder::FolderStore;
 pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
-pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within};
+pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
 pub use open::{folder_of, open_url};
 pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
 pub use sqlite::{SqliteStore, open};

@@ -16,6 +16,7 @@ mod peer;
 mod schema;
 #[cfg(test)]
 mod tests;
+mod thesis;
 
 use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Usage, json};
 use address::Address;
@@ -25,6 +26,7 @@ use behaviour::{Behaviour, Committed, Id};
 use link::Link;
 use std::sync::Arc;
 use std::time::Duration;
+pub use thesis::read_thesis;
 
 /// Keeps behaviours in a Neo4j database, which other servers may use at the same time. Every call answers within
 /// 3 seconds, also when Neo4j does not; what failed then works again as soon as Neo4j does.

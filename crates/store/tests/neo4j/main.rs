@@ -12,3 +12,4 @@ mod samples;
 #[path = "../../../../tests/neo4j/server.rs"]
 mod server;
 mod shared;
+mod thesis;
