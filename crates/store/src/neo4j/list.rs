@@ -7,6 +7,10 @@ use behaviour::Id;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
+/// The shortest text that the index of words can look up.
+const TRIGRAM_CHARS: usize = 3;
+const NAME_ORDER: &str = "p.name_key, p.id";
+
 #[derive(Deserialize)]
 struct Page {
     total: u64,
@@ -39,30 +43,49 @@ fn shelf(place: Place) -> (&'static str, &'static str, &'static str) {
     }
 }
 
+/// The index to read; Neo4j would sometimes choose to sort everything.
+fn index(query: &Query, needles: &[String]) -> &'static str {
+    let selective = needles.iter().any(|word| word.chars().count() >= TRIGRAM_CHARS);
+    match (query.place, query.sort) {
+        (Place::Here, _) if selective => "USING TEXT INDEX p:Program(search)",
+        (Place::Here, Sort::Changed) => "USING INDEX p:Program(changed_ms, id)",
+        (Place::Here, Sort::Name) => "USING INDEX p:Program(name_key, id)",
+        (Place::Bin, Sort::Changed) => "USING INDEX p:Binned(removed_ms, id)",
+        (Place::Bin, Sort::Name) => "",
+    }
+}
+
+/// Where the page begins and how it is ordered, in terms that the index of that order answers.
+fn order(query: &Query, at_ms: &str) -> (String, String) {
+    let at = format!("p.{at_ms}");
+    match (query.sort, query.after.is_some()) {
+        (Sort::Changed, false) => (format!("{at} IS NOT NULL"), format!("{at} DESC, p.id DESC")),
+        (Sort::Changed, true) => {
+            (format!("{at} <= $at_ms AND NOT ({at} = $at_ms AND p.id >= $after)"), format!("{at} DESC, p.id DESC"))
+        }
+        (Sort::Name, false) => ("p.name_key IS NOT NULL".to_owned(), NAME_ORDER.to_owned()),
+        (Sort::Name, true) => (
+            "p.name_key >= $name_key AND NOT (p.name_key = $name_key AND p.id <= $after)".to_owned(),
+            NAME_ORDER.to_owned(),
+        ),
+    }
+}
+
 fn statement(query: &Query, needles: &[String]) -> String {
     let (label, at_ms, by) = shelf(query.place);
-    let mut wanted =
-        vec!["p.name_key IS NOT NULL".to_owned(), "p.id IS NOT NULL".to_owned(), format!("p.{at_ms} IS NOT NULL")];
+    let (begin, order) = order(query, at_ms);
+    let mut wanted = vec![begin, "p.id IS NOT NULL".to_owned()];
+    wanted.extend((query.sort == Sort::Changed).then(|| "p.name_key IS NOT NULL".to_owned()));
     wanted.extend((!needles.is_empty()).then(|| "p.search CONTAINS $word".to_owned()));
     wanted.extend((needles.len() > 1).then(|| "all(word IN $words WHERE p.search CONTAINS word)".to_owned()));
     wanted.extend(query.owner.as_ref().map(|_| "p.owner = $owner".to_owned()));
-    // Each order has an index; the first condition of each begins to read it at the right place.
-    let (after, order) = match query.sort {
-        Sort::Changed => (
-            format!("p.{at_ms} <= $at_ms AND NOT (p.{at_ms} = $at_ms AND p.id >= $after)"),
-            format!("p.{at_ms} DESC, p.id DESC"),
-        ),
-        Sort::Name => (
-            "p.name_key >= $name_key AND NOT (p.name_key = $name_key AND p.id <= $after)".to_owned(),
-            "p.name_key, p.id".to_owned(),
-        ),
-    };
-    wanted.extend(query.after.as_ref().map(|_| after));
     format!(
         "CALL () {{ MATCH (p:{label}) WHERE p.name_key IS NOT NULL RETURN count(*) AS total }}\n\
-         CALL () {{\n  MATCH (p:{label}) WHERE {}\n  WITH p ORDER BY {order} LIMIT $most\n  \
-         RETURN collect(p {{.id, .name, .revision, .streams, .owner, at_ms: p.{at_ms}, by: p.{by}}}) AS lines\n}}\n\
+         CALL () {{\n  MATCH (p:{label}) {} WHERE {}\n  WITH p ORDER BY {order} LIMIT $most\n  \
+         RETURN collect(p {{.id, .name, .revision, .streams, .owner, at_ms: coalesce(p.{at_ms}, 0), \
+         by: coalesce(p.{by}, '')}}) AS lines\n}}\n\
          RETURN total, lines",
+        index(query, needles),
         wanted.join(" AND ")
     )
 }
