@@ -56,10 +56,17 @@ pub async fn open_neo4j_within(url: &str, answer_max: Duration) -> Result<Neo4jS
     let address = Address::read(url, &|name| std::env::var(name).ok())?;
     schema::migrate(&address).await?;
     let link = Arc::new(Link::new(&address, answer_max)?);
-    let warming = Arc::clone(&link);
-    // Only for speed: what fails here is said to whoever asks next.
-    tokio::spawn(async move { append::warm_up(&warming).await });
-    Ok(Neo4jStore { link })
+    let store = Neo4jStore { link };
+    store.warm_up();
+    Ok(store)
+}
+
+impl Neo4jStore {
+    /// Only for speed: what fails here is said to whoever asks next.
+    fn warm_up(&self) {
+        let link = Arc::clone(&self.link);
+        tokio::spawn(async move { append::warm_up(&link).await });
+    }
 }
 
 #[async_trait]
@@ -117,6 +124,10 @@ impl Store for Neo4jStore {
     }
 
     async fn healthy(&self) -> Result<(), StoreError> {
-        bin::probe(&self.link).await
+        bin::probe(&self.link).await?;
+        if self.link.was_away() {
+            self.warm_up();
+        }
+        Ok(())
     }
 }

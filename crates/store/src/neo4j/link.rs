@@ -6,7 +6,7 @@ use crate::StoreError;
 use neo4rs::{BoltType, ConfigBuilder, Graph, query};
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 use tokio::time::{Instant, sleep, timeout_at};
 
@@ -38,6 +38,7 @@ pub(super) struct Link {
     server: String,
     answer_max: Duration,
     pauses: AtomicU64,
+    was_away: AtomicBool,
 }
 
 /// What a call found, and whether an earlier attempt of it may have done its work too.
@@ -65,12 +66,17 @@ impl Link {
         let graph = config.build().and_then(Graph::connect);
         let graph = graph.map_err(|error| StoreError::Unavailable(format!("{}: {error}", address.server)))?;
         let pauses = AtomicU64::new(u64::from(std::process::id()));
-        Ok(Self { graph, server: address.server.clone(), answer_max, pauses })
+        Ok(Self { graph, server: address.server.clone(), answer_max, pauses, was_away: AtomicBool::new(false) })
     }
 
     /// The driver's own handle, for transactions.
     pub(super) fn graph(&self) -> &Graph {
         &self.graph
+    }
+
+    /// True once after calls failed because the server did not answer: it may have started anew since.
+    pub(super) fn was_away(&self) -> bool {
+        self.was_away.swap(false, Ordering::Relaxed)
     }
 
     /// Reads rows.
@@ -119,6 +125,8 @@ impl Link {
             let pause = self.pause(tries);
             tries += 1;
             if !again || Instant::now() + pause >= end {
+                let away = matches!(fault, Fault::Broken | Fault::Away | Fault::Silent);
+                self.was_away.fetch_or(away, Ordering::Relaxed);
                 return Err(told(fault, &self.server, at_most));
             }
             sleep(pause).await;
