@@ -123,6 +123,10 @@ impl Store for Neo4jStore {
         bin::next_epoch(&self.link).await
     }
 
+    async fn reachable(&self) -> Result<(), StoreError> {
+        bin::look(&self.link).await
+    }
+
     async fn healthy(&self) -> Result<(), StoreError> {
         bin::probe(&self.link).await?;
         if self.link.was_away() {

@@ -43,6 +43,8 @@ RETURN n.value AS many";
 
 const PROBE: &str = "MATCH (n:Shared {name: 'epoch'}) SET n.probed_ms = timestamp() RETURN n.value AS many";
 
+const LOOK: &str = "MATCH (n:Shared {name: 'epoch'}) RETURN n.value AS many";
+
 #[derive(Deserialize)]
 struct Count {
     many: u64,
@@ -53,7 +55,7 @@ struct Old {
     id: Id,
 }
 
-async fn write(link: &Link, text: &str, params: &[(&str, Value)]) -> Result<u64, StoreError> {
+async fn count(link: &Link, text: &str, params: &[(&str, Value)]) -> Result<u64, StoreError> {
     let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
     let found = link.ask::<Count>(text, params, Broken::GiveUp).await?;
     Ok(found.rows.first().map_or(0, |row| row.many))
@@ -66,12 +68,12 @@ fn kept(time_ms: u64) -> Value {
 
 /// Moves a behaviour to the bin.
 pub(super) async fn remove(link: &Link, id: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
-    Ok(write(link, REMOVE, &[("id", json!(id)), ("now_ms", kept(now_ms)), ("by", json!(by))]).await? > 0)
+    Ok(count(link, REMOVE, &[("id", json!(id)), ("now_ms", kept(now_ms)), ("by", json!(by))]).await? > 0)
 }
 
 /// Takes a behaviour out of the bin.
 pub(super) async fn restore(link: &Link, id: &Id) -> Result<bool, StoreError> {
-    Ok(write(link, RESTORE, &[("id", json!(id))]).await? > 0)
+    Ok(count(link, RESTORE, &[("id", json!(id))]).await? > 0)
 }
 
 /// Deletes what was removed before that time, one behaviour after the other.
@@ -80,14 +82,14 @@ pub(super) async fn purge(link: &Link, removed_before_ms: u64) -> Result<u32, St
     let old = link.read::<Old>(OLD, Params::from_iter([("before".to_owned(), before.clone())])).await?;
     let mut gone = 0;
     for Old { id } in old {
-        gone += write(link, PURGE, &[("id", json!(id)), ("before", before.clone())]).await?;
+        gone += count(link, PURGE, &[("id", json!(id)), ("before", before.clone())]).await?;
     }
     Ok(u32::try_from(gone).unwrap_or(u32::MAX))
 }
 
 /// The next number of a server start.
 pub(super) async fn next_epoch(link: &Link) -> Result<u64, StoreError> {
-    match write(link, EPOCH, &[]).await? {
+    match count(link, EPOCH, &[]).await? {
         0 => Err(StoreError::Damaged("the Neo4j database: it has lost the number of its starts".to_owned())),
         epoch => Ok(epoch),
     }
@@ -95,5 +97,10 @@ pub(super) async fn next_epoch(link: &Link) -> Result<u64, StoreError> {
 
 /// Writes something that nobody reads, to see whether that works.
 pub(super) async fn probe(link: &Link) -> Result<(), StoreError> {
-    write(link, PROBE, &[]).await.map(|_| ())
+    count(link, PROBE, &[]).await.map(|_| ())
+}
+
+/// Reads something small, to see whether that works.
+pub(super) async fn look(link: &Link) -> Result<(), StoreError> {
+    count(link, LOOK, &[]).await.map(|_| ())
 }
