@@ -14,7 +14,10 @@ mod propose;
 mod queue;
 mod robot_box;
 mod samples;
+mod shelves;
 mod undo;
+
+pub(crate) use shelves::Shelf;
 
 pub(crate) use kinds::{
     ConnectPlan, ConnectorSignals, Dialog, LinkState, Notice, Output, Saving, Selected, StreamSignals,
@@ -42,7 +45,13 @@ pub(crate) struct Fields {
     pub(crate) me: ArcRwSignal<Option<Person>>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
+    /// The newest programs.
     pub(crate) programs: ArcRwSignal<Vec<Summary>>,
+    /// How many programs there are.
+    pub(crate) programs_total: ArcRwSignal<u64>,
+    /// Grows when the list of programs changed somewhere.
+    pub(crate) library_news: ArcRwSignal<u32>,
+    pub(crate) pictures: ArcRwSignal<shelves::Pictures>,
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
     pub(crate) open: ArcRwSignal<Option<Id>>,
     pub(crate) name: ArcRwSignal<String>,
@@ -89,6 +98,7 @@ struct State {
     start_when_saved: bool,
     /// The run the live values belong to.
     run: u64,
+    wanted_pictures: shelves::WantedPictures,
     pointer: Option<Pointer>,
     presence_planned: bool,
 }

@@ -108,6 +108,7 @@ fn tool_paths(name: &str) -> Option<&'static [&'static str]> {
         "check" => &["M5 12.5l4.5 4.5L19 7.5"],
         "chevron" => &["M7 10l5 5l5-5"],
         "reset" => &["M5 5v5h5", "M5.5 10a7.5 7.5 0 1 1-1 4"],
+        "more" => &["M5.5 12h.01", "M12 12h.01", "M18.5 12h.01"],
         "help" => &[RING, "M9.7 9.5a2.4 2.4 0 1 1 3.3 2.2c-.7.3-1 .8-1 1.6", "M12 16.3h.01"],
         "up" => &["M12 19V6", "M6.5 11L12 5.5L17.5 11"],
         _ => return None,

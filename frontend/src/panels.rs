@@ -4,6 +4,7 @@ mod dialogs;
 mod empty;
 mod focus;
 mod hold;
+mod insight;
 mod inspector;
 mod menu;
 mod notices;

@@ -56,6 +56,27 @@ Far runs
 Ball got #{x: 0.5}
 > stop far
 Far is stopped
+> below
+Far ball (ordinary)
+Close ball (ordinary)
+Head tracker (actuator Tracker)
+Head and body tracker (actuator Tracker)
+> below close
+Head and body tracker (actuator Tracker)
+> dead streams
+Every stream leads to an action.
+> can run
+Far can run on Simulated NAO.
+> similar
+Far away: 2 senses and actions in common
+> where used ball_to
+Far, 1
+> drivers of track
+Far
+> drivers of say
+x
+> contested
+Tracker: Far, Far away
 > disconnect
 Disconnected.
 ";
