@@ -6,6 +6,7 @@
 mod accept;
 mod address;
 mod build;
+mod files;
 mod gestures;
 mod hear;
 mod kinds;
@@ -17,6 +18,7 @@ mod samples;
 mod shelves;
 mod undo;
 
+pub(crate) use files::{file_address, first_file};
 pub(crate) use shelves::Shelf;
 
 pub(crate) use kinds::{
@@ -52,6 +54,8 @@ pub(crate) struct Fields {
     /// Grows when the list of programs changed somewhere.
     pub(crate) library_news: ArcRwSignal<u32>,
     pub(crate) pictures: ArcRwSignal<shelves::Pictures>,
+    /// True while a file is dragged over the page.
+    pub(crate) dropping: ArcRwSignal<bool>,
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
     pub(crate) open: ArcRwSignal<Option<Id>>,
     pub(crate) name: ArcRwSignal<String>,
@@ -119,6 +123,7 @@ impl Desk {
     /// Connects, and opens what the address or this browser remembers.
     pub(crate) fn start_up(&self) {
         self.restore_queue();
+        self.hear_drops();
         self.follow_address();
         crate::link::start(self.clone());
         let desk = self.clone();

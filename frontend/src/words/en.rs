@@ -165,6 +165,18 @@ sentences! {
     open_program: "Open";
     similar_programs: "Similar programs";
     none_similar: "No other program uses the same senses or actions.";
+    open_file: "Open a file …";
+    save_file_more: "Save as file …";
+    save_file: "Save as file";
+    file_json: "Program (JSON)";
+    file_json_says: "Everything, to open it again here or elsewhere.";
+    file_xml: "Program (XML)";
+    file_xml_says: "The same for programs that read XML.";
+    file_svg: "Drawing (SVG)";
+    file_svg_says: "The graph as a picture, for a report or a wall.";
+    file_too_large: "This file is too large to be a program. Choose another one.";
+    file_unclear: "The server did not say what became of the file. Look in the list of programs, then try again.";
+    drop_here: "Drop the file to open it as a program of its own.";
     all_of_them: "All programs …";
     unreachable: "The server cannot be reached. This is possible again once you are online.";
     to_the_bin: "It goes to the bin for 30 days. Nobody can edit it there.";
@@ -372,6 +384,15 @@ pub(crate) fn through(helper: &str) -> String {
 
 pub(crate) fn and_more(count: u64) -> String {
     format!("and {count} more")
+}
+
+/// A file became a program; helpers that differ from those of the same name here have another name now.
+pub(crate) fn file_opened(name: &str, renamed: &[(String, String)]) -> String {
+    let helpers: Vec<_> = renamed.iter().map(|(old, new)| format!("{old} is {new} here")).collect();
+    match helpers.len() {
+        0 => format!("“{name}” was opened from the file."),
+        _ => format!("“{name}” was opened from the file. Helpers of other content: {}.", helpers.join(", ")),
+    }
 }
 
 pub(crate) fn hangs_below(count: usize) -> String {
