@@ -104,7 +104,7 @@ pub(crate) fn ProgramPicture(id: String, revision: u64) -> impl IntoView {
     let wanted = id.clone();
     let picture = Memo::new(move |_| desk.desk().pictures.with(|all| all.get(&id).map(|(_, picture)| picture.clone())));
     Effect::new(move |_| {
-        picture.track();
+        picture.get();
         desk.desk().want_picture(&wanted, revision);
     });
     move || match picture.get() {

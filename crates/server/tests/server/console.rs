@@ -70,11 +70,13 @@ Far can run on Simulated NAO.
 > similar
 Far away: 2 senses and actions in common
 > where used ball_to
-Far, 1
-> drivers of track
 Far
+Far away
+> drivers of track
+Far: from Ball
+Far away: from Ball
 > drivers of say
-x
+“say” could be one of these: SayInput, SayParameter. Type more of the name.
 > contested
 Tracker: Far, Far away
 > disconnect

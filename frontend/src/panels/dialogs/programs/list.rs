@@ -24,7 +24,7 @@ pub(super) fn List(shown: Shown) -> impl IntoView {
     // Drawn anew only when it becomes something else, not with every page.
     let kind = Memo::new(move |_| (shown.loading.get(), shown.lines.read().is_empty()));
     move || {
-        kind.track();
+        kind.get();
         untrack(content)
     }
 }
