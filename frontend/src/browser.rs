@@ -15,6 +15,20 @@ pub(crate) fn now_ms() -> f64 {
     window().and_then(|window| window.performance()).map_or(0.0, |clock| clock.now())
 }
 
+/// Milliseconds since 1970 by this computer's clock.
+pub(crate) fn today_ms() -> f64 {
+    if cfg!(target_arch = "wasm32") { js_sys::Date::now() } else { 0.0 }
+}
+
+/// A time since 1970 as a day, in words: `12 Mar 2026`.
+pub(crate) fn day_words(ms: f64) -> String {
+    let options = js_sys::Object::new();
+    for (part, shape) in [("day", "numeric"), ("month", "short"), ("year", "numeric")] {
+        let _ = js_sys::Reflect::set(&options, &part.into(), &shape.into());
+    }
+    js_sys::Date::new(&ms.into()).to_locale_date_string("en-GB", &options).into()
+}
+
 /// A number from 0 to 1.
 pub(crate) fn random() -> f64 {
     if cfg!(target_arch = "wasm32") { js_sys::Math::random() } else { 0.5 }

@@ -6,6 +6,7 @@
 mod accept;
 mod address;
 mod build;
+mod files;
 mod gestures;
 mod hear;
 mod kinds;
@@ -14,7 +15,11 @@ mod propose;
 mod queue;
 mod robot_box;
 mod samples;
+mod shelves;
 mod undo;
+
+pub(crate) use files::{file_address, first_file};
+pub(crate) use shelves::Shelf;
 
 pub(crate) use kinds::{
     ConnectPlan, ConnectorSignals, Dialog, LinkState, Notice, Output, Saving, Selected, StreamSignals,
@@ -42,7 +47,15 @@ pub(crate) struct Fields {
     pub(crate) me: ArcRwSignal<Option<Person>>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
+    /// The newest programs.
     pub(crate) programs: ArcRwSignal<Vec<Summary>>,
+    /// How many programs there are.
+    pub(crate) programs_total: ArcRwSignal<u64>,
+    /// Grows when the list of programs changed somewhere.
+    pub(crate) library_news: ArcRwSignal<u32>,
+    pub(crate) pictures: ArcRwSignal<shelves::Pictures>,
+    /// True while a file is dragged over the page.
+    pub(crate) dropping: ArcRwSignal<bool>,
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
     pub(crate) open: ArcRwSignal<Option<Id>>,
     pub(crate) name: ArcRwSignal<String>,
@@ -89,6 +102,7 @@ struct State {
     start_when_saved: bool,
     /// The run the live values belong to.
     run: u64,
+    wanted_pictures: shelves::WantedPictures,
     pointer: Option<Pointer>,
     presence_planned: bool,
 }
@@ -109,6 +123,7 @@ impl Desk {
     /// Connects, and opens what the address or this browser remembers.
     pub(crate) fn start_up(&self) {
         self.restore_queue();
+        self.hear_drops();
         self.follow_address();
         crate::link::start(self.clone());
         let desk = self.clone();

@@ -58,6 +58,7 @@ fn App() -> impl IntoView {
             view! { <Canvas /> }.into_any()
         }}
         <panels::RightColumn />
+        <panels::Files />
         <panels::Dialogs />
         <panels::Notices />
     }

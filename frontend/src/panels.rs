@@ -2,8 +2,10 @@
 
 mod dialogs;
 mod empty;
+mod files;
 mod focus;
 mod hold;
+mod insight;
 mod inspector;
 mod menu;
 mod notices;
@@ -20,6 +22,7 @@ mod trials;
 
 pub(crate) use dialogs::Dialogs;
 pub(crate) use empty::EmptyStage;
+pub(crate) use files::Files;
 pub(crate) use notices::Notices;
 pub(crate) use outline::Outline;
 pub(crate) use palette::Palette;

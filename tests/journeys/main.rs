@@ -2,6 +2,7 @@
 
 mod away;
 mod edits;
+mod library;
 mod quick;
 mod runaway;
 mod steps;

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use behaviour::{Behaviour, Change, Id};
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
-use protocol::{Ask, Message, PATH, Reply, Request, RunPhase};
+use protocol::{Ask, ListQuery, Message, PATH, Reply, Request, RunPhase};
 use robot::Scene;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message as Frame;
@@ -61,7 +61,10 @@ impl Visitor {
 
     /// Opens the behaviour that was changed last.
     pub(crate) async fn open_newest(&mut self) -> Outcome<Opened> {
-        let Reply::Programs { programs } = self.ask(Request::List).await? else { return Err("No list came.".into()) };
+        let query = ListQuery::default();
+        let Reply::Programs { programs, .. } = self.ask(Request::List { query }).await? else {
+            return Err("No list came.".into());
+        };
         let newest = programs.first().ok_or("There is no program.")?;
         self.open(&id(&newest.id)?).await
     }

@@ -67,7 +67,21 @@ pub(crate) async fn walk(page: &Page, visit: impl AsyncFn(&str) -> Outcome<()>) 
     page.press("button", "Load program").await?;
     page.press("menuitem", "All programs and templates …").await?;
     page.find("dialog", "Load program").await?;
+    page.until("document.querySelectorAll('.program-line .picture path').length > 0", "its picture is there").await?;
     visit("load-program").await?;
+    page.press("button", &format!("More about {TEMPLATE}")).await?;
+    page.find("button", "Back to the list").await?;
+    visit("load-program-details").await?;
+    page.press("radio", "Templates").await?;
+    visit("load-program-templates").await?;
+    page.press("radio", "Bin").await?;
+    page.until("document.body.innerText.includes('The bin is empty')", "the bin is empty").await?;
+    visit("load-program-bin").await?;
+    leave(page).await?;
+    page.press("button", "Load program").await?;
+    page.press("menuitem", "Save as file …").await?;
+    page.find("dialog", "Save as file").await?;
+    visit("save-as-file").await?;
     leave(page).await
 }
 

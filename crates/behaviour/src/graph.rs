@@ -1,6 +1,6 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
-use crate::{Behaviour, Connector, Id};
+use crate::{Behaviour, Connector, Id, StreamKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The connectors around every stream, in file order.
@@ -49,6 +49,48 @@ impl<'a> Graph<'a> {
         reached
     }
 
+    /// How many connectors the longest way to each stream has; none of the streams in a circle or behind one.
+    #[must_use]
+    pub fn ranks(&self, behaviour: &'a Behaviour) -> BTreeMap<&'a Id, usize> {
+        let mut missing: BTreeMap<&'a Id, usize> =
+            behaviour.streams().map(|(id, _)| (id, self.ends_into(id))).collect();
+        let mut ranks: BTreeMap<&'a Id, usize> = BTreeMap::new();
+        let mut ready: Vec<&'a Id> = missing.iter().filter(|(_, left)| **left == 0).map(|(id, _)| *id).collect();
+        while let Some(stream) = ready.pop() {
+            let rank = *ranks.entry(stream).or_default();
+            for (_, connector) in self.out_of_stream(stream) {
+                let below = ranks.entry(&connector.output).or_default();
+                *below = (*below).max(rank + 1);
+                let left = missing.entry(&connector.output).or_default();
+                *left = left.saturating_sub(1);
+                if *left == 0 {
+                    ready.push(&connector.output);
+                }
+            }
+        }
+        ranks.retain(|id, _| missing.get(id).is_none_or(|left| *left == 0));
+        ranks
+    }
+
+    /// How many streams give to this one, counted once per connector.
+    fn ends_into(&self, stream: &Id) -> usize {
+        self.into_stream(stream).iter().map(|(_, connector)| connector.inputs.len()).sum()
+    }
+
+    /// True if values of this stream can reach an action of the robot.
+    #[must_use]
+    pub fn reaches_action(&self, behaviour: &Behaviour, stream: &Id) -> bool {
+        let is_action = |id: &Id| behaviour.stream(id).is_some_and(|stream| stream.kind == StreamKind::Actuator);
+        is_action(stream) || self.below(stream).into_iter().any(is_action)
+    }
+
+    /// The streams whose values reach no action of the robot, in file order.
+    #[must_use]
+    pub fn dead_streams(&self, behaviour: &'a Behaviour) -> Vec<&'a Id> {
+        let streams = behaviour.streams_in_order().into_iter().map(|(id, _)| id);
+        streams.filter(|id| !self.reaches_action(behaviour, id)).collect()
+    }
+
     /// A stream that flows back into itself, if there is one.
     #[must_use]
     pub fn cycle(&self) -> Option<&'a Id> {
@@ -70,5 +112,65 @@ impl<'a> Graph<'a> {
             .into_iter()
             .find(|(output, left)| *left > 0 && self.below(output).contains(output))
             .map(|(output, _)| output)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Graph;
+    use crate::{Behaviour, Connector, Id, Kind, Operation, Record, RecordId, Stream, StreamKind};
+
+    fn id(text: &str) -> Id {
+        Id::new(text).unwrap()
+    }
+
+    /// Streams by their first letter: s… a sense, a… an action; connectors as (from, to).
+    fn behaviour(streams: &[&str], connectors: &[(&[&str], &str)]) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        for (order, name) in (0..).zip(streams) {
+            let kind = match name.as_bytes()[0] {
+                b's' => StreamKind::Sensor,
+                b'a' => StreamKind::Actuator,
+                _ => StreamKind::Ordinary,
+            };
+            let (device, params) = (None, crate::Params::new());
+            let name = (*name).to_owned();
+            let id = RecordId::new(Kind::Stream, &id(&name));
+            let stream = Stream { kind, name, device, params, order, resources: None, priority: None, hold_ms: None };
+            behaviour.records.insert(id, Record::Stream(stream));
+        }
+        for (order, (from, to)) in (100..).zip(connectors) {
+            let inputs = from.iter().map(|from| id(from)).collect();
+            let connector = Connector { operation: Operation::Merge, inputs, output: id(to), order };
+            behaviour
+                .records
+                .insert(RecordId::new(Kind::Connector, &id(&format!("c{order}"))), Record::Connector(connector));
+        }
+        behaviour
+    }
+
+    #[test]
+    fn what_reaches_no_action_is_dead() {
+        let made = behaviour(&["s1", "s2", "x", "y", "a1"], &[(&["s1"], "x"), (&["x"], "a1"), (&["s1", "s2"], "y")]);
+        let dead = Graph::of(&made).dead_streams(&made);
+        assert_eq!(dead, [&id("s2"), &id("y")]);
+        let below = Graph::of(&made).below(&id("s1"));
+        assert_eq!(below.into_iter().map(Id::as_str).collect::<Vec<_>>(), ["a1", "x", "y"]);
+    }
+
+    #[test]
+    fn a_rank_is_the_longest_way() {
+        let made = behaviour(&["s1", "x", "y", "a1"], &[(&["s1"], "x"), (&["s1", "x"], "y"), (&["y"], "a1")]);
+        let graph = Graph::of(&made);
+        let ranks = graph.ranks(&made);
+        let rank = |name: &str| ranks[&id(name)];
+        assert_eq!([rank("s1"), rank("x"), rank("y"), rank("a1")], [0, 1, 2, 3]);
+    }
+
+    #[test]
+    fn a_circle_has_no_rank_and_ends() {
+        let made = behaviour(&["s1", "x", "y"], &[(&["s1", "y"], "x"), (&["x"], "y")]);
+        let graph = Graph::of(&made);
+        assert_eq!(graph.ranks(&made).into_keys().collect::<Vec<_>>(), [&id("s1")]);
     }
 }

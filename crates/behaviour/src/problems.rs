@@ -70,7 +70,7 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
         if stream.kind != StreamKind::Sensor && graph.into_stream(id).is_empty() {
             add(ProblemKind::NoSource, false);
         }
-        if stream.kind != StreamKind::Actuator && !reaches_action(behaviour, &graph, id) {
+        if stream.kind != StreamKind::Actuator && !graph.reaches_action(behaviour, id) {
             add(ProblemKind::Unused, false);
         }
     }
@@ -84,13 +84,6 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
 
 fn problem(kind_of: Kind, id: &Id, name: &str, kind: ProblemKind, blocks: bool) -> Problem {
     Problem { at: RecordId::new(kind_of, id), name: name.to_owned(), kind, blocks }
-}
-
-fn reaches_action(behaviour: &Behaviour, graph: &Graph, id: &Id) -> bool {
-    graph
-        .below(id)
-        .into_iter()
-        .any(|below| behaviour.stream(below).is_some_and(|stream| stream.kind == StreamKind::Actuator))
 }
 
 fn connector_problems(

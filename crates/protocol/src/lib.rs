@@ -4,16 +4,21 @@
 //! request travels in an [`Ask`] with a number of the client's choice; the reply that answers it carries the same number.
 #![warn(missing_docs)]
 
+mod library;
 mod live;
 mod reply;
 mod request;
 
+pub use library::{
+    Contested, Cursor, Driver, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream,
+    Place, Similar, Sort, Summary, Used, WORDS_MAX_CHARS,
+};
 pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
-pub use reply::{Message, Person, Picture, PictureStream, Reply, SaidNo, Summary};
+pub use reply::{Message, Person, Reply, SaidNo};
 pub use request::{Ask, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
@@ -29,7 +34,7 @@ pub const LIBRARY: &str = "library";
 
 #[cfg(test)]
 mod tests {
-    use crate::{Ask, Message, Reply, Request, SaidNo};
+    use crate::{Ask, ListQuery, Message, Place, Reply, Request, SaidNo};
 
     #[test]
     fn an_ask_is_plain_json() {
@@ -37,6 +42,15 @@ mod tests {
         let ask: Ask = serde_json::from_str(text).unwrap();
         assert!(matches!(ask.request, Request::Open { .. }));
         assert_eq!(serde_json::to_string(&ask).unwrap(), text);
+    }
+
+    #[test]
+    fn a_list_may_be_asked_for_in_few_words() {
+        let ask: Ask = serde_json::from_str(r#"{"ask":1,"request":{"is":"list"}}"#).unwrap();
+        assert_eq!(ask.request, Request::List { query: ListQuery::default() });
+        let text = r#"{"ask":1,"request":{"is":"list","query":{"place":"bin","words":"ball","most":10}}}"#;
+        let Request::List { query } = serde_json::from_str::<Ask>(text).unwrap().request else { panic!() };
+        assert_eq!((query.place, query.words.as_str(), query.most), (Place::Bin, "ball", 10));
     }
 
     #[test]

@@ -14,6 +14,9 @@ pub struct RobotState {
     pub kind: String,
     /// How the link is.
     pub health: Health,
+    /// The names of the devices it has.
+    #[serde(default)]
+    pub devices: Vec<String>,
 }
 
 /// One run of a behaviour.

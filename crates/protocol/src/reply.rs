@@ -1,7 +1,7 @@
 //! What the server says, asked or unasked.
 
-use crate::{Pointer, RobotState, RunState, Values};
-use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, StreamKind, Value};
+use crate::{Contested, Cursor, Driver, Picture, Pointer, RobotState, RunState, Similar, Summary, Used, Values};
+use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, Value};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
 
@@ -34,10 +34,45 @@ pub enum Reply {
         /// Names and sentences of the templates.
         templates: Vec<Summary>,
     },
-    /// The behaviours that are not in the bin, newest change first.
+    /// A page of the list of behaviours.
     Programs {
-        /// One each.
+        /// One each, in the order asked for.
         programs: Vec<Summary>,
+        /// Where the next page begins, if there is one.
+        next: Option<Cursor>,
+        /// How many behaviours are in that place altogether, whatever was asked for.
+        total: u64,
+    },
+    /// The list of behaviours or the bin changed; who shows some of it asks again.
+    ProgramsChanged,
+    /// What some graphs look like. Behaviours that are gone are left out.
+    Pictures {
+        /// Which, and its picture.
+        pictures: Vec<(Id, Picture)>,
+    },
+    /// Who uses a helper.
+    WhereUsed {
+        /// Nearest uses first, at most [`crate::FOUND_MAX`].
+        uses: Vec<Used>,
+        /// How many there are altogether.
+        total: u64,
+    },
+    /// Who drives an action.
+    Drivers {
+        /// At most [`crate::FOUND_MAX`].
+        drivers: Vec<Driver>,
+        /// How many there are altogether.
+        total: u64,
+    },
+    /// Actions that several behaviours drive.
+    Contested {
+        /// By name.
+        contested: Vec<Contested>,
+    },
+    /// Behaviours that use the same senses and actions.
+    Similar {
+        /// Most shared first.
+        similar: Vec<Similar>,
     },
     /// A behaviour was made.
     Created {
@@ -203,52 +238,6 @@ impl std::fmt::Display for SaidNo {
             Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
         }
     }
-}
-
-/// A behaviour or template in a list.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Summary {
-    /// Its id; for a template its name in files.
-    pub id: String,
-    /// Its name.
-    pub name: String,
-    /// When it was changed last, in milliseconds since 1970.
-    pub changed_ms: u64,
-    /// Who changed it last; for a template what it does, in a sentence.
-    pub by: String,
-    /// How many streams it has.
-    pub streams: u32,
-    /// What its graph looks like, if that is known.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub picture: Option<Picture>,
-}
-
-/// The outlines of a graph: where its streams stand and which lead to which.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Picture {
-    /// Its streams, at most [`Picture::STREAMS_MAX`].
-    pub streams: Vec<PictureStream>,
-    /// From which stream to which values flow, as places in `streams`.
-    pub lines: Vec<[u16; 2]>,
-}
-
-impl Picture {
-    /// The most streams that a picture shows.
-    pub const STREAMS_MAX: usize = 200;
-}
-
-/// One stream in a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct PictureStream {
-    /// The middle of its top edge, to the right, in canvas units.
-    pub x: f32,
-    /// Its top edge, downwards.
-    pub y: f32,
-    /// Sensor, ordinary or actuator.
-    pub kind: StreamKind,
 }
 
 /// A person who is here.

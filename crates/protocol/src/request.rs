@@ -1,5 +1,6 @@
 //! What a client may ask.
 
+use crate::{ListQuery, PictureOf};
 use behaviour::{Change, Id, Value};
 use robot::SceneEdit;
 use serde::{Deserialize, Serialize};
@@ -26,8 +27,34 @@ pub enum Request {
         /// What others see: "Aiko".
         name: String,
     },
-    /// The list of behaviours. Answered by `Programs`; later changes of the list are told unasked.
-    List,
+    /// A page of the list of behaviours, or of the bin. Answered by `Programs`; `ProgramsChanged` is told unasked later.
+    List {
+        /// Which.
+        #[serde(default)]
+        query: ListQuery,
+    },
+    /// What graphs look like. Answered by `Pictures`.
+    Pictures {
+        /// Which; at most [`crate::PICTURES_MAX`].
+        of: Vec<PictureOf>,
+    },
+    /// Who uses a helper of the library, also through other helpers. Answered by `WhereUsed`.
+    WhereUsed {
+        /// Its name.
+        helper: String,
+    },
+    /// Which behaviours drive an action of the robot, and from which senses. Answered by `Drivers`.
+    Drivers {
+        /// Its name in the catalogue.
+        actuator: String,
+    },
+    /// Actions that more than one behaviour drives. Answered by `Contested`.
+    Contested,
+    /// Behaviours that use the same senses and actions. Answered by `Similar`.
+    Similar {
+        /// As which.
+        behaviour: Id,
+    },
     /// A new behaviour, empty or from a template. Answered by `Created`.
     Create {
         /// Its id, chosen by the client so that asking twice makes one.

@@ -4,11 +4,13 @@
 
 mod catalogue;
 mod devices;
+mod fits;
 mod helpers;
 mod params;
 mod scene;
 
 pub use catalogue::{Device, Example, Field, Resource, Shape, actuators, device, sensors};
+pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
 pub use params::{Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Person, Scene, SceneEdit};

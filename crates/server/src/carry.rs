@@ -2,6 +2,7 @@
 
 use crate::create::{append, check_name};
 use crate::hub::{Hub, bounded, store_no};
+use crate::programs::{free_name, names};
 use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::extract::rejection::BytesRejection;
@@ -78,10 +79,12 @@ pub(crate) async fn download(hub: &Arc<Hub>, file: &str) -> Response {
 }
 
 /// Id and name of every behaviour that is not in the bin, by name.
-pub(crate) fn list(hub: &Hub) -> Response {
-    let names = hub.programs.names();
-    let line = |(id, name): &(String, String)| serde_json::json!({"id": id, "name": name});
-    Json(names.iter().map(line).collect::<Vec<_>>()).into_response()
+pub(crate) async fn list(hub: &Hub) -> Response {
+    let line = |(id, name): &(Id, String)| serde_json::json!({"id": id, "name": name});
+    match names(&*hub.store).await {
+        Ok(names) => Json(names.iter().map(line).collect::<Vec<_>>()).into_response(),
+        Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
+    }
 }
 
 /// Everything that is kept, line by line as it is read; the last line tells that nothing is missing.
@@ -152,7 +155,8 @@ async fn bring(hub: &Arc<Hub>, how: How, body: Bytes) -> Result<Import, No> {
     if mode == Mode::Restore {
         check_absent(hub, &file).await?;
     }
-    file.name = hub.programs.free_name(file.name.trim());
+    let name = free_name(&*hub.store, file.name.trim()).await;
+    file.name = name.map_err(|error| store_no(&error))?;
     let brought = shelve(hub, &Arc::new(file), mode, &by).await?;
     save(hub, &brought).await?;
     Ok(brought)
@@ -217,7 +221,7 @@ async fn save(hub: &Arc<Hub>, brought: &Import) -> Result<(), No> {
         after.apply(change);
         let made = Committed { revision, change: Change { at_ms: now_ms, ..change.clone() } };
         append(hub, &brought.behaviour, &made, &after).await?;
-        hub.programs.changed(&brought.behaviour, &after, &made);
+        hub.programs.changed(&made);
     }
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 use crate::carry;
 use crate::hub::{Hub, bounded, reason, store_no};
+use crate::programs::free_name;
 use crate::templates::{Template, templates};
 use behaviour::{Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings};
 use protocol::{Reply, SaidNo};
@@ -57,7 +58,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
 }
 
 async fn save(hub: &Arc<Hub>, wish: &Wish, mut records: Behaviour) -> Result<(), SaidNo> {
-    let name = hub.programs.free_name(wish.name.trim());
+    let name = free_name(&*hub.store, wish.name.trim()).await.map_err(|error| store_no(&error))?;
     let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
     let settings = Settings { name: name.clone(), ..settings };
     records.records.insert(RecordId::settings(), Record::Settings(settings));
@@ -69,7 +70,7 @@ async fn save(hub: &Arc<Hub>, wish: &Wish, mut records: Behaviour) -> Result<(),
     }
     let first = Accepted { revision: 1, change };
     append(hub, &wish.behaviour, &first, &records).await?;
-    hub.programs.changed(&wish.behaviour, &records, &first);
+    hub.programs.changed(&first);
     Ok(())
 }
 

@@ -4,6 +4,7 @@ use crate::checking::Checker;
 use crate::clients::Clients;
 use crate::health::Health;
 use crate::knowledge::Knowing;
+use crate::pictures::Pictures;
 use crate::programs::Programs;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
@@ -46,8 +47,10 @@ pub(crate) struct Hub {
     pub(crate) rooms: Rooms,
     /// Who is here.
     pub(crate) clients: Clients,
-    /// The list of behaviours.
+    /// Tells when the list of behaviours changed.
     pub(crate) programs: Programs,
+    /// Pictures of graphs.
+    pub(crate) pictures: Pictures,
     /// What everyone is told.
     pub(crate) topics: Topics,
     /// One behaviour is made at a time, so that names stay unique.

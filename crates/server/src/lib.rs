@@ -6,6 +6,7 @@
 
 mod accept;
 mod address;
+mod bin;
 mod carry;
 mod checking;
 mod clients;
@@ -14,9 +15,11 @@ mod cut;
 mod door;
 mod health;
 mod hub;
+mod insight;
 mod knowledge;
 mod outbox;
 mod page;
+mod pictures;
 mod programs;
 mod robots;
 mod room;

@@ -1,87 +1,42 @@
-//! The list of behaviours, and when everyone is told that it changed: at once when a name or the number of behaviours
-//! changed, otherwise together with other changes, a little later.
+//! The list of behaviours: a page of it from the store, and when everyone is told that it changed: at once when a name
+//! or the number of behaviours changed, otherwise together with other changes, a little later.
 
-use crate::hub::bounded;
-use crate::lock;
+use crate::hub::{Hub, bounded, store_no};
 use crate::outbox::encode;
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Accepted, Behaviour, Id};
-use protocol::{Reply, Summary};
-use std::cmp::Reverse;
-use std::collections::BTreeMap;
-use std::sync::Mutex;
+use behaviour::{Accepted, Edit, Id, Record, RecordId};
+use protocol::{Cursor, LIST_MAX_LINES, ListQuery, Reply, SaidNo, Summary, WORDS_MAX_CHARS};
+use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};
-use store::{Listed, Query, Store, StoreError};
+use store::{Listed, Listing, Query, Store, StoreError};
 use tokio::sync::watch;
 
-/// The behaviours that are not in the bin.
+/// Tells everyone that the list changed.
 #[derive(Debug)]
 pub(crate) struct Programs {
-    all: Mutex<BTreeMap<String, Summary>>,
     changed: AtomicBool,
     text: watch::Sender<Utf8Bytes>,
 }
 
-impl Programs {
-    /// The list as the store has it.
-    pub(crate) fn of(listed: Vec<Listed>) -> Self {
-        let all = listed.into_iter().map(|listed| (listed.id.to_string(), summary_of(listed))).collect();
-        let programs = Self {
-            all: Mutex::new(all),
-            changed: AtomicBool::new(false),
-            text: watch::Sender::new(Utf8Bytes::default()),
-        };
-        programs.tell();
-        programs
+impl Default for Programs {
+    fn default() -> Self {
+        Self { changed: AtomicBool::new(false), text: watch::Sender::new(encode(None, Reply::ProgramsChanged)) }
     }
+}
 
-    /// The newest list as a message to everyone.
+impl Programs {
+    /// The message to everyone, new each time the list changed.
     pub(crate) fn text(&self) -> watch::Receiver<Utf8Bytes> {
         self.text.subscribe()
     }
 
-    /// Id and name of every behaviour, by name.
-    pub(crate) fn names(&self) -> Vec<(String, String)> {
-        let mut names: Vec<_> = lock(&self.all).values().map(|one| (one.name.clone(), one.id.clone())).collect();
-        names.sort();
-        names.into_iter().map(|(name, id)| (id, name)).collect()
-    }
-
-    /// The list as a reply, newest change first.
-    pub(crate) fn reply(&self) -> Reply {
-        let mut programs: Vec<_> = lock(&self.all).values().cloned().collect();
-        programs.sort_by_key(|program| (Reverse(program.changed_ms), program.id.clone()));
-        Reply::Programs { programs }
-    }
-
     /// A behaviour was made or changed.
-    pub(crate) fn changed(&self, behaviour: &Id, records: &Behaviour, accepted: &Accepted) {
-        let summary = Summary {
-            id: behaviour.to_string(),
-            name: records.name().to_owned(),
-            changed_ms: accepted.change.at_ms,
-            by: accepted.change.author.clone(),
-            streams: u32::try_from(records.streams().count()).unwrap_or(u32::MAX),
-            picture: None,
-        };
-        let before = lock(&self.all).insert(summary.id.clone(), summary.clone());
-        if before.is_none_or(|before| before.name != summary.name) {
+    pub(crate) fn changed(&self, accepted: &Accepted) {
+        if accepted.revision == 1 || accepted.change.edits.iter().any(renames) {
             self.tell();
         } else {
             self.changed.store(true, Ordering::Relaxed);
         }
-    }
-
-    /// A behaviour went to the bin.
-    pub(crate) fn removed(&self, behaviour: &Id) {
-        lock(&self.all).remove(behaviour.as_str());
-        self.tell();
-    }
-
-    /// Everything again, as the store has it.
-    pub(crate) fn replace(&self, listed: Vec<Listed>) {
-        *lock(&self.all) = listed.into_iter().map(|listed| (listed.id.to_string(), summary_of(listed))).collect();
-        self.tell();
     }
 
     /// Tells what was left for later.
@@ -91,31 +46,56 @@ impl Programs {
         }
     }
 
-    /// This name, or with a number if it is taken.
-    pub(crate) fn free_name(&self, wanted: &str) -> String {
-        let all = lock(&self.all);
-        let taken = |name: &str| all.values().any(|program| program.name == name);
-        let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
-        let free = std::iter::once(wanted.to_owned()).chain(numbered).find(|name| !taken(name));
-        free.unwrap_or_else(|| wanted.to_owned())
-    }
-
-    fn tell(&self) {
-        let reply = self.reply();
-        self.text.send_replace(encode(None, reply));
+    /// Tells everyone now.
+    pub(crate) fn tell(&self) {
+        self.text.send_modify(|_| {});
     }
 }
 
-/// Everything that is not in the bin, page by page.
-pub(crate) async fn all(store: &dyn Store) -> Result<Vec<Listed>, StoreError> {
-    let (mut lines, mut query) = (Vec::new(), Query::default());
+fn renames(edit: &Edit) -> bool {
+    let name = |record: &Option<Record>| match record {
+        Some(Record::Settings(settings)) => settings.name.clone(),
+        _ => String::new(),
+    };
+    edit.id == RecordId::settings() && name(&edit.before) != name(&edit.after)
+}
+
+/// A page of the list.
+pub(crate) async fn list(hub: &Hub, query: ListQuery) -> Result<Reply, SaidNo> {
+    let listing = bounded(hub.store.list(&asked(query))).await.map_err(|error| store_no(&error))?;
+    let Listing { lines, next, total } = listing;
+    let next = next.map(|store::Cursor { changed_ms, name_key, id }| Cursor { changed_ms, name_key, id });
+    Ok(Reply::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })
+}
+
+/// Id and name of every behaviour that is not in the bin, by name.
+pub(crate) async fn names(store: &dyn Store) -> Result<Vec<(Id, String)>, StoreError> {
+    let (mut names, mut query) = (Vec::new(), Query { sort: store::Sort::Name, ..Query::default() });
     loop {
         let page = bounded(store.list(&query)).await?;
-        lines.extend(page.lines);
+        names.extend(page.lines.into_iter().map(|line| (line.id, line.name)));
         query.after = page.next;
         if query.after.is_none() {
-            return Ok(lines);
+            return Ok(names);
         }
+    }
+}
+
+/// The question as the store takes it, within its bounds.
+fn asked(query: ListQuery) -> Query {
+    Query {
+        place: match query.place {
+            protocol::Place::Here => store::Place::Here,
+            protocol::Place::Bin => store::Place::Bin,
+        },
+        words: query.words.chars().take(WORDS_MAX_CHARS).collect(),
+        owner: query.owner,
+        sort: match query.sort {
+            protocol::Sort::Changed => store::Sort::Changed,
+            protocol::Sort::Name => store::Sort::Name,
+        },
+        after: query.after.map(|Cursor { changed_ms, name_key, id }| store::Cursor { changed_ms, name_key, id }),
+        most: query.most.clamp(1, LIST_MAX_LINES),
     }
 }
 
@@ -123,9 +103,80 @@ fn summary_of(listed: Listed) -> Summary {
     Summary {
         id: listed.id.to_string(),
         name: listed.name,
+        revision: listed.revision,
         changed_ms: listed.changed_ms,
         by: listed.by,
+        owner: listed.owner,
         streams: listed.streams,
         picture: None,
+    }
+}
+
+/// This name, or with a number if a behaviour outside the bin has it.
+pub(crate) async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreError> {
+    let taken = names_from(store, wanted).await?;
+    let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
+    let free = std::iter::once(wanted.to_owned()).chain(numbered).find(|name| !taken.contains(name));
+    Ok(free.unwrap_or_else(|| wanted.to_owned()))
+}
+
+/// The names that begin like this one in any case: in order of name they stand together.
+async fn names_from(store: &dyn Store, wanted: &str) -> Result<BTreeSet<String>, StoreError> {
+    let key = wanted.to_lowercase();
+    let first = Id::new(FIRST_ID).map_err(StoreError::Damaged)?;
+    let just_before = store::Cursor { changed_ms: 0, name_key: key.clone(), id: first };
+    let mut query = Query { sort: store::Sort::Name, after: Some(just_before), ..Query::default() };
+    let mut names = BTreeSet::new();
+    while query.after.is_some() {
+        let page = bounded(store.list(&query)).await?;
+        let all = page.lines.len();
+        names.extend(
+            page.lines.into_iter().map(|line| line.name).take_while(|name| name.to_lowercase().starts_with(&key)),
+        );
+        query.after = page.next.filter(|next| all > 0 && next.name_key.starts_with(&key));
+    }
+    Ok(names)
+}
+
+/// No other id comes before it.
+const FIRST_ID: &str = "-";
+
+#[cfg(test)]
+mod tests {
+    use super::free_name;
+    use behaviour::{Behaviour, Change, Id, Record, RecordId, Settings};
+    use store::{MemoryStore, Store};
+
+    async fn keep(store: &MemoryStore, number: usize, name: &str) {
+        let id = Id::new(&format!("b{number}")).unwrap();
+        let settings = Record::Settings(Settings::named(name));
+        let change = Change::of(id.clone(), "Aiko", "Add").put(&Behaviour::default(), RecordId::settings(), settings);
+        let first = behaviour::Committed { revision: 1, change };
+        let mut after = Behaviour::default();
+        after.apply(&first.change);
+        store.append(&id, &first, &after).await.unwrap();
+    }
+
+    #[tokio::test]
+    async fn a_taken_name_gets_the_first_free_number() {
+        let store = MemoryStore::new();
+        let names = ["Play", "play 2", "Play 3", "Playing", "Add", "Play 2", "Été", "zoo"];
+        for (number, name) in names.into_iter().enumerate() {
+            keep(&store, number, name).await;
+        }
+        for (wanted, free) in [("Play", "Play 4"), ("play", "play"), ("Zoo", "Zoo"), ("Été", "Été 2"), ("zoo", "zoo 2")]
+        {
+            assert_eq!(free_name(&store, wanted).await.unwrap(), free);
+        }
+    }
+
+    #[tokio::test]
+    async fn names_are_looked_for_beyond_a_page() {
+        let store = MemoryStore::new();
+        for number in 0..1_100 {
+            let name = if number == 0 { "New".to_owned() } else { format!("New {}", number + 1) };
+            keep(&store, number, &name).await;
+        }
+        assert_eq!(free_name(&store, "New").await.unwrap(), "New 1101");
     }
 }

@@ -74,7 +74,8 @@ impl Robots {
     /// # Errors
     /// If the thread cannot be made.
     pub(crate) fn simulated(seed: u64) -> std::io::Result<Self> {
-        let state = RobotState { name: simulated::NAME.into(), kind: "nao".into(), health: Health::Ready };
+        let (name, health) = (simulated::NAME.into(), Health::Ready);
+        let state = RobotState { name, kind: "nao".into(), health, devices: Vec::new() };
         Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default)
     }
 

@@ -161,7 +161,7 @@ impl RoomTask {
             self.hub.shelf.send_replace(Arc::new(shelf));
         } else {
             self.problems_due = true;
-            self.hub.programs.changed(&self.id, self.room.behaviour(), accepted);
+            self.hub.programs.changed(accepted);
         }
     }
 

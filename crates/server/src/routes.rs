@@ -116,7 +116,7 @@ async fn readyz(State(porch): State<Porch>) -> Response {
 }
 
 async fn list(State(porch): State<Porch>) -> Response {
-    carry::list(&porch.hub)
+    carry::list(&porch.hub).await
 }
 
 async fn backup(State(porch): State<Porch>) -> Response {

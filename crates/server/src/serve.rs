@@ -7,11 +7,12 @@ use crate::create::first_library;
 use crate::health::{self, Health};
 use crate::hub::{Hub, SOCKETS_MAX, Shelf, bounded};
 use crate::knowledge::Knowing;
-use crate::programs::{Programs, all};
+use crate::pictures::Pictures;
+use crate::programs::Programs;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
 use crate::topics::{self, Topics};
-use crate::{accept, routes};
+use crate::{accept, bin, routes};
 use behaviour::{Behaviour, Id};
 use std::fmt;
 use std::future::Future;
@@ -121,6 +122,7 @@ pub async fn serve_with(
     let accepting = tokio::spawn(accept::accept(listener, router, connections.clone(), closing.clone()));
     topics::keep(&hub);
     health::keep(&hub);
+    bin::keep(&hub);
     tracing::info!(%address, epoch = hub.epoch, "the server is ready");
     ready(address);
     stop.await;
@@ -137,7 +139,6 @@ async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> 
     let epoch = bounded(store.next_epoch()).await?;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
     let shelf = shelf(&*store, &library).await?;
-    let programs = Programs::of(all(&*store).await?);
     let robots = Robots::simulated(seed).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
@@ -151,7 +152,8 @@ async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> 
         shelf: watch::Sender::new(Arc::new(shelf)),
         rooms: Rooms::default(),
         clients: Clients::default(),
-        programs,
+        programs: Programs::default(),
+        pictures: Pictures::default(),
         creating: tokio::sync::Mutex::new(()),
         stops: AtomicU64::new(0),
         sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),

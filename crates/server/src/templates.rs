@@ -1,8 +1,8 @@
 //! The gallery: the sample applications of the thesis, ready to be copied, changed and run.
 
-use behaviour::{BehaviourFile, Place};
-use protocol::{Picture, PictureStream, Summary};
-use std::collections::BTreeMap;
+use crate::pictures::picture_of;
+use behaviour::BehaviourFile;
+use protocol::Summary;
 
 /// A behaviour to begin with.
 pub(crate) struct Template {
@@ -26,29 +26,14 @@ impl Template {
         Summary {
             id: self.name.to_owned(),
             name: self.name.to_owned(),
+            revision: 0,
             changed_ms: 0,
             by: self.says.to_owned(),
+            owner: String::new(),
             streams: u32::try_from(file.streams.len()).unwrap_or(u32::MAX),
-            picture: Some(picture(&file)),
+            picture: file.records(|_| None).ok().map(|records| picture_of(&records)),
         }
     }
-}
-
-/// The graph of a file as it is laid out; streams without a place are left out.
-fn picture(file: &BehaviourFile) -> Picture {
-    let placed = file.streams.iter().filter_map(|stream| Some((stream, file.layout.get(&stream.id)?)));
-    let placed: Vec<_> = placed.take(Picture::STREAMS_MAX).collect();
-    let numbers: BTreeMap<&str, u16> = placed.iter().map(|(stream, _)| stream.id.as_str()).zip(0..).collect();
-    let ends =
-        file.connectors.iter().flat_map(|connector| connector.inputs.iter().map(|from| (from, &connector.output)));
-    let line = |(from, to): (&String, &String)| Some([*numbers.get(from.as_str())?, *numbers.get(to.as_str())?]);
-    let lines = ends.filter_map(line).collect();
-    let stream = |(stream, Place { x, y }): (&behaviour::FileStream, &Place)| PictureStream {
-        x: *x as f32,
-        y: *y as f32,
-        kind: stream.kind,
-    };
-    Picture { streams: placed.into_iter().map(stream).collect(), lines }
 }
 
 /// All templates, the simplest first.

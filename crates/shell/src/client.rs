@@ -7,7 +7,7 @@ pub use mirror::Mirror;
 
 use crate::client::link::{Line, Link};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
-use protocol::{Person, Reply, Request, SaidNo, VERSION};
+use protocol::{ListQuery, Person, Reply, Request, RobotState, SaidNo, Summary, VERSION};
 use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::Arc;
@@ -20,6 +20,8 @@ pub const DEFAULT_URL: &str = "http://127.0.0.1:7130/";
 
 /// How long an answer may take.
 const ANSWER_MS: u64 = 30_000;
+/// How long to wait when the server says that it is asked too much.
+const SLOWER_MS: u64 = 100;
 /// How long something awaited may take.
 const AWAITED_MS: u64 = 20_000;
 
@@ -163,6 +165,21 @@ impl Client {
         self.link.mirrors().open.clone()
     }
 
+    /// The robot as it is now; what was told before the server first tells of it is dropped.
+    ///
+    /// # Errors
+    /// If the link ends, or the server does not tell of a robot within 20 s.
+    pub async fn robot(&mut self) -> Result<RobotState, Trouble> {
+        let known = |link: &Link| link.mirrors().robot.clone().filter(|robot| !robot.devices.is_empty());
+        if let Some(robot) = known(&self.link) {
+            return Ok(robot);
+        }
+        match self.until(|reply| matches!(reply, Reply::Robot { robot } if !robot.devices.is_empty())).await? {
+            Reply::Robot { robot } => Ok(robot),
+            _ => Err(self.ended()),
+        }
+    }
+
     /// The library as it is now.
     #[must_use]
     pub fn library(&self) -> Mirror {
@@ -176,6 +193,32 @@ impl Client {
     pub async fn load(&self, behaviour: &Id) -> Result<Mirror, Trouble> {
         self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
         self.open().ok_or(Trouble::No(SaidNo::NothingOpen))
+    }
+
+    /// What a query finds, page after page, until there are `most` or no more.
+    ///
+    /// # Errors
+    /// If the server says no, or the link ends.
+    pub async fn programs(&self, mut query: ListQuery, most: usize) -> Result<Vec<Summary>, Trouble> {
+        let mut found = Vec::new();
+        loop {
+            match self.ask(Request::List { query: query.clone() }).await {
+                Ok(Reply::Programs { programs, next, .. }) => {
+                    found.extend(programs);
+                    query.after = next;
+                }
+                Ok(other) => return Err(Trouble::Link(format!("The server gave no list of programs: {other:?}"))),
+                Err(Trouble::No(SaidNo::TooFast)) => {
+                    tokio::time::sleep(Duration::from_millis(SLOWER_MS)).await;
+                    continue;
+                }
+                Err(trouble) => return Err(trouble),
+            }
+            if query.after.is_none() || found.len() >= most {
+                found.truncate(most);
+                return Ok(found);
+            }
+        }
     }
 
     /// Proposes putting, or with none taking away, one record of the open behaviour.

@@ -1,7 +1,12 @@
 //! What can be typed: one file a command, with its name, words, help and code. To add one, add a file and its word.
 
+mod below;
+mod can_run;
 mod connect;
+mod contested;
+mod dead_streams;
 mod disconnect;
+mod drivers_of;
 mod exit;
 mod load_program;
 mod load_stream;
@@ -13,10 +18,12 @@ mod show_out_streams;
 mod show_programs;
 mod show_start_streams;
 mod show_streams;
+mod similar;
 mod start;
 mod stimulate;
 mod stop;
 mod watch;
+mod where_used;
 
 use crate::console::Console;
 use futures_util::future::BoxFuture;
@@ -40,6 +47,13 @@ pub(crate) const ALL: &[&Command] = &[
     &start::COMMAND,
     &stop::COMMAND,
     &watch::COMMAND,
+    &below::COMMAND,
+    &dead_streams::COMMAND,
+    &can_run::COMMAND,
+    &similar::COMMAND,
+    &where_used::COMMAND,
+    &drivers_of::COMMAND,
+    &contested::COMMAND,
 ];
 
 /// Something that can be typed.

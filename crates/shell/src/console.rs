@@ -3,8 +3,13 @@
 use crate::commands;
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
-use protocol::{Reply, Request, Summary};
+use protocol::{ListQuery, Reply, Request, Summary};
 use std::io::Write;
+
+/// Programs that completion knows: those that were changed last.
+const KNOWN_MAX: usize = 200;
+/// Programs that are named when none was meant.
+pub(crate) const CHOICES_MAX: usize = 50;
 
 /// A console that obeys one line after another.
 pub struct Console {
@@ -62,12 +67,10 @@ impl Console {
         self.client()?.ask(request).await.map_err(|trouble| trouble.to_string())
     }
 
-    /// The programs, newest change first.
-    pub(crate) async fn programs(&mut self) -> Result<Vec<Summary>, String> {
-        match self.ask(Request::List).await? {
-            Reply::Programs { programs } => Ok(programs),
-            _ => Err("The server gave no list of programs. Try again.".to_owned()),
-        }
+    /// At most so many programs that these words find, newest change first.
+    pub(crate) async fn programs(&mut self, words: &str, most: usize) -> Result<Vec<Summary>, String> {
+        let query = ListQuery { words: words.to_owned(), ..ListQuery::default() };
+        self.client()?.programs(query, most).await.map_err(|trouble| trouble.to_string())
     }
 
     /// The loaded program as it is now.
@@ -81,13 +84,25 @@ impl Console {
             let loaded = self.program()?;
             return Ok((loaded.records.name().to_owned(), loaded.behaviour));
         }
-        let programs = self.programs().await?;
-        if let Some(program) = programs.iter().find(|program| program.id == wanted) {
-            return Ok((program.name.clone(), Id::new(&program.id)?));
+        let mut programs = self.programs(crate::find::unquoted(wanted), usize::MAX).await?;
+        if programs.is_empty() {
+            programs = self.programs("", CHOICES_MAX).await?;
         }
         let all: Vec<_> = programs.into_iter().map(|program| (program.name, program.id)).collect();
         let (name, id) = crate::find::find("program", wanted, &all)?;
         Ok((name, Id::new(&id)?))
+    }
+
+    /// The stream of that name in the loaded program, or the loaded one if none is named.
+    pub(crate) fn stream_meant(&mut self, wanted: &str) -> Result<(Mirror, Id), String> {
+        if wanted.is_empty() {
+            return self.looked_at();
+        }
+        let program = self.program()?;
+        let streams = program.records.streams_in_order().into_iter();
+        let all: Vec<_> = streams.map(|(id, stream)| (stream.name.clone(), id.clone())).collect();
+        let (_, id) = crate::find::find("stream", wanted, &all)?;
+        Ok((program, id))
     }
 
     /// The loaded stream in the program as it is now.
@@ -100,7 +115,8 @@ impl Console {
 
     /// What can be named now, for completion.
     pub(crate) async fn names(&mut self) -> Vec<String> {
-        let programs = if self.client.is_some() { self.programs().await.unwrap_or_default() } else { Vec::new() };
+        let programs = if self.client.is_some() { self.programs("", KNOWN_MAX).await } else { Ok(Vec::new()) };
+        let programs = programs.unwrap_or_default();
         let mut names: Vec<_> = programs.into_iter().map(|program| program.name).collect();
         if let Ok(program) = self.program() {
             names.extend(program.records.streams_in_order().into_iter().map(|(_, stream)| stream.name.clone()));
@@ -145,6 +161,7 @@ fn label(connector: &behaviour::Connector) -> String {
     }
 }
 
-fn or_nothing(lines: Vec<String>, nothing: &str) -> String {
+/// The lines, or a sentence if there are none.
+pub(crate) fn or_nothing(lines: Vec<String>, nothing: &str) -> String {
     if lines.is_empty() { nothing.to_owned() } else { lines.join("\n") }
 }

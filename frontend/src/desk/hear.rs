@@ -32,7 +32,7 @@ impl Desk {
             Reply::Welcome { you, library, library_revision, templates, .. } => {
                 self.welcome(you, *library, library_revision, templates);
             }
-            Reply::Programs { programs } => self.programs.set(programs),
+            Reply::ProgramsChanged => self.programs_changed(),
             Reply::Opened { behaviour, revision, records, problems, people } => {
                 self.opened(behaviour, revision, *records, problems, people);
             }
@@ -53,6 +53,12 @@ impl Desk {
             Reply::Ping { behaviour, library_revision } => self.hear_ping(behaviour, library_revision),
             Reply::Problems { .. }
             | Reply::People { .. }
+            | Reply::Programs { .. }
+            | Reply::Pictures { .. }
+            | Reply::WhereUsed { .. }
+            | Reply::Drivers { .. }
+            | Reply::Contested { .. }
+            | Reply::Similar { .. }
             | Reply::Created { .. }
             | Reply::Checked { .. }
             | Reply::Done

@@ -57,6 +57,8 @@ pub(crate) enum Dialog {
     Helpers,
     /// Load program.
     Programs,
+    /// Save as file.
+    SaveFile,
     /// Add a program.
     AddProgram,
     /// Remove the open program.

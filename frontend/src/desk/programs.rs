@@ -7,11 +7,6 @@ use leptos::prelude::*;
 use protocol::{Reply, Request, SaidNo};
 
 impl Desk {
-    /// Asks for the list of programs afresh.
-    pub(crate) fn list_programs(&self) {
-        link::ask(Request::List, |_| {});
-    }
-
     /// Makes a program, from a template's id or empty, and opens it.
     pub(crate) fn create_program(&self, name: &str, template: Option<&str>) {
         let (desk, behaviour) = (self.clone(), new_id());
@@ -103,6 +98,6 @@ impl Desk {
     }
 
     pub(super) fn say_unreachable(&self) {
-        self.say("The server cannot be reached. This is possible again once you are online.", true);
+        self.say(crate::words::unreachable(), true);
     }
 }

@@ -7,6 +7,7 @@ mod names;
 mod operation;
 mod other;
 mod programs;
+mod save_file;
 mod sensors;
 mod stream;
 
@@ -35,6 +36,7 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::Helper(id) => view! { <helper::EditHelper id /> }.into_any(),
         Dialog::Helpers => view! { <helpers::Helpers /> }.into_any(),
         Dialog::Programs => view! { <programs::Programs /> }.into_any(),
+        Dialog::SaveFile => view! { <save_file::SaveFile /> }.into_any(),
         Dialog::AddProgram => view! { <names::AddProgram /> }.into_any(),
         Dialog::RemoveProgram => view! { <names::RemoveProgram /> }.into_any(),
         Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),

@@ -45,9 +45,11 @@ fn Library() -> impl IntoView {
     let desk = hold();
     let programs =
         move || desk.desk().programs.get().into_iter().map(|summary| view! { <Program summary /> }).collect_view();
-    let templates =
-        move || desk.desk().templates.get().into_iter().map(|summary| view! { <Template summary /> }).collect_view();
+    let templates = move || {
+        desk.desk().templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
+    };
     let none = move || desk.desk().programs.read().is_empty();
+    let has_more = move || desk.desk().programs_total.get() > desk.desk().programs.read().len() as u64;
     view! {
         <div class="library" data-library="">
             <h1>{words::library_title()}</h1>
@@ -62,6 +64,14 @@ fn Library() -> impl IntoView {
             <Show when=move || !none()>
                 <h2>{words::behaviours()}</h2>
                 <ul class="gallery">{programs}</ul>
+                <Show when=has_more>
+                    <p class="library-begin">
+                        <button class="button" type="button" on:click=move |_| desk.desk().dialog.set(Some(Dialog::Programs))>
+                            <Icon name="search" />
+                            {words::all_of_them()}
+                        </button>
+                    </p>
+                </Show>
             </Show>
             <h2>{words::templates()}</h2>
             <ul class="gallery">{templates}</ul>
@@ -74,12 +84,12 @@ fn Program(summary: Summary) -> impl IntoView {
     let desk = hold();
     let note = words::streams(summary.streams);
     let by = (!summary.by.is_empty()).then(|| words::changed_by(&summary.by));
-    let name = summary.name.clone();
+    let (name, id) = (summary.name.clone(), summary.id.clone());
     view! {
         <li>
             <button class="template" type="button" title=name
-                on:click=move |_| open_program(&desk.desk(), &summary.id)>
-                {summary.picture.map(|picture| view! { <Sketch picture /> })}
+                on:click=move |_| open_program(&desk.desk(), &id)>
+                <ProgramPicture id=summary.id.clone() revision=summary.revision />
                 <b class="cut">{summary.name}</b>
                 <span class="second">{note}{by.map(|by| format!(" · {by}"))}</span>
             </button>
@@ -87,8 +97,25 @@ fn Program(summary: Summary) -> impl IntoView {
     }
 }
 
+/// The picture of a program, as soon as it comes; its place is there before.
 #[component]
-fn Template(summary: Summary) -> impl IntoView {
+pub(crate) fn ProgramPicture(id: String, revision: u64) -> impl IntoView {
+    let desk = hold();
+    let wanted = id.clone();
+    let picture = Memo::new(move |_| desk.desk().pictures.with(|all| all.get(&id).map(|(_, picture)| picture.clone())));
+    Effect::new(move |_| {
+        picture.get();
+        desk.desk().want_picture(&wanted, revision);
+    });
+    move || match picture.get() {
+        Some(picture) => view! { <Sketch picture=(*picture).clone() /> }.into_any(),
+        None => view! { <svg class="picture" aria-hidden="true" focusable="false"></svg> }.into_any(),
+    }
+}
+
+/// A template as a card; pressing it makes a program and opens it.
+#[component]
+pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
     let desk = hold();
     let (name, title) = (summary.name.clone(), summary.name.clone());
     view! {

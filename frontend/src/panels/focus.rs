@@ -3,7 +3,7 @@
 use wasm_bindgen::JsCast;
 use web_sys::{Document, Element, HtmlElement, KeyboardEvent};
 
-const FOCUSABLE: &str = "a[href], button:not(:disabled), input:not(:disabled):not([type='radio']:not(:checked)), select:not(:disabled), \
+const FOCUSABLE: &str = "a[href], button:not(:disabled):not([tabindex='-1']), input:not(:disabled):not([type='radio']:not(:checked)), select:not(:disabled), \
     textarea:not(:disabled), [tabindex='0']";
 
 /// The element that has the keyboard.

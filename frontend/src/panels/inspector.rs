@@ -1,6 +1,7 @@
 //! What is selected: its name, what it does, its last value, its problems, and what can be done with it.
 
 use super::hold::{Hold, hold};
+use super::insight::{AlsoUsed, Below};
 use super::problems::{ProblemList, Problems};
 use super::trials::{self, Question, TrialTable};
 use crate::desk::{ConnectorSignals, Dialog, Selected, StreamSignals};
@@ -49,6 +50,8 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
             <p class="second">{move || what_it_is(&record.read())}</p>
             <StreamLive signals />
             <ProblemList of=Some(id.clone()) />
+            <Below id=id.clone() />
+            <AlsoUsed record />
             <div class="row">
                 <Edit dialog=Dialog::EditStream(id.clone()) />
                 <Show when=is_sensor>

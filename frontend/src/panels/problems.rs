@@ -1,6 +1,7 @@
 //! Problems as sentences, each with a link to the element that has it.
 
 use super::hold::hold;
+use super::insight::OnThisRobot;
 use crate::desk::Selected;
 use crate::icons::Icon;
 use crate::words;
@@ -26,6 +27,7 @@ pub(crate) fn Problems() -> impl IntoView {
                     <p class="second">{move || if runs() { words::no_problems_now() } else { words::no_problems() }}</p>
                 </Show>
                 <ProblemList of=None />
+                <OnThisRobot />
                 <p class="faint">{words::select_to_edit()}</p>
             </section>
         </Show>

@@ -4,7 +4,7 @@ use super::focus;
 use super::hold::{Hold, hold};
 use super::menu::{Menu, MenuItem};
 use super::people::People;
-use super::tools::{AddSensorMenu, EditHelperMenu, LoadMenu};
+use super::tools::{AddSensorMenu, EditHelperMenu, FileItems, LoadMenu};
 use crate::browser;
 use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
@@ -209,6 +209,7 @@ fn ProgramItems(none_open: Signal<bool>) -> impl IntoView {
         <MenuItem label=words::add_program() icon="plus" choose=opens(desk, Dialog::AddProgram) />
         <MenuItem label=words::remove_program() icon="trash" disabled=none_open.get_untracked()
             choose=opens(desk, Dialog::RemoveProgram) />
+        <FileItems />
     }
 }
 

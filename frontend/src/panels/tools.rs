@@ -1,5 +1,6 @@
 //! The menus of the bar: Load program, Add sensor, Edit helper.
 
+use super::files::choose_file;
 use super::hold::hold;
 use super::menu::{Menu, MenuItem};
 use crate::desk::{Desk, Dialog};
@@ -47,6 +48,19 @@ fn ProgramItems() -> impl IntoView {
         {templates}
         <div class="menu-rule" role="separator"></div>
         <MenuItem label=words::all_programs() icon="search" choose=all />
+        <FileItems />
+    }
+}
+
+/// Save as file and Open a file.
+#[component]
+pub(crate) fn FileItems() -> impl IntoView {
+    let desk = hold();
+    let none_open = desk.desk().open.with_untracked(Option::is_none);
+    let save = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::SaveFile)));
+    view! {
+        <MenuItem label=words::open_file() icon="open" choose=Callback::new(|()| choose_file()) />
+        <MenuItem label=words::save_file_more() icon="save" disabled=none_open choose=save />
     }
 }
 

@@ -143,13 +143,50 @@ sentences! {
     behaviours: "Behaviours";
     templates: "Templates";
     no_programs: "There are no programs yet. Begin with a template, or with an empty one.";
+    programs: "Programs";
+    bin: "Bin";
+    shelf: "Show";
+    search_programs: "Search in names, streams and procedures";
+    order: "Order";
+    by_change: "Last changed";
+    by_name: "By name";
+    whose: "Whose";
+    everyones: "Everyone’s";
+    mine: "Mine";
+    loading_list: "Loading …";
+    show_templates: "Show templates";
+    clear_search: "Clear the search";
+    show_everyones: "Show everyone’s";
+    none_mine: "You have not made a program yet.";
+    bin_empty: "The bin is empty. What is removed stays here for 30 days.";
+    try_again: "Try again";
+    restore: "Restore";
+    back_to_list: "Back to the list";
+    open_program: "Open";
+    similar_programs: "Similar programs";
+    none_similar: "No other program uses the same senses or actions.";
+    open_file: "Open a file …";
+    save_file_more: "Save as file …";
+    save_file: "Save as file";
+    file_json: "Program (JSON)";
+    file_json_says: "Everything, to open it again here or elsewhere.";
+    file_xml: "Program (XML)";
+    file_xml_says: "The same for programs that read XML.";
+    file_svg: "Drawing (SVG)";
+    file_svg_says: "The graph as a picture, for a report or a wall.";
+    file_too_large: "This file is too large to be a program. Choose another one.";
+    file_unclear: "The server did not say what became of the file. Look in the list of programs, then try again.";
+    drop_here: "Drop the file to open it as a program of its own.";
+    all_of_them: "All programs …";
+    unreachable: "The server cannot be reached. This is possible again once you are online.";
     to_the_bin: "It goes to the bin for 30 days. Nobody can edit it there.";
     remove_running: "It runs on the robot; press Stop first.";
     helper_name: "Name";
     helper_params: "Parameters, with commas between them";
     helper_says: "What it is for, in a sentence";
-    used_nowhere: "Nothing in this program uses it.";
-    used_by: "Used by";
+    used_nowhere: "Nothing uses it.";
+    used_in: "Used in";
+    this_program: "This program";
     value_json: "Value";
     value_hint: "Sent as if the robot had sensed it, while the program runs.";
     send: "Send";
@@ -280,6 +317,104 @@ pub(crate) fn changed_by(name: &str) -> String {
     format!("last changed by {name}")
 }
 
+/// How long ago something was, up to six days; none for longer.
+pub(crate) fn ago(seconds: u64) -> Option<String> {
+    let (minutes, hours, days) = (seconds / 60, seconds / 3_600, seconds / 86_400);
+    match (minutes, hours, days) {
+        (0, ..) => Some("just now".to_owned()),
+        (1, ..) => Some("a minute ago".to_owned()),
+        (many, 0, _) => Some(format!("{many} minutes ago")),
+        (_, 1, _) => Some("an hour ago".to_owned()),
+        (_, many, 0) => Some(format!("{many} hours ago")),
+        (.., 1) => Some("yesterday".to_owned()),
+        (.., many @ 2..=6) => Some(format!("{many} days ago")),
+        _ => None,
+    }
+}
+
+/// A day that is longer ago.
+pub(crate) fn on_day(day: &str) -> String {
+    format!("on {day}")
+}
+
+/// What a line of the list says below the name: `Aiko · 6 streams · changed 2 hours ago by Ben`.
+pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> String {
+    let by = if by == owner || by.is_empty() { String::new() } else { format!(" by {by}") };
+    let owner = if owner.is_empty() { String::new() } else { format!("{owner} · ") };
+    format!("{owner}{} · changed {when}{by}", streams(count))
+}
+
+/// The same in the bin.
+pub(crate) fn removed_line(when: &str, by: &str, days_left: u64) -> String {
+    let left = match days_left {
+        0 => "goes today".to_owned(),
+        1 => "stays 1 more day".to_owned(),
+        many => format!("stays {many} more days"),
+    };
+    format!("removed {when} by {by} · {left}")
+}
+
+pub(crate) fn nothing_fits(words: &str) -> String {
+    format!("Nothing fits “{words}”.")
+}
+
+pub(crate) fn more_about(name: &str) -> String {
+    format!("More about {name}")
+}
+
+pub(crate) fn restore_named(name: &str) -> String {
+    format!("Restore {name}")
+}
+
+pub(crate) fn is_back(name: &str) -> String {
+    format!("“{name}” is back among the programs.")
+}
+
+pub(crate) fn shared_devices(count: u32) -> String {
+    if count == 1 { "1 sense or action in common".to_owned() } else { format!("{count} senses and actions in common") }
+}
+
+pub(crate) fn programs_in_all(count: u64) -> String {
+    if count == 1 { "1 program".to_owned() } else { format!("{count} programs") }
+}
+
+pub(crate) fn through(helper: &str) -> String {
+    format!("through {helper}")
+}
+
+pub(crate) fn and_more(count: u64) -> String {
+    format!("and {count} more")
+}
+
+/// A file became a program; helpers that differ from those of the same name here have another name now.
+pub(crate) fn file_opened(name: &str, renamed: &[(String, String)]) -> String {
+    let helpers: Vec<_> = renamed.iter().map(|(old, new)| format!("{old} is {new} here")).collect();
+    match helpers.len() {
+        0 => format!("“{name}” was opened from the file."),
+        _ => format!("“{name}” was opened from the file. Helpers of other content: {}.", helpers.join(", ")),
+    }
+}
+
+pub(crate) fn hangs_below(count: usize) -> String {
+    format!("What hangs below: {}", streams(u32::try_from(count).unwrap_or(u32::MAX)))
+}
+
+pub(crate) fn also_use(action: &str) -> String {
+    format!("Other programs with {action}")
+}
+
+pub(crate) fn from_senses(senses: &str) -> String {
+    format!("from {senses}")
+}
+
+pub(crate) fn has_all(robot: &str) -> String {
+    format!("{robot} has all the senses and actions it needs.")
+}
+
+pub(crate) fn helper_called(name: &str) -> String {
+    format!("helper {name}")
+}
+
 pub(crate) fn is_editing(name: &str) -> String {
     format!("{name} is editing")
 }
@@ -372,4 +507,25 @@ pub(crate) fn name_out_of(kind: &str, input: &str) -> String {
 /// How deep a row of the outline stands, for screen readers.
 pub(crate) fn level(depth: usize) -> String {
     format!("Level {depth}: ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ago, program_line, removed_line};
+
+    #[test]
+    fn times_are_said_as_people_say_them() {
+        let said = [0, 59, 60, 150, 3_600, 7_300, 86_400, 200_000].map(|seconds| ago(seconds).unwrap());
+        let right =
+            ["just now", "just now", "a minute ago", "2 minutes ago", "an hour ago", "2 hours ago", "yesterday"];
+        assert_eq!(said[..7], right);
+        assert_eq!((said[7].as_str(), ago(86_400 * 7)), ("2 days ago", None));
+    }
+
+    #[test]
+    fn a_line_names_a_person_once() {
+        assert_eq!(program_line("Aiko", 1, "just now", "Aiko"), "Aiko · 1 stream · changed just now");
+        assert_eq!(program_line("Aiko", 6, "yesterday", "Ben"), "Aiko · 6 streams · changed yesterday by Ben");
+        assert_eq!(removed_line("yesterday", "Ben", 29), "removed yesterday by Ben · stays 29 more days");
+    }
 }

@@ -172,7 +172,9 @@ impl<'a> Keeper<'a> {
             Health::Safe => Health::Ready,
             other => other,
         };
-        let state = RobotState { name: self.robot.name(), kind: self.robot.kind().to_owned(), health };
+        let (name, kind) = (self.robot.name(), self.robot.kind().to_owned());
+        let devices = self.robot.devices().into_iter().map(str::to_owned).collect();
+        let state = RobotState { name, kind, health, devices };
         if state != **self.house.state.borrow() {
             self.house.state.send_replace(Arc::new(state));
         }

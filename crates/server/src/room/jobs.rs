@@ -134,7 +134,7 @@ impl RoomTask {
         tracing::info!(behaviour = %self.id, by, "a behaviour goes to the bin");
         self.gone = true;
         std::mem::take(&mut self.waiting).into_iter().for_each(|job| job.no(SaidNo::NoBehaviour));
-        self.hub.programs.removed(&self.id);
+        self.hub.programs.tell();
         from.give(Reply::Done);
         self.tell_removed(by);
     }

@@ -5,9 +5,9 @@ use crate::checking::{Trial, helpers_of};
 use crate::create::{self, Wish};
 use crate::hub::{bounded, store_no};
 use crate::outbox::{Answer, Out};
-use crate::programs::all;
 use crate::rooms::Note;
 use crate::start;
+use crate::{insight, pictures, programs};
 use behaviour::{Change, Id};
 use protocol::{Reply, Request, SaidNo};
 use std::future::Future;
@@ -17,7 +17,12 @@ impl Session {
     pub(super) fn request(&mut self, ask: u32, request: Request) {
         match request {
             Request::Hello { .. } => self.outbox.no(ask, SaidNo::Unreadable("the greeting came already".to_owned())),
-            Request::List => self.outbox.say(Some(ask), self.hub.programs.reply()),
+            Request::List { .. }
+            | Request::Pictures { .. }
+            | Request::WhereUsed { .. }
+            | Request::Drivers { .. }
+            | Request::Contested
+            | Request::Similar { .. } => self.look_up(ask, request),
             Request::Create { behaviour, name, template } => self.create(ask, behaviour, name, template),
             Request::Open { behaviour } => self.open(ask, behaviour),
             Request::Leave => self.leave(ask),
@@ -74,6 +79,21 @@ impl Session {
         });
     }
 
+    /// What the store knows of all behaviours.
+    fn look_up(&self, ask: u32, request: Request) {
+        let hub = Arc::clone(&self.hub);
+        self.later(ask, async move {
+            match request {
+                Request::List { query } => programs::list(&hub, query).await,
+                Request::Pictures { of } => pictures::pictures(&hub, of).await,
+                Request::WhereUsed { helper } => insight::where_used(&hub, &helper).await,
+                Request::Drivers { actuator } => insight::drivers(&hub, &actuator).await,
+                Request::Similar { behaviour } => insight::similar(&hub, &behaviour).await,
+                _ => insight::contested(&hub).await,
+            }
+        });
+    }
+
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
         let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
         let wish = Wish { behaviour, name, template, by };
@@ -116,8 +136,7 @@ impl Session {
         let hub = Arc::clone(&self.hub);
         self.later(ask, async move {
             let back = bounded(hub.store.restore(&behaviour)).await.map_err(|error| store_no(&error))?;
-            let listed = all(&*hub.store).await.map_err(|error| store_no(&error))?;
-            hub.programs.replace(listed);
+            hub.programs.tell();
             if back { Ok(Reply::Done) } else { Err(SaidNo::NoBehaviour) }
         });
     }

@@ -24,7 +24,7 @@ const CLOSE_MS: u64 = 1_000;
 struct Writer {
     hub: Arc<Hub>,
     sink: SplitSink<WebSocket, Message>,
-    /// Told to everyone: runs, robot, the store's health, list of behaviours.
+    /// Told to everyone: runs, robot, the store's health, that the list of behaviours changed.
     topics: [watch::Receiver<Utf8Bytes>; 4],
     scene: watch::Receiver<Utf8Bytes>,
     scene_wanted: bool,

@@ -56,6 +56,29 @@ Far runs
 Ball got #{x: 0.5}
 > stop far
 Far is stopped
+> below
+Far ball (ordinary)
+Close ball (ordinary)
+Head tracker (actuator Tracker)
+Head and body tracker (actuator Tracker)
+> below close
+Head and body tracker (actuator Tracker)
+> dead streams
+Every stream leads to an action.
+> can run
+Far can run on Simulated NAO.
+> similar
+Far away: 2 senses and actions in common
+> where used ball_to
+Far
+Far away
+> drivers of track
+Far: from Ball
+Far away: from Ball
+> drivers of say
+“say” could be one of these: SayInput, SayParameter. Type more of the name.
+> contested
+Tracker: Far, Far away
 > disconnect
 Disconnected.
 ";

@@ -2,7 +2,7 @@
 
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{MESSAGE_MAX_BYTES, Message as Told, Pointer, Reply, Request, SaidNo};
+use protocol::{ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Reply, Request, SaidNo};
 use shell::{Client, Trouble};
 use std::time::Duration;
 use tokio::net::TcpStream;
@@ -38,7 +38,10 @@ async fn the_greeting_comes_first_and_in_our_version() {
     let house = House::open().await;
     let table = [
         (r#"{"ask":1,"request":{"is":"list"}}"#, SaidNo::Greeting),
-        (r#"{"ask":1,"request":{"is":"hello","version":99,"client":"a","name":"A"}}"#, SaidNo::Version(1)),
+        (
+            r#"{"ask":1,"request":{"is":"hello","version":99,"client":"a","name":"A"}}"#,
+            SaidNo::Version(protocol::VERSION),
+        ),
     ];
     for (text, expected) in table {
         assert_eq!(say(&mut socket(&house).await, text).await, (Some(expected), Some(1008)));
@@ -52,7 +55,7 @@ async fn the_greeting_comes_first_and_in_our_version() {
 async fn a_message_that_is_too_large_ends_the_link() {
     let house = House::open().await;
     let mut socket = socket(&house).await;
-    let hello = r#"{"ask":1,"request":{"is":"hello","version":1,"client":"a","name":"A"}}"#;
+    let hello = r#"{"ask":1,"request":{"is":"hello","version":2,"client":"a","name":"A"}}"#;
     socket.send(Message::text(hello)).await.unwrap();
     let _ = socket.send(Message::text("x".repeat(MESSAGE_MAX_BYTES + 1))).await;
     let ended = async { while let Some(Ok(_)) = socket.next().await {} };
@@ -67,9 +70,9 @@ async fn a_newer_link_of_the_same_client_replaces_the_older() {
     let mut first = Client::connect_as(&house.url(), id("tab"), "Aiko").await.unwrap();
     let second = Client::connect_as(&house.url(), id("tab"), "Aiko").await.unwrap();
     while first.next().await.is_some() {}
-    let why = first.ask(Request::List).await.unwrap_err();
+    let why = first.ask(Request::List { query: ListQuery::default() }).await.unwrap_err();
     assert!(matches!(&why, Trouble::Link(sentence) if sentence.contains("replaced")), "{why}");
-    assert!(second.ask(Request::List).await.is_ok());
+    assert!(second.ask(Request::List { query: ListQuery::default() }).await.is_ok());
     assert_eq!(first.you().color, second.you().color);
     house.close().await;
 }
@@ -95,7 +98,8 @@ async fn people_see_each_other_and_each_others_pointers() {
 async fn who_asks_too_much_is_told_so_but_can_always_stop() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;
-    let asks: Vec<_> = (0..300).map(|_| aiko.ask(Request::List)).collect();
+    let watch = || Request::Watch { scene: false, values: false };
+    let asks: Vec<_> = (0..300).map(|_| aiko.ask(watch())).collect();
     let answers = futures_util::future::join_all(asks).await;
     let refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(SaidNo::TooFast))).count();
     assert!((50..=110).contains(&refused), "{refused}");

@@ -1,14 +1,13 @@
 //! Making, listing, removing and keeping behaviours.
 
 use crate::house::{House, id, make, plain, stream_id};
-use protocol::{Reply, Request, SaidNo, Summary};
+use behaviour::{Kind, Record, RecordId, Settings};
+use protocol::{ListQuery, PictureOf, Place, Reply, Request, SaidNo, Sort, Summary};
 use shell::{Client, Trouble};
 
 async fn names(client: &Client) -> Vec<String> {
-    match client.ask(Request::List).await.unwrap() {
-        Reply::Programs { programs } => programs.into_iter().map(|Summary { name, .. }| name).collect(),
-        other => panic!("{other:?}"),
-    }
+    let programs = client.programs(ListQuery::default(), usize::MAX).await.unwrap();
+    programs.into_iter().map(|Summary { name, .. }| name).collect()
 }
 
 #[tokio::test]
@@ -23,7 +22,7 @@ async fn names_stay_unique_and_asking_twice_makes_one() {
     let mut all = names(&aiko).await;
     all.sort();
     assert_eq!(all, ["Play", "Play 2"]);
-    ben.until(|reply| matches!(reply, Reply::Programs { programs } if programs.len() == 2)).await.unwrap();
+    ben.until(|reply| *reply == Reply::ProgramsChanged).await.unwrap();
     house.close().await;
 }
 
@@ -43,7 +42,67 @@ async fn every_template_becomes_a_behaviour_without_problems() {
     let no = aiko.ask(Request::Create { behaviour: id("x"), name: "X".into(), template: Some("None".into()) }).await;
     assert_eq!(no, Err(Trouble::No(SaidNo::NoTemplate("None".into()))));
     assert_eq!(names(&aiko).await.len(), 3);
-    assert!(aiko.until(|reply| matches!(reply, Reply::Programs { .. })).await.is_ok());
+    assert!(aiko.until(|reply| *reply == Reply::ProgramsChanged).await.is_ok());
+    house.close().await;
+}
+
+#[tokio::test]
+async fn the_list_comes_in_pages_of_what_is_asked_for() {
+    let house = House::open().await;
+    let (aiko, ben) = (house.person("Aiko").await, house.person("Ben").await);
+    for number in 1..=6 {
+        make(if number > 4 { &ben } else { &aiko }, &format!("Play {number}"), None).await;
+    }
+    make(&ben, "Greet", Some("Greeter")).await;
+    let by_name = ListQuery { sort: Sort::Name, most: 3, words: "play".into(), ..ListQuery::default() };
+    let first = aiko.ask(Request::List { query: by_name.clone() }).await.unwrap();
+    let Reply::Programs { programs, next: Some(next), total: 7 } = first else { panic!("{first:?}") };
+    assert_eq!(
+        programs.iter().map(|program| program.name.as_str()).collect::<Vec<_>>(),
+        ["Play 1", "Play 2", "Play 3"]
+    );
+    assert!(programs.iter().all(|program| program.owner == "Aiko" && program.revision == 1));
+    let query = ListQuery { after: Some(next), most: 50, ..by_name };
+    let rest = aiko.ask(Request::List { query }).await.unwrap();
+    let Reply::Programs { programs, next: None, total: 7 } = rest else { panic!("{rest:?}") };
+    assert_eq!(programs.len(), 3);
+    let mine = ListQuery { owner: Some("Ben".into()), ..ListQuery::default() };
+    assert_eq!(aiko.programs(mine, usize::MAX).await.unwrap().len(), 3);
+    let heard = ListQuery { words: "facedetection HELLO".into(), ..ListQuery::default() };
+    assert_eq!(aiko.programs(heard, usize::MAX).await.unwrap()[0].name, "Greet");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn everyone_hears_of_a_new_name_but_gets_no_list() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let mut ben = house.person("Ben").await;
+    let settings = RecordId::settings();
+    aiko.put("Rename", settings, Some(Record::Settings(Settings::named("Dance")))).await.unwrap();
+    let told = ben.until(|reply| matches!(reply, Reply::ProgramsChanged | Reply::Programs { .. })).await.unwrap();
+    assert_eq!(told, Reply::ProgramsChanged);
+    assert_eq!(names(&ben).await, ["Dance"]);
+    aiko.put("Add", stream_id("a"), Some(plain("One"))).await.unwrap();
+    assert!(ben.until(|reply| *reply == Reply::ProgramsChanged).await.is_ok(), "later, together with others");
+    drop(play);
+    house.close().await;
+}
+
+#[tokio::test]
+async fn pictures_follow_the_revision() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let picture = async |revision| {
+        let of =
+            vec![PictureOf { behaviour: play.clone(), revision }, PictureOf { behaviour: id("gone"), revision: 1 }];
+        let Reply::Pictures { pictures } = aiko.ask(Request::Pictures { of }).await.unwrap() else { panic!() };
+        assert_eq!(pictures.len(), 1);
+        pictures[0].1.streams.len()
+    };
+    assert_eq!(picture(1).await, 0);
+    aiko.put("Add", RecordId::new(Kind::Stream, &id("a")), Some(plain("One"))).await.unwrap();
+    assert_eq!(picture(2).await, 1);
     house.close().await;
 }
 
@@ -76,7 +135,11 @@ async fn a_removed_behaviour_can_be_taken_back() {
     assert_eq!(ben.open(), None);
     assert_eq!(ben.load(&play).await, Err(Trouble::No(SaidNo::NoBehaviour)));
     assert!(names(&ben).await.is_empty());
+    let bin = || ListQuery { place: Place::Bin, ..ListQuery::default() };
+    let removed = ben.programs(bin(), usize::MAX).await.unwrap();
+    assert_eq!(removed.iter().map(|one| (one.name.as_str(), one.by.as_str())).collect::<Vec<_>>(), [("Play", "Aiko")]);
     ben.ask(Request::Restore { behaviour: play.clone() }).await.unwrap();
+    assert!(ben.programs(bin(), usize::MAX).await.unwrap().is_empty());
     assert_eq!(ben.load(&play).await.unwrap().revision, 1);
     assert_eq!(names(&aiko).await, ["Play"]);
     house.close().await;

@@ -1,7 +1,7 @@
 //! Loads a program to look at.
 
 use super::Command;
-use crate::console::Console;
+use crate::console::{CHOICES_MAX, Console};
 
 pub(crate) const COMMAND: Command = Command {
     name: "load program",
@@ -12,7 +12,8 @@ pub(crate) const COMMAND: Command = Command {
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
     if wanted.is_empty() {
-        let all: Vec<_> = console.programs().await?.into_iter().map(|program| (program.name, ())).collect();
+        let programs = console.programs("", CHOICES_MAX).await?;
+        let all: Vec<_> = programs.into_iter().map(|program| (program.name, ())).collect();
         return crate::find::find("program", wanted, &all).map(|_| String::new());
     }
     let (name, id) = console.meant(wanted).await?;

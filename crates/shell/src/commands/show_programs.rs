@@ -11,6 +11,6 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 async fn run(console: &mut Console, _: &str) -> Result<String, String> {
-    let names: Vec<_> = console.programs().await?.into_iter().map(|program| program.name).collect();
+    let names: Vec<_> = console.programs("", usize::MAX).await?.into_iter().map(|program| program.name).collect();
     Ok(if names.is_empty() { "No programs.".to_owned() } else { names.join("\n") })
 }

@@ -22,6 +22,9 @@ const FIRST: [&str; 3] = [
 pub(super) fn Frame(
     #[prop(into)] title: String,
     #[prop(optional)] narrow: bool,
+    /// Wide and always as high, for lists.
+    #[prop(optional)]
+    wide: bool,
     save: Callback<()>,
     children: Children,
 ) -> impl IntoView {
@@ -48,7 +51,7 @@ pub(super) fn Frame(
     view! {
         <div class="veil" aria-hidden="true" on:pointerdown=move |_| close(desk)></div>
         <div class="dialog-place">
-            <div class="dialog" class:narrow=narrow role="dialog" aria-labelledby=TITLE_ID tabindex="-1" node_ref=dialog
+            <div class="dialog" class:narrow=narrow class:wide=wide role="dialog" aria-labelledby=TITLE_ID tabindex="-1" node_ref=dialog
                 on:keydown=keys>
                 <form class="dialog-form" novalidate=true autocomplete="off" on:submit=submit>
                     <div class="dialog-head">

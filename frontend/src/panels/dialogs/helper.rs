@@ -1,14 +1,16 @@
 //! One helper of the library: name, parameters, body, sentence, and where it is used.
 
+mod used_in;
+
 use super::frame::{Feet, Frame, Refused};
 use super::stream::answered;
 use crate::fields::{CodeField, TextField};
 use crate::panels::hold::{Hold, Soon, hold};
-use crate::panels::palette::users_of;
 use crate::words;
 use behaviour::{Helper, Id, Refusal};
 use leptos::prelude::*;
 use protocol::SaidNo;
+use used_in::UsedIn;
 
 /// How soon a body is looked at while it is typed, in milliseconds.
 const SOON_MS: i32 = 200;
@@ -47,7 +49,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                     <Lint fields arguments />
                 </div>
                 <TextField label=words::helper_says() value=fields.says />
-                {is_there.then(|| view! { <Users fields /> })}
+                {is_there.then(|| view! { <UsedIn name=fields.name.get_untracked() /> })}
                 <Refused why=fields.refusal />
             </div>
             <Feet busy=fields.busy>{is_there.then(|| view! { <Remove fields /> })}</Feet>
@@ -137,27 +139,6 @@ fn Lint(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
             {move || why.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
         </div>
     }
-}
-
-/// Where the helper is used in the open program.
-#[component]
-fn Users(fields: Fields) -> impl IntoView {
-    let desk = hold();
-    let name = fields.name.get_untracked();
-    let users = move || {
-        let desk_now = desk.desk();
-        let label = |id: Id| {
-            let connector = desk_now.connector(&id)?.record.get();
-            let output = desk_now.stream(&connector.output)?.record.get().name;
-            Some(format!("{} → {output}", words::connector_word(connector.operation.word())))
-        };
-        users_of(desk, &name).into_iter().filter_map(label).collect::<Vec<_>>()
-    };
-    let text = move || match users() {
-        users if users.is_empty() => words::used_nowhere().to_owned(),
-        users => format!("{} {}", words::used_by(), users.join(", ")),
-    };
-    view! { <p class="second">{text}</p> }
 }
 
 #[component]

@@ -1,59 +1,53 @@
-//! Load program as a dialog: every program, and the templates with their sentences.
+//! Load program as a dialog: the programs with search and order, the templates, and the bin.
 
-use super::frame::{Feet, Frame, close};
+mod bar;
+mod details;
+mod line;
+mod list;
+mod shelf;
+mod window;
+
+use super::frame::{Feet, Frame};
 use crate::desk::Dialog;
-use crate::icons::Icon;
+use crate::panels::empty::TemplateCard;
 use crate::panels::hold::hold;
-use crate::panels::tools::open_program;
 use crate::words;
+use bar::Bar;
+use details::Details;
 use leptos::prelude::*;
-use protocol::Summary;
+use list::List;
+use shelf::{Place, Shown};
 
-/// All programs and templates.
+/// Programs, templates and the bin.
 #[component]
 pub(super) fn Programs() -> impl IntoView {
     let desk = hold();
-    desk.desk().list_programs();
+    let shown = Shown::of(desk);
     let add = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::AddProgram)));
-    let program = move |program: Summary| {
-        let note = format!("{} · {}", words::streams(program.streams), words::changed_by(&program.by));
-        let open = Callback::new(move |()| {
-            close(desk);
-            open_program(&desk.desk(), &program.id);
-        });
-        view! { <Entry icon="folder" name=program.name note choose=open /> }
+    let templates = move || shown.place.get() == Place::Templates;
+    let details = move || shown.details.get().filter(|_| shown.place.get() == Place::Programs);
+    let body = move || match details() {
+        Some(program) => view! { <Details shown program /> }.into_any(),
+        None if templates() => view! { <Templates /> }.into_any(),
+        None => view! { <List shown /> }.into_any(),
     };
-    let template = move |template: Summary| {
-        let (id, name) = (template.id, template.name.clone());
-        let make = Callback::new(move |()| {
-            close(desk);
-            desk.desk().create_program(&name, Some(&id));
-        });
-        view! { <Entry icon="plus" name=template.name note=template.by choose=make /> }
-    };
-    let none = move || desk.desk().programs.read().is_empty();
     view! {
-        <Frame title=words::load_program() save=add>
-            <div class="dialog-body">
-                <Show when=none><p class="second">{words::no_programs()}</p></Show>
-                <ul class="big-list">{move || desk.desk().programs.get().into_iter().map(program).collect_view()}</ul>
-                <h3 class="label">{words::templates()}</h3>
-                <ul class="big-list">{move || desk.desk().templates.get().into_iter().map(template).collect_view()}</ul>
-            </div>
-            <Feet save=words::add_program() />
+        <Frame title=words::load_program() wide=true save=add>
+            <Bar shown />
+            {body}
+            <Feet save=words::add_program()>
+                <span class="faint apart" role="status">{move || (!templates()).then(|| shown.count_words())}</span>
+            </Feet>
         </Frame>
     }
 }
 
+/// The templates, each with its picture.
 #[component]
-fn Entry(icon: &'static str, name: String, note: String, choose: Callback<()>) -> impl IntoView {
-    let title = name.clone();
-    view! {
-        <li>
-            <button class="menu-item" type="button" title=title on:click=move |_| choose.run(())>
-                <span class="kind plain"><Icon name=icon /></span>
-                <span class="two"><b class="cut">{name}</b><span class="second">{note}</span></span>
-            </button>
-        </li>
-    }
+fn Templates() -> impl IntoView {
+    let desk = hold();
+    let cards = move || {
+        desk.desk().templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
+    };
+    view! { <div class="shelf templates" tabindex="-1"><ul class="gallery">{cards}</ul></div> }
 }

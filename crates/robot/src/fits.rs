@@ -1,0 +1,102 @@
+//! Whether a behaviour can run on a robot, and what is missing if not.
+
+use crate::device;
+use behaviour::{Behaviour, Id, StreamKind};
+use std::fmt;
+
+/// A stream that a robot cannot serve. [`fmt::Display`] says it in one English sentence.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Missing {
+    /// The stream.
+    pub stream: Id,
+    /// Its name.
+    pub name: String,
+    /// Why not.
+    pub why: Why,
+}
+
+/// Why a robot cannot serve a stream.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// No device is chosen.
+    NotChosen,
+    /// The robot does not have this device.
+    NotThere(String),
+    /// The device does not fit; with the reason.
+    DoesNotFit(String),
+}
+
+impl fmt::Display for Missing {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let name = &self.name;
+        match &self.why {
+            Why::NotChosen => write!(to, "“{name}” has no device yet. Choose one."),
+            Why::NotThere(device) => write!(to, "“{name}” needs {device}, which this robot does not have."),
+            Why::DoesNotFit(reason) => write!(to, "“{name}” does not fit: {reason}."),
+        }
+    }
+}
+
+/// What a robot with these devices lacks to run a behaviour, in file order; nothing if it can run it.
+#[must_use]
+pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D]) -> Vec<Missing> {
+    let mut found = Vec::new();
+    for (id, stream) in behaviour.streams_in_order() {
+        let why = match (stream.kind, &stream.device) {
+            (StreamKind::Ordinary, _) => None,
+            (_, None) => Some(Why::NotChosen),
+            (_, Some(name)) if !devices.iter().any(|device| device.as_ref() == name) => {
+                Some(Why::NotThere(name.clone()))
+            }
+            (kind, Some(name)) => {
+                let checked = device(kind, name).and_then(|device| device.check(&stream.params));
+                checked.err().map(Why::DoesNotFit)
+            }
+        };
+        found.extend(why.map(|why| Missing { stream: id.clone(), name: stream.name.clone(), why }));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::missing;
+    use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, Value};
+
+    fn behaviour(devices: &[(StreamKind, Option<&str>, Params)]) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        for (order, (kind, device, params)) in (0..).zip(devices) {
+            let (kind, name, params) = (*kind, format!("S{order}"), params.clone());
+            let device = device.map(str::to_owned);
+            let stream = Stream { kind, name, device, params, order, resources: None, priority: None, hold_ms: None };
+            let id = RecordId::new(Kind::Stream, &Id::new(&format!("s{order}")).unwrap());
+            behaviour.records.insert(id, Record::Stream(stream));
+        }
+        behaviour
+    }
+
+    #[test]
+    fn what_is_missing_is_said_stream_by_stream() {
+        let odd = Params::from([("mode".to_owned(), Value::text("Fly"))]);
+        let made = behaviour(&[
+            (StreamKind::Sensor, Some("RedBall"), Params::new()),
+            (StreamKind::Sensor, Some("Sonar"), Params::new()),
+            (StreamKind::Ordinary, None, Params::new()),
+            (StreamKind::Actuator, Some("Tracker"), odd),
+            (StreamKind::Actuator, None, Params::new()),
+        ]);
+        let said: Vec<_> = missing(&made, &["RedBall", "Tracker"]).iter().map(ToString::to_string).collect();
+        assert_eq!(said[0], "“S1” needs Sonar, which this robot does not have.");
+        assert!(said[1].starts_with("“S3” does not fit: Tracking mode must be one of:"), "{}", said[1]);
+        assert_eq!(said[2..], ["“S4” has no device yet. Choose one."]);
+    }
+
+    #[test]
+    fn a_robot_with_all_devices_lacks_nothing() {
+        let made = behaviour(&[
+            (StreamKind::Sensor, Some("RedBall"), Params::new()),
+            (StreamKind::Actuator, Some("Tracker"), Params::new()),
+        ]);
+        assert!(missing(&made, &["RedBall", "Tracker"]).is_empty());
+    }
+}

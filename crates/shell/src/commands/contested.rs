@@ -1,0 +1,29 @@
+//! Shows which actions several programs want.
+
+use super::Command;
+use crate::console::{Console, or_nothing};
+use protocol::{Contested, Reply, Request};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "contested",
+    words: "",
+    help: "Shows the actions that several programs use.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    match console.ask(Request::Contested).await? {
+        Reply::Contested { contested } => {
+            Ok(or_nothing(contested.iter().map(line).collect(), "No two programs use the same action."))
+        }
+        _ => Err("The server gave no actions. Try again.".to_owned()),
+    }
+}
+
+/// `Tracker: Far, Close and 3 more`.
+fn line(contested: &Contested) -> String {
+    let names: Vec<_> = contested.behaviours.iter().map(|(_, name)| name.as_str()).collect();
+    let more = contested.count.saturating_sub(names.len() as u64);
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{}: {}{more}", contested.actuator, names.join(", "))
+}

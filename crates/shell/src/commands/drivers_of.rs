@@ -1,0 +1,34 @@
+//! Shows which programs drive an action.
+
+use super::Command;
+use crate::console::{Console, or_nothing};
+use protocol::{Driver, Reply, Request};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "drivers of",
+    words: "ACTION",
+    help: "Shows the programs that use an action of the robot, and from which senses.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let all: Vec<_> = robot::actuators().map(|device| (device.name.to_owned(), ())).collect();
+    let (actuator, ()) = crate::find::find("action", wanted, &all)?;
+    match console.ask(Request::Drivers { actuator: actuator.clone() }).await? {
+        Reply::Drivers { drivers, total } => {
+            let more = total.saturating_sub(drivers.len() as u64);
+            let mut lines: Vec<_> = drivers.iter().map(line).collect();
+            lines.extend((more > 0).then(|| format!("and {more} more")));
+            Ok(or_nothing(lines, &format!("No program uses {actuator}.")))
+        }
+        _ => Err("The server gave no programs. Try again.".to_owned()),
+    }
+}
+
+/// `Greeter: from Face`.
+fn line(driver: &Driver) -> String {
+    if driver.sensors.is_empty() {
+        return format!("{}: from no sense", driver.name);
+    }
+    format!("{}: from {}", driver.name, driver.sensors.join(", "))
+}

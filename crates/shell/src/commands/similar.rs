@@ -1,0 +1,26 @@
+//! Shows similar programs.
+
+use super::Command;
+use crate::console::{Console, or_nothing};
+use protocol::{Reply, Request};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "similar",
+    words: "[NAME]",
+    help: "Shows the programs that use the same senses and actions as the loaded one.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let (name, behaviour) = console.meant(wanted).await?;
+    match console.ask(Request::Similar { behaviour }).await? {
+        Reply::Similar { similar } => {
+            let lines = similar.iter().map(|other| match other.shared {
+                1 => format!("{}: 1 sense or action in common", other.name),
+                many => format!("{}: {many} senses and actions in common", other.name),
+            });
+            Ok(or_nothing(lines.collect(), &format!("No other program is like {name}.")))
+        }
+        _ => Err("The server gave no programs. Try again.".to_owned()),
+    }
+}

@@ -1,0 +1,108 @@
+//! Above the list: programs, templates or bin, what is searched for, in which order, and whose.
+
+use super::list::go;
+use super::shelf::{Place, Shown};
+use crate::icons::Icon;
+use crate::panels::dialogs::frame::close;
+use crate::panels::hold::hold;
+use crate::panels::tools::open_program;
+use crate::words;
+use leptos::prelude::*;
+use web_sys::KeyboardEvent;
+
+/// The id of the search box.
+pub(super) const SEARCH_ID: &str = "program-search";
+
+/// The bar.
+#[component]
+pub(super) fn Bar(shown: Shown) -> impl IntoView {
+    let lists = move || shown.place.get() != Place::Templates && shown.details.read().is_none();
+    view! {
+        <div class="shelf-bar">
+            <Places shown />
+            <Show when=lists>
+                <Search shown />
+                <div class="shelf-choices">
+                    <Radios label=words::order() value=shown.order
+                        options=[("changed", words::by_change()), ("name", words::by_name())] />
+                    <Show when=move || shown.place.get() == Place::Programs>
+                        <Radios label=words::whose() value=shown.whose
+                            options=[("all", words::everyones()), ("mine", words::mine())] />
+                    </Show>
+                </div>
+            </Show>
+        </div>
+    }
+}
+
+#[component]
+fn Places(shown: Shown) -> impl IntoView {
+    let places =
+        [(Place::Programs, words::programs()), (Place::Templates, words::templates()), (Place::Bin, words::bin())];
+    let place = |(place, label): (Place, &'static str)| {
+        view! {
+            <label class="segment">
+                <input type="radio" name="library-place" prop:checked=move || shown.place.get() == place
+                    on:change=move |_| shown.place.set(place) />
+                <span>{label}</span>
+            </label>
+        }
+    };
+    view! {
+        <fieldset class="segments">
+            <legend class="sr">{words::shelf()}</legend>
+            {places.map(place).collect_view()}
+        </fieldset>
+    }
+}
+
+/// Two choices side by side.
+#[component]
+fn Radios(label: &'static str, value: RwSignal<String>, options: [(&'static str, &'static str); 2]) -> impl IntoView {
+    let option = |(key, words): (&'static str, &'static str)| {
+        view! {
+            <label class="segment quiet">
+                <input type="radio" name=format!("library-{label}") prop:checked=move || value.get() == key
+                    on:change=move |_| value.set(key.to_owned()) />
+                <span>{words}</span>
+            </label>
+        }
+    };
+    view! {
+        <fieldset class="segments">
+            <legend class="sr">{label}</legend>
+            {options.map(option).collect_view()}
+        </fieldset>
+    }
+}
+
+/// The search box; Enter opens the first program that is found.
+#[component]
+fn Search(shown: Shown) -> impl IntoView {
+    let desk = hold();
+    let keys = move |event: KeyboardEvent| {
+        if event.key() == "ArrowDown" && !shown.lines.read_untracked().is_empty() {
+            event.prevent_default();
+            go(shown, 0);
+        }
+        if event.key() != "Enter" || event.ctrl_key() || event.meta_key() || event.is_composing() {
+            return;
+        }
+        event.prevent_default();
+        let first = shown.lines.with_untracked(|lines| lines.first().cloned());
+        let is_here = shown.place.get_untracked() == Place::Programs;
+        if let Some(first) = first.filter(|_| is_here && !shown.words.read_untracked().trim().is_empty()) {
+            close(desk);
+            open_program(&desk.desk(), &first.id);
+        }
+    };
+    view! {
+        <div class="find">
+            <Icon name="search" />
+            <input id=SEARCH_ID class="input" type="search" data-first="" maxlength="200"
+                placeholder=words::search_programs() aria-label=words::search_programs()
+                prop:value=move || shown.words.get() on:keydown=keys
+                on:input:target=move |event| shown.words.set(event.target().value()) />
+        </div>
+    }
+}

@@ -1,0 +1,92 @@
+//! More about one program: its picture in large, and programs like it.
+
+use super::line::when;
+use super::shelf::Shown;
+use crate::panels::dialogs::frame::close;
+use crate::panels::empty::ProgramPicture;
+use crate::panels::focus;
+use crate::panels::hold::hold;
+use crate::panels::tools::open_program;
+use crate::words;
+use behaviour::Id;
+use leptos::html::Button;
+use leptos::prelude::*;
+use protocol::{Reply, Request, Similar, Summary};
+
+/// The program, with the way back to the list.
+#[component]
+pub(super) fn Details(shown: Shown, program: Summary) -> impl IntoView {
+    let desk = hold();
+    let note = words::program_line(&program.owner, program.streams, &when(program.changed_ms), &program.by);
+    let (id, title) = (program.id.clone(), program.name.clone());
+    let open = move |_| {
+        close(desk);
+        open_program(&desk.desk(), &id);
+    };
+    let first = NodeRef::<Button>::new();
+    Effect::new(move |_| {
+        if let Some(button) = first.get() {
+            focus::focus(&button);
+        }
+    });
+    view! {
+        <div class="shelf details">
+            <ProgramPicture id=program.id.clone() revision=program.revision />
+            <div>
+                <h3 class="cut" title=title>{program.name}</h3>
+                <p class="second">{note}</p>
+            </div>
+            <div class="row">
+                <button class="button primary" type="button" node_ref=first on:click=open>{words::open_program()}</button>
+                <button class="button" type="button" on:click=move |_| shown.details.set(None)>{words::back_to_list()}</button>
+            </div>
+            <SimilarPrograms id=program.id />
+        </div>
+    }
+}
+
+/// Programs that use the same senses and actions.
+#[component]
+fn SimilarPrograms(id: String) -> impl IntoView {
+    let desk = hold();
+    let found: RwSignal<Option<Result<Vec<Similar>, String>>> = RwSignal::new(None);
+    if let Ok(behaviour) = Id::new(&id) {
+        desk.desk().look_up(Request::Similar { behaviour }, move |answer| {
+            let answer = match answer {
+                Ok(Reply::Similar { similar }) => Ok(similar.clone()),
+                Ok(_) => Ok(Vec::new()),
+                Err(sentence) => Err(sentence),
+            };
+            found.try_set(Some(answer));
+        });
+    }
+    let line = move |similar: Similar| {
+        let (id, title) = (similar.behaviour, similar.name.clone());
+        let open = move |_| {
+            close(desk);
+            desk.desk().open_program(&id);
+        };
+        view! {
+            <li>
+                <button class="menu-item" type="button" title=title on:click=open>
+                    <span class="two">
+                        <b class="cut">{similar.name}</b>
+                        <span class="second">{words::shared_devices(similar.shared)}</span>
+                    </span>
+                </button>
+            </li>
+        }
+    };
+    let list = move || match found.get() {
+        None => view! { <p class="second">{words::loading_list()}</p> }.into_any(),
+        Some(Err(sentence)) => view! { <p class="refusal" role="alert">{sentence}</p> }.into_any(),
+        Some(Ok(none)) if none.is_empty() => view! { <p class="second">{words::none_similar()}</p> }.into_any(),
+        Some(Ok(all)) => view! { <ul class="big-list">{all.into_iter().map(line).collect_view()}</ul> }.into_any(),
+    };
+    view! {
+        <section>
+            <h3 class="label">{words::similar_programs()}</h3>
+            {list}
+        </section>
+    }
+}
