@@ -4,7 +4,12 @@ use crate::samples::{connector, follow, helper, named, save, stream, take};
 use crate::shared::{self, Alone};
 use behaviour::{Kind, Operation};
 use serde_json::json;
+use std::sync::Arc;
 use store::{Append, LIBRARY};
+use tokio::task::JoinSet;
+
+const ROUNDS: usize = 6;
+const USERS: usize = 6;
 
 async fn linked(neo4j: &Alone) -> Vec<(String, String)> {
     let rows =
@@ -46,4 +51,27 @@ async fn links_follow_helpers_that_appear_are_renamed_and_go() {
     assert_eq!(calls(&neo4j).await, []);
     let kept = neo4j.rows("MATCH (c:Connector {id: 'c5'}) RETURN c.helper AS helper").await;
     assert_eq!(kept, [json!({ "helper": "other" })], "the name stays where the helper went");
+}
+
+#[tokio::test(flavor = "multi_thread")]
+async fn a_helper_and_those_who_name_it_at_once_do_not_miss_each_other() {
+    let Some(neo4j) = shared::alone("helpers and their users at once").await else { return };
+    let store = Arc::new(neo4j.empty_store().await);
+    for round in 0..ROUNDS {
+        let (name, mut tasks) = (format!("h{round}"), JoinSet::new());
+        for user in 0..USERS {
+            let (store, name) = (Arc::clone(&store), name.clone());
+            tasks.spawn(async move {
+                let streams = vec![stream("a", "A", ""), stream("b", "B", "")];
+                let user_of = connector("c", Operation::Map(named(&name)), &["a"], "b");
+                save(store.as_ref(), &format!("{name}-{user}"), "op1", [streams, vec![user_of]].concat()).await;
+            });
+        }
+        save(store.as_ref(), LIBRARY, &format!("op{round}"), vec![helper(&name, &name, "x")]).await;
+        while let Some(ended) = tasks.join_next().await {
+            ended.expect("saved");
+        }
+    }
+    let linked = linked(&neo4j).await;
+    assert_eq!(linked.len(), ROUNDS * USERS, "{linked:?}");
 }
