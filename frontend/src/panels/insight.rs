@@ -10,7 +10,7 @@ use protocol::{Driver, Reply, Request};
 use robot::Missing;
 
 /// How many streams or programs are named.
-const SHOWN_MAX: usize = 8;
+const SHOWN_MAX: usize = 5;
 const BELOW_MAX: usize = 40;
 
 /// The streams that values of this one reach, with links; nothing if there are none.

@@ -50,8 +50,6 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
             <p class="second">{move || what_it_is(&record.read())}</p>
             <StreamLive signals />
             <ProblemList of=Some(id.clone()) />
-            <Below id=id.clone() />
-            <AlsoUsed record />
             <div class="row">
                 <Edit dialog=Dialog::EditStream(id.clone()) />
                 <Show when=is_sensor>
@@ -63,8 +61,10 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
                         {words::stimulate()}
                     </button>
                 </Show>
-                <Remove what=Selected::Stream(id) />
+                <Remove what=Selected::Stream(id.clone()) />
             </div>
+            <Below id />
+            <AlsoUsed record />
         </section>
     }
 }

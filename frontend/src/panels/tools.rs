@@ -10,7 +10,7 @@ use leptos::prelude::*;
 use protocol::Summary;
 
 /// How many programs the menu shows; the dialog shows all.
-const PROGRAMS_MAX: usize = 8;
+const PROGRAMS_MAX: usize = 6;
 
 /// Load program: the newest programs and the templates.
 #[component]
@@ -44,11 +44,10 @@ fn ProgramItems() -> impl IntoView {
     let all = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::Programs)));
     view! {
         {programs}
-        <div class="menu-head" role="presentation">{words::templates()}</div>
-        {templates}
-        <div class="menu-rule" role="separator"></div>
         <MenuItem label=words::all_programs() icon="search" choose=all />
         <FileItems />
+        <div class="menu-head" role="presentation">{words::templates()}</div>
+        {templates}
     }
 }
 

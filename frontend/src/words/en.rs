@@ -146,6 +146,7 @@ sentences! {
     programs: "Programs";
     bin: "Bin";
     shelf: "Show";
+    search: "Search …";
     search_programs: "Search in names, streams and procedures";
     order: "Order";
     by_change: "Last changed";
@@ -337,11 +338,11 @@ pub(crate) fn on_day(day: &str) -> String {
     format!("on {day}")
 }
 
-/// What a line of the list says below the name: `Aiko · 6 streams · changed 2 hours ago by Ben`.
+/// What a line of the list says below the name: `Aiko · 6 streams · 2 hours ago`.
 pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> String {
-    let by = if by == owner || by.is_empty() { String::new() } else { format!(" by {by}") };
+    let changed = if by == owner || by.is_empty() { when.to_owned() } else { format!("changed {when} by {by}") };
     let owner = if owner.is_empty() { String::new() } else { format!("{owner} · ") };
-    format!("{owner}{} · changed {when}{by}", streams(count))
+    format!("{owner}{} · {changed}", streams(count))
 }
 
 /// The same in the bin.
@@ -524,7 +525,7 @@ mod tests {
 
     #[test]
     fn a_line_names_a_person_once() {
-        assert_eq!(program_line("Aiko", 1, "just now", "Aiko"), "Aiko · 1 stream · changed just now");
+        assert_eq!(program_line("Aiko", 1, "just now", "Aiko"), "Aiko · 1 stream · just now");
         assert_eq!(program_line("Aiko", 6, "yesterday", "Ben"), "Aiko · 6 streams · changed yesterday by Ben");
         assert_eq!(removed_line("yesterday", "Ben", 29), "removed yesterday by Ben · stays 29 more days");
     }

@@ -10,7 +10,7 @@ use leptos::prelude::*;
 use protocol::{LIBRARY, Reply, Request, Used};
 
 /// How many programs and helpers are named.
-const SHOWN_MAX: usize = 12;
+const SHOWN_MAX: usize = 6;
 
 /// Everything that uses the helper, with links to it.
 #[component]

@@ -100,7 +100,7 @@ fn Search(shown: Shown) -> impl IntoView {
         <div class="find">
             <Icon name="search" />
             <input id=SEARCH_ID class="input" type="search" data-first="" maxlength="200"
-                placeholder=words::search_programs() aria-label=words::search_programs()
+                placeholder=words::search() aria-label=words::search_programs()
                 prop:value=move || shown.words.get() on:keydown=keys
                 on:input:target=move |event| shown.words.set(event.target().value()) />
         </div>

@@ -45,23 +45,31 @@ fn Failed(shown: Shown, sentence: String) -> impl IntoView {
 /// Why there is nothing to show, and what to do.
 #[component]
 fn Nothing(shown: Shown) -> impl IntoView {
-    let wanted = shown.words.get_untracked().trim().to_owned();
-    let way_out = |label: &'static str, act: Box<dyn Fn()>| {
-        view! { <button class="button" type="button" on:click=move |_| act()>{label}</button> }
-    };
-    let (sentence, out) = if !wanted.is_empty() {
-        let clear = way_out(words::clear_search(), Box::new(move || clear_search(shown)));
-        (words::nothing_fits(&wanted), Some(clear))
-    } else if shown.place.get_untracked() == Place::Bin {
+    move || {
+        let searched = shown.searched.get();
+        let (sentence, out) = if searched.is_empty() { nothing_here(shown) } else { nothing_fits(shown, &searched) };
+        view! { <div class="shelf-note"><p class="second">{sentence}</p>{out}</div> }
+    }
+}
+
+fn nothing_fits(shown: Shown, searched: &str) -> (String, Option<AnyView>) {
+    (words::nothing_fits(searched), Some(way_out(words::clear_search(), move || clear_search(shown))))
+}
+
+fn nothing_here(shown: Shown) -> (String, Option<AnyView>) {
+    if shown.place.get_untracked() == Place::Bin {
         (words::bin_empty().to_owned(), None)
     } else if shown.is_mine() {
-        let all = way_out(words::show_everyones(), Box::new(move || shown.whose.set("all".to_owned())));
+        let all = way_out(words::show_everyones(), move || shown.whose.set("all".to_owned()));
         (words::none_mine().to_owned(), Some(all))
     } else {
-        let templates = way_out(words::show_templates(), Box::new(move || shown.place.set(Place::Templates)));
+        let templates = way_out(words::show_templates(), move || shown.place.set(Place::Templates));
         (words::no_programs().to_owned(), Some(templates))
-    };
-    view! { <div class="shelf-note"><p class="second">{sentence}</p>{out}</div> }
+    }
+}
+
+fn way_out(label: &'static str, act: impl Fn() + 'static) -> AnyView {
+    view! { <button class="button" type="button" on:click=move |_| act()>{label}</button> }.into_any()
 }
 
 fn clear_search(shown: Shown) {

@@ -36,6 +36,8 @@ pub(super) enum Loading {
 pub(super) struct Shown {
     pub(super) place: RwSignal<Place>,
     pub(super) words: RwSignal<String>,
+    /// The words to which the lines are the answer.
+    pub(super) searched: RwSignal<String>,
     /// `changed` or `name`.
     pub(super) order: RwSignal<String>,
     /// `all` or `mine`.
@@ -64,6 +66,7 @@ impl Shown {
         let shown = Self {
             place: RwSignal::new(Place::default()),
             words: RwSignal::new(String::new()),
+            searched: RwSignal::new(String::new()),
             order: RwSignal::new("changed".to_owned()),
             whose: RwSignal::new("all".to_owned()),
             lines: RwSignal::new(Vec::new()),
@@ -129,8 +132,11 @@ impl Shown {
         let Some(asked) = self.asked.try_get_value().map(|asked| asked + 1) else { return };
         self.asked.set_value(asked);
         self.stale.set_value(false);
-        self.desk.desk().ask_page(self.query(None), move |page| {
+        let query = self.query(None);
+        let words = query.words.clone();
+        self.desk.desk().ask_page(query, move |page| {
             if self.asked.try_get_value() == Some(asked) {
+                self.searched.set(words);
                 self.take(page, false);
             }
         });
