@@ -2,6 +2,7 @@
 
 mod away;
 mod edits;
+mod graph_database;
 mod library;
 mod quick;
 mod runaway;

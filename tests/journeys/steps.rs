@@ -14,7 +14,12 @@ pub(crate) struct Stage {
 impl Stage {
     pub(crate) async fn set() -> Outcome<Self> {
         let folder = house::folder()?;
-        let server = Server::start(folder.path()).await?;
+        Self::set_with(folder, &[]).await
+    }
+
+    /// The same with more words for `rrp serve`.
+    pub(crate) async fn set_with(folder: TempDir, words: &[&str]) -> Outcome<Self> {
+        let server = Server::start_with(folder.path(), words).await?;
         Ok(Self { server, browser: Browser::launch().await?, folder })
     }
 

@@ -19,6 +19,7 @@ mod insight;
 mod knowledge;
 mod outbox;
 mod page;
+mod patience;
 mod pictures;
 mod programs;
 mod robots;

@@ -7,6 +7,7 @@ use crate::create::first_library;
 use crate::health::{self, Health};
 use crate::hub::{Hub, SOCKETS_MAX, Shelf, bounded};
 use crate::knowledge::Knowing;
+use crate::patience::patiently;
 use crate::pictures::Pictures;
 use crate::programs::Programs;
 use crate::robots::Robots;
@@ -92,7 +93,12 @@ pub async fn serve(
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
-    let store = store::open_url(&config.store).await?;
+    let url = &config.store;
+    let mut stop = std::pin::pin!(stop);
+    let store = tokio::select! {
+        store = patiently(url, || Box::pin(store::open_url(url))) => store?,
+        () = &mut stop => return Ok(()),
+    };
     let (url, told) = (config.store.clone(), std::sync::OnceLock::new());
     let ready = |address| {
         // Before anybody is told, so that whoever waits for the server finds it.
@@ -116,7 +122,7 @@ pub async fn serve_with(
     let listening = |error| ServeError::Listen(config.listen, error);
     let listener = TcpListener::bind(config.listen).await.map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
-    let hub = open(store, config.seed).await?;
+    let hub = open(store, &config.store, config.seed).await?;
     let closing = CancellationToken::new();
     let (router, connections) = (routes::routes(Arc::clone(&hub), address.port()), TaskTracker::new());
     let accepting = tokio::spawn(accept::accept(listener, router, connections.clone(), closing.clone()));
@@ -135,10 +141,10 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
     if listen.ip().is_loopback() { Ok(()) } else { Err(ServeError::NotLoopback(listen)) }
 }
 
-async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> {
-    let epoch = bounded(store.next_epoch()).await?;
+async fn open(store: Arc<dyn Store>, url: &str, seed: u64) -> Result<Arc<Hub>, ServeError> {
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
-    let shelf = shelf(&*store, &library).await?;
+    let epoch = patiently(url, || Box::pin(bounded(store.next_epoch()))).await?;
+    let shelf = patiently(url, || Box::pin(shelf(&*store, &library))).await?;
     let robots = Robots::simulated(seed).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
@@ -163,7 +169,7 @@ async fn open(store: Arc<dyn Store>, seed: u64) -> Result<Arc<Hub>, ServeError> 
 }
 
 /// The library; a fresh store gets the helpers that come with the robot.
-async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, ServeError> {
+async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, StoreError> {
     if bounded(store.load(library)).await?.is_none() {
         let (first, mut after) = (first_library(), Behaviour::default());
         after.apply(&first.change);

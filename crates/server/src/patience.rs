@@ -1,0 +1,61 @@
+//! Waiting at the start for a database of its own, which may start with us or still be warming up.
+
+use futures_util::future::BoxFuture;
+use std::time::Duration;
+use store::StoreError;
+use tokio::time::Instant;
+
+/// How long a server waits for its database at the start.
+const WAIT: Duration = Duration::from_secs(60);
+/// Between two attempts.
+const PAUSE: Duration = Duration::from_secs(1);
+
+/// Does it again while the database is away, but not for ever. What is on this computer's disk is asked once.
+pub(crate) async fn patiently<'a, T>(
+    url: &str,
+    attempt: impl Fn() -> BoxFuture<'a, Result<T, StoreError>>,
+) -> Result<T, StoreError> {
+    patiently_within(WAIT, PAUSE, url, attempt).await
+}
+
+async fn patiently_within<'a, T>(
+    wait: Duration,
+    pause: Duration,
+    url: &str,
+    attempt: impl Fn() -> BoxFuture<'a, Result<T, StoreError>>,
+) -> Result<T, StoreError> {
+    let start = Instant::now();
+    loop {
+        match attempt().await {
+            Err(error) if error.is_open() && url.contains("://") && start.elapsed() < wait => {
+                tracing::warn!(%error, "the database is not ready yet; it is asked again");
+                tokio::time::sleep(pause).await;
+            }
+            answer => return answer,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Duration, WAIT, patiently_within};
+    use futures_util::FutureExt;
+    use std::sync::atomic::{AtomicU32, Ordering};
+    use store::StoreError;
+
+    #[tokio::test]
+    async fn a_database_is_waited_for_and_a_disk_is_not() {
+        let asked = AtomicU32::new(0);
+        let third =
+            || async { if asked.fetch_add(1, Ordering::SeqCst) < 2 { Err(StoreError::Timeout) } else { Ok(()) } };
+        let url = "bolt://127.0.0.1:7687";
+        let (now, never) = (Duration::ZERO, Duration::ZERO);
+        assert_eq!(patiently_within(WAIT, now, url, || third().boxed()).await, Ok(()));
+        assert_eq!(asked.load(Ordering::SeqCst), 3);
+        let away = |error: StoreError| move || std::future::ready(Err::<(), _>(error.clone())).boxed();
+        let late = away(StoreError::Timeout);
+        assert_eq!(patiently_within(never, now, url, &late).await, Err(StoreError::Timeout));
+        assert_eq!(patiently_within(WAIT, now, "/data", &late).await, Err(StoreError::Timeout));
+        assert_eq!(patiently_within(WAIT, now, url, away(StoreError::Gone)).await, Err(StoreError::Gone));
+    }
+}
