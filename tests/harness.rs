@@ -269,10 +269,10 @@ fn fake() -> &'static Path {
 async fn a_server_is_started_ended_and_started_again() -> Outcome<()> {
     let folder = house::folder()?;
     let data = folder.path().join("data");
-    let mut server = Server::start_binary(fake(), &data, &["--store", "x"]).await?;
+    let mut server = Server::start_binary(fake(), &data, &["--seed", "x"]).await?;
     assert_eq!((server.url().as_str(), server.address()), ("http://127.0.0.1:4242/", "127.0.0.1:4242"));
     let line = server.said("logs:").await?;
-    assert_eq!(line, format!("logs: serve --listen 127.0.0.1:0 --data {} --store x", data.display()));
+    assert_eq!(line, format!("logs: serve --listen 127.0.0.1:0 --data {} --seed x", data.display()));
     server.terminate().await?;
     server.said("asked to end").await?;
     assert!(server.terminate().await.is_err());
