@@ -14,14 +14,28 @@ const MAIN: &str = "Neo4jIt";
 /// A start takes four seconds; a busy machine may need far more.
 const START_MAX: Duration = Duration::from_secs(180);
 const OPENED: [&str; 5] = ["java.nio", "java.io", "java.lang", "java.util.concurrent", "sun.nio.ch"];
-const JAVA: [&str; 5] =
-    ["-Xms128m", "-Xmx512m", "-XX:MaxDirectMemorySize=256m", "-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"];
+const JAVA: [&str; 2] = ["-Xms128m", "-XX:+UseSerialGC"];
+/// Room for a test's behaviours, and code compiled quickly rather than well.
+const SMALL: Room = Room {
+    java: &["-Xmx512m", "-XX:MaxDirectMemorySize=256m", "-XX:TieredStopAtLevel=1"],
+    page_cache: "64m",
+};
+
+/// What a Neo4j is given to work with.
+#[derive(Clone, Copy)]
+pub(crate) struct Room {
+    /// Options of the Java machine, its memory above all.
+    pub(crate) java: &'static [&'static str],
+    /// What it keeps of its files in memory.
+    pub(crate) page_cache: &'static str,
+}
 
 /// A running Neo4j. It ends when it is dropped, and when this process ends.
 pub(crate) struct Neo4j {
     folder: PathBuf,
     home: tempfile::TempDir,
     place: String,
+    room: Room,
     child: Child,
 }
 
@@ -55,9 +69,14 @@ impl Neo4j {
     /// # Panics
     /// If it does not start.
     pub(crate) fn start(folder: PathBuf) -> Self {
+        Self::start_in(folder, SMALL)
+    }
+
+    /// The same with this room.
+    pub(crate) fn start_in(folder: PathBuf, room: Room) -> Self {
         let home = tempfile::tempdir().expect("a folder for Neo4j");
-        let (child, place) = launch(&folder, &home, "127.0.0.1:0");
-        Self { folder, home, place, child }
+        let (child, place) = launch(&folder, &home, "127.0.0.1:0", room);
+        Self { folder, home, place, room, child }
     }
 
     /// Where it listens: `127.0.0.1:41234`.
@@ -93,7 +112,7 @@ impl Neo4j {
 
     /// Starts it again with the same data at the same place, after [`Neo4j::kill`].
     pub(crate) fn start_again(&mut self) {
-        (self.child, _) = launch(&self.folder, &self.home, &self.place);
+        (self.child, _) = launch(&self.folder, &self.home, &self.place, self.room);
     }
 
     fn signal(&self, signal: &str) {
@@ -109,10 +128,11 @@ impl Drop for Neo4j {
     }
 }
 
-fn launch(folder: &std::path::Path, home: &tempfile::TempDir, place: &str) -> (Child, String) {
+fn launch(folder: &std::path::Path, home: &tempfile::TempDir, place: &str, room: Room) -> (Child, String) {
     let mut java = Command::new("java");
-    java.args(JAVA).args(OPENED.map(|package| format!("--add-opens=java.base/{package}=ALL-UNNAMED")));
+    java.args(JAVA).args(room.java).args(OPENED.map(|package| format!("--add-opens=java.base/{package}=ALL-UNNAMED")));
     java.args(["-cp", "lib/*", MAIN]).arg(home.path()).arg("neo4j.conf");
+    java.arg(format!("server.memory.pagecache.size={}", room.page_cache));
     java.arg(format!("server.bolt.listen_address={place}")).env("NEO4J_PASSWORD", PASSWORD).current_dir(folder);
     // It ends when its input ends; so it never outlives us.
     let mut child = java.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("java");

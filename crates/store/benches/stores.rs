@@ -23,6 +23,8 @@ const STREAMS: usize = 60;
 const TIMES: usize = 200;
 /// Behaviours saved at the same time while filling.
 const AT_ONCE: usize = 16;
+/// What a database server of a clinic has.
+const OF_A_CLINIC: server::Room = server::Room { java: &["-Xmx3g"], page_cache: "2g" };
 
 fn id(text: &str) -> Id {
     Id::new(text).expect("an id")
@@ -170,7 +172,7 @@ async fn main() {
     let folder = tempfile::tempdir().expect("a folder");
     measure("SQLite", &folder.path().display().to_string(), many).await;
     if let Some(parts) = server::folder("the benchmark of Neo4j") {
-        let neo4j = server::Neo4j::start(parts);
+        let neo4j = server::Neo4j::start_in(parts, OF_A_CLINIC);
         measure("Neo4j", &neo4j.url(), many).await;
     }
 }
