@@ -49,6 +49,22 @@ impl Room {
         Self { behaviour, revision, answered: BTreeMap::new(), answered_order: VecDeque::new() }
     }
 
+    /// Whether changes that make a behaviour from nothing, one after the other, keep the rules.
+    ///
+    /// # Errors
+    /// The first refusal.
+    pub fn rehearse(changes: &[Change], knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+        let mut room = Self::open(Behaviour::default(), 0);
+        for change in changes {
+            match room.propose(0, change.clone(), knowledge) {
+                Decision::Save(committed) => room.commit(&committed),
+                Decision::Duplicate(_) => {}
+                Decision::Refuse(refusal) => return Err(refusal),
+            }
+        }
+        Ok(())
+    }
+
     /// The behaviour as everyone may see it.
     #[must_use]
     pub fn behaviour(&self) -> &Behaviour {

@@ -1,9 +1,9 @@
 //! `rrp check`: everything that is wrong with a file, each with its place.
 
 use crate::import::read;
-use crate::knowledge::{Known, judge};
-use behaviour::{Behaviour, BehaviourFile, Helper, Id};
+use behaviour::{Behaviour, BehaviourFile, Helper, Id, Room};
 use clap::Args;
+use server::Knowing;
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -62,14 +62,15 @@ pub(crate) fn check(args: &CheckArgs) -> ExitCode {
 
 fn found(looked: &Looked) -> Found {
     let Some(file) = &looked.file else { return Found { refused: looked.faults.clone(), ..Found::default() } };
-    match graph(file) {
+    let knowing = Knowing::default();
+    match graph(file, &knowing) {
         Err(reasons) => Found { refused: looked.place(&reasons), ..Found::default() },
-        Ok(behaviour) => problems(file, &behaviour, looked),
+        Ok(behaviour) => problems(file, &behaviour, looked, &knowing),
     }
 }
 
 /// The behaviour, if it could be imported.
-fn graph(file: &BehaviourFile) -> Result<Behaviour, Vec<String>> {
+fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<String>> {
     let behaviour = file.records(|_| None)?;
     let mut number = 0;
     let new_id = || {
@@ -78,7 +79,8 @@ fn graph(file: &BehaviourFile) -> Result<Behaviour, Vec<String>> {
     };
     let brought = store::files::import(file, Mode::Restore, &Behaviour::default(), "", new_id)?;
     let helpers = brought.library.as_slice();
-    let refused = judge(&brought.changes).and_then(|()| judge(helpers)).err();
+    let keeps = |changes| Room::rehearse(changes, knowing);
+    let refused = keeps(&brought.changes).and_then(|()| keeps(helpers)).err();
     let Some(refusal) = refused else { return Ok(behaviour) };
     // The engine knows most reasons with their place; the rule's sentence stands where it knows none.
     let placed = engine_says(file);
@@ -94,10 +96,10 @@ fn engine_says(file: &BehaviourFile) -> Vec<String> {
     engine::validate(file).iter().map(said).collect()
 }
 
-fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked) -> Found {
+fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked, knowing: &Knowing) -> Found {
     let library = file.library();
     let helpers: Vec<&Helper> = library.iter().collect();
-    let all = behaviour::problems(behaviour, &helpers, &Known);
+    let all = behaviour::problems(behaviour, &helpers, knowing);
     let said = |blocks: bool| {
         let those = all.iter().filter(|problem| problem.blocks == blocks);
         those.map(|problem| format!("{}: {problem}", problem.at.id)).collect::<Vec<_>>()

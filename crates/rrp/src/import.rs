@@ -1,10 +1,10 @@
 //! `rrp import`: files into a store, each as a new behaviour or as itself.
 
-use crate::knowledge::{Known, judge};
 use crate::link::Link;
-use crate::store_at::{StoreArgs, Way, listed, run};
+use crate::store_at::{StoreArgs, Way, run};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
+use server::{Knowing, free_name};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -132,7 +132,8 @@ async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], restore: bool)
     if restore {
         check_absent(store, &file).await?;
     }
-    file.name = free_name(store, file.name.trim()).await?;
+    let name = free_name(store, file.name.trim()).await;
+    file.name = name.map_err(|error| error.to_string())?;
     let library = library(store).await?;
     let brought = judged(&file, mode, library.behaviour(), &looked).map_err(named)?;
     save_library(store, library, &brought).await?;
@@ -150,7 +151,7 @@ fn judged(
     let new_id = || Id::from_uuid(uuid::Uuid::new_v4());
     let brought = store::files::import(file, mode, library, "rrp import", new_id);
     let brought = brought.map_err(|faults| looked.place(&faults))?;
-    judge(&brought.changes).map_err(|refusal| looked.place(&[refusal.to_string()]))?;
+    Room::rehearse(&brought.changes, &Knowing::default()).map_err(|refusal| looked.place(&[refusal.to_string()]))?;
     Ok(brought)
 }
 
@@ -161,14 +162,6 @@ async fn check_absent(store: &dyn Store, file: &BehaviourFile) -> Result<(), Str
         return Ok(());
     }
     Err(format!("“{}” is there already, perhaps in the bin. Import it without --restore to get a copy.", file.name))
-}
-
-/// This name, or with a number if another behaviour has it.
-async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, String> {
-    let listed = listed(store).await?;
-    let taken = |name: &str| listed.iter().any(|line| line.name == name);
-    let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
-    Ok(std::iter::once(wanted.to_owned()).chain(numbered).find(|name| !taken(name)).unwrap_or_default())
 }
 
 /// The library as it is; a fresh store gets the helpers that come with the robot, as from a server.
@@ -187,7 +180,7 @@ async fn library(store: &dyn Store) -> Result<Room, String> {
 
 async fn save_library(store: &dyn Store, library: Room, brought: &Import) -> Result<(), String> {
     let Some(change) = brought.library.clone() else { return Ok(()) };
-    match library.propose(now_ms(), change, &Known) {
+    match library.propose(now_ms(), change, &Knowing::default()) {
         Decision::Save(made) => {
             let mut after = library.behaviour().clone();
             after.apply(&made.change);

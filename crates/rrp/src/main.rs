@@ -4,7 +4,6 @@ mod check;
 mod export;
 mod import;
 mod keep;
-mod knowledge;
 mod link;
 mod replay;
 mod serve;

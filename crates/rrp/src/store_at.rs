@@ -7,7 +7,7 @@ use clap::Args;
 use std::future::Future;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use store::{Query, Store, StoreError};
+use store::{Store, StoreError};
 
 /// The store to work on.
 #[derive(Debug, Default, Args)]
@@ -75,15 +75,8 @@ pub(crate) fn run<T>(work: impl Future<Output = Result<T, String>>) -> Result<T,
 
 /// Id and name of everything that is not in the bin, by name.
 pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Named>, String> {
-    let (mut lines, mut query) = (Vec::new(), Query { sort: store::Sort::Name, ..Query::default() });
-    loop {
-        let page = store.list(&query).await.map_err(|error| error.to_string())?;
-        lines.extend(page.lines.into_iter().map(|line| Named { id: line.id, name: line.name }));
-        query.after = page.next;
-        if query.after.is_none() {
-            return Ok(lines);
-        }
-    }
+    let names = server::names(store).await.map_err(|error| error.to_string())?;
+    Ok(names.into_iter().map(|(id, name)| Named { id, name }).collect())
 }
 
 /// The one behaviour that has this id or name.

@@ -8,7 +8,7 @@ use axum::body::{Body, Bytes};
 use axum::extract::rejection::BytesRejection;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Knowledge, NAME_MAX_CHARS, Refusal, Room};
+use behaviour::{Behaviour, BehaviourFile, Change, Committed, Id, NAME_MAX_CHARS, Refusal, Room};
 use protocol::SaidNo;
 use serde::Deserialize;
 use std::sync::Arc;
@@ -188,7 +188,7 @@ pub(crate) async fn shelve(hub: &Arc<Hub>, file: &Arc<BehaviourFile>, mode: Mode
             let new_id = || Id::from_uuid(Uuid::new_v4());
             let brought = store::files::import(&file, mode, &shelf.behaviour, &by, new_id);
             let brought = brought.map_err(|faults| SaidNo::Unreadable(faults.join("; ")))?;
-            judge(&brought.changes, &*knowing).map_err(SaidNo::Change)?;
+            Room::rehearse(&brought.changes, &*knowing).map_err(SaidNo::Change)?;
             Ok(brought)
         });
         let brought = judged.await.map_err(|error| SaidNo::Unreadable(error.to_string()))??;
@@ -200,19 +200,6 @@ pub(crate) async fn shelve(hub: &Arc<Hub>, file: &Arc<BehaviourFile>, mode: Mode
         }
     }
     Err(last)
-}
-
-/// Whether changes that make a behaviour from nothing keep the rules.
-fn judge(changes: &[Change], knowledge: &dyn Knowledge) -> Result<(), Refusal> {
-    let mut room = Room::open(Behaviour::default(), 0);
-    for change in changes {
-        match room.propose(0, change.clone(), knowledge) {
-            Decision::Save(committed) => room.commit(&committed),
-            Decision::Duplicate(_) => {}
-            Decision::Refuse(refusal) => return Err(refusal),
-        }
-    }
-    Ok(())
 }
 
 async fn save(hub: &Arc<Hub>, brought: &Import) -> Result<(), No> {

@@ -10,9 +10,9 @@ const ANSWERS_MAX: usize = 4_096;
 
 type Question = (Vec<String>, String);
 
-/// Devices and procedures.
+/// Devices and procedures, as this rrp knows them.
 #[derive(Debug, Default)]
-pub(crate) struct Knowing(Mutex<Answers>);
+pub struct Knowing(Mutex<Answers>);
 
 #[derive(Debug, Default)]
 struct Answers {

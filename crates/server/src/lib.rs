@@ -34,6 +34,8 @@ mod topics;
 
 pub use address::address_in;
 pub use create::first_library;
+pub use knowledge::Knowing;
+pub use programs::{free_name, names};
 pub use serve::{Config, ServeError, serve, serve_with};
 
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -69,7 +69,10 @@ pub(crate) async fn list(hub: &Hub, query: ListQuery) -> Result<Reply, SaidNo> {
 }
 
 /// Id and name of every behaviour that is not in the bin, by name.
-pub(crate) async fn names(store: &dyn Store) -> Result<Vec<(Id, String)>, StoreError> {
+///
+/// # Errors
+/// What the store fails with.
+pub async fn names(store: &dyn Store) -> Result<Vec<(Id, String)>, StoreError> {
     let (mut names, mut query) = (Vec::new(), Query { sort: store::Sort::Name, ..Query::default() });
     loop {
         let page = bounded(store.list(&query)).await?;
@@ -113,7 +116,10 @@ fn summary_of(listed: Listed) -> Summary {
 }
 
 /// This name, or with a number if a behaviour outside the bin has it.
-pub(crate) async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreError> {
+///
+/// # Errors
+/// What the store fails with.
+pub async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreError> {
     let taken = names_from(store, wanted).await?;
     let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
     let free = std::iter::once(wanted.to_owned()).chain(numbered).find(|name| !taken.contains(name));
