@@ -1,6 +1,7 @@
 //! Journeys: people use the page in a real browser, against a real server with the simulated robot.
 
 mod away;
+mod disk_full;
 mod edits;
 mod graph_database;
 mod library;

@@ -20,6 +20,11 @@ impl Stage {
     /// The same with more words for `rrp serve`.
     pub(crate) async fn set_with(folder: TempDir, words: &[&str]) -> Outcome<Self> {
         let server = Server::start_with(folder.path(), words).await?;
+        Self::with(server, folder).await
+    }
+
+    /// Around a server that runs in this folder.
+    pub(crate) async fn with(server: Server, folder: TempDir) -> Outcome<Self> {
         Ok(Self { server, browser: Browser::launch().await?, folder })
     }
 

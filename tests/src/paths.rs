@@ -24,7 +24,7 @@ pub fn folder() -> Outcome<tempfile::TempDir> {
 }
 
 /// The server's binary: `RRP_BIN`, else the development build.
-pub(crate) fn server() -> PathBuf {
+pub fn server() -> PathBuf {
     named("RRP_BIN").unwrap_or_else(|| target().join("debug").join(format!("rrp{}", env::consts::EXE_SUFFIX)))
 }
 

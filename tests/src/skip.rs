@@ -26,6 +26,14 @@ pub fn ready_browser(part: &str) -> bool {
     proceed(part, missing)
 }
 
+/// Whether this is Linux, for tests that change what the system answers to the server.
+///
+/// # Panics
+/// When it is not and `CI` is `true`.
+pub fn linux(part: &str) -> bool {
+    proceed(part, (!cfg!(target_os = "linux")).then(|| "only Linux can pretend it".to_owned()))
+}
+
 fn proceed(part: &str, missing: Option<String>) -> bool {
     let Some(why) = missing else { return true };
     assert!(!is("CI", "true"), "{part} cannot run, and CI skips nothing: {why}");

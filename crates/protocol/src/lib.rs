@@ -9,9 +9,9 @@ mod live;
 mod reply;
 mod request;
 
+pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
 pub use library::{
-    Contested, Cursor, Driver, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream,
-    Place, Similar, Sort, Summary, Used, WORDS_MAX_CHARS,
+    FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use reply::{Message, Person, Reply, SaidNo};

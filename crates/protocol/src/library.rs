@@ -1,6 +1,7 @@
 //! What the library page asks and gets: pages of behaviours, their pictures, and what they have to do with each other.
 
-use behaviour::{Id, RecordId, StreamKind};
+use behaviour::library::{Cursor, Place, Sort};
+use behaviour::{Id, StreamKind};
 use serde::{Deserialize, Serialize};
 
 /// The most lines of one page of the list.
@@ -41,40 +42,6 @@ impl Default for ListQuery {
             most: LIST_MAX_LINES,
         }
     }
-}
-
-/// Where to look.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub enum Place {
-    /// Everything that is not in the bin.
-    #[default]
-    Here,
-    /// The bin.
-    Bin,
-}
-
-/// The order of the lines.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub enum Sort {
-    /// Last changed (in the bin: removed) first.
-    #[default]
-    Changed,
-    /// By name.
-    Name,
-}
-
-/// Where the next page begins; given back as it came.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Cursor {
-    /// When the line before it was changed, in milliseconds since 1970.
-    pub changed_ms: u64,
-    /// The name of the line before it, as names are ordered.
-    pub name_key: String,
-    /// Its id.
-    pub id: Id,
 }
 
 /// A behaviour or template in a list.
@@ -136,55 +103,4 @@ pub struct PictureStream {
     pub y: f32,
     /// Sensor, ordinary or actuator.
     pub kind: StreamKind,
-}
-
-/// One use of a helper.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Used {
-    /// The behaviour with the connector, or [`crate::LIBRARY`].
-    pub behaviour: Id,
-    /// The behaviour's name, or in the library the other helper's name.
-    pub name: String,
-    /// The connector, or the other helper.
-    pub record: RecordId,
-    /// Through which other helper; none if it uses the helper itself.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub through: Option<String>,
-}
-
-/// A behaviour that drives an action.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Driver {
-    /// Which.
-    pub behaviour: Id,
-    /// Its name.
-    pub name: String,
-    /// The names of the sensor streams that lead to the action.
-    pub sensors: Vec<String>,
-}
-
-/// An action that several behaviours drive.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Contested {
-    /// The action, by its name in the catalogue.
-    pub actuator: String,
-    /// Some of the behaviours, id and name.
-    pub behaviours: Vec<(Id, String)>,
-    /// How many there are altogether.
-    pub count: u64,
-}
-
-/// A behaviour that uses the same senses and actions as another.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Similar {
-    /// Which.
-    pub behaviour: Id,
-    /// Its name.
-    pub name: String,
-    /// How many different senses and actions both use.
-    pub shared: u32,
 }

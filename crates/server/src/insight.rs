@@ -18,8 +18,7 @@ pub(crate) async fn where_used(hub: &Hub, helper: &str) -> Result<Reply, SaidNo>
     let total = uses.len() as u64;
     uses.sort_by_key(|used| (used.through.is_some(), used.name.to_lowercase()));
     uses.truncate(FOUND_MAX);
-    let told = |store::Usage { behaviour, name, record, through }| protocol::Used { behaviour, name, record, through };
-    Ok(Reply::WhereUsed { uses: uses.into_iter().map(told).collect(), total })
+    Ok(Reply::WhereUsed { uses, total })
 }
 
 /// Who drives an action.
@@ -28,21 +27,17 @@ pub(crate) async fn drivers(hub: &Hub, actuator: &str) -> Result<Reply, SaidNo> 
     let total = drivers.len() as u64;
     drivers.sort_by_key(|driver| driver.name.to_lowercase());
     drivers.truncate(FOUND_MAX);
-    let told = |store::Driver { behaviour, name, sensors }| protocol::Driver { behaviour, name, sensors };
-    Ok(Reply::Drivers { drivers: drivers.into_iter().map(told).collect(), total })
+    Ok(Reply::Drivers { drivers, total })
 }
 
 /// Actions that several behaviours drive.
 pub(crate) async fn contested(hub: &Hub) -> Result<Reply, SaidNo> {
     let mut contested = bounded(hub.store.contested()).await.map_err(no)?;
     contested.iter_mut().for_each(|one| one.behaviours.sort_by_key(|(_, name)| name.to_lowercase()));
-    let told = |store::Contested { actuator, behaviours, count }| protocol::Contested { actuator, behaviours, count };
-    Ok(Reply::Contested { contested: contested.into_iter().map(told).collect() })
+    Ok(Reply::Contested { contested })
 }
 
 /// Behaviours that use the same senses and actions.
 pub(crate) async fn similar(hub: &Hub, behaviour: &Id) -> Result<Reply, SaidNo> {
-    let similar = bounded(hub.store.similar(behaviour, SIMILAR_MAX)).await.map_err(no)?;
-    let told = |store::Similar { behaviour, name, shared }| protocol::Similar { behaviour, name, shared };
-    Ok(Reply::Similar { similar: similar.into_iter().map(told).collect() })
+    Ok(Reply::Similar { similar: bounded(hub.store.similar(behaviour, SIMILAR_MAX)).await.map_err(no)? })
 }

@@ -5,7 +5,7 @@ use crate::hub::{Hub, bounded, store_no};
 use crate::outbox::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Edit, Id, Record, RecordId};
-use protocol::{Cursor, LIST_MAX_LINES, ListQuery, Reply, SaidNo, Summary, WORDS_MAX_CHARS};
+use protocol::{LIST_MAX_LINES, ListQuery, Reply, SaidNo, Summary, WORDS_MAX_CHARS};
 use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicBool, Ordering};
 use store::{Listed, Listing, Query, Store, StoreError};
@@ -64,7 +64,6 @@ fn renames(edit: &Edit) -> bool {
 pub(crate) async fn list(hub: &Hub, query: ListQuery) -> Result<Reply, SaidNo> {
     let listing = bounded(hub.store.list(&asked(query))).await.map_err(|error| store_no(&error))?;
     let Listing { lines, next, total } = listing;
-    let next = next.map(|store::Cursor { changed_ms, name_key, id }| Cursor { changed_ms, name_key, id });
     Ok(Reply::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })
 }
 
@@ -87,17 +86,11 @@ pub async fn names(store: &dyn Store) -> Result<Vec<(Id, String)>, StoreError> {
 /// The question as the store takes it, within its bounds.
 fn asked(query: ListQuery) -> Query {
     Query {
-        place: match query.place {
-            protocol::Place::Here => store::Place::Here,
-            protocol::Place::Bin => store::Place::Bin,
-        },
+        place: query.place,
         words: query.words.chars().take(WORDS_MAX_CHARS).collect(),
         owner: query.owner,
-        sort: match query.sort {
-            protocol::Sort::Changed => store::Sort::Changed,
-            protocol::Sort::Name => store::Sort::Name,
-        },
-        after: query.after.map(|Cursor { changed_ms, name_key, id }| store::Cursor { changed_ms, name_key, id }),
+        sort: query.sort,
+        after: query.after,
         most: query.most.clamp(1, LIST_MAX_LINES),
     }
 }

@@ -6,7 +6,7 @@ mod log;
 mod tests;
 
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Usage, door,
+    Append, Contested, Driver, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Used, door,
     json,
 };
 use async_trait::async_trait;
@@ -138,7 +138,7 @@ impl Store for FolderStore {
         .await
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         self.kept.users(helper).await
     }
 

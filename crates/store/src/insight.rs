@@ -3,44 +3,6 @@
 use behaviour::{Behaviour, Graph, Id, StreamKind};
 use std::collections::BTreeSet;
 
-/// A behaviour that drives an action of the robot.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Driver {
-    /// Which.
-    pub behaviour: Id,
-    /// Its name.
-    pub name: String,
-    /// The names of the sensor streams that lead to the action, in order of name.
-    pub sensors: Vec<String>,
-}
-
-/// An action that several behaviours drive.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Contested {
-    /// The action, by its name in the catalogue.
-    pub actuator: String,
-    /// The behaviours, id and name, in order of id; at most [`Contested::SHOWN_MAX`].
-    pub behaviours: Vec<(Id, String)>,
-    /// How many there are altogether.
-    pub count: u64,
-}
-
-impl Contested {
-    /// The most behaviours that are named.
-    pub const SHOWN_MAX: usize = 50;
-}
-
-/// A behaviour that uses the same devices as another.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Similar {
-    /// Which.
-    pub behaviour: Id,
-    /// Its name.
-    pub name: String,
-    /// How many different senses and actions both use.
-    pub shared: u32,
-}
-
 /// The names of the sensor streams that lead to an action; none if the behaviour does not drive it.
 pub(crate) fn sensors_of(behaviour: &Behaviour, actuator: &str) -> Option<Vec<String>> {
     let driven = |kind, device: Option<&str>| kind == StreamKind::Actuator && device == Some(actuator);

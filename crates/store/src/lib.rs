@@ -22,15 +22,14 @@ mod query;
 mod sqlite;
 mod usage;
 
+pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
 pub use error::StoreError;
 pub use folder::FolderStore;
-pub use insight::{Contested, Driver, Similar};
 pub use memory::MemoryStore;
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
 pub use open::{folder_of, open_url};
-pub use query::{Cursor, Listing, PAGE_MAX_LINES, Place, Query, Sort, search_text};
+pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
-pub use usage::Usage;
 
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
@@ -72,10 +71,10 @@ pub trait Store: Send + Sync {
 
     /// Who uses a helper itself: connectors of behaviours outside the bin that name it or call it in their body, and
     /// other helpers of the library that call it. In order of behaviour and record.
-    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError>;
+    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError>;
 
     /// Who uses a helper, also through other helpers. Nearest uses first, then in order of behaviour and record.
-    async fn where_used(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn where_used(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         usage::through_others(self, helper).await
     }
 

@@ -4,7 +4,7 @@ use crate::insight::{devices_of, sensors_of};
 use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Store, StoreError, Usage,
+    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Store, StoreError, Used,
     json, search_text,
 };
 use async_trait::async_trait;
@@ -138,7 +138,7 @@ impl Store for MemoryStore {
         Ok(u32::try_from(before - kept.behaviours.len()).unwrap_or(u32::MAX))
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         let kept = self.kept();
         Ok(in_order(kept.open().flat_map(|(id, shelf)| shelf.uses(id, helper)).collect()))
     }
@@ -273,7 +273,7 @@ impl Shelf {
         Some(Listed { id: id.clone(), name, revision: self.head(), changed_ms, by, owner, streams })
     }
 
-    fn uses(&self, id: &Id, helper: &str) -> Vec<Usage> {
+    fn uses(&self, id: &Id, helper: &str) -> Vec<Used> {
         let records = self.behaviour.records.iter().filter(|(_, record)| uses(record, helper));
         records.map(|(key, record)| usage(id, self.behaviour.name(), key, record)).collect()
     }

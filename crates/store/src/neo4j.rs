@@ -18,7 +18,7 @@ mod schema;
 mod tests;
 mod thesis;
 
-use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Usage, json};
+use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Used, json};
 use address::Address;
 pub(crate) use address::is_neo4j;
 use async_trait::async_trait;
@@ -103,7 +103,7 @@ impl Store for Neo4jStore {
         bin::purge(&self.link, removed_before_ms).await
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         insight::users(&self.link, helper).await
     }
 

@@ -1,35 +1,13 @@
 //! What the library page asks: which behaviours, in which order, from where on.
 
 use crate::Listed;
-use behaviour::{Behaviour, Id, Procedure, Record};
-use serde::{Deserialize, Serialize};
+use behaviour::library::{Cursor, Place, Sort};
+use behaviour::{Behaviour, Procedure, Record};
 
 /// The most lines of one page.
 pub const PAGE_MAX_LINES: u32 = 1_000;
 /// The most bytes of a behaviour that are searched; what comes later is not found. An index of Neo4j takes no more.
 const SEARCH_MAX_BYTES: usize = 24_000;
-
-/// Where to look.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub enum Place {
-    /// Everything that is not in the bin.
-    #[default]
-    Here,
-    /// The bin.
-    Bin,
-}
-
-/// The order of the lines.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub enum Sort {
-    /// Last changed (in the bin: removed) first, then by id from the end.
-    #[default]
-    Changed,
-    /// By name in lower case, then by id.
-    Name,
-}
 
 /// Which behaviours.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,24 +57,9 @@ impl Query {
     }
 }
 
-/// A line of a page: the next one begins after it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", deny_unknown_fields)]
-pub struct Cursor {
-    /// When it was changed (in the bin: removed), in milliseconds since 1970.
-    pub changed_ms: u64,
-    /// Its name as names are ordered.
-    pub name_key: String,
-    /// Its id.
-    pub id: Id,
-}
-
-impl Cursor {
-    /// The place of a line.
-    #[must_use]
-    pub fn at(line: &Listed) -> Self {
-        Self { changed_ms: line.changed_ms, name_key: name_key(&line.name), id: line.id.clone() }
-    }
+/// The place of a line.
+fn place_of(line: &Listed) -> Cursor {
+    Cursor { changed_ms: line.changed_ms, name_key: name_key(&line.name), id: line.id.clone() }
 }
 
 /// A page.
@@ -117,7 +80,7 @@ impl Listing {
         let most = query.most.min(PAGE_MAX_LINES) as usize;
         let more = lines.len() > most;
         lines.truncate(most);
-        let next = lines.last().filter(|_| more).map(Cursor::at);
+        let next = lines.last().filter(|_| more).map(place_of);
         Self { lines, next, total }
     }
 }

@@ -12,7 +12,7 @@ mod tests;
 mod write;
 mod writer;
 
-use crate::{Append, Contested, Driver, Listing, Loaded, Query, Similar, Store, StoreError, Usage};
+use crate::{Append, Contested, Driver, Listing, Loaded, Query, Similar, Store, StoreError, Used};
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
 use fault::Fault;
@@ -89,7 +89,7 @@ impl Store for SqliteStore {
         self.writer.ask(move |at| write::purge(at, removed_before_ms)).await
     }
 
-    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         let helper = helper.to_owned();
         self.readers.ask(move |at| read::users(at, &helper)).await
     }

@@ -1,25 +1,12 @@
 //! Whether a record uses a helper, by name or in its body.
 
-use crate::{LIBRARY, Store, StoreError};
+use crate::{LIBRARY, Store, StoreError, Used};
 use behaviour::{Id, Procedure, Record, RecordId, calls_helper};
 use std::collections::{BTreeSet, VecDeque};
 
-/// One use of a helper.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Usage {
-    /// The behaviour with the connector, or [`LIBRARY`].
-    pub behaviour: Id,
-    /// What to call the user: the behaviour's name, or in the library the other helper's name.
-    pub name: String,
-    /// The connector, or the other helper.
-    pub record: RecordId,
-    /// Through which other helper, the one that the user itself uses; none if it uses the helper itself.
-    pub through: Option<String>,
-}
-
 /// Who uses a helper, also through other helpers; every user once, by its shortest way.
-pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<Usage>, StoreError> {
-    let (mut found, mut seen): (Vec<Usage>, BTreeSet<(Id, RecordId)>) = Default::default();
+pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<Used>, StoreError> {
+    let (mut found, mut seen): (Vec<Used>, BTreeSet<(Id, RecordId)>) = Default::default();
     let mut open = VecDeque::from([helper.to_owned()]);
     while let Some(next) = open.pop_front() {
         let through = (next != helper).then(|| next.clone());
@@ -31,7 +18,7 @@ pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -
             if is_helper {
                 open.push_back(user.name.clone());
             }
-            found.push(Usage { through: through.clone(), ..user });
+            found.push(Used { through: through.clone(), ..user });
         }
     }
     Ok(found)
@@ -67,13 +54,13 @@ fn procedure(record: &Record) -> Option<&Procedure> {
 }
 
 /// The use of a helper by this record, in a behaviour of that name.
-pub(crate) fn usage(behaviour: &Id, name: &str, id: &RecordId, record: &Record) -> Usage {
+pub(crate) fn usage(behaviour: &Id, name: &str, id: &RecordId, record: &Record) -> Used {
     let name = if let Record::Helper(helper) = record { &helper.name } else { name };
-    Usage { behaviour: behaviour.clone(), name: name.to_owned(), record: id.clone(), through: None }
+    Used { behaviour: behaviour.clone(), name: name.to_owned(), record: id.clone(), through: None }
 }
 
 /// Puts uses in their order.
-pub(crate) fn in_order(mut uses: Vec<Usage>) -> Vec<Usage> {
+pub(crate) fn in_order(mut uses: Vec<Used>) -> Vec<Used> {
     uses.sort_by(|a, b| (&a.behaviour, &a.record).cmp(&(&b.behaviour, &b.record)));
     uses
 }

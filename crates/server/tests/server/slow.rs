@@ -10,7 +10,7 @@ use protocol::{Reply, Request};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Usage};
+use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Used};
 use tokio_tungstenite::tungstenite::Message;
 
 /// A store that can be made to hang.
@@ -55,7 +55,7 @@ impl Store for Hanging {
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
         self.inside.purge(removed_before_ms).await
     }
-    async fn users(&self, helper: &str) -> Result<Vec<Usage>, StoreError> {
+    async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
         self.inside.users(helper).await
     }
 

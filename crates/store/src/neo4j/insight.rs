@@ -2,7 +2,7 @@
 
 use super::link::{Link, Params};
 use crate::usage::in_order;
-use crate::{Contested, Driver, Similar, StoreError, Usage};
+use crate::{Contested, Driver, Similar, StoreError, Used};
 use behaviour::{Id, Kind, RecordId, calls_helper};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -62,10 +62,10 @@ impl User {
         self.helper.is_some() || (!itself && self.body.as_deref().is_some_and(|body| calls_helper(body, helper)))
     }
 
-    fn usage(self) -> Usage {
+    fn usage(self) -> Used {
         let kind = if self.name.is_some() { Kind::Helper } else { Kind::Connector };
         let (name, record) = (self.name.unwrap_or(self.program), RecordId::new(kind, &self.id));
-        Usage { behaviour: self.behaviour, name, record, through: None }
+        Used { behaviour: self.behaviour, name, record, through: None }
     }
 }
 
@@ -100,7 +100,7 @@ fn is_word(text: &str) -> bool {
 }
 
 /// Who uses a helper itself.
-pub(super) async fn users(link: &Link, helper: &str) -> Result<Vec<Usage>, StoreError> {
+pub(super) async fn users(link: &Link, helper: &str) -> Result<Vec<Used>, StoreError> {
     // What is no word is in no index; neither is a blank, but the index must be asked for something.
     let quoted = if is_word(helper) { format!("\"{helper}\"") } else { "\"-\"".to_owned() };
     let found = link.read::<User>(USERS, params([("helper", json!(helper)), ("quoted", json!(quoted))])).await?;

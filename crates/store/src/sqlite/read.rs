@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::write::{kept, read};
 use crate::usage::{in_order, usage, uses};
-use crate::{Loaded, Usage, json};
+use crate::{Loaded, Used, json};
 use behaviour::{Behaviour, Committed, Id, Record, RecordId};
 use rusqlite::{Connection, OptionalExtension, Row, params};
 
@@ -69,7 +69,7 @@ pub(super) fn history(at: &Connection, id: &Id, since: u64, most: u32) -> Result
 }
 
 /// Who uses a helper itself: the index finds candidates, the records decide.
-pub(super) fn users(at: &Connection, helper: &str) -> Result<Vec<Usage>, Fault> {
+pub(super) fn users(at: &Connection, helper: &str) -> Result<Vec<Used>, Fault> {
     let mut query = at.prepare_cached(
         "SELECT behaviour.id, behaviour.name, record.id, record.json FROM used \
          JOIN behaviour ON behaviour.id = used.behaviour \

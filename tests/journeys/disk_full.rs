@@ -1,0 +1,53 @@
+//! The disk is full: nothing more is saved, everyone is told why, what is there can be read, and once there is space
+//! again everything goes on by itself.
+
+use crate::steps::*;
+use house::{Outcome, Server, skip};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const PART: &str = "journey: the disk is full";
+const MARK: &str = "full";
+
+/// A command that starts the server on a disk that is full while [`MARK`] is in its folder.
+fn server_on(folder: &Path) -> Outcome<PathBuf> {
+    let (library, command) = (folder.join("disk_full.so"), folder.join("rrp-on-this-disk"));
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("journeys/disk_full.c");
+    let built = Command::new("cc").args(["-shared", "-fPIC", "-o"]).arg(&library).arg(source).arg("-ldl").status()?;
+    assert!(built.success(), "a C compiler that built the database builds this too");
+    let (library, mark, rrp) = (library.display(), folder.join("data").join(MARK), house::server());
+    let start = format!("LD_PRELOAD='{library}' RRP_FULL='{}' exec '{}' \"$@\"\n", mark.display(), rrp.display());
+    std::fs::write(&command, format!("#!/bin/sh\n{start}"))?;
+    let allowed = Command::new("chmod").arg("+x").arg(&command).status()?;
+    assert!(allowed.success());
+    Ok(command)
+}
+
+#[tokio::test]
+async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
+    if !skip::ready(PART) || !skip::linux(PART) {
+        return Ok(());
+    }
+    let folder = house::folder()?;
+    let data = folder.path().join("data");
+    let server = Server::start_binary(&server_on(folder.path())?, &data, &[]).await?;
+    let stage = Stage::with(server, folder).await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+
+    std::fs::write(data.join(MARK), "")?;
+    rename_program(&aiko, "Ours", "Ours, later").await?;
+    says(&aiko, "The disk is full").await?;
+    says(&aiko, "Not saved: 1 change waits here").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    says(&ben, "Nothing can be saved now (The disk is full").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Ours").await?;
+
+    std::fs::remove_file(data.join(MARK))?;
+    saved(&aiko).await?;
+    ben.find("button", "Ours, later").await?;
+    silent(&ben, "be saved now").await?;
+    calm(&aiko)
+}
