@@ -3,6 +3,7 @@
 
 mod drags;
 mod keyboard;
+mod library;
 mod many;
 mod room;
 mod steps;

@@ -157,6 +157,8 @@ const COMMIT: &str = "
   CREATE (:Op {program_id: $id, id: $op.id, revision: $base + one, author: $op.author, label: $op.label,
     at_ms: $op.at_ms, change: $op.change})
   SET p += $summary, p.revision = $base + one
+  FOREACH (_ IN CASE WHEN p:Program AND p.name_key IS NOT NULL THEN [1] ELSE [] END | SET p:Listed)
+  FOREACH (_ IN CASE WHEN p.name_key IS NULL THEN [1] ELSE [] END | REMOVE p:Listed)
   RETURN count(*) AS applied
 }
 RETURN head, binned, applied, done.revision AS duplicate";

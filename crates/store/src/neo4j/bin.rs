@@ -12,7 +12,7 @@ MATCH (p:Behaviour {id: $id})
 SET p.lock = true REMOVE p.lock
 WITH p WHERE p:Program
 SET p:Binned, p.removed_ms = $now_ms, p.removed_by = $by
-REMOVE p:Program
+REMOVE p:Program:Listed
 RETURN count(*) AS many";
 
 const RESTORE: &str = "
@@ -21,6 +21,7 @@ SET p.lock = true REMOVE p.lock
 WITH p WHERE p:Binned
 SET p:Program
 REMOVE p:Binned, p.removed_ms, p.removed_by
+FOREACH (_ IN CASE WHEN p.name_key IS NULL THEN [] ELSE [1] END | SET p:Listed)
 RETURN count(*) AS many";
 
 const OLD: &str = "MATCH (p:Binned) WHERE p.removed_ms < $before RETURN p.id AS id ORDER BY p.removed_ms";

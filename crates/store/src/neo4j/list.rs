@@ -71,6 +71,14 @@ fn order(query: &Query, at_ms: &str) -> (String, String) {
     }
 }
 
+/// How many there are altogether. Neo4j keeps a count for every label, and the bin is small.
+fn total(place: Place) -> &'static str {
+    match place {
+        Place::Here => "CALL () { MATCH (p:Listed) RETURN count(p) AS total }",
+        Place::Bin => "CALL () { MATCH (p:Binned) WHERE p.name_key IS NOT NULL RETURN count(*) AS total }",
+    }
+}
+
 fn statement(query: &Query, needles: &[String]) -> String {
     let (label, at_ms, by) = shelf(query.place);
     let (begin, order) = order(query, at_ms);
@@ -80,11 +88,12 @@ fn statement(query: &Query, needles: &[String]) -> String {
     wanted.extend((needles.len() > 1).then(|| "all(word IN $words WHERE p.search CONTAINS word)".to_owned()));
     wanted.extend(query.owner.as_ref().map(|_| "p.owner = $owner".to_owned()));
     format!(
-        "CALL () {{ MATCH (p:{label}) WHERE p.name_key IS NOT NULL RETURN count(*) AS total }}\n\
+        "{}\n\
          CALL () {{\n  MATCH (p:{label}) {} WHERE {}\n  WITH p ORDER BY {order} LIMIT $most\n  \
          RETURN collect(p {{.id, .name, .revision, .streams, .owner, at_ms: coalesce(p.{at_ms}, 0), \
          by: coalesce(p.{by}, '')}}) AS lines\n}}\n\
          RETURN total, lines",
+        total(query.place),
         index(query, needles),
         wanted.join(" AND ")
     )

@@ -12,8 +12,10 @@ use tokio::time::timeout;
 
 /// Every migration, oldest first; its place, counted from 1, is the schema version it makes. Never edit one that
 /// was released: add the next.
-const MIGRATIONS: [(&str, &str); 1] =
-    [("0001_schema", include_str!("../../../../migrations/neo4j/0001_schema.cypher"))];
+const MIGRATIONS: [(&str, &str); 2] = [
+    ("0001_schema", include_str!("../../../../migrations/neo4j/0001_schema.cypher")),
+    ("0002_listed", include_str!("../../../../migrations/neo4j/0002_listed.cypher")),
+];
 
 /// How long one statement of a migration may take; on a large database an index is not made at once.
 const STEP_MAX: Duration = Duration::from_secs(120);
