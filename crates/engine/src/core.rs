@@ -2,14 +2,14 @@
 
 use crate::cells::Made;
 use crate::graph::{Graph, Work};
+use crate::plan::Step;
 use crate::procedure::{Failed, Procedure};
 use crate::run::Emission;
-use crate::stamp::{stamp, stamped};
+use crate::stamp::{self, stamp, stamped};
 use crate::stats::Stats;
 use crate::validate::Prepared;
-use behaviour::Value;
+use behaviour::{Names, Value};
 use robot::Millis;
-use std::sync::Arc;
 
 /// Wiring, procedures and counts.
 pub(crate) struct Core {
@@ -17,7 +17,7 @@ pub(crate) struct Core {
     engine: rhai::Engine,
     procedures: Vec<Option<Procedure>>,
     /// The names of the fields that timestamp makes.
-    stamp: [Arc<str>; 2],
+    stamp: Names,
     /// For every connector the value before the last, if it gives objects: once nobody has it any more, the next one
     /// is made in its place.
     spares: Vec<Value>,
@@ -30,11 +30,11 @@ impl Core {
         let Prepared { graph, engine, procedures } = prepared;
         let stats = Stats::of(graph.streams.len(), graph.connectors.len());
         let spares = vec![Value::Null; graph.connectors.len()];
-        Self { graph, engine, procedures, stamp: ["t", "v"].map(Arc::from), spares, stats }
+        Self { graph, engine, procedures, stamp: stamp::names(), spares, stats }
     }
 
     /// Tells and counts a value on a stream.
-    pub(crate) fn emit(&mut self, at: Millis, stream: usize, value: &Value, out: &mut dyn FnMut(Emission)) {
+    pub(crate) fn emit(&mut self, at: Millis, stream: usize, value: &Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
         self.stats.streams[stream].copy(at, value);
         out(Emission::Value { at, stream, value });
     }
@@ -55,45 +55,45 @@ impl Core {
         }
     }
 
-    /// Like [`Core::pass`], from one stream straight to the next; false if the value does not pass.
+    /// Like [`Core::pass`], for a connector without procedure, from one stream straight to the next.
+    #[inline]
+    pub(crate) fn carry(&mut self, at: Millis, step: &Step) {
+        let (connector, input, output) = (step.connector as usize, step.input as usize, step.output as usize);
+        if self.graph.connectors[connector].work != Work::Timestamp {
+            return self.stats.pass(at, connector, input, output);
+        }
+        let spare = &mut self.spares[connector];
+        let made = stamp(&self.stamp, at, self.stats.value(input), spare);
+        self.stats.give(at, connector, output, made, spare);
+    }
+
+    /// Like [`Core::pass`], for a map, from one stream straight to the next; true, since a map always gives.
     ///
     /// # Errors
-    /// The fault that dropped it; already counted.
-    pub(crate) fn carry(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let info = &self.graph.connectors[connector];
-        let output = info.output;
-        match info.work {
-            Work::Map => return self.map(at, connector, stream),
-            Work::Filter => return self.sift(at, connector, stream),
-            Work::Timestamp => {
-                let spare = &mut self.spares[connector];
-                let made = stamp(&self.stamp, at, self.stats.value(stream), spare);
-                self.stats.give(at, connector, output, made, spare);
-            }
-            Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => {
-                self.stats.pass(at, connector, stream, output);
-            }
-        }
-        Ok(true)
-    }
-
+    /// The fault that dropped the value; already counted.
     #[inline]
-    fn map(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
+    pub(crate) fn map(&mut self, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
+        let (connector, input, output) = (step.connector as usize, step.input as usize, step.output as usize);
         let quick = self.procedures[connector].as_ref();
-        if let Some(number) = quick.and_then(|procedure| procedure.number(&[self.stats.value(stream)])) {
-            self.stats.give_number(at, connector, self.graph.connectors[connector].output, number);
+        if let Some(number) = quick.and_then(|procedure| procedure.number(&[self.stats.value(input)])) {
+            self.stats.give_number(at, connector, output, number);
             return Ok(true);
         }
-        self.map_any(at, connector, stream)
+        self.map_any(at, connector, input, output)
     }
 
-    fn map_any(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let output = self.graph.connectors[connector].output;
+    fn map_any(
+        &mut self,
+        at: Millis,
+        connector: usize,
+        input: usize,
+        output: usize,
+    ) -> Result<bool, Box<Failed>> {
         let spare = &mut self.spares[connector];
-        match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(stream)], spare) {
+        match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(input)], spare) {
             Ok(made) => self.stats.give(at, connector, output, made, spare),
             Err(failed) => {
-                let input = self.stats.value(stream).clone();
+                let input = self.stats.value(input).clone();
                 return self.counted(at, connector, Err(failed), &[&input]);
             }
         }
@@ -114,24 +114,30 @@ impl Core {
         Ok(())
     }
 
-    fn sift(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let input = self.stats.value(stream);
-        let quick = self.procedures[connector].as_ref().and_then(|procedure| procedure.truth(&[input]));
-        let passes = match quick {
-            Some(passes) => {
-                self.stats.connectors[connector].deadlines_in_a_row = 0;
-                passes
-            }
-            None => {
-                let input = input.clone();
-                let passes = self.filter(connector, &input);
-                self.counted(at, connector, passes, &[&input])?
-            }
+    /// Like [`Core::pass`], for a filter, from one stream straight to the next; false if the value does not pass.
+    ///
+    /// # Errors
+    /// The fault that dropped the value; already counted.
+    #[inline]
+    pub(crate) fn sift(&mut self, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
+        let (connector, input, output) = (step.connector as usize, step.input as usize, step.output as usize);
+        let quick = self.procedures[connector].as_ref();
+        let passes = match quick.and_then(|procedure| procedure.truth(&[self.stats.value(input)])) {
+            Some(passes) => passes,
+            None => self.sift_any(at, connector, input)?,
         };
         if passes {
-            self.stats.pass(at, connector, stream, self.graph.connectors[connector].output);
+            self.stats.pass(at, connector, input, output);
+        } else {
+            self.stats.connectors[connector].deadlines_in_a_row = 0;
         }
         Ok(passes)
+    }
+
+    fn sift_any(&mut self, at: Millis, connector: usize, input: usize) -> Result<bool, Box<Failed>> {
+        let input = self.stats.value(input).clone();
+        let passes = self.filter(connector, &input);
+        self.counted(at, connector, passes, &[&input])
     }
 
     fn filter(&mut self, connector: usize, value: &Value) -> Result<bool, Box<Failed>> {

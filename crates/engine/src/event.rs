@@ -3,6 +3,7 @@
 use crate::cells::{Made, copy_some};
 use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
+use crate::plan::{Does, Plan, Step};
 use crate::procedure::Failed;
 use crate::run::Emission;
 use behaviour::Value;
@@ -11,6 +12,7 @@ use std::collections::BTreeSet;
 
 /// The memory of event mode.
 pub(crate) struct Event {
+    plan: Plan,
     /// The first instant that still takes readings.
     open: u64,
     /// For every connector the value a sample holds for its next tick.
@@ -19,9 +21,8 @@ pub(crate) struct Event {
     latest: Vec<Vec<Option<Value>>>,
     /// Samples that hold a value: instant, rank, connector. Others would tick in vain.
     due: BTreeSet<(u64, usize, usize)>,
-    /// Streams with a value on its way down, which is their last one, and how many of their connectors have had it; a
-    /// stack of our own, since a graph may be deeper than the machine's.
-    path: Vec<(usize, usize)>,
+    /// The steps to come back to from other rows; a stack of our own, since a graph may be deeper than the machine's.
+    back: Vec<usize>,
 }
 
 impl Event {
@@ -31,11 +32,12 @@ impl Event {
             Work::Map | Work::Filter | Work::Timestamp | Work::Sample(_) | Work::Merge | Work::Subscribe => Vec::new(),
         };
         Self {
+            plan: Plan::of(graph),
             open: 0,
             held: vec![None; graph.connectors.len()],
             latest: graph.connectors.iter().map(cells).collect(),
             due: BTreeSet::new(),
-            path: Vec::new(),
+            back: Vec::new(),
         }
     }
 
@@ -45,7 +47,7 @@ impl Event {
         at: Millis,
         stream: usize,
         value: Value,
-        out: &mut dyn FnMut(Emission),
+        out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
         let at = at.0.max(self.open);
         self.ticks_before(core, at, out);
@@ -55,7 +57,7 @@ impl Event {
         self.carry(core, Millis(at), stream, out);
     }
 
-    pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let end = at.0.saturating_add(1);
         self.ticks_before(core, end, out);
         self.open = self.open.max(end);
@@ -66,7 +68,7 @@ impl Event {
     }
 
     /// Runs all ticks of instants before `end`: by instant, rank and place.
-    fn ticks_before(&mut self, core: &mut Core, end: u64, out: &mut dyn FnMut(Emission)) {
+    fn ticks_before(&mut self, core: &mut Core, end: u64, out: &mut (impl FnMut(Emission) + ?Sized)) {
         while let Some(&(at, rank, connector)) = self.due.first().filter(|(at, ..)| *at < end) {
             self.due.remove(&(at, rank, connector));
             self.open = self.open.max(at);
@@ -80,62 +82,71 @@ impl Event {
     }
 
     /// Hands the last value of a stream to its connectors in array order, each to the end before the next.
-    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut dyn FnMut(Emission)) {
-        self.path.push((stream, 0));
-        while let Some((stream, next)) = self.path.last_mut() {
-            let Some(&(connector, slot)) = core.graph.outgoing[*stream].get(*next) else {
-                self.path.pop();
+    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut (impl FnMut(Emission) + ?Sized)) {
+        let mut next = self.plan.row(stream);
+        loop {
+            let step = self.plan.steps[next];
+            if step.does == Does::End {
+                match self.back.pop() {
+                    Some(back) => next = back,
+                    None => return,
+                }
                 continue;
-            };
-            *next += 1;
-            let stream = *stream;
-            match self.react(core, at, connector, slot, stream) {
-                Ok(false) => {}
+            }
+            next = match self.react(core, at, &step) {
+                Ok(false) => step.past as usize,
                 Ok(true) => {
-                    let stream = core.graph.connectors[connector].output;
+                    let stream = step.output as usize;
                     out(Emission::Value { at, stream, value: core.stats.value(stream) });
-                    if !core.graph.outgoing[stream].is_empty() {
-                        self.path.push((stream, 0));
+                    if step.leads_away {
+                        self.back.push(next + 1);
+                        self.plan.row(stream)
+                    } else {
+                        next + 1
                     }
                 }
                 Err(failed) => {
-                    out(Emission::Fault { at, connector, error: &failed.reason, deadline: failed.deadline });
+                    let (connector, error) = (step.connector as usize, &failed.reason);
+                    out(Emission::Fault { at, connector, error, deadline: failed.deadline });
+                    step.past as usize
                 }
             }
         }
     }
 
-    /// Lets a connector take the last value of a stream, one of its inputs; true if it gives one.
-    fn react(
-        &mut self,
-        core: &mut Core,
-        at: Millis,
-        connector: usize,
-        slot: usize,
-        stream: usize,
-    ) -> Result<bool, Box<Failed>> {
-        match core.graph.connectors[connector].work {
-            Work::Sample(period) => {
-                let value = core.stats.value(stream).clone();
-                self.hold(core.graph.ranks[connector], at, connector, period, value);
+    /// Lets a connector take the last value of one of its inputs; true if it gives one.
+    #[inline]
+    fn react(&mut self, core: &mut Core, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
+        match step.does {
+            Does::Map => core.map(at, step),
+            Does::Filter => core.sift(at, step),
+            Does::Carry => {
+                core.carry(at, step);
+                Ok(true)
+            }
+            Does::Combine => self.combine(core, at, step),
+            Does::Hold => {
+                self.hold(core, at, step);
                 Ok(false)
             }
-            Work::CombineLatest => {
-                let known = &mut self.latest[connector];
-                copy_some(&mut known[slot], core.stats.value(stream));
-                with_known(known, |inputs| core.combine(at, connector, inputs))
-                    .map_or(Ok(false), |made| made.map(|()| true))
-            }
-            Work::Map | Work::Filter | Work::Timestamp | Work::Merge | Work::Subscribe => {
-                core.carry(at, connector, stream)
-            }
+            Does::End => Ok(false),
         }
     }
 
-    fn hold(&mut self, rank: usize, at: Millis, connector: usize, period: u64, value: Value) {
+    fn combine(&mut self, core: &mut Core, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
+        let connector = step.connector as usize;
+        let known = &mut self.latest[connector];
+        copy_some(&mut known[step.slot as usize], core.stats.value(step.input as usize));
+        with_known(known, |inputs| core.combine(at, connector, inputs)).map_or(Ok(false), |made| made.map(|()| true))
+    }
+
+    fn hold(&mut self, core: &Core, at: Millis, step: &Step) {
+        let connector = step.connector as usize;
+        let Work::Sample(period) = core.graph.connectors[connector].work else { return };
+        let value = core.stats.value(step.input as usize).clone();
         if self.held[connector].replace(value).is_none() {
             let tick = at.0.max(1).div_ceil(period).saturating_mul(period);
-            self.due.insert((tick, rank, connector));
+            self.due.insert((tick, core.graph.ranks[connector], connector));
         }
     }
 }

@@ -8,11 +8,12 @@ use crate::walk;
 use behaviour::{FileHelper, is_identifier};
 use rhai::{AST, Engine};
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// Compiled helpers.
 #[derive(Default)]
 pub(crate) struct Helpers {
-    functions: Option<AST>,
+    functions: Option<Rc<AST>>,
     shelf: Option<Shelf>,
 }
 
@@ -47,6 +48,7 @@ impl Helpers {
         if !faults.is_empty() {
             return Err(faults);
         }
+        let functions = functions.map(Rc::new);
         Ok(Self { functions, shelf: limits.compiled.then(|| shelf(helpers, &all, limits)) })
     }
 
@@ -55,13 +57,9 @@ impl Helpers {
         self.shelf.as_ref()
     }
 
-    /// The body with all helpers within reach.
-    pub(crate) fn joined(&self, body: AST) -> AST {
-        match &self.functions {
-            None => body,
-            Some(functions) if body.has_functions() => body.merge(functions),
-            Some(functions) => AST::new(body.statements().iter().cloned(), functions.shared_lib().clone()),
-        }
+    /// All of them as functions for Rhai.
+    pub(crate) fn functions(&self) -> Option<Rc<AST>> {
+        self.functions.clone()
     }
 }
 

@@ -11,6 +11,7 @@ mod compare;
 mod functions;
 mod literals;
 mod make;
+mod name;
 mod node;
 mod numbers;
 mod shelf;
@@ -52,7 +53,7 @@ impl Quick {
         let says = match &root {
             root if root.is_numeric() => Says::Number,
             Node::Compare(..) | Node::Not(_) | Node::All(_) | Node::Any(_) => Says::Truth,
-            Node::Object(fields) if fields.iter().all(|(_, field)| field.is_numeric()) => Says::Object,
+            Node::Object(object) if object.1.iter().all(Node::is_numeric) => Says::Object,
             _ => Says::Anything,
         };
         Some(Self { root, bounds: shelf.bounds(), says })

@@ -81,7 +81,7 @@ impl Run {
     /// Gives a reading to a sensor stream; what is due strictly before `at` runs first. Times must not decrease, and
     /// an instant that [`Run::until`] closed takes nothing more: a reading that comes late counts as one of the next
     /// open instant. Readings for other streams and numbers that are not finite are ignored.
-    pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut dyn FnMut(Emission)) {
+    pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let sensor = self.core.graph.streams.get(stream).is_some_and(|info| info.kind == StreamKind::Sensor);
         if !sensor || !value.is_finite() {
             return;
@@ -93,7 +93,7 @@ impl Run {
     }
 
     /// Closes all instants up to and including `at`: their ticks run.
-    pub fn until(&mut self, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub fn until(&mut self, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         match &mut self.mode {
             Mode::Event(event) => event.until(&mut self.core, at, out),
             Mode::Frame(frame) => frame.until(&mut self.core, at, out),
@@ -101,7 +101,7 @@ impl Run {
     }
 
     /// Ends a replay at `at`: like [`Run::until`], and a frame that has begun by then runs too.
-    pub fn finish(&mut self, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub fn finish(&mut self, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         match &mut self.mode {
             Mode::Event(event) => event.until(&mut self.core, at, out),
             Mode::Frame(frame) => {

@@ -34,7 +34,7 @@ pub struct ConnectorStats {
     /// How many of the last calls in a row the caller's interrupt ended.
     pub deadlines_in_a_row: u32,
     /// The last fault.
-    pub last_fault: Option<LastFault>,
+    pub last_fault: Option<Box<LastFault>>,
 }
 
 /// A fault and what caused it.
@@ -125,6 +125,6 @@ impl ConnectorStats {
         self.faults += 1;
         self.deadlines_in_a_row = if failed.deadline { self.deadlines_in_a_row + 1 } else { 0 };
         let inputs = inputs.iter().map(|&input| input.clone()).collect();
-        self.last_fault = Some(LastFault { at, error: failed.reason.clone(), inputs });
+        self.last_fault = Some(Box::new(LastFault { at, error: failed.reason.clone(), inputs }));
     }
 }

@@ -4,10 +4,9 @@ use super::functions::Function;
 use super::literals::{constant, operation};
 use super::node::Node;
 use super::shelf::{Piece, Shelf};
-use behaviour::Value;
+use behaviour::{Names, Value};
 use rhai::{AST, ASTFlags, Expr, FnCallExpr, Stmt};
 use std::rc::Rc;
-use std::sync::Arc;
 
 /// More than the steps that Rhai counts for one part.
 const STEPS_PER_PART: u64 = 8;
@@ -125,10 +124,12 @@ impl<'h> Builder<'h> {
             Expr::Map(fields, _) if fields.0.len() == fields.1.len() => {
                 let mut made = Vec::new();
                 for (name, field) in &fields.0 {
-                    made.push((Arc::from(name.name.as_str()), deeper.part(field)?));
+                    made.push((name.name.as_str(), deeper.part(field)?));
                 }
-                made.sort_by(|one: &(Arc<str>, Node), other| one.0.cmp(&other.0));
-                Some(Node::Object(made))
+                made.sort_by_key(|(name, _)| *name);
+                let names = Names::of(&made.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+                let fields: Vec<_> = made.into_iter().map(|(_, field)| field).collect();
+                (names.len() == fields.len()).then(|| Node::Object(Box::new((names, fields))))
             }
             Expr::Stmt(block) => deeper.block(block.statements()),
             other => constant(other).map(Node::Constant),
