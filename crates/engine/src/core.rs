@@ -1,15 +1,26 @@
 //! What both engines share: running one connector's procedure, counting, and telling the caller.
 
-use crate::cells::Made;
+use crate::cells::{Made, Number};
 use crate::graph::{Graph, Work};
-use crate::plan::Step;
+use crate::plan::{Plan, Step};
 use crate::procedure::{Failed, Procedure};
+use crate::quick::{Comparison, Operator};
 use crate::run::Emission;
 use crate::stamp::{self, stamp, stamped};
 use crate::stats::Stats;
 use crate::validate::Prepared;
 use behaviour::{Names, Value};
 use robot::Millis;
+
+/// What a connector did with a value that it took.
+pub(crate) enum Took {
+    /// It put one on its output.
+    Gave,
+    /// It put none there.
+    Kept,
+    /// A fault dropped it; already counted.
+    Failed(Box<Failed>),
+}
 
 /// Wiring, procedures and counts.
 pub(crate) struct Core {
@@ -55,89 +66,117 @@ impl Core {
         }
     }
 
-    /// Like [`Core::pass`], for a connector without procedure, from one stream straight to the next.
+    /// How a value goes through the graph in event mode.
+    pub(crate) fn plan(&self) -> Plan {
+        Plan::of(&self.graph, &self.procedures)
+    }
+
+    /// Like [`Core::pass`], for a connector that changes nothing, from one stream straight to the next.
     #[inline]
-    pub(crate) fn carry(&mut self, at: Millis, step: &Step) {
-        let (connector, input, output) = (step.connector as usize, step.input as usize, step.output as usize);
-        if self.graph.connectors[connector].work != Work::Timestamp {
-            return self.stats.pass(at, connector, input, output);
-        }
+    pub(crate) fn hand_on(&mut self, at: Millis, step: &Step) -> Took {
+        self.stats.pass(at, step);
+        Took::Gave
+    }
+
+    /// Like [`Core::hand_on`], for a timestamp.
+    pub(crate) fn timestamp(&mut self, at: Millis, step: &Step) -> Took {
+        let connector = step.connector as usize;
         let spare = &mut self.spares[connector];
-        let made = stamp(&self.stamp, at, self.stats.value(input), spare);
-        self.stats.give(at, connector, output, made, spare);
+        let made = stamp(&self.stamp, at, self.stats.value(step.input as usize), spare);
+        self.stats.give(at, connector, step.output as usize, made, spare);
+        Took::Gave
     }
 
-    /// Like [`Core::pass`], for a map, from one stream straight to the next; true, since a map always gives.
-    ///
-    /// # Errors
-    /// The fault that dropped the value; already counted.
+    /// Like [`Core::hand_on`], for a map of one operation.
     #[inline]
-    pub(crate) fn map(&mut self, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
-        let (connector, input, output) = (step.connector as usize, step.input as usize, step.output as usize);
-        let quick = self.procedures[connector].as_ref();
-        if let Some(number) = quick.and_then(|procedure| procedure.number(&[self.stats.value(input)])) {
-            self.stats.give_number(at, connector, output, number);
-            return Ok(true);
+    pub(crate) fn compute(&mut self, at: Millis, step: &Step, operator: Operator) -> Took {
+        let input = Number::of(self.stats.value(step.input as usize));
+        match input.and_then(|input| operator.apply(input, step.number)) {
+            Ok(made) if made.is_finite() => self.give_number(at, step, made),
+            _ => self.map_any(at, step),
         }
-        self.map_any(at, connector, input, output)
     }
 
-    fn map_any(
-        &mut self,
-        at: Millis,
-        connector: usize,
-        input: usize,
-        output: usize,
-    ) -> Result<bool, Box<Failed>> {
+    /// Like [`Core::hand_on`], for a map.
+    #[inline]
+    pub(crate) fn map(&mut self, at: Millis, step: &Step) -> Took {
+        let quick = self.procedures[step.connector as usize].as_ref();
+        match quick.and_then(|procedure| procedure.number(&[self.stats.value(step.input as usize)])) {
+            Some(made) => self.give_number(at, step, made),
+            None => self.map_any(at, step),
+        }
+    }
+
+    #[inline]
+    fn give_number(&mut self, at: Millis, step: &Step, made: Number) -> Took {
+        self.stats.give_number(at, step.connector as usize, step.output as usize, made);
+        Took::Gave
+    }
+
+    fn map_any(&mut self, at: Millis, step: &Step) -> Took {
+        let (connector, input) = (step.connector as usize, step.input as usize);
         let spare = &mut self.spares[connector];
         match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(input)], spare) {
-            Ok(made) => self.stats.give(at, connector, output, made, spare),
+            Ok(made) => self.stats.give(at, connector, step.output as usize, made, spare),
             Err(failed) => {
                 let input = self.stats.value(input).clone();
-                return self.counted(at, connector, Err(failed), &[&input]);
+                return self.failed(at, connector, failed, &[&input]);
             }
         }
-        Ok(true)
+        Took::Gave
     }
 
     /// Puts what a combineLatest makes of all its inputs on its output.
-    ///
-    /// # Errors
-    /// The fault that dropped it; already counted.
-    pub(crate) fn combine(&mut self, at: Millis, connector: usize, inputs: &[&Value]) -> Result<(), Box<Failed>> {
-        let output = self.graph.connectors[connector].output;
+    pub(crate) fn combine(&mut self, at: Millis, step: &Step, inputs: &[&Value]) -> Took {
+        let connector = step.connector as usize;
         let spare = &mut self.spares[connector];
         match make(&self.engine, &mut self.procedures[connector], inputs, spare) {
-            Ok(made) => self.stats.give(at, connector, output, made, spare),
-            Err(failed) => return self.counted(at, connector, Err(failed), inputs),
+            Ok(made) => self.stats.give(at, connector, step.output as usize, made, spare),
+            Err(failed) => return self.failed(at, connector, failed, inputs),
         }
-        Ok(())
+        Took::Gave
     }
 
-    /// Like [`Core::pass`], for a filter, from one stream straight to the next; false if the value does not pass.
-    ///
-    /// # Errors
-    /// The fault that dropped the value; already counted.
+    /// Like [`Core::hand_on`], for a filter of one comparison.
     #[inline]
-    pub(crate) fn sift(&mut self, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
-        let (connector, input, output) = (step.connector as usize, step.input as usize, step.output as usize);
-        let quick = self.procedures[connector].as_ref();
-        let passes = match quick.and_then(|procedure| procedure.truth(&[self.stats.value(input)])) {
-            Some(passes) => passes,
-            None => self.sift_any(at, connector, input)?,
-        };
-        if passes {
-            self.stats.pass(at, connector, input, output);
-        } else {
-            self.stats.connectors[connector].deadlines_in_a_row = 0;
-        }
-        Ok(passes)
+    pub(crate) fn compare(&mut self, at: Millis, step: &Step, comparison: Comparison) -> Took {
+        let passes = comparison.holds_number(self.stats.value(step.input as usize), step.number);
+        self.sifted(at, step, passes)
     }
 
-    fn sift_any(&mut self, at: Millis, connector: usize, input: usize) -> Result<bool, Box<Failed>> {
-        let input = self.stats.value(input).clone();
-        let passes = self.filter(connector, &input);
-        self.counted(at, connector, passes, &[&input])
+    /// Like [`Core::hand_on`], for a filter.
+    #[inline]
+    pub(crate) fn sift(&mut self, at: Millis, step: &Step) -> Took {
+        let quick = self.procedures[step.connector as usize].as_ref();
+        match quick.and_then(|procedure| procedure.truth(&[self.stats.value(step.input as usize)])) {
+            Some(passes) => self.sifted(at, step, passes),
+            None => self.sift_any(at, step),
+        }
+    }
+
+    fn sift_any(&mut self, at: Millis, step: &Step) -> Took {
+        let connector = step.connector as usize;
+        let input = self.stats.value(step.input as usize).clone();
+        match self.filter(connector, &input) {
+            Ok(passes) => self.sifted(at, step, passes),
+            Err(failed) => self.failed(at, connector, failed, &[&input]),
+        }
+    }
+
+    #[inline]
+    fn sifted(&mut self, at: Millis, step: &Step, passes: bool) -> Took {
+        if passes {
+            return self.hand_on(at, step);
+        }
+        self.stats.connectors[step.connector as usize].deadlines_in_a_row = 0;
+        Took::Kept
+    }
+
+    /// Counts a fault.
+    #[cold]
+    fn failed(&mut self, at: Millis, connector: usize, failed: Box<Failed>, inputs: &[&Value]) -> Took {
+        self.stats.connectors[connector].fault(at, &failed, inputs);
+        Took::Failed(failed)
     }
 
     fn filter(&mut self, connector: usize, value: &Value) -> Result<bool, Box<Failed>> {

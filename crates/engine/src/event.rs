@@ -1,18 +1,18 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
 use crate::cells::{Made, copy_some};
-use crate::core::{Core, with_known};
-use crate::graph::{Graph, Work};
-use crate::plan::{Does, Plan, Step};
-use crate::procedure::Failed;
+use crate::core::{Core, Took, with_known};
+use crate::graph::Work;
+use crate::plan::{Does, Goes, Plan, Step};
 use crate::run::Emission;
 use behaviour::Value;
 use robot::Millis;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// The memory of event mode.
 pub(crate) struct Event {
-    plan: Plan,
+    plan: Rc<Plan>,
     /// The first instant that still takes readings.
     open: u64,
     /// For every connector the value a sample holds for its next tick.
@@ -26,13 +26,14 @@ pub(crate) struct Event {
 }
 
 impl Event {
-    pub(crate) fn of(graph: &Graph) -> Self {
+    pub(crate) fn of(core: &Core) -> Self {
+        let graph = &core.graph;
         let cells = |connector: &crate::ConnectorInfo| match connector.work {
             Work::CombineLatest => vec![None; connector.inputs.len()],
             Work::Map | Work::Filter | Work::Timestamp | Work::Sample(_) | Work::Merge | Work::Subscribe => Vec::new(),
         };
         Self {
-            plan: Plan::of(graph),
+            plan: Rc::new(core.plan()),
             open: 0,
             held: vec![None; graph.connectors.len()],
             latest: graph.connectors.iter().map(cells).collect(),
@@ -83,29 +84,22 @@ impl Event {
 
     /// Hands the last value of a stream to its connectors in array order, each to the end before the next.
     fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut (impl FnMut(Emission) + ?Sized)) {
-        let mut next = self.plan.row(stream);
+        let plan = self.plan.clone();
+        let mut next = plan.row(stream);
         loop {
-            let step = self.plan.steps[next];
-            if step.does == Does::End {
-                match self.back.pop() {
-                    Some(back) => next = back,
-                    None => return,
-                }
-                continue;
-            }
-            next = match self.react(core, at, &step) {
-                Ok(false) => step.past as usize,
-                Ok(true) => {
+            let step = &plan.steps[next];
+            next = match self.react(core, at, step) {
+                Took::Gave => {
                     let stream = step.output as usize;
                     out(Emission::Value { at, stream, value: core.stats.value(stream) });
-                    if step.leads_away {
-                        self.back.push(next + 1);
-                        self.plan.row(stream)
-                    } else {
-                        next + 1
-                    }
+                    self.after(&plan, step, next)
                 }
-                Err(failed) => {
+                Took::Kept if step.does == Does::End => match self.back.pop() {
+                    Some(back) => back,
+                    None => return,
+                },
+                Took::Kept => step.past as usize,
+                Took::Failed(failed) => {
                     let (connector, error) = (step.connector as usize, &failed.reason);
                     out(Emission::Fault { at, connector, error, deadline: failed.deadline });
                     step.past as usize
@@ -114,39 +108,51 @@ impl Event {
         }
     }
 
-    /// Lets a connector take the last value of one of its inputs; true if it gives one.
+    /// The step after one that gave a value.
     #[inline]
-    fn react(&mut self, core: &mut Core, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
-        match step.does {
-            Does::Map => core.map(at, step),
-            Does::Filter => core.sift(at, step),
-            Does::Carry => {
-                core.carry(at, step);
-                Ok(true)
+    fn after(&mut self, plan: &Plan, step: &Step, at: usize) -> usize {
+        match step.goes {
+            Goes::On => at + 1,
+            Goes::Away => {
+                self.back.push(at + 1);
+                plan.row(step.output as usize)
             }
-            Does::Combine => self.combine(core, at, step),
-            Does::Hold => {
-                self.hold(core, at, step);
-                Ok(false)
-            }
-            Does::End => Ok(false),
+            Goes::AwayForGood => plan.row(step.output as usize),
         }
     }
 
-    fn combine(&mut self, core: &mut Core, at: Millis, step: &Step) -> Result<bool, Box<Failed>> {
+    /// Lets a connector take the last value of one of its inputs.
+    #[inline]
+    fn react(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
+        match step.does {
+            Does::Compute(operator) => core.compute(at, step, operator),
+            Does::Map => core.map(at, step),
+            Does::Compare(comparison) => core.compare(at, step, comparison),
+            Does::Filter => core.sift(at, step),
+            Does::Pass => core.hand_on(at, step),
+            Does::Stamp => core.timestamp(at, step),
+            Does::Combine => self.combine(core, at, step),
+            Does::Hold => self.hold(core, at, step),
+            Does::End => Took::Kept,
+        }
+    }
+
+    fn combine(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
         let connector = step.connector as usize;
         let known = &mut self.latest[connector];
         copy_some(&mut known[step.slot as usize], core.stats.value(step.input as usize));
-        with_known(known, |inputs| core.combine(at, connector, inputs)).map_or(Ok(false), |made| made.map(|()| true))
+        with_known(known, |inputs| core.combine(at, step, inputs)).unwrap_or(Took::Kept)
     }
 
-    fn hold(&mut self, core: &Core, at: Millis, step: &Step) {
+    /// What it holds it gives with its next tick.
+    fn hold(&mut self, core: &Core, at: Millis, step: &Step) -> Took {
         let connector = step.connector as usize;
-        let Work::Sample(period) = core.graph.connectors[connector].work else { return };
+        let Work::Sample(period) = core.graph.connectors[connector].work else { return Took::Kept };
         let value = core.stats.value(step.input as usize).clone();
         if self.held[connector].replace(value).is_none() {
             let tick = at.0.max(1).div_ceil(period).saturating_mul(period);
             self.due.insert((tick, core.graph.ranks[connector], connector));
         }
+        Took::Kept
     }
 }

@@ -1,17 +1,26 @@
 //! The way of a value through the graph, laid out as one row of steps: depth first, in array order, so that running it is
 //! going from one step to the next.
 
+use crate::cells::Number;
 use crate::graph::{Graph, Work};
+use crate::procedure::Procedure;
+use crate::quick::{Comparison, Operator, Short};
 
 /// What a step does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Does {
-    /// Hands the last value of its input to a connector without memory.
-    Carry,
+    /// Passes the last value of its input on.
+    Pass,
+    /// Passes it on with the time.
+    Stamp,
     /// Hands it to a map.
     Map,
+    /// The same for a map that is one operation with the number of the step.
+    Compute(Operator),
     /// Hands it to a filter.
     Filter,
+    /// The same for a filter that is one comparison with the number of the step.
+    Compare(Comparison),
     /// Hands it to a sample, which gives nothing now.
     Hold,
     /// Hands it to a combineLatest, as one of its inputs.
@@ -20,17 +29,28 @@ pub(crate) enum Does {
     End,
 }
 
+/// Where to go on once a connector gave a value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Goes {
+    /// At the next step.
+    On,
+    /// In the row of its output, then at the next step.
+    Away,
+    /// In the row of its output, then wherever that row's leads: the next step is the end.
+    AwayForGood,
+}
+
 /// One connector's turn to take a value.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub(crate) does: Does,
-    /// Whether what it gives goes on in the row of its output, and then comes back here; otherwise at the next step.
-    pub(crate) leads_away: bool,
+    pub(crate) goes: Goes,
     pub(crate) connector: u32,
     /// The place of its input among the inputs of the connector.
     pub(crate) slot: u32,
     pub(crate) input: u32,
     pub(crate) output: u32,
+    pub(crate) number: Number,
     /// The step to go on at if it gives nothing.
     pub(crate) past: u32,
 }
@@ -42,11 +62,13 @@ pub(crate) struct Plan {
 }
 
 const NO_ROW: u32 = u32::MAX;
-const END: Step = Step { does: Does::End, leads_away: false, connector: 0, slot: 0, input: 0, output: 0, past: 0 };
+const ZERO: Number = Number::Int(0);
+const END: Step =
+    Step { does: Does::End, goes: Goes::On, connector: 0, slot: 0, input: 0, output: 0, number: ZERO, past: 0 };
 
 impl Plan {
     /// Lays out a graph. Every stream is in one row only, so that this takes no more room than the graph.
-    pub(crate) fn of(graph: &Graph) -> Self {
+    pub(crate) fn of(graph: &Graph, procedures: &[Option<Procedure>]) -> Self {
         let mut plan = Self { steps: Vec::new(), rows: vec![NO_ROW; graph.streams.len()] };
         let mut starts = vec![true; graph.streams.len()];
         for connector in graph.connectors.iter().filter(|connector| is_in_row(connector.work, connector.inputs.len())) {
@@ -55,6 +77,8 @@ impl Plan {
         for stream in (0..graph.streams.len()).filter(|&stream| starts[stream]) {
             plan.lay_out(graph, stream);
         }
+        plan.shorten(procedures);
+        plan.steps.shrink_to_fit();
         plan
     }
 
@@ -83,19 +107,39 @@ impl Plan {
                 path.push((info.output, 0, Some(self.steps.len() - 1)));
             }
         }
+        if let Some(last) = self.steps.last_mut().filter(|last| last.goes == Goes::Away) {
+            last.goes = Goes::AwayForGood;
+        }
         self.steps.push(END);
+    }
+
+    /// Steps that are one operation need not ask the procedure.
+    fn shorten(&mut self, procedures: &[Option<Procedure>]) {
+        for step in &mut self.steps {
+            let procedure = procedures.get(step.connector as usize).and_then(Option::as_ref);
+            match (step.does, procedure.and_then(Procedure::short)) {
+                (Does::Map, Some(Short::Compute(operator, number))) => {
+                    (step.does, step.number) = (Does::Compute(operator), number);
+                }
+                (Does::Filter, Some(Short::Compare(comparison, number))) => {
+                    (step.does, step.number) = (Does::Compare(comparison), number);
+                }
+                _ => {}
+            }
+        }
     }
 
     fn step(&mut self, graph: &Graph, connector: usize, slot: usize, input: usize) {
         let info = &graph.connectors[connector];
-        let goes_on = !graph.outgoing[info.output].is_empty();
+        let leads_away = !is_in_row(info.work, info.inputs.len()) && !graph.outgoing[info.output].is_empty();
         self.steps.push(Step {
             does: does(info.work),
-            leads_away: goes_on && !is_in_row(info.work, info.inputs.len()),
+            goes: if leads_away { Goes::Away } else { Goes::On },
             connector: index(connector),
             slot: index(slot),
             input: index(input),
             output: index(info.output),
+            number: ZERO,
             past: index(self.steps.len() + 1),
         });
     }
@@ -114,7 +158,8 @@ fn does(work: Work) -> Does {
     match work {
         Work::Map => Does::Map,
         Work::Filter => Does::Filter,
-        Work::Timestamp | Work::Merge | Work::Subscribe => Does::Carry,
+        Work::Merge | Work::Subscribe => Does::Pass,
+        Work::Timestamp => Does::Stamp,
         Work::Sample(_) => Does::Hold,
         Work::CombineLatest => Does::Combine,
     }
@@ -127,7 +172,7 @@ fn index(at: usize) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Does, Plan};
+    use super::{Does, Goes, Plan};
     use crate::graph::{ConnectorInfo, Graph, StreamInfo, Work};
     use behaviour::StreamKind;
 
@@ -155,7 +200,11 @@ mod tests {
             if step.does == Does::End {
                 break;
             }
-            let away = if step.leads_away { "^" } else { "" };
+            let away = match step.goes {
+                Goes::On => "",
+                Goes::Away => "^",
+                Goes::AwayForGood => "^^",
+            };
             said.push(format!("{}>{}{away}", step.connector, step.past as usize - first));
         }
         said.join(" ")
@@ -165,15 +214,15 @@ mod tests {
     fn a_tree_is_one_row_and_a_step_that_gives_nothing_leads_past_its_branch() {
         let map = Work::Map;
         let graph = graph(5, &[(map, &[0], 1), (map, &[1], 2), (map, &[1], 3), (map, &[0], 4)]);
-        assert_eq!(row(&Plan::of(&graph), 0), "0>3 1>2 2>3 3>4");
+        assert_eq!(row(&Plan::of(&graph, &[]), 0), "0>3 1>2 2>3 3>4");
     }
 
     #[test]
     fn where_values_meet_or_wait_a_row_of_its_own_begins() {
         let (map, merge) = (Work::Map, Work::Merge);
         let graph = graph(6, &[(map, &[0], 1), (merge, &[0, 1], 2), (map, &[2], 3), (Work::Sample(5), &[3], 4)]);
-        let plan = Plan::of(&graph);
-        assert_eq!(row(&plan, 0), "0>2 1>2^ 1>3^");
+        let plan = Plan::of(&graph, &[]);
+        assert_eq!(row(&plan, 0), "0>2 1>2^ 1>3^^");
         assert_eq!(row(&plan, 2), "2>2 3>2");
         assert_eq!((row(&plan, 4), row(&plan, 5)), (String::new(), String::new()));
     }
@@ -186,7 +235,8 @@ mod tests {
             connectors.push((Work::Map, vec![at], at + 2));
             connectors.push((Work::Merge, vec![at + 1, at + 2], at + 3));
         }
-        let connectors: Vec<_> = connectors.iter().map(|(work, inputs, output)| (*work, &inputs[..], *output)).collect();
-        assert!(Plan::of(&graph(121, &connectors)).steps.len() < 250);
+        let connectors: Vec<_> =
+            connectors.iter().map(|(work, inputs, output)| (*work, &inputs[..], *output)).collect();
+        assert!(Plan::of(&graph(121, &connectors), &[]).steps.len() < 250);
     }
 }

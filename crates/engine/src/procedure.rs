@@ -2,8 +2,8 @@
 
 use crate::cells::Number;
 use crate::convert::{from_rhai, to_rhai};
-use crate::helpers::Helpers;
-use crate::quick::Quick;
+use crate::helpers::{Functions, Helpers};
+use crate::quick::{Quick, Short};
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
 use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
@@ -21,7 +21,7 @@ pub(crate) struct Procedure {
 struct Slow {
     names: Vec<String>,
     body: Box<str>,
-    functions: Option<Rc<AST>>,
+    functions: Rc<Functions>,
     /// Made when it is first needed: a run keeps thousands of bodies that the first tier answers for.
     made: Option<Made>,
 }
@@ -48,9 +48,14 @@ impl Procedure {
         let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
         let mut slow = Slow { names: names.to_vec(), body: body.into(), functions: helpers.functions(), made: None };
         if quick.is_none() {
-            slow.made = Some(slow.made_of(ast));
+            slow.made = Some(slow.made_of(engine, ast)?);
         }
         Ok(Self { quick, slow: Box::new(slow) })
+    }
+
+    /// The same as one operation, if the first tier knows and it is no more than that.
+    pub(crate) fn short(&self) -> Option<Short> {
+        self.quick.as_ref()?.short()
     }
 
     /// The number it makes of the inputs, if the first tier knows.
@@ -101,25 +106,16 @@ impl Procedure {
 }
 
 impl Slow {
-    fn made_of(&self, ast: AST) -> Made {
-        Made { ast: joined(ast, self.functions.as_deref()), slots: scope_of(&self.names) }
+    fn made_of(&self, engine: &Engine, ast: AST) -> Result<Made, String> {
+        Ok(Made { ast: self.functions.joined(engine, ast)?, slots: scope_of(&self.names) })
     }
 
     /// The same, once Rhai has read it.
     fn ready(&mut self, engine: &Engine) -> Result<&mut Self, String> {
         if self.made.is_none() {
-            self.made = Some(self.made_of(compile(engine, &self.names, &self.body)?));
+            self.made = Some(self.made_of(engine, compile(engine, &self.names, &self.body)?)?);
         }
         Ok(self)
-    }
-}
-
-/// The body with all helpers within reach.
-fn joined(body: AST, functions: Option<&AST>) -> AST {
-    match functions {
-        None => body,
-        Some(functions) if body.has_functions() => body.merge(functions),
-        Some(functions) => AST::new(body.statements().iter().cloned(), functions.shared_lib().clone()),
     }
 }
 

@@ -7,7 +7,7 @@ use crate::graph::{ConnectorInfo, StreamInfo, Work};
 use crate::limits::Limits;
 use crate::stats::Stats;
 use crate::validate::{Fault, prepare};
-use behaviour::{BehaviourFile, Engine, StreamKind, Value};
+use behaviour::{BehaviourFile, Engine, Value};
 use robot::Millis;
 
 /// What a run tells its caller, in order.
@@ -54,7 +54,7 @@ impl Run {
     pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
         let core = Core::of(prepare(file, &limits)?);
         let mode = match file.engine.unwrap_or_default() {
-            Engine::Event => Mode::Event(Event::of(&core.graph)),
+            Engine::Event => Mode::Event(Event::of(&core)),
             Engine::Frame { frame_ms } => Mode::Frame(Frame::of(&core.graph, frame_ms)),
         };
         Ok(Self { core, mode })
@@ -75,15 +75,15 @@ impl Run {
     /// The index of a stream by its id.
     #[must_use]
     pub fn stream_index(&self, id: &str) -> Option<usize> {
-        self.core.graph.by_id.get(id).copied()
+        self.core.graph.stream(id)
     }
 
     /// Gives a reading to a sensor stream; what is due strictly before `at` runs first. Times must not decrease, and
     /// an instant that [`Run::until`] closed takes nothing more: a reading that comes late counts as one of the next
     /// open instant. Readings for other streams and numbers that are not finite are ignored.
     pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
-        let sensor = self.core.graph.streams.get(stream).is_some_and(|info| info.kind == StreamKind::Sensor);
-        if !sensor || !value.is_finite() {
+        let sensed = self.core.graph.sensed.get(stream).is_some_and(|sensed| *sensed);
+        if !sensed || !value.is_finite() {
             return;
         }
         match &mut self.mode {

@@ -1,6 +1,7 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
 use crate::cells::{Made, Number, copy, put_number};
+use crate::plan::Step;
 use crate::procedure::Failed;
 use behaviour::Value;
 use robot::Millis;
@@ -85,11 +86,11 @@ impl Stats {
         *self.streams[stream].open(at) = value;
     }
 
-    /// Counts a value that a connector passes from a stream to its output.
+    /// Counts a value that a connector passes from its input to its output.
     #[inline]
-    pub(crate) fn pass(&mut self, at: Millis, connector: usize, stream: usize, output: usize) {
-        self.connectors[connector].gave();
-        if let Ok([from, to]) = self.streams.get_disjoint_mut([stream, output]) {
+    pub(crate) fn pass(&mut self, at: Millis, step: &Step) {
+        self.connectors[step.connector as usize].gave();
+        if let Ok([from, to]) = self.streams.get_disjoint_mut([step.input as usize, step.output as usize]) {
             to.copy(at, from.last.as_ref().map_or(&NOTHING, |(_, value)| value));
         }
     }

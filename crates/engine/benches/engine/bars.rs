@@ -103,7 +103,8 @@ fn paced_pass(playing: &mut Playing) -> Vec<f64> {
 
 /// Prints medians of the passes and gives that of the 99th percentile.
 fn tell(name: &str, passes: &[Vec<f64>]) -> f64 {
-    let [p50, p99, p999] = [500, 990, 999].map(|part| median(passes.iter().map(|p| share(p.clone(), part, 1000)).collect()));
+    let [p50, p99, p999] =
+        [500, 990, 999].map(|part| median(passes.iter().map(|p| share(p.clone(), part, 1000)).collect()));
     println!("    {name:<53}{p50:>12.0}{p99:>12.0}{p999:>12.0}");
     p99
 }

@@ -61,7 +61,12 @@ fn other(graph: &Graph, mut peer: Peer) -> Runner {
     assert!(is_same(&said, &wanted(graph)), "{} says something else on {}: {said}", peer.name, graph.name);
     let outputs = outputs_of_cycle(graph);
     let (name, process) = (peer.name, peer.id());
-    Runner { name, time: Box::new(move |events| peer.run(events, events / cycle * outputs)), process, rates: Vec::new() }
+    Runner {
+        name,
+        time: Box::new(move |events| peer.run(events, events / cycle * outputs)),
+        process,
+        rates: Vec::new(),
+    }
 }
 
 /// A run, and what feeds it the readings of its graph in turn, a millisecond apart.
@@ -79,7 +84,7 @@ impl Playing {
         Self { run, readings, at: 0 }
     }
 
-    pub(crate) fn next(&mut self, out: &mut dyn FnMut(Emission)) {
+    pub(crate) fn next(&mut self, out: &mut impl FnMut(Emission)) {
         let (stream, value) = &self.readings[self.at % self.readings.len()];
         self.at += 1;
         self.run.feed(Millis(self.at as u64), *stream, value.clone(), out);

@@ -57,7 +57,7 @@ impl Builder<'_> {
             Expr::Property(property, _) if link.dot => {
                 let name = Name::of(property.2.as_str());
                 Some(match of {
-                    Node::Input(at) => Node::InputField(at, name),
+                    Node::Input(at) => Node::InputField(at, Box::new(name)),
                     of => Node::Field(Box::new((of, name))),
                 })
             }
@@ -69,7 +69,7 @@ impl Builder<'_> {
                 }
                 let function = Function::of(&call.name, parameters)?;
                 let arguments = std::iter::once(of).chain(self.parts(&call.args)?).collect();
-                Some(Node::Function(function, arguments))
+                Some(Node::Function(Box::new((function, arguments))))
             }
             _ if link.dot => None,
             at => Some(Node::Item(Box::new((of, self.part(at)?)))),

@@ -41,9 +41,7 @@ impl Node {
         match &self.what {
             What::Plain(value) => value.clone(),
             What::Array(items) => Value::list(items.iter().map(Node::value)),
-            What::Object(fields) => {
-                Value::object(fields.iter().map(|(name, node)| (name.as_str(), node.value())))
-            }
+            What::Object(fields) => Value::object(fields.iter().map(|(name, node)| (name.as_str(), node.value()))),
         }
     }
 }
