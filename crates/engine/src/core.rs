@@ -107,7 +107,7 @@ impl Core {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn give_number(&mut self, at: Millis, step: &Step, made: Number) -> Took {
         self.stats.give_number(at, step.connector as usize, step.output as usize, made);
         Took::Gave

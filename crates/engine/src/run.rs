@@ -127,7 +127,7 @@ impl Run {
         let (stats, info) = (self.stats(), self.connectors().get(connector)?);
         let stream = if info.work == Work::Subscribe { *info.inputs.first()? } else { info.output };
         let fired = stats.connectors[connector].fired > 0;
-        stats.streams[stream].last.as_ref().map(|(_, value)| value).filter(|_| fired)
+        stats.streams[stream].last().map(|(_, value)| value).filter(|_| fired)
     }
 
     /// What it counted so far.

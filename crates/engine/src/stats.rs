@@ -21,8 +21,10 @@ pub struct Stats {
 pub struct StreamStats {
     /// How many values.
     pub count: u64,
-    /// The last one, and when.
-    pub last: Option<(Millis, Value)>,
+    /// When the last one came.
+    at: Millis,
+    /// The last one; null before the first.
+    value: Value,
 }
 
 /// What one connector did.
@@ -49,8 +51,6 @@ pub struct LastFault {
     pub inputs: Vec<Value>,
 }
 
-static NOTHING: Value = Value::Null;
-
 impl Stats {
     pub(crate) fn of(streams: usize, connectors: usize) -> Self {
         let (stream, connector) = (StreamStats::default(), ConnectorStats::default());
@@ -60,11 +60,11 @@ impl Stats {
     /// The last value of a stream.
     #[inline]
     pub(crate) fn value(&self, stream: usize) -> &Value {
-        self.streams[stream].last.as_ref().map_or(&NOTHING, |(_, value)| value)
+        &self.streams[stream].value
     }
 
     /// Counts a number that a connector puts on its output.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
         self.connectors[connector].gave();
         put_number(self.streams[output].open(at), number);
@@ -91,19 +91,24 @@ impl Stats {
     pub(crate) fn pass(&mut self, at: Millis, step: &Step) {
         self.connectors[step.connector as usize].gave();
         if let Ok([from, to]) = self.streams.get_disjoint_mut([step.input as usize, step.output as usize]) {
-            to.copy(at, from.last.as_ref().map_or(&NOTHING, |(_, value)| value));
+            to.copy(at, &from.value);
         }
     }
 }
 
 impl StreamStats {
+    /// The last value, and when it came.
+    #[must_use]
+    pub fn last(&self) -> Option<(Millis, &Value)> {
+        (self.count > 0).then_some((self.at, &self.value))
+    }
+
     /// Counts a value, and gives the place for it.
     #[inline]
     fn open(&mut self, at: Millis) -> &mut Value {
         self.count += 1;
-        let (when, value) = self.last.get_or_insert((at, Value::Null));
-        *when = at;
-        value
+        self.at = at;
+        &mut self.value
     }
 
     /// Counts a value.
