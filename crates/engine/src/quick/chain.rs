@@ -57,7 +57,7 @@ impl Builder<'_> {
             Expr::Property(property, _) if link.dot => {
                 let name = Name::of(property.2.as_str());
                 Some(match of {
-                    Node::Input(at) => Node::InputField(at, Box::new(name)),
+                    Node::Input(at) => Node::InputField(at, name),
                     of => Node::Field(Box::new((of, name))),
                 })
             }

@@ -20,7 +20,7 @@ pub(super) enum Node {
     /// A variable, or a parameter of a helper; 0 is the newest.
     Local(usize),
     /// A field of an input.
-    InputField(u32, Box<Name>),
+    InputField(u32, Name),
     Field(Box<(Node, Name)>),
     /// An item of a list, or a field by a computed name.
     Item(Pair),
@@ -44,7 +44,7 @@ pub(super) enum Node {
     Helper(Box<(Rc<Node>, Box<[Node]>)>),
 }
 
-const _: () = assert!(size_of::<Node>() <= size_of::<Value>());
+const _: () = assert!(size_of::<Node>() <= 32);
 
 /// Two parts.
 pub(super) type Pair = Box<(Node, Node)>;
