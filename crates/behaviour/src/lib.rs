@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod change;
+mod fields;
 mod file;
 mod graph;
 mod ids;
@@ -18,6 +19,7 @@ mod value;
 mod words;
 
 pub use change::{Change, Edit};
+pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 pub use graph::Graph;
 pub use ids::{Id, Kind, RecordId};

@@ -1,9 +1,9 @@
 //! The values that flow through a behaviour: what a sensor reads, a procedure makes and an actuator takes.
 
+use crate::Fields;
 use serde::de::{MapAccess, SeqAccess, Visitor};
 use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -25,7 +25,7 @@ pub enum Value {
     /// A list.
     List(Arc<Vec<Value>>),
     /// An object: named fields.
-    Map(Arc<BTreeMap<Arc<str>, Value>>),
+    Map(Fields),
 }
 
 impl Value {
@@ -37,7 +37,7 @@ impl Value {
 
     /// An object from its fields.
     pub fn object<'a>(fields: impl IntoIterator<Item = (&'a str, Value)>) -> Self {
-        Self::Map(Arc::new(fields.into_iter().map(|(name, value)| (Arc::from(name), value)).collect()))
+        Self::Map(fields.into_iter().collect())
     }
 
     /// A list from its items.
@@ -76,7 +76,7 @@ impl Value {
         match self {
             Self::Float(number) => number.is_finite(),
             Self::List(items) => items.iter().all(Value::is_finite),
-            Self::Map(fields) => fields.values().all(Value::is_finite),
+            Self::Map(fields) => fields.values().iter().all(Value::is_finite),
             Self::Null | Self::Bool(_) | Self::Int(_) | Self::Text(_) => true,
         }
     }
@@ -128,9 +128,9 @@ fn serialize_list<S: Serializer>(items: &[Value], to: S) -> Result<S::Ok, S::Err
     list.end()
 }
 
-fn serialize_map<S: Serializer>(fields: &BTreeMap<Arc<str>, Value>, to: S) -> Result<S::Ok, S::Error> {
+fn serialize_map<S: Serializer>(fields: &Fields, to: S) -> Result<S::Ok, S::Error> {
     let mut map = to.serialize_map(Some(fields.len()))?;
-    for (name, value) in fields {
+    for (name, value) in fields.iter() {
         map.serialize_entry(name, value)?;
     }
     map.end()
@@ -182,11 +182,11 @@ impl<'de> Visitor<'de> for AnyValue {
         Ok(Value::List(Arc::new(list)))
     }
     fn visit_map<A: MapAccess<'de>>(self, mut entries: A) -> Result<Value, A::Error> {
-        let mut fields = BTreeMap::new();
-        while let Some((name, value)) = entries.next_entry::<String, Value>()? {
-            fields.insert(Arc::from(name), value);
+        let mut fields = Vec::new();
+        while let Some(field) = entries.next_entry::<String, Value>()? {
+            fields.push(field);
         }
-        Ok(Value::Map(Arc::new(fields)))
+        Ok(Value::Map(Fields::of(fields)))
     }
 }
 
@@ -213,7 +213,7 @@ fn fmt_items(to: &mut fmt::Formatter, items: &[Value]) -> fmt::Result {
     to.write_str("]")
 }
 
-fn fmt_fields(to: &mut fmt::Formatter, fields: &BTreeMap<Arc<str>, Value>) -> fmt::Result {
+fn fmt_fields(to: &mut fmt::Formatter, fields: &Fields) -> fmt::Result {
     to.write_str("#{")?;
     for (at, (name, value)) in fields.iter().enumerate() {
         write!(to, "{}{name}: {value}", if at > 0 { ", " } else { "" })?;

@@ -1,9 +1,7 @@
 //! Putting a value where another one was. A number goes over a number in place: most of what flows is numbers, and
 //! building a whole value in one place and moving it to another costs more than computing it.
 
-use behaviour::Value;
-use std::collections::btree_map::IterMut;
-use std::sync::Arc;
+use behaviour::{Names, Value};
 
 /// A number, as procedures compute it.
 #[derive(Clone, Copy, Debug)]
@@ -68,8 +66,11 @@ pub(crate) fn copy_some(to: &mut Option<Value>, from: &Value) {
     }
 }
 
-/// The fields of an object that nobody else has.
+/// The values of an object that has these names and that nobody else has.
 #[inline]
-pub(crate) fn own_fields(object: &mut Value) -> Option<IterMut<'_, Arc<str>, Value>> {
-    if let Value::Map(fields) = object { Arc::get_mut(fields).map(|fields| fields.iter_mut()) } else { None }
+pub(crate) fn own_values<'v>(object: &'v mut Value, names: &Names) -> Option<&'v mut [Value]> {
+    match object {
+        Value::Map(fields) if fields.shape() == names.shape() => fields.own_values(),
+        _ => None,
+    }
 }

@@ -1,7 +1,7 @@
 //! Between the values of a run and the values of Rhai.
 
 use crate::limits::VALUE_DEPTH;
-use behaviour::Value;
+use behaviour::{Fields, Value};
 use rhai::{Array, Dynamic, ImmutableString, Map};
 use std::sync::Arc;
 
@@ -79,8 +79,8 @@ fn from_array(items: Array, depth: usize) -> Result<Value, String> {
 }
 
 fn from_map(fields: Map, depth: usize) -> Result<Value, String> {
-    let fields = fields.into_iter().map(|(name, value)| Ok((Arc::from(name.as_str()), from_nested(value, depth)?)));
-    Ok(Value::Map(Arc::new(fields.collect::<Result<_, String>>()?)))
+    let fields = fields.into_iter().map(|(name, value)| Ok((name, from_nested(value, depth)?)));
+    Ok(Value::Map(Fields::of(fields.collect::<Result<Vec<_>, String>>()?)))
 }
 
 #[cfg(test)]

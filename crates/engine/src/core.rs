@@ -1,15 +1,26 @@
 //! What both engines share: running one connector's procedure, counting, and telling the caller.
 
-use crate::cells::Made;
+use crate::cells::{Made, Number};
 use crate::graph::{Graph, Work};
+use crate::plan::{Plan, Step};
 use crate::procedure::{Failed, Procedure};
+use crate::quick::{Comparison, Operator};
 use crate::run::Emission;
-use crate::stamp::{stamp, stamped};
+use crate::stamp::{self, stamp, stamped};
 use crate::stats::Stats;
 use crate::validate::Prepared;
-use behaviour::Value;
+use behaviour::{Names, Value};
 use robot::Millis;
-use std::sync::Arc;
+
+/// What a connector did with a value that it took.
+pub(crate) enum Took {
+    /// It put one on its output.
+    Gave,
+    /// It put none there.
+    Kept,
+    /// A fault dropped it; already counted.
+    Failed(Box<Failed>),
+}
 
 /// Wiring, procedures and counts.
 pub(crate) struct Core {
@@ -17,7 +28,7 @@ pub(crate) struct Core {
     engine: rhai::Engine,
     procedures: Vec<Option<Procedure>>,
     /// The names of the fields that timestamp makes.
-    stamp: [Arc<str>; 2],
+    stamp: Names,
     /// For every connector the value before the last, if it gives objects: once nobody has it any more, the next one
     /// is made in its place.
     spares: Vec<Value>,
@@ -30,11 +41,11 @@ impl Core {
         let Prepared { graph, engine, procedures } = prepared;
         let stats = Stats::of(graph.streams.len(), graph.connectors.len());
         let spares = vec![Value::Null; graph.connectors.len()];
-        Self { graph, engine, procedures, stamp: ["t", "v"].map(Arc::from), spares, stats }
+        Self { graph, engine, procedures, stamp: stamp::names(), spares, stats }
     }
 
     /// Tells and counts a value on a stream.
-    pub(crate) fn emit(&mut self, at: Millis, stream: usize, value: &Value, out: &mut dyn FnMut(Emission)) {
+    pub(crate) fn emit(&mut self, at: Millis, stream: usize, value: &Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
         self.stats.streams[stream].copy(at, value);
         out(Emission::Value { at, stream, value });
     }
@@ -55,83 +66,117 @@ impl Core {
         }
     }
 
-    /// Like [`Core::pass`], from one stream straight to the next; false if the value does not pass.
-    ///
-    /// # Errors
-    /// The fault that dropped it; already counted.
-    pub(crate) fn carry(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let info = &self.graph.connectors[connector];
-        let output = info.output;
-        match info.work {
-            Work::Map => return self.map(at, connector, stream),
-            Work::Filter => return self.sift(at, connector, stream),
-            Work::Timestamp => {
-                let spare = &mut self.spares[connector];
-                let made = stamp(&self.stamp, at, self.stats.value(stream), spare);
-                self.stats.give(at, connector, output, made, spare);
-            }
-            Work::Merge | Work::Subscribe | Work::Sample(_) | Work::CombineLatest => {
-                self.stats.pass(at, connector, stream, output);
-            }
-        }
-        Ok(true)
+    /// How a value goes through the graph in event mode.
+    pub(crate) fn plan(&self) -> Plan {
+        Plan::of(&self.graph, &self.procedures)
     }
 
+    /// Like [`Core::pass`], for a connector that changes nothing, from one stream straight to the next.
     #[inline]
-    fn map(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let quick = self.procedures[connector].as_ref();
-        if let Some(number) = quick.and_then(|procedure| procedure.number(&[self.stats.value(stream)])) {
-            self.stats.give_number(at, connector, self.graph.connectors[connector].output, number);
-            return Ok(true);
-        }
-        self.map_any(at, connector, stream)
+    pub(crate) fn hand_on(&mut self, at: Millis, step: &Step) -> Took {
+        self.stats.pass(at, step);
+        Took::Gave
     }
 
-    fn map_any(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let output = self.graph.connectors[connector].output;
+    /// Like [`Core::hand_on`], for a timestamp.
+    pub(crate) fn timestamp(&mut self, at: Millis, step: &Step) -> Took {
+        let connector = step.connector as usize;
         let spare = &mut self.spares[connector];
-        match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(stream)], spare) {
-            Ok(made) => self.stats.give(at, connector, output, made, spare),
+        let made = stamp(&self.stamp, at, self.stats.value(step.input as usize), spare);
+        self.stats.give(at, connector, step.output as usize, made, spare);
+        Took::Gave
+    }
+
+    /// Like [`Core::hand_on`], for a map of one operation.
+    #[inline]
+    pub(crate) fn compute(&mut self, at: Millis, step: &Step, operator: Operator) -> Took {
+        let input = Number::of(self.stats.value(step.input as usize));
+        match input.and_then(|input| operator.apply(input, step.number)) {
+            Ok(made) if made.is_finite() => self.give_number(at, step, made),
+            _ => self.map_any(at, step),
+        }
+    }
+
+    /// Like [`Core::hand_on`], for a map.
+    #[inline]
+    pub(crate) fn map(&mut self, at: Millis, step: &Step) -> Took {
+        let quick = self.procedures[step.connector as usize].as_ref();
+        match quick.and_then(|procedure| procedure.number(&[self.stats.value(step.input as usize)])) {
+            Some(made) => self.give_number(at, step, made),
+            None => self.map_any(at, step),
+        }
+    }
+
+    #[inline(always)]
+    fn give_number(&mut self, at: Millis, step: &Step, made: Number) -> Took {
+        self.stats.give_number(at, step.connector as usize, step.output as usize, made);
+        Took::Gave
+    }
+
+    fn map_any(&mut self, at: Millis, step: &Step) -> Took {
+        let (connector, input) = (step.connector as usize, step.input as usize);
+        let spare = &mut self.spares[connector];
+        match make(&self.engine, &mut self.procedures[connector], &[self.stats.value(input)], spare) {
+            Ok(made) => self.stats.give(at, connector, step.output as usize, made, spare),
             Err(failed) => {
-                let input = self.stats.value(stream).clone();
-                return self.counted(at, connector, Err(failed), &[&input]);
+                let input = self.stats.value(input).clone();
+                return self.failed(at, connector, failed, &[&input]);
             }
         }
-        Ok(true)
+        Took::Gave
     }
 
     /// Puts what a combineLatest makes of all its inputs on its output.
-    ///
-    /// # Errors
-    /// The fault that dropped it; already counted.
-    pub(crate) fn combine(&mut self, at: Millis, connector: usize, inputs: &[&Value]) -> Result<(), Box<Failed>> {
-        let output = self.graph.connectors[connector].output;
+    pub(crate) fn combine(&mut self, at: Millis, step: &Step, inputs: &[&Value]) -> Took {
+        let connector = step.connector as usize;
         let spare = &mut self.spares[connector];
         match make(&self.engine, &mut self.procedures[connector], inputs, spare) {
-            Ok(made) => self.stats.give(at, connector, output, made, spare),
-            Err(failed) => return self.counted(at, connector, Err(failed), inputs),
+            Ok(made) => self.stats.give(at, connector, step.output as usize, made, spare),
+            Err(failed) => return self.failed(at, connector, failed, inputs),
         }
-        Ok(())
+        Took::Gave
     }
 
-    fn sift(&mut self, at: Millis, connector: usize, stream: usize) -> Result<bool, Box<Failed>> {
-        let input = self.stats.value(stream);
-        let quick = self.procedures[connector].as_ref().and_then(|procedure| procedure.truth(&[input]));
-        let passes = match quick {
-            Some(passes) => {
-                self.stats.connectors[connector].deadlines_in_a_row = 0;
-                passes
-            }
-            None => {
-                let input = input.clone();
-                let passes = self.filter(connector, &input);
-                self.counted(at, connector, passes, &[&input])?
-            }
-        };
-        if passes {
-            self.stats.pass(at, connector, stream, self.graph.connectors[connector].output);
+    /// Like [`Core::hand_on`], for a filter of one comparison.
+    #[inline]
+    pub(crate) fn compare(&mut self, at: Millis, step: &Step, comparison: Comparison) -> Took {
+        let passes = comparison.holds_number(self.stats.value(step.input as usize), step.number);
+        self.sifted(at, step, passes)
+    }
+
+    /// Like [`Core::hand_on`], for a filter.
+    #[inline]
+    pub(crate) fn sift(&mut self, at: Millis, step: &Step) -> Took {
+        let quick = self.procedures[step.connector as usize].as_ref();
+        match quick.and_then(|procedure| procedure.truth(&[self.stats.value(step.input as usize)])) {
+            Some(passes) => self.sifted(at, step, passes),
+            None => self.sift_any(at, step),
         }
-        Ok(passes)
+    }
+
+    fn sift_any(&mut self, at: Millis, step: &Step) -> Took {
+        let connector = step.connector as usize;
+        let input = self.stats.value(step.input as usize).clone();
+        match self.filter(connector, &input) {
+            Ok(passes) => self.sifted(at, step, passes),
+            Err(failed) => self.failed(at, connector, failed, &[&input]),
+        }
+    }
+
+    #[inline]
+    fn sifted(&mut self, at: Millis, step: &Step, passes: bool) -> Took {
+        if passes {
+            return self.hand_on(at, step);
+        }
+        self.stats.connectors[step.connector as usize].deadlines_in_a_row = 0;
+        Took::Kept
+    }
+
+    /// Counts a fault.
+    #[cold]
+    fn failed(&mut self, at: Millis, connector: usize, failed: Box<Failed>, inputs: &[&Value]) -> Took {
+        self.stats.connectors[connector].fault(at, &failed, inputs);
+        Took::Failed(failed)
     }
 
     fn filter(&mut self, connector: usize, value: &Value) -> Result<bool, Box<Failed>> {

@@ -1,16 +1,18 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
 use crate::cells::{Made, copy_some};
-use crate::core::{Core, with_known};
-use crate::graph::{Graph, Work};
-use crate::procedure::Failed;
+use crate::core::{Core, Took, with_known};
+use crate::graph::Work;
+use crate::plan::{Does, Goes, Plan, Step};
 use crate::run::Emission;
 use behaviour::Value;
 use robot::Millis;
 use std::collections::BTreeSet;
+use std::rc::Rc;
 
 /// The memory of event mode.
 pub(crate) struct Event {
+    plan: Rc<Plan>,
     /// The first instant that still takes readings.
     open: u64,
     /// For every connector the value a sample holds for its next tick.
@@ -19,23 +21,24 @@ pub(crate) struct Event {
     latest: Vec<Vec<Option<Value>>>,
     /// Samples that hold a value: instant, rank, connector. Others would tick in vain.
     due: BTreeSet<(u64, usize, usize)>,
-    /// Streams with a value on its way down, which is their last one, and how many of their connectors have had it; a
-    /// stack of our own, since a graph may be deeper than the machine's.
-    path: Vec<(usize, usize)>,
+    /// The steps to come back to from other rows; a stack of our own, since a graph may be deeper than the machine's.
+    back: Vec<usize>,
 }
 
 impl Event {
-    pub(crate) fn of(graph: &Graph) -> Self {
+    pub(crate) fn of(core: &Core) -> Self {
+        let graph = &core.graph;
         let cells = |connector: &crate::ConnectorInfo| match connector.work {
             Work::CombineLatest => vec![None; connector.inputs.len()],
             Work::Map | Work::Filter | Work::Timestamp | Work::Sample(_) | Work::Merge | Work::Subscribe => Vec::new(),
         };
         Self {
+            plan: Rc::new(core.plan()),
             open: 0,
             held: vec![None; graph.connectors.len()],
             latest: graph.connectors.iter().map(cells).collect(),
             due: BTreeSet::new(),
-            path: Vec::new(),
+            back: Vec::new(),
         }
     }
 
@@ -45,7 +48,7 @@ impl Event {
         at: Millis,
         stream: usize,
         value: Value,
-        out: &mut dyn FnMut(Emission),
+        out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
         let at = at.0.max(self.open);
         self.ticks_before(core, at, out);
@@ -55,7 +58,7 @@ impl Event {
         self.carry(core, Millis(at), stream, out);
     }
 
-    pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let end = at.0.saturating_add(1);
         self.ticks_before(core, end, out);
         self.open = self.open.max(end);
@@ -66,7 +69,7 @@ impl Event {
     }
 
     /// Runs all ticks of instants before `end`: by instant, rank and place.
-    fn ticks_before(&mut self, core: &mut Core, end: u64, out: &mut dyn FnMut(Emission)) {
+    fn ticks_before(&mut self, core: &mut Core, end: u64, out: &mut (impl FnMut(Emission) + ?Sized)) {
         while let Some(&(at, rank, connector)) = self.due.first().filter(|(at, ..)| *at < end) {
             self.due.remove(&(at, rank, connector));
             self.open = self.open.max(at);
@@ -80,62 +83,76 @@ impl Event {
     }
 
     /// Hands the last value of a stream to its connectors in array order, each to the end before the next.
-    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut dyn FnMut(Emission)) {
-        self.path.push((stream, 0));
-        while let Some((stream, next)) = self.path.last_mut() {
-            let Some(&(connector, slot)) = core.graph.outgoing[*stream].get(*next) else {
-                self.path.pop();
-                continue;
-            };
-            *next += 1;
-            let stream = *stream;
-            match self.react(core, at, connector, slot, stream) {
-                Ok(false) => {}
-                Ok(true) => {
-                    let stream = core.graph.connectors[connector].output;
+    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut (impl FnMut(Emission) + ?Sized)) {
+        let plan = self.plan.clone();
+        let mut next = plan.row(stream);
+        loop {
+            let step = &plan.steps[next];
+            next = match self.react(core, at, step) {
+                Took::Gave => {
+                    let stream = step.output as usize;
                     out(Emission::Value { at, stream, value: core.stats.value(stream) });
-                    if !core.graph.outgoing[stream].is_empty() {
-                        self.path.push((stream, 0));
-                    }
+                    self.after(&plan, step, next)
                 }
-                Err(failed) => {
-                    out(Emission::Fault { at, connector, error: &failed.reason, deadline: failed.deadline });
+                Took::Kept if step.does == Does::End => match self.back.pop() {
+                    Some(back) => back,
+                    None => return,
+                },
+                Took::Kept => step.past as usize,
+                Took::Failed(failed) => {
+                    let (connector, error) = (step.connector as usize, &failed.reason);
+                    out(Emission::Fault { at, connector, error, deadline: failed.deadline });
+                    step.past as usize
                 }
             }
         }
     }
 
-    /// Lets a connector take the last value of a stream, one of its inputs; true if it gives one.
-    fn react(
-        &mut self,
-        core: &mut Core,
-        at: Millis,
-        connector: usize,
-        slot: usize,
-        stream: usize,
-    ) -> Result<bool, Box<Failed>> {
-        match core.graph.connectors[connector].work {
-            Work::Sample(period) => {
-                let value = core.stats.value(stream).clone();
-                self.hold(core.graph.ranks[connector], at, connector, period, value);
-                Ok(false)
+    /// The step after one that gave a value.
+    #[inline]
+    fn after(&mut self, plan: &Plan, step: &Step, at: usize) -> usize {
+        match step.goes {
+            Goes::On => at + 1,
+            Goes::Away => {
+                self.back.push(at + 1);
+                plan.row(step.output as usize)
             }
-            Work::CombineLatest => {
-                let known = &mut self.latest[connector];
-                copy_some(&mut known[slot], core.stats.value(stream));
-                with_known(known, |inputs| core.combine(at, connector, inputs))
-                    .map_or(Ok(false), |made| made.map(|()| true))
-            }
-            Work::Map | Work::Filter | Work::Timestamp | Work::Merge | Work::Subscribe => {
-                core.carry(at, connector, stream)
-            }
+            Goes::AwayForGood => plan.row(step.output as usize),
         }
     }
 
-    fn hold(&mut self, rank: usize, at: Millis, connector: usize, period: u64, value: Value) {
+    /// Lets a connector take the last value of one of its inputs.
+    #[inline]
+    fn react(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
+        match step.does {
+            Does::Compute(operator) => core.compute(at, step, operator),
+            Does::Map => core.map(at, step),
+            Does::Compare(comparison) => core.compare(at, step, comparison),
+            Does::Filter => core.sift(at, step),
+            Does::Pass => core.hand_on(at, step),
+            Does::Stamp => core.timestamp(at, step),
+            Does::Combine => self.combine(core, at, step),
+            Does::Hold => self.hold(core, at, step),
+            Does::End => Took::Kept,
+        }
+    }
+
+    fn combine(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
+        let connector = step.connector as usize;
+        let known = &mut self.latest[connector];
+        copy_some(&mut known[step.slot as usize], core.stats.value(step.input as usize));
+        with_known(known, |inputs| core.combine(at, step, inputs)).unwrap_or(Took::Kept)
+    }
+
+    /// What it holds it gives with its next tick.
+    fn hold(&mut self, core: &Core, at: Millis, step: &Step) -> Took {
+        let connector = step.connector as usize;
+        let Work::Sample(period) = core.graph.connectors[connector].work else { return Took::Kept };
+        let value = core.stats.value(step.input as usize).clone();
         if self.held[connector].replace(value).is_none() {
             let tick = at.0.max(1).div_ceil(period).saturating_mul(period);
-            self.due.insert((tick, rank, connector));
+            self.due.insert((tick, core.graph.ranks[connector], connector));
         }
+        Took::Kept
     }
 }

@@ -79,7 +79,7 @@ impl Frame {
         at: Millis,
         stream: usize,
         value: Value,
-        out: &mut dyn FnMut(Emission),
+        out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
         let frame = self.end_of(at).0.max(self.open);
         self.frames_before(core, frame, out);
@@ -89,7 +89,7 @@ impl Frame {
         self.now[stream] = Some(Carried { value, origin: (at.0, self.readings) });
     }
 
-    pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub(crate) fn until(&mut self, core: &mut Core, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let end = at.0 / self.length * self.length;
         let next = end.saturating_add(self.length);
         self.frames_before(core, next, out);
@@ -103,14 +103,14 @@ impl Frame {
     }
 
     /// Runs the frames that end before `end` and have something to do.
-    fn frames_before(&mut self, core: &mut Core, end: u64, out: &mut dyn FnMut(Emission)) {
+    fn frames_before(&mut self, core: &mut Core, end: u64, out: &mut (impl FnMut(Emission) + ?Sized)) {
         while let Some(Millis(at)) = self.next_due().filter(|at| at.0 < end) {
             self.run(core, Millis(at), out);
             self.open = self.open.max(at.saturating_add(self.length));
         }
     }
 
-    fn run(&mut self, core: &mut Core, at: Millis, out: &mut dyn FnMut(Emission)) {
+    fn run(&mut self, core: &mut Core, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         self.fed = false;
         self.say_readings(core);
         for place in 0..self.order.len() {

@@ -1,7 +1,6 @@
 //! A valid behaviour as numbers: streams and connectors by index, who hands values to whom, and in which order.
 
 use behaviour::{FileStream, Params, StreamKind};
-use std::collections::BTreeMap;
 
 /// A stream of a run.
 #[derive(Clone, Debug, PartialEq)]
@@ -65,7 +64,10 @@ pub struct ConnectorInfo {
 /// The wiring of a run.
 pub(crate) struct Graph {
     pub(crate) streams: Vec<StreamInfo>,
-    pub(crate) by_id: BTreeMap<String, usize>,
+    /// For every stream whether it is a sensor's.
+    pub(crate) sensed: Vec<bool>,
+    /// The streams in the order of their ids.
+    by_id: Vec<usize>,
     pub(crate) connectors: Vec<ConnectorInfo>,
     /// For every stream the connectors that take from it, in array order, and as which of their inputs.
     pub(crate) outgoing: Vec<Vec<(usize, usize)>>,
@@ -86,8 +88,16 @@ impl Graph {
             }
         }
         let ranks = ranks(&connectors, &outgoing)?;
-        let by_id = streams.iter().enumerate().map(|(at, stream)| (stream.id.clone(), at)).collect();
-        Ok(Self { streams, by_id, connectors, outgoing, ranks })
+        let mut by_id: Vec<usize> = (0..streams.len()).collect();
+        by_id.sort_by_key(|&at| &streams[at].id);
+        let sensed = streams.iter().map(|stream| stream.kind == StreamKind::Sensor).collect();
+        Ok(Self { streams, sensed, by_id, connectors, outgoing, ranks })
+    }
+
+    /// The index of a stream by its id.
+    pub(crate) fn stream(&self, id: &str) -> Option<usize> {
+        let at = self.by_id.binary_search_by(|&at| self.streams[at].id.as_str().cmp(id)).ok()?;
+        Some(self.by_id[at])
     }
 }
 

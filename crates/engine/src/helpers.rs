@@ -7,13 +7,22 @@ use crate::validate::Fault;
 use crate::walk;
 use behaviour::{FileHelper, is_identifier};
 use rhai::{AST, Engine};
+use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
 
 /// Compiled helpers.
 #[derive(Default)]
 pub(crate) struct Helpers {
-    functions: Option<AST>,
+    functions: Rc<Functions>,
     shelf: Option<Shelf>,
+}
+
+/// All helpers as functions for Rhai, read when they are first needed: where the first tier answers, they never are.
+#[derive(Default)]
+pub(crate) struct Functions {
+    texts: Vec<String>,
+    read: OnceCell<AST>,
 }
 
 /// A helper that Rhai accepts.
@@ -21,7 +30,7 @@ struct Read {
     /// Its body by itself.
     body: AST,
     /// The body as a function.
-    function: AST,
+    function: String,
     /// What it calls.
     calls: BTreeSet<String>,
 }
@@ -30,14 +39,13 @@ impl Helpers {
     /// Checks and compiles all helpers.
     pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
-        let mut functions: Option<AST> = None;
+        let mut texts = Vec::new();
         let mut all = BTreeMap::new();
         for (at, helper) in helpers.iter().enumerate() {
             let twice = helpers[..at].iter().any(|other| other.name == helper.name);
             match if twice { Err("this name is used twice".to_owned()) } else { compile_one(engine, helper) } {
                 Ok(read) => {
-                    let function = &read.function;
-                    functions = Some(functions.take().map_or_else(|| function.clone(), |all| all.merge(function)));
+                    texts.push(read.function.clone());
                     all.insert(helper.name.as_str(), read);
                 }
                 Err(reason) => faults.push(Fault { id: helper.name.clone(), reason }),
@@ -47,6 +55,7 @@ impl Helpers {
         if !faults.is_empty() {
             return Err(faults);
         }
+        let functions = Rc::new(Functions { texts, read: OnceCell::new() });
         Ok(Self { functions, shelf: limits.compiled.then(|| shelf(helpers, &all, limits)) })
     }
 
@@ -55,14 +64,43 @@ impl Helpers {
         self.shelf.as_ref()
     }
 
-    /// The body with all helpers within reach.
-    pub(crate) fn joined(&self, body: AST) -> AST {
-        match &self.functions {
-            None => body,
-            Some(functions) if body.has_functions() => body.merge(functions),
-            Some(functions) => AST::new(body.statements().iter().cloned(), functions.shared_lib().clone()),
-        }
+    /// All of them as functions for Rhai.
+    pub(crate) fn functions(&self) -> Rc<Functions> {
+        self.functions.clone()
     }
+}
+
+impl Functions {
+    /// The body with all helpers within reach.
+    ///
+    /// # Errors
+    /// Why Rhai cannot read them, in plain words.
+    pub(crate) fn joined(&self, engine: &Engine, body: AST) -> Result<AST, String> {
+        if self.texts.is_empty() {
+            return Ok(body);
+        }
+        let functions = self.read(engine)?;
+        Ok(if body.has_functions() {
+            body.merge(functions)
+        } else {
+            AST::new(body.statements().iter().cloned(), functions.shared_lib().clone())
+        })
+    }
+
+    fn read(&self, engine: &Engine) -> Result<&AST, String> {
+        if let Some(read) = self.read.get() {
+            return Ok(read);
+        }
+        let mut all = AST::empty();
+        for text in &self.texts {
+            all = all.merge(&read_function(engine, text, &[])?);
+        }
+        Ok(self.read.get_or_init(|| all))
+    }
+}
+
+fn read_function(engine: &Engine, text: &str, params: &[String]) -> Result<AST, String> {
+    engine.compile(text).map_err(|error| crate::words::refusal(&error, params))
 }
 
 fn compile_one(engine: &Engine, helper: &FileHelper) -> Result<Read, String> {
@@ -72,8 +110,8 @@ fn compile_one(engine: &Engine, helper: &FileHelper) -> Result<Read, String> {
     check_distinct(&helper.params)?;
     // By itself first: only a text that is whole by itself may be put between the brackets of a function.
     let body = compile(engine, &helper.params, &helper.body)?;
-    let text = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
-    let function = engine.compile(text).map_err(|error| crate::words::refusal(&error, &helper.params))?;
+    let function = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
+    read_function(engine, &function, &helper.params)?;
     let calls = walk::called(&body);
     Ok(Read { body, function, calls })
 }

@@ -17,6 +17,7 @@ mod helpers;
 mod library;
 mod limits;
 mod maths;
+mod plan;
 mod procedure;
 mod quick;
 mod run;

@@ -2,20 +2,34 @@
 
 use crate::cells::Number;
 use crate::convert::{from_rhai, to_rhai};
-use crate::helpers::Helpers;
-use crate::quick::Quick;
+use crate::helpers::{Functions, Helpers};
+use crate::quick::{Quick, Short};
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
 use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
 
-/// A compiled body with one slot per argument.
+/// A compiled body.
 pub(crate) struct Procedure {
-    ast: AST,
-    names: Vec<String>,
-    slots: Scope<'static>,
-    /// The same, compiled, if all of it can be.
+    /// The first tier, if it has all of it.
     quick: Option<Quick>,
+    slow: Box<Slow>,
+}
+
+/// The second tier: Rhai.
+struct Slow {
+    names: Vec<String>,
+    body: Box<str>,
+    functions: Rc<Functions>,
+    /// Made when it is first needed: a run keeps thousands of bodies that the first tier answers for.
+    made: Option<Made>,
+}
+
+/// What Rhai has read, with one slot per argument.
+struct Made {
+    ast: AST,
+    slots: Scope<'static>,
 }
 
 /// Why a call gave no value.
@@ -32,7 +46,16 @@ impl Procedure {
     pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
         let ast = compile(engine, names, body)?;
         let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
-        Ok(Self { ast: helpers.joined(ast), names: names.to_vec(), slots: scope_of(names), quick })
+        let mut slow = Slow { names: names.to_vec(), body: body.into(), functions: helpers.functions(), made: None };
+        if quick.is_none() {
+            slow.made = Some(slow.made_of(engine, ast)?);
+        }
+        Ok(Self { quick, slow: Box::new(slow) })
+    }
+
+    /// The same as one operation, if the first tier knows and it is no more than that.
+    pub(crate) fn short(&self) -> Option<Short> {
+        self.quick.as_ref()?.short()
     }
 
     /// The number it makes of the inputs, if the first tier knows.
@@ -67,17 +90,32 @@ impl Procedure {
 
     /// What Rhai makes of the inputs.
     pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
-        for (name, input) in self.names.iter().zip(inputs) {
-            if let Some(slot) = self.slots.get_mut(name) {
+        let Slow { names, made, .. } = self.slow.ready(engine).map_err(|reason| failed(&reason))?;
+        let Some(Made { ast, slots }) = made else { return Ok(Value::Null) };
+        for (name, input) in names.iter().zip(inputs) {
+            if let Some(slot) = slots.get_mut(name) {
                 *slot = to_rhai(input);
             }
         }
-        let (ast, slots) = (&self.ast, &mut self.slots);
         let run = || engine.eval_ast_with_scope::<Dynamic>(slots, ast);
         let result = catch_unwind(AssertUnwindSafe(run));
-        self.slots.rewind(self.names.len());
+        slots.rewind(names.len());
         let made = result.map_err(|_| failed("it broke the procedure language; write it another way"))?;
         from_rhai(made.map_err(|error| fault(&error))?).map_err(|reason| failed(&reason))
+    }
+}
+
+impl Slow {
+    fn made_of(&self, engine: &Engine, ast: AST) -> Result<Made, String> {
+        Ok(Made { ast: self.functions.joined(engine, ast)?, slots: scope_of(&self.names) })
+    }
+
+    /// The same, once Rhai has read it.
+    fn ready(&mut self, engine: &Engine) -> Result<&mut Self, String> {
+        if self.made.is_none() {
+            self.made = Some(self.made_of(engine, compile(engine, &self.names, &self.body)?)?);
+        }
+        Ok(self)
     }
 }
 

@@ -11,6 +11,7 @@ mod compare;
 mod functions;
 mod literals;
 mod make;
+mod name;
 mod node;
 mod numbers;
 mod shelf;
@@ -22,18 +23,28 @@ use behaviour::Value;
 use bounds::Bounds;
 use node::{Env, Node};
 use rhai::AST;
+use std::rc::Rc;
 
+pub(crate) use compare::Comparison;
+pub(crate) use numbers::Operator;
 pub(crate) use shelf::Shelf;
 
 /// The tree is not sure what Rhai would say.
 #[derive(Debug)]
-struct Unsure;
+pub(crate) struct Unsure;
 
 /// A compiled procedure.
 pub(crate) struct Quick {
     root: Node,
-    bounds: Bounds,
+    bounds: Rc<Bounds>,
     says: Says,
+}
+
+/// A procedure that is one operation of its first input and a number: `x + 1`, `distance > 2.0`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Short {
+    Compute(Operator, Number),
+    Compare(Comparison, Number),
 }
 
 /// What kind of value it makes, as far as its form tells.
@@ -52,23 +63,36 @@ impl Quick {
         let says = match &root {
             root if root.is_numeric() => Says::Number,
             Node::Compare(..) | Node::Not(_) | Node::All(_) | Node::Any(_) => Says::Truth,
-            Node::Object(fields) if fields.iter().all(|(_, field)| field.is_numeric()) => Says::Object,
+            Node::Object(object) if object.1.iter().all(Node::is_numeric) => Says::Object,
             _ => Says::Anything,
         };
         Some(Self { root, bounds: shelf.bounds(), says })
     }
 
+    /// The same as one operation, if it is no more than that.
+    pub(crate) fn short(&self) -> Option<Short> {
+        let number = |pair: &(Node, Node)| match pair {
+            (Node::Input(0), Node::Constant(value)) => Number::of(value).ok(),
+            _ => None,
+        };
+        match &self.root {
+            Node::Arithmetic(operator, pair) => Some(Short::Compute(*operator, number(pair)?)),
+            Node::Compare(comparison, pair) => Some(Short::Compare(*comparison, number(pair)?)),
+            _ => None,
+        }
+    }
+
     /// The number it makes of the inputs; nothing if it makes another value or Rhai must decide.
     #[inline]
     pub(crate) fn number(&self, inputs: &[&Value]) -> Option<Number> {
-        let made = if self.says == Says::Number { self.root.number(&self.env(inputs)).ok() } else { None };
+        let made = if self.says == Says::Number { self.root.short_number(&self.env(inputs)).ok() } else { None };
         made.filter(|number| number.is_finite())
     }
 
     /// Whether it finds the inputs true; nothing if it makes another value or Rhai must decide.
     #[inline]
     pub(crate) fn truth(&self, inputs: &[&Value]) -> Option<bool> {
-        if self.says == Says::Truth { self.root.truth(&self.env(inputs)).ok() } else { None }
+        if self.says == Says::Truth { self.root.short_truth(&self.env(inputs)).ok() } else { None }
     }
 
     /// Makes an object of numbers over an older one that it made. False leaves `spare` with no meaning.
@@ -77,6 +101,7 @@ impl Quick {
         self.says == Says::Object && self.root.over(&self.env(inputs), spare).is_some()
     }
 
+    #[inline]
     fn env<'a>(&'a self, inputs: &'a [&'a Value]) -> Env<'a> {
         Env { inputs, locals: None, bounds: &self.bounds }
     }

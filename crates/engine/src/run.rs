@@ -7,7 +7,7 @@ use crate::graph::{ConnectorInfo, StreamInfo, Work};
 use crate::limits::Limits;
 use crate::stats::Stats;
 use crate::validate::{Fault, prepare};
-use behaviour::{BehaviourFile, Engine, StreamKind, Value};
+use behaviour::{BehaviourFile, Engine, Value};
 use robot::Millis;
 
 /// What a run tells its caller, in order.
@@ -54,7 +54,7 @@ impl Run {
     pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
         let core = Core::of(prepare(file, &limits)?);
         let mode = match file.engine.unwrap_or_default() {
-            Engine::Event => Mode::Event(Event::of(&core.graph)),
+            Engine::Event => Mode::Event(Event::of(&core)),
             Engine::Frame { frame_ms } => Mode::Frame(Frame::of(&core.graph, frame_ms)),
         };
         Ok(Self { core, mode })
@@ -75,15 +75,15 @@ impl Run {
     /// The index of a stream by its id.
     #[must_use]
     pub fn stream_index(&self, id: &str) -> Option<usize> {
-        self.core.graph.by_id.get(id).copied()
+        self.core.graph.stream(id)
     }
 
     /// Gives a reading to a sensor stream; what is due strictly before `at` runs first. Times must not decrease, and
     /// an instant that [`Run::until`] closed takes nothing more: a reading that comes late counts as one of the next
     /// open instant. Readings for other streams and numbers that are not finite are ignored.
-    pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut dyn FnMut(Emission)) {
-        let sensor = self.core.graph.streams.get(stream).is_some_and(|info| info.kind == StreamKind::Sensor);
-        if !sensor || !value.is_finite() {
+    pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
+        let sensed = self.core.graph.sensed.get(stream).is_some_and(|sensed| *sensed);
+        if !sensed || !value.is_finite() {
             return;
         }
         match &mut self.mode {
@@ -93,7 +93,7 @@ impl Run {
     }
 
     /// Closes all instants up to and including `at`: their ticks run.
-    pub fn until(&mut self, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub fn until(&mut self, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         match &mut self.mode {
             Mode::Event(event) => event.until(&mut self.core, at, out),
             Mode::Frame(frame) => frame.until(&mut self.core, at, out),
@@ -101,7 +101,7 @@ impl Run {
     }
 
     /// Ends a replay at `at`: like [`Run::until`], and a frame that has begun by then runs too.
-    pub fn finish(&mut self, at: Millis, out: &mut dyn FnMut(Emission)) {
+    pub fn finish(&mut self, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         match &mut self.mode {
             Mode::Event(event) => event.until(&mut self.core, at, out),
             Mode::Frame(frame) => {
@@ -127,7 +127,7 @@ impl Run {
         let (stats, info) = (self.stats(), self.connectors().get(connector)?);
         let stream = if info.work == Work::Subscribe { *info.inputs.first()? } else { info.output };
         let fired = stats.connectors[connector].fired > 0;
-        stats.streams[stream].last.as_ref().map(|(_, value)| value).filter(|_| fired)
+        stats.streams[stream].last().map(|(_, value)| value).filter(|_| fired)
     }
 
     /// What it counted so far.

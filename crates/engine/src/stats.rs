@@ -1,6 +1,7 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
 use crate::cells::{Made, Number, copy, put_number};
+use crate::plan::Step;
 use crate::procedure::Failed;
 use behaviour::Value;
 use robot::Millis;
@@ -20,8 +21,10 @@ pub struct Stats {
 pub struct StreamStats {
     /// How many values.
     pub count: u64,
-    /// The last one, and when.
-    pub last: Option<(Millis, Value)>,
+    /// When the last one came.
+    at: Millis,
+    /// The last one; null before the first.
+    value: Value,
 }
 
 /// What one connector did.
@@ -34,7 +37,7 @@ pub struct ConnectorStats {
     /// How many of the last calls in a row the caller's interrupt ended.
     pub deadlines_in_a_row: u32,
     /// The last fault.
-    pub last_fault: Option<LastFault>,
+    pub last_fault: Option<Box<LastFault>>,
 }
 
 /// A fault and what caused it.
@@ -48,8 +51,6 @@ pub struct LastFault {
     pub inputs: Vec<Value>,
 }
 
-static NOTHING: Value = Value::Null;
-
 impl Stats {
     pub(crate) fn of(streams: usize, connectors: usize) -> Self {
         let (stream, connector) = (StreamStats::default(), ConnectorStats::default());
@@ -59,11 +60,11 @@ impl Stats {
     /// The last value of a stream.
     #[inline]
     pub(crate) fn value(&self, stream: usize) -> &Value {
-        self.streams[stream].last.as_ref().map_or(&NOTHING, |(_, value)| value)
+        &self.streams[stream].value
     }
 
     /// Counts a number that a connector puts on its output.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
         self.connectors[connector].gave();
         put_number(self.streams[output].open(at), number);
@@ -85,24 +86,29 @@ impl Stats {
         *self.streams[stream].open(at) = value;
     }
 
-    /// Counts a value that a connector passes from a stream to its output.
+    /// Counts a value that a connector passes from its input to its output.
     #[inline]
-    pub(crate) fn pass(&mut self, at: Millis, connector: usize, stream: usize, output: usize) {
-        self.connectors[connector].gave();
-        if let Ok([from, to]) = self.streams.get_disjoint_mut([stream, output]) {
-            to.copy(at, from.last.as_ref().map_or(&NOTHING, |(_, value)| value));
+    pub(crate) fn pass(&mut self, at: Millis, step: &Step) {
+        self.connectors[step.connector as usize].gave();
+        if let Ok([from, to]) = self.streams.get_disjoint_mut([step.input as usize, step.output as usize]) {
+            to.copy(at, &from.value);
         }
     }
 }
 
 impl StreamStats {
+    /// The last value, and when it came.
+    #[must_use]
+    pub fn last(&self) -> Option<(Millis, &Value)> {
+        (self.count > 0).then_some((self.at, &self.value))
+    }
+
     /// Counts a value, and gives the place for it.
     #[inline]
     fn open(&mut self, at: Millis) -> &mut Value {
         self.count += 1;
-        let (when, value) = self.last.get_or_insert((at, Value::Null));
-        *when = at;
-        value
+        self.at = at;
+        &mut self.value
     }
 
     /// Counts a value.
@@ -125,6 +131,6 @@ impl ConnectorStats {
         self.faults += 1;
         self.deadlines_in_a_row = if failed.deadline { self.deadlines_in_a_row + 1 } else { 0 };
         let inputs = inputs.iter().map(|&input| input.clone()).collect();
-        self.last_fault = Some(LastFault { at, error: failed.reason.clone(), inputs });
+        self.last_fault = Some(Box::new(LastFault { at, error: failed.reason.clone(), inputs }));
     }
 }

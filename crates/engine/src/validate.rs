@@ -102,7 +102,7 @@ impl<'f> Door<'f> {
     /// All connectors with their ends, unless an end is missing.
     fn connectors(&mut self) -> Option<Vec<ConnectorInfo>> {
         let mut fed = BTreeSet::new();
-        let mut all = Vec::new();
+        let mut all = Vec::with_capacity(self.file.connectors.len());
         for connector in &self.file.connectors {
             match self.connector(connector, &mut fed) {
                 Ok(info) => all.push(info),

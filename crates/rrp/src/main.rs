@@ -1,5 +1,6 @@
 //! The front door: the command line of rrp.
 
+mod bench;
 mod check;
 mod export;
 mod import;
@@ -26,6 +27,7 @@ enum What {
     Serve(serve::ServeArgs),
     Shell(ShellArgs),
     Replay(replay::ReplayArgs),
+    Bench(bench::BenchArgs),
     Export(export::ExportArgs),
     Import(import::ImportArgs),
     Check(check::CheckArgs),
@@ -50,6 +52,7 @@ const EXAMPLES: &str = "Examples:
   rrp serve --listen 127.0.0.1:0       on a free port
   rrp shell                            look around and start behaviours from a terminal
   rrp replay --behaviour tracking.json --trace morning.jsonl
+  rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000
   rrp export \"Track far and close balls\" --format xml --out tracking.xml
   rrp import tracking.xml              bring a behaviour in, as a copy
   rrp check tracking.xml               look what is wrong with a file
@@ -60,6 +63,7 @@ fn main() -> ExitCode {
         What::Serve(args) => serve::serve(args),
         What::Shell(args) => console(&args.url),
         What::Replay(args) => replay::replay(&args),
+        What::Bench(args) => bench::bench(&args),
         What::Export(args) => ended(export::export(&args)),
         What::Import(args) => import::import(&args),
         What::Check(args) => check::check(&args),

@@ -9,9 +9,9 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// The largest behaviour that is read, in bytes.
-const BEHAVIOUR_BYTES: u64 = 16 * 1024 * 1024;
+pub(crate) const BEHAVIOUR_BYTES: u64 = 16 * 1024 * 1024;
 /// The largest trace that is read, in bytes.
-const TRACE_BYTES: u64 = 512 * 1024 * 1024;
+pub(crate) const TRACE_BYTES: u64 = 512 * 1024 * 1024;
 /// The length of a frame if nobody says one.
 const FRAME_MS: u64 = 50;
 
@@ -57,13 +57,13 @@ enum Mode {
 }
 
 /// Why a replay did not happen.
-enum Refused {
+pub(crate) enum Refused {
     Behaviour(Vec<String>),
     Trace(String),
 }
 
 /// A reading for a stream by index.
-type Reading = (Millis, usize, Value);
+pub(crate) type Reading = (Millis, usize, Value);
 
 /// Replays, prints, and answers with the exit code.
 pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
@@ -73,8 +73,15 @@ pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
             let _ = play(args, &file, run, readings, &mut BufWriter::new(std::io::stdout().lock()));
             ExitCode::SUCCESS
         }
-        Err(Refused::Behaviour(reasons)) => refuse(&reasons, 2),
-        Err(Refused::Trace(reason)) => refuse(&[reason], 3),
+        Err(reason) => refused(reason),
+    }
+}
+
+/// Says why, and gives the exit code for it.
+pub(crate) fn refused(reason: Refused) -> ExitCode {
+    match reason {
+        Refused::Behaviour(reasons) => refuse(&reasons, 2),
+        Refused::Trace(reason) => refuse(&[reason], 3),
     }
 }
 
@@ -114,7 +121,7 @@ fn chosen_engine(args: &ReplayArgs, own: Engine) -> Engine {
 }
 
 /// A whole file, or standard input for `-`, up to a bound.
-fn read(path: &Path, bound: u64) -> Result<String, String> {
+pub(crate) fn read(path: &Path, bound: u64) -> Result<String, String> {
     let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
     let source: Box<dyn Read> = if path == Path::new("-") {
         Box::new(std::io::stdin().lock())
@@ -129,7 +136,7 @@ fn read(path: &Path, bound: u64) -> Result<String, String> {
     Ok(text)
 }
 
-fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, String> {
+pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, String> {
     let mut readings = Vec::new();
     let mut latest = 0;
     for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {

@@ -1,7 +1,15 @@
 //! Benchmarks that need more than cargo.
 
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
 use crate::neo4j;
 use crate::tools::{self, Outcome, Workspace};
+
+/// Others that run the engine's graphs, at the versions that claims are made about.
+const RXJS: &str = "rxjs@7.8.2";
+const NODE_RED: &str = "node-red@4.1.15";
+const RXPY: &str = "reactivex==6.1.0";
 
 /// Measures the stores.
 pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
@@ -11,4 +19,83 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
         Err(sentence) => println!("SKIPPED by name: the benchmark of Neo4j ({sentence})"),
     }
     tools::run(&mut cargo, "The benchmark of stores")
+}
+
+/// Measures the engine, beside the others that can be installed here; `words` go to the benchmark.
+pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    let folder = |name: &str| workspace.target.join("bench").join(name);
+    let others = [
+        ("RxJS", "RRP_BENCH_RXJS", from_npm(RXJS, folder("rxjs"))),
+        ("RxPY", "RRP_BENCH_RXPY", from_pypi(RXPY, &folder("rxpy"))),
+        ("Node-RED", "RRP_BENCH_NODERED", from_npm(NODE_RED, folder("nodered"))),
+    ];
+    let mut cargo = workspace.cargo(&["bench", "--package", "engine", "--bench", "engine", "--"]);
+    cargo.args(words);
+    for (name, variable, place) in others {
+        match place {
+            Ok(place) => drop(cargo.env(variable, place)),
+            Err(sentence) => println!("SKIPPED by name: the comparison with {name} ({sentence})"),
+        }
+    }
+    tools::run(&mut cargo, "The benchmark of the engine")
+}
+
+/// A folder that has a package of npm, at a version.
+fn from_npm(package: &str, folder: PathBuf) -> Outcome<PathBuf> {
+    let (name, version) = package.split_once('@').unwrap_or((package, ""));
+    if is_installed(&folder.join("node_modules").join(name).join("package.json"), version) {
+        return Ok(folder);
+    }
+    needs(&["node", "npm"])?;
+    println!("Installing {package} in {}.", folder.display());
+    let words = ["install", "--no-audit", "--no-fund", "--loglevel=error", "--prefix"];
+    tools::run(Command::new("npm").args(words).arg(&folder).arg(package), "npm")?;
+    Ok(folder)
+}
+
+/// Whether a package.json is of that version.
+fn is_installed(package: &Path, version: &str) -> bool {
+    let said = std::fs::read_to_string(package).unwrap_or_default();
+    said.contains(&format!("\"version\": \"{version}\""))
+}
+
+/// The Python of a folder of its own that has a package of PyPI, at a version.
+fn from_pypi(package: &str, folder: &Path) -> Outcome<PathBuf> {
+    let python = folder.join("bin/python");
+    let (name, version) = package.split_once("==").unwrap_or((package, ""));
+    let ask = format!("import importlib.metadata as m; assert m.version({name:?}) == {version:?}");
+    if tools::said(Command::new(&python).args(["-c", &ask])).is_some() {
+        return Ok(python);
+    }
+    needs(&["python3"])?;
+    println!("Installing {package} in {}.", folder.display());
+    tools::run(Command::new("python3").args(["-m", "venv"]).arg(folder), "python3 -m venv")?;
+    tools::run(Command::new(&python).args(["-m", "pip", "install", "--quiet", package]), "pip")?;
+    Ok(python)
+}
+
+/// Refuses what needs a program that is not here.
+fn needs(programs: &[&str]) -> Outcome<()> {
+    let missing = programs.iter().find(|program| tools::on_path(program).is_none());
+    missing.map_or(Ok(()), |program| Err(format!("there is no {program} on PATH; install it")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_version_that_was_asked_for_is_installed() -> Result<(), Box<dyn std::error::Error>> {
+        let folder = tempfile::tempdir()?;
+        let package = folder.path().join("package.json");
+        assert!(!is_installed(&package, "7.8.2"));
+        std::fs::write(&package, "{\n  \"name\": \"rxjs\",\n  \"version\": \"7.8.2\"\n}")?;
+        assert!(is_installed(&package, "7.8.2") && !is_installed(&package, "7.8.1"));
+        Ok(())
+    }
+
+    #[test]
+    fn a_missing_program_is_named() {
+        assert!(needs(&["no-such-program"]).is_err_and(|sentence| sentence.contains("no-such-program")));
+    }
 }

@@ -19,6 +19,8 @@ cargo xtask COMMAND
   page [--dev]              build the page into target/page (--dev: quicker to build, not compressed)
   serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
+  bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
+                            GRAPH is chain10, tracking, fanout100, merge100 or bars
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
@@ -44,6 +46,9 @@ fn obey(words: &[String]) -> Outcome<()> {
         ["neo4j"] => {
             println!("RRP_NEO4J={}", neo4j::ensure(&Workspace::here()?)?.display());
             Ok(())
+        }
+        ["bench", "engine", rest @ ..] if rest.iter().all(|word| !word.starts_with('-')) => {
+            bench::engine(&Workspace::here()?, rest)
         }
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["test"] => test::all(&Workspace::here()?),

@@ -16,12 +16,21 @@ pub(crate) struct Graph {
     pub(crate) by_hand: [fn() -> Way; 2],
 }
 
+impl Graph {
+    /// The ids of the streams that nothing takes from.
+    pub(crate) fn leaves(&self) -> Vec<String> {
+        let taken = |id: &String| self.file.connectors.iter().any(|connector| connector.inputs.contains(id));
+        let ids = self.file.streams.iter().map(|stream| &stream.id);
+        ids.filter(|id| !taken(id)).cloned().collect()
+    }
+}
+
 /// All of them.
 pub(crate) fn all() -> [Graph; 4] {
     let numbers = |stream: &str| (0..64).map(|at| (stream.to_owned(), Value::Int(at * 100 / 64))).collect();
     let sensors = (0..100).map(|at| (format!("s{at}"), Value::Int(at))).collect();
     [
-        Graph { name: "chain10", file: chain(), readings: numbers("s"), by_hand: [streams::chain, hand::chain] },
+        Graph { name: "chain10", file: chain(10), readings: numbers("s"), by_hand: [streams::chain, hand::chain] },
         Graph {
             name: "tracking",
             file: tracking(),
@@ -53,8 +62,14 @@ fn connector(operation: &str, inputs: &[String], output: &str, body: &str) -> Js
     connector
 }
 
-fn chain() -> BehaviourFile {
-    let names: Vec<String> = ["s".to_owned()].into_iter().chain((1..=10).map(|at| format!("o{at}"))).collect();
+/// So many maps in a row.
+pub(crate) fn long_chain(maps: usize) -> Graph {
+    let readings = vec![("s".to_owned(), Value::Int(0))];
+    Graph { name: "long chain", file: chain(maps), readings, by_hand: [streams::chain, hand::chain] }
+}
+
+fn chain(maps: usize) -> BehaviourFile {
+    let names: Vec<String> = ["s".to_owned()].into_iter().chain((1..=maps).map(|at| format!("o{at}"))).collect();
     let kind = |at| if at == 0 { "sensor" } else { "ordinary" };
     let streams: Vec<_> = names.iter().enumerate().map(|(at, name)| stream(name, kind(at))).collect();
     let connectors: Vec<_> = names.windows(2).map(|pair| connector("map", &pair[..1], &pair[1], "x + 1")).collect();

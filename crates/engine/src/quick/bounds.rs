@@ -44,7 +44,7 @@ impl Size {
             }
             Value::Map(fields) => {
                 self.fields += fields.len();
-                fields.values().for_each(|value| self.add(value));
+                fields.values().iter().for_each(|value| self.add(value));
             }
             Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => {}
         }
@@ -60,7 +60,7 @@ fn may_flow_nested(value: &Value, depth: usize) -> bool {
     match value {
         Value::Float(number) => number.is_finite(),
         Value::List(items) => depth > 0 && items.iter().all(|item| may_flow_nested(item, depth - 1)),
-        Value::Map(fields) => depth > 0 && fields.values().all(|value| may_flow_nested(value, depth - 1)),
+        Value::Map(fields) => depth > 0 && fields.values().iter().all(|value| may_flow_nested(value, depth - 1)),
         Value::Null | Value::Bool(_) | Value::Int(_) | Value::Text(_) => true,
     }
 }

@@ -4,10 +4,9 @@ use super::functions::Function;
 use super::literals::{constant, operation};
 use super::node::Node;
 use super::shelf::{Piece, Shelf};
-use behaviour::Value;
+use behaviour::{Names, Value};
 use rhai::{AST, ASTFlags, Expr, FnCallExpr, Stmt};
 use std::rc::Rc;
-use std::sync::Arc;
 
 /// More than the steps that Rhai counts for one part.
 const STEPS_PER_PART: u64 = 8;
@@ -119,16 +118,18 @@ impl<'h> Builder<'h> {
             Expr::Variable(variable, ..) if variable.2.is_empty() => deeper.variable(&variable.1),
             Expr::FnCall(call, _) => deeper.call(call),
             Expr::Dot(..) | Expr::Index(..) => deeper.chain(expression),
-            Expr::And(parts, _) => deeper.parts(parts).map(Node::All),
-            Expr::Or(parts, _) => deeper.parts(parts).map(Node::Any),
-            Expr::Array(items, _) => deeper.parts(items).map(Node::List),
+            Expr::And(parts, _) => deeper.parts(parts).map(|parts| Node::All(parts.into())),
+            Expr::Or(parts, _) => deeper.parts(parts).map(|parts| Node::Any(parts.into())),
+            Expr::Array(items, _) => deeper.parts(items).map(|items| Node::List(items.into())),
             Expr::Map(fields, _) if fields.0.len() == fields.1.len() => {
                 let mut made = Vec::new();
                 for (name, field) in &fields.0 {
-                    made.push((Arc::from(name.name.as_str()), deeper.part(field)?));
+                    made.push((name.name.as_str(), deeper.part(field)?));
                 }
-                made.sort_by(|one: &(Arc<str>, Node), other| one.0.cmp(&other.0));
-                Some(Node::Object(made))
+                made.sort_by_key(|(name, _)| *name);
+                let names = Names::of(&made.iter().map(|(name, _)| *name).collect::<Vec<_>>());
+                let fields: Box<[Node]> = made.into_iter().map(|(_, field)| field).collect();
+                (names.len() == fields.len()).then(|| Node::Object(Box::new((names, fields))))
             }
             Expr::Stmt(block) => deeper.block(block.statements()),
             other => constant(other).map(Node::Constant),
@@ -141,7 +142,11 @@ impl<'h> Builder<'h> {
 
     fn variable(&self, name: &str) -> Option<Node> {
         let at = self.names.iter().rposition(|known| known == name)?;
-        Some(if at < self.inputs { Node::Input(at) } else { Node::Local(self.names.len() - 1 - at) })
+        Some(if at < self.inputs {
+            Node::Input(u32::try_from(at).ok()?)
+        } else {
+            Node::Local(self.names.len() - 1 - at)
+        })
     }
 
     fn call(&mut self, call: &FnCallExpr) -> Option<Node> {
@@ -153,12 +158,13 @@ impl<'h> Builder<'h> {
             return operation(token, arguments);
         }
         if !self.shelf.has(&call.name, arguments.len()) {
-            return Some(Node::Function(Function::of(&call.name, arguments.len())?, arguments));
+            let function = Function::of(&call.name, arguments.len())?;
+            return Some(Node::Function(Box::new((function, arguments.into()))));
         }
         let piece = self.shelf.piece(&call.name, arguments.len())?;
         self.steps = self.steps.saturating_add(piece.steps);
         self.levels = self.levels.max(piece.levels);
         self.deepest = self.deepest.max(self.depth + piece.depth);
-        (self.deepest <= DEPTH_MAX).then(|| Node::Helper(piece.root.clone(), arguments))
+        (self.deepest <= DEPTH_MAX).then(|| Node::Helper(Box::new((piece.root.clone(), arguments.into()))))
     }
 }

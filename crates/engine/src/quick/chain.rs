@@ -2,9 +2,9 @@
 
 use super::build::Builder;
 use super::functions::Function;
+use super::name::Name;
 use super::node::Node;
 use rhai::{ASTFlags, BinaryExpr, Expr};
-use std::sync::Arc;
 
 /// A link of a chain: what comes after a dot, or between brackets.
 struct Link<'e> {
@@ -54,7 +54,13 @@ impl Builder<'_> {
             return None;
         }
         match says {
-            Expr::Property(property, _) if link.dot => Some(Node::Field(Box::new(of), Arc::from(property.2.as_str()))),
+            Expr::Property(property, _) if link.dot => {
+                let name = Name::of(property.2.as_str());
+                Some(match of {
+                    Node::Input(at) => Node::InputField(at, name),
+                    of => Node::Field(Box::new((of, name))),
+                })
+            }
             Expr::MethodCall(call, _) if link.dot => {
                 let parameters = call.args.len() + 1;
                 let taken = |many| self.shelf.has(&call.name, many);
@@ -63,7 +69,7 @@ impl Builder<'_> {
                 }
                 let function = Function::of(&call.name, parameters)?;
                 let arguments = std::iter::once(of).chain(self.parts(&call.args)?).collect();
-                Some(Node::Function(function, arguments))
+                Some(Node::Function(Box::new((function, arguments))))
             }
             _ if link.dot => None,
             at => Some(Node::Item(Box::new((of, self.part(at)?)))),

@@ -1,12 +1,13 @@
 //! Comparisons as Rhai makes them: measured numbers within a tolerance, different kinds never equal.
 
 use super::Unsure;
+use super::numbers::Number;
 use behaviour::Value;
 use std::cmp::Ordering;
 
 /// A comparison.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Comparison {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Comparison {
     Equal,
     NotEqual,
     Less,
@@ -24,6 +25,17 @@ impl Comparison {
             (Value::Float(left), Value::Int(right)) => Ok(self.measured(*left, *right as f64)),
             (Value::Int(left), Value::Float(right)) => Ok(self.measured(*left as f64, *right)),
             (left, right) => self.others(left, right),
+        }
+    }
+
+    /// The same with a number on the right: no other kind is equal to it, smaller or larger.
+    #[inline]
+    pub(crate) fn holds_number(self, left: &Value, right: Number) -> bool {
+        match (left, right) {
+            (Value::Int(left), Number::Int(right)) => self.allows(left.cmp(&right)),
+            (Value::Float(left), right) => self.measured(*left, right.float()),
+            (Value::Int(left), Number::Float(right)) => self.measured(*left as f64, right),
+            _ => self == Self::NotEqual,
         }
     }
 

@@ -2,17 +2,17 @@
 
 use super::Unsure;
 use super::bounds::Bounds;
+use super::name::Name;
 use super::node::{Env, Local, Made, Node};
 use super::numbers::{Number, Operator};
-use behaviour::Value;
+use behaviour::{Fields, Names, Value};
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-pub(super) fn field<'a>(of: Cow<'a, Value>, name: &str) -> Made<'a> {
+pub(super) fn field<'a>(of: Cow<'a, Value>, name: &Name) -> Made<'a> {
     match of {
-        Cow::Borrowed(of) => of.field(name).map(Cow::Borrowed),
-        Cow::Owned(of) => of.field(name).cloned().map(Cow::Owned),
+        Cow::Borrowed(of) => name.of_value(of).map(Cow::Borrowed),
+        Cow::Owned(of) => name.of_value(&of).cloned().map(Cow::Owned),
     }
     .ok_or(Unsure)
 }
@@ -72,10 +72,10 @@ pub(super) fn list<'a>(items: &[Node], env: &Env) -> Made<'a> {
     env.bounds.check(Value::List(Arc::new(made))).map(Cow::Owned)
 }
 
-pub(super) fn object<'a>(fields: &[(Arc<str>, Node)], env: &Env) -> Made<'a> {
-    let mut made = BTreeMap::new();
-    for (name, field) in fields {
-        made.insert(name.clone(), field.value(env)?.into_owned());
+pub(super) fn object<'a>(names: &Names, fields: &[Node], env: &Env) -> Made<'a> {
+    let mut made = Vec::with_capacity(fields.len());
+    for field in fields {
+        made.push(field.value(env)?.into_owned());
     }
-    env.bounds.check(Value::Map(Arc::new(made))).map(Cow::Owned)
+    env.bounds.check(Value::Map(Fields::with(names, made.into_iter()))).map(Cow::Owned)
 }

@@ -5,42 +5,46 @@ use super::bounds::Bounds;
 use super::compare::Comparison;
 use super::functions::Function;
 use super::make::{field, helper, item, list, object, plus, with_local};
+use super::name::Name;
 use super::numbers::{Number, Operator};
-use crate::cells::{own_fields, put_number};
-use behaviour::Value;
+use crate::cells::{own_values, put_number};
+use behaviour::{Names, Value};
 use std::borrow::Cow;
 use std::rc::Rc;
-use std::sync::Arc;
 
-/// A part of a procedure.
+/// A part of a procedure. Small, since a thousand behaviours have many.
 pub(super) enum Node {
     Constant(Value),
     /// An input of the procedure.
-    Input(usize),
+    Input(u32),
     /// A variable, or a parameter of a helper; 0 is the newest.
     Local(usize),
-    Field(Box<Node>, Arc<str>),
+    /// A field of an input.
+    InputField(u32, Name),
+    Field(Box<(Node, Name)>),
     /// An item of a list, or a field by a computed name.
     Item(Pair),
     Arithmetic(Operator, Pair),
     Compare(Comparison, Pair),
     Negative(Box<Node>),
     Not(Box<Node>),
-    All(Vec<Node>),
-    Any(Vec<Node>),
+    All(Box<[Node]>),
+    Any(Box<[Node]>),
     /// Condition, then, else.
     If(Box<[Node; 3]>),
     /// One after the other; the value is that of the second.
     Then(Pair),
     /// A variable, and what follows it.
     Let(Pair),
-    List(Vec<Node>),
+    List(Box<[Node]>),
     /// Fields in the order of their names.
-    Object(Vec<(Arc<str>, Node)>),
-    Function(Function, Vec<Node>),
+    Object(Box<(Names, Box<[Node]>)>),
+    Function(Box<(Function, Box<[Node]>)>),
     /// A helper: its parameters are its first variables.
-    Helper(Rc<Node>, Vec<Node>),
+    Helper(Box<(Rc<Node>, Box<[Node]>)>),
 }
+
+const _: () = assert!(size_of::<Node>() <= 32);
 
 /// Two parts.
 pub(super) type Pair = Box<(Node, Node)>;
@@ -76,7 +80,8 @@ impl Node {
     pub(super) fn is_numeric(&self) -> bool {
         match self {
             Self::Constant(value) => Number::of(value).is_ok(),
-            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) | Self::Field(..) => true,
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(_) => true,
+            Self::InputField(..) | Self::Field(_) => true,
             Self::If(parts) => parts[1].is_numeric() && parts[2].is_numeric(),
             _ => false,
         }
@@ -86,12 +91,9 @@ impl Node {
     #[inline]
     fn place<'a>(&'a self, env: &Env<'a>) -> Option<&'a Value> {
         match self {
+            Self::Input(at) => env.inputs.get(*at as usize).copied(),
+            Self::InputField(at, name) => name.of_value(env.inputs.get(*at as usize)?),
             Self::Constant(value) => Some(value),
-            Self::Input(at) => env.inputs.get(*at).copied(),
-            Self::Field(of, name) => match of.place(env)? {
-                Value::Map(fields) => fields.get(name),
-                _ => None,
-            },
             _ => None,
         }
     }
@@ -99,35 +101,32 @@ impl Node {
     /// What it makes, whatever kind it is.
     pub(super) fn value<'a>(&'a self, env: &Env<'a>) -> Made<'a> {
         match self {
-            Self::Constant(value) => Ok(Cow::Borrowed(value)),
-            Self::Input(at) => env.inputs.get(*at).map(|input| Cow::Borrowed(*input)).ok_or(Unsure),
+            Self::Constant(_) | Self::Input(_) | Self::InputField(..) => {
+                self.place(env).map(Cow::Borrowed).ok_or(Unsure)
+            }
             Self::Local(back) => env.local(*back).map(Cow::Borrowed),
-            Self::Field(of, name) => field(of.value(env)?, name),
+            Self::Field(of) => field(of.0.value(env)?, &of.1),
             Self::Item(pair) => item(pair.0.value(env)?, &*pair.1.value(env)?),
             Self::Arithmetic(Operator::Plus, pair) => plus(&*pair.0.value(env)?, &*pair.1.value(env)?, env.bounds),
-            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(..) => Ok(Cow::Owned(self.number(env)?.value())),
+            Self::Arithmetic(..) | Self::Negative(_) | Self::Function(_) => Ok(Cow::Owned(self.number(env)?.value())),
             Self::Compare(..) | Self::Not(_) | Self::All(_) | Self::Any(_) => {
                 Ok(Cow::Owned(Value::Bool(self.truth(env)?)))
             }
-            Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].value(env),
+            Self::If(parts) => parts[if parts[0].short_truth(env)? { 1 } else { 2 }].value(env),
             Self::Then(pair) => pair.0.value(env).and_then(|_| pair.1.value(env)),
             Self::Let(pair) => with_local(pair, env),
             Self::List(items) => list(items, env),
-            Self::Object(fields) => object(fields, env),
-            Self::Helper(body, arguments) => helper(body, arguments, env, None),
+            Self::Object(made) => object(&made.0, &made.1, env),
+            Self::Helper(call) => helper(&call.0, &call.1, env, None),
         }
     }
 
     /// Makes an object of finite numbers over an older one with the same names, which says that it is within bounds.
     pub(super) fn over(&self, env: &Env, older: &mut Value) -> Option<()> {
-        let Self::Object(fields) = self else { return None };
-        let places = own_fields(older).filter(|places| places.len() == fields.len())?;
-        for ((name, field), (known, place)) in fields.iter().zip(places) {
-            let number = field.number(env).ok().filter(|number| number.is_finite())?;
-            if !Arc::ptr_eq(name, known) {
-                return None;
-            }
-            put_number(place, number);
+        let Self::Object(object) = self else { return None };
+        let places = own_values(older, &object.0)?;
+        for (field, place) in object.1.iter().zip(places) {
+            put_number(place, field.operand(env).ok().filter(|number| number.is_finite())?);
         }
         Some(())
     }
@@ -135,35 +134,51 @@ impl Node {
     /// What it makes, if that is a number.
     pub(super) fn number(&self, env: &Env) -> Result<Number, Unsure> {
         match self {
-            Self::Constant(value) => Number::of(value),
-            Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
             Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
+            Self::Constant(_) | Self::Input(_) | Self::InputField(..) => {
+                self.place(env).ok_or(Unsure).and_then(Number::of)
+            }
             Self::Negative(of) => of.number(env)?.negative(),
-            Self::Function(function, arguments) => function.call(arguments, env),
-            Self::If(parts) => parts[if parts[0].truth(env)? { 1 } else { 2 }].number(env),
-            Self::Field(..) if let Some(value) = self.place(env) => Number::of(value),
+            Self::Function(call) => call.0.call(&call.1, env),
+            Self::If(parts) => parts[if parts[0].short_truth(env)? { 1 } else { 2 }].number(env),
             _ => Number::of(&*self.value(env)?),
         }
     }
 
-    /// The same as [`Node::number`], without a call where nothing needs to be computed.
+    /// The same as [`Node::number`], without a call for a procedure of one operation: `x + 1`, `ball.size`.
     #[inline]
-    fn operand(&self, env: &Env) -> Result<Number, Unsure> {
+    pub(super) fn short_number(&self, env: &Env) -> Result<Number, Unsure> {
         match self {
-            Self::Constant(value) => Number::of(value),
-            Self::Input(at) => env.inputs.get(*at).ok_or(Unsure).and_then(|input| Number::of(input)),
-            other => other.number(env),
+            Self::Arithmetic(operator, pair) => operator.apply(pair.0.operand(env)?, pair.1.operand(env)?),
+            other => other.operand(env),
         }
     }
 
-    /// What it makes, if that is true or false.
-    pub(super) fn truth(&self, env: &Env) -> Result<bool, Unsure> {
+    /// The same as [`Node::truth`], without a call for a procedure of one comparison: `x > 2.0`, `ball.size < 4`.
+    #[inline]
+    pub(super) fn short_truth(&self, env: &Env) -> Result<bool, Unsure> {
         match self {
             Self::Compare(comparison, pair)
                 if let (Some(left), Some(right)) = (pair.0.place(env), pair.1.place(env)) =>
             {
                 comparison.holds(left, right)
             }
+            other => other.truth(env),
+        }
+    }
+
+    /// The same as [`Node::number`], without a call where nothing needs to be computed.
+    #[inline]
+    pub(super) fn operand(&self, env: &Env) -> Result<Number, Unsure> {
+        match self.place(env) {
+            Some(value) => Number::of(value),
+            None => self.number(env),
+        }
+    }
+
+    /// What it makes, if that is true or false.
+    pub(super) fn truth(&self, env: &Env) -> Result<bool, Unsure> {
+        match self {
             Self::Compare(comparison, pair) => comparison.holds(&*pair.0.value(env)?, &*pair.1.value(env)?),
             Self::Not(of) => of.truth(env).map(|truth| !truth),
             Self::All(parts) => all(parts, env),
@@ -191,7 +206,7 @@ impl Function {
 
 fn all(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
     for part in parts {
-        if !part.truth(env)? {
+        if !part.short_truth(env)? {
             return Ok(false);
         }
     }
@@ -200,7 +215,7 @@ fn all(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
 
 fn any(parts: &[Node], env: &Env) -> Result<bool, Unsure> {
     for part in parts {
-        if part.truth(env)? {
+        if part.short_truth(env)? {
             return Ok(true);
         }
     }

@@ -6,8 +6,8 @@ use behaviour::Value;
 pub(super) use crate::cells::Number;
 
 /// An operator between numbers.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Operator {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Operator {
     Plus,
     Minus,
     Times,
@@ -17,7 +17,7 @@ pub(super) enum Operator {
 
 impl Number {
     #[inline]
-    pub(super) fn of(value: &Value) -> Result<Self, Unsure> {
+    pub(crate) fn of(value: &Value) -> Result<Self, Unsure> {
         match value {
             Value::Int(whole) => Ok(Self::Int(*whole)),
             Value::Float(number) => Ok(Self::Float(*number)),
@@ -44,7 +44,7 @@ impl Number {
 
 impl Operator {
     #[inline]
-    pub(super) fn apply(self, left: Number, right: Number) -> Result<Number, Unsure> {
+    pub(crate) fn apply(self, left: Number, right: Number) -> Result<Number, Unsure> {
         match (left, right) {
             (Number::Int(left), Number::Int(right)) => self.whole(left, right).map(Number::Int).ok_or(Unsure),
             (left, right) => Ok(Number::Float(self.measured(left.float(), right.float()))),

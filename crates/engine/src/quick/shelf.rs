@@ -23,12 +23,13 @@ pub(super) struct Piece {
 pub(crate) struct Shelf {
     pieces: BTreeMap<(String, usize), Option<Piece>>,
     limits: Limits,
+    bounds: Rc<Bounds>,
 }
 
 impl Shelf {
     /// A shelf for helpers to come.
     pub(crate) fn of(limits: &Limits) -> Self {
-        Self { pieces: BTreeMap::new(), limits: limits.clone() }
+        Self { pieces: BTreeMap::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
     }
 
     /// Adds a helper. The ones it calls must be here before it.
@@ -49,7 +50,7 @@ impl Shelf {
         &self.limits
     }
 
-    pub(super) fn bounds(&self) -> Bounds {
-        Bounds::of(&self.limits)
+    pub(super) fn bounds(&self) -> Rc<Bounds> {
+        self.bounds.clone()
     }
 }

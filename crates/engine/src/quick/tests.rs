@@ -5,7 +5,8 @@ mod values;
 
 use self::procedures::{BINARY, Chance, HELPERS, NAMES, OPERATORS, UNARY, procedure};
 use self::values::inputs;
-use super::{Quick, Shelf};
+use super::{Quick, Shelf, Short};
+use crate::cells::Number;
 use crate::helpers::Helpers;
 use crate::limits::Limits;
 use crate::procedure::{Procedure, compile};
@@ -60,7 +61,20 @@ struct Counts {
     faults: u64,
     /// Numbers, truths and objects in the place of older ones.
     short: u64,
+    /// Of these, what is one operation with a number.
+    one_operation: u64,
     spare: Value,
+}
+
+/// What a procedure of one operation makes, where the plan of a run would take its word.
+fn one_operation(short: Short, input: &Value) -> Option<Value> {
+    match short {
+        Short::Compute(operator, number) => {
+            let made = operator.apply(Number::of(input).ok()?, number).ok();
+            made.filter(|made| made.is_finite()).map(Number::value)
+        }
+        Short::Compare(comparison, number) => Some(Value::Bool(comparison.holds_number(input, number))),
+    }
 }
 
 impl Counts {
@@ -68,7 +82,9 @@ impl Counts {
         let over = quick.object(inputs, &mut self.spare).then(|| std::mem::take(&mut self.spare));
         self.spare = quick.call(inputs).unwrap_or_default();
         let number = quick.number(inputs).map(|number| number.value());
-        number.into_iter().chain(quick.truth(inputs).map(Value::Bool)).chain(over).collect()
+        let one = quick.short().and_then(|short| one_operation(short, inputs[0]));
+        self.one_operation += u64::from(one.is_some());
+        number.into_iter().chain(quick.truth(inputs).map(Value::Bool)).chain(one).chain(over).collect()
     }
 
     fn call(&mut self, bench: &Bench, quick: &Quick, slow: &mut Procedure, inputs: &[&Value], about: &str) {
@@ -209,8 +225,10 @@ fn every_operator_and_function_is_right_on_every_pair_of_edges() {
     let functions = BINARY.iter().map(|name| format!("{name}(a, b)"));
     let beyond = BINARY.iter().map(|name| format!("{name}(a / 0.0, b) > {name}(b, (a - a) / 0.0)"));
     let single = UNARY.iter().map(|name| format!("{name}(a)"));
+    let numbers = ["0", "7", "0.0", "0.3", "1e300"];
+    let one = OPERATORS.iter().flat_map(|operator| numbers.map(|number| format!("a {operator} {number}")));
     let mut counts = Counts::default();
-    for body in operators.chain(endless).chain(functions).chain(beyond).chain(single) {
+    for body in operators.chain(endless).chain(functions).chain(beyond).chain(single).chain(one) {
         let quick = bench.quick(&body).unwrap();
         let mut slow = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body).unwrap();
         for (one, other) in edges().iter().flat_map(|one| edges().into_iter().map(move |other| (one.clone(), other))) {
@@ -218,4 +236,5 @@ fn every_operator_and_function_is_right_on_every_pair_of_edges() {
         }
     }
     assert!(counts.answered > 15_000 && counts.left_to_rhai < 3_000, "{counts:?}");
+    assert!(counts.one_operation > 15_000, "{counts:?}");
 }

@@ -117,7 +117,7 @@ impl Tally {
 
 impl StreamTally {
     fn sample(&mut self, stats: &StreamStats, at_ms: u64) -> Option<StreamSample> {
-        let (at, value) = stats.last.as_ref()?;
+        let (at, value) = stats.last()?;
         let rate = self.beats.per_second(at_ms);
         let is_same = self.count == stats.count && (self.rate - rate).abs() < f32::EPSILON;
         (self.count, self.rate) = (stats.count, rate);

@@ -1,8 +1,6 @@
 //! A file as a tree of named things, each with its place: what JSON and XML have in common.
 
 use behaviour::Value;
-use std::collections::BTreeMap;
-use std::sync::Arc;
 
 /// How deep things may lie in each other.
 pub(super) const DEPTH_MAX: usize = 32;
@@ -43,10 +41,7 @@ impl Node {
         match &self.what {
             What::Plain(value) => value.clone(),
             What::Array(items) => Value::list(items.iter().map(Node::value)),
-            What::Object(fields) => {
-                let fields = fields.iter().map(|(name, node)| (Arc::from(name.as_str()), node.value()));
-                Value::Map(Arc::new(fields.collect::<BTreeMap<_, _>>()))
-            }
+            What::Object(fields) => Value::object(fields.iter().map(|(name, node)| (name.as_str(), node.value()))),
         }
     }
 }
