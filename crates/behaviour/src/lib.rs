@@ -8,6 +8,7 @@ mod change;
 mod file;
 mod graph;
 mod ids;
+pub mod marbles;
 mod names;
 mod problems;
 mod record;
