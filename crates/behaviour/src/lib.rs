@@ -10,6 +10,7 @@ mod file;
 mod graph;
 mod ids;
 pub mod library;
+pub mod marbles;
 mod names;
 mod problems;
 mod record;

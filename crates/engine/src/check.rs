@@ -2,6 +2,7 @@
 
 use crate::helpers::{Helpers, check_distinct};
 use crate::limits::Limits;
+use crate::maths::has_power;
 use crate::procedure::{Procedure, compile};
 use crate::sandbox::hardened_engine;
 use behaviour::{FileHelper, Value};
@@ -30,7 +31,9 @@ pub fn try_body(
     if arguments.len() != inputs.len() {
         return Err(format!("it takes {} values, but gets {}", arguments.len(), inputs.len()));
     }
-    let engine = hardened_engine(limits);
+    let mut engine = hardened_engine(limits);
+    let powers = has_power(body) || helpers.iter().any(|helper| has_power(&helper.body));
+    engine.set_fast_operators(!powers);
     let first = |faults: Vec<crate::Fault>| faults.first().map_or_else(String::new, ToString::to_string);
     let helpers = Helpers::compile(&engine, helpers, limits).map_err(first)?;
     let mut procedure = Procedure::compile(&engine, &helpers, arguments, body)?;

@@ -1,6 +1,6 @@
 //! Between the values of a run and the values of Rhai.
 
-use crate::limits::VALUE_DEPTH;
+use crate::limits::{TEXT_BYTES, VALUE_DEPTH};
 use behaviour::{Fields, Value};
 use rhai::{Array, Dynamic, ImmutableString, Map};
 use std::sync::Arc;
@@ -23,9 +23,23 @@ pub(crate) fn to_rhai(value: &Value) -> Dynamic {
 /// A value from Rhai.
 ///
 /// # Errors
-/// A few plain words, if it cannot flow: a number that is not finite, a closure, a range, nesting without end.
+/// A few plain words, if it cannot flow: a number that is not finite, a closure, a range, nesting without end, names
+/// of fields that are longer than a text may be.
 pub(crate) fn from_rhai(made: Dynamic) -> Result<Value, String> {
+    if names_bytes(&made, VALUE_DEPTH) > TEXT_BYTES {
+        return Err("the names in the result are too long".to_owned());
+    }
     from_nested(made, VALUE_DEPTH)
+}
+
+/// Rhai counts the texts of a value, but not the names of its fields.
+fn names_bytes(made: &Dynamic, depth: usize) -> usize {
+    let Some(depth) = depth.checked_sub(1) else { return 0 };
+    if let Ok(items) = made.as_array_ref() {
+        return items.iter().map(|item| names_bytes(item, depth)).sum();
+    }
+    let Ok(fields) = made.as_map_ref() else { return 0 };
+    fields.iter().map(|(name, value)| name.len() + names_bytes(value, depth)).sum()
 }
 
 fn from_nested(made: Dynamic, depth: usize) -> Result<Value, String> {

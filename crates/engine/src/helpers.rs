@@ -1,5 +1,6 @@
 //! The helpers of a behaviour: checked, compiled once, callable from bodies and from each other.
 
+use crate::closures::{check_closures, is_caller};
 use crate::limits::Limits;
 use crate::procedure::compile;
 use crate::quick::Shelf;
@@ -16,6 +17,8 @@ use std::rc::Rc;
 pub(crate) struct Helpers {
     functions: Rc<Functions>,
     shelf: Option<Shelf>,
+    /// Those with the name of a function that is handed closures.
+    callers: BTreeSet<String>,
 }
 
 /// All helpers as functions for Rhai, read when they are first needed: where the first tier answers, they never are.
@@ -52,11 +55,23 @@ impl Helpers {
             }
         }
         faults.extend(recursion(helpers, &all));
+        let callers = all.keys().filter(|name| is_caller(name)).map(|name| (*name).to_owned()).collect();
+        let mut made = Self { callers, ..Self::default() };
+        faults.extend(all.iter().filter_map(|(name, read)| {
+            let reason = made.check_closures(&read.body).err()?;
+            Some(Fault { id: (*name).to_owned(), reason })
+        }));
         if !faults.is_empty() {
             return Err(faults);
         }
-        let functions = Rc::new(Functions { texts, read: OnceCell::new() });
-        Ok(Self { functions, shelf: limits.compiled.then(|| shelf(helpers, &all, limits)) })
+        made.functions = Rc::new(Functions { texts, read: OnceCell::new() });
+        made.shelf = limits.compiled.then(|| shelf(helpers, &all, limits));
+        Ok(made)
+    }
+
+    /// Refuses closures that a helper could keep.
+    pub(crate) fn check_closures(&self, body: &AST) -> Result<(), String> {
+        if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
     }
 
     /// The helpers for the first tier, if it is wanted.

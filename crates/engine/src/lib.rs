@@ -7,6 +7,7 @@
 mod arbiter;
 mod cells;
 mod check;
+mod closures;
 mod convert;
 mod core;
 mod event;
@@ -16,6 +17,7 @@ mod graph;
 mod helpers;
 mod library;
 mod limits;
+mod lists;
 mod maths;
 mod plan;
 mod procedure;

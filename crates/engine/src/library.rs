@@ -1,6 +1,6 @@
 //! The functions a procedure can call: Rhai's own without time and bytes, ours over them.
 
-use crate::{maths, texts};
+use crate::{lists, maths, texts};
 use rhai::packages::{
     BasicArrayPackage, BasicMapPackage, BasicMathPackage, BitFieldPackage, CorePackage, LogicPackage,
     MoreStringPackage, Package,
@@ -42,6 +42,7 @@ fn ours() -> Shared<Module> {
     let mut module = Module::new();
     maths::register(&mut module);
     texts::register(&mut module);
+    lists::register(&mut module);
     refuse_waiting(&mut module);
     module.build_index();
     module.into()

@@ -35,7 +35,7 @@ pub struct Limits {
 impl Default for Limits {
     fn default() -> Self {
         Self {
-            operations: 50_000,
+            operations: 10_000,
             levels: 16,
             depths: (32, 32),
             text_bytes: TEXT_BYTES,

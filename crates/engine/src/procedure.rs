@@ -4,6 +4,7 @@ use crate::cells::Number;
 use crate::convert::{from_rhai, to_rhai};
 use crate::helpers::{Functions, Helpers};
 use crate::quick::{Quick, Short};
+use crate::sandbox::is_interrupted;
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
 use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
@@ -45,6 +46,7 @@ impl Procedure {
     /// Compiles a body that may call `helpers`.
     pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
         let ast = compile(engine, names, body)?;
+        helpers.check_closures(&ast)?;
         let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
         let mut slow = Slow { names: names.to_vec(), body: body.into(), functions: helpers.functions(), made: None };
         if quick.is_none() {
@@ -147,7 +149,7 @@ fn fault(error: &EvalAltResult) -> Box<Failed> {
 
 fn is_interrupt(error: &EvalAltResult) -> bool {
     match error {
-        EvalAltResult::ErrorTerminated(..) => true,
+        EvalAltResult::ErrorTerminated(token, _) => is_interrupted(token),
         EvalAltResult::ErrorInFunctionCall(_, _, inner, _) => is_interrupt(inner),
         _ => false,
     }

@@ -4,9 +4,12 @@ use crate::fields;
 use crate::library::library;
 use crate::limits::Limits;
 use rhai::{Dynamic, Engine};
+use std::cell::Cell;
 
 /// How many steps pass between two questions to the interrupt.
-const STEPS_PER_QUESTION: u64 = 64;
+const STEPS_PER_QUESTION: u64 = 16;
+/// Tells in Rhai's words that the caller ended a call.
+const INTERRUPTED: bool = true;
 
 /// Words of Rhai that a procedure may not use, refused while reading it.
 const REFUSED_WORDS: [&str; 5] = ["eval", "import", "export", "print", "debug"];
@@ -23,13 +26,12 @@ pub(crate) fn hardened_engine(limits: &Limits) -> Engine {
     }
     fields::allow_reserved_names(&mut engine);
     set_limits(&mut engine, limits);
-    ask_now_and_then(&mut engine, limits);
+    count_steps(&mut engine, limits);
     engine
 }
 
 fn set_limits(engine: &mut Engine, limits: &Limits) {
     engine
-        .set_max_operations(limits.operations)
         .set_max_call_levels(limits.levels)
         .set_max_expr_depths(limits.depths.0, limits.depths.1)
         .set_max_string_size(limits.text_bytes)
@@ -40,9 +42,30 @@ fn set_limits(engine: &mut Engine, limits: &Limits) {
         .set_max_modules(0);
 }
 
-fn ask_now_and_then(engine: &mut Engine, limits: &Limits) {
-    if let Some(interrupt) = limits.interrupt.clone() {
-        let ended = move |steps: u64| steps.is_multiple_of(STEPS_PER_QUESTION) && interrupt();
-        engine.on_progress(move |steps| ended(steps).then_some(Dynamic::UNIT));
-    }
+/// Counts the steps of a call and ends it at the limit, or when the interrupt says so.
+///
+/// Rhai's own count forgets what closures do that its functions call: one that sorts or maps could run for hours.
+/// Once a call is over, every further step of it is refused, so no `catch` can hold it.
+fn count_steps(engine: &mut Engine, limits: &Limits) {
+    let (operations, interrupt) = (limits.operations, limits.interrupt.clone());
+    let (done, over) = (Cell::new(0_u64), Cell::new(None::<bool>));
+    engine.on_progress(move |rhai_count| {
+        if rhai_count == 1 {
+            done.set(0);
+            over.set(None);
+        }
+        let steps = done.get() + 1;
+        done.set(steps);
+        if steps > operations {
+            over.set(over.get().or(Some(!INTERRUPTED)));
+        } else if steps.is_multiple_of(STEPS_PER_QUESTION) && interrupt.as_ref().is_some_and(|ended| ended()) {
+            over.set(Some(INTERRUPTED));
+        }
+        over.get().map(Dynamic::from_bool)
+    });
+}
+
+/// What ended a call, from what Rhai tells: true if it was the caller.
+pub(crate) fn is_interrupted(token: &Dynamic) -> bool {
+    token.as_bool() == Ok(INTERRUPTED)
 }

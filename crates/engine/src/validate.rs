@@ -3,6 +3,7 @@
 use crate::graph::{ConnectorInfo, Graph, StreamInfo, Work};
 use crate::helpers::{Helpers, check_distinct};
 use crate::limits::Limits;
+use crate::maths::has_power;
 use crate::procedure::Procedure;
 use crate::sandbox::hardened_engine;
 use behaviour::{BehaviourFile, Engine, FORMAT, FileConnector, StreamKind, argument_names, is_identifier};
@@ -39,7 +40,8 @@ pub(crate) struct Prepared {
 
 /// Checks, wires and compiles.
 pub(crate) fn prepare(file: &BehaviourFile, limits: &Limits) -> Result<Prepared, Vec<Fault>> {
-    let engine = hardened_engine(limits);
+    let mut engine = hardened_engine(limits);
+    engine.set_fast_operators(!has_powers(file));
     let mut door = Door { file, streams: index(file), faults: Vec::new() };
     door.check_file();
     door.check_ids();
@@ -56,6 +58,11 @@ pub(crate) fn prepare(file: &BehaviourFile, limits: &Limits) -> Result<Prepared,
             Err(door.faults)
         }
     }
+}
+
+fn has_powers(file: &BehaviourFile) -> bool {
+    let bodies = file.connectors.iter().filter_map(|connector| connector.body.as_ref());
+    bodies.chain(file.helpers.iter().map(|helper| &helper.body)).any(|body| has_power(body))
 }
 
 fn index(file: &BehaviourFile) -> BTreeMap<&str, usize> {

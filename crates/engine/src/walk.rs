@@ -1,5 +1,6 @@
 //! What a procedure calls, and whether it may.
 
+use crate::closures::check_closures;
 use crate::library::is_refused;
 use crate::words::placed;
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
@@ -25,7 +26,7 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), String> {
             refused = Some(placed(at, &format!("“{name}” cannot be used in a procedure")));
         }
     });
-    refused.map_or(Ok(()), Err)
+    refused.map_or_else(|| check_closures(ast, &BTreeSet::new()), Err)
 }
 
 fn each_call(ast: &AST, seen: &mut dyn FnMut(&str, Position)) {

@@ -1,6 +1,9 @@
 //! Rhai's refusals and faults in plain words.
 
-use rhai::{EvalAltResult, LexError, ParseError, ParseErrorType, Position};
+use crate::closures::is_caller;
+use crate::convert::from_rhai;
+use crate::sandbox::is_interrupted;
+use rhai::{Dynamic, EvalAltResult, LexError, ParseError, ParseErrorType, Position};
 
 /// Why a text is no procedure: `line 1, column 12: a closing ) is missing`.
 pub(crate) fn refusal(error: &ParseError, arguments: &[String]) -> String {
@@ -70,7 +73,7 @@ fn plain(text: &str) -> String {
 pub(crate) fn fault(error: &EvalAltResult) -> String {
     use EvalAltResult as E;
     match error {
-        E::ErrorInFunctionCall(name, _, inner, _) if is_closure(name) || runs_closure(inner) => fault(inner),
+        E::ErrorInFunctionCall(name, _, inner, _) if is_closure(name) || is_caller(name) => fault(inner),
         E::ErrorInFunctionCall(name, _, inner, _) => format!("in the helper “{name}”: {}", fault(inner)),
         E::ErrorArithmetic(what, _) => arithmetic(what),
         E::ErrorPropertyNotFound(name, _) => format!("there is no field “{name}” in this object"),
@@ -87,23 +90,26 @@ pub(crate) fn fault(error: &EvalAltResult) -> String {
         E::ErrorStringBounds(many, at, _) => format!("there is no letter {at} in a text of {many}"),
         E::ErrorVariableNotFound(name, _) => format!("there is no value “{name}”"),
         E::ErrorFor(_) => "for needs a list, a text or a range".to_owned(),
-        E::ErrorTooManyOperations(_) => "it takes too many steps".to_owned(),
-        E::ErrorTerminated(..) => "it took too long and was ended".to_owned(),
+        E::ErrorTerminated(token, _) if is_interrupted(token) => "it took too long and was ended".to_owned(),
+        E::ErrorTerminated(..) => "it takes too many steps".to_owned(),
         E::ErrorStackOverflow(_) => "calls are nested too deep".to_owned(),
         E::ErrorDataTooLarge(..) => "a text, list or object became too large".to_owned(),
         E::ErrorTooManyVariables(_) => "it has too many variables".to_owned(),
-        E::ErrorRuntime(thrown, _) => plain(&thrown.to_string()),
+        E::ErrorRuntime(thrown, _) => plain(&thrown_words(thrown)),
         other => plain(&other.to_string()),
     }
 }
 
-fn is_closure(name: &str) -> bool {
-    name.starts_with("anon$")
+/// What a procedure threw. Rhai's own way to write it calls itself as deep as the value is nested.
+fn thrown_words(thrown: &Dynamic) -> String {
+    if let Ok(text) = thrown.as_immutable_string_ref() {
+        return text.to_string();
+    }
+    from_rhai(thrown.clone()).map_or_else(|reason| reason, |value| value.to_string())
 }
 
-/// True for what went wrong in a closure: then the function around it is Rhai's, such as `map`.
-fn runs_closure(error: &EvalAltResult) -> bool {
-    matches!(error, EvalAltResult::ErrorInFunctionCall(name, ..) if is_closure(name))
+fn is_closure(name: &str) -> bool {
+    name.starts_with("anon$")
 }
 
 fn arithmetic(what: &str) -> String {

@@ -6,109 +6,30 @@ use engine::{Limits, check_body, try_body};
 use std::cell::Cell;
 use std::rc::Rc;
 
+#[path = "hostile/scripts.rs"]
+mod scripts;
+use scripts::Verdict::{self, Endless, Fault, Gives, Refused};
+
 /// A stack smaller than any the product uses, so that a procedure near the limits shows it.
 const STACK: usize = 1024 * 1024;
 
-enum Verdict {
-    /// Not even accepted as a procedure.
-    Refused(&'static str),
-    /// Accepted, and ended with a reason that has this text.
-    Fault(&'static str),
-    /// Harmless: it ends by itself with some value.
-    Value,
-}
-use Verdict::{Fault, Refused, Value as Harmless};
+/// Questions after which a caller ends what runs.
+const PATIENCE: u32 = 3;
 
-const SCRIPTS: &[(&str, Verdict)] = &[
-    // Without end.
-    ("loop {}", Fault("too many steps")),
-    ("while true { x }", Fault("too many steps")),
-    ("for i in 0..9223372036854775807 { x += i; }", Fault("too many steps")),
-    ("let i = 0; do { i += 1 } while i > 0; i", Fault("too many steps")),
-    ("try { loop {} } catch { 1 }", Fault("too many steps")),
-    ("loop { try { loop {} } catch { } }", Fault("too many steps")),
-    ("let f = |g| g.call(g); f.call(f)", Fault("too deep")),
-    ("let f = |n| 1; for i in 0..100000 { f.call(i); } 1", Fault("too many steps")),
-    ("fn again(n) { again(n + 1) } again(0)", Refused("cannot define functions")),
-    // Too large.
-    (r#"let t = "aaaaaaaa"; loop { t += t; }"#, Fault("too large")),
-    (r#"let t = "a"; t.pad(1000000000, "b"); t"#, Fault("too large")),
-    (r#"let t = "a"; t.pad(4000, "a"); let u = t; loop { t.replace("a", u); }"#, Fault("too large")),
-    (r#"let t = "a"; t.pad(4000, "a"); let u = t; t.replace("", u); t"#, Fault("too large")),
-    (r#"let t = "a"; t.pad(4000, "a"); let f = Fn("replace"); f.call(t, "a", t)"#, Fault("")),
-    ("let l = []; loop { l.push(l.len()); }", Fault("too large")),
-    ("let l = [1]; loop { l += l; }", Fault("too large")),
-    ("let l = []; l.pad(1000000000, 0); l", Fault("too large")),
-    ("let l = []; for i in 0..20000 { l = [l]; } l", Fault("too large")),
-    ("let m = #{}; for i in 0..100000 { m[i.to_string()] = i; } m", Fault("too")),
-    ("let m = #{}; for i in 0..100000 { m = #{m: m}; } m", Fault("too large")),
-    ("let b = blob(1000000000); b", Fault("blob")),
-    ("`${x}${x}${x}`.pad(5000, '-')", Fault("")),
-    ("let l = []; for i in 0..100 { l.push(i); } let n = 0; loop { n += l.index_of(-1); }", Fault("too many steps")),
-    ("let l = []; for i in 0..500 { l.push(i); } let c = []; loop { c = l.chunk(1); }", Fault("")),
-    // Out of the sandbox.
-    ("eval(\"1 + 1\")", Refused("eval")),
-    ("import \"os\" as os; 1", Refused("import")),
-    ("export let y = 1; 1", Refused("export")),
-    ("print(x)", Refused("print")),
-    ("debug(x)", Refused("debug")),
-    ("sleep(1000)", Refused("sleep")),
-    ("sleep(1000.0)", Refused("sleep")),
-    ("Fn(\"sleep\").call(1000)", Fault("sleep")),
-    ("let f = \"sle\" + \"ep\"; Fn(f).call(1000.0)", Fault("sleep")),
-    ("timestamp()", Refused("timestamp")),
-    ("Fn(\"timestamp\").call()", Fault("timestamp")),
-    ("Fn(\"eval\").call(\"1\")", Fault("")),
-    ("Fn(\"print\").call(x); 1", Fault("print")),
-    ("parse_json(\"[1]\")", Refused("parse_json")),
-    ("open(\"/etc/passwd\")", Fault("open")),
-    ("os::system(\"true\")", Refused("os")),
-    ("global::x", Fault("")),
-    // Sorting by a liar, sharing in circles.
-    ("let l = [3, 1, 2, 5, 4]; l.sort(|a, b| 1); l.len()", Harmless),
-    ("let l = [3, 1, 2, 5, 4, 9, 8, 7, 6, 0, 11, 10]; l.sort(|a, b| if a > b { 1 } else { 1 }); l.len()", Harmless),
-    ("let l = [3, 1, 2]; l.sort(|a, b| \"x\"); l.len()", Harmless),
-    ("let l = []; let f = || l.len(); l.push(f); l", Fault("")),
-    ("let l = []; let f = || l; l.push(l); l.push(f); l.to_string()", Fault("")),
-    ("let m = #{}; let f = || m; m.f = f; m == m", Fault("")),
-    ("let a = [1]; let f = || a; [a, a, f.call()]", Harmless),
-    ("let a = 1; let f = || a; #{a: a, b: [a]}", Harmless),
-    ("let a = [1]; let f = || a; let b = [a]; b.push(a); b += a; b.len()", Harmless),
-    // No value that can flow.
-    ("0.0 / 0.0", Fault("NaN")),
-    ("1.0e308 * 10.0", Fault("infinite")),
-    ("[1, #{a: 0.0 / 0.0}]", Fault("NaN")),
-    ("|a| a", Fault("cannot flow")),
-    ("0..10", Fault("cannot flow")),
-    ("throw \"away\"", Fault("away")),
-    ("throw #{a: 1}", Fault("")),
-    ("9223372036854775807 + 1", Fault("too large")),
-    ("(-9223372036854775807 - 1) / -1", Fault("too large")),
-    ("(-9223372036854775807 - 1) % -1", Fault("")),
-    ("1 / (x - x)", Fault("division by zero")),
-    ("2 ** 1000000", Fault("too large")),
-    ("1 << 1000000", Harmless),
-    ("x = 2; let x = x; x", Harmless),
-    ("this", Refused("this")),
-    ("exit(7)", Harmless),
-    ("return 7", Harmless),
-    ("break", Refused("loop")),
-];
-
-fn verdict_of(body: &str) -> (Result<(), String>, Result<Value, String>) {
-    let x = ["x".to_owned()];
-    (check_body(&x, body), try_body(&[], &x, body, &[Value::Int(1)], &Limits::default()))
+fn run(body: &str, limits: &Limits) -> Result<Value, String> {
+    try_body(&[], &["x".to_owned()], body, &[Value::Int(1)], limits)
 }
 
 /// What is wrong with the verdict on a body, if anything.
 fn judge(body: &str, verdict: &Verdict) -> Option<String> {
-    let (checked, made) = verdict_of(body);
+    let (checked, made) = (check_body(&["x".to_owned()], body), run(body, &Limits::default()));
     let right = match verdict {
         Refused(text) => checked.as_ref().is_err_and(|reason| reason.contains(text)),
         Fault(text) => checked.is_ok() && made.as_ref().is_err_and(|reason| reason.contains(text)),
-        Harmless => checked.is_ok() && made.is_ok(),
+        Endless => checked.is_ok() && made == Err("it takes too many steps".to_owned()),
+        Gives(value) => checked.is_ok() && made.as_ref().is_ok_and(|made| made.to_string() == *value),
     };
-    let short: String = body.chars().take(80).collect();
+    let short: String = body.chars().take(120).collect();
     (!right).then(|| format!("{short}: {checked:?}, {made:?}"))
 }
 
@@ -120,9 +41,64 @@ fn on_small_stack(work: impl FnOnce() + Send + 'static) {
 #[test]
 fn every_script_meets_its_verdict() {
     on_small_stack(|| {
-        let wrong: Vec<_> = SCRIPTS.iter().filter_map(|(body, verdict)| judge(body, verdict)).collect();
+        let wrong: Vec<_> = scripts::all().filter_map(|(body, verdict)| judge(body, verdict)).collect();
+        assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+        assert!(scripts::all().count() >= 180, "the corpus does not shrink");
+    });
+}
+
+/// With no limit of steps, the caller alone ends what is endless: at the question that it answers, not at a later one.
+#[test]
+fn the_callers_word_ends_every_script() {
+    on_small_stack(|| {
+        let accepted = scripts::all().filter(|(_, verdict)| !matches!(verdict, Refused(_)));
+        let wrong: Vec<_> = accepted.filter_map(|(body, verdict)| outlasts(body, *verdict)).collect();
         assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     });
+}
+
+/// What is wrong with how a body ends when the caller says so, if anything.
+fn outlasts(body: &str, verdict: Verdict) -> Option<String> {
+    let asked = Rc::new(Cell::new(0));
+    let counter = asked.clone();
+    let limits = Limits { operations: u64::MAX, ..Limits::default() }.interrupted_by(move || {
+        counter.set(counter.get() + 1);
+        counter.get() >= PATIENCE
+    });
+    let made = run(body, &limits);
+    let ended = made == Err("it took too long and was ended".to_owned());
+    let right = asked.get() <= PATIENCE && ended == (asked.get() == PATIENCE) && (ended || verdict != Endless);
+    (!right).then(|| format!("{body}: {made:?} after {} questions", asked.get()))
+}
+
+/// Rhai's own count of steps forgets closures that its functions call, so these ran for minutes unasked.
+#[test]
+fn short_closures_count_together() {
+    let body = "let l = []; l.pad(1000, 1); l.map(|a| [1, 2, 3, 4].map(|b| [1, 2, 3, 4].map(|c| 1)))";
+    let asked = Rc::new(Cell::new(0_u64));
+    let counter = asked.clone();
+    let limits = Limits { operations: u64::MAX, ..Limits::default() }.interrupted_by(move || {
+        counter.set(counter.get() + 1);
+        false
+    });
+    assert!(run(body, &limits).is_err_and(|reason| reason.contains("too large")));
+    assert!(asked.get() > 2_000, "it was asked {} times while 20,000 closures ran", asked.get());
+    assert_eq!(run(body, &Limits::default()), Err("it takes too many steps".to_owned()));
+}
+
+#[test]
+fn a_helper_with_the_name_of_a_list_function_is_not_trusted_with_closures() {
+    let keeps = FileHelper { name: "map".into(), params: vec!["f".into()], body: "f".into(), says: String::new() };
+    let body = "let a = 1; a = map(|| a); 2";
+    let made = try_body(&[keeps], &[], body, &[], &Limits::default());
+    assert!(made.is_err_and(|reason| reason.contains("only be called or handed to a list")));
+}
+
+#[test]
+fn a_body_at_the_bound_is_read_and_one_beyond_is_not() {
+    let sum = |many: usize| format!("let y = x; {} y", "y += x; ".repeat(many));
+    assert_eq!(run(&sum(400), &Limits::default()), Ok(Value::Int(401)));
+    assert!(run(&sum(1_100), &Limits::default()).is_err_and(|reason| reason.contains("longer than")));
 }
 
 #[test]

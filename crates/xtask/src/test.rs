@@ -12,13 +12,15 @@ use crate::tools::{self, Outcome, WASM, Workspace};
 
 /// Crates that must also compile for the browser.
 const PURE: [&str; 5] = ["behaviour", "robot", "protocol", "engine", "simulation"];
+/// Stacks, overflows and comparisons differ between debug and release, so the hostile corpus is tried in both.
+const HOSTILE: [&str; 6] = ["test", "--release", "--package", "engine", "--test", "hostile"];
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
 
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 9] = [
+const STEPS: [Step; 10] = [
     ("tools", find_tools),
     ("a Neo4j for the tests", find_neo4j),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
@@ -26,6 +28,7 @@ const STEPS: [Step; 9] = [
     ("the pure crates for the browser", check_pure),
     ("the page", |run| page::build(run.workspace, Mode::Small)),
     ("the server", |run| run.cargo(&["build", "--package", "rrp"])),
+    ("hostile procedures, optimised", |run| run.cargo(&HOSTILE)),
     ("cargo test", |run| run.tests(&[])),
     ("cargo doc", document),
 ];

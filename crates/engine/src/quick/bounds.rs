@@ -1,7 +1,7 @@
 //! How large values may become, counted as Rhai counts.
 
 use super::Unsure;
-use crate::limits::{Limits, VALUE_DEPTH};
+use crate::limits::{Limits, TEXT_BYTES, VALUE_DEPTH};
 use behaviour::Value;
 
 /// The bounds that hold while a procedure runs.
@@ -51,9 +51,17 @@ impl Size {
     }
 }
 
-/// True for what may leave a procedure: finite numbers, nested within bounds.
+/// True for what may leave a procedure: finite numbers, nested within bounds, with names that are not endless.
 pub(super) fn may_flow(value: &Value) -> bool {
-    may_flow_nested(value, VALUE_DEPTH)
+    may_flow_nested(value, VALUE_DEPTH) && names_bytes(value) <= TEXT_BYTES
+}
+
+fn names_bytes(value: &Value) -> usize {
+    match value {
+        Value::List(items) => items.iter().map(names_bytes).sum(),
+        Value::Map(fields) => fields.iter().map(|(name, value)| name.len() + names_bytes(value)).sum(),
+        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) | Value::Text(_) => 0,
+    }
 }
 
 fn may_flow_nested(value: &Value, depth: usize) -> bool {

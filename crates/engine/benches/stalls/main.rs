@@ -1,0 +1,75 @@
+//! How long a runaway procedure holds its thread: the hostile corpus under the product's limits, in CPU time.
+//!
+//! `cargo bench -p engine --bench stalls` prints the worst scripts, by what ended them. The deadline counts CPU time of
+//! this thread, so that a busy machine makes no difference.
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a bench prints, and may give up")]
+
+#[path = "../../tests/hostile/scripts.rs"]
+mod scripts;
+
+use behaviour::Value;
+use engine::{Limits, check_body, try_body};
+use scripts::Verdict;
+use std::time::Duration;
+
+/// The wall deadline of a procedure in a run.
+const DEADLINE_MS: u64 = 20;
+/// Each script runs this often; its quickest run counts, the others were disturbed.
+const PASSES: usize = 5;
+/// How many lines a list has.
+const SHOWN: usize = 12;
+
+/// One script's stall.
+struct Stall {
+    micros: u64,
+    body: &'static str,
+}
+
+fn main() {
+    let (mut by_steps, mut by_deadline, mut others) = (Vec::new(), Vec::new(), Vec::new());
+    for &(body, verdict) in scripts::all().filter(|(_, verdict)| !matches!(verdict, Verdict::Refused(_))) {
+        let (micros, reason) = (0..PASSES).map(|_| stall(body)).min_by_key(|(micros, _)| *micros).unwrap();
+        let list = match reason.as_deref() {
+            Some("it takes too many steps") => &mut by_steps,
+            Some("it took too long and was ended") => &mut by_deadline,
+            _ => &mut others,
+        };
+        assert!(verdict != Verdict::Endless || reason.is_some(), "{body}");
+        list.push(Stall { micros, body });
+    }
+    show("ended by the limit of steps", by_steps);
+    show("ended by the deadline of 20 ms alone", by_deadline);
+    show("ended by themselves or by another limit", others);
+}
+
+/// Microseconds of CPU time of one call, and why it gave no value.
+fn stall(body: &str) -> (u64, Option<String>) {
+    let x = ["x".to_owned()];
+    check_body(&x, body).unwrap();
+    let begin = cpu();
+    let limits = Limits::default().interrupted_by(move || cpu() - begin > Duration::from_millis(DEADLINE_MS));
+    let made = try_body(&[], &x, body, &[Value::Int(1)], &limits);
+    (u64::try_from((cpu() - begin).as_micros()).unwrap(), made.err())
+}
+
+fn show(title: &str, mut stalls: Vec<Stall>) {
+    stalls.sort_by_key(|stall| std::cmp::Reverse(stall.micros));
+    let within = |bound: u64| stalls.iter().filter(|stall| stall.micros <= bound).count();
+    println!("{title}: {} scripts, {} within 2 ms, {} within 30 ms", stalls.len(), within(2_000), within(30_000));
+    for Stall { micros, body } in stalls.iter().take(SHOWN) {
+        println!("{micros:>9} us  {}", body.chars().take(100).collect::<String>());
+    }
+    println!();
+}
+
+/// CPU time of this thread; the clock where the system does not say.
+#[cfg(unix)]
+fn cpu() -> Duration {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    Duration::new(u64::try_from(time.tv_sec).unwrap(), u32::try_from(time.tv_nsec).unwrap())
+}
+
+#[cfg(not(unix))]
+fn cpu() -> Duration {
+    std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap()
+}

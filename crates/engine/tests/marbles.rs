@@ -1,0 +1,81 @@
+//! The help of every connector is true: each marble example, played by the engine.
+#![expect(clippy::unwrap_used, reason = "a test may give up")]
+
+use behaviour::marbles::{Example, Lane, Marble, PAGES, Page};
+use behaviour::{BehaviourFile, Value};
+use engine::{Emission, Limits, Run};
+use robot::Millis;
+use serde_json::{Value as Json, json};
+
+#[test]
+fn every_example_comes_out_as_it_is_shown() {
+    for page in &PAGES {
+        for example in page.examples {
+            let wanted: Vec<_> = example.then.marbles().map(|marble| (marble.at_ms, value(marble))).collect();
+            assert_eq!(play(page, example), wanted, "{}: {}", page.connector, example.title);
+        }
+    }
+}
+
+#[test]
+fn an_example_that_is_wrong_would_be_seen() {
+    let (page, example) = (&PAGES[2], PAGES[2].examples[0]);
+    assert_eq!((page.connector, example.body), ("filter", "distance < 20"));
+    let other = Example { body: "distance < 6", ..example };
+    assert_ne!(play(page, &other), play(page, &example));
+}
+
+/// What comes out of the connector, with its times.
+fn play(page: &Page, example: &Example) -> Vec<(u64, Value)> {
+    let mut run = Run::build(&file(page, example), Limits::default()).unwrap_or_else(|faults| panic!("{}", faults[0]));
+    let output = run.stream_index("out").unwrap();
+    let mut told = Vec::new();
+    let mut note = |emission: Emission| match emission {
+        Emission::Value { at, stream, value } if stream == output => told.push((at.0, value.clone())),
+        Emission::Value { .. } | Emission::Fault { .. } => {}
+    };
+    for (stream, marble) in in_time(example.given) {
+        run.feed(Millis(marble.at_ms), run.stream_index(&stream).unwrap(), value(marble), &mut note);
+    }
+    run.finish(Millis(example.until_ms), &mut note);
+    told
+}
+
+/// All marbles of the inputs in order of time; at one time in order of the lanes.
+fn in_time(lanes: &[Lane]) -> Vec<(String, Marble)> {
+    let lane = |(at, lane): (usize, &Lane)| lane.marbles().map(move |marble| (format!("in{at}"), marble)).collect();
+    let mut all: Vec<(String, Marble)> =
+        lanes.iter().enumerate().flat_map(|lane_at| -> Vec<_> { lane(lane_at) }).collect();
+    all.sort_by_key(|(_, marble)| marble.at_ms);
+    all
+}
+
+/// One connector between its streams.
+fn file(page: &Page, example: &Example) -> BehaviourFile {
+    let ids: Vec<_> = (0..example.given.len()).map(|at| format!("in{at}")).collect();
+    let sensor = |(id, lane): (&String, &Lane)| json!({"id": id, "kind": "sensor", "name": lane.0});
+    let mut streams: Vec<Json> = ids.iter().zip(example.given).map(sensor).collect();
+    let kind = if page.connector == "subscribe" { "actuator" } else { "ordinary" };
+    streams.push(json!({"id": "out", "kind": kind, "name": example.then.0}));
+    let mut connector = json!({"id": "it", "type": page.connector, "inputs": ids, "output": "out"});
+    if !example.body.is_empty() {
+        connector["body"] = example.body.into();
+    }
+    if example.every_ms > 0 {
+        connector["periodMs"] = example.every_ms.into();
+    }
+    let file = json!({
+        "format": "rrp-behaviour/1", "name": example.title, "helpers": [], "streams": streams,
+        "connectors": [connector],
+    });
+    serde_json::from_value(file).unwrap()
+}
+
+/// What a marble stands for: a number, true or false, else a word.
+fn value(marble: Marble) -> Value {
+    let plain = |text: &str| serde_json::from_str(text).unwrap_or_else(|_| Value::text(text));
+    match marble.parts() {
+        (value, None) => plain(value),
+        (value, Some(time)) => Value::object([("v", plain(value)), ("t", plain(time))]),
+    }
+}
