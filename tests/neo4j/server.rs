@@ -16,10 +16,8 @@ const START_MAX: Duration = Duration::from_secs(180);
 const OPENED: [&str; 5] = ["java.nio", "java.io", "java.lang", "java.util.concurrent", "sun.nio.ch"];
 const JAVA: [&str; 2] = ["-Xms128m", "-XX:+UseSerialGC"];
 /// Room for a test's behaviours, and code compiled quickly rather than well.
-const SMALL: Room = Room {
-    java: &["-Xmx512m", "-XX:MaxDirectMemorySize=256m", "-XX:TieredStopAtLevel=1"],
-    page_cache: "64m",
-};
+const SMALL: Room =
+    Room { java: &["-Xmx512m", "-XX:MaxDirectMemorySize=256m", "-XX:TieredStopAtLevel=1"], page_cache: "64m" };
 
 /// What a Neo4j is given to work with.
 #[derive(Clone, Copy)]

@@ -199,7 +199,8 @@ fn what_an_edit_does_not_touch_goes_on_as_if_it_had_always_been_the_new_behaviou
                     let extra = BehaviourFile { name: String::new(), ..case.file.clone() };
                     edited.helpers = extra.helpers.into_iter().rev().collect();
                     edited.connectors[at].period_ms = edited.connectors[at].period_ms.map(|period| period + 7);
-                    edited.connectors[at].body = edited.connectors[at].body.take().map(|body| format!("{body} // edited"));
+                    edited.connectors[at].body =
+                        edited.connectors[at].body.take().map(|body| format!("{body} // edited"));
                 }
             }
             let touched = BTreeSet::from([gone.id.clone(), format!("{}x", gone.id)]);
@@ -258,7 +259,9 @@ fn a_connector_is_the_same_as_long_as_it_means_the_same() {
     assert!(!changed(&|file| file.connectors[0].id = "other".into()));
     assert!(!changed(&|file| file.helpers[1].body = "twice(v) + 2".into()));
     assert!(!changed(&|file| file.helpers[0].body = "2 * v".into()), "a helper of a helper counts too");
-    assert!(changed(&|file| file.helpers.push(behaviour::FileHelper { name: "free".into(), ..old.helpers[0].clone() })));
+    assert!(changed(&|file| file
+        .helpers
+        .push(behaviour::FileHelper { name: "free".into(), ..old.helpers[0].clone() })));
 }
 
 #[test]

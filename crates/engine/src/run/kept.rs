@@ -1,6 +1,8 @@
 //! What two versions of a behaviour have in common: the streams and connectors that mean the same in both.
 
-use behaviour::{BehaviourFile, FileConnector, FileHelper, FileStream, argument_names, calls_helper, rename_identifier};
+use behaviour::{
+    BehaviourFile, FileConnector, FileHelper, FileStream, argument_names, calls_helper, rename_identifier,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Streams and connectors that keep what they remember when one version of a behaviour follows another.
@@ -26,9 +28,8 @@ impl Kept {
         let same_stream = |&(from, to): &(usize, usize)| device(&old.streams[from]) == device(&new.streams[to]);
         let connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
         let (before, after) = (Reader::of(old), Reader::of(new));
-        let same = |&(from, to): &(usize, usize)| {
-            before.meaning(&old.connectors[from]) == after.meaning(&new.connectors[to])
-        };
+        let same =
+            |&(from, to): &(usize, usize)| before.meaning(&old.connectors[from]) == after.meaning(&new.connectors[to]);
         Self {
             streams: streams.into_iter().filter(same_stream).collect(),
             connectors: connectors.into_iter().filter(same).collect(),
@@ -74,7 +75,8 @@ impl<'f> Reader<'f> {
     fn meaning(&self, of: &'f FileConnector) -> Meaning<'f> {
         let text = self.text(of);
         let direct = text.as_ref().map(|(_, body)| called(&self.file.helpers, body)).unwrap_or_default();
-        let reached: BTreeSet<&str> = direct.iter().filter_map(|name| self.reach.get(name)).flatten().copied().collect();
+        let reached: BTreeSet<&str> =
+            direct.iter().filter_map(|name| self.reach.get(name)).flatten().copied().collect();
         let helpers = self.file.helpers.iter().filter(|helper| reached.contains(helper.name.as_str()));
         Meaning {
             operation: &of.operation,
