@@ -99,7 +99,8 @@ struct State {
     history: undo::History,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
-    start_when_saved: bool,
+    /// What the robot is asked as soon as everything is saved.
+    when_saved: Option<robot_box::Wish>,
     /// The run the live values belong to.
     run: u64,
     wanted_pictures: shelves::WantedPictures,

@@ -1,5 +1,6 @@
 //! Journeys: people use the page in a real browser, against a real server with the simulated robot.
 
+mod apply;
 mod away;
 mod disk_full;
 mod edits;

@@ -78,7 +78,7 @@ async fn stop_works_without_the_program() -> Outcome<()> {
 }
 
 /// A program with a red ball and its distance, which runs.
-async fn running_ball(page: &Page) -> Outcome<()> {
+pub(crate) async fn running_ball(page: &Page) -> Outcome<()> {
     add_program(page, "To be stopped").await?;
     add_sense(page, "RedBall").await?;
     next(page, "RedBall", "distance").await?;

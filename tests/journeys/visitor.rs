@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use behaviour::{Behaviour, Change, Id};
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
-use protocol::{Ask, ListQuery, Message, PATH, Reply, Request, RunPhase};
+use protocol::{Ask, ListQuery, Message, PATH, Reply, Request, RunPhase, RunState};
 use robot::Scene;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message as Frame;
@@ -94,6 +94,15 @@ impl Visitor {
             (runs.iter().filter(|run| run.phase == RunPhase::Running).count() == wanted).then_some(())
         };
         self.hear(look, what).await
+    }
+
+    /// The newest run.
+    pub(crate) async fn newest_run(&mut self) -> Outcome<RunState> {
+        let look = |message: Message| {
+            let Reply::Runs { runs } = message.reply else { return None };
+            runs.into_iter().max_by_key(|run| run.run)
+        };
+        self.hear(look, "what runs").await
     }
 
     /// The first picture of the room from now on that is as wanted; `what` says it in words.

@@ -1,5 +1,7 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
+mod memory;
+
 use crate::cells::{Made, copy_some};
 use crate::core::{Core, Took, with_known};
 use crate::graph::Work;

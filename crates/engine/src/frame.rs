@@ -1,15 +1,15 @@
 //! Frame mode: readings gathered into frames, every connector at most once a frame, no glitches.
 
+mod memory;
+
 use crate::core::{Core, with_known};
 use crate::graph::{Graph, Work};
+use crate::memory::Origin;
 use crate::procedure::Failed;
 use crate::run::Emission;
 use behaviour::{StreamKind, Value};
 use robot::Millis;
 use std::collections::BTreeSet;
-
-/// When and as which reading of the run something was sensed.
-type Origin = (u64, u64);
 
 /// A value with its origin.
 #[derive(Clone)]

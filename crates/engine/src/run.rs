@@ -1,5 +1,11 @@
 //! A run: one behaviour in logical time, moved by readings and by time and by nothing else.
 
+mod kept;
+mod succession;
+
+pub use kept::Kept;
+pub use succession::Legacy;
+
 use crate::core::Core;
 use crate::event::Event;
 use crate::frame::Frame;

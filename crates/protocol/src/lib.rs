@@ -18,7 +18,7 @@ pub use reply::{Message, Person, Reply, SaidNo};
 pub use request::{Ask, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

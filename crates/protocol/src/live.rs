@@ -29,7 +29,7 @@ pub struct RunState {
     pub behaviour: Id,
     /// Its name at Start.
     pub name: String,
-    /// The revision that runs.
+    /// The revision that runs: the one at Start, or the one that was applied last.
     pub revision: u64,
     /// Who pressed Start.
     pub by: String,

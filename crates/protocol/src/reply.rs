@@ -200,6 +200,8 @@ pub enum SaidNo {
     Problems(Vec<Problem>),
     /// The behaviour cannot start; with the reason.
     CannotStart(String),
+    /// The edited behaviour was not applied, and what runs goes on; with the reason.
+    NotApplied(String),
     /// The behaviour does not run.
     NotRunning,
     /// The behaviour runs; stop it first.
@@ -229,6 +231,9 @@ impl std::fmt::Display for SaidNo {
                 write!(to, "It cannot start yet. {first}")
             }
             Self::CannotStart(reason) => write!(to, "It cannot start: {reason}."),
+            Self::NotApplied(reason) => {
+                write!(to, "The robot goes on with what it ran before, as the change cannot be applied: {reason}.")
+            }
             Self::NotRunning => to.write_str("This behaviour does not run. Press Start first."),
             Self::Running => to.write_str("This behaviour runs on the robot. Press Stop first."),
             Self::NoSensor => to.write_str("There is no such sensor stream in this behaviour."),

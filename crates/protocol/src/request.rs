@@ -116,6 +116,13 @@ pub enum Request {
         /// Which.
         behaviour: Id,
     },
+    /// Lets a running behaviour go on with the revision that is saved: at an instant boundary the new graph takes the
+    /// place of the old one, and what did not change keeps its memory. Answered by `Done`, or by `No` while the old one
+    /// goes on.
+    Apply {
+        /// Which.
+        behaviour: Id,
+    },
     /// Stops a behaviour, or everything on the robot. Answered by `Done` at once.
     Stop {
         /// Which; none means everything.

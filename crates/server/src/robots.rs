@@ -10,8 +10,10 @@ mod house;
 mod keeper;
 mod live;
 mod mailbox;
+mod outcome;
 mod runner;
 mod simulated;
+mod successor;
 mod tally;
 #[cfg(test)]
 mod tests;
@@ -56,10 +58,13 @@ pub(crate) struct Start {
     /// Its revision.
     pub(crate) revision: u64,
     /// The behaviour at that revision, with its helpers.
-    pub(crate) file: BehaviourFile,
+    pub(crate) file: Arc<BehaviourFile>,
     /// Who starts it.
     pub(crate) by: String,
 }
+
+/// Whether a run began, or why not.
+type Begun = Result<RunState, String>;
 
 /// Ends the robot's thread with the last clone.
 struct Owner {
@@ -103,26 +108,63 @@ impl Robots {
         }
     }
 
-    fn launch(&self, start: Start, gate: Arc<Gate>) -> Result<oneshot::Receiver<Result<RunState, String>>, String> {
+    fn launch(&self, start: Start, gate: Arc<Gate>) -> Result<oneshot::Receiver<Begun>, String> {
         let house = self.house().clone();
         let busy = || "too many behaviours run already; stop one first".to_owned();
         if house.threads() >= THREADS_MAX {
             return Err(busy());
         }
         let run = lock(&house.book).announce(&start.behaviour, &gate).ok_or_else(busy)?;
-        let (answer, answered) = oneshot::channel();
         let job = Job { run, start, gate, house: house.clone(), limits: self.owner.limits };
+        let (answer, answered) = oneshot::channel();
+        self.thread(job, move |job| runner::run(job, answer)).inspect_err(|_| lock(&house.book).withdraw(run))?;
+        Ok(answered)
+    }
+
+    /// A thread for a run.
+    fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), String> {
+        let house = self.house().clone();
         house.threads.fetch_add(1, Ordering::SeqCst);
-        let thread = std::thread::Builder::new().name(format!("run-{run}")).stack_size(STACK_BYTES);
+        let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
         let spawned = thread.spawn(move || {
-            runner::run(&job, answer);
+            work(&job);
             job.house.threads.fetch_sub(1, Ordering::SeqCst);
         });
-        spawned.map(|_| answered).map_err(|error| {
+        spawned.map(drop).map_err(|error| {
             house.threads.fetch_sub(1, Ordering::SeqCst);
-            lock(&house.book).withdraw(run);
             format!("there is no room for another run ({error})")
         })
+    }
+
+    /// Lets the running behaviour go on with what `start` has, between two instants; what did not change keeps its
+    /// memory. If it cannot, what runs goes on as it is.
+    ///
+    /// # Errors
+    /// Why it was not applied.
+    pub(crate) async fn apply(&self, start: Start) -> Result<RunState, String> {
+        let answered = self.launch_successor(start)?;
+        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
+            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
+            Err(_) => Err("it takes very long; look in a moment which revision runs".to_owned()),
+        }
+    }
+
+    fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, String> {
+        let before = lock(&self.house().book).running_of(&start.behaviour).cloned();
+        let before = before.ok_or("it does not run any more")?;
+        if self.house().threads() >= THREADS_MAX {
+            return Err("too many behaviours run already; stop one first".to_owned());
+        }
+        if !before.applying.begin() {
+            return Err("somebody applies a change just now; try again in a moment".to_owned());
+        }
+        let (run, gate, house) = (before.state.run, before.gate.clone(), self.house().clone());
+        let job = Job { run, start, gate, house, limits: self.owner.limits };
+        let (answer, answered) = oneshot::channel();
+        let applying = before.applying.clone();
+        let thread = self.thread(job, move |job| successor::follow(job, &before, answer));
+        thread.inspect_err(|_| applying.end())?;
+        Ok(answered)
     }
 
     /// Stops a behaviour, or everything, and lets the robot hold safely. Answers at once, whatever the procedures do;

@@ -18,7 +18,7 @@ pub(crate) async fn start(hub: &Arc<Hub>, behaviour: Id, by: String) -> Result<R
     if stopped(hub) || hub.ends() {
         return Err(SaidNo::CannotStart("Stop was pressed".to_owned()));
     }
-    let start = Start { behaviour: behaviour.clone(), revision, file, by: by.clone() };
+    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), by: by.clone() };
     hub.robots.start(start).await.map_err(SaidNo::CannotStart)?;
     if stopped(hub) {
         hub.robots.stop(Some(&behaviour), &by);
@@ -26,6 +26,27 @@ pub(crate) async fn start(hub: &Arc<Hub>, behaviour: Id, by: String) -> Result<R
     }
     tracing::info!(%behaviour, revision, by, "a behaviour starts");
     Ok(Reply::Done)
+}
+
+/// Lets the running behaviour go on with the revision that is saved. If it is refused, what runs goes on as it is.
+pub(crate) async fn apply(hub: &Arc<Hub>, behaviour: Id, by: String) -> Result<Reply, SaidNo> {
+    if !hub.robots.is_running(&behaviour) {
+        return Err(SaidNo::NotRunning);
+    }
+    let look = hub.look(&behaviour).await?;
+    let revision = look.revision;
+    let file = ready(hub, look).await.map_err(|no| match no {
+        SaidNo::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
+        other => other,
+    })?;
+    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), by: by.clone() };
+    hub.robots.apply(start).await.map_err(not_applied)?;
+    tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
+    Ok(Reply::Done)
+}
+
+fn not_applied(reason: String) -> SaidNo {
+    SaidNo::NotApplied(reason.trim_end_matches('.').to_owned())
 }
 
 /// Stops one behaviour, or all. Never waits. True if something ran.

@@ -76,6 +76,8 @@ fn follow<T: Send + Sync + 'static>(
     text: fn(&watch::Receiver<T>) -> Utf8Bytes,
 ) {
     let stopping = hub.stopping.clone();
+    // It may have changed since the first text was made.
+    newest.mark_changed();
     hub.tasks.spawn(async move {
         while let Some(Ok(())) = stopping.run_until_cancelled(newest.changed()).await {
             newest.borrow_and_update();

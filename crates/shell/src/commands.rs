@@ -1,5 +1,6 @@
 //! What can be typed: one file a command, with its name, words, help and code. To add one, add a file and its word.
 
+mod apply;
 mod below;
 mod can_run;
 mod connect;
@@ -46,6 +47,7 @@ pub(crate) const ALL: &[&Command] = &[
     &exit::COMMAND,
     &start::COMMAND,
     &stop::COMMAND,
+    &apply::COMMAND,
     &watch::COMMAND,
     &below::COMMAND,
     &dead_streams::COMMAND,

@@ -73,7 +73,7 @@ impl Desk {
         {
             let mut state = self.state();
             state.history = super::undo::History::default();
-            state.start_when_saved = false;
+            state.when_saved = None;
             state.run = 0;
         }
         set_if_new(&self.selected, None);

@@ -114,7 +114,7 @@ impl Desk {
         if answer.is_err() {
             let mut state = self.state();
             state.history.refused(op);
-            state.start_when_saved = false;
+            state.when_saved = None;
             drop(state);
             let touched: Vec<_> = waiting.change.edits.iter().map(|edit| edit.id.clone()).collect();
             self.refresh(&touched);
@@ -177,7 +177,7 @@ impl Desk {
         {
             let mut state = self.state();
             state.queue.link_lost();
-            state.start_when_saved = false;
+            state.when_saved = None;
         }
         self.show_waiting(true);
         self.show_saving();

@@ -1,4 +1,4 @@
-//! Start, stimulating, the room, trying procedures, and presence: what is asked but never saved. Stop is plain
+//! Start, applying edits, stimulating, the room, trying procedures, and presence: what is asked but never saved. Stop is plain
 //! HTML and needs nothing of this.
 
 use super::{Desk, Selected};
@@ -14,11 +14,29 @@ const PRESENCE_MS: i32 = 50;
 /// What a procedure makes of given values: why it cannot run at all, and one result per set of values.
 pub(crate) type Checked = (Option<String>, Vec<Result<Value, String>>);
 
+/// What the robot is to do with the open behaviour once it is saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wish {
+    /// Run it from the beginning.
+    Start,
+    /// Go on with it where the run is.
+    Apply,
+}
+
 impl Desk {
     /// Runs the open behaviour as soon as what was changed is saved.
     pub(crate) fn start(&self) {
+        self.wish(Wish::Start);
+    }
+
+    /// Lets the run of the open behaviour go on with what was changed, as soon as that is saved.
+    pub(crate) fn apply(&self) {
+        self.wish(Wish::Apply);
+    }
+
+    fn wish(&self, wish: Wish) {
         // Never later than now: a robot must not begin to move when a lost link comes back.
-        self.state().start_when_saved = link::is_up();
+        self.state().when_saved = link::is_up().then_some(wish);
         if link::is_up() {
             self.start_if_saved();
         } else {
@@ -29,13 +47,21 @@ impl Desk {
     pub(super) fn start_if_saved(&self) {
         let now = {
             let mut state = self.state();
-            let now = state.start_when_saved && state.queue.len() == 0;
-            state.start_when_saved &= !now;
-            now
+            let is_saved = state.queue.len() == 0;
+            state.when_saved.take_if(|_| is_saved)
         };
-        if let (true, Some(behaviour)) = (now, self.open.get_untracked()) {
-            self.ask_or_say(Request::Start { behaviour }, |_| {});
+        let Some(behaviour) = self.open.get_untracked() else { return };
+        match now {
+            Some(Wish::Start) => self.ask_or_say(Request::Start { behaviour }, |_| {}),
+            Some(Wish::Apply) => self.ask_to_apply(behaviour),
+            None => {}
         }
+    }
+
+    fn ask_to_apply(&self, behaviour: Id) {
+        let (desk, revision) = (self.clone(), self.revision.get_untracked());
+        let on_yes = move |_: &Reply| desk.say(&crate::words::applied(revision), false);
+        self.ask_or_say(Request::Apply { behaviour }, on_yes);
     }
 
     /// Sends a value to a sensor stream of the running behaviour as if the robot had sensed it.

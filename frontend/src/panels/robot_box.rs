@@ -56,11 +56,10 @@ fn Start() -> impl IntoView {
     let desk = hold();
     let runs = Memo::new(move |_| desk.desk().running().is_some());
     let blocked = Memo::new(move |_| !runs.get() && why_not(desk).is_some());
-    let press = move |_| {
-        let is_old = desk.desk().running().is_none_or(|run| run.revision != desk.desk().revision.get_untracked());
-        if is_old {
-            desk.desk().start();
-        }
+    let press = move |_| match desk.desk().running() {
+        None => desk.desk().start(),
+        Some(run) if run.revision != desk.desk().revision.get_untracked() => desk.desk().apply(),
+        Some(_) => {}
     };
     view! {
         <button
@@ -111,7 +110,7 @@ fn Line() -> impl IntoView {
             {text}
             <Show when=can_apply>
                 " · "
-                <button class="link" type="button" on:click=move |_| desk.desk().start()>{words::apply()}</button>
+                <button class="link" type="button" on:click=move |_| desk.desk().apply()>{words::apply()}</button>
             </Show>
         </p>
     }

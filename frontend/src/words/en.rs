@@ -38,7 +38,7 @@ sentences! {
     robot: "Robot";
     start: "Start";
     running: "Running";
-    apply: "Apply";
+    apply: "Apply to the running robot";
     open_first: "Open a program to start it.";
     starts_when_online: "Start works again as soon as this page is connected.";
     robot_ready: "ready";
@@ -251,7 +251,11 @@ pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
 }
 
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
-    format!("Running version {runs}, you edit {edits}")
+    format!("Running version {runs}, editing {edits}")
+}
+
+pub(crate) fn applied(revision: u64) -> String {
+    format!("The robot goes on with version {revision}.")
 }
 
 pub(crate) fn running_here(revision: u64) -> String {

@@ -3,10 +3,11 @@
 use super::gate::Gate;
 use super::live::LiveValues;
 use super::mailbox::{Keep, Mailbox};
-use behaviour::Id;
+use behaviour::{BehaviourFile, Id};
 use protocol::{RunPhase, RunState};
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Ended runs that are remembered.
 const ENDED_MAX_RUNS: usize = 16;
@@ -28,6 +29,25 @@ struct Preparing {
     gate: Arc<Gate>,
 }
 
+/// The sensor streams of a run by id: their index, and which readings wait.
+pub(super) type Senses = BTreeMap<Id, (usize, Keep)>;
+
+/// Taken while somebody applies an edited behaviour to a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Applying(Arc<AtomicBool>);
+
+impl Applying {
+    /// True if nobody else does it.
+    pub(super) fn begin(&self) -> bool {
+        !self.0.swap(true, Ordering::SeqCst)
+    }
+
+    /// The next one may.
+    pub(super) fn end(&self) {
+        self.0.store(false, Ordering::SeqCst);
+    }
+}
+
 /// A run.
 #[derive(Clone, Debug)]
 pub(super) struct Entry {
@@ -40,7 +60,11 @@ pub(super) struct Entry {
     /// Its values.
     pub(super) live: LiveValues,
     /// Its sensor streams by id.
-    pub(super) senses: BTreeMap<Id, (usize, Keep)>,
+    pub(super) senses: Senses,
+    /// What runs.
+    pub(super) file: Arc<BehaviourFile>,
+    /// Whether an edited behaviour is about to follow.
+    pub(super) applying: Applying,
     /// Whether it can move the robot.
     pub(super) acts: bool,
 }
@@ -99,6 +123,11 @@ impl Book {
     /// The running one of a behaviour.
     pub(super) fn running_of(&self, behaviour: &Id) -> Option<&Entry> {
         self.running().find(|entry| entry.state.behaviour == *behaviour)
+    }
+
+    /// One run, if it runs.
+    pub(super) fn running_mut(&mut self, run: u64) -> Option<&mut Entry> {
+        self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)
     }
 
     /// One run, running or ended.

@@ -48,6 +48,8 @@ pub(super) struct Opening {
     pub(super) mailbox: Arc<Mailbox>,
     /// Its devices, actions before senses.
     pub(super) devices: Vec<Wanted>,
+    /// Whether it follows a run with the same number, whose devices it takes over as far as they are the same.
+    pub(super) follows: bool,
     /// Gets the answer; never waited for.
     pub(super) answer: SyncSender<Result<(), String>>,
 }
@@ -65,6 +67,13 @@ pub(super) struct Wanted {
     pub(super) device: String,
     /// Its parameters.
     pub(super) params: Params,
+}
+
+impl Wanted {
+    /// Whether both are the same device with the same parameters for the same stream.
+    pub(super) fn is_same_use(&self, other: &Self) -> bool {
+        (&self.stream, &self.device, &self.params) == (&other.stream, &other.device, &other.params)
+    }
 }
 
 /// A value for an action. Void once the gate is closed.

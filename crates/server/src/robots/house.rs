@@ -1,5 +1,6 @@
 //! What the robot's thread, the runs' threads and the server share: the desk, the book, and what is shown.
 
+use super::Start;
 use super::book::{Book, Entry};
 use super::desk::Desk;
 use crate::lock;
@@ -85,6 +86,17 @@ impl House {
         let ended = book.end(None, &RunPhase::Faulted(reason.to_owned()));
         self.clear_away(&ended);
         self.show(&book);
+    }
+
+    /// Notes that a run goes on with an edited behaviour; none if it does not run any more.
+    pub(super) fn applied(&self, run: u64, start: &Start) -> Option<RunState> {
+        let mut book = lock(&self.book);
+        let entry = book.running_mut(run)?;
+        entry.file = start.file.clone();
+        (entry.state.revision, entry.state.name) = (start.revision, start.file.name.clone());
+        let state = entry.state.clone();
+        self.show(&book);
+        Some(state)
     }
 
     /// How many threads of runs still live.

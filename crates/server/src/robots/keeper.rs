@@ -1,6 +1,6 @@
 //! The robot's thread: the only one that touches the robot. Every step looks at Stop first.
 
-use super::desk::{Command, Desk, Opening};
+use super::desk::{Command, Desk, Opening, Wanted};
 use super::gate::Gate;
 use super::house::House;
 use super::mailbox::{Keep, Mailbox};
@@ -60,6 +60,7 @@ struct User {
     gate: Arc<Gate>,
     mailbox: Arc<Mailbox>,
     streams: BTreeMap<Id, (usize, Keep)>,
+    devices: Vec<Wanted>,
 }
 
 impl<'a> Keeper<'a> {
@@ -127,22 +128,52 @@ impl<'a> Keeper<'a> {
     }
 
     fn open(&mut self, opening: Opening) {
-        let Opening { run, gate, mailbox, devices, answer } = opening;
-        if !gate.is_open() {
+        if !opening.gate.is_open() {
             return;
         }
-        let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
-        self.users.insert(run, User { gate, mailbox, streams });
-        let opened = devices.iter().try_for_each(|wanted| {
-            let user = Use { run, stream: wanted.stream.clone() };
-            let opened = self.robot.open(&user, &wanted.device, &wanted.params);
-            opened.map_err(|reason| format!("“{}”: {reason}", wanted.name))
-        });
-        if opened.is_err() {
-            self.close(run);
+        let Opening { run, gate, mailbox, devices, answer, follows } = opening;
+        let opened = if follows { self.exchange(run, &devices) } else { self.open_all(run, &devices) };
+        if opened.is_ok() {
+            let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
+            self.users.insert(run, User { gate, mailbox, streams, devices });
         }
         // Who gave up waiting has closed the gate and asked to close.
         drop(answer.try_send(opened));
+    }
+
+    /// Opens devices; if one cannot be opened, none stays open.
+    fn open_all(&mut self, run: u64, devices: &[Wanted]) -> Result<(), String> {
+        for (at, wanted) in devices.iter().enumerate() {
+            let user = Use { run, stream: wanted.stream.clone() };
+            if let Err(reason) = self.robot.open(&user, &wanted.device, &wanted.params) {
+                self.close_all(run, &devices[..at]);
+                return Err(format!("“{}”: {reason}", wanted.name));
+            }
+        }
+        Ok(())
+    }
+
+    /// Opens what an edited behaviour uses beyond the one before it, and closes what it does not use any more. What
+    /// stays the same is not touched; if something cannot be opened, everything stays as it was.
+    fn exchange(&mut self, run: u64, wanted: &[Wanted]) -> Result<(), String> {
+        let before = self.users.get(&run).ok_or("it was stopped meanwhile")?.devices.clone();
+        let not_in = |these: &[Wanted], those: &[Wanted]| -> Vec<Wanted> {
+            these.iter().filter(|this| !those.iter().any(|that| that.is_same_use(this))).cloned().collect()
+        };
+        let (goes, comes) = (not_in(&before, wanted), not_in(wanted, &before));
+        self.close_all(run, &goes);
+        let opened = self.open_all(run, &comes);
+        if opened.is_err() {
+            // They were open a moment ago.
+            self.open_all(run, &goes)?;
+        }
+        opened
+    }
+
+    fn close_all(&mut self, run: u64, devices: &[Wanted]) {
+        for wanted in devices {
+            self.robot.close(&Use { run, stream: wanted.stream.clone() });
+        }
     }
 
     fn close(&mut self, run: u64) {

@@ -70,6 +70,13 @@ impl LiveValues {
         self.changed.subscribe()
     }
 
+    /// Begins anew with that many streams and connectors; whoever watches goes on watching.
+    pub(super) fn renew(&self, streams: usize, connectors: usize) {
+        let mut cell = lock(&self.cell);
+        cell.streams = std::iter::repeat_with(Told::default).take(streams).collect();
+        cell.connectors = std::iter::repeat_with(Told::default).take(connectors).collect();
+    }
+
     /// Tells what changed, each with its index. False if somebody reads just now and `wait` is false.
     pub(super) fn tell(&self, at_ms: u64, changes: &mut Changes, wait: bool) -> bool {
         let cell = if wait { Some(lock(&self.cell)) } else { self.cell.try_lock().ok() };

@@ -1,6 +1,7 @@
 //! The mailbox of a run: readings wait here until the run's thread takes them; bounded, and never slowing the robot.
 
 use super::fair::Fair;
+use super::successor::Successor;
 use crate::lock;
 use behaviour::{Id, Value};
 use std::collections::BTreeMap;
@@ -54,6 +55,8 @@ pub(super) struct Post {
     pub(super) readings: Vec<Arrived>,
     /// Commands that the robot dropped, by the actuator stream's id, each with how many and the newest reason.
     pub(super) refused: BTreeMap<Id, (u64, String)>,
+    /// A run that wants to follow.
+    pub(super) successor: Option<Successor>,
 }
 
 /// The mailbox.
@@ -67,6 +70,7 @@ pub(super) struct Mailbox {
 struct Inbox {
     readings: Fair<(usize, Keep), (Instant, Value)>,
     refused: BTreeMap<Id, (u64, String)>,
+    successor: Option<Successor>,
     rung: bool,
 }
 
@@ -83,6 +87,12 @@ impl Mailbox {
         let mut inbox = lock(&self.inbox);
         let noted = inbox.refused.entry(stream.clone()).or_default();
         *noted = (noted.0 + 1, reason);
+        self.bell.notify_one();
+    }
+
+    /// Announces the run that follows. Readings that were put in before are still for the one that ends.
+    pub(super) fn succeed(&self, successor: Successor) {
+        lock(&self.inbox).successor = Some(successor);
         self.bell.notify_one();
     }
 
@@ -105,7 +115,8 @@ impl Mailbox {
         }
         inbox.rung = false;
         let readings = inbox.readings.take().map(|((stream, _), (at, value))| Arrived { stream, at, value }).collect();
-        Post { readings, refused: std::mem::take(&mut inbox.refused) }
+        let successor = inbox.successor.take();
+        Post { readings, refused: std::mem::take(&mut inbox.refused), successor }
     }
 
     /// How many readings gave way to newer ones.
@@ -116,7 +127,7 @@ impl Mailbox {
 
 impl Inbox {
     fn is_quiet(&self) -> bool {
-        !self.rung && self.readings.is_empty() && self.refused.is_empty()
+        !self.rung && self.readings.is_empty() && self.refused.is_empty() && self.successor.is_none()
     }
 }
 

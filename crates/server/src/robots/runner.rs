@@ -1,20 +1,21 @@
 //! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
 
 use super::Start;
-use super::book::Entry;
-use super::desk::{Command, Opening, Wanted};
+use super::book::{Applying, Entry, Senses};
+use super::desk::{Opening, Wanted};
 use super::gate::Gate;
 use super::house::House;
 use super::live::LiveValues;
 use super::mailbox::{Arrived, Keep, Mailbox};
+use super::outcome::Outcome;
+use super::successor::{Baton, Successor};
 use super::tally::Tally;
 use crate::lock;
 use behaviour::{Id, StreamKind};
-use engine::{Emission, Limits, Run};
+use engine::{Limits, Run};
 use protocol::{RunPhase, RunState};
-use robot::{Millis, Use};
+use robot::Millis;
 use std::cell::Cell;
-use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 use std::sync::Arc;
@@ -43,44 +44,68 @@ pub(super) struct Job {
     pub(super) limits: fn() -> Limits,
 }
 
-/// Runs to the end; `answer` hears whether it began. A panic ends this behaviour only.
-pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, String>>) {
-    let done = catch_unwind(AssertUnwindSafe(|| live(job, answer)));
-    let house = &job.house;
-    lock(&house.book).withdraw(job.run);
-    let reason = done.unwrap_or_else(|_| Some("it failed inside; please tell the people who make rrp".to_owned()));
-    // A run that was stopped keeps that as its end; without a reason it came too late for the one who waited.
-    house.fault(job.run, reason.unwrap_or_else(|| "it took too long to prepare".to_owned()));
-    job.gate.close();
-    house.desk.close(job.run);
+/// How a run ended.
+enum End {
+    /// By itself, with the reason.
+    Fault(String),
+    /// It was stopped, or did not come to be.
+    Stopped,
+    /// Another one goes on with its number and its devices.
+    Followed,
 }
 
-/// The whole life; a reason if it ended by itself.
-fn live(job: &Job, answer: oneshot::Sender<Result<RunState, String>>) -> Option<String> {
-    match prepare(job) {
+/// Runs to the end; `answer` hears whether it began. A panic ends this behaviour only.
+pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, String>>) {
+    let done = catch_unwind(AssertUnwindSafe(|| match prepare(job) {
         Ok((runner, state)) => {
             drop(answer.send(Ok(state)));
             runner.work()
         }
         Err(reason) => {
             drop(answer.send(Err(reason)));
-            None
+            End::Stopped
         }
-    }
+    }));
+    clear_away(job, done.ok());
+}
+
+/// Works to the end, in place of a run that was followed.
+pub(super) fn work(job: &Job, runner: Runner) {
+    clear_away(job, catch_unwind(AssertUnwindSafe(|| runner.work())).ok());
+}
+
+fn clear_away(job: &Job, end: Option<End>) {
+    let house = &job.house;
+    let reason = match end {
+        Some(End::Followed) => return,
+        Some(End::Fault(reason)) => reason,
+        // A run that was stopped keeps that as its end; without a reason it came too late for the one who waited.
+        Some(End::Stopped) => "it took too long to prepare".to_owned(),
+        None => "it failed inside; please tell the people who make rrp".to_owned(),
+    };
+    lock(&house.book).withdraw(job.run);
+    house.fault(job.run, reason);
+    job.gate.close();
+    house.desk.close(job.run);
 }
 
 fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     let clock = Rc::new(Cell::new(Instant::now()));
-    let limits = (job.limits)().interrupted_by(interrupt(job.gate.clone(), clock.clone()));
-    let run = Run::build(&job.start.file, limits).map_err(|faults| in_one_sentence(&faults))?;
+    let run = build(job, &clock)?;
     let mailbox = Arc::new(Mailbox::default());
     let devices = devices(&run);
-    open(job, &mailbox, devices.clone())?;
+    open(job, &mailbox, devices.clone(), false)?;
     let entry = entry(job, &run, &mailbox, &devices);
-    let (live, state) = (entry.live.clone(), entry.state.clone());
-    let mut runner = Runner::new(job, run, mailbox, live, clock);
+    let (tally, state) = (Tally::new(entry.live.clone(), &run), entry.state.clone());
+    let mut runner = Runner::new(job, run, mailbox, tally, clock);
     runner.began = Instant::now();
     if job.house.begin(entry) { Ok((runner, state)) } else { Err("it was stopped before it began".to_owned()) }
+}
+
+/// Compiles what is to run. `clock` says when the procedure that runs began.
+pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, String> {
+    let limits = (job.limits)().interrupted_by(interrupt(job.gate.clone(), clock.clone()));
+    Run::build(&job.start.file, limits).map_err(|faults| in_one_sentence(&faults))
 }
 
 /// Ends a procedure at its deadline, or at once when the run is stopped.
@@ -94,7 +119,7 @@ fn in_one_sentence(faults: &[engine::Fault]) -> String {
 }
 
 /// The devices it uses, actions before senses, each in file order.
-fn devices(run: &Run) -> Vec<Wanted> {
+pub(super) fn devices(run: &Run) -> Vec<Wanted> {
     let of = |kind: StreamKind| {
         run.streams().iter().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
             let (stream, device) = (Id::new(&info.id).ok()?, info.device.clone()?);
@@ -104,22 +129,29 @@ fn devices(run: &Run) -> Vec<Wanted> {
     of(StreamKind::Actuator).chain(of(StreamKind::Sensor)).collect()
 }
 
-fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>) -> Result<(), String> {
+/// Asks the robot for devices; a run that follows another takes over the other's.
+pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, follows: bool) -> Result<(), String> {
     let (answer, opened) = sync_channel(1);
     let (gate, mailbox) = (job.gate.clone(), mailbox.clone());
-    job.house.desk.open(Opening { run: job.run, gate, mailbox, devices, answer });
+    job.house.desk.open(Opening { run: job.run, gate, mailbox, devices, follows, answer });
     let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
     waited.unwrap_or_else(|_| Err("the robot does not answer".to_owned()))
 }
 
+/// The sensor streams among the devices.
+pub(super) fn senses(run: &Run, devices: &[Wanted]) -> Senses {
+    let is_sense = |wanted: &&Wanted| run.streams().get(wanted.index).is_some_and(|s| s.kind == StreamKind::Sensor);
+    let of = |wanted: &Wanted| (wanted.stream.clone(), (wanted.index, Keep::of(&wanted.device)));
+    devices.iter().filter(is_sense).map(of).collect()
+}
+
+/// Whether it can move the robot.
+pub(super) fn acts(run: &Run, devices: &[Wanted]) -> bool {
+    senses(run, devices).len() < devices.len()
+}
+
 fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> Entry {
     let start = &job.start;
-    let is_sense = |wanted: &&Wanted| run.streams().get(wanted.index).is_some_and(|s| s.kind == StreamKind::Sensor);
-    let senses: BTreeMap<_, _> = devices
-        .iter()
-        .filter(is_sense)
-        .map(|wanted| (wanted.stream.clone(), (wanted.index, Keep::of(&wanted.device))))
-        .collect();
     Entry {
         state: RunState {
             run: job.run,
@@ -132,44 +164,42 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
         gate: job.gate.clone(),
         mailbox: mailbox.clone(),
         live: LiveValues::new(job.run, run.streams().len(), run.connectors().len()),
-        acts: senses.len() < devices.len(),
-        senses,
+        acts: acts(run, devices),
+        senses: senses(run, devices),
+        file: start.file.clone(),
+        applying: Applying::default(),
     }
 }
 
 /// A run that has begun.
-struct Runner<'a> {
+pub(super) struct Runner<'a> {
     run: Run,
     mailbox: Arc<Mailbox>,
     outcome: Outcome<'a>,
     began: Instant,
     /// The next instant that still takes readings; everything before is closed.
     open_ms: u64,
-}
-
-/// Where what a run emits goes.
-struct Outcome<'a> {
-    job: &'a Job,
-    tally: Tally,
-    /// For every actuator stream its use and device.
-    uses: BTreeMap<usize, (Use, String)>,
-    /// When the procedure that runs now began, or a little before.
-    clock: Rc<Cell<Instant>>,
-    /// The connector that took too long last.
-    too_long: Option<usize>,
+    /// Who follows, as soon as no frame is open.
+    successor: Option<Successor>,
 }
 
 impl<'a> Runner<'a> {
-    fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, live: LiveValues, clock: Rc<Cell<Instant>>) -> Self {
-        let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
-        let actions = |wanted: &Wanted| run.streams()[wanted.index].kind == StreamKind::Actuator;
-        let uses = devices(&run).into_iter().filter(actions).map(of).collect();
-        let outcome = Outcome { job, tally: Tally::new(live, &run), uses, clock, too_long: None };
-        Self { run, mailbox, outcome, began: Instant::now(), open_ms: 0 }
+    /// A run whose logical time begins now.
+    pub(super) fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, tally: Tally, clock: Rc<Cell<Instant>>) -> Self {
+        let is_action = |wanted: &Wanted| run.streams()[wanted.index].kind == StreamKind::Actuator;
+        let actions = devices(&run).into_iter().filter(is_action).collect();
+        let outcome = Outcome::new(job, tally, actions, clock);
+        Self { run, mailbox, outcome, began: Instant::now(), open_ms: 0, successor: None }
     }
 
-    /// Works until its gate is closed; a reason if it ends by itself.
-    fn work(mut self) -> Option<String> {
+    /// The same with the time of the run that it follows.
+    pub(super) fn since(mut self, began: Instant, open_ms: u64) -> Self {
+        (self.began, self.open_ms) = (began, open_ms);
+        self
+    }
+
+    /// Works until its gate is closed, it ends by itself or another one follows.
+    fn work(mut self) -> End {
         let mut reason = None;
         while reason.is_none() && self.outcome.job.gate.is_open() {
             let post = self.mailbox.take(self.next_wake());
@@ -178,13 +208,31 @@ impl<'a> Runner<'a> {
             }
             self.outcome.tally.refused(post.refused);
             self.close_instants();
-            self.outcome.tally.tell(&self.run, self.now_ms(), false);
+            self.successor = self.successor.or(post.successor);
             reason = self.took_too_long();
+            if self.may_follow()
+                && let Some(successor) = self.successor.take_if(|_| reason.is_none())
+            {
+                return self.hand_over(successor);
+            }
+            self.outcome.tally.tell(&self.run, self.now_ms(), false);
         }
         self.outcome.tally.tell(&self.run, self.now_ms(), true);
         let (run, dropped) = (self.outcome.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
-        reason
+        reason.map_or(End::Stopped, End::Fault)
+    }
+
+    /// Whether another run may follow just now.
+    fn may_follow(&self) -> bool {
+        self.successor.is_some() && self.run.is_between() && self.outcome.job.gate.is_open()
+    }
+
+    fn hand_over(self, to: Successor) -> End {
+        let baton =
+            Baton { legacy: self.run.legacy(), tally: self.outcome.tally, began: self.began, open_ms: self.open_ms };
+        let why = "it could not go on with what was applied; start it again";
+        if to.take(baton) { End::Followed } else { End::Fault(why.to_owned()) }
     }
 
     /// The live rule: a reading counts when it arrived, but never in an instant that is closed.
@@ -231,26 +279,5 @@ impl<'a> Runner<'a> {
 
     fn ms_at(&self, at: Instant) -> u64 {
         u64::try_from(at.saturating_duration_since(self.began).as_millis()).unwrap_or(u64::MAX)
-    }
-}
-
-impl Outcome<'_> {
-    fn note(&mut self, emission: Emission) {
-        self.clock.set(Instant::now());
-        match emission {
-            Emission::Value { at, stream, value } => {
-                self.tally.carried(stream, at.0);
-                if let Some((user, device)) = self.uses.get(&stream) {
-                    let command = Command { gate: self.job.gate.clone(), value: value.clone() };
-                    self.job.house.desk.command(user.clone(), device, command);
-                }
-            }
-            Emission::Fault { connector, deadline, .. } => {
-                self.tally.failed();
-                if deadline {
-                    self.too_long = Some(connector);
-                }
-            }
-        }
     }
 }

@@ -3,7 +3,7 @@
 use super::beats::{Beats, SLOT_MS};
 use super::live::{Changes, LiveValues};
 use behaviour::Id;
-use engine::{ConnectorStats, Run, StreamStats};
+use engine::{ConnectorStats, Kept, Run, StreamStats};
 use protocol::{ConnectorSample, StreamSample};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -50,6 +50,21 @@ impl Tally {
             is_stale: false,
             told: Instant::now(),
         }
+    }
+
+    /// For the run that follows: rates and refusals of what stays the same go on, and everything is told once more.
+    pub(super) fn succeeded(mut self, run: &Run, kept: &Kept) -> Self {
+        self.live.renew(run.streams().len(), run.connectors().len());
+        let mut next = Self::new(self.live.clone(), run);
+        for (&from, &to) in &kept.streams {
+            next.streams[to].beats = self.streams[from].beats;
+        }
+        for (&from, &to) in &kept.connectors {
+            let before = &mut self.connectors[from];
+            (next.connectors[to].refused, next.connectors[to].refusal) = (before.refused, before.refusal.take());
+        }
+        next.is_stale = true;
+        next
     }
 
     /// A value was carried by a stream.

@@ -1,5 +1,6 @@
 //! The robot's thread and the runs' threads, with a puppet for a robot and with the simulated NAO.
 
+mod applying;
 mod puppet;
 mod running;
 mod simulated;
@@ -68,7 +69,7 @@ fn filtered(name: &str, body: &str) -> Start {
         order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };
-    Start { behaviour: id(name), revision: 1, file, by: "Aiko".to_owned() }
+    Start { behaviour: id(name), revision: 1, file: file.into(), by: "Aiko".to_owned() }
 }
 
 fn phase(robots: &Robots, run: &RunState) -> RunPhase {

@@ -46,6 +46,10 @@ impl Session {
                 let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
                 self.later(ask, async move { start::start(&hub, behaviour, by).await });
             }
+            Request::Apply { behaviour } => {
+                let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
+                self.later(ask, async move { start::apply(&hub, behaviour, by).await });
+            }
             Request::Stop { behaviour } => {
                 start::stop(&self.hub, behaviour.as_ref(), &self.me.name);
                 self.outbox.say(Some(ask), Reply::Done);

@@ -52,10 +52,14 @@ Ball (sensor RedBall)
 This behaviour does not run. Press Start first.
 > start
 Far runs
+> apply
+Far goes on as it is saved now
 > stimulate ba {\"x\": 0.5}
 Ball got #{x: 0.5}
 > stop far
 Far is stopped
+> apply far
+This behaviour does not run. Press Start first.
 > below
 Far ball (ordinary)
 Close ball (ordinary)

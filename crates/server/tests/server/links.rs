@@ -55,7 +55,7 @@ async fn the_greeting_comes_first_and_in_our_version() {
 async fn a_message_that_is_too_large_ends_the_link() {
     let house = House::open().await;
     let mut socket = socket(&house).await;
-    let hello = r#"{"ask":1,"request":{"is":"hello","version":2,"client":"a","name":"A"}}"#;
+    let hello = r#"{"ask":1,"request":{"is":"hello","version":3,"client":"a","name":"A"}}"#;
     socket.send(Message::text(hello)).await.unwrap();
     let _ = socket.send(Message::text("x".repeat(MESSAGE_MAX_BYTES + 1))).await;
     let ended = async { while let Some(Ok(_)) = socket.next().await {} };

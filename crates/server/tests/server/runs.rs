@@ -39,6 +39,36 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
 }
 
 #[tokio::test]
+async fn edits_disturb_nothing_until_they_are_applied() {
+    let house = House::open().await;
+    let (mut aiko, play) = house.maker("Aiko").await;
+    aiko.put("Add", stream_id("head"), Some(touch())).await.unwrap();
+    aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
+    aiko.put("Add", stream_id("next"), Some(plain("Next"))).await.unwrap();
+    aiko.put("Add", connector_id("m"), Some(map("head + 1", "head", "next"))).await.unwrap();
+    aiko.put("Add", connector_id("c"), Some(connect(Operation::Subscribe, &["next"], "out"))).await.unwrap();
+    let apply = Request::Apply { behaviour: play.clone() };
+    assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(SaidNo::NotRunning)));
+    aiko.ask(Request::Start { behaviour: play.clone() }).await.unwrap();
+    aiko.put("Edit", connector_id("m"), Some(map("head + 2", "head", "next"))).await.unwrap();
+    let seven = |value| Request::Stimulate { behaviour: play.clone(), stream: "head".parse().unwrap(), value };
+    let shows = |wanted: i64| move |reply: &Reply| matches!(reply, Reply::Values { values } if values.streams.iter().any(|s| s.stream.as_str() == "out" && s.value == Value::Int(wanted)));
+    aiko.ask(seven(Value::Int(7))).await.unwrap();
+    aiko.until(shows(8)).await.unwrap();
+    aiko.ask(apply.clone()).await.unwrap();
+    aiko.ask(seven(Value::Int(7))).await.unwrap();
+    aiko.until(shows(9)).await.unwrap();
+    // What cannot run is not applied; the sentence says why and that the robot goes on.
+    aiko.put("Edit", connector_id("m"), Some(map("", "head", "next"))).await.unwrap();
+    let no = aiko.ask(apply).await.unwrap_err();
+    assert!(matches!(&no, Trouble::No(SaidNo::NotApplied(_))), "{no:?}");
+    assert!(no.to_string().starts_with("The robot goes on with what it ran before"), "{no}");
+    aiko.ask(seven(Value::Int(1))).await.unwrap();
+    aiko.until(shows(3)).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
 async fn templates_start() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;

@@ -20,6 +20,7 @@ struct Strings {
     told: Vec<(Use, Value)>,
     balls: Vec<Value>,
     stops: usize,
+    opened: usize,
     made: usize,
     refuses: Option<&'static str>,
     fails: bool,
@@ -48,6 +49,11 @@ impl Puppet {
 
     pub(super) fn stops(&self) -> usize {
         lock(&self.0).stops
+    }
+
+    /// How many devices were opened so far.
+    pub(super) fn opened(&self) -> usize {
+        lock(&self.0).opened
     }
 
     pub(super) fn made(&self) -> usize {
@@ -84,6 +90,7 @@ impl Robot for Puppet {
         if strings.refuses == Some(device) {
             return Err(format!("it has no {device}"));
         }
+        strings.opened += 1;
         strings.open.insert(user.clone());
         Ok(())
     }

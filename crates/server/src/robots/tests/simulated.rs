@@ -11,7 +11,7 @@ async fn a_green_ball_makes_the_eyes_green() {
     let robots = Robots::simulated(1).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();
-    robots.start(Start { behaviour, revision: 3, file, by: "Aiko".to_owned() }).await.unwrap();
+    robots.start(Start { behaviour, revision: 3, file: file.into(), by: "Aiko".to_owned() }).await.unwrap();
     for (ball, at) in [("red", [-1.0, 0.5, 0.1]), ("blue", [-1.0, -0.5, 0.1]), ("green", [0.6, 0.0, 0.45])] {
         robots.edit_scene(SceneEdit::MoveBall { id: ball.to_owned(), at });
     }

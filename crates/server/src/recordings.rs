@@ -1,0 +1,145 @@
+//! Recordings of runs: files of JSON lines in the data folder, each written by a thread of its own.
+
+mod clock;
+mod lines;
+mod recorder;
+mod writer;
+
+pub(crate) use recorder::{Recorder, Step};
+
+use crate::lock;
+use behaviour::Id;
+use lines::Header;
+use protocol::{Recording, SaidNo};
+use serde::Deserialize;
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read};
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex};
+
+/// The largest a recording may grow, in bytes.
+pub(crate) const RECORDING_MAX_BYTES: u64 = 256 << 20;
+/// The most that all recordings may take, in bytes.
+const ALL_MAX_BYTES: u64 = 4 << 30;
+/// Recordings that are kept.
+const KEPT_MAX: usize = 1_000;
+/// The longest first line that is read, in bytes.
+const HEADER_MAX_BYTES: u64 = 16 << 10;
+/// What a recording's name ends with.
+const ENDING: &str = ".jsonl";
+
+/// The folder of the recordings. A clone is the same folder.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Recordings {
+    folder: Option<Arc<Path>>,
+    /// Taken while a name is chosen.
+    naming: Arc<Mutex<()>>,
+}
+
+/// What is recorded.
+pub(crate) struct About<'a> {
+    /// The run's number.
+    pub(crate) run: u64,
+    /// Which behaviour.
+    pub(crate) behaviour: &'a Id,
+    /// Its revision.
+    pub(crate) revision: u64,
+    /// Who started it.
+    pub(crate) by: &'a str,
+    /// What runs.
+    pub(crate) file: &'a behaviour::BehaviourFile,
+}
+
+impl Recordings {
+    /// In a data folder, or nowhere.
+    pub(crate) fn within(data: Option<&Path>) -> Self {
+        Self { folder: data.map(|data| data.join("recordings").into()), naming: Arc::default() }
+    }
+
+    /// Begins a recording. Nothing that was recorded gives way to it.
+    ///
+    /// # Errors
+    /// Why it cannot be recorded, and what to do.
+    pub(crate) fn begin(&self, about: &About) -> Result<Recorder, String> {
+        let folder = self.folder.as_deref().ok_or("this server has no data folder; start it with --data DIR")?;
+        let _naming = lock(&self.naming);
+        std::fs::create_dir_all(folder).map_err(|error| format!("{} cannot be made ({error})", folder.display()))?;
+        let (count, bytes) = taken(folder);
+        if count >= KEPT_MAX || bytes + RECORDING_MAX_BYTES > ALL_MAX_BYTES {
+            return Err("there is no room for another recording; download and remove some first".to_owned());
+        }
+        let began = clock::now();
+        let (name, file) = create(folder, &began, about.file.name.as_str())?;
+        let header = Header::of(about, &began);
+        Recorder::start(name, file, &header, about.file).map_err(|error| format!("it cannot be recorded ({error})"))
+    }
+
+    /// All recordings, newest first. Reads the folder: not for the async threads.
+    pub(crate) fn list(&self) -> Vec<Recording> {
+        let Some(folder) = self.folder.as_deref() else { return Vec::new() };
+        let mut all: Vec<Recording> = files(folder).filter_map(|(path, bytes)| described(&path, bytes)).collect();
+        all.sort_by(|one, other| other.file.cmp(&one.file));
+        all.truncate(KEPT_MAX);
+        all
+    }
+
+    /// Where a recording is, if there is one of that name.
+    pub(crate) fn find(&self, name: &str) -> Option<PathBuf> {
+        let folder = self.folder.as_deref()?;
+        files(folder).map(|(path, _)| path).find(|path| path.file_name().is_some_and(|known| known == name))
+    }
+
+    /// Removes a recording for good.
+    pub(crate) fn remove(&self, name: &str) -> Result<(), SaidNo> {
+        let path = self.find(name).ok_or(SaidNo::NoRecording)?;
+        std::fs::remove_file(path).map_err(|error| SaidNo::CannotRecord(format!("it cannot be removed ({error})")))
+    }
+}
+
+/// Recordings in a folder with their sizes.
+fn files(folder: &Path) -> impl Iterator<Item = (PathBuf, u64)> + use<> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.filter_map(|entry| {
+        let is_one = entry.file_name().to_str().is_some_and(|name| name.ends_with(ENDING));
+        let about = entry.metadata().ok()?;
+        (is_one && about.is_file()).then(|| (entry.path(), about.len()))
+    })
+}
+
+/// How many recordings there are, and how large together.
+fn taken(folder: &Path) -> (usize, u64) {
+    files(folder).fold((0, 0), |(count, bytes), (_, more)| (count + 1, bytes + more))
+}
+
+/// A new file, named by time and behaviour.
+fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File), String> {
+    let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
+    let words: String = behaviour.chars().take(40).map(plain).collect();
+    let words = words.split('-').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-");
+    let time = began.replace(':', "-");
+    for number in 1..=KEPT_MAX {
+        let more = if number == 1 { String::new() } else { format!("-{number}") };
+        let name = format!("{time}-{words}{more}{ENDING}");
+        match File::create_new(folder.join(&name)) {
+            Ok(file) => return Ok((name, file)),
+            Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(format!("{} cannot be written ({error})", folder.join(name).display())),
+        }
+    }
+    Err("too many recordings have the same name; remove some first".to_owned())
+}
+
+/// The first line of a recording, as far as it is shown.
+#[derive(Deserialize)]
+struct First {
+    name: String,
+    revision: u64,
+    began: String,
+}
+
+fn described(path: &Path, bytes: u64) -> Option<Recording> {
+    let mut line = String::new();
+    BufReader::new(File::open(path).ok()?.take(HEADER_MAX_BYTES)).read_line(&mut line).ok()?;
+    let First { name, revision, began } = serde_json::from_str(&line).ok()?;
+    Some(Recording { file: path.file_name()?.to_str()?.to_owned(), name, revision, began, bytes })
+}

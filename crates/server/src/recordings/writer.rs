@@ -1,0 +1,97 @@
+//! The thread that writes a recording: takes what the run hands on, and says what got lost.
+
+use super::RECORDING_MAX_BYTES;
+use super::lines::{Line, Names};
+use crate::lock;
+use std::fs::File;
+use std::io::Write;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::Receiver;
+use std::sync::{Arc, Mutex};
+
+/// Room for the last lines of a recording that is full, in bytes.
+const LAST_LINES_BYTES: u64 = 4_096;
+
+/// Lines on their way.
+#[derive(Debug)]
+pub(super) struct Batch {
+    /// What their indices mean.
+    pub(super) names: Arc<Names>,
+    /// Lines that were lost before these.
+    pub(super) missed: u64,
+    /// The lines.
+    pub(super) lines: Vec<Line>,
+}
+
+/// How the writing goes, for both sides.
+#[derive(Debug, Default)]
+pub(super) struct Progress {
+    lost: AtomicU64,
+    trouble: Mutex<Option<String>>,
+}
+
+impl Progress {
+    /// Lines that are not in the file.
+    pub(super) fn lost(&self) -> u64 {
+        self.lost.load(Ordering::Relaxed)
+    }
+
+    /// So many more are not in the file.
+    pub(super) fn lose(&self, lines: u64) {
+        self.lost.fetch_add(lines, Ordering::Relaxed);
+    }
+
+    /// Why nothing more is written, if so.
+    pub(super) fn trouble(&self) -> Option<String> {
+        lock(&self.trouble).clone()
+    }
+}
+
+/// Writes until nobody hands on any more, then makes sure that it is on disk.
+pub(super) fn write(file: File, first: &str, batches: &Receiver<Batch>, progress: &Progress) {
+    let mut pen = Pen { file, bytes: 0, text: first.to_owned() };
+    let mut done = pen.write();
+    while let Ok(batch) = batches.recv() {
+        if done.is_ok() {
+            done = pen.take(&batch);
+        } else {
+            progress.lose(batch.lines.len() as u64);
+        }
+        if let Err(why) = &done {
+            lock(&progress.trouble).get_or_insert_with(|| why.clone());
+        }
+    }
+    if done.and_then(|()| pen.file.sync_all().map_err(|error| error.to_string())).is_err() {
+        tracing::warn!("a recording is not complete");
+    }
+}
+
+struct Pen {
+    file: File,
+    bytes: u64,
+    text: String,
+}
+
+impl Pen {
+    fn take(&mut self, batch: &Batch) -> Result<(), String> {
+        if batch.missed > 0 {
+            self.text.push_str(&format!("{{\"mark\":\"gap\",\"lost\":{}}}\n", batch.missed));
+        }
+        for line in &batch.lines {
+            batch.names.write(line, &mut self.text);
+        }
+        if self.bytes + self.text.len() as u64 + LAST_LINES_BYTES > RECORDING_MAX_BYTES {
+            self.text = "{\"mark\":\"full\"}\n".to_owned();
+            self.write()?;
+            return Err(format!("it reached {} MiB and ends here", RECORDING_MAX_BYTES >> 20));
+        }
+        self.write()
+    }
+
+    fn write(&mut self) -> Result<(), String> {
+        let written = self.file.write_all(self.text.as_bytes());
+        self.bytes += self.text.len() as u64;
+        self.text.clear();
+        written.map_err(|error| format!("it could not be written on ({error})"))
+    }
+}

@@ -1,0 +1,106 @@
+//! Applying an edited behaviour to the robot that runs it: the new graph is compiled beside the old one on a thread of
+//! its own, then takes over between two instants. Until then, and if it is refused, the old one goes on.
+
+use super::book::{Entry, Senses};
+use super::house::House;
+use super::mailbox::Mailbox;
+use super::runner::{self, Job, Runner, devices, open, senses};
+use super::tally::Tally;
+use crate::lock;
+use engine::{Kept, Legacy, Run};
+use protocol::RunState;
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::mpsc::{SyncSender, sync_channel};
+use std::time::Instant;
+use tokio::sync::oneshot;
+
+/// Where a run hands over to the one that follows it.
+#[derive(Debug)]
+pub(super) struct Successor(SyncSender<Baton>);
+
+/// What one run hands over to the next.
+pub(super) struct Baton {
+    /// What the run remembers.
+    pub(super) legacy: Legacy,
+    /// What it counted.
+    pub(super) tally: Tally,
+    /// Logical time 0.
+    pub(super) began: Instant,
+    /// The next instant that still takes readings.
+    pub(super) open_ms: u64,
+}
+
+impl Successor {
+    /// Hands over; false if nobody is there to take it.
+    pub(super) fn take(self, baton: Baton) -> bool {
+        self.0.send(baton).is_ok()
+    }
+}
+
+/// Follows the run of `before`; `answer` hears whether it took over. A panic before that leaves the old one running.
+pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<RunState, String>>) {
+    let took = catch_unwind(AssertUnwindSafe(|| take_over(job, before)));
+    match took.unwrap_or_else(|_| Err("it failed inside; please tell the people who make rrp".to_owned())) {
+        Ok((runner, state)) => {
+            before.applying.end();
+            drop(answer.send(Ok(state)));
+            runner::work(job, runner);
+        }
+        Err(reason) => {
+            before.applying.end();
+            drop(answer.send(Err(reason)));
+        }
+    }
+}
+
+fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState), String> {
+    let clock = Rc::new(Cell::new(Instant::now()));
+    let run = runner::build(job, &clock)?;
+    let kept = Kept::between(&before.file, &job.start.file);
+    let mailbox = Arc::new(Mailbox::default());
+    open(job, &mailbox, devices(&run), true)?;
+    let baton = baton(job, &run, &mailbox)?;
+    let state = job.house.applied(job.run, &job.start).ok_or_else(stopped)?;
+    Ok((go_on(job, run, baton, &kept, mailbox, clock), state))
+}
+
+/// From now on readings go to the new run, where they wait; the old one hands over after its last ones.
+fn baton(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<Baton, String> {
+    let (hand, handed) = sync_channel(1);
+    let devices = devices(run);
+    let (senses, acts) = (senses(run, &devices), runner::acts(run, &devices));
+    let old = job.house.redirect(job.run, mailbox, senses, acts).ok_or_else(stopped)?;
+    old.succeed(Successor(hand));
+    handed.recv().map_err(|_| stopped())
+}
+
+fn go_on<'a>(
+    job: &'a Job,
+    mut run: Run,
+    baton: Baton,
+    kept: &Kept,
+    mailbox: Arc<Mailbox>,
+    clock: Rc<Cell<Instant>>,
+) -> Runner<'a> {
+    let Baton { legacy, tally, began, open_ms } = baton;
+    run.succeed(legacy, kept);
+    let tally = tally.succeeded(&run, kept);
+    Runner::new(job, run, mailbox, tally, clock).since(began, open_ms)
+}
+
+fn stopped() -> String {
+    "it was stopped meanwhile".to_owned()
+}
+
+impl House {
+    /// Sends what comes for a run to another mailbox; answers with the one before, or none if it does not run.
+    fn redirect(&self, run: u64, to: &Arc<Mailbox>, senses: Senses, acts: bool) -> Option<Arc<Mailbox>> {
+        let mut book = lock(&self.book);
+        let entry = book.running_mut(run)?;
+        (entry.senses, entry.acts) = (senses, acts);
+        Some(std::mem::replace(&mut entry.mailbox, to.clone()))
+    }
+}

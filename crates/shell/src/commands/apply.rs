@@ -1,0 +1,18 @@
+//! Lets a running program go on as it is saved now.
+
+use super::Command;
+use crate::console::Console;
+use protocol::Request;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "apply",
+    words: "[NAME]",
+    help: "Lets the named or the loaded program, which runs, go on as it is saved now; what did not change goes on.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let (name, behaviour) = console.meant(wanted).await?;
+    console.ask(Request::Apply { behaviour }).await?;
+    Ok(format!("{name} goes on as it is saved now"))
+}
