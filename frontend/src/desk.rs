@@ -13,6 +13,7 @@ mod kinds;
 mod programs;
 mod propose;
 mod queue;
+mod recordings;
 mod robot_box;
 mod samples;
 mod shelves;
@@ -27,7 +28,7 @@ pub(crate) use kinds::{
 
 use behaviour::{Behaviour, Helper, Id, Place, Problem};
 use leptos::prelude::*;
-use protocol::{Person, Pointer, RobotState, RunPhase, RunState, Summary};
+use protocol::{Person, Pointer, Recording, RobotState, RunPhase, RunState, Summary};
 use robot::Scene;
 use std::collections::BTreeMap;
 use std::ops::Deref;
@@ -68,6 +69,10 @@ pub(crate) struct Fields {
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
     pub(crate) robot: ArcRwSignal<RobotState>,
     pub(crate) runs: ArcRwSignal<Vec<RunState>>,
+    /// Whether the next Start is recorded.
+    pub(crate) records: ArcRwSignal<bool>,
+    /// The recordings that are kept, as they were when somebody looked.
+    pub(crate) recordings: ArcRwSignal<Vec<Recording>>,
     pub(crate) scene: ArcRwSignal<Scene>,
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,

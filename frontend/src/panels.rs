@@ -13,6 +13,7 @@ mod outline;
 mod palette;
 mod people;
 mod problems;
+mod recordings;
 mod right;
 mod robot_box;
 mod room;

@@ -20,6 +20,7 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
     says(&aiko, &format!("Running version {}", before.revision)).await?;
 
     // Ben adds something; Aiko sees that the robot runs what it ran.
+    select(&ben, "Distance").await?;
     next(&ben, "Distance", "Tracker").await?;
     ben.find("button", "Tracker, *").await?;
     saved(&ben).await?;

@@ -6,6 +6,7 @@
 
 mod library;
 mod live;
+mod recording;
 mod reply;
 mod request;
 
@@ -14,6 +15,7 @@ pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use recording::{Recorded, Recording};
 pub use reply::{Message, Person, Reply, SaidNo};
 pub use request::{Ask, Pointer, Request};
 
@@ -23,6 +25,8 @@ pub const VERSION: u32 = 3;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// Where recordings are, as plain GETs: the list, and under it each file.
+pub const RECORDINGS_PATH: &str = "/api/recordings";
 /// The largest message either side accepts, in bytes.
 pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 /// How often live values and pictures of the room are sent at most, per second and client.

@@ -1,5 +1,6 @@
 //! What the running robot tells: its state, its runs and their values.
 
+use crate::Recorded;
 use behaviour::{Id, Value};
 use robot::Health;
 use serde::{Deserialize, Serialize};
@@ -35,6 +36,9 @@ pub struct RunState {
     pub by: String,
     /// Whether it runs.
     pub phase: RunPhase,
+    /// How its recording goes, if it is recorded.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub recording: Option<Recorded>,
 }
 
 /// Whether a run runs.

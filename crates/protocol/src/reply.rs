@@ -1,6 +1,8 @@
 //! What the server says, asked or unasked.
 
-use crate::{Contested, Cursor, Driver, Picture, Pointer, RobotState, RunState, Similar, Summary, Used, Values};
+use crate::{
+    Contested, Cursor, Driver, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used, Values,
+};
 use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, Value};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
@@ -152,6 +154,11 @@ pub enum Reply {
         /// All running behaviours and those that ended lately.
         runs: Vec<RunState>,
     },
+    /// The recordings that are kept.
+    Recordings {
+        /// Newest first.
+        recordings: Vec<Recording>,
+    },
     /// Live values of the open behaviour.
     Values {
         /// What changed since the last.
@@ -202,6 +209,10 @@ pub enum SaidNo {
     CannotStart(String),
     /// The edited behaviour was not applied, and what runs goes on; with the reason.
     NotApplied(String),
+    /// There is no such recording.
+    NoRecording,
+    /// Something about a recording did not work; with the reason.
+    CannotRecord(String),
     /// The behaviour does not run.
     NotRunning,
     /// The behaviour runs; stop it first.
@@ -234,6 +245,8 @@ impl std::fmt::Display for SaidNo {
             Self::NotApplied(reason) => {
                 write!(to, "The robot goes on with what it ran before, as the change cannot be applied: {reason}.")
             }
+            Self::NoRecording => to.write_str("There is no such recording any more. Look at the list again."),
+            Self::CannotRecord(reason) => write!(to, "The recording did not do this: {reason}."),
             Self::NotRunning => to.write_str("This behaviour does not run. Press Start first."),
             Self::Running => to.write_str("This behaviour runs on the robot. Press Stop first."),
             Self::NoSensor => to.write_str("There is no such sensor stream in this behaviour."),

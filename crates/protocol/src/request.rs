@@ -115,6 +115,21 @@ pub enum Request {
     Start {
         /// Which.
         behaviour: Id,
+        /// Whether its readings, outputs and marks are recorded.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        record: bool,
+    },
+    /// Ends the recording of a running behaviour, which runs on. Answered by `Done`.
+    EndRecording {
+        /// Which.
+        behaviour: Id,
+    },
+    /// The recordings that are kept. Answered by `Recordings`.
+    Recordings,
+    /// Removes a recording for good. Answered by `Done`.
+    RemoveRecording {
+        /// Its file.
+        file: String,
     },
     /// Lets a running behaviour go on with the revision that is saved: at an instant boundary the new graph takes the
     /// place of the old one, and what did not change keeps its memory. Answered by `Done`, or by `No` while the old one

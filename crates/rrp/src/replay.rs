@@ -1,5 +1,7 @@
 //! `rrp replay`: a recorded trace through a behaviour, faster than real time, always with the same output.
 
+mod recording;
+
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use clap::{Args, ValueEnum};
 use engine::{Arbiter, Claim, Emission, Limits, Run};
@@ -24,7 +26,7 @@ pub(crate) struct ReplayArgs {
     /// The behaviour, an rrp-behaviour/1 file.
     #[arg(long, value_name = "FILE")]
     behaviour: PathBuf,
-    /// The readings, one JSON object a line; - reads standard input.
+    /// The readings, one JSON object a line, or a recording of a run; - reads standard input.
     #[arg(long, value_name = "FILE|-")]
     trace: PathBuf,
     /// The last instant, in milliseconds since Start; the last one of the trace if absent.
@@ -65,12 +67,19 @@ pub(crate) enum Refused {
 /// A reading for a stream by index.
 pub(crate) type Reading = (Millis, usize, Value);
 
+/// What is replayed.
+struct Trace {
+    readings: Vec<Reading>,
+    /// Up to where a recorded run had closed its instants; nothing later was flushed.
+    closed: Option<Millis>,
+}
+
 /// Replays, prints, and answers with the exit code.
 pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
     match prepare(args) {
-        Ok((file, run, readings)) => {
+        Ok((file, run, trace)) => {
             // Whoever reads may have seen enough: a closed pipe ends the replay, and that is no failure.
-            let _ = play(args, &file, run, readings, &mut BufWriter::new(std::io::stdout().lock()));
+            let _ = play(args, &file, run, trace, &mut BufWriter::new(std::io::stdout().lock()));
             ExitCode::SUCCESS
         }
         Err(reason) => refused(reason),
@@ -93,13 +102,16 @@ fn refuse(reasons: &[String], code: u8) -> ExitCode {
     ExitCode::from(code)
 }
 
-fn prepare(args: &ReplayArgs) -> Result<(BehaviourFile, Run, Vec<Reading>), Refused> {
+fn prepare(args: &ReplayArgs) -> Result<(BehaviourFile, Run, Trace), Refused> {
     let file = read_behaviour(args).map_err(|reason| Refused::Behaviour(vec![reason]))?;
     let faults = |faults: Vec<engine::Fault>| Refused::Behaviour(faults.iter().map(ToString::to_string).collect());
     let run = Run::build(&file, Limits::default()).map_err(faults)?;
     let text = read(&args.trace, TRACE_BYTES).map_err(Refused::Trace)?;
-    let readings = parse_trace(&text, &run).map_err(Refused::Trace)?;
-    Ok((file, run, readings))
+    let trace = match recording::parse(&text, &run) {
+        Some(trace) => trace,
+        None => parse_trace(&text, &run).map(|readings| Trace { readings, closed: None }),
+    };
+    Ok((file, run, trace.map_err(Refused::Trace)?))
 }
 
 fn read_behaviour(args: &ReplayArgs) -> Result<BehaviourFile, String> {
@@ -167,16 +179,20 @@ fn play(
     args: &ReplayArgs,
     file: &BehaviourFile,
     mut run: Run,
-    readings: Vec<Reading>,
+    trace: Trace,
     to: &mut dyn Write,
 ) -> std::io::Result<()> {
+    let Trace { readings, closed } = trace;
     let until = Millis(args.until.unwrap_or_else(|| readings.last().map_or(0, |(at, ..)| at.0)));
     let mut printer = Printer::new(args, file);
     for (at, stream, value) in readings.into_iter().take_while(|(at, ..)| *at <= until) {
         run.feed(at, stream, value, &mut |emission| printer.print(&emission));
         printer.write(to)?;
     }
-    run.finish(until, &mut |emission| printer.print(&emission));
+    match closed.filter(|_| args.until.is_none()) {
+        Some(closed) => run.until(closed, &mut |emission| printer.print(&emission)),
+        None => run.finish(until, &mut |emission| printer.print(&emission)),
+    }
     printer.write(to)?;
     to.flush()
 }
@@ -248,7 +264,7 @@ fn quoted(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Mode, ReplayArgs, parse_trace, play};
+    use super::{Mode, ReplayArgs, Trace, parse_trace, play};
     use behaviour::BehaviourFile;
     use engine::{Limits, Run};
 
@@ -288,7 +304,7 @@ mod tests {
         let (file, run) = start();
         let readings = parse_trace(TRACE, &run).unwrap();
         let mut to = Vec::new();
-        play(args, &file, run, readings, &mut to).unwrap();
+        play(args, &file, run, Trace { readings, closed: None }, &mut to).unwrap();
         String::from_utf8(to).unwrap().lines().map(str::to_owned).collect()
     }
 

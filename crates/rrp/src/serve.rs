@@ -24,7 +24,7 @@ pub(crate) struct ServeArgs {
     /// Where to listen; port 0 takes a free one.
     #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:7130")]
     listen: SocketAddr,
-    /// The folder of the data; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
+    /// The folder of the data, recordings included; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
     #[arg(long, value_name = "DIR")]
     data: Option<PathBuf>,
     /// The address of another store instead of a folder.
@@ -53,8 +53,10 @@ pub(crate) fn serve(args: ServeArgs) -> ExitCode {
 }
 
 fn run(args: ServeArgs) -> Result<(), String> {
+    let own = args.store.as_deref().and_then(|url| url.strip_prefix("sqlite:")).map(PathBuf::from);
+    let data = args.data.clone().or(own).or_else(usual_data);
     let store = store_url(args.store, args.data)?;
-    let config = Config { listen: args.listen, store, seed: args.seed };
+    let config = Config { listen: args.listen, store, data, seed: args.seed };
     let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("The server could not start: {error}."))?;
     let served: Result<(), ServeError> = runtime.block_on(async {
         let stop = asked_to_stop();

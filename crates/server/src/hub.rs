@@ -6,6 +6,7 @@ use crate::health::Health;
 use crate::knowledge::Knowing;
 use crate::pictures::Pictures;
 use crate::programs::Programs;
+use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
 use crate::topics::Topics;
@@ -33,6 +34,8 @@ pub(crate) struct Hub {
     pub(crate) health: Health,
     /// The robot.
     pub(crate) robots: Robots,
+    /// What was recorded.
+    pub(crate) recordings: Recordings,
     /// Devices and procedures.
     pub(crate) knowing: Arc<Knowing>,
     /// Tries procedures.

@@ -22,6 +22,7 @@ mod page;
 mod patience;
 mod pictures;
 mod programs;
+mod recordings;
 mod robots;
 mod room;
 mod rooms;

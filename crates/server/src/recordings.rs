@@ -1,16 +1,17 @@
 //! Recordings of runs: files of JSON lines in the data folder, each written by a thread of its own.
 
 mod clock;
+mod give;
 mod lines;
 mod recorder;
 mod writer;
 
-pub(crate) use recorder::{Recorder, Step};
-
 use crate::lock;
 use behaviour::Id;
+pub(crate) use give::{download, list};
 use lines::Header;
 use protocol::{Recording, SaidNo};
+pub(crate) use recorder::{Recorder, Step};
 use serde::Deserialize;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};

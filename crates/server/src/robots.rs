@@ -21,6 +21,7 @@ mod tests;
 pub(crate) use live::{LiveValues, Seen};
 
 use crate::lock;
+use crate::recordings::Recordings;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
 use gate::Gate;
@@ -59,6 +60,8 @@ pub(crate) struct Start {
     pub(crate) revision: u64,
     /// The behaviour at that revision, with its helpers.
     pub(crate) file: Arc<BehaviourFile>,
+    /// Whether it is recorded.
+    pub(crate) record: bool,
     /// Who starts it.
     pub(crate) by: String,
 }
@@ -71,6 +74,7 @@ struct Owner {
     house: Arc<House>,
     thread: Mutex<Option<JoinHandle<()>>>,
     limits: fn() -> Limits,
+    recordings: Recordings,
 }
 
 impl Robots {
@@ -78,18 +82,18 @@ impl Robots {
     ///
     /// # Errors
     /// If the thread cannot be made.
-    pub(crate) fn simulated(seed: u64) -> std::io::Result<Self> {
+    pub(crate) fn simulated(seed: u64, recordings: Recordings) -> std::io::Result<Self> {
         let (name, health) = (simulated::NAME.into(), Health::Ready);
         let state = RobotState { name, kind: "nao".into(), health, devices: Vec::new() };
-        Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default)
+        Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default, recordings)
     }
 
     /// Any robot, with these limits for procedures.
-    fn with(state: RobotState, make: Make, limits: fn() -> Limits) -> std::io::Result<Self> {
+    fn with(state: RobotState, make: Make, limits: fn() -> Limits, recordings: Recordings) -> std::io::Result<Self> {
         let house = Arc::new(House::new(state));
         let shared = house.clone();
         let thread = std::thread::Builder::new().name("robot".into()).spawn(move || keeper::keep(&shared, &make))?;
-        Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits }) })
+        Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits, recordings }) })
     }
 
     /// Starts a behaviour; one that runs already is replaced as soon as the new one is ready.
@@ -115,10 +119,15 @@ impl Robots {
             return Err(busy());
         }
         let run = lock(&house.book).announce(&start.behaviour, &gate).ok_or_else(busy)?;
-        let job = Job { run, start, gate, house: house.clone(), limits: self.owner.limits };
+        let job = self.job(run, start, gate);
         let (answer, answered) = oneshot::channel();
         self.thread(job, move |job| runner::run(job, answer)).inspect_err(|_| lock(&house.book).withdraw(run))?;
         Ok(answered)
+    }
+
+    fn job(&self, run: u64, start: Start, gate: Arc<Gate>) -> Job {
+        let (house, recordings) = (self.house().clone(), self.owner.recordings.clone());
+        Job { run, start, gate, house, recordings, limits: self.owner.limits }
     }
 
     /// A thread for a run.
@@ -158,8 +167,7 @@ impl Robots {
         if !before.applying.begin() {
             return Err("somebody applies a change just now; try again in a moment".to_owned());
         }
-        let (run, gate, house) = (before.state.run, before.gate.clone(), self.house().clone());
-        let job = Job { run, start, gate, house, limits: self.owner.limits };
+        let job = self.job(before.state.run, start, before.gate.clone());
         let (answer, answered) = oneshot::channel();
         let applying = before.applying.clone();
         let thread = self.thread(job, move |job| successor::follow(job, &before, answer));
@@ -182,6 +190,16 @@ impl Robots {
         let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
         let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
         entry.mailbox.put(index, Keep::All, value);
+        Ok(())
+    }
+
+    /// Ends the recording of a running behaviour.
+    ///
+    /// # Errors
+    /// If the behaviour does not run.
+    pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), SaidNo> {
+        let book = lock(&self.house().book);
+        book.running_of(behaviour).ok_or(SaidNo::NotRunning)?.mailbox.end_recording();
         Ok(())
     }
 

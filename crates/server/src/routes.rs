@@ -2,7 +2,7 @@
 
 use crate::door::{self, Origin};
 use crate::hub::Hub;
-use crate::{carry, page, session, start};
+use crate::{carry, page, recordings, session, start};
 use axum::body::Bytes;
 use axum::extract::rejection::{BytesRejection, QueryRejection};
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
@@ -51,6 +51,8 @@ pub(crate) fn routes(hub: Arc<Hub>, port: u16) -> Router {
         .route("/api/behaviours", get(list))
         .route("/api/behaviours/{file}", get(download))
         .route("/api/backup", get(backup))
+        .route(protocol::RECORDINGS_PATH, get(list_recordings))
+        .route(&format!("{}/{{file}}", protocol::RECORDINGS_PATH), get(recording))
         .route("/api/import", post(upload).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)))
         .fallback(get(files))
         .layer(middleware::from_fn_with_state(porch.clone(), guard))
@@ -121,6 +123,14 @@ async fn list(State(porch): State<Porch>) -> Response {
 
 async fn backup(State(porch): State<Porch>) -> Response {
     carry::backup(&porch.hub)
+}
+
+async fn list_recordings(State(porch): State<Porch>) -> Response {
+    recordings::list(&porch.hub).await
+}
+
+async fn recording(State(porch): State<Porch>, Path(file): Path<String>) -> Response {
+    recordings::download(&porch.hub, file).await
 }
 
 async fn download(State(porch): State<Porch>, Path(file): Path<String>) -> Response {

@@ -10,6 +10,7 @@ use crate::knowledge::Knowing;
 use crate::patience::patiently;
 use crate::pictures::Pictures;
 use crate::programs::Programs;
+use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
 use crate::topics::{self, Topics};
@@ -18,6 +19,7 @@ use behaviour::{Behaviour, Id};
 use std::fmt;
 use std::future::Future;
 use std::net::SocketAddr;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 use std::time::Duration;
@@ -39,6 +41,8 @@ pub struct Config {
     pub listen: SocketAddr,
     /// The address of its store: a folder for the embedded one, or what [`store::open_url`] knows.
     pub store: String,
+    /// The folder for recordings and the order on the robot; without one nothing can be recorded.
+    pub data: Option<PathBuf>,
     /// The seed of the simulated robot's noise.
     pub seed: u64,
 }
@@ -122,7 +126,7 @@ pub async fn serve_with(
     let listening = |error| ServeError::Listen(config.listen, error);
     let listener = TcpListener::bind(config.listen).await.map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
-    let hub = open(store, &config.store, config.seed).await?;
+    let hub = open(store, &config).await?;
     let closing = CancellationToken::new();
     let (router, connections) = (routes::routes(Arc::clone(&hub), address.port()), TaskTracker::new());
     let accepting = tokio::spawn(accept::accept(listener, router, connections.clone(), closing.clone()));
@@ -141,16 +145,19 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
     if listen.ip().is_loopback() { Ok(()) } else { Err(ServeError::NotLoopback(listen)) }
 }
 
-async fn open(store: Arc<dyn Store>, url: &str, seed: u64) -> Result<Arc<Hub>, ServeError> {
+async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeError> {
+    let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
     let epoch = patiently(url, || Box::pin(bounded(store.next_epoch()))).await?;
     let shelf = patiently(url, || Box::pin(shelf(&*store, &library))).await?;
-    let robots = Robots::simulated(seed).map_err(ServeError::Thread)?;
+    let recordings = Recordings::within(config.data.as_deref());
+    let robots = Robots::simulated(config.seed, recordings.clone()).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
         store,
         health: Health::good(),
         robots,
+        recordings,
         knowing: Arc::new(Knowing::default()),
         checker: Checker::start().map_err(ServeError::Thread)?,
         epoch,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::sync::atomic::Ordering;
 
 /// Runs a behaviour. A Stop that comes meanwhile wins.
-pub(crate) async fn start(hub: &Arc<Hub>, behaviour: Id, by: String) -> Result<Reply, SaidNo> {
+pub(crate) async fn start(hub: &Arc<Hub>, behaviour: Id, record: bool, by: String) -> Result<Reply, SaidNo> {
     let stops = hub.stops.load(Ordering::SeqCst);
     let stopped = |hub: &Hub| hub.stops.load(Ordering::SeqCst) != stops;
     let look = hub.look(&behaviour).await?;
@@ -18,7 +18,7 @@ pub(crate) async fn start(hub: &Arc<Hub>, behaviour: Id, by: String) -> Result<R
     if stopped(hub) || hub.ends() {
         return Err(SaidNo::CannotStart("Stop was pressed".to_owned()));
     }
-    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), by: by.clone() };
+    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
     hub.robots.start(start).await.map_err(SaidNo::CannotStart)?;
     if stopped(hub) {
         hub.robots.stop(Some(&behaviour), &by);
@@ -39,7 +39,7 @@ pub(crate) async fn apply(hub: &Arc<Hub>, behaviour: Id, by: String) -> Result<R
         SaidNo::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
         other => other,
     })?;
-    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), by: by.clone() };
+    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record: false, by: by.clone() };
     hub.robots.apply(start).await.map_err(not_applied)?;
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
     Ok(Reply::Done)

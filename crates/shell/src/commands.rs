@@ -11,6 +11,9 @@ mod drivers_of;
 mod exit;
 mod load_program;
 mod load_stream;
+mod record;
+mod recordings;
+mod remove_recording;
 mod show_commands;
 mod show_in_ops;
 mod show_in_streams;
@@ -48,6 +51,9 @@ pub(crate) const ALL: &[&Command] = &[
     &start::COMMAND,
     &stop::COMMAND,
     &apply::COMMAND,
+    &record::COMMAND,
+    &recordings::COMMAND,
+    &remove_recording::COMMAND,
     &watch::COMMAND,
     &below::COMMAND,
     &dead_streams::COMMAND,

@@ -17,6 +17,8 @@ pub struct Console {
     pub(crate) client: Option<Client>,
     /// The loaded stream.
     pub(crate) stream: Option<Id>,
+    /// Whether starts are recorded.
+    pub(crate) records: bool,
     /// True once exit was typed.
     pub(crate) done: bool,
     out: Box<dyn Write + Send>,
@@ -26,7 +28,7 @@ impl Console {
     /// A console that answers to `out`, not connected yet.
     #[must_use]
     pub fn new(out: Box<dyn Write + Send>) -> Self {
-        Self { client: None, stream: None, done: false, out }
+        Self { client: None, stream: None, records: false, done: false, out }
     }
 
     /// True once exit was typed.

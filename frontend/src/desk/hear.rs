@@ -59,6 +59,7 @@ impl Desk {
             | Reply::Drivers { .. }
             | Reply::Contested { .. }
             | Reply::Similar { .. }
+            | Reply::Recordings { .. }
             | Reply::Created { .. }
             | Reply::Checked { .. }
             | Reply::Done

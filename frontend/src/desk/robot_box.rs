@@ -52,7 +52,9 @@ impl Desk {
         };
         let Some(behaviour) = self.open.get_untracked() else { return };
         match now {
-            Some(Wish::Start) => self.ask_or_say(Request::Start { behaviour }, |_| {}),
+            Some(Wish::Start) => {
+                self.ask_or_say(Request::Start { behaviour, record: self.records.get_untracked() }, |_| {})
+            }
             Some(Wish::Apply) => self.ask_to_apply(behaviour),
             None => {}
         }

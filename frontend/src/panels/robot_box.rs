@@ -1,6 +1,7 @@
 //! The robot box: lamp, name, Start, the gap where Stop stands, and one line about what runs.
 
 use super::hold::{Hold, hold};
+use super::recordings::{RecordRow, Recordings};
 use crate::desk::LinkState;
 use crate::icons::Icon;
 use crate::words;
@@ -16,6 +17,8 @@ pub(crate) fn RobotBox() -> impl IntoView {
             <Head />
             <div class="start-row"><Start /></div>
             <Line />
+            <RecordRow />
+            <Recordings />
         </section>
     }
 }

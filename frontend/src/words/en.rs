@@ -39,6 +39,10 @@ sentences! {
     start: "Start";
     running: "Running";
     apply: "Apply to the running robot";
+    record: "Record the next run";
+    end_recording: "End the recording";
+    recordings: "Recordings";
+    no_recordings: "Nothing was recorded yet.";
     open_first: "Open a program to start it.";
     starts_when_online: "Start works again as soon as this page is connected.";
     robot_ready: "ready";
@@ -252,6 +256,25 @@ pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
 
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
     format!("Running version {runs}, editing {edits}")
+}
+
+pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {
+    match (trouble, lost) {
+        (Some(why), _) => format!("The recording stopped: {why}."),
+        (None, 0) => "Recording".to_owned(),
+        (None, lost) => format!("Recording with gaps, {lost} lines are missing"),
+    }
+}
+
+pub(crate) fn recording_about(began: &str, bytes: u64) -> String {
+    let (day, time) = began.split_once('T').unwrap_or((began, ""));
+    let time = time.get(..5).unwrap_or_default();
+    let size = if bytes < 1 << 20 { format!("{} KB", bytes.div_ceil(1 << 10)) } else { format!("{} MB", bytes >> 20) };
+    format!("{day} {time}, {size}")
+}
+
+pub(crate) fn download_recording(name: &str) -> String {
+    format!("Download the recording of {name}")
 }
 
 pub(crate) fn applied(revision: u64) -> String {

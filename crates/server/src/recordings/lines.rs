@@ -31,7 +31,17 @@ impl<'a> Header<'a> {
             Engine::Frame { frame_ms } => ("frame", Some(frame_ms)),
         };
         let (behaviour, name) = (about.behaviour.as_str(), about.file.name.as_str());
-        Self { format: FORMAT, behaviour, name, revision: about.revision, mode, frame_ms, by: about.by, began, run: about.run }
+        Self {
+            format: FORMAT,
+            behaviour,
+            name,
+            revision: about.revision,
+            mode,
+            frame_ms,
+            by: about.by,
+            began,
+            run: about.run,
+        }
     }
 }
 
@@ -93,8 +103,7 @@ impl Names {
                 writeln!(to, r#"{{"t":{at_ms},"mark":"end","closed":{closed},"late":{late},"why":{why}}}"#)
             }
         };
-        // A text takes whatever is written.
-        drop(written);
+        debug_assert!(written.is_ok(), "a text takes whatever is written");
     }
 }
 

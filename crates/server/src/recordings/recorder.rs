@@ -53,8 +53,13 @@ impl Recorder {
         let (shared, first) = (progress.clone(), format!("{}\n", json(header)));
         let thread = std::thread::Builder::new().name("recording".to_owned());
         thread.spawn(move || write(file, &first, &batches, &shared))?;
-        Ok(Self {
-            file: name,
+        Ok(Self::over(name, queue, progress, of))
+    }
+
+    /// A recorder that hands on to whoever takes from `queue`.
+    fn over(file: String, queue: SyncSender<Batch>, progress: Arc<Progress>, of: &BehaviourFile) -> Self {
+        Self {
+            file,
             queue,
             progress,
             names: Arc::new(Names::of(of)),
@@ -64,7 +69,7 @@ impl Recorder {
             closed: None,
             late: 0,
             told: None,
-        })
+        }
     }
 
     /// From now on streams and connectors are those of this behaviour.
@@ -135,5 +140,60 @@ impl Recorder {
         if self.lines.len() >= BATCH_MAX_LINES {
             self.flush();
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BATCH_MAX_LINES, Progress, Recorder, Step};
+    use crate::recordings::writer::write;
+    use behaviour::{BehaviourFile, Value};
+    use std::sync::Arc;
+    use std::sync::mpsc::sync_channel;
+
+    fn file() -> BehaviourFile {
+        let text = r#"{"format":"rrp-behaviour/1","name":"x","helpers":[],"connectors":[],
+            "streams":[{"id":"ball","kind":"sensor","name":"Ball"}]}"#;
+        serde_json::from_str(text).unwrap()
+    }
+
+    #[test]
+    fn what_finds_no_room_is_counted_and_the_gap_is_in_the_recording() {
+        let (queue, batches) = sync_channel(1);
+        let progress = Arc::new(Progress::default());
+        let mut recorder = Recorder::over("x".to_owned(), queue, progress.clone(), &file());
+        let mut step = Step::default();
+        for at_ms in 0..3 * BATCH_MAX_LINES as u64 {
+            step.value(at_ms, 0, &Value::Int(1));
+            recorder.take(&mut step, 0);
+        }
+        assert_eq!(recorder.news().unwrap().lost, 2 * BATCH_MAX_LINES as u64, "only the first batch found room");
+        assert_eq!(recorder.news(), None);
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("recording");
+        let written = std::fs::File::create(&path).unwrap();
+        let writer = std::thread::spawn(move || write(written, "{}\n", &batches, &progress));
+        recorder.closed(900);
+        recorder.end("the test ended it");
+        writer.join().unwrap();
+        let text = std::fs::read_to_string(path).unwrap();
+        let lines: Vec<_> = text.lines().collect();
+        assert_eq!(lines.len(), 1 + BATCH_MAX_LINES + 2);
+        assert_eq!(lines[1], r#"{"t":0,"stream":"ball","value":1}"#);
+        assert_eq!(lines[lines.len() - 2], r#"{"mark":"gap","lost":512}"#);
+        let end = r#"{"t":900,"mark":"end","closed":900,"late":0,"why":"the test ended it"}"#;
+        assert_eq!(lines[lines.len() - 1], end);
+    }
+
+    #[test]
+    fn a_step_that_was_cut_short_leaves_nothing() {
+        let (queue, batches) = sync_channel(4);
+        let mut recorder = Recorder::over("x".to_owned(), queue, Arc::default(), &file());
+        let mut step = Step::default();
+        step.value(1, 0, &Value::Int(1));
+        recorder.forget(&mut step);
+        recorder.take(&mut step, 0);
+        recorder.flush();
+        assert!(batches.try_recv().is_err());
     }
 }

@@ -5,7 +5,7 @@ use super::book::{Book, Entry};
 use super::desk::Desk;
 use crate::lock;
 use behaviour::Id;
-use protocol::{RobotState, RunPhase, RunState};
+use protocol::{Recorded, RobotState, RunPhase, RunState};
 use robot::Scene;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -97,6 +97,15 @@ impl House {
         let state = entry.state.clone();
         self.show(&book);
         Some(state)
+    }
+
+    /// Notes how a recording goes, or that it ended.
+    pub(super) fn recorded(&self, run: u64, recording: Option<Recorded>) {
+        let mut book = lock(&self.book);
+        if let Some(entry) = book.running_mut(run) {
+            entry.state.recording = recording;
+            self.show(&book);
+        }
     }
 
     /// How many threads of runs still live.

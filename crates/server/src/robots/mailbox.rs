@@ -57,6 +57,8 @@ pub(super) struct Post {
     pub(super) refused: BTreeMap<Id, (u64, String)>,
     /// A run that wants to follow.
     pub(super) successor: Option<Successor>,
+    /// Whether the recording shall end.
+    pub(super) end_recording: bool,
 }
 
 /// The mailbox.
@@ -71,6 +73,7 @@ struct Inbox {
     readings: Fair<(usize, Keep), (Instant, Value)>,
     refused: BTreeMap<Id, (u64, String)>,
     successor: Option<Successor>,
+    end_recording: bool,
     rung: bool,
 }
 
@@ -96,6 +99,13 @@ impl Mailbox {
         self.bell.notify_one();
     }
 
+    /// Wants the recording to end.
+    pub(super) fn end_recording(&self) {
+        let mut inbox = lock(&self.inbox);
+        (inbox.end_recording, inbox.rung) = (true, true);
+        self.bell.notify_one();
+    }
+
     /// Wakes the run's thread without a reading.
     pub(super) fn ring(&self) {
         lock(&self.inbox).rung = true;
@@ -116,7 +126,8 @@ impl Mailbox {
         inbox.rung = false;
         let readings = inbox.readings.take().map(|((stream, _), (at, value))| Arrived { stream, at, value }).collect();
         let successor = inbox.successor.take();
-        Post { readings, refused: std::mem::take(&mut inbox.refused), successor }
+        let end_recording = std::mem::take(&mut inbox.end_recording);
+        Post { readings, refused: std::mem::take(&mut inbox.refused), successor, end_recording }
     }
 
     /// How many readings gave way to newer ones.

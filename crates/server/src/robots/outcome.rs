@@ -1,10 +1,12 @@
 //! Where what a run emits goes: values for actions to the robot's desk, counts to the tally.
 
 use super::desk::{Command, Wanted};
-use super::runner::Job;
+use super::runner::{Job, devices};
 use super::tally::Tally;
-use engine::Emission;
-use robot::Use;
+use crate::recordings::{Recorder, Step};
+use behaviour::{StreamKind, Value};
+use engine::{Emission, Run};
+use robot::{Millis, Use};
 use std::cell::Cell;
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -22,13 +24,25 @@ pub(super) struct Outcome<'a> {
     pub(super) clock: Rc<Cell<Instant>>,
     /// The connector that took too long last.
     pub(super) too_long: Option<usize>,
+    /// What is recorded, if it is.
+    pub(super) recorder: Option<Recorder>,
+    /// By stream whether it is an action's.
+    acts: Vec<bool>,
+    step: Step,
+    /// Values that took too long in this step.
+    late: u64,
+    /// Whether Stop ended a procedure in this step.
+    cut: bool,
 }
 
 impl<'a> Outcome<'a> {
     /// For a run that commands these devices.
-    pub(super) fn new(job: &'a Job, tally: Tally, actions: Vec<Wanted>, clock: Rc<Cell<Instant>>) -> Self {
+    pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
         let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
-        Self { job, tally, uses: actions.into_iter().map(of).collect(), clock, too_long: None }
+        let acts: Vec<bool> = run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
+        let uses = devices(run).into_iter().filter(|wanted| acts[wanted.index]).map(of).collect();
+        let (recorder, step) = (None, Step::default());
+        Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
     }
 
     /// Takes what the run emits.
@@ -37,17 +51,72 @@ impl<'a> Outcome<'a> {
         match emission {
             Emission::Value { at, stream, value } => {
                 self.tally.carried(stream, at.0);
+                if self.recorder.is_some() && self.acts[stream] {
+                    self.step.value(at.0, stream, value);
+                }
                 if let Some((user, device)) = self.uses.get(&stream) {
                     let command = Command { gate: self.job.gate.clone(), value: value.clone() };
                     self.job.house.desk.command(user.clone(), device, command);
                 }
             }
-            Emission::Fault { connector, deadline, .. } => {
+            Emission::Fault { at, connector, error, deadline } => {
                 self.tally.failed();
+                if self.recorder.is_some() {
+                    self.step.fault(at.0, connector, error);
+                }
                 if deadline {
                     self.too_long = Some(connector);
+                    self.late += 1;
+                    self.cut |= !self.job.gate.is_open();
                 }
             }
+        }
+    }
+
+    /// A reading is about to be fed.
+    pub(super) fn reading(&mut self, at: Millis, stream: usize, value: &Value) {
+        if self.recorder.is_some() && value.is_finite() {
+            self.step.value(at.0, stream, value);
+        }
+    }
+
+    /// What was fed last was carried to its end, unless Stop cut it short; then nobody knows what it would have done.
+    pub(super) fn settle(&mut self) -> bool {
+        let (late, cut) = (std::mem::take(&mut self.late), std::mem::take(&mut self.cut));
+        match &mut self.recorder {
+            Some(recorder) if cut => recorder.forget(&mut self.step),
+            Some(recorder) => recorder.take(&mut self.step, late),
+            None => {}
+        }
+        !cut
+    }
+
+    /// The same for closing all instants up to one.
+    pub(super) fn settle_until(&mut self, closed_ms: u64) {
+        if self.settle()
+            && let Some(recorder) = &mut self.recorder
+        {
+            recorder.closed(closed_ms);
+        }
+    }
+
+    /// Hands on what was recorded, and ends the recording if that is wanted.
+    pub(super) fn record(&mut self, ends: bool) {
+        let Some(recorder) = &mut self.recorder else { return };
+        recorder.flush();
+        if let Some(news) = recorder.news() {
+            self.job.house.recorded(self.job.run, Some(news));
+        }
+        if ends {
+            self.end_recording("the recording was ended");
+            self.job.house.recorded(self.job.run, None);
+        }
+    }
+
+    /// Writes the last line.
+    pub(super) fn end_recording(&mut self, why: &str) {
+        if let Some(recorder) = self.recorder.take() {
+            recorder.end(why);
         }
     }
 }

@@ -11,6 +11,7 @@ use super::outcome::Outcome;
 use super::successor::{Baton, Successor};
 use super::tally::Tally;
 use crate::lock;
+use crate::recordings::{About, Recorder, Recordings};
 use behaviour::{Id, StreamKind};
 use engine::{Limits, Run};
 use protocol::{RunPhase, RunState};
@@ -40,6 +41,8 @@ pub(super) struct Job {
     pub(super) gate: Arc<Gate>,
     /// The rest of the world.
     pub(super) house: Arc<House>,
+    /// Where it is recorded, if it is.
+    pub(super) recordings: Recordings,
     /// Limits of procedures; the hook comes on top.
     pub(super) limits: fn() -> Limits,
 }
@@ -98,8 +101,15 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     let entry = entry(job, &run, &mailbox, &devices);
     let (tally, state) = (Tally::new(entry.live.clone(), &run), entry.state.clone());
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
+    runner.outcome.recorder = recorder(job)?;
     runner.began = Instant::now();
     if job.house.begin(entry) { Ok((runner, state)) } else { Err("it was stopped before it began".to_owned()) }
+}
+
+fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
+    let Start { behaviour, revision, file, record, by } = &job.start;
+    let about = About { run: job.run, behaviour, revision: *revision, by, file };
+    record.then(|| job.recordings.begin(&about)).transpose()
 }
 
 /// Compiles what is to run. `clock` says when the procedure that runs began.
@@ -160,6 +170,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
             revision: start.revision,
             by: start.by.clone(),
             phase: RunPhase::Running,
+            recording: None,
         },
         gate: job.gate.clone(),
         mailbox: mailbox.clone(),
@@ -186,15 +197,19 @@ pub(super) struct Runner<'a> {
 impl<'a> Runner<'a> {
     /// A run whose logical time begins now.
     pub(super) fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, tally: Tally, clock: Rc<Cell<Instant>>) -> Self {
-        let is_action = |wanted: &Wanted| run.streams()[wanted.index].kind == StreamKind::Actuator;
-        let actions = devices(&run).into_iter().filter(is_action).collect();
-        let outcome = Outcome::new(job, tally, actions, clock);
+        let outcome = Outcome::new(job, tally, &run, clock);
         Self { run, mailbox, outcome, began: Instant::now(), open_ms: 0, successor: None }
     }
 
-    /// The same with the time of the run that it follows.
-    pub(super) fn since(mut self, began: Instant, open_ms: u64) -> Self {
+    /// The same with the time and the recording of the run that it follows.
+    pub(super) fn since(mut self, began: Instant, open_ms: u64, recorder: Option<Recorder>) -> Self {
         (self.began, self.open_ms) = (began, open_ms);
+        if let Some(mut recorder) = recorder {
+            let start = &self.outcome.job.start;
+            recorder.follow(&start.file);
+            recorder.applied(open_ms.saturating_sub(1), start.revision);
+            self.outcome.recorder = Some(recorder);
+        }
         self
     }
 
@@ -208,6 +223,7 @@ impl<'a> Runner<'a> {
             }
             self.outcome.tally.refused(post.refused);
             self.close_instants();
+            self.outcome.record(post.end_recording);
             self.successor = self.successor.or(post.successor);
             reason = self.took_too_long();
             if self.may_follow()
@@ -220,6 +236,7 @@ impl<'a> Runner<'a> {
         self.outcome.tally.tell(&self.run, self.now_ms(), true);
         let (run, dropped) = (self.outcome.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
+        self.outcome.end_recording(reason.as_deref().unwrap_or("it was stopped"));
         reason.map_or(End::Stopped, End::Fault)
     }
 
@@ -229,8 +246,13 @@ impl<'a> Runner<'a> {
     }
 
     fn hand_over(self, to: Successor) -> End {
-        let baton =
-            Baton { legacy: self.run.legacy(), tally: self.outcome.tally, began: self.began, open_ms: self.open_ms };
+        let baton = Baton {
+            legacy: self.run.legacy(),
+            tally: self.outcome.tally,
+            recorder: self.outcome.recorder,
+            began: self.began,
+            open_ms: self.open_ms,
+        };
         let why = "it could not go on with what was applied; start it again";
         if to.take(baton) { End::Followed } else { End::Fault(why.to_owned()) }
     }
@@ -242,9 +264,22 @@ impl<'a> Runner<'a> {
         }
         let arrived_ms = self.ms_at(reading.at);
         self.open_ms = self.open_ms.max(arrived_ms);
+        self.close_before_reading();
         let (outcome, at) = (&mut self.outcome, Millis(self.open_ms));
         outcome.clock.set(Instant::now());
+        outcome.reading(at, reading.stream, &reading.value);
         self.run.feed(at, reading.stream, reading.value, &mut |emission| outcome.note(emission));
+        outcome.settle();
+    }
+
+    /// What is due before a reading comes before it in the recording too.
+    fn close_before_reading(&mut self) {
+        let outcome = &mut self.outcome;
+        if let (Some(_), Some(before)) = (&outcome.recorder, self.open_ms.checked_sub(1)) {
+            outcome.clock.set(Instant::now());
+            self.run.until(Millis(before), &mut |emission| outcome.note(emission));
+            outcome.settle_until(before);
+        }
     }
 
     /// Closes the instants up to now: their ticks run.
@@ -256,6 +291,7 @@ impl<'a> Runner<'a> {
         let outcome = &mut self.outcome;
         outcome.clock.set(Instant::now());
         self.run.until(Millis(until_ms), &mut |emission| outcome.note(emission));
+        outcome.settle_until(until_ms);
         self.open_ms = until_ms + 1;
     }
 

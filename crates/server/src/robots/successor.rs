@@ -7,6 +7,7 @@ use super::mailbox::Mailbox;
 use super::runner::{self, Job, Runner, devices, open, senses};
 use super::tally::Tally;
 use crate::lock;
+use crate::recordings::Recorder;
 use engine::{Kept, Legacy, Run};
 use protocol::RunState;
 use std::cell::Cell;
@@ -27,6 +28,8 @@ pub(super) struct Baton {
     pub(super) legacy: Legacy,
     /// What it counted.
     pub(super) tally: Tally,
+    /// What is recorded, if it is.
+    pub(super) recorder: Option<Recorder>,
     /// Logical time 0.
     pub(super) began: Instant,
     /// The next instant that still takes readings.
@@ -85,10 +88,10 @@ fn go_on<'a>(
     mailbox: Arc<Mailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
-    let Baton { legacy, tally, began, open_ms } = baton;
+    let Baton { legacy, tally, recorder, began, open_ms } = baton;
     run.succeed(legacy, kept);
     let tally = tally.succeeded(&run, kept);
-    Runner::new(job, run, mailbox, tally, clock).since(began, open_ms)
+    Runner::new(job, run, mailbox, tally, clock).since(began, open_ms, recorder)
 }
 
 fn stopped() -> String {

@@ -2,6 +2,7 @@
 
 mod applying;
 mod puppet;
+mod recording;
 mod running;
 mod simulated;
 mod stopping;
@@ -69,7 +70,7 @@ fn filtered(name: &str, body: &str) -> Start {
         order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };
-    Start { behaviour: id(name), revision: 1, file: file.into(), by: "Aiko".to_owned() }
+    Start { behaviour: id(name), revision: 1, file: file.into(), record: false, by: "Aiko".to_owned() }
 }
 
 fn phase(robots: &Robots, run: &RunState) -> RunPhase {

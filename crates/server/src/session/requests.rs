@@ -42,9 +42,9 @@ impl Session {
                     self.hub.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
                 }
             }
-            Request::Start { behaviour } => {
+            Request::Start { behaviour, record } => {
                 let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
-                self.later(ask, async move { start::start(&hub, behaviour, by).await });
+                self.later(ask, async move { start::start(&hub, behaviour, record, by).await });
             }
             Request::Apply { behaviour } => {
                 let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
@@ -58,6 +58,11 @@ impl Session {
                 let done = self.hub.robots.stimulate(&behaviour, &stream, value);
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
             }
+            Request::EndRecording { behaviour } => {
+                let done = self.hub.robots.end_recording(&behaviour);
+                self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+            }
+            Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { edit } => self.hub.robots.edit_scene(edit),
             Request::Watch { scene, values } => {
                 self.outbox.put(Out::Watch { scene, values });
@@ -96,6 +101,17 @@ impl Session {
                 _ => insight::contested(&hub).await,
             }
         });
+    }
+
+    /// The folder of the recordings, which may take its time.
+    fn recordings(&self, ask: u32, request: Request) {
+        let recordings = self.hub.recordings.clone();
+        let work = move || match request {
+            Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
+            _ => Ok(Reply::Recordings { recordings: recordings.list() }),
+        };
+        let failed = |error: tokio::task::JoinError| Err(SaidNo::CannotRecord(error.to_string()));
+        self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
     }
 
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {

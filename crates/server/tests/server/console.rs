@@ -52,6 +52,16 @@ Ball (sensor RedBall)
 This behaviour does not run. Press Start first.
 > start
 Far runs
+> record
+Type “record on” or “record off”.
+> record on
+What you start from now on is recorded
+> start
+It cannot start: this server has no data folder; start it with --data DIR.
+> record off
+Nothing is recorded
+> recordings
+No recordings. Type “record on” before “start”.
 > apply
 Far goes on as it is saved now
 > stimulate ba {\"x\": 0.5}

@@ -13,6 +13,7 @@ pub(crate) const COMMAND: Command = Command {
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
     let (name, behaviour) = console.meant(wanted).await?;
-    console.ask(Request::Start { behaviour }).await?;
-    Ok(format!("{name} runs"))
+    let record = console.records;
+    console.ask(Request::Start { behaviour, record }).await?;
+    Ok(if record { format!("{name} runs and is recorded") } else { format!("{name} runs") })
 }

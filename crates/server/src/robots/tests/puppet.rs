@@ -1,6 +1,7 @@
 //! A robot whose strings the test holds.
 
 use crate::lock;
+use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::robots::keeper::RoomRobot;
 use behaviour::{Params, Value};
@@ -28,13 +29,18 @@ struct Strings {
 
 impl Puppet {
     pub(super) fn robots(&self, limits: fn() -> Limits) -> Robots {
+        self.robots_with(limits, Recordings::default())
+    }
+
+    /// The same, with a place to record.
+    pub(super) fn robots_with(&self, limits: fn() -> Limits, recordings: Recordings) -> Robots {
         let puppet = self.clone();
         let make = move || -> Box<dyn RoomRobot> {
             lock(&puppet.0).made += 1;
             lock(&puppet.0).open.clear();
             Box::new(puppet.clone())
         };
-        Robots::with(RobotState::default(), Box::new(make), limits).unwrap()
+        Robots::with(RobotState::default(), Box::new(make), limits, recordings).unwrap()
     }
 
     /// Every open ball sees this in the next step.

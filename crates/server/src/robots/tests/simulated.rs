@@ -1,6 +1,7 @@
 //! The same with the simulated NAO.
 
 use super::until;
+use crate::recordings::Recordings;
 use crate::robots::{Robots, Start};
 use crate::templates::templates;
 use behaviour::Id;
@@ -8,10 +9,13 @@ use robot::{Health, SceneEdit};
 
 #[tokio::test]
 async fn a_green_ball_makes_the_eyes_green() {
-    let robots = Robots::simulated(1).unwrap();
+    let robots = Robots::simulated(1, Recordings::default()).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();
-    robots.start(Start { behaviour, revision: 3, file: file.into(), by: "Aiko".to_owned() }).await.unwrap();
+    robots
+        .start(Start { behaviour, revision: 3, file: file.into(), record: false, by: "Aiko".to_owned() })
+        .await
+        .unwrap();
     for (ball, at) in [("red", [-1.0, 0.5, 0.1]), ("blue", [-1.0, -0.5, 0.1]), ("green", [0.6, 0.0, 0.45])] {
         robots.edit_scene(SceneEdit::MoveBall { id: ball.to_owned(), at });
     }

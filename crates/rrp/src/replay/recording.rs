@@ -1,0 +1,78 @@
+//! Recordings of runs as traces: the readings are replayed, outputs and marks between them are left out.
+
+use super::{Reading, Trace, parse_line};
+use behaviour::{StreamKind, Value};
+use engine::Run;
+use robot::Millis;
+use std::io::Write;
+
+/// What the first line of a recording says it is.
+const FORMAT: &str = "rrp-recording/1";
+
+/// The readings of a recording; none if the text is no recording. Streams that the behaviour does not have are left
+/// out, as it may have been edited since; gaps, and what a replay cannot repeat, are told on standard error.
+pub(super) fn parse(text: &str, run: &Run) -> Option<Result<Trace, String>> {
+    let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
+    let first = serde_json::from_str::<Value>(lines.next()?.1).ok()?;
+    (first.field("format")?.as_text()? == FORMAT).then(|| {
+        let mut reader = Reader { run, readings: Vec::new(), closed: None, lost: 0, late: 0, strange: 0 };
+        for (number, line) in lines {
+            reader.read(line).map_err(|reason| format!("recording line {number}: {reason}"))?;
+        }
+        for warning in reader.warnings() {
+            let _ = writeln!(std::io::stderr(), "{warning}");
+        }
+        Ok(Trace { readings: reader.readings, closed: reader.closed })
+    })
+}
+
+struct Reader<'r> {
+    run: &'r Run,
+    readings: Vec<Reading>,
+    closed: Option<Millis>,
+    lost: u64,
+    late: u64,
+    /// Lines of streams that the behaviour does not have.
+    strange: u64,
+}
+
+impl Reader<'_> {
+    fn read(&mut self, text: &str) -> Result<(), String> {
+        let line: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
+        if line.field("mark").is_some() {
+            self.mark(&line);
+        } else if let Some(stream) = line.field("stream").and_then(Value::as_text) {
+            match self.run.stream_index(stream).map(|at| self.run.streams()[at].kind) {
+                Some(StreamKind::Sensor) => {
+                    let latest = self.readings.last().map_or(0, |(at, ..)| at.0);
+                    self.readings.push(parse_line(text, self.run, latest)?);
+                }
+                Some(StreamKind::Ordinary | StreamKind::Actuator) => {}
+                None => self.strange += 1,
+            }
+        }
+        Ok(())
+    }
+
+    fn mark(&mut self, line: &Value) {
+        let number = |name: &str| match line.field(name) {
+            Some(&Value::Int(number)) => u64::try_from(number).ok(),
+            _ => None,
+        };
+        self.lost += number("lost").unwrap_or(0);
+        self.late += number("late").unwrap_or(0);
+        self.closed = number("closed").map(Millis).or(self.closed);
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        let told = [
+            (self.lost, "lines are missing from the recording, so what comes out may differ from what the robot did."),
+            (
+                self.late,
+                "values were dropped by the clock while it was recorded; a replay has no clock and keeps them.",
+            ),
+            (self.strange, "lines of streams that this behaviour does not have were left out."),
+        ];
+        told.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect()
+    }
+}

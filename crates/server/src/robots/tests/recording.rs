@@ -1,0 +1,129 @@
+//! Recording what runs.
+
+use super::puppet::Puppet;
+use super::{filtered, id, until};
+use crate::recordings::Recordings;
+use crate::robots::{Robots, Start};
+use behaviour::{BehaviourFile, Value};
+use engine::{Emission, Limits, Run};
+use protocol::SaidNo;
+use robot::Millis;
+use std::sync::Arc;
+
+fn recorded(start: Start) -> Start {
+    Start { record: true, ..start }
+}
+
+/// The lines of the only recording, once it has its last.
+async fn lines(recordings: &Recordings) -> Vec<Value> {
+    let read = || {
+        let list = recordings.list();
+        let path = recordings.find(&list.first()?.file)?;
+        let text = std::fs::read_to_string(path).ok()?;
+        text.lines().map(|line| serde_json::from_str::<Value>(line).ok()).collect::<Option<Vec<_>>>()
+    };
+    let is_done = || read().is_some_and(|lines| lines.iter().any(|line| mark(line) == Some("end")));
+    until("the last line", is_done).await;
+    read().unwrap()
+}
+
+fn mark(line: &Value) -> Option<&str> {
+    line.field("mark")?.as_text()
+}
+
+fn text<'v>(line: &'v Value, field: &str) -> Option<&'v str> {
+    line.field(field)?.as_text()
+}
+
+/// What the readings of a recording make of a behaviour, as `(time, value)` of its only action.
+fn replayed(file: &BehaviourFile, lines: &[Value]) -> Vec<(u64, Value)> {
+    let mut run = Run::build(file, Limits::default()).map_err(|faults| faults[0].to_string()).unwrap();
+    let (ball, page) = (run.stream_index("ball").unwrap(), run.stream_index("page").unwrap());
+    let mut told = Vec::new();
+    let mut hear = |emission: Emission| {
+        if let Emission::Value { at, stream, value } = emission
+            && stream == page
+        {
+            told.push((at.0, value.clone()));
+        }
+    };
+    for line in lines.iter().filter(|line| text(line, "stream") == Some("ball")) {
+        run.feed(Millis(time(line)), ball, line.field("value").unwrap().clone(), &mut hear);
+    }
+    told
+}
+
+fn time(line: &Value) -> u64 {
+    let Some(&Value::Int(time)) = line.field("t") else { panic!("{line} has no time") };
+    time.unsigned_abs()
+}
+
+fn outputs(lines: &[Value]) -> Vec<(u64, Value)> {
+    let page = lines.iter().filter(|line| text(line, "stream") == Some("page"));
+    page.map(|line| (time(line), line.field("value").unwrap().clone())).collect()
+}
+
+fn stimulate(robots: &Robots, value: i64) {
+    robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
+}
+
+#[tokio::test]
+async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let puppet = Puppet::default();
+    let robots = puppet.robots_with(Limits::default, recordings.clone());
+    let run = robots.start(recorded(filtered("one", "ball > 3"))).await.unwrap();
+    for value in 0..8 {
+        stimulate(&robots, value);
+        until("the value was taken", || value <= 3 || puppet.told(run.run).contains(&Value::Int(value))).await;
+    }
+    let shown = robots.runs().borrow()[0].recording.clone().unwrap();
+    assert_eq!((shown.lost, shown.trouble.as_deref()), (0, None));
+    robots.stop(None, "Ben");
+    let lines = lines(&recordings).await;
+    assert_eq!(text(&lines[0], "format"), Some("rrp-recording/1"));
+    assert_eq!((text(&lines[0], "behaviour"), text(&lines[0], "mode")), (Some("one"), Some("event")));
+    assert_eq!(text(lines.last().unwrap(), "why"), Some("it was stopped"));
+    assert_eq!(outputs(&lines).into_iter().map(|(_, value)| value).collect::<Vec<_>>(), [4, 5, 6, 7].map(Value::Int));
+    assert_eq!(outputs(&lines), replayed(&filtered("one", "ball > 3").file, &lines));
+    let known = &recordings.list()[0];
+    assert_eq!((known.file.as_str(), known.name.as_str(), known.revision), (shown.file.as_str(), "one", 1));
+    recordings.remove(&known.file).unwrap();
+    assert_eq!(recordings.remove(&shown.file), Err(SaidNo::NoRecording));
+    assert_eq!(recordings.find("../one"), None);
+}
+
+#[tokio::test]
+async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let puppet = Puppet::default();
+    let robots = puppet.robots_with(Limits::default, recordings.clone());
+    assert_eq!(robots.end_recording(&id("one")), Err(SaidNo::NotRunning));
+    let run = robots.start(recorded(filtered("one", "ball > 3"))).await.unwrap();
+    stimulate(&robots, 5);
+    until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;
+    let mut edited = filtered("one", "ball < 3");
+    (edited.revision, edited.file) = (9, Arc::new((*edited.file).clone()));
+    robots.apply(edited).await.unwrap();
+    stimulate(&robots, 2);
+    until("the second", || puppet.told(run.run) == [5, 2].map(Value::Int)).await;
+    robots.end_recording(&id("one")).unwrap();
+    let lines = lines(&recordings).await;
+    let applied = lines.iter().position(|line| mark(line) == Some("applied")).unwrap();
+    assert_eq!(lines[applied].field("revision"), Some(&Value::Int(9)));
+    assert_eq!((outputs(&lines[..applied]).len(), outputs(&lines[applied..]).len()), (1, 1));
+    assert_eq!(text(lines.last().unwrap(), "why"), Some("the recording was ended"));
+    until("it is not recorded any more", || robots.runs().borrow()[0].recording.is_none()).await;
+    stimulate(&robots, 1);
+    until("it runs on", || puppet.told(run.run).len() == 3).await;
+}
+
+#[tokio::test]
+async fn without_a_place_to_record_a_recorded_start_is_refused() {
+    let robots = Puppet::default().robots(Limits::default);
+    let no = robots.start(recorded(filtered("one", "true"))).await.unwrap_err();
+    assert_eq!(no, "this server has no data folder; start it with --data DIR");
+    assert!(!robots.is_running(&id("one")));
+}

@@ -1,0 +1,36 @@
+//! Whether starts are recorded.
+
+use super::Command;
+use crate::console::Console;
+use protocol::{Reply, Request, RunPhase};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "record",
+    words: "on|off",
+    help: "Records what is started from now on, or not; “off” also ends the recordings under way.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+    match words.to_lowercase().as_str() {
+        "on" => {
+            console.records = true;
+            Ok("What you start from now on is recorded".to_owned())
+        }
+        "off" => {
+            console.records = false;
+            end_all(console).await?;
+            Ok("Nothing is recorded".to_owned())
+        }
+        _ => Err("Type “record on” or “record off”.".to_owned()),
+    }
+}
+
+async fn end_all(console: &mut Console) -> Result<(), String> {
+    let runs = console.client()?.runs();
+    for run in runs.into_iter().filter(|run| run.phase == RunPhase::Running && run.recording.is_some()) {
+        let done = console.ask(Request::EndRecording { behaviour: run.behaviour }).await?;
+        debug_assert_eq!(done, Reply::Done);
+    }
+    Ok(())
+}

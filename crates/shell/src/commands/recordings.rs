@@ -1,0 +1,24 @@
+//! Lists the recordings.
+
+use super::Command;
+use crate::console::{Console, or_nothing};
+use protocol::{RECORDINGS_PATH, Recording, Reply, Request};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "recordings",
+    words: "",
+    help: "Lists the recordings, newest first, each with where it can be downloaded.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+    let Reply::Recordings { recordings } = console.ask(Request::Recordings).await? else {
+        return Err("The server did not answer with a list. Try again.".to_owned());
+    };
+    Ok(or_nothing(recordings.iter().map(line).collect(), "No recordings. Type “record on” before “start”."))
+}
+
+fn line(recording: &Recording) -> String {
+    let Recording { file, name, revision, began, bytes } = recording;
+    format!("{name}, revision {revision}, {began}, {} KiB: {RECORDINGS_PATH}/{file}", bytes.div_ceil(1024))
+}

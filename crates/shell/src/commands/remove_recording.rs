@@ -1,0 +1,18 @@
+//! Removes a recording for good.
+
+use super::Command;
+use crate::console::Console;
+use protocol::Request;
+
+pub(crate) const COMMAND: Command = Command {
+    name: "remove recording",
+    words: "FILE",
+    help: "Removes a recording for good; “recordings” shows the files.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+    let file = words.rsplit('/').next().unwrap_or(words).to_owned();
+    console.ask(Request::RemoveRecording { file: file.clone() }).await?;
+    Ok(format!("{file} is removed"))
+}

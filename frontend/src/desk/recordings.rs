@@ -1,0 +1,24 @@
+//! The recordings that are kept, and the one under way.
+
+use super::{Desk, set_if_new};
+use leptos::prelude::*;
+use protocol::{Reply, Request};
+
+impl Desk {
+    /// Ends the recording of the open behaviour, which runs on.
+    pub(crate) fn end_recording(&self) {
+        if let Some(behaviour) = self.open.get_untracked() {
+            self.ask_or_say(Request::EndRecording { behaviour }, |_| {});
+        }
+    }
+
+    /// Looks which recordings there are.
+    pub(crate) fn list_recordings(&self) {
+        let desk = self.clone();
+        self.ask_or_say(Request::Recordings, move |reply| {
+            if let Reply::Recordings { recordings } = reply {
+                set_if_new(&desk.recordings, recordings.clone());
+            }
+        });
+    }
+}

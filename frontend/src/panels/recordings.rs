@@ -1,0 +1,71 @@
+//! Recording a run: whether the next Start is recorded, how a recording goes, and the recordings that are kept.
+
+use super::hold::hold;
+use crate::words;
+use leptos::prelude::*;
+use protocol::{RECORDINGS_PATH, Recorded, Recording};
+
+/// The row under Start: a box to tick before it, and how it goes while it runs.
+#[component]
+pub(crate) fn RecordRow() -> impl IntoView {
+    let desk = hold();
+    let runs = Memo::new(move |_| desk.desk().running().is_some());
+    let recorded = Memo::new(move |_| desk.desk().running().and_then(|run| run.recording));
+    let choice = move || {
+        view! {
+            <label class="record">
+                <input
+                    type="checkbox"
+                    prop:checked=move || desk.desk().records.get()
+                    on:change=move |event| desk.desk().records.set(event_target_checked(&event))
+                />
+                {words::record()}
+            </label>
+        }
+    };
+    let going = move |recorded: Recorded| {
+        let bad = recorded.lost > 0 || recorded.trouble.is_some();
+        view! {
+            <p class="record" class:bad=bad role="status">
+                <span class="dot" aria-hidden="true"></span>
+                {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
+                <button class="link" type="button" on:click=move |_| desk.desk().end_recording()>
+                    {words::end_recording()}
+                </button>
+            </p>
+        }
+    };
+    move || match (runs.get(), recorded.get()) {
+        (false, _) => Some(choice().into_any()),
+        (true, Some(recorded)) => Some(going(recorded).into_any()),
+        (true, None) => None,
+    }
+}
+
+/// The recordings that are kept, behind a line that opens.
+#[component]
+pub(crate) fn Recordings() -> impl IntoView {
+    let desk = hold();
+    let list = move || desk.desk().recordings.get();
+    let rows = move || list().into_iter().map(|recording| view! { <Row recording /> }).collect_view();
+    view! {
+        <details class="recordings" on:toggle=move |_| desk.desk().list_recordings()>
+            <summary>{words::recordings()}</summary>
+            <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
+            <ul>{rows}</ul>
+        </details>
+    }
+}
+
+#[component]
+fn Row(recording: Recording) -> impl IntoView {
+    let address = format!("{RECORDINGS_PATH}/{}", recording.file);
+    let about = words::recording_about(&recording.began, recording.bytes);
+    let label = words::download_recording(&recording.name);
+    view! {
+        <li>
+            <a href=address download=recording.file aria-label=label>{recording.name}</a>
+            <span class="faint">{about}</span>
+        </li>
+    }
+}
