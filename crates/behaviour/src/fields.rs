@@ -12,8 +12,8 @@ use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 const FEW: usize = 3;
 /// Shapes that one thread remembers, to give objects that are made apart the same names.
 const SHAPES_MAX: usize = 256;
-/// Shapes with more names than this are not remembered.
-const REMEMBERED_NAMES_MAX: usize = 16;
+/// Shapes whose names, each with one byte more, have more than this together are not remembered.
+const SHAPE_MAX_BYTES: usize = 256;
 
 /// The fields of an object, in the order of their names. A clone is cheap: it shares.
 #[derive(Clone)]
@@ -184,7 +184,7 @@ impl Names {
 
     /// The names that this thread remembers, or new ones.
     fn sorted(names: &[&str]) -> Self {
-        if names.len() > REMEMBERED_NAMES_MAX {
+        if names.iter().map(|name| name.len() + 1).sum::<usize>() > SHAPE_MAX_BYTES {
             return Self::new(names);
         }
         SHAPES.with_borrow_mut(|shapes| {
@@ -266,6 +266,15 @@ mod tests {
         let after = fields(&["x", "y"]);
         assert_ne!(before.shape(), after.shape(), "the test must make it forget");
         assert_eq!(before, after);
+        assert_eq!(std::thread::spawn(|| fields(&["x", "y"])).join().unwrap(), after);
+    }
+
+    #[test]
+    fn shapes_with_long_names_are_not_remembered() {
+        let long = "x".repeat(super::SHAPE_MAX_BYTES);
+        let (one, other) = (fields(&[&long]), fields(&[&long]));
+        assert_ne!(one.shape(), other.shape());
+        assert_eq!(one, other);
     }
 
     #[test]

@@ -87,6 +87,7 @@ impl Graph {
                 outgoing[input].push((at, slot));
             }
         }
+        outgoing.iter_mut().for_each(Vec::shrink_to_fit);
         let ranks = ranks(&connectors, &outgoing)?;
         let mut by_id: Vec<usize> = (0..streams.len()).collect();
         by_id.sort_by_key(|&at| &streams[at].id);

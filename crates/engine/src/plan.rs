@@ -1,5 +1,5 @@
-//! The way of a value through the graph, laid out as one row of steps: depth first, in array order, so that running it is
-//! going from one step to the next.
+//! The way of a value through the graph, laid out as one row of steps: depth first, in array order, so that running it
+//! is going from one step to the next.
 
 use crate::cells::Number;
 use crate::graph::{Graph, Work};

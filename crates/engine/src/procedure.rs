@@ -24,7 +24,7 @@ struct Slow {
     body: Box<str>,
     functions: Rc<Functions>,
     /// Made when it is first needed: a run keeps thousands of bodies that the first tier answers for.
-    made: Option<Made>,
+    made: Option<Box<Made>>,
 }
 
 /// What Rhai has read, with one slot per argument.
@@ -50,7 +50,7 @@ impl Procedure {
         let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
         let mut slow = Slow { names: names.to_vec(), body: body.into(), functions: helpers.functions(), made: None };
         if quick.is_none() {
-            slow.made = Some(slow.made_of(engine, ast)?);
+            slow.made = Some(Box::new(slow.made_of(engine, ast)?));
         }
         Ok(Self { quick, slow: Box::new(slow) })
     }
@@ -93,7 +93,7 @@ impl Procedure {
     /// What Rhai makes of the inputs.
     pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
         let Slow { names, made, .. } = self.slow.ready(engine).map_err(|reason| failed(&reason))?;
-        let Some(Made { ast, slots }) = made else { return Ok(Value::Null) };
+        let Some(Made { ast, slots }) = made.as_deref_mut() else { return Ok(Value::Null) };
         for (name, input) in names.iter().zip(inputs) {
             if let Some(slot) = slots.get_mut(name) {
                 *slot = to_rhai(input);
@@ -115,7 +115,8 @@ impl Slow {
     /// The same, once Rhai has read it.
     fn ready(&mut self, engine: &Engine) -> Result<&mut Self, String> {
         if self.made.is_none() {
-            self.made = Some(self.made_of(engine, compile(engine, &self.names, &self.body)?)?);
+            let ast = compile(engine, &self.names, &self.body)?;
+            self.made = Some(Box::new(self.made_of(engine, ast)?));
         }
         Ok(self)
     }

@@ -12,6 +12,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
+/// The most times that a trace is played.
+const REPEAT_MAX: u64 = 1_000_000_000;
 /// Events that are timed one by one.
 const TIMED_MAX: usize = 1_000_000;
 /// How often the behaviour is built; the median counts.
@@ -20,9 +22,9 @@ const BUILDS: usize = 9;
 /// Plays a trace through a behaviour again and again and prints one line of JSON about it.
 ///
 /// events: readings that were played. cpu_s: CPU time of playing them, in seconds (wall time where the system does not
-/// tell CPU time). p50_ns, p99_ns: how long one reading took, from being fed to the last output, the middle one and the
-/// one that 99 of 100 do not exceed. rss_kib: memory of this process (null where the system does not tell). build_us: how
-/// long Start takes in the engine, in microseconds.
+/// tell CPU time). p50_ns, p99_ns: how long one reading took, from being fed to the last output: the middle one, and the
+/// one that 99 of 100 do not exceed. rss_kib: memory of this process (null where the system does not tell). build_us:
+/// how long Start takes in the engine, in microseconds.
 ///
 /// Exit codes: 0 done; 2 the behaviour is refused; 3 the trace is refused.
 #[derive(Debug, Args)]
@@ -35,7 +37,7 @@ pub(crate) struct BenchArgs {
     #[arg(long, value_name = "FILE|-")]
     trace: PathBuf,
     /// How often the trace is played, each time after the last.
-    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    #[arg(long, value_name = "N", default_value_t = 100, value_parser = clap::value_parser!(u64).range(1..=REPEAT_MAX))]
     repeat: u64,
     /// Leaves all procedures to Rhai, compiling none.
     #[arg(long)]

@@ -27,7 +27,8 @@ fn it_prints_one_line_with_numbers_that_make_sense() {
     let readings = std::fs::read_to_string(gold("trace.jsonl")).expect("a trace").lines().count() as u64;
     for words in [&["--repeat", "20"][..], &["--repeat", "20", "--interpreted"]] {
         let measured = measured(words);
-        let names: Vec<_> = measured.as_object().expect("an object").keys().map(String::as_str).collect();
+        let mut names: Vec<_> = measured.as_object().expect("an object").keys().map(String::as_str).collect();
+        names.sort_unstable();
         assert_eq!(names, ["build_us", "cpu_s", "events", "p50_ns", "p99_ns", "rss_kib"]);
         assert_eq!(measured["events"].as_u64(), Some(20 * readings));
         let number = |name: &str| measured[name].as_f64().expect("a number");

@@ -1,4 +1,4 @@
-//! What has a bar of its own besides events per second: many behaviours at once, memory, start, one event a millisecond.
+//! What has a bar of its own besides events per second: many behaviours at once, memory, start, an event a millisecond.
 
 use crate::clock::{cpu_of, median, memory_kib, share};
 use crate::graphs::Graph;

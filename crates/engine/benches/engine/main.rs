@@ -1,8 +1,8 @@
-//! Events per CPU second of four graphs: compiled, by Rhai alone, written in Rust, and in the hands of others; then what
-//! has a bar of its own.
+//! Events per CPU second of four graphs: compiled, by Rhai alone, written in Rust, and in the hands of others; then
+//! what has a bar of its own.
 //!
-//! `cargo bench -p engine` prints tables; a name after `--` picks one graph, or `bars`. `cargo xtask bench engine` installs
-//! the others first. Passes alternate and medians are shown, so ratios mean something even on a busy machine.
+//! `cargo bench -p engine` prints tables; a name after `--` picks one graph, or `bars`. `cargo xtask bench engine`
+//! installs the others first. Passes alternate and medians are shown, so ratios mean something on a busy machine too.
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a bench prints, and may give up")]
 
 mod bars;

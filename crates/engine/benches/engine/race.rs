@@ -172,7 +172,7 @@ fn enough(runner: &mut Runner, cycle: u64) -> u64 {
 
 fn print(graph: &str, runners: &[Runner]) {
     println!(
-        "{graph:<22}{:>14}{:>12}{:>13}{:>16}{:>10}{:>14}",
+        "{graph:<22}{:>14}{:>12}{:>13}{:>15}{:>10}{:>17}",
         "events/cpu s", "ns/event", "memory KiB", "compiled is x", "at least", "Rhai alone is x"
     );
     let rates: Vec<f64> = runners.iter().map(|runner| median(runner.rates.clone())).collect();
@@ -180,7 +180,7 @@ fn print(graph: &str, runners: &[Runner]) {
         let memory = memory_kib(&runner.process).map_or_else(|| "?".to_owned(), |kib| kib.to_string());
         let least = least(graph, runner.name).map_or_else(String::new, |least| least.to_string());
         print!("  {:<20}{rate:>14.0}{:>12.1}{memory:>13}", runner.name, 1e9 / rate);
-        println!("{:>16.3}{least:>10}{:>14.3}", rates[0] / rate, rates[1] / rate);
+        println!("{:>15.3}{least:>10}{:>17.3}", rates[0] / rate, rates[1] / rate);
     }
 }
 
