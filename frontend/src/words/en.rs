@@ -115,6 +115,9 @@ sentences! {
     // The Operation dialog
     operation: "Operation";
     connector: "Connector";
+    how_it_works: "How it works";
+    how_it_works_less: "Hide how it works";
+    how_to_read: "Time runs from left to right. Above is what comes, below is what the connector makes of it.";
     from: "From";
     body: "Body";
     helper: "Helper";
@@ -499,6 +502,31 @@ pub(crate) fn connector_says(word: &str) -> &'static str {
         "timestamp" => says_timestamp(),
         _ => says_map(),
     }
+}
+
+/// A value of a marble example: "5 at 0.3 s".
+pub(crate) fn value_at(value: &str, at_ms: u64) -> String {
+    format!("{value} at {}", seconds_short(at_ms))
+}
+
+/// A lane of a marble example: "Distance: 5 at 0 s, 30 at 0.3 s".
+pub(crate) fn lane_tells(name: &str, values: &str) -> String {
+    if values.is_empty() { format!("{name}: nothing") } else { format!("{name}: {values}") }
+}
+
+/// What a marble example gives.
+pub(crate) fn comes_out(lane: &str) -> String {
+    format!("Out comes {lane}")
+}
+
+/// A short time: "0.3 s".
+pub(crate) fn seconds_short(ms: u64) -> String {
+    format!("{} s", ms as f64 / 1_000.0)
+}
+
+/// The time that timestamp writes beside a value.
+pub(crate) fn at_ms(time: &str) -> String {
+    format!("t = {time}")
 }
 
 /// The name of a stream that a filter with a helper makes: "Near Red ball".

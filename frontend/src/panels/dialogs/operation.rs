@@ -3,6 +3,7 @@
 mod actuator;
 mod draft;
 mod form;
+mod how;
 mod inputs;
 mod naming;
 mod prefill;
@@ -52,6 +53,7 @@ fn OperationForm(form: Form) -> impl IntoView {
             <div class="dialog-body">
                 <draft::Found form />
                 <Picker form />
+                <how::HowItWorks form />
                 <Show when=takes_many><inputs::Inputs form /></Show>
                 <Show when=has_procedure><procedure::ProcedureFields form /></Show>
                 <Show when=move || form.kind.get() == "sample">
