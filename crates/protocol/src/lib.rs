@@ -14,7 +14,7 @@ pub use library::{
     Contested, Cursor, Driver, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream,
     Place, Similar, Sort, Summary, Used, WORDS_MAX_CHARS,
 };
-pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use recording::{Recorded, Recording};
 pub use reply::{Message, Person, Reply, SaidNo};
 pub use request::{Ask, Pointer, Request};
