@@ -15,6 +15,7 @@ mod propose;
 mod queue;
 mod recordings;
 mod robot_box;
+mod running;
 mod samples;
 mod shelves;
 mod undo;

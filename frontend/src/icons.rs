@@ -65,6 +65,7 @@ fn device_paths(name: &str) -> Option<&'static [&'static str]> {
         ],
         "remember" => &["M12 4a4 4 0 1 0 0 8a4 4 0 1 0 0-8", "M4.5 20c.8-4 4-5.5 7.5-5.5", "M15 18l2 2l4-4.5"],
         "print" => &["M4 5h16v14H4z", "M7.5 9.5h9", "M7.5 13h9", "M7.5 16h5"],
+        "down" => &["M12 5v13", "M6.5 13L12 18.5L17.5 13"],
         _ => return None,
     })
 }

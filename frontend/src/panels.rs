@@ -17,6 +17,7 @@ mod recordings;
 mod right;
 mod robot_box;
 mod room;
+mod running;
 mod toolbar;
 mod tools;
 mod trials;

@@ -14,7 +14,7 @@ pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Us
 pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
-pub use live::{ConnectorSample, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use recording::{Recorded, Recording};
 pub use reply::{Message, Person, Reply, SaidNo};
 pub use request::{Ask, Pointer, Request};

@@ -36,9 +36,27 @@ pub struct RunState {
     pub by: String,
     /// Whether it runs.
     pub phase: RunPhase,
+    /// Its place in the order on the robot: how many behaviours stand above it. If they disagree, the upper one wins.
+    #[serde(default)]
+    pub place: usize,
+    /// What it wanted to move a moment ago and could not, because a behaviour above it holds it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub held: Vec<HeldPart>,
     /// How its recording goes, if it is recorded.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub recording: Option<Recorded>,
+}
+
+/// A part of the robot that another behaviour keeps from a run.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct HeldPart {
+    /// The part: "left arm".
+    pub part: String,
+    /// The behaviour that holds it.
+    pub by: Id,
+    /// Its name.
+    pub name: String,
 }
 
 /// Whether a run runs.

@@ -209,6 +209,8 @@ pub enum SaidNo {
     CannotStart(String),
     /// The edited behaviour was not applied, and what runs goes on; with the reason.
     NotApplied(String),
+    /// The order on the robot could not be kept; with the reason.
+    NotKept(String),
     /// There is no such recording.
     NoRecording,
     /// Something about a recording did not work; with the reason.
@@ -245,6 +247,7 @@ impl std::fmt::Display for SaidNo {
             Self::NotApplied(reason) => {
                 write!(to, "The robot goes on with what it ran before, as the change cannot be applied: {reason}.")
             }
+            Self::NotKept(reason) => write!(to, "The order stays as it was, as it could not be kept ({reason})."),
             Self::NoRecording => to.write_str("There is no such recording any more. Look at the list again."),
             Self::CannotRecord(reason) => write!(to, "The recording did not do this: {reason}."),
             Self::NotRunning => to.write_str("This behaviour does not run. Press Start first."),

@@ -124,6 +124,13 @@ pub enum Request {
         /// Which.
         behaviour: Id,
     },
+    /// Puts a behaviour just above another one in the order on the robot, or at the end. Answered by `Done`.
+    Place {
+        /// Which.
+        behaviour: Id,
+        /// Above which, or none for the lowest place.
+        above: Option<Id>,
+    },
     /// The recordings that are kept. Answered by `Recordings`.
     Recordings,
     /// Removes a recording for good. Answered by `Done`.

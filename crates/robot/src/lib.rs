@@ -7,6 +7,7 @@ mod devices;
 mod fits;
 mod helpers;
 mod params;
+mod parts;
 mod scene;
 
 pub use catalogue::{Device, Example, Field, Resource, Shape, actuators, device, sensors};

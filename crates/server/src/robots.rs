@@ -10,6 +10,7 @@ mod house;
 mod keeper;
 mod live;
 mod mailbox;
+mod order;
 mod outcome;
 mod runner;
 mod simulated;
@@ -19,6 +20,7 @@ mod tally;
 mod tests;
 
 pub(crate) use live::{LiveValues, Seen};
+pub(crate) use order::Order;
 
 use crate::lock;
 use crate::recordings::Recordings;
@@ -82,15 +84,21 @@ impl Robots {
     ///
     /// # Errors
     /// If the thread cannot be made.
-    pub(crate) fn simulated(seed: u64, recordings: Recordings) -> std::io::Result<Self> {
+    pub(crate) fn simulated(seed: u64, recordings: Recordings, order: Order) -> std::io::Result<Self> {
         let (name, health) = (simulated::NAME.into(), Health::Ready);
         let state = RobotState { name, kind: "nao".into(), health, devices: Vec::new() };
-        Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default, recordings)
+        Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default, recordings, order)
     }
 
     /// Any robot, with these limits for procedures.
-    fn with(state: RobotState, make: Make, limits: fn() -> Limits, recordings: Recordings) -> std::io::Result<Self> {
-        let house = Arc::new(House::new(state));
+    fn with(
+        state: RobotState,
+        make: Make,
+        limits: fn() -> Limits,
+        recordings: Recordings,
+        order: Order,
+    ) -> std::io::Result<Self> {
+        let house = Arc::new(House::new(state, order));
         let shared = house.clone();
         let thread = std::thread::Builder::new().name("robot".into()).spawn(move || keeper::keep(&shared, &make))?;
         Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits, recordings }) })
@@ -191,6 +199,14 @@ impl Robots {
         let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
         entry.mailbox.put(index, Keep::All, value);
         Ok(())
+    }
+
+    /// Puts a behaviour just above another one in the order on the robot, or at the end.
+    ///
+    /// # Errors
+    /// If that could not be kept.
+    pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), SaidNo> {
+        self.house().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
     }
 
     /// Ends the recording of a running behaviour.

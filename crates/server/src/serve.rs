@@ -11,7 +11,7 @@ use crate::patience::patiently;
 use crate::pictures::Pictures;
 use crate::programs::Programs;
 use crate::recordings::Recordings;
-use crate::robots::Robots;
+use crate::robots::{Order, Robots};
 use crate::rooms::Rooms;
 use crate::topics::{self, Topics};
 use crate::{accept, bin, routes};
@@ -151,7 +151,8 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeE
     let epoch = patiently(url, || Box::pin(bounded(store.next_epoch()))).await?;
     let shelf = patiently(url, || Box::pin(shelf(&*store, &library))).await?;
     let recordings = Recordings::within(config.data.as_deref());
-    let robots = Robots::simulated(config.seed, recordings.clone()).map_err(ServeError::Thread)?;
+    let order = Order::within(config.data.as_deref());
+    let robots = Robots::simulated(config.seed, recordings.clone(), order).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
         store,

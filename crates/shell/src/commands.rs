@@ -11,6 +11,7 @@ mod drivers_of;
 mod exit;
 mod load_program;
 mod load_stream;
+mod order;
 mod record;
 mod recordings;
 mod remove_recording;
@@ -51,6 +52,7 @@ pub(crate) const ALL: &[&Command] = &[
     &start::COMMAND,
     &stop::COMMAND,
     &apply::COMMAND,
+    &order::COMMAND,
     &record::COMMAND,
     &recordings::COMMAND,
     &remove_recording::COMMAND,

@@ -2,6 +2,7 @@
 
 use super::hold::{Hold, hold};
 use super::recordings::{RecordRow, Recordings};
+use super::running::Running;
 use crate::desk::LinkState;
 use crate::icons::Icon;
 use crate::words;
@@ -17,6 +18,7 @@ pub(crate) fn RobotBox() -> impl IntoView {
             <Head />
             <div class="start-row"><Start /></div>
             <Line />
+            <Running />
             <RecordRow />
             <Recordings />
         </section>

@@ -39,6 +39,9 @@ sentences! {
     start: "Start";
     running: "Running";
     apply: "Apply to the running robot";
+    running_together: "Runs on the robot";
+    upper_wins: "If they disagree, the upper one wins.";
+    stop: "Stop";
     record: "Record the next run";
     end_recording: "End the recording";
     recordings: "Recordings";
@@ -259,6 +262,26 @@ pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
 
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
     format!("Running version {runs}, editing {edits}")
+}
+
+pub(crate) fn held_by(part: &str, name: &str) -> String {
+    format!("The {part} is held by “{name}”.")
+}
+
+pub(crate) fn holds(part: &str, name: &str) -> String {
+    format!("Holds the {part}; “{name}” waits.")
+}
+
+pub(crate) fn move_up(name: &str) -> String {
+    format!("Move “{name}” up")
+}
+
+pub(crate) fn move_down(name: &str) -> String {
+    format!("Move “{name}” down")
+}
+
+pub(crate) fn stop_one(name: &str) -> String {
+    format!("Stop “{name}”")
 }
 
 pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {

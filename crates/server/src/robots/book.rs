@@ -130,6 +130,11 @@ impl Book {
         self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)
     }
 
+    /// All runs.
+    pub(super) fn entries_mut(&mut self) -> impl Iterator<Item = &mut Entry> {
+        self.runs.values_mut()
+    }
+
     /// One run, running or ended.
     pub(super) fn get(&self, run: u64) -> Option<&Entry> {
         self.runs.get(&run)

@@ -6,6 +6,7 @@ use super::gate::Gate;
 use super::mailbox::Mailbox;
 use crate::lock;
 use behaviour::{Id, Params, Value};
+use engine::Claim;
 use robot::{SceneEdit, Use};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -42,6 +43,8 @@ pub(super) struct Papers {
 pub(super) struct Opening {
     /// The run.
     pub(super) run: u64,
+    /// Its behaviour, and how people call it.
+    pub(super) behaviour: (Id, String),
     /// Its gate.
     pub(super) gate: Arc<Gate>,
     /// Where its readings go.
@@ -67,6 +70,8 @@ pub(super) struct Wanted {
     pub(super) device: String,
     /// Its parameters.
     pub(super) params: Params,
+    /// The parts of the robot that it uses.
+    pub(super) claim: Claim,
 }
 
 impl Wanted {

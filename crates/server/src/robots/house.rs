@@ -3,10 +3,12 @@
 use super::Start;
 use super::book::{Book, Entry};
 use super::desk::Desk;
+use super::order::Order;
 use crate::lock;
 use behaviour::Id;
-use protocol::{Recorded, RobotState, RunPhase, RunState};
+use protocol::{HeldPart, Recorded, RobotState, RunPhase, RunState};
 use robot::Scene;
+use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
@@ -24,14 +26,17 @@ pub(super) struct House {
     pub(super) scene: watch::Sender<Arc<Scene>>,
     /// The robot's state.
     pub(super) state: watch::Sender<Arc<RobotState>>,
+    /// Who wins.
+    pub(super) order: Order,
     runs: watch::Sender<Arc<Vec<RunState>>>,
 }
 
 impl House {
     /// A house with nothing in it.
-    pub(super) fn new(state: RobotState) -> Self {
+    pub(super) fn new(state: RobotState, order: Order) -> Self {
         Self {
             desk: Desk::default(),
+            order,
             book: Mutex::default(),
             threads: AtomicUsize::new(0),
             scene: watch::Sender::new(Arc::default()),
@@ -124,7 +129,27 @@ impl House {
         }
     }
 
+    /// Puts a behaviour just above another one, or at the end.
+    pub(super) fn place(&self, behaviour: &Id, above: Option<&Id>) -> std::io::Result<()> {
+        self.order.put(behaviour, above)?;
+        self.show(&lock(&self.book));
+        Ok(())
+    }
+
+    /// Shows which parts of the robot are kept from which runs.
+    pub(super) fn held(&self, mut held: BTreeMap<u64, Vec<HeldPart>>) {
+        let mut book = lock(&self.book);
+        for entry in book.entries_mut() {
+            entry.state.held = held.remove(&entry.state.run).unwrap_or_default();
+        }
+        self.show(&book);
+    }
+
     fn show(&self, book: &Book) {
-        self.runs.send_replace(Arc::new(book.states()));
+        let mut states = book.states();
+        for state in &mut states {
+            state.place = self.order.place(&state.behaviour);
+        }
+        self.runs.send_replace(Arc::new(states));
     }
 }

@@ -5,7 +5,8 @@ use super::gate::Gate;
 use super::house::House;
 use super::mailbox::{Keep, Mailbox};
 use behaviour::Id;
-use protocol::RobotState;
+use engine::{HeldBy, Precedence};
+use protocol::{HeldPart, RobotState};
 use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -18,6 +19,8 @@ const STEP_MS: u64 = 10;
 const STEPS_PER_PICTURE: u64 = 3;
 /// After a longer gap than this robot time goes on where it was instead of catching up, in milliseconds.
 const GAP_MAX_MS: u64 = 500;
+/// For how long it is shown that a part was held, in milliseconds.
+const HELD_SHOWN_MS: u64 = 1_000;
 /// Pause before a robot that failed is made anew, in milliseconds.
 const AGAIN_AFTER_MS: u64 = 1_000;
 
@@ -53,20 +56,39 @@ struct Keeper<'a> {
     began: Instant,
     users: BTreeMap<u64, User>,
     readings: Vec<Reading>,
+    /// Who holds which part of the robot.
+    parts: Precedence,
+    blocked: Blocked,
+    /// What was shown of that last.
+    shown: BTreeMap<u64, Vec<HeldPart>>,
 }
 
 /// A run that uses the robot.
 struct User {
+    /// Its behaviour, and how people call it.
+    behaviour: (Id, String),
     gate: Arc<Gate>,
     mailbox: Arc<Mailbox>,
     streams: BTreeMap<Id, (usize, Keep)>,
     devices: Vec<Wanted>,
 }
 
+/// A part that a run wanted and did not get: from whom, and when.
+type Blocked = BTreeMap<(u64, String), (u64, Millis)>;
+
 impl<'a> Keeper<'a> {
     fn new(house: &'a House, robot: Box<dyn RoomRobot>) -> Self {
-        let (users, readings) = (BTreeMap::new(), Vec::new());
-        Self { house, robot, steps: 0, began: Instant::now(), users, readings }
+        Self {
+            house,
+            robot,
+            steps: 0,
+            began: Instant::now(),
+            users: BTreeMap::new(),
+            readings: Vec::new(),
+            parts: Precedence::default(),
+            blocked: Blocked::new(),
+            shown: BTreeMap::new(),
+        }
     }
 
     fn work(mut self) {
@@ -89,6 +111,7 @@ impl<'a> Keeper<'a> {
         self.readings = readings;
         if self.steps.is_multiple_of(STEPS_PER_PICTURE) {
             self.show();
+            self.show_held();
         }
         self.steps += 1;
     }
@@ -120,10 +143,47 @@ impl<'a> Keeper<'a> {
         if !command.gate.is_open() {
             return;
         }
-        if let Err(reason) = self.robot.command(user, &command.value, self.now())
+        if let Err(held) = self.may_move(user) {
+            self.hold_back(user, held);
+        } else if let Err(reason) = self.robot.command(user, &command.value, self.now())
             && let Some(known) = self.users.get(&user.run)
         {
             known.mailbox.refuse(&user.stream, reason);
+        }
+    }
+
+    /// Whether nobody above holds what the stream uses; then it is its own.
+    fn may_move(&mut self, user: &Use) -> Result<(), HeldBy> {
+        let (now, users, order) = (self.now(), &self.users, &self.house.order);
+        let wanted = users.get(&user.run).and_then(|known| known.devices.iter().find(|one| one.stream == user.stream));
+        let Some(wanted) = wanted else { return Ok(()) };
+        let behaviour = |run: u64| users.get(&run).map(|known| &known.behaviour.0);
+        let is_above = |one, other| match (behaviour(one), behaviour(other)) {
+            (Some(one), Some(other)) => order.is_above(one, other),
+            _ => false,
+        };
+        self.parts.command(now, user, &wanted.claim, is_above)
+    }
+
+    /// Remembers who kept a part from whom. That is no fault of a connector, and passes.
+    fn hold_back(&mut self, user: &Use, held: HeldBy) {
+        self.blocked.insert((user.run, held.part), (held.by.run, self.now()));
+    }
+
+    /// Shows who keeps what from whom, if that changed.
+    fn show_held(&mut self) {
+        let (now, users) = (self.now(), &self.users);
+        let is_new = |at: Millis| now.0.saturating_sub(at.0) < HELD_SHOWN_MS;
+        self.blocked.retain(|(run, _), (by, at)| is_new(*at) && users.contains_key(run) && users.contains_key(by));
+        let mut held: BTreeMap<u64, Vec<HeldPart>> = BTreeMap::new();
+        for ((run, part), (by, _)) in &self.blocked {
+            if let Some((by, name)) = users.get(by).map(|holder| holder.behaviour.clone()) {
+                held.entry(*run).or_default().push(HeldPart { part: part.clone(), by, name });
+            }
+        }
+        if held != self.shown {
+            self.shown.clone_from(&held);
+            self.house.held(held);
         }
     }
 
@@ -131,11 +191,11 @@ impl<'a> Keeper<'a> {
         if !opening.gate.is_open() {
             return;
         }
-        let Opening { run, gate, mailbox, devices, answer, follows } = opening;
+        let Opening { run, behaviour, gate, mailbox, devices, answer, follows } = opening;
         let opened = if follows { self.exchange(run, &devices) } else { self.open_all(run, &devices) };
         if opened.is_ok() {
             let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
-            self.users.insert(run, User { gate, mailbox, streams, devices });
+            self.users.insert(run, User { behaviour, gate, mailbox, streams, devices });
         }
         // Who gave up waiting has closed the gate and asked to close.
         drop(answer.try_send(opened));
@@ -177,6 +237,7 @@ impl<'a> Keeper<'a> {
     }
 
     fn close(&mut self, run: u64) {
+        self.parts.let_go(run);
         let Some(user) = self.users.remove(&run) else { return };
         for stream in user.streams.into_keys() {
             self.robot.close(&Use { run, stream });

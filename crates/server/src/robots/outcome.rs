@@ -40,7 +40,7 @@ impl<'a> Outcome<'a> {
     pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
         let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
         let acts: Vec<bool> = run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
-        let uses = devices(run).into_iter().filter(|wanted| acts[wanted.index]).map(of).collect();
+        let uses = devices(run, &job.start.file).into_iter().filter(|wanted| acts[wanted.index]).map(of).collect();
         let (recorder, step) = (None, Step::default());
         Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
     }

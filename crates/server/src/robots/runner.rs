@@ -12,8 +12,8 @@ use super::successor::{Baton, Successor};
 use super::tally::Tally;
 use crate::lock;
 use crate::recordings::{About, Recorder, Recordings};
-use behaviour::{Id, StreamKind};
-use engine::{Limits, Run};
+use behaviour::{BehaviourFile, FileStream, Id, StreamKind};
+use engine::{Claim, Limits, Run};
 use protocol::{RunPhase, RunState};
 use robot::Millis;
 use std::cell::Cell;
@@ -96,11 +96,13 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     let clock = Rc::new(Cell::new(Instant::now()));
     let run = build(job, &clock)?;
     let mailbox = Arc::new(Mailbox::default());
-    let devices = devices(&run);
+    let devices = devices(&run, &job.start.file);
     open(job, &mailbox, devices.clone(), false)?;
     let entry = entry(job, &run, &mailbox, &devices);
     let (tally, state) = (Tally::new(entry.live.clone(), &run), entry.state.clone());
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
+    let unkept = |error: std::io::Error| format!("its place in the order could not be kept ({error})");
+    job.house.order.add(&job.start.behaviour).map_err(unkept)?;
     runner.outcome.recorder = recorder(job)?;
     runner.began = Instant::now();
     if job.house.begin(entry) { Ok((runner, state)) } else { Err("it was stopped before it began".to_owned()) }
@@ -129,21 +131,34 @@ fn in_one_sentence(faults: &[engine::Fault]) -> String {
 }
 
 /// The devices it uses, actions before senses, each in file order.
-pub(super) fn devices(run: &Run) -> Vec<Wanted> {
+pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<Wanted> {
     let of = |kind: StreamKind| {
         run.streams().iter().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
             let (stream, device) = (Id::new(&info.id).ok()?, info.device.clone()?);
-            Some(Wanted { stream, index, name: info.name.clone(), device, params: info.params.clone() })
+            let (claim, params) = (claim(&file.streams[index]), info.params.clone());
+            Some(Wanted { stream, index, name: info.name.clone(), device, params, claim })
         })
     };
     of(StreamKind::Actuator).chain(of(StreamKind::Sensor)).collect()
 }
 
+/// The parts of the robot that an actuator stream uses: what it says itself, else what the catalogue says.
+fn claim(stream: &FileStream) -> Claim {
+    let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
+    let parts = |device: &robot::Device| device.parts(&stream.params.clone().unwrap_or_default());
+    let mut claim = Claim::of(stream);
+    if let (None, Some(device)) = (&stream.resources, device) {
+        claim.resources = parts(device).into_iter().map(|part| part.word().to_owned()).collect();
+    }
+    claim
+}
+
 /// Asks the robot for devices; a run that follows another takes over the other's.
 pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, follows: bool) -> Result<(), String> {
     let (answer, opened) = sync_channel(1);
+    let behaviour = (job.start.behaviour.clone(), job.start.file.name.clone());
     let (gate, mailbox) = (job.gate.clone(), mailbox.clone());
-    job.house.desk.open(Opening { run: job.run, gate, mailbox, devices, follows, answer });
+    job.house.desk.open(Opening { run: job.run, behaviour, gate, mailbox, devices, follows, answer });
     let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
     waited.unwrap_or_else(|_| Err("the robot does not answer".to_owned()))
 }
@@ -171,6 +186,8 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
             by: start.by.clone(),
             phase: RunPhase::Running,
             recording: None,
+            place: 0,
+            held: Vec::new(),
         },
         gate: job.gate.clone(),
         mailbox: mailbox.clone(),

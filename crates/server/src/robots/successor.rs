@@ -64,7 +64,7 @@ fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState),
     let run = runner::build(job, &clock)?;
     let kept = Kept::between(&before.file, &job.start.file);
     let mailbox = Arc::new(Mailbox::default());
-    open(job, &mailbox, devices(&run), true)?;
+    open(job, &mailbox, devices(&run, &job.start.file), true)?;
     let baton = baton(job, &run, &mailbox)?;
     let state = job.house.applied(job.run, &job.start).ok_or_else(stopped)?;
     Ok((go_on(job, run, baton, &kept, mailbox, clock), state))
@@ -73,7 +73,7 @@ fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState),
 /// From now on readings go to the new run, where they wait; the old one hands over after its last ones.
 fn baton(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<Baton, String> {
     let (hand, handed) = sync_channel(1);
-    let devices = devices(run);
+    let devices = devices(run, &job.start.file);
     let (senses, acts) = (senses(run, &devices), runner::acts(run, &devices));
     let old = job.house.redirect(job.run, mailbox, senses, acts).ok_or_else(stopped)?;
     old.succeed(Successor(hand));

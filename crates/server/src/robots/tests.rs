@@ -6,6 +6,7 @@ mod recording;
 mod running;
 mod simulated;
 mod stopping;
+mod together;
 
 use super::{Robots, Start};
 use behaviour::{BehaviourFile, FORMAT, FileConnector, FileStream, Id, StreamKind, Value};

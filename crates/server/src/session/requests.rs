@@ -62,6 +62,12 @@ impl Session {
                 let done = self.hub.robots.end_recording(&behaviour);
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
             }
+            Request::Place { behaviour, above } => {
+                let robots = self.hub.robots.clone();
+                let work = move || robots.place(&behaviour, above.as_ref()).map(|()| Reply::Done);
+                let failed = |error: tokio::task::JoinError| Err(SaidNo::NotKept(error.to_string()));
+                self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+            }
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { edit } => self.hub.robots.edit_scene(edit),
             Request::Watch { scene, values } => {

@@ -62,6 +62,10 @@ It cannot start: this server has no data folder; start it with --data DIR.
 Nothing is recorded
 > recordings
 No recordings. Type “record on” before “start”.
+> order
+Far
+> order far up
+Far is there already.
 > apply
 Far goes on as it is saved now
 > stimulate ba {\"x\": 0.5}

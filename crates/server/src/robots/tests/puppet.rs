@@ -2,8 +2,8 @@
 
 use crate::lock;
 use crate::recordings::Recordings;
-use crate::robots::Robots;
 use crate::robots::keeper::RoomRobot;
+use crate::robots::{Order, Robots};
 use behaviour::{Params, Value};
 use engine::Limits;
 use protocol::RobotState;
@@ -40,7 +40,7 @@ impl Puppet {
             lock(&puppet.0).open.clear();
             Box::new(puppet.clone())
         };
-        Robots::with(RobotState::default(), Box::new(make), limits, recordings).unwrap()
+        Robots::with(RobotState::default(), Box::new(make), limits, recordings, Order::default()).unwrap()
     }
 
     /// Every open ball sees this in the next step.

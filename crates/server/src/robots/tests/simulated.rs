@@ -2,14 +2,14 @@
 
 use super::until;
 use crate::recordings::Recordings;
-use crate::robots::{Robots, Start};
+use crate::robots::{Order, Robots, Start};
 use crate::templates::templates;
 use behaviour::Id;
 use robot::{Health, SceneEdit};
 
 #[tokio::test]
 async fn a_green_ball_makes_the_eyes_green() {
-    let robots = Robots::simulated(1, Recordings::default()).unwrap();
+    let robots = Robots::simulated(1, Recordings::default(), Order::default()).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();
     robots

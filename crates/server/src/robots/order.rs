@@ -1,0 +1,128 @@
+//! The order of the behaviours on a robot: if they disagree, the upper one wins. Kept in the data folder, so that it is
+//! the same tomorrow.
+
+use crate::lock;
+use behaviour::Id;
+use std::fs::File;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+/// Behaviours whose place is remembered.
+const ORDER_MAX: usize = 10_000;
+/// Its file in the data folder.
+const FILE: &str = "robot-order.json";
+
+/// The order, from the top. Every use of the list is short; saving waits for the disk outside of it.
+#[derive(Debug, Default)]
+pub(crate) struct Order {
+    path: Option<PathBuf>,
+    list: Mutex<Vec<Id>>,
+    saving: Mutex<()>,
+}
+
+impl Order {
+    /// The order that is kept in a data folder; without a folder it lasts as long as the server.
+    pub(crate) fn within(data: Option<&Path>) -> Self {
+        let path = data.map(|data| data.join(FILE));
+        let text = path.as_deref().and_then(|path| std::fs::read_to_string(path).ok());
+        let list = text.map(|text| serde_json::from_str(&text)).transpose().unwrap_or_else(|error| {
+            tracing::warn!(%error, "the order on the robot could not be read and begins anew");
+            None
+        });
+        Self { path, list: Mutex::new(list.unwrap_or_default()), saving: Mutex::default() }
+    }
+
+    /// Whether the first stands above the second.
+    pub(super) fn is_above(&self, one: &Id, other: &Id) -> bool {
+        let list = lock(&self.list);
+        let place = |id: &Id| list.iter().position(|known| known == id).unwrap_or(usize::MAX);
+        place(one) < place(other)
+    }
+
+    /// How many stand above it.
+    pub(super) fn place(&self, behaviour: &Id) -> usize {
+        let list = lock(&self.list);
+        list.iter().position(|known| known == behaviour).unwrap_or(list.len())
+    }
+
+    /// A behaviour that has no place yet gets the lowest.
+    ///
+    /// # Errors
+    /// If it could not be kept; then nothing changed.
+    pub(super) fn add(&self, behaviour: &Id) -> std::io::Result<()> {
+        self.change(|list| {
+            if !list.contains(behaviour) {
+                list.truncate(ORDER_MAX - 1);
+                list.push(behaviour.clone());
+            }
+        })
+    }
+
+    /// Puts a behaviour just above another one, or at the end.
+    ///
+    /// # Errors
+    /// If it could not be kept; then nothing changed.
+    pub(super) fn put(&self, behaviour: &Id, above: Option<&Id>) -> std::io::Result<()> {
+        self.change(|list| {
+            if above == Some(behaviour) {
+                return;
+            }
+            list.retain(|known| known != behaviour);
+            let at = above.and_then(|above| list.iter().position(|known| known == above)).unwrap_or(list.len());
+            list.insert(at, behaviour.clone());
+        })
+    }
+
+    /// Kept before it counts.
+    fn change(&self, change: impl FnOnce(&mut Vec<Id>)) -> std::io::Result<()> {
+        let _saving = lock(&self.saving);
+        let before = lock(&self.list).clone();
+        let mut after = before.clone();
+        change(&mut after);
+        if after != before {
+            if let Some(path) = &self.path {
+                save(path, &after)?;
+            }
+            *lock(&self.list) = after;
+        }
+        Ok(())
+    }
+}
+
+/// Whole or not at all: a new file takes the place of the old one.
+fn save(path: &Path, list: &[Id]) -> std::io::Result<()> {
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder)?;
+    }
+    let fresh = path.with_extension("json.new");
+    let mut file = File::create(&fresh)?;
+    file.write_all(serde_json::to_string(list).map_err(std::io::Error::other)?.as_bytes())?;
+    file.sync_all()?;
+    std::fs::rename(fresh, path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Order;
+    use behaviour::Id;
+
+    #[test]
+    fn the_order_is_kept() {
+        let folder = tempfile::tempdir().unwrap();
+        let id = |text: &str| Id::new(text).unwrap();
+        let (a, b, c) = (id("a"), id("b"), id("c"));
+        let order = Order::within(Some(folder.path()));
+        for one in [&a, &b, &c, &a] {
+            order.add(one).unwrap();
+        }
+        assert!(order.is_above(&a, &b) && order.is_above(&b, &c) && order.is_above(&c, &id("unknown")));
+        order.put(&c, Some(&a)).unwrap();
+        order.put(&a, None).unwrap();
+        order.put(&b, Some(&b)).unwrap();
+        let again = Order::within(Some(folder.path()));
+        assert_eq!([&c, &b, &a].map(|one| again.place(one)), [0, 1, 2]);
+        std::fs::write(folder.path().join(super::FILE), "nonsense").unwrap();
+        assert_eq!(Order::within(Some(folder.path())).place(&a), 0, "it begins anew");
+    }
+}

@@ -1,0 +1,36 @@
+//! What runs beside the open program: its order, and stopping one of it.
+
+use super::Desk;
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{Request, RunPhase, RunState};
+
+impl Desk {
+    /// Everything that runs, from the top of the order. Reactive.
+    pub(crate) fn all_running(&self) -> Vec<RunState> {
+        let mut running = self.runs.get();
+        running.retain(|run| run.phase == RunPhase::Running);
+        running.sort_by_key(|run| run.place);
+        running
+    }
+
+    /// Puts a running behaviour just above another one, or at the end.
+    pub(crate) fn place(&self, behaviour: &Id, above: Option<Id>) {
+        self.ask_or_say(Request::Place { behaviour: behaviour.clone(), above }, |_| {});
+    }
+
+    /// Puts one in the place of another one of the list: from above it comes to stand below that one.
+    pub(crate) fn place_at(&self, order: &[Id], moved: &Id, target: &Id) {
+        let at = |id: &Id| order.iter().position(|known| known == id);
+        match (at(moved), at(target)) {
+            (Some(from), Some(to)) if from < to => self.place(moved, order.get(to + 1).cloned()),
+            (Some(from), Some(to)) if from > to => self.place(moved, Some(target.clone())),
+            _ => {}
+        }
+    }
+
+    /// Stops one behaviour; the others run on.
+    pub(crate) fn stop_one(&self, behaviour: &Id) {
+        self.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()) }, |_| {});
+    }
+}

@@ -1,0 +1,33 @@
+//! Recording a run: chosen before Start, seen while it runs, there to download afterwards.
+
+use house::{Outcome, skip};
+
+use crate::steps::*;
+
+#[tokio::test]
+async fn a_run_is_recorded_if_somebody_wants_it() -> Outcome<()> {
+    if !skip::ready("journey: recording") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Watcher").await?;
+    add_sense(&aiko, "RedBall").await?;
+    saved(&aiko).await?;
+    aiko.press("checkbox", "Record the next run").await?;
+    start(&aiko).await?;
+    shows_value(&aiko, "RedBall").await?;
+    aiko.press("button", "End the recording").await?;
+    aiko.gone("button", "End the recording").await?;
+    aiko.find("button", "Running").await?;
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    aiko.eval("document.querySelector('.recordings summary').click()").await?;
+    aiko.find("link", "Download the recording of Watcher").await?;
+    let read = "fetch(document.querySelector('.recordings a').href).then(answer => answer.text())\
+        .then(text => { const lines = text.trim().split('\\n').map(JSON.parse); \
+        return lines[0].format === 'rrp-recording/1' && lines.some(line => line.stream) && \
+        lines.at(-1).why === 'the recording was ended'; })";
+    assert_eq!(aiko.eval(read).await?, true);
+    calm(&aiko)
+}
