@@ -3,6 +3,7 @@
 mod away;
 mod edits;
 mod graph_database;
+mod help;
 mod library;
 mod quick;
 mod runaway;
