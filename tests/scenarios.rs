@@ -133,6 +133,24 @@ fn the_mended_graph_forgets_the_ball_after_one_second() -> Outcome<()> {
     Ok(())
 }
 
+/// Thesis 4.4.8: the graph of figure 4.19 keeps a ball that is gone for ever. That of figure 4.20 compares times, so it
+/// has the same fault, command by command, for one second after the last close sighting, and then no more.
+#[test]
+fn the_fault_of_the_printed_graph_lasts_a_second_in_the_mended_one() -> Outcome<()> {
+    let after = |name: &str| -> Outcome<Vec<u64>> {
+        let report = play(name, &left_right_and_away(), 12_000)?;
+        Ok(times(&report, "arm-tracker").into_iter().filter(|at_ms| *at_ms > AWAY_MS).collect())
+    };
+    let (printed, mended) = (after("track_nearest_arm")?, after("track_nearest_arm_in_time")?);
+    assert!(mended.len() > 20 && printed.starts_with(&mended), "the same fault at first: {mended:?}");
+    let last = mended.last().copied().unwrap_or_default();
+    assert!((AWAY_MS + 900..AWAY_MS + 1_000).contains(&last), "its window is one second: {last}");
+    let later = printed.iter().filter(|at_ms| **at_ms >= AWAY_MS + 1_000).count();
+    assert!(later > 200, "the printed graph goes on: {later} commands");
+    assert!(printed.last().is_some_and(|last| *last > 11_900), "until the end");
+    Ok(())
+}
+
 #[test]
 fn a_rehearsal_is_the_same_every_time() -> Outcome<()> {
     for name in NAMES {

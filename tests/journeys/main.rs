@@ -5,6 +5,7 @@ mod away;
 mod disk_full;
 mod edits;
 mod graph_database;
+mod help;
 mod library;
 mod order;
 mod quick;

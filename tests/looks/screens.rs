@@ -8,6 +8,9 @@ pub(crate) const TEMPLATE: &str = "Track far and close balls";
 /// The connectors of the Operation dialog by their words.
 const CONNECTORS: [&str; 7] = ["sample", "subscribe", "filter", "map", "combine", "merge", "timestamp"];
 
+/// Connectors whose help is looked at too: with one lane and several, with times, with commands.
+const HELP: [&str; 4] = ["subscribe", "map", "combine", "timestamp"];
+
 /// A server on a fresh folder, a browser, and a person with the page open on a desktop.
 pub(crate) struct Stage {
     pub(crate) page: Page,
@@ -112,6 +115,12 @@ async fn operations(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> O
             .await?;
         }
         visit(&format!("operation-{connector}")).await?;
+        if HELP.contains(&connector) {
+            page.press("button", "How it works").await?;
+            page.until("!!document.querySelector('.how-example .marble')", "the help is open").await?;
+            visit(&format!("operation-{connector}-help")).await?;
+            page.press("button", "Hide how it works").await?;
+        }
     }
     leave(page).await
 }

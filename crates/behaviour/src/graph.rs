@@ -77,18 +77,26 @@ impl<'a> Graph<'a> {
         self.into_stream(stream).iter().map(|(_, connector)| connector.inputs.len()).sum()
     }
 
-    /// True if values of this stream can reach an action of the robot.
+    /// The streams whose values can reach an action of the robot, actions included: one walk upwards for all of them.
     #[must_use]
-    pub fn reaches_action(&self, behaviour: &Behaviour, stream: &Id) -> bool {
-        let is_action = |id: &Id| behaviour.stream(id).is_some_and(|stream| stream.kind == StreamKind::Actuator);
-        is_action(stream) || self.below(stream).into_iter().any(is_action)
+    pub fn reaching_action(&self, behaviour: &'a Behaviour) -> BTreeSet<&'a Id> {
+        let actions = behaviour.streams().filter(|(_, stream)| stream.kind == StreamKind::Actuator);
+        let mut open: Vec<&'a Id> = actions.map(|(id, _)| id).collect();
+        let mut reaching: BTreeSet<&'a Id> = BTreeSet::new();
+        while let Some(next) = open.pop() {
+            if reaching.insert(next) {
+                open.extend(self.into_stream(next).iter().flat_map(|(_, connector)| &connector.inputs));
+            }
+        }
+        reaching
     }
 
     /// The streams whose values reach no action of the robot, in file order.
     #[must_use]
     pub fn dead_streams(&self, behaviour: &'a Behaviour) -> Vec<&'a Id> {
+        let reaching = self.reaching_action(behaviour);
         let streams = behaviour.streams_in_order().into_iter().map(|(id, _)| id);
-        streams.filter(|id| !self.reaches_action(behaviour, id)).collect()
+        streams.filter(|id| !reaching.contains(id)).collect()
     }
 
     /// A stream that flows back into itself, if there is one.

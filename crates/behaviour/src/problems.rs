@@ -59,6 +59,7 @@ pub enum ProblemKind {
 pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge) -> Vec<Problem> {
     let library: BTreeMap<&str, &Helper> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).collect();
     let graph = Graph::of(behaviour);
+    let reaching = graph.reaching_action(behaviour);
     let mut found = Vec::new();
     for (id, stream) in behaviour.streams_in_order() {
         let mut add = |kind, blocks| found.push(problem(Kind::Stream, id, &stream.name, kind, blocks));
@@ -70,7 +71,7 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
         if stream.kind != StreamKind::Sensor && graph.into_stream(id).is_empty() {
             add(ProblemKind::NoSource, false);
         }
-        if stream.kind != StreamKind::Actuator && !graph.reaches_action(behaviour, id) {
+        if stream.kind != StreamKind::Actuator && !reaching.contains(id) {
             add(ProblemKind::Unused, false);
         }
     }

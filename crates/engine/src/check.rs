@@ -7,13 +7,18 @@ use crate::procedure::{Procedure, compile};
 use crate::sandbox::hardened_engine;
 use behaviour::{FileHelper, Value};
 
+thread_local! {
+    /// Made once per thread: it takes longer than reading a body. Reading changes nothing in it.
+    static CHECKING: rhai::Engine = hardened_engine(&Limits::default());
+}
+
 /// Whether a body with these arguments is a procedure.
 ///
 /// # Errors
 /// One short reason with its place: `line 1, column 12: a closing ) is missing`.
 pub fn check_body(arguments: &[String], body: &str) -> Result<(), String> {
     check_distinct(arguments)?;
-    compile(&hardened_engine(&Limits::default()), arguments, body).map(drop)
+    CHECKING.with(|engine| compile(engine, arguments, body).map(drop))
 }
 
 /// What a body makes of some inputs, for the preview beside the editor.

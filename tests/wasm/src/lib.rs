@@ -1,4 +1,10 @@
-//! Exports for the determinism test: a scripted story on the simulated robot, as a number.
+//! Exports for the determinism test: a scripted story on the simulated robot as a number, runs of behaviours as text.
+
+#[path = "../../../crates/engine/tests/oracle/chance.rs"]
+mod chance;
+#[path = "../../../crates/engine/tests/oracle/graphs.rs"]
+mod graphs;
+pub mod runs;
 
 use behaviour::{Id, Params, Value};
 use robot::{Millis, Robot, SceneEdit, Use};
@@ -24,6 +30,13 @@ pub extern "C" fn simulation_hash(seed: u64, steps: u32) -> u64 {
         let words = format!("{} {} {}", reading.to.stream, reading.at.0, reading.value);
         words.bytes().fold(hash, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
     })
+}
+
+/// What a run of a behaviour says: the address of its bytes and, in the lower half, how many there are.
+#[unsafe(no_mangle)]
+pub extern "C" fn engine_says(case: u32, frame_ms: u32) -> u64 {
+    let said = runs::said(case, frame_ms).leak();
+    ((said.as_ptr().addr() as u64) << 32) | said.len() as u64
 }
 
 fn user(stream: &str) -> Option<Use> {
