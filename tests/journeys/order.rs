@@ -19,8 +19,10 @@ async fn of_two_programs_the_upper_one_moves_the_head() -> Outcome<()> {
     says(&aiko, "Holds the head; “Idle” waits.").await?;
     aiko.press("button", "Move “Idle” up").await?;
     says(&aiko, "The head is held by “Idle”.").await?;
+    silent(&aiko, "The head is held by “Greeting”.").await?;
     aiko.press("button", "Move “Idle” down").await?;
     says(&aiko, "The head is held by “Greeting”.").await?;
+    silent(&aiko, "The head is held by “Idle”.").await?;
     // Stopping one lets the other go on.
     aiko.press("button", "Stop “Greeting”").await?;
     silent(&aiko, "is held by").await?;

@@ -124,6 +124,8 @@ pub enum Request {
         /// Which.
         behaviour: Id,
     },
+    /// What runs now and what ended lately, which is also told unasked. Answered by `Runs`.
+    Runs,
     /// Puts a behaviour just above another one in the order on the robot, or at the end. Answered by `Done`.
     Place {
         /// Which.

@@ -7,7 +7,7 @@ pub use mirror::Mirror;
 
 use crate::client::link::{Line, Link};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
-use protocol::{ListQuery, Person, Reply, Request, RobotState, RunState, SaidNo, Summary, VERSION};
+use protocol::{ListQuery, Person, Reply, Request, RobotState, SaidNo, Summary, VERSION};
 use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::Arc;
@@ -178,12 +178,6 @@ impl Client {
             Reply::Robot { robot } => Ok(robot),
             _ => Err(self.ended()),
         }
-    }
-
-    /// What runs and what ended lately, as it was told last.
-    #[must_use]
-    pub fn runs(&self) -> Vec<RunState> {
-        self.link.mirrors().runs.clone()
     }
 
     /// The library as it is now.

@@ -3,7 +3,7 @@
 use crate::commands;
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
-use protocol::{ListQuery, Reply, Request, Summary};
+use protocol::{ListQuery, Reply, Request, RunPhase, RunState, Summary};
 use std::io::Write;
 
 /// Programs that completion knows: those that were changed last.
@@ -73,6 +73,16 @@ impl Console {
     pub(crate) async fn programs(&mut self, words: &str, most: usize) -> Result<Vec<Summary>, String> {
         let query = ListQuery { words: words.to_owned(), ..ListQuery::default() };
         self.client()?.programs(query, most).await.map_err(|trouble| trouble.to_string())
+    }
+
+    /// What runs now, from the top of the order on the robot.
+    pub(crate) async fn running(&mut self) -> Result<Vec<RunState>, String> {
+        let Reply::Runs { mut runs } = self.ask(Request::Runs).await? else {
+            return Err("The server did not say what runs. Try again.".to_owned());
+        };
+        runs.retain(|run| run.phase == RunPhase::Running);
+        runs.sort_by_key(|run| run.place);
+        Ok(runs)
     }
 
     /// The loaded program as it is now.

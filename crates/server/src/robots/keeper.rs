@@ -162,7 +162,10 @@ impl<'a> Keeper<'a> {
             (Some(one), Some(other)) => order.is_above(one, other),
             _ => false,
         };
-        self.parts.command(now, user, &wanted.claim, is_above)
+        self.parts.command(now, user, &wanted.claim, is_above)?;
+        let got = |(run, part): &(u64, String)| *run == user.run && wanted.claim.resources.contains(part);
+        self.blocked.retain(|key, _| !got(key));
+        Ok(())
     }
 
     /// Remembers who kept a part from whom. That is no fault of a connector, and passes.

@@ -62,6 +62,10 @@ impl Session {
                 let done = self.hub.robots.end_recording(&behaviour);
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
             }
+            Request::Runs => {
+                let runs = self.hub.robots.runs().borrow().to_vec();
+                self.outbox.say(Some(ask), Reply::Runs { runs });
+            }
             Request::Place { behaviour, above } => {
                 let robots = self.hub.robots.clone();
                 let work = move || robots.place(&behaviour, above.as_ref()).map(|()| Reply::Done);

@@ -1,7 +1,7 @@
 //! A behaviour as the server has it, kept by what the server tells.
 
 use behaviour::{Accepted, Behaviour, Id};
-use protocol::{LIBRARY, Reply, RobotState, RunState};
+use protocol::{LIBRARY, Reply, RobotState};
 
 /// One behaviour at one revision.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,19 +14,18 @@ pub struct Mirror {
     pub records: Behaviour,
 }
 
-/// The open behaviour, the library, the robot and its runs.
+/// The open behaviour, the library and the robot.
 #[derive(Clone, Debug)]
 pub(super) struct Mirrors {
     pub(super) open: Option<Mirror>,
     pub(super) library: Mirror,
     pub(super) robot: Option<RobotState>,
-    pub(super) runs: Vec<RunState>,
 }
 
 impl Mirrors {
     pub(super) fn empty() -> Result<Self, String> {
         let library = Mirror { behaviour: Id::new(LIBRARY)?, revision: 0, records: Behaviour::default() };
-        Ok(Self { open: None, library, robot: None, runs: Vec::new() })
+        Ok(Self { open: None, library, robot: None })
     }
 
     /// Takes over what a reply says of them.
@@ -41,7 +40,6 @@ impl Mirrors {
                 self.open = Some(Mirror { behaviour, revision: *revision, records });
             }
             Reply::Robot { robot } => self.robot = Some(robot.clone()),
-            Reply::Runs { runs } => self.runs.clone_from(runs),
             Reply::Accepted { behaviour, accepted } => self.accept(behaviour, accepted),
             Reply::Missed { behaviour, changes } => changes.iter().for_each(|change| self.accept(behaviour, change)),
             Reply::Removed { behaviour, .. } if self.open.as_ref().is_some_and(|open| open.behaviour == *behaviour) => {

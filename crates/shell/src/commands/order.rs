@@ -3,7 +3,7 @@
 use super::Command;
 use crate::console::{Console, or_nothing};
 use behaviour::Id;
-use protocol::{Request, RunPhase, RunState};
+use protocol::{Request, RunState};
 
 pub(crate) const COMMAND: Command = Command {
     name: "order",
@@ -13,7 +13,7 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 async fn run(console: &mut Console, words: &str) -> Result<String, String> {
-    let running = running(console)?;
+    let running = console.running().await?;
     if words.is_empty() {
         return Ok(or_nothing(running.iter().map(line).collect(), "Nothing runs."));
     }
@@ -31,14 +31,6 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
     let id = |at: usize| -> Id { running[at].behaviour.clone() };
     console.ask(Request::Place { behaviour: id(moved), above: Some(id(above)) }).await?;
     Ok(format!("{name} moved {}", way.to_lowercase()))
-}
-
-/// What runs, from the top.
-fn running(console: &mut Console) -> Result<Vec<RunState>, String> {
-    let mut runs = console.client()?.runs();
-    runs.retain(|run| run.phase == RunPhase::Running);
-    runs.sort_by_key(|run| run.place);
-    Ok(runs)
 }
 
 fn line(run: &RunState) -> String {

@@ -2,7 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
-use protocol::{Reply, Request, RunPhase};
+use protocol::Request;
 
 pub(crate) const COMMAND: Command = Command {
     name: "record",
@@ -27,10 +27,8 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
 }
 
 async fn end_all(console: &mut Console) -> Result<(), String> {
-    let runs = console.client()?.runs();
-    for run in runs.into_iter().filter(|run| run.phase == RunPhase::Running && run.recording.is_some()) {
-        let done = console.ask(Request::EndRecording { behaviour: run.behaviour }).await?;
-        debug_assert_eq!(done, Reply::Done);
+    for run in console.running().await?.into_iter().filter(|run| run.recording.is_some()) {
+        console.ask(Request::EndRecording { behaviour: run.behaviour }).await?;
     }
     Ok(())
 }
