@@ -142,11 +142,11 @@ fn the_fault_of_the_printed_graph_lasts_a_second_in_the_mended_one() -> Outcome<
         Ok(times(&report, "arm-tracker").into_iter().filter(|at_ms| *at_ms > AWAY_MS).collect())
     };
     let (printed, mended) = (after("track_nearest_arm")?, after("track_nearest_arm_in_time")?);
-    assert!(mended.len() > 20 && printed.starts_with(&mended), "the same fault at first: {mended:?}");
+    assert!(mended.len() > 15 && printed.starts_with(&mended), "the same fault at first: {mended:?}");
     let last = mended.last().copied().unwrap_or_default();
     assert!((AWAY_MS + 900..AWAY_MS + 1_000).contains(&last), "its window is one second: {last}");
     let later = printed.iter().filter(|at_ms| **at_ms >= AWAY_MS + 1_000).count();
-    assert!(later > 200, "the printed graph goes on: {later} commands");
+    assert!(later > 100, "the printed graph goes on: {later} commands");
     assert!(printed.last().is_some_and(|last| *last > 11_900), "until the end");
     Ok(())
 }

@@ -162,6 +162,6 @@ mod tests {
         assert_eq!(check(&[good]), Ok(()));
         let edited = check(&[applied(1, checksum("edited"))]).expect_err("a refusal").to_string();
         assert!(edited.contains("a_name") && edited.contains("undo the edit"), "{edited}");
-        assert_eq!(check(&[applied(9, checksum("x"))]), Err(StoreError::Newer { found: 9, known: 1 }));
+        assert_eq!(check(&[applied(9, checksum("x"))]), Err(StoreError::Newer { found: 9, known: 2 }));
     }
 }
