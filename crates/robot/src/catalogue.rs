@@ -22,9 +22,18 @@ pub struct Device {
     /// The shape of the values it gives, or takes.
     pub shape: Shape,
     /// The parts of the body it uses.
-    pub resources: &'static [Resource],
+    pub resources: Resources,
     /// An example value in JSON, for stimulating by hand.
     pub example: Example,
+}
+
+/// Which parts of the body a device uses.
+#[derive(Clone, Copy, Debug)]
+pub enum Resources {
+    /// Always these.
+    Always(&'static [Resource]),
+    /// Those that its parameters ask for; what is left open counts as used.
+    By(fn(&Params) -> Vec<Resource>),
 }
 
 /// A value written as JSON.

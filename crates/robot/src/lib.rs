@@ -10,7 +10,7 @@ mod params;
 mod parts;
 mod scene;
 
-pub use catalogue::{Device, Example, Field, Resource, Shape, actuators, device, sensors};
+pub use catalogue::{Device, Example, Field, Resource, Resources, Shape, actuators, device, sensors};
 pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
 pub use params::{Param, ParamKind, with_defaults};

@@ -1,7 +1,7 @@
 //! Which parts of the body an action uses, with its parameters.
 
-use crate::{Device, Resource};
-use behaviour::{Params, Value};
+use crate::{Device, Resource, Resources};
+use behaviour::Params;
 
 impl Resource {
     /// What people call it.
@@ -20,36 +20,14 @@ impl Resource {
 }
 
 impl Device {
-    /// The parts of the body that it uses with these parameters; what is left open counts as used.
+    /// The parts of the body that it uses with these parameters.
     #[must_use]
     pub fn parts(&self, params: &Params) -> Vec<Resource> {
-        let said = |name: &str| params.get(name).and_then(Value::as_text);
-        match self.name {
-            "Tracker" => tracker(said("mode"), said("effector")),
-            "SetJointPosition" => match said("joint") {
-                Some(joint) if joint.starts_with("Head") => vec![Resource::Head],
-                Some(joint) if joint.starts_with('L') => vec![Resource::LeftArm],
-                Some(joint) if joint.starts_with('R') => vec![Resource::RightArm],
-                _ => self.resources.to_vec(),
-            },
-            _ => self.resources.to_vec(),
+        match self.resources {
+            Resources::Always(parts) => parts.to_vec(),
+            Resources::By(parts) => parts(params),
         }
     }
-}
-
-fn tracker(mode: Option<&str>, effector: Option<&str>) -> Vec<Resource> {
-    let body: &[Resource] = match mode {
-        Some("WholeBody" | "Move") => &[Resource::Head, Resource::Legs],
-        Some("Arm") => &[],
-        _ => &[Resource::Head],
-    };
-    let arms: &[Resource] = match effector {
-        Some("LArm") => &[Resource::LeftArm],
-        Some("RArm") => &[Resource::RightArm],
-        Some("Nearest" | "Value") => &[Resource::LeftArm, Resource::RightArm],
-        _ => &[],
-    };
-    [body, arms].concat()
 }
 
 #[cfg(test)]

@@ -1,7 +1,7 @@
 //! A coloured ball, as ALColorBlobDetection sees it.
 
 use super::red_ball::BALL;
-use crate::{Device, Param, ParamKind, Shape};
+use crate::{Device, Param, ParamKind, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -16,6 +16,6 @@ pub(crate) const DEVICE: Device = Device {
         kind: ParamKind::Choice(&[("red", "red"), ("green", "green"), ("blue", "blue")]),
     }],
     shape: Shape::Object(BALL),
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
 };

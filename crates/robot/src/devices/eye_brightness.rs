@@ -1,6 +1,6 @@
 //! The brightness of the eyes.
 
-use crate::{Device, Resource, Shape};
+use crate::{Device, Resource, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -11,6 +11,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "brightness",
     params: &[],
     shape: Shape::Number("0 to 1"),
-    resources: &[Resource::Eyes],
+    resources: Resources::Always(&[Resource::Eyes]),
     example: "0.5",
 };

@@ -1,6 +1,6 @@
 //! The colour of the eyes.
 
-use crate::{Device, Param, ParamKind, Resource, Shape};
+use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -25,6 +25,6 @@ pub(crate) const DEVICE: Device = Device {
         ]),
     }],
     shape: Shape::Anything,
-    resources: &[Resource::Eyes],
+    resources: Resources::Always(&[Resource::Eyes]),
     example: r#""red""#,
 };

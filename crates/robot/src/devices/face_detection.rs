@@ -1,6 +1,6 @@
 //! Faces, as ALFaceDetection sees them.
 
-use crate::{Device, Field, Shape};
+use crate::{Device, Field, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -20,6 +20,6 @@ pub(crate) const DEVICE: Device = Device {
         Field { name: "size", says: "angle of half its height in radians" },
         Field { name: "time", says: "when it was seen, in milliseconds of robot time" },
     ]),
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: r#"{"id":1,"label":"","new":true,"recognized_new_face":true,"x":0.0,"y":-0.1,"size":0.1,"time":0}"#,
 };

@@ -1,6 +1,6 @@
 //! The three touch fields on the head.
 
-use crate::{Device, Param, ParamKind, Shape};
+use crate::{Device, Param, ParamKind, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -15,6 +15,6 @@ pub(crate) const DEVICE: Device = Device {
         kind: ParamKind::Choice(&[("any", "anywhere"), ("front", "front"), ("middle", "middle"), ("rear", "rear")]),
     }],
     shape: Shape::Truth,
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: "true",
 };

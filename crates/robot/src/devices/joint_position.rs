@@ -1,7 +1,7 @@
 //! The angle of one joint.
 
 use super::JOINT_CHOICES;
-use crate::{Device, Param, ParamKind, Shape};
+use crate::{Device, Param, ParamKind, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -12,6 +12,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "joint",
     params: &[Param { name: "joint", label: "Joint", kind: ParamKind::Choice(JOINT_CHOICES) }],
     shape: Shape::Number("rad"),
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: "0.1",
 };

@@ -1,6 +1,6 @@
 //! Showing the value to people.
 
-use crate::{Device, Shape};
+use crate::{Device, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -11,6 +11,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "print",
     params: &[],
     shape: Shape::Anything,
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: r#""hello""#,
 };

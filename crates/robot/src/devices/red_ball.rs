@@ -1,6 +1,6 @@
 //! The red ball, as ALRedBallDetection sees it (NAOqi 2.8): angles from the image centre, left and down positive.
 
-use crate::{Device, Field, Shape};
+use crate::{Device, Field, Resources, Shape};
 use behaviour::StreamKind;
 
 /// Fields of a ball.
@@ -19,6 +19,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "ball",
     params: &[],
     shape: Shape::Object(BALL),
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
 };

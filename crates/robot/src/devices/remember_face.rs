@@ -1,6 +1,6 @@
 //! Learning a face.
 
-use crate::{Device, Resource, Shape};
+use crate::{Device, Resource, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -11,6 +11,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "remember",
     params: &[],
     shape: Shape::Anything,
-    resources: &[Resource::Memory],
+    resources: Resources::Always(&[Resource::Memory]),
     example: "true",
 };

@@ -1,6 +1,6 @@
 //! Speaking the value.
 
-use crate::{Device, Resource, Shape};
+use crate::{Device, Resource, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -11,6 +11,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "speech",
     params: &[],
     shape: Shape::Text,
-    resources: &[Resource::Voice],
+    resources: Resources::Always(&[Resource::Voice]),
     example: r#""hello""#,
 };

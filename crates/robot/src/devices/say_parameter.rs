@@ -1,6 +1,6 @@
 //! Speaking a fixed text.
 
-use crate::{Device, Param, ParamKind, Resource, Shape};
+use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -11,6 +11,6 @@ pub(crate) const DEVICE: Device = Device {
     icon: "speech",
     params: &[Param { name: "text", label: "Text", kind: ParamKind::Text { max_chars: 1_000, default: "Hello" } }],
     shape: Shape::Anything,
-    resources: &[Resource::Voice],
+    resources: Resources::Always(&[Resource::Voice]),
     example: "true",
 };

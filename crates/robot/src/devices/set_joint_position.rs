@@ -1,8 +1,8 @@
 //! Moving one joint.
 
 use super::JOINT_CHOICES;
-use crate::{Device, Param, ParamKind, Resource, Shape};
-use behaviour::StreamKind;
+use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
+use behaviour::{Params, StreamKind, Value};
 
 pub(crate) const DEVICE: Device = Device {
     name: "SetJointPosition",
@@ -19,6 +19,15 @@ pub(crate) const DEVICE: Device = Device {
         },
     ],
     shape: Shape::Number("rad"),
-    resources: &[Resource::Head, Resource::LeftArm, Resource::RightArm],
+    resources: Resources::By(parts),
     example: "0.5",
 };
+
+fn parts(params: &Params) -> Vec<Resource> {
+    match params.get("joint").and_then(Value::as_text) {
+        Some(joint) if joint.starts_with("Head") => vec![Resource::Head],
+        Some(joint) if joint.starts_with('L') => vec![Resource::LeftArm],
+        Some(joint) if joint.starts_with('R') => vec![Resource::RightArm],
+        _ => vec![Resource::Head, Resource::LeftArm, Resource::RightArm],
+    }
+}

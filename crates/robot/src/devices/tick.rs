@@ -1,6 +1,6 @@
 //! A clock that ticks.
 
-use crate::{Device, Param, ParamKind, Shape};
+use crate::{Device, Param, ParamKind, Resources, Shape};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -15,6 +15,6 @@ pub(crate) const DEVICE: Device = Device {
         kind: ParamKind::Number { min: 10.0, max: 3_600_000.0, step: 10.0, unit: "ms", default: 1_000.0 },
     }],
     shape: Shape::Number(""),
-    resources: &[],
+    resources: Resources::Always(&[]),
     example: "1",
 };

@@ -1,7 +1,7 @@
 //! Following a ball or a face, as ALTracker does it.
 
-use crate::{Device, Param, ParamKind, Resource, Shape};
-use behaviour::StreamKind;
+use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
+use behaviour::{Params, StreamKind, Value};
 
 pub(crate) const DEVICE: Device = Device {
     name: "Tracker",
@@ -38,6 +38,22 @@ pub(crate) const DEVICE: Device = Device {
         },
     ],
     shape: Shape::Anything,
-    resources: &[Resource::Head],
+    resources: Resources::By(parts),
     example: "true",
 };
+
+fn parts(params: &Params) -> Vec<Resource> {
+    let said = |name: &str| params.get(name).and_then(Value::as_text);
+    let body: &[Resource] = match said("mode") {
+        Some("WholeBody" | "Move") => &[Resource::Head, Resource::Legs],
+        Some("Arm") => &[],
+        _ => &[Resource::Head],
+    };
+    let arms: &[Resource] = match said("effector") {
+        Some("LArm") => &[Resource::LeftArm],
+        Some("RArm") => &[Resource::RightArm],
+        Some("Nearest" | "Value") => &[Resource::LeftArm, Resource::RightArm],
+        _ => &[],
+    };
+    [body, arms].concat()
+}
