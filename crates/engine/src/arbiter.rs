@@ -1,8 +1,8 @@
 //! Who may move a part of the robot when several streams want it: a pure function of the commands.
 
+use crate::holds::{Hold, Holds};
 use behaviour::FileStream;
 use robot::Millis;
-use std::collections::BTreeMap;
 
 /// For how long a command holds its resources, in milliseconds, if nothing else is said.
 const HOLD_MS: u64 = 1_000;
@@ -34,14 +34,7 @@ impl Claim {
 /// Remembers who holds what.
 #[derive(Clone, Debug, Default)]
 pub struct Arbiter {
-    held: BTreeMap<String, Held>,
-}
-
-#[derive(Clone, Debug)]
-struct Held {
-    by: usize,
-    priority: i64,
-    until: Millis,
+    holds: Holds<usize>,
 }
 
 impl Arbiter {
@@ -51,18 +44,8 @@ impl Arbiter {
     /// # Errors
     /// The stream of higher priority that still holds one of the resources.
     pub fn command(&mut self, at: Millis, by: usize, claim: &Claim) -> Result<(), usize> {
-        self.held.retain(|_, held| held.until > at);
-        let wanted: Vec<&Held> = claim.resources.iter().filter_map(|resource| self.held.get(resource)).collect();
-        if let Some(higher) = wanted.iter().find(|held| held.by != by && held.priority > claim.priority) {
-            return Err(higher.by);
-        }
-        let losing: Vec<usize> = wanted.iter().map(|held| held.by).collect();
-        self.held.retain(|_, held| !losing.contains(&held.by));
-        let until = Millis(at.0.saturating_add(claim.hold_ms));
-        for resource in &claim.resources {
-            self.held.insert(resource.clone(), Held { by, priority: claim.priority, until });
-        }
-        Ok(())
+        let wins = |hold: &Hold<usize>| hold.by != by && hold.priority > claim.priority;
+        self.holds.command(at, &by, claim, wins).map_err(|(_, hold)| hold.by)
     }
 }
 

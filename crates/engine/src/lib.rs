@@ -15,6 +15,7 @@ mod fields;
 mod frame;
 mod graph;
 mod helpers;
+mod holds;
 mod library;
 mod limits;
 mod lists;

@@ -2,20 +2,13 @@
 //! function of the commands and of the order that people gave the behaviours.
 
 use crate::arbiter::Claim;
+use crate::holds::{Hold, Holds};
 use robot::{Millis, Use};
-use std::collections::BTreeMap;
 
 /// Who holds which part of the robot.
 #[derive(Clone, Debug, Default)]
 pub struct Precedence {
-    held: BTreeMap<String, Hold>,
-}
-
-#[derive(Clone, Debug)]
-struct Hold {
-    by: Use,
-    priority: i64,
-    until: Millis,
+    holds: Holds<Use>,
 }
 
 /// Why a command was refused.
@@ -44,25 +37,17 @@ impl Precedence {
         claim: &Claim,
         is_above: impl Fn(u64, u64) -> bool,
     ) -> Result<(), HeldBy> {
-        self.held.retain(|_, hold| hold.until > at);
-        let wins = |hold: &Hold| match hold.by.run == by.run {
+        let wins = |hold: &Hold<Use>| match hold.by.run == by.run {
             true => hold.by.stream != by.stream && hold.priority > claim.priority,
             false => is_above(hold.by.run, by.run),
         };
-        let wanted = || claim.resources.iter().filter_map(|part| Some((part, self.held.get(part)?)));
-        if let Some((part, hold)) = wanted().find(|(_, hold)| wins(hold)) {
-            return Err(HeldBy { part: part.clone(), by: hold.by.clone(), until: hold.until });
-        }
-        let losing: Vec<Use> = wanted().map(|(_, hold)| hold.by.clone()).collect();
-        self.held.retain(|_, hold| !losing.contains(&hold.by));
-        let hold = Hold { by: by.clone(), priority: claim.priority, until: Millis(at.0.saturating_add(claim.hold_ms)) };
-        self.held.extend(claim.resources.iter().map(|part| (part.clone(), hold.clone())));
-        Ok(())
+        let held = |(part, hold): (String, Hold<Use>)| HeldBy { part, by: hold.by, until: hold.until };
+        self.holds.command(at, by, claim, wins).map_err(held)
     }
 
     /// A run ended: it holds nothing any more.
     pub fn let_go(&mut self, run: u64) {
-        self.held.retain(|_, hold| hold.by.run != run);
+        self.holds.let_go(|by| by.run == run);
     }
 }
 
