@@ -31,7 +31,7 @@ async function stop() {
   try {
     const signal = AbortSignal.timeout(STOP_WAIT_MS);
     const headers = { accept: "application/json" };
-    reached = (await fetch("/stop", { method: "POST", headers, signal, keepalive: true, cache: "no-store" })).ok;
+    reached = (await fetch(form.getAttribute("action"), { method: "POST", headers, signal, keepalive: true, cache: "no-store" })).ok;
   } catch {
     reached = false;
   }

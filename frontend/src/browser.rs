@@ -34,6 +34,14 @@ pub(crate) fn random() -> f64 {
     if cfg!(target_arch = "wasm32") { js_sys::Math::random() } else { 0.5 }
 }
 
+/// Sets an attribute of an element outside of the program, if it is there.
+pub(crate) fn set_attribute(id: &str, name: &str, value: &str) {
+    let document = window().and_then(|window| window.document());
+    if let Some(element) = document.and_then(|document| document.get_element_by_id(id)) {
+        let _ = element.set_attribute(name, value);
+    }
+}
+
 /// Does something once, later.
 pub(crate) fn after(ms: i32, act: impl FnOnce() + 'static) {
     let Some(window) = window() else { return };

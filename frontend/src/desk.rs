@@ -15,6 +15,7 @@ mod propose;
 mod queue;
 mod recordings;
 mod robot_box;
+mod robots;
 mod running;
 mod samples;
 mod shelves;
@@ -68,7 +69,11 @@ pub(crate) struct Fields {
     /// The library, by name.
     pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
-    pub(crate) robot: ArcRwSignal<RobotState>,
+    /// Oldest first.
+    pub(crate) robots: ArcRwSignal<Vec<RobotState>>,
+    /// The one that this tab looks at.
+    pub(crate) robot: ArcRwSignal<Option<RobotState>>,
+    /// What runs on all robots and what ended lately.
     pub(crate) runs: ArcRwSignal<Vec<RunState>>,
     /// Whether the next Start is recorded.
     pub(crate) records: ArcRwSignal<bool>,
@@ -105,6 +110,10 @@ struct State {
     history: undo::History,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
+    /// Which robot this tab wants to look at, if somebody chose.
+    wanted_robot: Option<Id>,
+    /// The robot whose room and values the server tells.
+    watched: Option<Id>,
     /// What the robot is asked as soon as everything is saved.
     when_saved: Option<robot_box::Wish>,
     /// The run the live values belong to.
@@ -160,16 +169,19 @@ impl Desk {
         }
     }
 
-    /// The run of the open behaviour, if it runs. Reactive.
+    /// The run of the open behaviour on the robot that this tab looks at, if it runs there. Reactive.
     pub(crate) fn running(&self) -> Option<RunState> {
         self.open.track();
+        self.robot.track();
         self.runs.track();
         self.run_of_open()
     }
 
     fn run_of_open(&self) -> Option<RunState> {
         let open = self.open.get_untracked()?;
-        let is_it = |run: &&RunState| run.behaviour == open && run.phase == RunPhase::Running;
+        let here = self.robot_id()?;
+        let is_it =
+            |run: &&RunState| run.behaviour == open && run.robot == here && run.phase == RunPhase::Running;
         self.runs.with_untracked(|runs| runs.iter().rfind(is_it).cloned())
     }
 

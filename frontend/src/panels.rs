@@ -16,6 +16,7 @@ mod problems;
 mod recordings;
 mod right;
 mod robot_box;
+mod robots;
 mod room;
 mod running;
 mod toolbar;

@@ -20,7 +20,7 @@ pub use reply::{Message, Person, Reply, SaidNo};
 pub use request::{Ask, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.
-pub const VERSION: u32 = 3;
+pub const VERSION: u32 = 4;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
@@ -33,6 +33,10 @@ pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 pub const UPDATES_PER_SECOND_MAX: u64 = 30;
 /// How often the server pings, in milliseconds.
 pub const PING_MS: u64 = 5_000;
+/// The most robots of a server.
+pub const ROBOTS_MAX: usize = 8;
+/// The longest name of a robot, in characters.
+pub const ROBOT_NAME_MAX_CHARS: usize = 40;
 /// The id of the shared helper library, which is edited like a behaviour.
 pub const LIBRARY: &str = "library";
 

@@ -6,9 +6,11 @@ use robot::Health;
 use serde::{Deserialize, Serialize};
 
 /// A robot and its link.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct RobotState {
+    /// Which robot.
+    pub robot: Id,
     /// Its name: "Simulated NAO".
     pub name: String,
     /// Its kind: `nao`.
@@ -24,8 +26,10 @@ pub struct RobotState {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct RunState {
-    /// Grows with every Start.
+    /// Grows with every Start on any robot.
     pub run: u64,
+    /// On which robot.
+    pub robot: Id,
     /// Which behaviour.
     pub behaviour: Id,
     /// Its name at Start.
@@ -36,7 +40,7 @@ pub struct RunState {
     pub by: String,
     /// Whether it runs.
     pub phase: RunPhase,
-    /// Its place in the order on the robot: how many behaviours stand above it. If they disagree, the upper one wins.
+    /// Its place in the order on its robot: how many behaviours stand above it. If they disagree, the upper one wins.
     #[serde(default)]
     pub place: usize,
     /// What it wanted to move a moment ago and could not, because a behaviour above it holds it.

@@ -144,14 +144,14 @@ pub enum Reply {
         /// again once this is none.
         away: Option<String>,
     },
-    /// The robot changed its state.
-    Robot {
-        /// The robot.
-        robot: RobotState,
+    /// The robots, told at first and whenever one comes, goes or changes its state.
+    Robots {
+        /// All of them, oldest first; there is always one.
+        robots: Vec<RobotState>,
     },
-    /// What runs on the robot changed.
+    /// What runs on the robots changed.
     Runs {
-        /// All running behaviours and those that ended lately.
+        /// All running behaviours and those that ended lately, on all robots.
         runs: Vec<RunState>,
     },
     /// The recordings that are kept.
@@ -159,13 +159,15 @@ pub enum Reply {
         /// Newest first.
         recordings: Vec<Recording>,
     },
-    /// Live values of the open behaviour.
+    /// Live values of the open behaviour on the watched robot.
     Values {
         /// What changed since the last.
         values: Box<Values>,
     },
-    /// The robot in its room.
+    /// The watched robot in its room.
     Scene {
+        /// Which robot.
+        robot: Id,
         /// The picture.
         scene: Box<Scene>,
     },
@@ -211,6 +213,12 @@ pub enum SaidNo {
     NotApplied(String),
     /// The order on the robot could not be kept; with the reason.
     NotKept(String),
+    /// There is no such robot.
+    NoRobot,
+    /// The robot was not added; with the reason.
+    RobotNotAdded(String),
+    /// The robot was not removed; with the reason.
+    RobotStays(String),
     /// There is no such recording.
     NoRecording,
     /// Something about a recording did not work; with the reason.
@@ -248,6 +256,9 @@ impl std::fmt::Display for SaidNo {
                 write!(to, "The robot goes on with what it ran before, as the change cannot be applied: {reason}.")
             }
             Self::NotKept(reason) => write!(to, "The order stays as it was, as it could not be kept ({reason})."),
+            Self::NoRobot => to.write_str("There is no such robot any more. Choose another one."),
+            Self::RobotNotAdded(reason) => write!(to, "The robot was not added: {reason}."),
+            Self::RobotStays(reason) => write!(to, "The robot stays: {reason}."),
             Self::NoRecording => to.write_str("There is no such recording any more. Look at the list again."),
             Self::CannotRecord(reason) => write!(to, "The recording did not do this: {reason}."),
             Self::NotRunning => to.write_str("This behaviour does not run. Press Start first."),

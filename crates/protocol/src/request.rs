@@ -111,10 +111,13 @@ pub enum Request {
         /// Selected stream or connector.
         selected: Option<Id>,
     },
-    /// Runs a behaviour on the robot. Answered by `Done` once it runs, or by `No`.
+    /// Runs a behaviour on a robot. Answered by `Done` once it runs, or by `No`.
     Start {
         /// Which.
         behaviour: Id,
+        /// On which robot; none means the first one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
         /// Whether its readings, outputs and marks are recorded.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         record: bool,
@@ -123,13 +126,19 @@ pub enum Request {
     EndRecording {
         /// Which.
         behaviour: Id,
+        /// On which robot; none means wherever it runs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
     },
     /// What runs now and what ended lately, which is also told unasked. Answered by `Runs`.
     Runs,
-    /// Puts a behaviour just above another one in the order on the robot, or at the end. Answered by `Done`.
+    /// Puts a behaviour just above another one in the order on a robot, or at the end. Answered by `Done`.
     Place {
         /// Which.
         behaviour: Id,
+        /// On which robot; none means the first one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
         /// Above which, or none for the lowest place.
         above: Option<Id>,
     },
@@ -146,28 +155,57 @@ pub enum Request {
     Apply {
         /// Which.
         behaviour: Id,
+        /// On which robot; none means wherever it runs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
     },
-    /// Stops a behaviour, or everything on the robot. Answered by `Done` at once.
+    /// Stops a behaviour, or everything, on one robot or on all. Answered by `Done` at once.
     Stop {
         /// Which; none means everything.
         behaviour: Option<Id>,
+        /// On which robot; none means on all of them.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
     },
     /// Sends a value to a sensor stream of a running behaviour as if the robot had sensed it. Answered by `Done`.
     Stimulate {
         /// Which running behaviour.
         behaviour: Id,
+        /// On which robot; none means wherever it runs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
         /// Its sensor stream.
         stream: Id,
         /// The value.
         value: Value,
     },
-    /// Moves something in the simulated room. Not answered.
+    /// Moves something in a robot's simulated room. Not answered.
     Scene {
+        /// Whose room; none means that of the first robot.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
         /// What is done.
         edit: SceneEdit,
     },
-    /// Whether pictures of the room and live values are wanted. Both are on at first. Answered by `Done`.
+    /// Adds a simulated robot in a room of its own, for everyone and for good. Answered by `Done`.
+    AddRobot {
+        /// Its id, chosen by the client so that asking twice makes one.
+        robot: Id,
+        /// Its name, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
+        name: String,
+    },
+    /// Removes a robot, with its room and its order. Refused while something runs on it, and for the last one. Answered
+    /// by `Done`.
+    RemoveRobot {
+        /// Which.
+        robot: Id,
+    },
+    /// Which robot is watched, and whether pictures of its room and live values of what runs on it are wanted. At first
+    /// it is both of the first robot. Answered by `Done`.
     Watch {
+        /// Which robot; none means pictures of the first one, and values of what began last on any.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
         /// Pictures of the room.
         scene: bool,
         /// Live values of the open behaviour.

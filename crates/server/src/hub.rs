@@ -1,4 +1,4 @@
-//! What every part of the server shares: the store, the robot, the rooms, who is here, and what everyone is told.
+//! What every part of the server shares: the store, the robots, the rooms, who is here, and what everyone is told.
 
 use crate::checking::Checker;
 use crate::clients::Clients;
@@ -14,7 +14,6 @@ use behaviour::{Behaviour, Helper, Id};
 use protocol::SaidNo;
 use std::future::Future;
 use std::sync::Arc;
-use std::sync::atomic::AtomicU64;
 use std::time::Duration;
 use store::{Store, StoreError};
 use tokio::sync::{Semaphore, watch};
@@ -32,7 +31,7 @@ pub(crate) struct Hub {
     pub(crate) store: Arc<dyn Store>,
     /// Whether it can be reached.
     pub(crate) health: Health,
-    /// The robot.
+    /// The robots.
     pub(crate) robots: Robots,
     /// What was recorded.
     pub(crate) recordings: Recordings,
@@ -58,8 +57,6 @@ pub(crate) struct Hub {
     pub(crate) topics: Topics,
     /// One behaviour is made at a time, so that names stay unique.
     pub(crate) creating: tokio::sync::Mutex<()>,
-    /// Grows with every Stop, so that a Start under way notices.
-    pub(crate) stops: AtomicU64,
     /// Places for sockets.
     pub(crate) sockets: Arc<Semaphore>,
     /// Rooms and sockets.

@@ -32,6 +32,7 @@ mod session;
 mod start;
 mod templates;
 mod topics;
+mod whole;
 
 pub use address::address_in;
 pub use create::first_library;

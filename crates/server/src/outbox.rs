@@ -19,6 +19,8 @@ pub(crate) enum Out {
     Unfollow,
     /// Which pictures are wanted.
     Watch {
+        /// Of which robot; none means the first one.
+        robot: Option<behaviour::Id>,
         /// Pictures of the scene.
         scene: bool,
         /// Live values.

@@ -1,17 +1,20 @@
-//! The robot and what runs on it: one thread for the robot, one for every running behaviour, and a Stop that waits
-//! for none of them.
+//! The robots of this server and what runs on them. People add simulated ones, each in a room of its own, and remove
+//! them again; who is there is kept in the data folder.
 
 mod beats;
+mod board;
 mod book;
 mod desk;
 mod fair;
 mod gate;
+mod host;
 mod house;
 mod keeper;
 mod live;
 mod mailbox;
 mod order;
 mod outcome;
+mod register;
 mod runner;
 mod simulated;
 mod successor;
@@ -19,260 +22,206 @@ mod tally;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use host::{Host, Start};
 pub(crate) use live::{LiveValues, Seen};
-pub(crate) use order::Order;
 
 use crate::lock;
 use crate::recordings::Recordings;
-use behaviour::{BehaviourFile, Id, Value};
+use axum::extract::ws::Utf8Bytes;
+use behaviour::{Id, Value};
+use board::Board;
 use engine::Limits;
-use gate::Gate;
-use house::House;
-use keeper::Make;
-use mailbox::Keep;
-use protocol::{RobotState, RunState, SaidNo};
-use robot::{Health, Scene, SceneEdit};
-use runner::Job;
-use std::sync::atomic::Ordering;
+use order::Order;
+use protocol::{ROBOTS_MAX, RobotState, RunState, SaidNo};
+use register::{Known, Register};
+use robot::{Health, SceneEdit};
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
-use std::thread::JoinHandle;
-use std::time::{Duration, Instant};
-use tokio::sync::{oneshot, watch};
+use tokio::sync::watch;
 
-/// Stack of a run's thread in bytes; procedures nest on it.
-const STACK_BYTES: usize = 8 * 1024 * 1024;
-/// The longest a Start may take, in milliseconds.
-const START_MAX_MS: u64 = 10_000;
-/// The longest that ending waits for the threads, in milliseconds.
-const SHUT_DOWN_MAX_MS: u64 = 2_000;
-/// Threads of runs that may live, those included that have not noticed Stop yet.
-const THREADS_MAX: usize = 2 * book::RUNNING_MAX_RUNS;
-
-/// A robot and the behaviours that run on it. A clone is the same robot.
+/// All robots. A clone is the same robots.
 #[derive(Clone)]
 pub(crate) struct Robots {
-    owner: Arc<Owner>,
+    fleet: Arc<Fleet>,
 }
 
-/// What to start.
-pub(crate) struct Start {
-    /// The behaviour.
-    pub(crate) behaviour: Id,
-    /// Its revision.
-    pub(crate) revision: u64,
-    /// The behaviour at that revision, with its helpers.
-    pub(crate) file: Arc<BehaviourFile>,
-    /// Whether it is recorded.
-    pub(crate) record: bool,
-    /// Who starts it.
-    pub(crate) by: String,
-}
-
-/// Whether a run began, or why not.
-type Begun = Result<RunState, String>;
-
-/// Ends the robot's thread with the last clone.
-struct Owner {
-    house: Arc<House>,
-    thread: Mutex<Option<JoinHandle<()>>>,
-    limits: fn() -> Limits,
+struct Fleet {
+    /// Oldest first, never empty; locked only for moments.
+    hosts: Mutex<Vec<Host>>,
+    board: Arc<Board>,
     recordings: Recordings,
+    data: Option<PathBuf>,
+    /// Who is there after a restart; one change at a time.
+    register: Mutex<Register>,
 }
 
 impl Robots {
-    /// A simulated NAO in its room, on a thread of its own.
+    /// The robots that are kept in a data folder, at first one simulated NAO whose noise has this seed. Without a folder
+    /// those that are added last as long as the server.
     ///
     /// # Errors
-    /// If the thread cannot be made.
-    pub(crate) fn simulated(seed: u64, recordings: Recordings, order: Order) -> std::io::Result<Self> {
-        let (name, health) = (simulated::NAME.into(), Health::Ready);
-        let state = RobotState { name, kind: "nao".into(), health, devices: Vec::new() };
-        Self::with(state, Box::new(move || Box::new(simulated::nao(seed))), Limits::default, recordings, order)
+    /// If a thread cannot be made.
+    pub(crate) fn within(data: Option<&Path>, seed: u64, recordings: Recordings) -> std::io::Result<Self> {
+        let (register, board) = (Register::within(data, seed), Arc::new(Board::default()));
+        let known = register.known().to_vec();
+        let (data, register) = (data.map(Path::to_owned), Mutex::new(register));
+        let fleet = Fleet { hosts: Mutex::default(), board, recordings, data, register };
+        let hosts: std::io::Result<_> = known.iter().map(|known| fleet.host(known)).collect();
+        *lock(&fleet.hosts) = hosts?;
+        Ok(Self { fleet: Arc::new(fleet) })
     }
 
-    /// Any robot, with these limits for procedures.
-    fn with(
-        state: RobotState,
-        make: Make,
-        limits: fn() -> Limits,
-        recordings: Recordings,
-        order: Order,
-    ) -> std::io::Result<Self> {
-        let house = Arc::new(House::new(state, order));
-        let shared = house.clone();
-        let thread = std::thread::Builder::new().name("robot".into()).spawn(move || keeper::keep(&shared, &make))?;
-        Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits, recordings }) })
-    }
-
-    /// Starts a behaviour; one that runs already is replaced as soon as the new one is ready.
+    /// Adds a simulated robot; asked twice with the same id, it adds one.
     ///
     /// # Errors
-    /// Why it cannot start.
-    pub(crate) async fn start(&self, start: Start) -> Result<RunState, String> {
-        let gate = Arc::new(Gate::default());
-        let answer = self.launch(start, gate.clone())?;
-        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answer).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
-            Err(_) => {
-                gate.close();
-                Err("it took too long to prepare".to_owned())
-            }
+    /// Why there cannot be another one. Waits for the disk.
+    pub(crate) fn add(&self, robot: &Id, name: &str) -> Result<(), SaidNo> {
+        let fleet = &self.fleet;
+        let mut register = lock(&fleet.register);
+        if register.known().iter().any(|known| known.robot == *robot) {
+            return Ok(());
         }
-    }
-
-    fn launch(&self, start: Start, gate: Arc<Gate>) -> Result<oneshot::Receiver<Begun>, String> {
-        let house = self.house().clone();
-        let busy = || "too many behaviours run already; stop one first".to_owned();
-        if house.threads() >= THREADS_MAX {
-            return Err(busy());
+        let known = register.newcomer(robot, name).map_err(SaidNo::RobotNotAdded)?;
+        if register.known().len() >= ROBOTS_MAX {
+            let full = format!("there are {ROBOTS_MAX} already; remove one first");
+            return Err(SaidNo::RobotNotAdded(full));
         }
-        let run = lock(&house.book).announce(&start.behaviour, &gate).ok_or_else(busy)?;
-        let job = self.job(run, start, gate);
-        let (answer, answered) = oneshot::channel();
-        self.thread(job, move |job| runner::run(job, answer)).inspect_err(|_| lock(&house.book).withdraw(run))?;
-        Ok(answered)
-    }
-
-    fn job(&self, run: u64, start: Start, gate: Arc<Gate>) -> Job {
-        let (house, recordings) = (self.house().clone(), self.owner.recordings.clone());
-        Job { run, start, gate, house, recordings, limits: self.owner.limits }
-    }
-
-    /// A thread for a run.
-    fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), String> {
-        let house = self.house().clone();
-        house.threads.fetch_add(1, Ordering::SeqCst);
-        let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
-        let spawned = thread.spawn(move || {
-            work(&job);
-            job.house.threads.fetch_sub(1, Ordering::SeqCst);
-        });
-        spawned.map(drop).map_err(|error| {
-            house.threads.fetch_sub(1, Ordering::SeqCst);
-            format!("there is no room for another run ({error})")
-        })
-    }
-
-    /// Lets the running behaviour go on with what `start` has, between two instants; what did not change keeps its
-    /// memory. If it cannot, what runs goes on as it is.
-    ///
-    /// # Errors
-    /// Why it was not applied.
-    pub(crate) async fn apply(&self, start: Start) -> Result<RunState, String> {
-        let answered = self.launch_successor(start)?;
-        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
-            Err(_) => Err("it takes very long; look in a moment which revision runs".to_owned()),
-        }
-    }
-
-    fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, String> {
-        let before = lock(&self.house().book).running_of(&start.behaviour).cloned();
-        let before = before.ok_or("it does not run any more")?;
-        if self.house().threads() >= THREADS_MAX {
-            return Err("too many behaviours run already; stop one first".to_owned());
-        }
-        if !before.applying.begin() {
-            return Err("somebody applies a change just now; try again in a moment".to_owned());
-        }
-        let job = self.job(before.state.run, start, before.gate.clone());
-        let (answer, answered) = oneshot::channel();
-        let applying = before.applying.clone();
-        let thread = self.thread(job, move |job| successor::follow(job, &before, answer));
-        thread.inspect_err(|_| applying.end())?;
-        Ok(answered)
-    }
-
-    /// Stops a behaviour, or everything, and lets the robot hold safely. Answers at once, whatever the procedures do;
-    /// true if something ran.
-    pub(crate) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
-        self.house().stop(behaviour, by)
-    }
-
-    /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it.
-    ///
-    /// # Errors
-    /// If the behaviour does not run, or has no such sensor stream.
-    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), SaidNo> {
-        let book = lock(&self.house().book);
-        let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
-        let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
-        entry.mailbox.put(index, Keep::All, value);
+        let unkept = |error: std::io::Error| SaidNo::RobotNotAdded(format!("it could not be kept ({error})"));
+        register.add(known.clone()).map_err(unkept)?;
+        let host = fleet.host(&known).inspect_err(|_| drop(register.remove(robot))).map_err(unkept)?;
+        lock(&fleet.hosts).push(host);
         Ok(())
     }
 
-    /// Puts a behaviour just above another one in the order on the robot, or at the end.
+    /// Removes a robot on which nothing runs.
     ///
     /// # Errors
-    /// If that could not be kept.
-    pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), SaidNo> {
-        self.house().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
-    }
-
-    /// Ends the recording of a running behaviour.
-    ///
-    /// # Errors
-    /// If the behaviour does not run.
-    pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), SaidNo> {
-        let book = lock(&self.house().book);
-        book.running_of(behaviour).ok_or(SaidNo::NotRunning)?.mailbox.end_recording();
+    /// Why it stays. Waits for the disk.
+    pub(crate) fn remove(&self, robot: &Id) -> Result<(), SaidNo> {
+        let mut register = lock(&self.fleet.register);
+        let host = self.host(robot).ok_or(SaidNo::NoRobot)?;
+        if register.known().len() == 1 {
+            return Err(SaidNo::RobotStays("it is the only one".to_owned()));
+        }
+        if !host.is_idle() {
+            return Err(SaidNo::RobotStays("something runs on it; press Stop first".to_owned()));
+        }
+        register.remove(robot).map_err(|error| SaidNo::RobotStays(format!("that could not be kept ({error})")))?;
+        lock(&self.fleet.hosts).retain(|known| known.id() != robot);
+        host.leave();
         Ok(())
     }
 
-    /// Moves something in the room.
-    pub(crate) fn edit_scene(&self, edit: SceneEdit) {
-        self.house().desk.edit(edit);
+    /// The robot that is meant: the first one if none is named.
+    ///
+    /// # Errors
+    /// If there is no such robot.
+    pub(crate) fn meant(&self, robot: Option<&Id>) -> Result<Host, SaidNo> {
+        let hosts = lock(&self.fleet.hosts);
+        let is_meant = |host: &&Host| robot.is_none_or(|robot| host.id() == robot);
+        hosts.iter().find(is_meant).cloned().ok_or(SaidNo::NoRobot)
     }
 
-    /// The robot in its room: the newest picture, about 30 a second while anything changes.
-    pub(crate) fn scene(&self) -> watch::Receiver<Arc<Scene>> {
-        self.house().scene.subscribe()
+    /// The robots on which a behaviour runs, or only the named one of them.
+    ///
+    /// # Errors
+    /// If it runs nowhere there.
+    pub(crate) fn running(&self, behaviour: &Id, robot: Option<&Id>) -> Result<Vec<Host>, SaidNo> {
+        let is_meant = |host: &Host| robot.is_none_or(|robot| host.id() == robot) && host.is_running(behaviour);
+        let hosts: Vec<_> = self.hosts().into_iter().filter(is_meant).collect();
+        if hosts.is_empty() { Err(SaidNo::NotRunning) } else { Ok(hosts) }
+    }
+
+    /// Stops a behaviour, or everything, on one robot or on all of them, and lets them hold safely. A robot that is not
+    /// there any more means all: better too much than too little. Answers at once; true if something ran.
+    pub(crate) fn stop(&self, behaviour: Option<&Id>, robot: Option<&Id>, by: &str) -> bool {
+        let hosts = self.hosts();
+        let one = robot.and_then(|robot| hosts.iter().find(|host| host.id() == robot));
+        let meant = one.map_or(&hosts[..], std::slice::from_ref);
+        meant.iter().filter(|host| host.stop(behaviour, by)).count() > 0
+    }
+
+    /// Gives a value to a sensor stream of a running behaviour, as if a robot had sensed it.
+    ///
+    /// # Errors
+    /// If the behaviour does not run there, or has no such sensor stream.
+    pub(crate) fn stimulate(
+        &self,
+        behaviour: &Id,
+        robot: Option<&Id>,
+        stream: &Id,
+        value: &Value,
+    ) -> Result<(), SaidNo> {
+        let hosts = self.running(behaviour, robot)?;
+        hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone()))
+    }
+
+    /// Ends the recordings of a running behaviour.
+    ///
+    /// # Errors
+    /// If the behaviour does not run there.
+    pub(crate) fn end_recording(&self, behaviour: &Id, robot: Option<&Id>) -> Result<(), SaidNo> {
+        let hosts = self.running(behaviour, robot)?;
+        hosts.iter().try_for_each(|host| host.end_recording(behaviour))
+    }
+
+    /// Moves something in a robot's room.
+    pub(crate) fn edit_scene(&self, robot: Option<&Id>, edit: SceneEdit) {
+        if let Ok(host) = self.meant(robot) {
+            host.edit_scene(edit);
+        }
+    }
+
+    /// Pictures of a robot in its room, as messages: of the first one if the named one is not there.
+    pub(crate) fn pictures(&self, robot: Option<&Id>) -> Option<watch::Receiver<Utf8Bytes>> {
+        let host = self.meant(robot).or_else(|_| self.meant(None)).ok()?;
+        Some(host.pictures().subscribe())
     }
 
     /// What runs and what ended lately, oldest first.
     pub(crate) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
-        self.house().runs()
+        self.fleet.board.runs()
     }
 
-    /// The robot's state.
-    pub(crate) fn state(&self) -> watch::Receiver<Arc<RobotState>> {
-        self.house().state.subscribe()
+    /// The robots, oldest first.
+    pub(crate) fn states(&self) -> watch::Receiver<Arc<Vec<RobotState>>> {
+        self.fleet.board.robots()
     }
 
     /// The live values of a run, also of one that ended lately.
     pub(crate) fn values(&self, run: u64) -> Option<LiveValues> {
-        lock(&self.house().book).get(run).map(|entry| entry.live.clone())
+        self.hosts().iter().find_map(|host| host.values(run))
     }
 
-    /// Whether a behaviour runs.
+    /// Whether a behaviour runs on any robot.
     pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
-        lock(&self.house().book).running_of(behaviour).is_some()
+        self.hosts().iter().any(|host| host.is_running(behaviour))
     }
 
-    /// Stops everything and ends the threads; waits at most two seconds.
+    /// Stops everything and ends the threads; waits for all of them together about two seconds at most.
     pub(crate) fn shut_down(&self) {
-        self.stop(None, "the server");
-        self.house().desk.end();
-        let until = Instant::now() + Duration::from_millis(SHUT_DOWN_MAX_MS);
-        let thread = lock(&self.owner.thread).take();
-        let is_working = || self.house().threads() > 0 || thread.as_ref().is_some_and(|thread| !thread.is_finished());
-        while is_working() && Instant::now() < until {
-            std::thread::sleep(Duration::from_millis(5));
-        }
-        // A thread that did not notice in time is left to the end of the process.
-        if let Some(thread) = thread.filter(JoinHandle::is_finished) {
-            drop(thread.join());
-        }
+        let hosts = self.hosts();
+        hosts.iter().for_each(Host::end);
+        hosts.iter().for_each(Host::shut_down);
     }
 
-    fn house(&self) -> &Arc<House> {
-        &self.owner.house
+    /// All of them, oldest first.
+    pub(crate) fn hosts(&self) -> Vec<Host> {
+        lock(&self.fleet.hosts).clone()
+    }
+
+    fn host(&self, robot: &Id) -> Option<Host> {
+        lock(&self.fleet.hosts).iter().find(|host| host.id() == robot).cloned()
     }
 }
 
-impl Drop for Owner {
-    fn drop(&mut self) {
-        self.house.stop(None, "the server");
-        self.house.desk.end();
+impl Fleet {
+    /// A robot of the register, on a thread of its own.
+    fn host(&self, known: &Known) -> std::io::Result<Host> {
+        let (robot, name, kind) = (known.robot.clone(), known.name.clone(), "nao".to_owned());
+        let state = RobotState { robot, name, kind, health: Health::Connecting, devices: Vec::new() };
+        let (order, seed) = (Order::within(self.data.as_deref(), &known.robot), known.seed);
+        let make: keeper::Make = Box::new(move || Box::new(simulated::nao(seed)));
+        Host::new(state, self.board.clone(), make, Limits::default, self.recordings.clone(), order)
     }
 }

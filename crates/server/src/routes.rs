@@ -98,15 +98,16 @@ async fn socket(State(porch): State<Porch>, upgrade: WebSocketUpgrade) -> Respon
     })
 }
 
-#[derive(Deserialize)]
+#[derive(Default, Deserialize)]
 struct Which {
     behaviour: Option<Id>,
+    robot: Option<Id>,
 }
 
 /// Passes nothing that could wait. An id that is none stops everything: better too much than too little.
 async fn stop(State(porch): State<Porch>, which: Result<Query<Which>, QueryRejection>) -> Response {
-    let behaviour = which.ok().and_then(|Query(which)| which.behaviour);
-    start::stop(&porch.hub, behaviour.as_ref(), "the Stop button");
+    let which = which.map(|Query(which)| which).unwrap_or_default();
+    start::stop(&porch.hub, which.behaviour.as_ref(), which.robot.as_ref(), "the Stop button");
     Json(serde_json::json!({ "stopped": true })).into_response()
 }
 

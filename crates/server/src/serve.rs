@@ -11,7 +11,7 @@ use crate::patience::patiently;
 use crate::pictures::Pictures;
 use crate::programs::Programs;
 use crate::recordings::Recordings;
-use crate::robots::{Order, Robots};
+use crate::robots::Robots;
 use crate::rooms::Rooms;
 use crate::topics::{self, Topics};
 use crate::{accept, bin, routes};
@@ -21,7 +21,6 @@ use std::future::Future;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::AtomicU64;
 use std::time::Duration;
 use store::{Append, Store, StoreError};
 use tokio::net::TcpListener;
@@ -41,9 +40,10 @@ pub struct Config {
     pub listen: SocketAddr,
     /// The address of its store: a folder for the embedded one, or what [`store::open_url`] knows.
     pub store: String,
-    /// The folder for recordings and the order on the robot; without one nothing can be recorded.
+    /// The folder for recordings, the robots and the orders on them; without one nothing can be recorded, and robots that
+    /// are added last as long as the server.
     pub data: Option<PathBuf>,
-    /// The seed of the simulated robot's noise.
+    /// The seed of the first simulated robot's noise.
     pub seed: u64,
 }
 
@@ -151,8 +151,7 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeE
     let epoch = patiently(url, || Box::pin(bounded(store.next_epoch()))).await?;
     let shelf = patiently(url, || Box::pin(shelf(&*store, &library))).await?;
     let recordings = Recordings::within(config.data.as_deref());
-    let order = Order::within(config.data.as_deref());
-    let robots = Robots::simulated(config.seed, recordings.clone(), order).map_err(ServeError::Thread)?;
+    let robots = Robots::within(config.data.as_deref(), config.seed, recordings.clone()).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
         store,
@@ -169,7 +168,6 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeE
         programs: Programs::default(),
         pictures: Pictures::default(),
         creating: tokio::sync::Mutex::new(()),
-        stops: AtomicU64::new(0),
         sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),
         tasks: TaskTracker::new(),
         stopping: CancellationToken::new(),
@@ -189,13 +187,13 @@ async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, StoreError> {
     Ok(loaded.map(|loaded| Shelf { behaviour: loaded.behaviour, revision: loaded.revision }).unwrap_or_default())
 }
 
-/// The robot first, then writing, then the connections.
+/// The robots first, then writing, then the connections.
 async fn end(hub: &Arc<Hub>, closing: &CancellationToken, connections: &TaskTracker) {
-    tracing::info!("the server ends: the robot stops first");
-    crate::start::stop(hub, None, "the server's end");
+    tracing::info!("the server ends: the robots stop first");
+    crate::start::stop(hub, None, None, "the server's end");
     let robots = hub.robots.clone();
     if let Err(error) = tokio::task::spawn_blocking(move || robots.shut_down()).await {
-        tracing::error!(%error, "the robot did not end in order");
+        tracing::error!(%error, "the robots did not end in order");
     }
     hub.stopping.cancel();
     hub.tasks.close();

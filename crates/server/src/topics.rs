@@ -1,10 +1,13 @@
-//! What every client is told, newest wins: the scene, the robot and the runs, each made into text once for all.
+//! What every client is told, newest wins: the robots, their rooms and the runs, each made into text once for all.
 
 use crate::hub::Hub;
 use crate::outbox::encode;
 use crate::robots::Robots;
 use axum::extract::ws::Utf8Bytes;
-use protocol::{Reply, RunState, UPDATES_PER_SECOND_MAX};
+use behaviour::Id;
+use protocol::{Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
+use robot::Scene;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::watch;
@@ -16,10 +19,8 @@ pub(crate) const BEAT_MS: u64 = 1_000 / UPDATES_PER_SECOND_MAX + 1;
 
 /// The newest of every topic, as messages.
 pub(crate) struct Topics {
-    /// The robot in its room.
-    pub(crate) scene: watch::Sender<Utf8Bytes>,
-    /// The robot's link.
-    pub(crate) robot: watch::Sender<Utf8Bytes>,
+    /// The robots and their links.
+    pub(crate) robots: watch::Sender<Utf8Bytes>,
     /// What runs.
     pub(crate) runs: watch::Sender<Utf8Bytes>,
     /// What runs, for looking up values.
@@ -29,36 +30,27 @@ pub(crate) struct Topics {
 impl Topics {
     /// The topics as they are now.
     pub(crate) fn of(robots: &Robots) -> Self {
-        Self {
-            scene: watch::Sender::new(scene(&robots.scene())),
-            robot: watch::Sender::new(robot(&robots.state())),
-            runs: watch::Sender::new(runs(&robots.runs())),
-            states: robots.runs(),
-        }
+        let states = robots.runs();
+        let runs = runs_text(&states.borrow());
+        let robots = robots_text(&robots.states().borrow());
+        Self { robots: watch::Sender::new(robots), runs: watch::Sender::new(runs), states }
     }
 }
 
-fn scene(newest: &watch::Receiver<Arc<robot::Scene>>) -> Utf8Bytes {
-    let scene = Arc::clone(&newest.borrow());
-    encode(None, Reply::Scene { scene: Box::new((*scene).clone()) })
+fn robots_text(newest: &[RobotState]) -> Utf8Bytes {
+    encode(None, Reply::Robots { robots: newest.to_vec() })
 }
 
-fn robot(newest: &watch::Receiver<Arc<protocol::RobotState>>) -> Utf8Bytes {
-    let robot = Arc::clone(&newest.borrow());
-    encode(None, Reply::Robot { robot: (*robot).clone() })
-}
-
-fn runs(newest: &watch::Receiver<Arc<Vec<RunState>>>) -> Utf8Bytes {
-    let runs = Arc::clone(&newest.borrow());
-    encode(None, Reply::Runs { runs: (*runs).clone() })
+fn runs_text(newest: &[RunState]) -> Utf8Bytes {
+    encode(None, Reply::Runs { runs: newest.to_vec() })
 }
 
 /// Keeps the topics new until the server ends.
 pub(crate) fn keep(hub: &Arc<Hub>) {
     let topics = &hub.topics;
-    follow(hub, hub.robots.scene(), topics.scene.clone(), scene);
-    follow(hub, hub.robots.state(), topics.robot.clone(), robot);
-    follow(hub, hub.robots.runs(), topics.runs.clone(), runs);
+    follow(hub, hub.robots.states(), topics.robots.clone(), |robots| robots_text(robots));
+    follow(hub, hub.robots.runs(), topics.runs.clone(), |runs| runs_text(runs));
+    hub.tasks.spawn(keep_pictures(Arc::clone(hub)));
     let hub = Arc::clone(hub);
     hub.clone().tasks.spawn(async move {
         let mut beat = tokio::time::interval(Duration::from_millis(LIST_MS));
@@ -68,20 +60,44 @@ pub(crate) fn keep(hub: &Arc<Hub>) {
     });
 }
 
+/// Keeps the pictures of all robots new, also of those that come later.
+async fn keep_pictures(hub: Arc<Hub>) {
+    let (mut robots, mut known) = (hub.robots.states(), BTreeSet::new());
+    loop {
+        robots.borrow_and_update();
+        let hosts = hub.robots.hosts();
+        known.retain(|robot| hosts.iter().any(|host| host.id() == robot));
+        for host in hosts {
+            let robot = host.id().clone();
+            if known.insert(robot.clone()) {
+                let text = move |scene: &Scene| picture_text(&robot, scene);
+                follow(&hub, host.scene(), host.pictures().clone(), text);
+            }
+        }
+        if !matches!(hub.stopping.run_until_cancelled(robots.changed()).await, Some(Ok(()))) {
+            return;
+        }
+    }
+}
+
+fn picture_text(robot: &Id, newest: &Scene) -> Utf8Bytes {
+    encode(None, Reply::Scene { robot: robot.clone(), scene: Box::new(newest.clone()) })
+}
+
 /// Makes each newest value into a message, at most so often.
 fn follow<T: Send + Sync + 'static>(
     hub: &Arc<Hub>,
-    mut newest: watch::Receiver<T>,
+    mut newest: watch::Receiver<Arc<T>>,
     topic: watch::Sender<Utf8Bytes>,
-    text: fn(&watch::Receiver<T>) -> Utf8Bytes,
+    text: impl Fn(&T) -> Utf8Bytes + Send + 'static,
 ) {
     let stopping = hub.stopping.clone();
     // It may have changed since the first text was made.
     newest.mark_changed();
     hub.tasks.spawn(async move {
         while let Some(Ok(())) = stopping.run_until_cancelled(newest.changed()).await {
-            newest.borrow_and_update();
-            topic.send_replace(text(&newest));
+            let value = Arc::clone(&newest.borrow_and_update());
+            topic.send_replace(text(&value));
             tokio::time::sleep(Duration::from_millis(BEAT_MS)).await;
         }
     });

@@ -165,17 +165,38 @@ impl Client {
         self.link.mirrors().open.clone()
     }
 
-    /// The robot as it is now; what was told before the server first tells of it is dropped.
+    /// The robots as they are now, oldest first.
     ///
     /// # Errors
-    /// If the link ends, or the server does not tell of a robot within 20 s.
-    pub async fn robot(&mut self) -> Result<RobotState, Trouble> {
-        let known = |link: &Link| link.mirrors().robot.clone().filter(|robot| !robot.devices.is_empty());
-        if let Some(robot) = known(&self.link) {
-            return Ok(robot);
+    /// If the link ends, or the server does not tell of its robots within 20 s.
+    pub async fn robots(&mut self) -> Result<Vec<RobotState>, Trouble> {
+        self.robots_that(|robots| !robots.is_empty()).await
+    }
+
+    /// A robot, or the first one, once it has said which devices it has. What was told before is dropped.
+    ///
+    /// # Errors
+    /// If the link ends, or it does not say so within 20 s.
+    pub async fn robot(&mut self, robot: Option<&Id>) -> Result<RobotState, Trouble> {
+        let find = |robots: &[RobotState]| {
+            let is_meant = |known: &&RobotState| robot.is_none_or(|robot| known.robot == *robot);
+            robots.iter().find(is_meant).filter(|robot| !robot.devices.is_empty()).cloned()
+        };
+        let robots = self.robots_that(|robots| find(robots).is_some()).await?;
+        find(&robots).ok_or(Trouble::No(SaidNo::NoRobot))
+    }
+
+    /// The robots as soon as they are so.
+    pub(crate) async fn robots_that(
+        &mut self,
+        wanted: impl Fn(&[RobotState]) -> bool,
+    ) -> Result<Vec<RobotState>, Trouble> {
+        let known = self.link.mirrors().robots.clone();
+        if wanted(&known) {
+            return Ok(known);
         }
-        match self.until(|reply| matches!(reply, Reply::Robot { robot } if !robot.devices.is_empty())).await? {
-            Reply::Robot { robot } => Ok(robot),
+        match self.until(|reply| matches!(reply, Reply::Robots { robots } if wanted(robots))).await? {
+            Reply::Robots { robots } => Ok(robots),
             _ => Err(self.ended()),
         }
     }

@@ -1,5 +1,6 @@
 //! What can be typed: one file a command, with its name, words, help and code. To add one, add a file and its word.
 
+mod add_robot;
 mod apply;
 mod below;
 mod can_run;
@@ -15,18 +16,21 @@ mod order;
 mod record;
 mod recordings;
 mod remove_recording;
+mod remove_robot;
 mod show_commands;
 mod show_in_ops;
 mod show_in_streams;
 mod show_out_ops;
 mod show_out_streams;
 mod show_programs;
+mod show_robots;
 mod show_start_streams;
 mod show_streams;
 mod similar;
 mod start;
 mod stimulate;
 mod stop;
+mod use_robot;
 mod watch;
 mod where_used;
 
@@ -53,6 +57,10 @@ pub(crate) const ALL: &[&Command] = &[
     &stop::COMMAND,
     &apply::COMMAND,
     &order::COMMAND,
+    &show_robots::COMMAND,
+    &use_robot::COMMAND,
+    &add_robot::COMMAND,
+    &remove_robot::COMMAND,
     &record::COMMAND,
     &recordings::COMMAND,
     &remove_recording::COMMAND,

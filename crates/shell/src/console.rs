@@ -3,7 +3,7 @@
 use crate::commands;
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
-use protocol::{ListQuery, Reply, Request, RunPhase, RunState, Summary};
+use protocol::{ListQuery, Reply, Request, RobotState, RunPhase, RunState, Summary};
 use std::io::Write;
 
 /// Programs that completion knows: those that were changed last.
@@ -17,6 +17,8 @@ pub struct Console {
     pub(crate) client: Option<Client>,
     /// The loaded stream.
     pub(crate) stream: Option<Id>,
+    /// The robot in use, if one was chosen.
+    pub(crate) robot: Option<Id>,
     /// Whether starts are recorded.
     pub(crate) records: bool,
     /// True once exit was typed.
@@ -28,7 +30,7 @@ impl Console {
     /// A console that answers to `out`, not connected yet.
     #[must_use]
     pub fn new(out: Box<dyn Write + Send>) -> Self {
-        Self { client: None, stream: None, records: false, done: false, out }
+        Self { client: None, stream: None, robot: None, records: false, done: false, out }
     }
 
     /// True once exit was typed.
@@ -75,13 +77,34 @@ impl Console {
         self.client()?.programs(query, most).await.map_err(|trouble| trouble.to_string())
     }
 
-    /// What runs now, from the top of the order on the robot.
+    /// The robots, oldest first.
+    pub(crate) async fn robots(&mut self) -> Result<Vec<RobotState>, String> {
+        self.client()?.robots().await.map_err(|trouble| trouble.to_string())
+    }
+
+    /// The robot of that name.
+    pub(crate) async fn robot_meant(&mut self, wanted: &str) -> Result<(String, Id), String> {
+        let robots = self.robots().await?;
+        let all: Vec<_> = robots.into_iter().map(|robot| (robot.name, robot.robot)).collect();
+        crate::find::find("robot", wanted, &all)
+    }
+
+    /// What runs on the robot in use, or on all robots, each from the top of its order.
     pub(crate) async fn running(&mut self) -> Result<Vec<RunState>, String> {
+        let mut running = self.all_running().await?;
+        running.retain(|run| self.robot.as_ref().is_none_or(|robot| run.robot == *robot));
+        Ok(running)
+    }
+
+    /// What runs on all robots, each from the top of its order.
+    pub(crate) async fn all_running(&mut self) -> Result<Vec<RunState>, String> {
+        let robots = self.robots().await?;
         let Reply::Runs { mut runs } = self.ask(Request::Runs).await? else {
             return Err("The server did not say what runs. Try again.".to_owned());
         };
         runs.retain(|run| run.phase == RunPhase::Running);
-        runs.sort_by_key(|run| run.place);
+        let at = |run: &RunState| robots.iter().position(|robot| robot.robot == run.robot);
+        runs.sort_by_key(|run| (at(run), run.place));
         Ok(runs)
     }
 

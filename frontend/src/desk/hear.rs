@@ -46,12 +46,15 @@ impl Desk {
             Reply::People { behaviour, people } if self.is_open(&behaviour) => set_if_new(&self.people, people),
             Reply::Removed { behaviour, by } => self.removed(&behaviour, &by),
             Reply::Store { away } => self.hear_store(away),
-            Reply::Robot { robot } => set_if_new(&self.robot, robot),
+            Reply::Robots { robots } => self.hear_robots(robots),
             Reply::Runs { runs } => self.hear_runs(runs),
             Reply::Values { values } => self.hear_values(*values),
-            Reply::Scene { scene } => set_if_new(&self.scene, *scene),
+            Reply::Scene { robot, scene } if self.robot_id().as_ref() == Some(&robot) => {
+                set_if_new(&self.scene, *scene);
+            }
             Reply::Ping { behaviour, library_revision } => self.hear_ping(behaviour, library_revision),
-            Reply::Problems { .. }
+            Reply::Scene { .. }
+            | Reply::Problems { .. }
             | Reply::People { .. }
             | Reply::Programs { .. }
             | Reply::Pictures { .. }
@@ -74,6 +77,8 @@ impl Desk {
             let mut state = self.state();
             state.library = library;
             state.library_revision = library_revision;
+            // The server begins with the first robot.
+            state.watched = None;
             state.wanted.clone()
         };
         self.refresh_library();

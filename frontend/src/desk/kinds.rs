@@ -69,6 +69,10 @@ pub(crate) enum Dialog {
     Stimulate(Id),
     /// All problems.
     Problems,
+    /// Adding a simulated robot.
+    AddRobot,
+    /// Removing the robot that this tab looks at.
+    RemoveRobot,
     /// What others see as one's name.
     MyName,
     /// Keys and gestures.

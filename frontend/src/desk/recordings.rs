@@ -8,7 +8,8 @@ impl Desk {
     /// Ends the recording of the open behaviour, which runs on.
     pub(crate) fn end_recording(&self) {
         if let Some(behaviour) = self.open.get_untracked() {
-            self.ask_or_say(Request::EndRecording { behaviour }, |_| {});
+            let robot = self.robot_id();
+            self.ask_or_say(Request::EndRecording { behaviour, robot }, |_| {});
         }
     }
 

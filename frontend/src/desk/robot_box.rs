@@ -53,7 +53,8 @@ impl Desk {
         let Some(behaviour) = self.open.get_untracked() else { return };
         match now {
             Some(Wish::Start) => {
-                self.ask_or_say(Request::Start { behaviour, record: self.records.get_untracked() }, |_| {})
+                let (robot, record) = (self.robot_id(), self.records.get_untracked());
+                self.ask_or_say(Request::Start { behaviour, robot, record }, |_| {})
             }
             Some(Wish::Apply) => self.ask_to_apply(behaviour),
             None => {}
@@ -63,19 +64,21 @@ impl Desk {
     fn ask_to_apply(&self, behaviour: Id) {
         let (desk, revision) = (self.clone(), self.revision.get_untracked());
         let on_yes = move |_: &Reply| desk.say(&crate::words::applied(revision), false);
-        self.ask_or_say(Request::Apply { behaviour }, on_yes);
+        let robot = self.robot_id();
+        self.ask_or_say(Request::Apply { behaviour, robot }, on_yes);
     }
 
     /// Sends a value to a sensor stream of the running behaviour as if the robot had sensed it.
     pub(crate) fn stimulate(&self, stream: &Id, value: Value) {
         if let Some(behaviour) = self.open.get_untracked() {
-            self.ask_or_say(Request::Stimulate { behaviour, stream: stream.clone(), value }, |_| {});
+            let robot = self.robot_id();
+            self.ask_or_say(Request::Stimulate { behaviour, robot, stream: stream.clone(), value }, |_| {});
         }
     }
 
     /// Moves something in the simulated room.
     pub(crate) fn scene_edit(&self, edit: SceneEdit) {
-        link::tell(Request::Scene { edit });
+        link::tell(Request::Scene { robot: self.robot_id(), edit });
     }
 
     /// Whether a procedure can run, and what it makes of at most 8 sets of values. Not answered while offline.

@@ -2,13 +2,12 @@
 
 use super::Desk;
 use behaviour::Id;
-use leptos::prelude::*;
 use protocol::{Request, RunPhase, RunState};
 
 impl Desk {
-    /// Everything that runs, from the top of the order. Reactive.
+    /// Everything that runs on the robot that this tab looks at, from the top of the order. Reactive.
     pub(crate) fn all_running(&self) -> Vec<RunState> {
-        let mut running = self.runs.get();
+        let mut running = self.runs_here();
         running.retain(|run| run.phase == RunPhase::Running);
         running.sort_by_key(|run| run.place);
         running
@@ -16,7 +15,8 @@ impl Desk {
 
     /// Puts a running behaviour just above another one, or at the end.
     pub(crate) fn place(&self, behaviour: &Id, above: Option<Id>) {
-        self.ask_or_say(Request::Place { behaviour: behaviour.clone(), above }, |_| {});
+        let robot = self.robot_id();
+        self.ask_or_say(Request::Place { behaviour: behaviour.clone(), robot, above }, |_| {});
     }
 
     /// Puts one in the place of another one of the list: from above it comes to stand below that one.
@@ -31,6 +31,7 @@ impl Desk {
 
     /// Stops one behaviour; the others run on.
     pub(crate) fn stop_one(&self, behaviour: &Id) {
-        self.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()) }, |_| {});
+        let robot = self.robot_id();
+        self.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()), robot }, |_| {});
     }
 }

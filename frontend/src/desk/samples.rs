@@ -16,7 +16,13 @@ impl Desk {
         }
     }
 
+    /// Values still under way from a robot that this tab does not look at any more are dropped.
     pub(super) fn hear_values(&self, values: Values) {
+        let here = self.robot_id();
+        let elsewhere = |run: &RunState| run.run == values.run && Some(&run.robot) != here.as_ref();
+        if self.runs.with_untracked(|runs| runs.iter().any(elsewhere)) {
+            return;
+        }
         self.belong_to(values.run);
         let now = browser::now_ms();
         values.streams.into_iter().for_each(|sample| self.hear_stream(sample, now));
@@ -26,6 +32,11 @@ impl Desk {
             let desk = self.clone();
             browser::after(LIT_MS + 10, move || desk.dim(&fired));
         }
+    }
+
+    /// Begins anew with the run of the open program on the robot that this tab looks at.
+    pub(super) fn values_of_open(&self) {
+        self.belong_to(self.run_of_open().map_or(0, |run| run.run));
     }
 
     /// Values of an earlier run are forgotten when another one begins.

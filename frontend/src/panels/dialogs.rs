@@ -40,6 +40,8 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::AddProgram => view! { <names::AddProgram /> }.into_any(),
         Dialog::RemoveProgram => view! { <names::RemoveProgram /> }.into_any(),
         Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),
+        Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
+        Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
         Dialog::Problems => view! { <other::AllProblems /> }.into_any(),

@@ -99,7 +99,7 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
         let desk = desk.desk();
         desk.revision.track();
         desk.stream_ids.track();
-        let robot = desk.robot.get();
+        let robot = desk.robot.get()?;
         let is_known = !robot.devices.is_empty() && !desk.stream_ids.read().is_empty();
         is_known.then(|| robot::missing(&desk.behaviour(), &robot.devices))
     });
@@ -120,7 +120,7 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
     let said = move || {
         let missing = missing.get()?;
         if missing.is_empty() {
-            let name = desk.desk().robot.read().name.clone();
+            let name = desk.desk().robot_name();
             return Some(view! { <p class="faint">{words::has_all(&name)}</p> }.into_any());
         }
         Some(view! { <ul class="big-list">{missing.into_iter().map(line).collect_view()}</ul> }.into_any())

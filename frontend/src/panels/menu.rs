@@ -9,8 +9,14 @@ use web_sys::{HtmlElement, KeyboardEvent, Node};
 /// A button with a menu.
 #[component]
 pub(crate) fn Menu(
-    #[prop(into)] label: String,
+    #[prop(into)] label: Signal<String>,
+    /// What the button shows, if that is less than its label.
+    #[prop(optional)]
+    word: Option<Signal<String>>,
     icon: &'static str,
+    /// Not in a toolbar whose arrow keys lead to it.
+    #[prop(optional)]
+    alone: bool,
     /// Shown without its word.
     #[prop(optional)]
     icon_only: bool,
@@ -36,28 +42,28 @@ pub(crate) fn Menu(
         }
     });
     let keys = move |event: KeyboardEvent| menu_keys(&event, open, root, button);
-    let label_now = label.clone();
+    let shown = word.unwrap_or(label);
     view! {
         <div class=format!("menu-root {class}") node_ref=root on:keydown=keys>
             <button
                 class="tool"
                 class:icon=icon_only
                 type="button"
-                data-stop=""
-                tabindex="-1"
+                data-stop=(!alone).then_some("")
+                tabindex=if alone { "0" } else { "-1" }
                 node_ref=button
-                title=label.clone()
-                aria-label=label.clone()
+                title=label
+                aria-label=label
                 aria-haspopup="menu"
                 aria-expanded=move || open.get().to_string()
                 disabled=move || disabled.is_some_and(|disabled| disabled.get())
                 on:click=move |_| open.update(|open| *open = !*open)
             >
                 <Icon name=icon />
-                {(!icon_only).then(|| view! { <span class="tool-word">{label.clone()}</span> })}
+                {(!icon_only).then(|| view! { <span class="tool-word">{shown}</span> })}
             </button>
             <Show when=move || open.get()>
-                <div class="menu" role="menu" aria-label=label_now.clone() on:click=move |_| open.set(false)>
+                <div class="menu" role="menu" aria-label=label on:click=move |_| open.set(false)>
                     {children()}
                 </div>
             </Show>
@@ -73,6 +79,12 @@ pub(crate) fn MenuItem(
     /// Says which kind of stream it makes.
     #[prop(default = "plain")]
     kind: &'static str,
+    /// A robot's lamp in place of the icon.
+    #[prop(optional)]
+    lamp: Option<&'static str>,
+    /// Whether it is the one of several that is chosen now.
+    #[prop(optional)]
+    chosen: Option<bool>,
     /// Small, at the end.
     #[prop(optional, into)]
     note: String,
@@ -80,13 +92,25 @@ pub(crate) fn MenuItem(
     choose: Callback<()>,
 ) -> impl IntoView {
     let title = label.clone();
-    let chosen = move |event: web_sys::MouseEvent| {
+    let press = move |event: web_sys::MouseEvent| {
         give_back(&event);
         choose.run(());
     };
     view! {
-        <button class="menu-item" type="button" role="menuitem" tabindex="-1" title=title disabled=disabled on:click=chosen>
-            <span class=format!("kind {kind}")><Icon name=icon /></span>
+        <button
+            class="menu-item"
+            type="button"
+            role=if chosen.is_some() { "menuitemradio" } else { "menuitem" }
+            aria-checked=chosen.map(|chosen| chosen.to_string())
+            tabindex="-1"
+            title=title
+            disabled=disabled
+            on:click=press
+        >
+            {match lamp {
+                Some(lamp) => view! { <span class="lamp" data-health=lamp aria-hidden="true"></span> }.into_any(),
+                None => view! { <span class=format!("kind {kind}")><Icon name=icon /></span> }.into_any(),
+            }}
             <span class="cut">{label}</span>
             {(!note.is_empty()).then(|| view! { <span class="faint cut">{note}</span> })}
         </button>
@@ -149,7 +173,7 @@ fn menu_keys(
 
 fn step(root: NodeRef<leptos::html::Div>, next: impl Fn(usize, usize) -> usize) {
     let Some(root) = root.get_untracked() else { return };
-    let items = focus::all(&root, "[role='menuitem']:not(:disabled)");
+    let items = focus::all(&root, "[role^='menuitem']:not(:disabled)");
     if items.is_empty() {
         return;
     }

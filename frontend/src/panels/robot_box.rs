@@ -2,6 +2,7 @@
 
 use super::hold::{Hold, hold};
 use super::recordings::{RecordRow, Recordings};
+use super::robots::RobotPicker;
 use super::running::Running;
 use crate::desk::LinkState;
 use crate::icons::Icon;
@@ -28,31 +29,25 @@ pub(crate) fn RobotBox() -> impl IntoView {
 #[component]
 fn Head() -> impl IntoView {
     let desk = hold();
-    let health = move || desk.desk().robot.read().health.clone();
-    let title = move || match health() {
-        Health::Connecting => words::health_connecting().to_owned(),
-        Health::Ready => words::robot_ready().to_owned(),
-        Health::Degraded(why) => format!("{}: {why}", words::health_limited()),
-        Health::Lost(why) => format!("{}: {why}", words::health_lost()),
-        Health::Safe => words::robot_safe().to_owned(),
-    };
-    let name = move || desk.desk().robot.read().name.clone();
+    let health = move || desk.desk().health();
+    let title = move || lamp_words(&health()).1;
     view! {
         <div class="robot-head">
-            <span class="lamp" role="img" data-health=move || lamp(&health()) title=title aria-label=title></span>
+            <span class="lamp" role="img" data-health=move || lamp_words(&health()).0 title=title aria-label=title></span>
             <h2>{words::robot()}</h2>
-            <span class="faint cut" title=name>{name}</span>
+            <RobotPicker />
         </div>
     }
 }
 
-fn lamp(health: &Health) -> &'static str {
+/// The look of the lamp, and what it says.
+pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
     match health {
-        Health::Connecting => "connecting",
-        Health::Ready => "ready",
-        Health::Degraded(_) => "limited",
-        Health::Lost(_) => "lost",
-        Health::Safe => "safe",
+        Health::Connecting => ("connecting", words::health_connecting().to_owned()),
+        Health::Ready => ("ready", words::robot_ready().to_owned()),
+        Health::Degraded(why) => ("limited", format!("{}: {why}", words::health_limited())),
+        Health::Lost(why) => ("lost", format!("{}: {why}", words::health_lost())),
+        Health::Safe => ("safe", words::robot_safe().to_owned()),
     }
 }
 
@@ -90,7 +85,7 @@ fn why_not(desk: Hold) -> Option<String> {
     if desk.online.get() != LinkState::Online {
         return Some(words::starts_when_online().to_owned());
     }
-    if let Health::Lost(why) = &desk.robot.read().health {
+    if let Health::Lost(why) = &desk.health() {
         return Some(words::robot_lost(why.trim_end_matches('.')));
     }
     let problems = desk.problems.get();
@@ -126,7 +121,7 @@ fn last_words(desk: Hold) -> Option<String> {
     if let Some(why) = faulted(desk) {
         return Some(words::ended(&why));
     }
-    let runs = desk.desk().runs.get();
+    let runs = desk.desk().runs_here();
     let other = runs.into_iter().rfind(|run| run.phase == RunPhase::Running);
     other.map(|run| words::other_runs(&run.name))
 }
@@ -134,6 +129,6 @@ fn last_words(desk: Hold) -> Option<String> {
 fn faulted(desk: Hold) -> Option<String> {
     let desk = desk.desk();
     let open = desk.open.get()?;
-    let last: RunState = desk.runs.get().into_iter().rfind(|run| run.behaviour == open)?;
+    let last: RunState = desk.runs_here().into_iter().rfind(|run| run.behaviour == open)?;
     if let RunPhase::Faulted(why) = last.phase { Some(why.trim_end_matches('.').to_owned()) } else { None }
 }

@@ -36,6 +36,11 @@ sentences! {
     // The robot
     right_name: "Robot";
     robot: "Robot";
+    add_robot: "Add a simulated robot";
+    new_robot: "Simulated NAO";
+    add_robot_hint: "It has a room of its own, and everybody here can use it.";
+    remove_robot_says: "Its room and its order go with it. Programs stay.";
+    stop_all_robots: "Stop all robots";
     start: "Start";
     running: "Running";
     apply: "Apply to the running robot";
@@ -191,7 +196,6 @@ sentences! {
     all_of_them: "All programs …";
     unreachable: "The server cannot be reached. This is possible again once you are online.";
     to_the_bin: "It goes to the bin for 30 days. Nobody can edit it there.";
-    remove_running: "It runs on the robot; press Stop first.";
     helper_name: "Name";
     helper_params: "Parameters, with commas between them";
     helper_says: "What it is for, in a sentence";
@@ -278,6 +282,26 @@ pub(crate) fn move_up(name: &str) -> String {
 
 pub(crate) fn move_down(name: &str) -> String {
     format!("Move “{name}” down")
+}
+
+pub(crate) fn robot_named(name: &str) -> String {
+    format!("Robot: {name}")
+}
+
+pub(crate) fn remove_robot(name: &str) -> String {
+    format!("Remove “{name}”")
+}
+
+pub(crate) fn runs_names(names: &str) -> String {
+    format!("runs {names}")
+}
+
+pub(crate) fn robot_gone(gone: &str, now: &str) -> String {
+    format!("“{gone}” is gone. This page looks at “{now}” now.")
+}
+
+pub(crate) fn remove_running(robot: &str) -> String {
+    format!("It runs on “{robot}”; stop it there first.")
 }
 
 pub(crate) fn stop_one(name: &str) -> String {

@@ -17,7 +17,6 @@ pub(super) const RUNNING_MAX_RUNS: usize = 16;
 /// The book; every use of it is short.
 #[derive(Debug, Default)]
 pub(super) struct Book {
-    last_run: u64,
     preparing: BTreeMap<u64, Preparing>,
     runs: BTreeMap<u64, Entry>,
 }
@@ -70,14 +69,18 @@ pub(super) struct Entry {
 }
 
 impl Book {
-    /// Gives a new run its number, or none if too many run already.
-    pub(super) fn announce(&mut self, behaviour: &Id, gate: &Arc<Gate>) -> Option<u64> {
-        if self.preparing.len() + self.running().count() >= RUNNING_MAX_RUNS {
-            return None;
+    /// Announces a new run; false if too many run already.
+    pub(super) fn announce(&mut self, run: u64, behaviour: &Id, gate: &Arc<Gate>) -> bool {
+        let has_room = self.preparing.len() + self.running().count() < RUNNING_MAX_RUNS;
+        if has_room {
+            self.preparing.insert(run, Preparing { behaviour: behaviour.clone(), gate: gate.clone() });
         }
-        self.last_run += 1;
-        self.preparing.insert(self.last_run, Preparing { behaviour: behaviour.clone(), gate: gate.clone() });
-        Some(self.last_run)
+        has_room
+    }
+
+    /// Whether nothing runs, and nothing is about to.
+    pub(super) fn is_idle(&self) -> bool {
+        self.preparing.is_empty() && self.running().next().is_none()
     }
 
     /// Forgets a run that did not come to be.

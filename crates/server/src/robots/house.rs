@@ -1,21 +1,26 @@
 //! What the robot's thread, the runs' threads and the server share: the desk, the book, and what is shown.
 
-use super::Start;
+use super::board::Board;
 use super::book::{Book, Entry};
 use super::desk::Desk;
+use super::host::Start;
 use super::order::Order;
 use crate::lock;
 use behaviour::Id;
-use protocol::{HeldPart, Recorded, RobotState, RunPhase, RunState};
+use protocol::{HeldPart, Recorded, RunPhase, RunState};
 use robot::Scene;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
 
 /// Everything shared around one robot.
 #[derive(Debug)]
 pub(super) struct House {
+    /// Which robot.
+    pub(super) robot: Id,
+    /// What people are shown of all robots.
+    pub(super) board: Arc<Board>,
     /// What waits for the robot.
     pub(super) desk: Desk,
     /// Which behaviours run; locked only for moments, never while a procedure runs.
@@ -24,30 +29,25 @@ pub(super) struct House {
     pub(super) threads: AtomicUsize,
     /// The robot in its room.
     pub(super) scene: watch::Sender<Arc<Scene>>,
-    /// The robot's state.
-    pub(super) state: watch::Sender<Arc<RobotState>>,
     /// Who wins.
     pub(super) order: Order,
-    runs: watch::Sender<Arc<Vec<RunState>>>,
+    /// Grows with every Stop, so that a Start under way notices.
+    pub(super) stops: AtomicU64,
 }
 
 impl House {
     /// A house with nothing in it.
-    pub(super) fn new(state: RobotState, order: Order) -> Self {
+    pub(super) fn new(robot: Id, board: Arc<Board>, order: Order) -> Self {
         Self {
+            robot,
+            board,
             desk: Desk::default(),
             order,
             book: Mutex::default(),
             threads: AtomicUsize::new(0),
             scene: watch::Sender::new(Arc::default()),
-            state: watch::Sender::new(Arc::new(state)),
-            runs: watch::Sender::new(Arc::default()),
+            stops: AtomicU64::new(0),
         }
-    }
-
-    /// The runs, as people see them.
-    pub(super) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
-        self.runs.subscribe()
     }
 
     /// Lets a prepared run begin, in place of an older one of the same behaviour; false if it was stopped meanwhile.
@@ -61,6 +61,7 @@ impl House {
 
     /// Stops a behaviour, or everything. Takes only the book's lock; true if there was something to stop.
     pub(super) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
+        self.stops.fetch_add(1, Ordering::SeqCst);
         if behaviour.is_none() {
             self.desk.stop();
         }
@@ -150,6 +151,6 @@ impl House {
         for state in &mut states {
             state.place = self.order.place(&state.behaviour);
         }
-        self.runs.send_replace(Arc::new(states));
+        self.board.show_runs(&self.robot, states);
     }
 }

@@ -6,7 +6,7 @@ use super::house::House;
 use super::mailbox::{Keep, Mailbox};
 use behaviour::Id;
 use engine::{HeldBy, Precedence};
-use protocol::{HeldPart, RobotState};
+use protocol::HeldPart;
 use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -26,8 +26,6 @@ const AGAIN_AFTER_MS: u64 = 1_000;
 
 /// A robot in a room in which people can move things.
 pub(super) trait RoomRobot: Robot {
-    /// What people call it.
-    fn name(&self) -> String;
     /// Does what a person did in the room.
     fn edit(&mut self, edit: &SceneEdit);
 }
@@ -42,7 +40,7 @@ pub(super) fn keep(house: &House, make: &Make) {
         if kept.is_err() {
             house.fault_all("the robot failed and is started again");
             let reason = "it failed and is started again".to_owned();
-            house.state.send_modify(|state| Arc::make_mut(state).health = Health::Lost(reason));
+            house.board.edit(&house.robot, |state| state.health = Health::Lost(reason));
             std::thread::sleep(Duration::from_millis(AGAIN_AFTER_MS));
         }
     }
@@ -267,12 +265,16 @@ impl<'a> Keeper<'a> {
             Health::Safe => Health::Ready,
             other => other,
         };
-        let (name, kind) = (self.robot.name(), self.robot.kind().to_owned());
-        let devices = self.robot.devices().into_iter().map(str::to_owned).collect();
-        let state = RobotState { name, kind, health, devices };
-        if state != **self.house.state.borrow() {
-            self.house.state.send_replace(Arc::new(state));
-        }
+        let devices = self.robot.devices();
+        self.house.board.edit(&self.house.robot, |state| {
+            state.health = health;
+            if state.devices != devices {
+                state.devices = devices.into_iter().map(str::to_owned).collect();
+            }
+            if state.kind != self.robot.kind() {
+                self.robot.kind().clone_into(&mut state.kind);
+            }
+        });
     }
 
     /// Robot time: whole steps, so that every run of the program computes alike.

@@ -1,17 +1,15 @@
 //! The order of the behaviours on a robot: if they disagree, the upper one wins. Kept in the data folder, so that it is
 //! the same tomorrow.
 
-use crate::lock;
+use crate::{lock, whole};
 use behaviour::Id;
-use std::fs::File;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// Behaviours whose place is remembered.
 const ORDER_MAX: usize = 10_000;
-/// Its file in the data folder.
-const FILE: &str = "robot-order.json";
+/// Where the orders are in the data folder, a file a robot.
+const FOLDER: &str = "robot-orders";
 
 /// The order, from the top. Every use of the list is short; saving waits for the disk outside of it.
 #[derive(Debug, Default)]
@@ -22,15 +20,17 @@ pub(crate) struct Order {
 }
 
 impl Order {
-    /// The order that is kept in a data folder; without a folder it lasts as long as the server.
-    pub(crate) fn within(data: Option<&Path>) -> Self {
-        let path = data.map(|data| data.join(FILE));
-        let text = path.as_deref().and_then(|path| std::fs::read_to_string(path).ok());
-        let list = text.map(|text| serde_json::from_str(&text)).transpose().unwrap_or_else(|error| {
-            tracing::warn!(%error, "the order on the robot could not be read and begins anew");
-            None
-        });
+    /// The order on a robot that is kept in a data folder; without a folder it lasts as long as the server.
+    pub(crate) fn within(data: Option<&Path>, robot: &Id) -> Self {
+        let path = data.map(|data| data.join(FOLDER).join(format!("{robot}.json")));
+        let list = path.as_deref().and_then(whole::read);
         Self { path, list: Mutex::new(list.unwrap_or_default()), saving: Mutex::default() }
+    }
+
+    /// Forgets it for good, as its robot is gone.
+    pub(super) fn forget(&self) {
+        let gone = self.path.as_ref().map(std::fs::remove_file);
+        tracing::debug!(?gone, "the order of a robot that is gone");
     }
 
     /// Whether the first stands above the second.
@@ -82,24 +82,12 @@ impl Order {
         change(&mut after);
         if after != before {
             if let Some(path) = &self.path {
-                save(path, &after)?;
+                whole::put(path, &serde_json::to_string(&after).map_err(std::io::Error::other)?)?;
             }
             *lock(&self.list) = after;
         }
         Ok(())
     }
-}
-
-/// Whole or not at all: a new file takes the place of the old one.
-fn save(path: &Path, list: &[Id]) -> std::io::Result<()> {
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder)?;
-    }
-    let fresh = path.with_extension("json.new");
-    let mut file = File::create(&fresh)?;
-    file.write_all(serde_json::to_string(list).map_err(std::io::Error::other)?.as_bytes())?;
-    file.sync_all()?;
-    std::fs::rename(fresh, path)
 }
 
 #[cfg(test)]
@@ -112,7 +100,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let id = |text: &str| Id::new(text).unwrap();
         let (a, b, c) = (id("a"), id("b"), id("c"));
-        let order = Order::within(Some(folder.path()));
+        let (robot, another) = (id("nao"), id("another"));
+        let order = Order::within(Some(folder.path()), &robot);
         for one in [&a, &b, &c, &a] {
             order.add(one).unwrap();
         }
@@ -120,9 +109,10 @@ mod tests {
         order.put(&c, Some(&a)).unwrap();
         order.put(&a, None).unwrap();
         order.put(&b, Some(&b)).unwrap();
-        let again = Order::within(Some(folder.path()));
+        let again = Order::within(Some(folder.path()), &robot);
         assert_eq!([&c, &b, &a].map(|one| again.place(one)), [0, 1, 2]);
-        std::fs::write(folder.path().join(super::FILE), "nonsense").unwrap();
-        assert_eq!(Order::within(Some(folder.path())).place(&a), 0, "it begins anew");
+        assert_eq!(Order::within(Some(folder.path()), &another).place(&c), 0, "every robot has its own");
+        again.forget();
+        assert_eq!(Order::within(Some(folder.path()), &robot).place(&a), 0);
     }
 }

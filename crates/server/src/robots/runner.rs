@@ -1,9 +1,9 @@
 //! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
 
-use super::Start;
 use super::book::{Applying, Entry, Senses};
 use super::desk::{Opening, Wanted};
 use super::gate::Gate;
+use super::host::Start;
 use super::house::House;
 use super::live::LiveValues;
 use super::mailbox::{Arrived, Keep, Mailbox};
@@ -180,6 +180,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
     Entry {
         state: RunState {
             run: job.run,
+            robot: job.house.robot.clone(),
             behaviour: start.behaviour.clone(),
             name: start.file.name.clone(),
             revision: start.revision,

@@ -4,19 +4,12 @@ use super::keeper::RoomRobot;
 use robot::SceneEdit;
 use simulation::SimulatedNao;
 
-/// What people call it.
-pub(super) const NAME: &str = "Simulated NAO";
-
 /// A simulated NAO that behaves the same for the same seed.
 pub(super) fn nao(seed: u64) -> SimulatedNao {
     SimulatedNao::new(seed)
 }
 
 impl RoomRobot for SimulatedNao {
-    fn name(&self) -> String {
-        NAME.to_owned()
-    }
-
     fn edit(&mut self, edit: &SceneEdit) {
         if let Err(reason) = Self::edit(self, edit) {
             tracing::debug!(reason, "nothing changed in the room");

@@ -4,11 +4,12 @@ mod applying;
 mod puppet;
 mod recording;
 mod running;
+mod several;
 mod simulated;
 mod stopping;
 mod together;
 
-use super::{Robots, Start};
+use super::{Host, Start};
 use behaviour::{BehaviourFile, FORMAT, FileConnector, FileStream, Id, StreamKind, Value};
 use protocol::{RunPhase, RunState};
 use puppet::Puppet;
@@ -74,7 +75,7 @@ fn filtered(name: &str, body: &str) -> Start {
     Start { behaviour: id(name), revision: 1, file: file.into(), record: false, by: "Aiko".to_owned() }
 }
 
-fn phase(robots: &Robots, run: &RunState) -> RunPhase {
+fn phase(robots: &Host, run: &RunState) -> RunPhase {
     let runs = robots.runs().borrow().clone();
     runs.iter().find(|known| known.run == run.run).unwrap().phase.clone()
 }

@@ -42,40 +42,37 @@ impl Session {
                     self.hub.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
                 }
             }
-            Request::Start { behaviour, record } => {
+            Request::Start { behaviour, robot, record } => {
                 let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
-                self.later(ask, async move { start::start(&hub, behaviour, record, by).await });
+                self.later(ask, async move { start::start(&hub, behaviour, robot, record, by).await });
             }
-            Request::Apply { behaviour } => {
+            Request::Apply { behaviour, robot } => {
                 let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
-                self.later(ask, async move { start::apply(&hub, behaviour, by).await });
+                self.later(ask, async move { start::apply(&hub, behaviour, robot, by).await });
             }
-            Request::Stop { behaviour } => {
-                start::stop(&self.hub, behaviour.as_ref(), &self.me.name);
+            Request::Stop { behaviour, robot } => {
+                start::stop(&self.hub, behaviour.as_ref(), robot.as_ref(), &self.me.name);
                 self.outbox.say(Some(ask), Reply::Done);
             }
-            Request::Stimulate { behaviour, stream, value } => {
-                let done = self.hub.robots.stimulate(&behaviour, &stream, value);
+            Request::Stimulate { behaviour, robot, stream, value } => {
+                let done = self.hub.robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
             }
-            Request::EndRecording { behaviour } => {
-                let done = self.hub.robots.end_recording(&behaviour);
+            Request::EndRecording { behaviour, robot } => {
+                let done = self.hub.robots.end_recording(&behaviour, robot.as_ref());
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
             }
             Request::Runs => {
                 let runs = self.hub.robots.runs().borrow().to_vec();
                 self.outbox.say(Some(ask), Reply::Runs { runs });
             }
-            Request::Place { behaviour, above } => {
-                let robots = self.hub.robots.clone();
-                let work = move || robots.place(&behaviour, above.as_ref()).map(|()| Reply::Done);
-                let failed = |error: tokio::task::JoinError| Err(SaidNo::NotKept(error.to_string()));
-                self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+            Request::Place { .. } | Request::AddRobot { .. } | Request::RemoveRobot { .. } => {
+                self.change_robots(ask, request)
             }
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
-            Request::Scene { edit } => self.hub.robots.edit_scene(edit),
-            Request::Watch { scene, values } => {
-                self.outbox.put(Out::Watch { scene, values });
+            Request::Scene { robot, edit } => self.hub.robots.edit_scene(robot.as_ref(), edit),
+            Request::Watch { robot, scene, values } => {
+                self.outbox.put(Out::Watch { robot, scene, values });
                 self.outbox.say(Some(ask), Reply::Done);
             }
         }
@@ -111,6 +108,24 @@ impl Session {
                 _ => insight::contested(&hub).await,
             }
         });
+    }
+
+    /// Which robots there are and who wins on them: kept before it counts, which may take its time.
+    fn change_robots(&self, ask: u32, request: Request) {
+        let robots = self.hub.robots.clone();
+        let work = move || match request {
+            Request::AddRobot { robot, name } => robots.add(&robot, &name),
+            Request::RemoveRobot { robot } => robots.remove(&robot),
+            Request::Place { behaviour, robot, above } => {
+                robots.meant(robot.as_ref())?.place(&behaviour, above.as_ref())
+            }
+            _ => Ok(()),
+        };
+        let failed = |error: tokio::task::JoinError| Err(SaidNo::NotKept(error.to_string()));
+        self.later(
+            ask,
+            async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed).map(|()| Reply::Done) },
+        );
     }
 
     /// The folder of the recordings, which may take its time.

@@ -5,7 +5,7 @@ use crate::outbox::encode;
 use crate::robots::{LiveValues, Seen};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::Reply;
+use protocol::{Reply, RunState};
 
 /// What one client has seen of one run.
 #[derive(Default)]
@@ -14,11 +14,10 @@ pub(super) struct Watching {
 }
 
 impl Watching {
-    /// What changed since the last call, as a message.
-    pub(super) fn news(&mut self, hub: &Hub, behaviour: &Id) -> Option<Utf8Bytes> {
-        let newest =
-            hub.topics.states.borrow().iter().filter(|run| run.behaviour == *behaviour).map(|run| run.run).max();
-        let newest = newest?;
+    /// What changed since the last call in the newest run on this robot, or on any, as a message.
+    pub(super) fn news(&mut self, hub: &Hub, behaviour: &Id, robot: Option<&Id>) -> Option<Utf8Bytes> {
+        let is_meant = |run: &&RunState| run.behaviour == *behaviour && robot.is_none_or(|robot| run.robot == *robot);
+        let newest = hub.topics.states.borrow().iter().filter(is_meant).map(|run| run.run).max()?;
         if self.run.as_ref().is_none_or(|(run, ..)| *run != newest) {
             self.run = hub.robots.values(newest).map(|live| (newest, live, Seen::default()));
         }

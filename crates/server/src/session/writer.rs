@@ -8,6 +8,7 @@ use crate::outbox::{Feed, Out, QUEUE_MAX_MESSAGES, encode};
 use crate::topics::BEAT_MS;
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
+use behaviour::Id;
 use futures_util::SinkExt;
 use futures_util::stream::SplitSink;
 use protocol::{PING_MS, Reply};
@@ -24,9 +25,11 @@ const CLOSE_MS: u64 = 1_000;
 struct Writer {
     hub: Arc<Hub>,
     sink: SplitSink<WebSocket, Message>,
-    /// Told to everyone: runs, robot, the store's health, that the list of behaviours changed.
+    /// Told to everyone: runs, robots, the store's health, that the list of behaviours changed.
     topics: [watch::Receiver<Utf8Bytes>; 4],
-    scene: watch::Receiver<Utf8Bytes>,
+    /// Pictures of the watched robot; which one, if it was named.
+    scene: Option<watch::Receiver<Utf8Bytes>>,
+    robot: Option<Id>,
     scene_wanted: bool,
     values_wanted: bool,
     watching: Watching,
@@ -38,15 +41,15 @@ struct Writer {
 /// Writes until the link is cut.
 pub(super) async fn write(hub: Arc<Hub>, sink: SplitSink<WebSocket, Message>, inbox: mpsc::Receiver<Out>, cut: Cut) {
     let mut topics =
-        [hub.topics.runs.subscribe(), hub.topics.robot.subscribe(), hub.health.text(), hub.programs.text()];
+        [hub.topics.runs.subscribe(), hub.topics.robots.subscribe(), hub.health.text(), hub.programs.text()];
     topics[..3].iter_mut().for_each(watch::Receiver::mark_changed);
-    let mut scene = hub.topics.scene.subscribe();
-    scene.mark_changed();
+    let scene = pictures(&hub, None);
     let mut writer = Writer {
         hub,
         sink,
         topics,
         scene,
+        robot: None,
         scene_wanted: true,
         values_wanted: true,
         watching: Watching::default(),
@@ -96,24 +99,33 @@ impl Writer {
                 Out::Text(text) => texts.push(text),
                 Out::Follow(feed) => self.feed = Some(feed),
                 Out::Unfollow => self.feed = None,
-                Out::Watch { scene, values } => (self.scene_wanted, self.values_wanted) = (scene, values),
+                Out::Watch { robot, scene, values } => self.watch(robot, scene, values),
             }
         }
         self.welcomed |= !texts.is_empty();
         self.send(texts).await
     }
 
+    /// Looks at another robot, whose picture is new to it.
+    fn watch(&mut self, robot: Option<Id>, scene: bool, values: bool) {
+        (self.scene_wanted, self.values_wanted) = (scene, values);
+        if robot != self.robot {
+            self.scene = pictures(&self.hub, robot.as_ref());
+            self.robot = robot;
+        }
+    }
+
     /// Writes the newest of what changed.
     async fn news(&mut self) -> Result<(), Why> {
         let mut texts: Vec<Utf8Bytes> = self.topics.iter_mut().filter_map(newest).collect();
         if self.scene_wanted {
-            texts.extend(newest(&mut self.scene));
+            texts.extend(self.scene.as_mut().and_then(newest));
         }
         if let Some(feed) = &mut self.feed {
             texts.extend(newest(&mut feed.people));
             texts.extend(newest(&mut feed.problems));
             if self.values_wanted {
-                texts.extend(self.watching.news(&self.hub, &feed.behaviour));
+                texts.extend(self.watching.news(&self.hub, &feed.behaviour, self.robot.as_ref()));
             }
         }
         if texts.is_empty() { Ok(()) } else { self.send(texts).await }
@@ -160,6 +172,13 @@ impl Writer {
         };
         let _ = tokio::time::timeout(Duration::from_millis(CLOSE_MS), end).await;
     }
+}
+
+/// Pictures of a robot, beginning with the newest.
+fn pictures(hub: &Hub, robot: Option<&Id>) -> Option<watch::Receiver<Utf8Bytes>> {
+    let mut pictures = hub.robots.pictures(robot)?;
+    pictures.mark_changed();
+    Some(pictures)
 }
 
 /// The newest text, if it is one that was not taken yet.

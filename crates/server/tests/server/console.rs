@@ -97,6 +97,35 @@ Far away: from Ball
 “say” could be one of these: SayInput, SayParameter. Type more of the name.
 > contested
 Tracker: Far, Far away
+> show robots
+Simulated NAO (ready, nothing runs)
+> add robot Momo
+Momo is there
+> use robot mo
+Momo is chosen
+> start far away
+Far away runs
+> order
+Far away on Momo
+> use robot
+No robot is chosen
+> start far
+Far runs
+> order
+Far on Simulated NAO
+Far away on Momo
+> remove robot momo
+The robot stays: something runs on it; press Stop first.
+> use robot momo
+Momo is chosen
+> stop
+Everything is stopped
+> remove robot momo
+Momo is removed
+> use robot momo
+There is no robot “momo”. There are: Simulated NAO.
+> show robots
+Simulated NAO (ready, runs Far)
 > disconnect
 Disconnected.
 ";

@@ -98,12 +98,12 @@ async fn people_see_each_other_and_each_others_pointers() {
 async fn who_asks_too_much_is_told_so_but_can_always_stop() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;
-    let watch = || Request::Watch { scene: false, values: false };
+    let watch = || Request::Watch { robot: None, scene: false, values: false };
     let asks: Vec<_> = (0..300).map(|_| aiko.ask(watch())).collect();
     let answers = futures_util::future::join_all(asks).await;
     let refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(SaidNo::TooFast))).count();
     assert!((50..=110).contains(&refused), "{refused}");
-    assert_eq!(aiko.ask(Request::Stop { behaviour: None }).await, Ok(Reply::Done));
+    assert_eq!(aiko.ask(Request::Stop { behaviour: None, robot: None }).await, Ok(Reply::Done));
     house.close().await;
 }
 

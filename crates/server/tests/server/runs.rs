@@ -12,7 +12,7 @@ async fn problems_stop_start() {
     aiko.put("Add", stream_id("ball"), Some(ball("Red ball"))).await.unwrap();
     aiko.put("Add", stream_id("far"), Some(plain("Far"))).await.unwrap();
     aiko.put("Add", connector_id("c"), Some(map("", "ball", "far"))).await.unwrap();
-    let no = aiko.ask(Request::Start { behaviour: play, record: false }).await.unwrap_err();
+    let no = aiko.ask(Request::Start { behaviour: play, robot: None, record: false }).await.unwrap_err();
     assert!(matches!(&no, Trouble::No(SaidNo::Problems(problems)) if problems.len() == 1), "{no:?}");
     house.close().await;
 }
@@ -24,14 +24,19 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
     aiko.put("Add", stream_id("head"), Some(touch())).await.unwrap();
     aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
     aiko.put("Add", connector_id("c"), Some(connect(Operation::Subscribe, &["head"], "out"))).await.unwrap();
-    aiko.ask(Request::Start { behaviour: play.clone(), record: false }).await.unwrap();
-    aiko.ask(Request::Stimulate { behaviour: play.clone(), stream: "head".parse().unwrap(), value: Value::Int(7) })
-        .await
-        .unwrap();
+    aiko.ask(Request::Start { behaviour: play.clone(), robot: None, record: false }).await.unwrap();
+    aiko.ask(Request::Stimulate {
+        behaviour: play.clone(),
+        robot: None,
+        stream: "head".parse().unwrap(),
+        value: Value::Int(7),
+    })
+    .await
+    .unwrap();
     let seven = |reply: &Reply| matches!(reply, Reply::Values { values } if values.streams.iter().any(|s| s.value == Value::Int(7)));
     aiko.until(seven).await.unwrap();
     assert_eq!(aiko.ask(Request::Remove { behaviour: play.clone() }).await, Err(Trouble::No(SaidNo::Running)));
-    aiko.ask(Request::Stop { behaviour: Some(play.clone()) }).await.unwrap();
+    aiko.ask(Request::Stop { behaviour: Some(play.clone()), robot: None }).await.unwrap();
     let stopped = |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().all(|run| run.phase == RunPhase::Stopped("Aiko".into())) && !runs.is_empty());
     aiko.until(stopped).await.unwrap();
     aiko.ask(Request::Remove { behaviour: play }).await.unwrap();
@@ -47,11 +52,12 @@ async fn edits_disturb_nothing_until_they_are_applied() {
     aiko.put("Add", stream_id("next"), Some(plain("Next"))).await.unwrap();
     aiko.put("Add", connector_id("m"), Some(map("head + 1", "head", "next"))).await.unwrap();
     aiko.put("Add", connector_id("c"), Some(connect(Operation::Subscribe, &["next"], "out"))).await.unwrap();
-    let apply = Request::Apply { behaviour: play.clone() };
+    let apply = Request::Apply { behaviour: play.clone(), robot: None };
     assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(SaidNo::NotRunning)));
-    aiko.ask(Request::Start { behaviour: play.clone(), record: false }).await.unwrap();
+    aiko.ask(Request::Start { behaviour: play.clone(), robot: None, record: false }).await.unwrap();
     aiko.put("Edit", connector_id("m"), Some(map("head + 2", "head", "next"))).await.unwrap();
-    let seven = |value| Request::Stimulate { behaviour: play.clone(), stream: "head".parse().unwrap(), value };
+    let seven =
+        |value| Request::Stimulate { behaviour: play.clone(), robot: None, stream: "head".parse().unwrap(), value };
     let shows = |wanted: i64| move |reply: &Reply| matches!(reply, Reply::Values { values } if values.streams.iter().any(|s| s.stream.as_str() == "out" && s.value == Value::Int(wanted)));
     aiko.ask(seven(Value::Int(7))).await.unwrap();
     aiko.until(shows(8)).await.unwrap();
@@ -73,7 +79,7 @@ async fn templates_start() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;
     let play = make(&aiko, "Far", Some("Track far and close balls")).await;
-    aiko.ask(Request::Start { behaviour: play, record: false }).await.unwrap();
+    aiko.ask(Request::Start { behaviour: play, robot: None, record: false }).await.unwrap();
     house.close().await;
 }
 

@@ -97,7 +97,7 @@ async fn stop_and_greetings_work_while_the_store_hangs_and_the_edit_is_saved_aft
     let stop =
         format!("POST /stop HTTP/1.1\r\nHost: {}\r\nConnection: close\r\nContent-Length: 0\r\n\r\n", house.address);
     assert!(raw(&house, &stop).await.contains("\"stopped\":true"));
-    assert_eq!(ben.ask(Request::Stop { behaviour: None }).await, Ok(Reply::Done));
+    assert_eq!(ben.ask(Request::Stop { behaviour: None, robot: None }).await, Ok(Reply::Done));
     assert!(start.elapsed() < Duration::from_secs(4), "Stop waited for the store: {:?}", start.elapsed());
     store.hangs.store(false, Ordering::SeqCst);
     let (aiko, answer) = editing.await.unwrap();

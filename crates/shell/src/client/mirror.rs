@@ -14,18 +14,18 @@ pub struct Mirror {
     pub records: Behaviour,
 }
 
-/// The open behaviour, the library and the robot.
+/// The open behaviour, the library and the robots.
 #[derive(Clone, Debug)]
 pub(super) struct Mirrors {
     pub(super) open: Option<Mirror>,
     pub(super) library: Mirror,
-    pub(super) robot: Option<RobotState>,
+    pub(super) robots: Vec<RobotState>,
 }
 
 impl Mirrors {
     pub(super) fn empty() -> Result<Self, String> {
         let library = Mirror { behaviour: Id::new(LIBRARY)?, revision: 0, records: Behaviour::default() };
-        Ok(Self { open: None, library, robot: None })
+        Ok(Self { open: None, library, robots: Vec::new() })
     }
 
     /// Takes over what a reply says of them.
@@ -39,7 +39,7 @@ impl Mirrors {
                 let (behaviour, records) = (behaviour.clone(), (**records).clone());
                 self.open = Some(Mirror { behaviour, revision: *revision, records });
             }
-            Reply::Robot { robot } => self.robot = Some(robot.clone()),
+            Reply::Robots { robots } => self.robots.clone_from(robots),
             Reply::Accepted { behaviour, accepted } => self.accept(behaviour, accepted),
             Reply::Missed { behaviour, changes } => changes.iter().for_each(|change| self.accept(behaviour, change)),
             Reply::Removed { behaviour, .. } if self.open.as_ref().is_some_and(|open| open.behaviour == *behaviour) => {

@@ -13,6 +13,7 @@ pub(crate) const COMMAND: Command = Command {
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
     let (name, behaviour) = console.meant(wanted).await?;
-    console.ask(Request::Apply { behaviour }).await?;
+    let robot = console.robot.clone();
+    console.ask(Request::Apply { behaviour, robot }).await?;
     Ok(format!("{name} goes on as it is saved now"))
 }

@@ -6,13 +6,14 @@ use crate::console::Console;
 pub(crate) const COMMAND: Command = Command {
     name: "can run",
     words: "",
-    help: "Says whether the robot has all that the loaded program needs.",
+    help: "Says whether the robot in use has all that the loaded program needs.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
 async fn run(console: &mut Console, _: &str) -> Result<String, String> {
     let program = console.program()?;
-    let robot = console.client()?.robot().await.map_err(|trouble| trouble.to_string())?;
+    let chosen = console.robot.clone();
+    let robot = console.client()?.robot(chosen.as_ref()).await.map_err(|trouble| trouble.to_string())?;
     let (name, missing) = (program.records.name(), robot::missing(&program.records, &robot.devices));
     if missing.is_empty() {
         return Ok(format!("{name} can run on {}.", robot.name));

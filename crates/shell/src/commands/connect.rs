@@ -18,9 +18,9 @@ async fn run(console: &mut Console, url: &str) -> Result<String, String> {
     let url = if url.is_empty() { DEFAULT_URL } else { url };
     let client = Client::connect(url, NAME).await.map_err(|trouble| trouble.to_string())?;
     // The console asks; pictures and live values are for who watches.
-    let quiet = protocol::Request::Watch { scene: false, values: false };
+    let quiet = protocol::Request::Watch { robot: None, scene: false, values: false };
     client.ask(quiet).await.map_err(|trouble| trouble.to_string())?;
     console.client = Some(client);
-    console.stream = None;
+    (console.stream, console.robot) = (None, None);
     Ok(format!("Connected to {url}"))
 }

@@ -2,7 +2,6 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
-use behaviour::Id;
 use protocol::{Request, RunState};
 
 pub(crate) const COMMAND: Command = Command {
@@ -14,13 +13,20 @@ pub(crate) const COMMAND: Command = Command {
 
 async fn run(console: &mut Console, words: &str) -> Result<String, String> {
     let running = console.running().await?;
+    let robots = console.robots().await?;
+    let name = |run: &RunState| match robots.iter().find(|robot| robot.robot == run.robot) {
+        Some(robot) if robots.len() > 1 => format!("{} on {}", run.name, robot.name),
+        _ => run.name.clone(),
+    };
     if words.is_empty() {
-        return Ok(or_nothing(running.iter().map(line).collect(), "Nothing runs."));
+        let lines = running.iter().map(|run| format!("{}{}", name(run), held(run)));
+        return Ok(or_nothing(lines.collect(), "Nothing runs."));
     }
-    let (name, way) = words.rsplit_once(' ').unwrap_or((words, ""));
-    let all: Vec<_> = running.iter().map(|run| (run.name.clone(), run.behaviour.clone())).collect();
-    let (name, behaviour) = crate::find::find("running program", name, &all)?;
-    let at = running.iter().position(|run| run.behaviour == behaviour).unwrap_or_default();
+    let (wanted, way) = words.rsplit_once(' ').unwrap_or((words, ""));
+    let all: Vec<_> = running.iter().map(|run| (name(run), run.clone())).collect();
+    let (name, found) = crate::find::find("running program", wanted, &all)?;
+    let running: Vec<_> = running.into_iter().filter(|run| run.robot == found.robot).collect();
+    let at = running.iter().position(|run| run.run == found.run).unwrap_or_default();
     // A place down is the next one a place up.
     let pair = match way.to_lowercase().as_str() {
         "up" => at.checked_sub(1).map(|above| (at, above)),
@@ -28,12 +34,11 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
         _ => return Err("Type “order NAME up” or “order NAME down”.".to_owned()),
     };
     let Some((moved, above)) = pair else { return Err(format!("{name} is there already.")) };
-    let id = |at: usize| -> Id { running[at].behaviour.clone() };
-    console.ask(Request::Place { behaviour: id(moved), above: Some(id(above)) }).await?;
+    let (behaviour, above) = (running[moved].behaviour.clone(), Some(running[above].behaviour.clone()));
+    console.ask(Request::Place { behaviour, robot: Some(found.robot), above }).await?;
     Ok(format!("{name} moved {}", way.to_lowercase()))
 }
 
-fn line(run: &RunState) -> String {
-    let held = run.held.iter().map(|held| format!("; the {} is held by {}", held.part, held.name));
-    format!("{}{}", run.name, held.collect::<String>())
+fn held(run: &RunState) -> String {
+    run.held.iter().map(|held| format!("; the {} is held by {}", held.part, held.name)).collect()
 }

@@ -28,7 +28,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
 
 async fn end_all(console: &mut Console) -> Result<(), String> {
     for run in console.running().await?.into_iter().filter(|run| run.recording.is_some()) {
-        console.ask(Request::EndRecording { behaviour: run.behaviour }).await?;
+        console.ask(Request::EndRecording { behaviour: run.behaviour, robot: Some(run.robot) }).await?;
     }
     Ok(())
 }

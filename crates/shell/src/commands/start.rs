@@ -7,13 +7,13 @@ use protocol::Request;
 pub(crate) const COMMAND: Command = Command {
     name: "start",
     words: "[NAME]",
-    help: "Runs the named or the loaded program on the robot.",
+    help: "Runs the named or the loaded program on the robot in use, or on the first one.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
     let (name, behaviour) = console.meant(wanted).await?;
-    let record = console.records;
-    console.ask(Request::Start { behaviour, record }).await?;
+    let (record, robot) = (console.records, console.robot.clone());
+    console.ask(Request::Start { behaviour, robot, record }).await?;
     Ok(if record { format!("{name} runs and is recorded") } else { format!("{name} runs") })
 }

@@ -20,7 +20,8 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
     let all: Vec<_> = sensors.map(|(id, stream)| (stream.name.clone(), (id.clone(), stream.clone()))).collect();
     let (name, (id, value)) = read(words, &all)?;
     let said = value.to_string();
-    console.ask(Request::Stimulate { behaviour: program.behaviour, stream: id, value }).await?;
+    let (behaviour, robot) = (program.behaviour, console.robot.clone());
+    console.ask(Request::Stimulate { behaviour, robot, stream: id, value }).await?;
     Ok(format!("{name} got {said}"))
 }
 

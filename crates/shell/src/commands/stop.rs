@@ -1,4 +1,4 @@
-//! Stops a program or the robot.
+//! Stops a program or the robots.
 
 use super::Command;
 use crate::console::Console;
@@ -7,13 +7,14 @@ use protocol::Request;
 pub(crate) const COMMAND: Command = Command {
     name: "stop",
     words: "[NAME]",
-    help: "Stops the named program, or everything on the robot.",
+    help: "Stops the named program, or everything, on the robot in use, or on all of them.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
 async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
     let named = if wanted.is_empty() { None } else { Some(console.meant(wanted).await?) };
     let (name, behaviour) = named.map_or(("Everything".to_owned(), None), |(name, id)| (name, Some(id)));
-    console.ask(Request::Stop { behaviour }).await?;
+    let robot = console.robot.clone();
+    console.ask(Request::Stop { behaviour, robot }).await?;
     Ok(format!("{name} is stopped"))
 }

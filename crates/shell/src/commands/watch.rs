@@ -23,14 +23,15 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
     let seconds = seconds.ok().filter(|seconds| (1..=SECONDS_MAX).contains(seconds));
     let seconds = seconds.ok_or_else(|| format!("Type a number of seconds from 1 to {SECONDS_MAX}."))?;
     let program = console.program()?;
-    console.ask(Request::Watch { scene: false, values: true }).await?;
+    let watch = |robot, values| Request::Watch { robot, scene: false, values };
+    console.ask(watch(console.robot.clone(), true)).await?;
     let end = tokio::time::Instant::now() + Duration::from_secs(seconds);
     while let Ok(Some(reply)) = tokio::time::timeout_at(end, console.client()?.next()).await {
         if let Reply::Values { values } = reply {
             console.say(&lines(&program.records, &values));
         }
     }
-    console.ask(Request::Watch { scene: false, values: false }).await?;
+    console.ask(watch(console.robot.clone(), false)).await?;
     Ok(String::new())
 }
 

@@ -2,7 +2,7 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, phase, shows_until_told, stopped_by, until};
-use crate::robots::{Robots, Seen, Start};
+use crate::robots::{Host, Seen, Start};
 use behaviour::{BehaviourFile, FileConnector, StreamKind, Value};
 use engine::Limits;
 use protocol::{RunPhase, RunState};
@@ -19,7 +19,7 @@ fn body(text: &str) -> impl FnOnce(&mut BehaviourFile) {
     move |file| file.connectors[0].body = Some(text.to_owned())
 }
 
-fn state(robots: &Robots, run: &RunState) -> RunState {
+fn state(robots: &Host, run: &RunState) -> RunState {
     let runs = robots.runs().borrow().clone();
     runs.iter().find(|known| known.run == run.run).unwrap().clone()
 }

@@ -2,9 +2,11 @@
 
 use crate::lock;
 use crate::recordings::Recordings;
+use crate::robots::Host;
+use crate::robots::board::Board;
 use crate::robots::keeper::RoomRobot;
-use crate::robots::{Order, Robots};
-use behaviour::{Params, Value};
+use crate::robots::order::Order;
+use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
 use robot::{Health, Millis, Reading, Robot, Scene, SceneEdit, Use};
@@ -28,19 +30,21 @@ struct Strings {
 }
 
 impl Puppet {
-    pub(super) fn robots(&self, limits: fn() -> Limits) -> Robots {
+    pub(super) fn robots(&self, limits: fn() -> Limits) -> Host {
         self.robots_with(limits, Recordings::default())
     }
 
     /// The same, with a place to record.
-    pub(super) fn robots_with(&self, limits: fn() -> Limits, recordings: Recordings) -> Robots {
+    pub(super) fn robots_with(&self, limits: fn() -> Limits, recordings: Recordings) -> Host {
         let puppet = self.clone();
         let make = move || -> Box<dyn RoomRobot> {
             lock(&puppet.0).made += 1;
             lock(&puppet.0).open.clear();
             Box::new(puppet.clone())
         };
-        Robots::with(RobotState::default(), Box::new(make), limits, recordings, Order::default()).unwrap()
+        let (robot, name) = (Id::new("puppet").unwrap(), "Puppet".to_owned());
+        let state = RobotState { robot, name, kind: String::new(), health: Health::Connecting, devices: Vec::new() };
+        Host::new(state, Arc::new(Board::default()), Box::new(make), limits, recordings, Order::default()).unwrap()
     }
 
     /// Every open ball sees this in the next step.
@@ -140,9 +144,5 @@ impl Robot for Puppet {
 }
 
 impl RoomRobot for Puppet {
-    fn name(&self) -> String {
-        "Puppet".to_owned()
-    }
-
     fn edit(&mut self, _edit: &SceneEdit) {}
 }

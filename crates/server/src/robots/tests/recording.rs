@@ -3,7 +3,7 @@
 use super::puppet::Puppet;
 use super::{filtered, id, until};
 use crate::recordings::Recordings;
-use crate::robots::{Robots, Start};
+use crate::robots::{Host, Start};
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Limits, Run};
 use protocol::SaidNo;
@@ -63,7 +63,7 @@ fn outputs(lines: &[Value]) -> Vec<(u64, Value)> {
     page.map(|line| (time(line), line.field("value").unwrap().clone())).collect()
 }
 
-fn stimulate(robots: &Robots, value: i64) {
+fn stimulate(robots: &Host, value: i64) {
     robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
 }
 

@@ -2,30 +2,28 @@
 
 use super::until;
 use crate::recordings::Recordings;
-use crate::robots::{Order, Robots, Start};
+use crate::robots::{Robots, Start};
 use crate::templates::templates;
 use behaviour::Id;
 use robot::{Health, SceneEdit};
 
 #[tokio::test]
 async fn a_green_ball_makes_the_eyes_green() {
-    let robots = Robots::simulated(1, Recordings::default(), Order::default()).unwrap();
+    let robots = Robots::within(None, 1, Recordings::default()).unwrap();
+    let nao = robots.meant(None).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();
-    robots
-        .start(Start { behaviour, revision: 3, file: file.into(), record: false, by: "Aiko".to_owned() })
-        .await
-        .unwrap();
+    nao.start(Start { behaviour, revision: 3, file: file.into(), record: false, by: "Aiko".to_owned() }).await.unwrap();
     for (ball, at) in [("red", [-1.0, 0.5, 0.1]), ("blue", [-1.0, -0.5, 0.1]), ("green", [0.6, 0.0, 0.45])] {
-        robots.edit_scene(SceneEdit::MoveBall { id: ball.to_owned(), at });
+        robots.edit_scene(None, SceneEdit::MoveBall { id: ball.to_owned(), at });
     }
-    let scene = robots.scene();
+    let scene = nao.scene();
     until("green eyes", || {
         let [red, green, blue] = scene.borrow().body.eyes;
         green > 0.5 && red < 0.1 && blue < 0.1
     })
     .await;
-    assert_eq!(robots.state().borrow().health, Health::Ready);
-    assert!(robots.stop(None, "Aiko"));
+    assert_eq!(robots.states().borrow()[0].health, Health::Ready);
+    assert!(robots.stop(None, None, "Aiko"));
     robots.shut_down();
 }

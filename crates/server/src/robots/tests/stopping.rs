@@ -85,8 +85,11 @@ async fn a_robot_that_breaks_ends_its_runs_and_is_made_anew() {
     let run = robots.start(filtered("one", "true")).await.unwrap();
     puppet.fail();
     until("the run ends", || matches!(phase(&robots, &run), RunPhase::Faulted(_))).await;
-    until("it is lost", || matches!(robots.state().borrow().health, Health::Lost(_))).await;
-    until("it is there again", || puppet.made() == 2 && robots.state().borrow().health == Health::Ready).await;
+    until("it is lost", || matches!(robots.house().board.robots().borrow()[0].health, Health::Lost(_))).await;
+    until("it is there again", || {
+        puppet.made() == 2 && robots.house().board.robots().borrow()[0].health == Health::Ready
+    })
+    .await;
     let run = robots.start(filtered("one", "true")).await.unwrap();
     shows_until_told(&puppet, &run, 5).await;
 }

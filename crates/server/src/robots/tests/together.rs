@@ -2,7 +2,7 @@
 
 use super::puppet::Puppet;
 use super::{filtered, id, until};
-use crate::robots::{Order, Robots, Start};
+use crate::robots::{Host, Start};
 use behaviour::Value;
 use engine::Limits;
 use protocol::{HeldPart, RunState};
@@ -16,17 +16,17 @@ fn head(name: &str) -> Start {
     Start { file: Arc::new(file), ..start }
 }
 
-fn send(robots: &Robots, name: &str, value: i64) {
+fn send(robots: &Host, name: &str, value: i64) {
     robots.stimulate(&id(name), &id("ball"), Value::Int(value)).unwrap();
 }
 
-fn state(robots: &Robots, run: &RunState) -> RunState {
+fn state(robots: &Host, run: &RunState) -> RunState {
     let runs = robots.runs().borrow().clone();
     runs.iter().find(|known| known.run == run.run).unwrap().clone()
 }
 
 /// Waits until this run shows that the head is held by that behaviour.
-async fn is_held(robots: &Robots, run: &RunState, by: &str) {
+async fn is_held(robots: &Host, run: &RunState, by: &str) {
     let wanted = [HeldPart { part: "head".to_owned(), by: id(by), name: by.to_owned() }];
     until("it is held", || {
         send(robots, &run.name, 1);
@@ -91,14 +91,4 @@ async fn stop_is_above_everything() {
     let stops = puppet.stops();
     assert!(robots.stop(None, "Ben"));
     until("the robot holds", || puppet.stops() > stops && puppet.users().is_empty()).await;
-}
-
-#[test]
-fn a_place_stays_when_the_server_begins_anew() {
-    let folder = tempfile::tempdir().unwrap();
-    let order = Order::within(Some(folder.path()));
-    order.add(&id("one")).unwrap();
-    order.add(&id("two")).unwrap();
-    order.put(&id("two"), Some(&id("one"))).unwrap();
-    assert!(Order::within(Some(folder.path())).is_above(&id("two"), &id("one")));
 }

@@ -1,0 +1,292 @@
+//! One robot and what runs on it: a thread for the robot, one for every running behaviour, and a Stop that waits for
+//! none of them.
+
+use super::board::Board;
+use super::book;
+use super::gate::Gate;
+use super::house::House;
+use super::keeper::{self, Make};
+use super::live::LiveValues;
+use super::mailbox::Keep;
+use super::order::Order;
+use super::runner::{self, Job};
+use super::successor;
+use crate::lock;
+use crate::recordings::Recordings;
+use axum::extract::ws::Utf8Bytes;
+use behaviour::{BehaviourFile, Id, Value};
+use engine::Limits;
+use protocol::{RobotState, RunState, SaidNo};
+use robot::{Scene, SceneEdit};
+use std::sync::atomic::Ordering;
+use std::sync::{Arc, Mutex};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+use tokio::sync::{oneshot, watch};
+
+/// Stack of a run's thread in bytes; procedures nest on it.
+const STACK_BYTES: usize = 8 * 1024 * 1024;
+/// The longest a Start may take, in milliseconds.
+const START_MAX_MS: u64 = 10_000;
+/// The longest that ending waits for the threads, in milliseconds.
+const SHUT_DOWN_MAX_MS: u64 = 2_000;
+/// Threads of runs that may live, those included that have not noticed Stop yet.
+const THREADS_MAX: usize = 2 * book::RUNNING_MAX_RUNS;
+
+/// A robot and the behaviours that run on it. A clone is the same robot.
+#[derive(Clone)]
+pub(crate) struct Host {
+    pub(super) owner: Arc<Owner>,
+}
+
+/// What to start.
+pub(crate) struct Start {
+    /// The behaviour.
+    pub(crate) behaviour: Id,
+    /// Its revision.
+    pub(crate) revision: u64,
+    /// The behaviour at that revision, with its helpers.
+    pub(crate) file: Arc<BehaviourFile>,
+    /// Whether it is recorded.
+    pub(crate) record: bool,
+    /// Who starts it.
+    pub(crate) by: String,
+}
+
+/// Whether a run began, or why not.
+type Begun = Result<RunState, String>;
+
+/// Ends the robot's thread with the last clone.
+pub(super) struct Owner {
+    house: Arc<House>,
+    pub(super) thread: Mutex<Option<JoinHandle<()>>>,
+    limits: fn() -> Limits,
+    recordings: Recordings,
+    /// The robot in its room as a message, made from the newest scene.
+    pictures: watch::Sender<Utf8Bytes>,
+}
+
+impl Host {
+    /// A robot on a thread of its own, with these limits for procedures.
+    ///
+    /// # Errors
+    /// If the thread cannot be made.
+    pub(super) fn new(
+        state: RobotState,
+        board: Arc<Board>,
+        make: Make,
+        limits: fn() -> Limits,
+        recordings: Recordings,
+        order: Order,
+    ) -> std::io::Result<Self> {
+        let house = Arc::new(House::new(state.robot.clone(), board, order));
+        let shared = house.clone();
+        let thread = std::thread::Builder::new().name("robot".into()).spawn(move || keeper::keep(&shared, &make))?;
+        house.board.add(state);
+        let pictures = watch::Sender::new(Utf8Bytes::default());
+        Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits, recordings, pictures }) })
+    }
+
+    /// Which robot.
+    pub(crate) fn id(&self) -> &Id {
+        &self.house().robot
+    }
+
+    /// Grows with every Stop.
+    pub(crate) fn stops(&self) -> u64 {
+        self.house().stops.load(Ordering::SeqCst)
+    }
+
+    /// Whether nothing runs on it, and nothing is about to.
+    pub(super) fn is_idle(&self) -> bool {
+        lock(&self.house().book).is_idle()
+    }
+
+    /// Starts a behaviour; one that runs already is replaced as soon as the new one is ready.
+    ///
+    /// # Errors
+    /// Why it cannot start.
+    pub(crate) async fn start(&self, start: Start) -> Result<RunState, String> {
+        let gate = Arc::new(Gate::default());
+        let answer = self.launch(start, gate.clone())?;
+        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answer).await {
+            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
+            Err(_) => {
+                gate.close();
+                Err("it took too long to prepare".to_owned())
+            }
+        }
+    }
+
+    fn launch(&self, start: Start, gate: Arc<Gate>) -> Result<oneshot::Receiver<Begun>, String> {
+        let house = self.house().clone();
+        let busy = || "too many behaviours run already; stop one first".to_owned();
+        if house.threads() >= THREADS_MAX {
+            return Err(busy());
+        }
+        let run = house.board.next_run();
+        if !lock(&house.book).announce(run, &start.behaviour, &gate) {
+            return Err(busy());
+        }
+        let job = self.job(run, start, gate);
+        let (answer, answered) = oneshot::channel();
+        self.thread(job, move |job| runner::run(job, answer)).inspect_err(|_| lock(&house.book).withdraw(run))?;
+        Ok(answered)
+    }
+
+    fn job(&self, run: u64, start: Start, gate: Arc<Gate>) -> Job {
+        let (house, recordings) = (self.house().clone(), self.owner.recordings.clone());
+        Job { run, start, gate, house, recordings, limits: self.owner.limits }
+    }
+
+    /// A thread for a run.
+    fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), String> {
+        let house = self.house().clone();
+        house.threads.fetch_add(1, Ordering::SeqCst);
+        let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
+        let spawned = thread.spawn(move || {
+            work(&job);
+            job.house.threads.fetch_sub(1, Ordering::SeqCst);
+        });
+        spawned.map(drop).map_err(|error| {
+            house.threads.fetch_sub(1, Ordering::SeqCst);
+            format!("there is no room for another run ({error})")
+        })
+    }
+
+    /// Lets the running behaviour go on with what `start` has, between two instants; what did not change keeps its
+    /// memory. If it cannot, what runs goes on as it is.
+    ///
+    /// # Errors
+    /// Why it was not applied.
+    pub(crate) async fn apply(&self, start: Start) -> Result<RunState, String> {
+        let answered = self.launch_successor(start)?;
+        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
+            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
+            Err(_) => Err("it takes very long; look in a moment which revision runs".to_owned()),
+        }
+    }
+
+    fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, String> {
+        let before = lock(&self.house().book).running_of(&start.behaviour).cloned();
+        let before = before.ok_or("it does not run any more")?;
+        if self.house().threads() >= THREADS_MAX {
+            return Err("too many behaviours run already; stop one first".to_owned());
+        }
+        if !before.applying.begin() {
+            return Err("somebody applies a change just now; try again in a moment".to_owned());
+        }
+        let job = self.job(before.state.run, start, before.gate.clone());
+        let (answer, answered) = oneshot::channel();
+        let applying = before.applying.clone();
+        let thread = self.thread(job, move |job| successor::follow(job, &before, answer));
+        thread.inspect_err(|_| applying.end())?;
+        Ok(answered)
+    }
+
+    /// Stops a behaviour, or everything, and lets the robot hold safely. Answers at once, whatever the procedures do;
+    /// true if something ran.
+    pub(crate) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
+        self.house().stop(behaviour, by)
+    }
+
+    /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it.
+    ///
+    /// # Errors
+    /// If the behaviour does not run, or has no such sensor stream.
+    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), SaidNo> {
+        let book = lock(&self.house().book);
+        let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
+        let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
+        entry.mailbox.put(index, Keep::All, value);
+        Ok(())
+    }
+
+    /// Puts a behaviour just above another one in the order on the robot, or at the end.
+    ///
+    /// # Errors
+    /// If that could not be kept.
+    pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), SaidNo> {
+        self.house().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
+    }
+
+    /// Ends the recording of a running behaviour.
+    ///
+    /// # Errors
+    /// If the behaviour does not run.
+    pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), SaidNo> {
+        let book = lock(&self.house().book);
+        book.running_of(behaviour).ok_or(SaidNo::NotRunning)?.mailbox.end_recording();
+        Ok(())
+    }
+
+    /// Moves something in the room.
+    pub(crate) fn edit_scene(&self, edit: SceneEdit) {
+        self.house().desk.edit(edit);
+    }
+
+    /// The robot in its room: the newest picture, about 30 a second while anything changes.
+    pub(crate) fn scene(&self) -> watch::Receiver<Arc<Scene>> {
+        self.house().scene.subscribe()
+    }
+
+    /// What runs and what ended lately, oldest first.
+    #[cfg(test)]
+    pub(super) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
+        self.house().board.runs()
+    }
+
+    /// The same as a message, made elsewhere.
+    pub(crate) fn pictures(&self) -> &watch::Sender<Utf8Bytes> {
+        &self.owner.pictures
+    }
+
+    /// The live values of a run, also of one that ended lately.
+    pub(crate) fn values(&self, run: u64) -> Option<LiveValues> {
+        lock(&self.house().book).get(run).map(|entry| entry.live.clone())
+    }
+
+    /// Whether a behaviour runs.
+    pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
+        lock(&self.house().book).running_of(behaviour).is_some()
+    }
+
+    /// Stops everything and wants the threads to end.
+    pub(super) fn end(&self) {
+        self.stop(None, "the server");
+        self.house().desk.end();
+    }
+
+    /// Is gone for good: with its order, and from what people are shown.
+    pub(super) fn leave(&self) {
+        self.end();
+        self.house().order.forget();
+        self.house().board.remove(self.id());
+    }
+
+    /// Stops everything and ends the threads; waits at most two seconds.
+    pub(super) fn shut_down(&self) {
+        self.end();
+        let until = Instant::now() + Duration::from_millis(SHUT_DOWN_MAX_MS);
+        let thread = lock(&self.owner.thread).take();
+        let is_working = || self.house().threads() > 0 || thread.as_ref().is_some_and(|thread| !thread.is_finished());
+        while is_working() && Instant::now() < until {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        // A thread that did not notice in time is left to the end of the process.
+        if let Some(thread) = thread.filter(JoinHandle::is_finished) {
+            drop(thread.join());
+        }
+    }
+
+    pub(super) fn house(&self) -> &Arc<House> {
+        &self.owner.house
+    }
+}
+
+impl Drop for Owner {
+    fn drop(&mut self) {
+        self.house.stop(None, "the server");
+        self.house.desk.end();
+    }
+}

@@ -1,0 +1,21 @@
+//! Removes a robot.
+
+use super::Command;
+use crate::console::Console;
+use protocol::{Request, RobotState};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "remove robot",
+    words: "NAME",
+    help: "Removes a robot on which nothing runs, with its room and its order.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+    let (name, robot) = console.robot_meant(wanted).await?;
+    console.ask(Request::RemoveRobot { robot: robot.clone() }).await?;
+    let is_gone = |robots: &[RobotState]| robots.iter().all(|known| known.robot != robot);
+    console.client()?.robots_that(is_gone).await.map_err(|trouble| trouble.to_string())?;
+    console.robot.take_if(|chosen| *chosen == robot);
+    Ok(format!("{name} is removed"))
+}

@@ -1,0 +1,119 @@
+//! The robots, and the one that this tab looks at: its Start, its Stop, its room and its live values.
+
+use super::{Desk, set_if_new};
+use crate::browser::{self, Keep};
+use crate::{link, words};
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{Request, RobotState, RunPhase, RunState, STOP_PATH};
+use robot::{Health, Scene};
+
+const ROBOT_KEY: &str = "rrp.robot";
+
+impl Desk {
+    pub(super) fn hear_robots(&self, robots: Vec<RobotState>) {
+        set_if_new(&self.robots, robots);
+        self.look();
+    }
+
+    /// Looks at another robot; this tab goes on with it, and the next tab begins with it.
+    pub(crate) fn choose_robot(&self, robot: &Id) {
+        for drawer in [Keep::Tab, Keep::Browser] {
+            drawer.put(ROBOT_KEY, robot.as_str());
+        }
+        self.state().wanted_robot = Some(robot.clone());
+        self.look();
+    }
+
+    /// Adds a simulated robot and looks at it.
+    pub(crate) fn add_robot(&self, name: &str) {
+        let (desk, robot) = (self.clone(), super::new_id());
+        self.ask_or_say(Request::AddRobot { robot: robot.clone(), name: name.to_owned() }, move |_| {
+            desk.choose_robot(&robot);
+        });
+    }
+
+    /// Removes the robot that this tab looks at.
+    pub(crate) fn remove_robot(&self) {
+        if let Some(robot) = self.robot_id() {
+            self.ask_or_say(Request::RemoveRobot { robot }, |_| {});
+        }
+    }
+
+    /// Stops everything on all robots.
+    pub(crate) fn stop_all(&self) {
+        self.ask_or_say(Request::Stop { behaviour: None, robot: None }, |_| {});
+    }
+
+    /// The robot that this tab looks at; not reactive.
+    pub(crate) fn robot_id(&self) -> Option<Id> {
+        self.robot.with_untracked(|robot| robot.as_ref().map(|robot| robot.robot.clone()))
+    }
+
+    /// How it is. Reactive.
+    pub(crate) fn health(&self) -> Health {
+        self.robot.read().as_ref().map_or(Health::Connecting, |robot| robot.health.clone())
+    }
+
+    /// What people call it. Reactive.
+    pub(crate) fn robot_name(&self) -> String {
+        self.robot.read().as_ref().map(|robot| robot.name.clone()).unwrap_or_default()
+    }
+
+    /// What runs on it and what ended there lately, oldest first. Reactive.
+    pub(crate) fn runs_here(&self) -> Vec<RunState> {
+        let robot = self.robot.read().as_ref().map(|robot| robot.robot.clone());
+        let mut runs = self.runs.get();
+        runs.retain(|run| robot.as_ref() == Some(&run.robot));
+        runs
+    }
+
+    /// The name of a robot on which the open program runs, if there is one. Reactive.
+    pub(crate) fn runs_on(&self) -> Option<String> {
+        let open = self.open.get()?;
+        let is_it = |run: &&RunState| run.behaviour == open && run.phase == RunPhase::Running;
+        let on = self.runs.read().iter().find(is_it).map(|run| run.robot.clone())?;
+        self.robots.read().iter().find(|robot| robot.robot == on).map(|robot| robot.name.clone())
+    }
+
+    /// The wanted robot if it is there, else the first one.
+    fn look(&self) {
+        let wanted = self.wanted_robot();
+        let found = self.robots.with_untracked(|robots| {
+            let is_it = |known: &&RobotState| wanted.as_ref() == Some(&known.robot);
+            robots.iter().find(is_it).or_else(|| robots.first()).cloned()
+        });
+        let Some(found) = found else { return };
+        self.say_if_gone(&found);
+        let watched = self.state().watched.replace(found.robot.clone());
+        let id = found.robot.clone();
+        set_if_new(&self.robot, Some(found));
+        self.aim_stop(&id);
+        if watched.as_ref() != Some(&id) {
+            set_if_new(&self.scene, Scene::default());
+            link::tell(Request::Watch { robot: Some(id), scene: true, values: true });
+            self.values_of_open();
+        }
+    }
+
+    fn wanted_robot(&self) -> Option<Id> {
+        let kept = || Keep::Tab.get(ROBOT_KEY).or_else(|| Keep::Browser.get(ROBOT_KEY));
+        let chosen = self.state().wanted_robot.clone();
+        chosen.or_else(|| kept().and_then(|text| Id::new(&text).ok()))
+    }
+
+    fn say_if_gone(&self, now: &RobotState) {
+        let Some(before) = self.robot.get_untracked() else { return };
+        let is_gone = self.robots.with_untracked(|robots| robots.iter().all(|known| known.robot != before.robot));
+        if is_gone {
+            self.say(&words::robot_gone(&before.name, &now.name), false);
+        }
+    }
+
+    /// The plain Stop button stops the robot that this tab looks at.
+    fn aim_stop(&self, robot: &Id) {
+        let several = self.robots.with_untracked(|robots| robots.len() > 1);
+        let address = if several { format!("{STOP_PATH}?robot={robot}") } else { STOP_PATH.to_owned() };
+        browser::set_attribute("stop-form", "action", &address);
+    }
+}
