@@ -180,8 +180,7 @@ impl Desk {
     fn run_of_open(&self) -> Option<RunState> {
         let open = self.open.get_untracked()?;
         let here = self.robot_id()?;
-        let is_it =
-            |run: &&RunState| run.behaviour == open && run.robot == here && run.phase == RunPhase::Running;
+        let is_it = |run: &&RunState| run.behaviour == open && run.robot == here && run.phase == RunPhase::Running;
         self.runs.with_untracked(|runs| runs.iter().rfind(is_it).cloned())
     }
 

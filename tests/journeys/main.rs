@@ -10,6 +10,7 @@ mod library;
 mod order;
 mod quick;
 mod record;
+mod robots;
 mod runaway;
 mod steps;
 mod stop;

@@ -109,8 +109,8 @@ impl Visitor {
     pub(crate) async fn scene(&mut self, what: &str, wanted: impl Fn(&Scene) -> bool) -> Outcome<Scene> {
         let mut last = None;
         let look = |message: Message| match message.reply {
-            Reply::Scene { scene } if wanted(&scene) => Some(*scene),
-            Reply::Scene { scene } => {
+            Reply::Scene { scene, .. } if wanted(&scene) => Some(*scene),
+            Reply::Scene { scene, .. } => {
                 last = Some(scene);
                 None
             }

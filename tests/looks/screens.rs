@@ -56,6 +56,7 @@ pub(crate) async fn walk(page: &Page, visit: impl AsyncFn(&str) -> Outcome<()>) 
     visit("empty-program").await?;
     run_template(page).await?;
     visit("running").await?;
+    robots(page, &visit).await?;
     operations(page, &visit).await?;
     selected(page, "Head tracker").await?;
     edit(page).await?;
@@ -100,6 +101,21 @@ pub(crate) async fn run_template(page: &Page) -> Outcome<()> {
     page.press("button", "Start").await?;
     page.find("button", "Running").await?;
     page.until("document.body.innerText.includes('/s')", "values come").await.map(drop)
+}
+
+/// Adds a second robot and goes back to the one on which something runs.
+async fn robots(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+    page.press("button", "Robot: Simulated NAO").await?;
+    page.press("menuitem", "Add a simulated robot").await?;
+    page.find("dialog", "Add a simulated robot").await?;
+    visit("add-robot").await?;
+    page.press("button", "Create").await?;
+    page.press("button", "Robot: Simulated NAO 2").await?;
+    page.find("menu", "Robot: Simulated NAO 2").await?;
+    visit("robots").await?;
+    page.press("menuitemradio", "Simulated NAO runs *").await?;
+    page.find("button", "Running").await?;
+    page.until("document.body.innerText.includes('/s')", "values come again").await.map(drop)
 }
 
 async fn operations(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {

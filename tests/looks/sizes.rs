@@ -15,8 +15,15 @@ pub(crate) const SIZES: [(&str, u32, u32, bool); 5] = [
     ("tablet-200", 590, 410, false),
 ];
 /// The screens that are kept as pictures.
-const KEPT: [&str; 6] =
-    ["empty-library", "empty-program", "running", "operation-filter", "operation-map-help", "operation-combine-help"];
+const KEPT: [&str; 7] = [
+    "empty-library",
+    "empty-program",
+    "running",
+    "robots",
+    "operation-filter",
+    "operation-map-help",
+    "operation-combine-help",
+];
 
 #[tokio::test]
 async fn every_screen_keeps_the_rules_at_every_size() -> Outcome<()> {

@@ -88,7 +88,7 @@ impl Desk {
         let watched = self.state().watched.replace(found.robot.clone());
         let id = found.robot.clone();
         set_if_new(&self.robot, Some(found));
-        self.aim_stop(&id);
+        self.aim_stop();
         if watched.as_ref() != Some(&id) {
             set_if_new(&self.scene, Scene::default());
             link::tell(Request::Watch { robot: Some(id), scene: true, values: true });
@@ -111,9 +111,12 @@ impl Desk {
     }
 
     /// The plain Stop button stops the robot that this tab looks at.
-    fn aim_stop(&self, robot: &Id) {
+    fn aim_stop(&self) {
         let several = self.robots.with_untracked(|robots| robots.len() > 1);
-        let address = if several { format!("{STOP_PATH}?robot={robot}") } else { STOP_PATH.to_owned() };
+        let robot = self.robot.get_untracked().filter(|_| several);
+        let address = robot.as_ref().map_or(STOP_PATH.to_owned(), |robot| format!("{STOP_PATH}?robot={}", robot.robot));
         browser::set_attribute("stop-form", "action", &address);
+        let name = robot.map_or(words::the_robot().to_owned(), |robot| robot.name);
+        browser::set_attribute("stop", "title", &words::stop_title(&name));
     }
 }

@@ -1,6 +1,9 @@
 //! One line of text, and a number with its unit.
 
 use leptos::prelude::*;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+static HINTS: AtomicU32 = AtomicU32::new(0);
 
 /// One line of text.
 #[component]
@@ -17,6 +20,8 @@ pub(crate) fn TextField(
     #[prop(default = 200)]
     max_chars: usize,
 ) -> impl IntoView {
+    // Described by the hint, not named by it.
+    let hint_id = (!hint.is_empty()).then(|| format!("hint-{}", HINTS.fetch_add(1, Ordering::Relaxed)));
     view! {
         <label class="field">
             <span class="label">{label}</span>
@@ -24,14 +29,15 @@ pub(crate) fn TextField(
                 class="input"
                 class:mono=mono
                 type="text"
+                aria-describedby=hint_id.clone()
                 autocomplete="off"
                 spellcheck=if mono { "false" } else { "true" }
                 maxlength=max_chars.to_string()
                 prop:value=move || value.get()
                 on:input:target=move |event| value.set(event.target().value())
             />
-            {(!hint.is_empty()).then(|| view! { <span class="faint">{hint}</span> })}
         </label>
+        {hint_id.map(|id| view! { <p class="faint field-hint" id=id>{hint}</p> })}
     }
 }
 

@@ -4,23 +4,31 @@ use super::hold::hold;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
-use leptos::ev::DragEvent;
 use leptos::prelude::*;
 use protocol::RunState;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, PointerEvent};
 
 /// The list, as soon as more than the open program runs.
 #[component]
 pub(crate) fn Running() -> impl IntoView {
     let desk = hold();
-    let running = Memo::new(move |_| desk.desk().all_running());
+    let dragged = RwSignal::new(None::<Drag>);
+    // Nothing moves under the hand.
+    let running = Memo::new(move |before: Option<&Vec<RunState>>| match before {
+        Some(before) if dragged.read().is_some() => before.clone(),
+        _ => desk.desk().all_running(),
+    });
     let other = Memo::new(move |_| {
         let open = desk.desk().open.get();
         running.read().iter().any(|run| Some(&run.behaviour) != open.as_ref())
     });
-    let dragged = RwSignal::new(None::<Id>);
     let rows = move || {
         let all = running.get();
-        all.iter().enumerate().map(|(at, run)| row(desk, dragged, &all, at, run)).collect_view()
+        all.iter()
+            .enumerate()
+            .map(|(at, run)| view! { <Row dragged all=all.clone() at run=run.clone() /> })
+            .collect_view()
     };
     view! {
         <div class="running" hidden=move || !other.get()>
@@ -31,67 +39,109 @@ pub(crate) fn Running() -> impl IntoView {
     }
 }
 
-fn row(
-    desk: super::hold::Hold,
-    dragged: RwSignal<Option<Id>>,
-    all: &[RunState],
-    at: usize,
-    run: &RunState,
-) -> impl IntoView + use<> {
-    let (id, name) = (run.behaviour.clone(), run.name.clone());
-    let id_of = |at: usize| all.get(at).map(|run| run.behaviour.clone());
-    let up = at.checked_sub(1).and_then(id_of);
-    let down = id_of(at + 1);
-    // A place down is the next one a place up.
-    let move_up = {
-        let (id, up) = (id.clone(), up.clone());
-        move |_| desk.desk().place(&id, up.clone())
-    };
-    let move_down = {
-        let (id, down) = (id.clone(), down.clone());
-        move |_| {
-            if let Some(down) = &down {
-                desk.desk().place(down, Some(id.clone()))
-            }
-        }
-    };
-    let stop = {
-        let id = id.clone();
-        move |_| desk.desk().stop_one(&id)
-    };
+/// A program in somebody's hand, and the one in whose place it would come.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Drag {
+    moved: Id,
+    over: Id,
+}
+
+#[component]
+fn Row(dragged: RwSignal<Option<Drag>>, all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
+    let desk = hold();
+    let id = run.behaviour.clone();
     let order: Vec<Id> = all.iter().map(|run| run.behaviour.clone()).collect();
-    let drop = {
-        let id = id.clone();
-        move |event: DragEvent| {
-            event.prevent_default();
-            if let Some(dragged) = dragged.get_untracked() {
-                desk.desk().place_at(&order, &dragged, &id);
-            }
-            dragged.set(None);
-        }
-    };
     let take = {
         let id = id.clone();
-        move |_| dragged.set(Some(id.clone()))
+        move |event: PointerEvent| {
+            if event.button() == 0 && event.is_primary() {
+                capture(&event);
+                dragged.set(Some(Drag { moved: id.clone(), over: id.clone() }));
+            }
+        }
+    };
+    let pull = move |event: PointerEvent| {
+        if let (Some(over), Some(drag)) = (row_at(&event), dragged.get_untracked()) {
+            let now = Drag { over, ..drag.clone() };
+            if now != drag {
+                dragged.set(Some(now));
+            }
+        }
+    };
+    let put = move |_| {
+        if let Some(Drag { moved, over }) = dragged.get_untracked() {
+            dragged.set(None);
+            desk.desk().place_at(&order, &moved, &over);
+        }
+    };
+    let (held, target) = (id.clone(), id.clone());
+    let is_held = move || dragged.read().as_ref().is_some_and(|drag| drag.moved == held);
+    let is_target = move || dragged.read().as_ref().is_some_and(|drag| drag.over == target && drag.moved != target);
+    view! {
+        <li data-behaviour=id.to_string() class:dragged=is_held class:target=is_target>
+            <span
+                class="cut grip"
+                title=run.name.clone()
+                on:pointerdown=take
+                on:pointermove=pull
+                on:pointerup=put
+                on:pointercancel=move |_| dragged.set(None)
+            >
+                {run.name.clone()}
+            </span>
+            <Buttons all=all.clone() at run=run.clone() />
+            {said(&all, &run)}
+        </li>
+    }
+}
+
+/// The row goes on hearing the hand outside of it.
+fn capture(event: &PointerEvent) {
+    event.prevent_default();
+    if let Some(target) = event.current_target().and_then(|target| target.dyn_into::<Element>().ok()) {
+        let _ = target.set_pointer_capture(event.pointer_id());
+    }
+}
+
+/// The program whose row is under the hand.
+fn row_at(event: &PointerEvent) -> Option<Id> {
+    let document = crate::browser::window()?.document()?;
+    let element = document.element_from_point(event.client_x() as f32, event.client_y() as f32)?;
+    let row = element.closest("[data-behaviour]").ok()??;
+    Id::new(&row.get_attribute("data-behaviour")?).ok()
+}
+
+/// The same for keys and for who prefers to press: a place up or down, and Stop.
+#[component]
+fn Buttons(all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
+    let desk = hold();
+    let (id, name) = (run.behaviour, run.name);
+    let id_of = |at: usize| all.get(at).map(|run| run.behaviour.clone());
+    let (up, down) = (at.checked_sub(1).and_then(id_of), id_of(at + 1));
+    let (no_up, no_down) = (up.is_none(), down.is_none());
+    let (moved, stopped) = (id.clone(), id.clone());
+    let move_up = move |_| desk.desk().place(&moved, up.clone());
+    // A place down is the next one a place up.
+    let move_down = move |_| {
+        if let Some(down) = &down {
+            desk.desk().place(down, Some(id.clone()))
+        }
     };
     view! {
-        <li
-            draggable="true"
-            on:dragstart=take
-            on:dragend=move |_| dragged.set(None)
-            on:dragover=move |event: DragEvent| event.prevent_default()
-            on:drop=drop
+        <button class="icon" type="button" disabled=no_up aria-label=words::move_up(&name) on:click=move_up>
+            <Icon name="up" />
+        </button>
+        <button class="icon" type="button" disabled=no_down aria-label=words::move_down(&name) on:click=move_down>
+            <Icon name="down" />
+        </button>
+        <button
+            class="link"
+            type="button"
+            aria-label=words::stop_one(&name)
+            on:click=move |_| desk.desk().stop_one(&stopped)
         >
-            <span class="cut" title=name.clone()>{name.clone()}</span>
-            <button class="icon" type="button" disabled=up.is_none() aria-label=words::move_up(&name) on:click=move_up>
-                <Icon name="up" />
-            </button>
-            <button class="icon" type="button" disabled=down.is_none() aria-label=words::move_down(&name) on:click=move_down>
-                <Icon name="down" />
-            </button>
-            <button class="link" type="button" aria-label=words::stop_one(&name) on:click=stop>{words::stop()}</button>
-            {said(all, run)}
-        </li>
+            {words::stop()}
+        </button>
     }
 }
 

@@ -36,6 +36,7 @@ sentences! {
     // The robot
     right_name: "Robot";
     robot: "Robot";
+    the_robot: "the robot";
     add_robot: "Add a simulated robot";
     new_robot: "Simulated NAO";
     add_robot_hint: "It has a room of its own, and everybody here can use it.";
@@ -282,6 +283,10 @@ pub(crate) fn move_up(name: &str) -> String {
 
 pub(crate) fn move_down(name: &str) -> String {
     format!("Move “{name}” down")
+}
+
+pub(crate) fn stop_title(name: &str) -> String {
+    format!("Stop {name} (Esc Esc)")
 }
 
 pub(crate) fn robot_named(name: &str) -> String {
