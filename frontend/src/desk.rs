@@ -69,6 +69,8 @@ pub(crate) struct Fields {
     /// The library, by name.
     pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
+    /// Tells whether what runs would run differently if it were started now.
+    pub(crate) fingerprint: ArcRwSignal<u32>,
     /// Oldest first.
     pub(crate) robots: ArcRwSignal<Vec<RobotState>>,
     /// The one that this tab looks at.

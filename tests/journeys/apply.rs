@@ -45,6 +45,41 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
     calm(&aiko)
 }
 
+#[tokio::test]
+async fn only_what_would_run_differently_is_an_edit() -> Outcome<()> {
+    if !skip::ready("journey: what is an edit to what runs") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    running_ball(&aiko).await?;
+    let run = newest_run(&stage).await?;
+
+    // A helper that it uses makes a difference.
+    aiko.press("button", "Edit helper").await?;
+    aiko.press("menuitem", "distance *").await?;
+    aiko.within("dialog", "Edit helper").fill("textbox", "Body", "1000").await?;
+    save(&aiko, "Edit helper").await?;
+    says(&aiko, "a helper was edited since").await?;
+    aiko.press("button", "Apply to the running robot").await?;
+    silent(&aiko, "a helper was edited since").await?;
+    aiko.until("document.body.innerText.includes('1000')", "the new helper works").await?;
+
+    // Where a stream stands is nothing to the robot, though it is saved as the next version.
+    let ball = aiko.boxed("button", "RedBall, *").await?.centre();
+    aiko.drag(ball, (ball.0 - 120.0, ball.1 + 40.0), 8).await?;
+    let moved = format!("{}", run.revision + 1);
+    aiko.until(&format!("document.body.innerText.includes('Running version {}')", run.revision), "it runs").await?;
+    saved(&aiko).await?;
+    let mut visitor = Visitor::enter(&stage.server).await?;
+    assert_eq!(visitor.open_newest().await?.revision.to_string(), moved);
+    silent(&aiko, ", editing ").await?;
+    aiko.gone("button", "Apply to the running robot").await?;
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    calm(&aiko)
+}
+
 /// What runs, as somebody sees it who comes just now.
 async fn newest_run(stage: &Stage) -> Outcome<RunState> {
     Visitor::enter(&stage.server).await?.newest_run().await

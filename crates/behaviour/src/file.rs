@@ -1,5 +1,6 @@
 //! `rrp-behaviour/1`: one behaviour with its helpers as one file, what `rrp replay` reads and a run is pinned to.
 
+mod fingerprint;
 mod of;
 mod records;
 

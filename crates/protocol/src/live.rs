@@ -36,6 +36,9 @@ pub struct RunState {
     pub name: String,
     /// The revision that runs: the one at Start, or the one that was applied last.
     pub revision: u64,
+    /// The fingerprint of what runs ([`behaviour::BehaviourFile::fingerprint`]): if what is edited has another one, it would
+    /// run differently.
+    pub fingerprint: u32,
     /// Who pressed Start.
     pub by: String,
     /// Whether it runs.

@@ -91,6 +91,8 @@ pub enum Reply {
         records: Box<Behaviour>,
         /// Its problems.
         problems: Vec<Problem>,
+        /// What [`RunState::fingerprint`] would be if it were started now.
+        fingerprint: u32,
         /// Who is there, this client included.
         people: Vec<Person>,
     },
@@ -108,7 +110,7 @@ pub enum Reply {
         /// The changes.
         changes: Vec<Accepted>,
     },
-    /// The problems of a behaviour after a change.
+    /// The problems of a behaviour after a change to it or to the library.
     Problems {
         /// Of which behaviour.
         behaviour: Id,
@@ -116,6 +118,8 @@ pub enum Reply {
         revision: u64,
         /// All of them.
         problems: Vec<Problem>,
+        /// What [`RunState::fingerprint`] would be if it were started now.
+        fingerprint: u32,
     },
     /// A behaviour went to the bin or is gone; who has it open has to choose another.
     Removed {

@@ -10,9 +10,10 @@ use crate::hub::{Hub, Shelf, bounded, store_no};
 use crate::outbox::{Feed, encode};
 use crate::rooms::{Look, Member, Note};
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Accepted, Id, Problem, Room};
+use behaviour::{Accepted, Id, Room};
 use futures_util::future::BoxFuture;
 use jobs::Job;
+use problems::Found;
 use protocol::SaidNo;
 use saving::Saved;
 use std::collections::{BTreeMap, VecDeque};
@@ -40,9 +41,9 @@ struct RoomTask {
     gone: bool,
     log: VecDeque<Accepted>,
     shelf: watch::Receiver<Arc<Shelf>>,
-    problems: Vec<Problem>,
+    found: Found,
     problems_due: bool,
-    finding: Option<JoinHandle<(u64, Vec<Problem>)>>,
+    finding: Option<JoinHandle<Found>>,
     revision: watch::Sender<u64>,
     people_text: watch::Sender<Utf8Bytes>,
     problems_text: watch::Sender<Utf8Bytes>,
@@ -83,7 +84,7 @@ impl RoomTask {
             gone: false,
             log: VecDeque::new(),
             shelf,
-            problems: Vec::new(),
+            found: Found::default(),
             problems_due: false,
             finding: None,
             revision,
@@ -104,7 +105,7 @@ impl RoomTask {
             self.start_finding();
             tokio::select! {
                 saved = due(&mut self.saving) => self.saved(saved),
-                found = due(&mut self.finding) => self.found(found),
+                found = due(&mut self.finding) => self.found_problems(found),
                 Some(note) = inbox.recv() => self.take(note),
                 Ok(()) = self.shelf.changed(), if !self.is_library() => self.problems_due = true,
                 () = stopping.cancelled(), if !stopping.is_cancelled() => {}

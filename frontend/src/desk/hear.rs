@@ -33,14 +33,18 @@ impl Desk {
                 self.welcome(you, *library, library_revision, templates);
             }
             Reply::ProgramsChanged => self.programs_changed(),
-            Reply::Opened { behaviour, revision, records, problems, people } => {
-                self.opened(behaviour, revision, *records, problems, people);
+            Reply::Opened { behaviour, revision, records, problems, fingerprint, people } => {
+                self.opened(behaviour.clone(), revision, *records, problems, people);
+                if self.is_open(&behaviour) {
+                    set_if_new(&self.fingerprint, fingerprint);
+                }
             }
             Reply::Accepted { behaviour, accepted } => self.accepted(&behaviour, accepted),
             Reply::Missed { behaviour, changes } => {
                 changes.into_iter().for_each(|accepted| self.accepted(&behaviour, accepted));
             }
-            Reply::Problems { behaviour, problems, .. } if self.is_open(&behaviour) => {
+            Reply::Problems { behaviour, problems, fingerprint, .. } if self.is_open(&behaviour) => {
+                set_if_new(&self.fingerprint, fingerprint);
                 set_if_new(&self.problems, problems);
             }
             Reply::People { behaviour, people } if self.is_open(&behaviour) => set_if_new(&self.people, people),

@@ -2,6 +2,7 @@
 
 use super::Desk;
 use behaviour::Id;
+use leptos::prelude::*;
 use protocol::{Request, RunPhase, RunState};
 
 impl Desk {
@@ -11,6 +12,11 @@ impl Desk {
         running.retain(|run| run.phase == RunPhase::Running);
         running.sort_by_key(|run| run.place);
         running
+    }
+
+    /// Whether what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
+    pub(crate) fn runs_older(&self, run: &RunState) -> bool {
+        self.fingerprint.get() != run.fingerprint
     }
 
     /// Puts a running behaviour just above another one, or at the end.

@@ -58,7 +58,7 @@ fn Start() -> impl IntoView {
     let blocked = Memo::new(move |_| !runs.get() && why_not(desk).is_some());
     let press = move |_| match desk.desk().running() {
         None => desk.desk().start(),
-        Some(run) if run.revision != desk.desk().revision.get_untracked() => desk.desk().apply(),
+        Some(run) if untrack(|| desk.desk().runs_older(&run)) => desk.desk().apply(),
         Some(_) => {}
     };
     view! {
@@ -95,8 +95,9 @@ fn why_not(desk: Hold) -> Option<String> {
 #[component]
 fn Line() -> impl IntoView {
     let desk = hold();
-    let running = Memo::new(move |_| desk.desk().running().map(|run| run.revision));
-    let older = Memo::new(move |_| running.get().filter(|runs| *runs != desk.desk().revision.get()));
+    let run = Memo::new(move |_| desk.desk().running());
+    let running = Memo::new(move |_| run.read().as_ref().map(|run| run.revision));
+    let older = Memo::new(move |_| run.get().filter(|run| desk.desk().runs_older(run)).map(|run| run.revision));
     let blocked = Memo::new(move |_| why_not(desk));
     let text = move || match (running.get(), older.get()) {
         (Some(_), Some(runs)) => words::running_older(runs, desk.desk().revision.get()),

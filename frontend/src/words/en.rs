@@ -266,6 +266,9 @@ pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
 }
 
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
+    if runs == edits {
+        return format!("Running version {runs}; a helper was edited since");
+    }
     format!("Running version {runs}, editing {edits}")
 }
 

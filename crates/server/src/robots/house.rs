@@ -100,6 +100,7 @@ impl House {
         let entry = book.running_mut(run)?;
         entry.file = start.file.clone();
         (entry.state.revision, entry.state.name) = (start.revision, start.file.name.clone());
+        entry.state.fingerprint = start.file.fingerprint();
         let state = entry.state.clone();
         self.show(&book);
         Some(state)

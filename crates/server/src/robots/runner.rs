@@ -184,6 +184,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
             behaviour: start.behaviour.clone(),
             name: start.file.name.clone(),
             revision: start.revision,
+            fingerprint: start.file.fingerprint(),
             by: start.by.clone(),
             phase: RunPhase::Running,
             recording: None,

@@ -47,7 +47,8 @@ impl RoomTask {
             behaviour: self.id.clone(),
             revision: self.room.revision(),
             records: Box::new(self.room.behaviour().clone()),
-            problems: self.problems.clone(),
+            problems: self.found.problems.clone(),
+            fingerprint: self.found.fingerprint,
             people: self.people(),
         }
     }

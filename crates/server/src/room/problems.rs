@@ -3,10 +3,20 @@
 
 use super::RoomTask;
 use crate::outbox::encode;
-use behaviour::Problem;
+use behaviour::{BehaviourFile, Problem};
 use protocol::Reply;
 use std::sync::Arc;
 use tokio::task::JoinError;
+
+/// What was found out about one revision.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Found {
+    revision: u64,
+    /// Its problems.
+    pub(super) problems: Vec<Problem>,
+    /// What would run.
+    pub(super) fingerprint: u32,
+}
 
 impl RoomTask {
     /// Once before anybody is let in.
@@ -14,7 +24,7 @@ impl RoomTask {
         self.problems_due = !self.is_library();
         self.start_finding();
         if let Some(finding) = self.finding.take() {
-            self.found(finding.await);
+            self.found_problems(finding.await);
         }
     }
 
@@ -26,16 +36,21 @@ impl RoomTask {
         self.problems_due = false;
         let (knowing, shelf) = (Arc::clone(&self.hub.knowing), self.shelf.borrow_and_update().clone());
         let (behaviour, revision) = (self.room.behaviour().clone(), self.room.revision());
-        let find = move || (revision, behaviour::problems(&behaviour, &shelf.helpers(), &*knowing));
+        let find = move || {
+            let helpers = shelf.helpers();
+            let problems = behaviour::problems(&behaviour, &helpers, &*knowing);
+            Found { revision, problems, fingerprint: BehaviourFile::of(&behaviour, &helpers).fingerprint() }
+        };
         self.finding = Some(tokio::task::spawn_blocking(find));
     }
 
     /// They are found.
-    pub(super) fn found(&mut self, found: Result<(u64, Vec<Problem>), JoinError>) {
+    pub(super) fn found_problems(&mut self, found: Result<Found, JoinError>) {
         match found {
-            Ok((revision, problems)) => {
-                self.problems.clone_from(&problems);
-                let reply = Reply::Problems { behaviour: self.id.clone(), revision, problems };
+            Ok(found) => {
+                let Found { revision, problems, fingerprint } = found.clone();
+                self.found = found;
+                let reply = Reply::Problems { behaviour: self.id.clone(), revision, problems, fingerprint };
                 self.problems_text.send_replace(encode(None, reply));
             }
             Err(error) => tracing::error!(behaviour = %self.id, %error, "the problems could not be found"),
