@@ -17,6 +17,9 @@ async fn a_run_is_recorded_if_somebody_wants_it() -> Outcome<()> {
     aiko.press("checkbox", "Record the next run").await?;
     start(&aiko).await?;
     shows_value(&aiko, "RedBall").await?;
+    aiko.fill("textbox", "What happens now?", "She smiles.").await?;
+    aiko.press("button", "Mark").await?;
+    says(&aiko, "Marked in the recording.").await?;
     aiko.press("button", "End the recording").await?;
     aiko.gone("button", "End the recording").await?;
     aiko.find("button", "Running").await?;
@@ -27,6 +30,7 @@ async fn a_run_is_recorded_if_somebody_wants_it() -> Outcome<()> {
     let read = "fetch(document.querySelector('.recordings a').href).then(answer => answer.text())\
         .then(text => { const lines = text.trim().split('\\n').map(JSON.parse); \
         return lines[0].format === 'rrp-recording/1' && lines.some(line => line.stream) && \
+        lines.some(line => line.mark === 'note' && line.note === 'She smiles.' && line.by.startsWith('Guest')) && \
         lines.at(-1).why === 'the recording was ended'; })";
     assert_eq!(aiko.eval(read).await?, true);
     calm(&aiko)

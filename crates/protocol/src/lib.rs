@@ -33,6 +33,8 @@ pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 pub const UPDATES_PER_SECOND_MAX: u64 = 30;
 /// How often the server pings, in milliseconds.
 pub const PING_MS: u64 = 5_000;
+/// The longest note of a mark in a recording, in characters.
+pub const MARK_MAX_CHARS: usize = 200;
 /// The most robots of a server.
 pub const ROBOTS_MAX: usize = 8;
 /// The longest name of a robot, in characters.

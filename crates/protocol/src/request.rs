@@ -130,6 +130,16 @@ pub enum Request {
         #[serde(default, skip_serializing_if = "Option::is_none")]
         robot: Option<Id>,
     },
+    /// Marks this moment in the recording of a running behaviour. Answered by `Done`.
+    Mark {
+        /// Which.
+        behaviour: Id,
+        /// On which robot; none means wherever it runs.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
+        /// What happened, in at most [`crate::MARK_MAX_CHARS`]; may be empty.
+        note: String,
+    },
     /// What runs now and what ended lately, which is also told unasked. Answered by `Runs`.
     Runs,
     /// Puts a behaviour just above another one in the order on a robot, or at the end. Answered by `Done`.

@@ -10,6 +10,7 @@ use crate::lock;
 use behaviour::Id;
 pub(crate) use give::{download, list};
 use lines::Header;
+pub(crate) use lines::Note;
 use protocol::{Recording, SaidNo};
 pub(crate) use recorder::{Recorder, Step};
 use serde::Deserialize;

@@ -32,7 +32,7 @@ use behaviour::{Id, Value};
 use board::Board;
 use engine::Limits;
 use order::Order;
-use protocol::{ROBOTS_MAX, RobotState, RunState, SaidNo};
+use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RobotState, RunState, SaidNo};
 use register::{Known, Register};
 use robot::{Health, SceneEdit};
 use std::path::{Path, PathBuf};
@@ -154,6 +154,18 @@ impl Robots {
     ) -> Result<(), SaidNo> {
         let hosts = self.running(behaviour, robot)?;
         hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone()))
+    }
+
+    /// Marks this moment in the recordings of a running behaviour.
+    ///
+    /// # Errors
+    /// If the behaviour does not run there or is not recorded, the note is too long, or that was too much at once.
+    pub(crate) fn mark(&self, behaviour: &Id, robot: Option<&Id>, by: &str, note: &str) -> Result<(), SaidNo> {
+        if note.chars().count() > MARK_MAX_CHARS {
+            return Err(SaidNo::CannotRecord(format!("a note has at most {MARK_MAX_CHARS} characters")));
+        }
+        let hosts = self.running(behaviour, robot)?;
+        hosts.iter().try_for_each(|host| host.mark(behaviour, by, note.trim()))
     }
 
     /// Ends the recordings of a running behaviour.

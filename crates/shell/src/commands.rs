@@ -12,6 +12,7 @@ mod drivers_of;
 mod exit;
 mod load_program;
 mod load_stream;
+mod mark;
 mod order;
 mod record;
 mod recordings;
@@ -62,6 +63,7 @@ pub(crate) const ALL: &[&Command] = &[
     &add_robot::COMMAND,
     &remove_robot::COMMAND,
     &record::COMMAND,
+    &mark::COMMAND,
     &recordings::COMMAND,
     &remove_recording::COMMAND,
     &watch::COMMAND,

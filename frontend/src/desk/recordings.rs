@@ -1,6 +1,7 @@
 //! The recordings that are kept, and the one under way.
 
 use super::{Desk, set_if_new};
+use crate::words;
 use leptos::prelude::*;
 use protocol::{Reply, Request};
 
@@ -10,6 +11,14 @@ impl Desk {
         if let Some(behaviour) = self.open.get_untracked() {
             let robot = self.robot_id();
             self.ask_or_say(Request::EndRecording { behaviour, robot }, |_| {});
+        }
+    }
+
+    /// Marks this moment in the recording of the open behaviour.
+    pub(crate) fn mark(&self, note: &str) {
+        if let Some(behaviour) = self.open.get_untracked() {
+            let (desk, robot, note) = (self.clone(), self.robot_id(), note.to_owned());
+            self.ask_or_say(Request::Mark { behaviour, robot, note }, move |_| desk.say(words::marked(), false));
         }
     }
 

@@ -3,7 +3,8 @@
 use super::hold::hold;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{RECORDINGS_PATH, Recorded, Recording};
+use protocol::{MARK_MAX_CHARS, RECORDINGS_PATH, Recorded, Recording};
+use web_sys::SubmitEvent;
 
 /// The row under Start: a box to tick before it, and how it goes while it runs.
 #[component]
@@ -11,6 +12,7 @@ pub(crate) fn RecordRow() -> impl IntoView {
     let desk = hold();
     let runs = Memo::new(move |_| desk.desk().running().is_some());
     let recorded = Memo::new(move |_| desk.desk().running().and_then(|run| run.recording));
+    let note = RwSignal::new(String::new());
     let choice = move || {
         view! {
             <label class="record">
@@ -33,12 +35,39 @@ pub(crate) fn RecordRow() -> impl IntoView {
                     {words::end_recording()}
                 </button>
             </p>
+            <Mark note />
         }
     };
     move || match (runs.get(), recorded.get()) {
         (false, _) => Some(choice().into_any()),
         (true, Some(recorded)) => Some(going(recorded).into_any()),
         (true, None) => None,
+    }
+}
+
+/// A note of what happens now, for whoever looks at the recording later.
+#[component]
+fn Mark(note: RwSignal<String>) -> impl IntoView {
+    let desk = hold();
+    let mark = move |event: SubmitEvent| {
+        event.prevent_default();
+        desk.desk().mark(&note.get_untracked());
+        note.set(String::new());
+    };
+    view! {
+        <form class="mark" on:submit=mark>
+            <input
+                class="input"
+                type="text"
+                autocomplete="off"
+                maxlength=MARK_MAX_CHARS.to_string()
+                aria-label=words::mark_hint()
+                placeholder=words::mark_hint()
+                prop:value=move || note.get()
+                on:input:target=move |event| note.set(event.target().value())
+            />
+            <button class="button" type="submit">{words::mark()}</button>
+        </form>
     }
 }
 

@@ -50,6 +50,9 @@ sentences! {
     stop: "Stop";
     record: "Record the next run";
     end_recording: "End the recording";
+    mark: "Mark";
+    mark_hint: "What happens now?";
+    marked: "Marked in the recording.";
     recordings: "Recordings";
     no_recordings: "Nothing was recorded yet.";
     open_first: "Open a program to start it.";

@@ -54,8 +54,21 @@ pub(super) enum Line {
     Fault { at_ms: u64, connector: usize, error: String },
     /// An edited behaviour goes on from here.
     Applied { at_ms: u64, revision: u64 },
+    /// Somebody marked a moment.
+    Note(Note),
     /// The last line.
     End(End),
+}
+
+/// A moment that somebody marked.
+#[derive(Clone, Debug)]
+pub(crate) struct Note {
+    /// When.
+    pub(crate) at_ms: u64,
+    /// Who.
+    pub(crate) by: String,
+    /// What happened; may be empty.
+    pub(crate) note: String,
 }
 
 /// How a recording ends.
@@ -97,6 +110,9 @@ impl Names {
             }
             Line::Applied { at_ms, revision } => {
                 writeln!(to, r#"{{"t":{at_ms},"mark":"applied","revision":{revision}}}"#)
+            }
+            Line::Note(Note { at_ms, by, note }) => {
+                writeln!(to, r#"{{"t":{at_ms},"mark":"note","by":{},"note":{}}}"#, json(by), json(note))
             }
             Line::End(End { at_ms, closed, late, why }) => {
                 let (closed, why) = (json(closed), json(why));

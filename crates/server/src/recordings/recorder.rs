@@ -1,6 +1,6 @@
 //! The run's side of a recording: gathers what happened and hands it on without ever waiting.
 
-use super::lines::{End, Header, Line, Names, json};
+use super::lines::{End, Header, Line, Names, Note, json};
 use super::writer::{Batch, Progress, write};
 use behaviour::{BehaviourFile, Value};
 use protocol::Recorded;
@@ -83,6 +83,12 @@ impl Recorder {
         self.push(Line::Applied { at_ms: at_ms.max(self.last_ms), revision });
     }
 
+    /// Somebody marked a moment; it stands after what was recorded before.
+    pub(crate) fn note(&mut self, note: Note) {
+        let at_ms = note.at_ms.max(self.last_ms);
+        self.push(Line::Note(Note { at_ms, ..note }));
+    }
+
     /// Takes a step that was carried to its end. `late` values were dropped by the clock.
     pub(crate) fn take(&mut self, step: &mut Step, late: u64) {
         self.late += late;
@@ -133,8 +139,12 @@ impl Recorder {
     }
 
     fn push(&mut self, line: Line) {
-        if let Line::Value { at_ms, .. } | Line::Fault { at_ms, .. } | Line::Applied { at_ms, .. } = &line {
-            self.last_ms = *at_ms;
+        match &line {
+            Line::Value { at_ms, .. }
+            | Line::Fault { at_ms, .. }
+            | Line::Applied { at_ms, .. }
+            | Line::Note(Note { at_ms, .. }) => self.last_ms = *at_ms,
+            Line::End(_) => {}
         }
         self.lines.push(line);
         if self.lines.len() >= BATCH_MAX_LINES {

@@ -210,6 +210,19 @@ impl Host {
         self.house().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
     }
 
+    /// Marks this moment in the recording of a running behaviour.
+    ///
+    /// # Errors
+    /// If the behaviour does not run or is not recorded, or if that was too much at once.
+    pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str) -> Result<(), SaidNo> {
+        let book = lock(&self.house().book);
+        let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
+        if entry.state.recording.is_none() {
+            return Err(SaidNo::CannotRecord("this run is not recorded; tick it before Start".to_owned()));
+        }
+        if entry.mailbox.mark(by, note) { Ok(()) } else { Err(SaidNo::TooFast) }
+    }
+
     /// Ends the recording of a running behaviour.
     ///
     /// # Errors

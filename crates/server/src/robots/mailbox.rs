@@ -11,6 +11,9 @@ use std::time::Instant;
 /// Readings of one stream that may wait when every one counts (touches).
 const QUEUE_MAX_READINGS: usize = 256;
 
+/// Marks that may wait.
+const MARKS_MAX: usize = 32;
+
 /// Which readings of a stream are kept while the run is busy.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Keep {
@@ -57,8 +60,21 @@ pub(super) struct Post {
     pub(super) refused: BTreeMap<Id, (u64, String)>,
     /// A run that wants to follow.
     pub(super) successor: Option<Successor>,
+    /// Moments that somebody marked.
+    pub(super) marks: Vec<Mark>,
     /// Whether the recording shall end.
     pub(super) end_recording: bool,
+}
+
+/// A moment that somebody marked.
+#[derive(Debug)]
+pub(super) struct Mark {
+    /// When.
+    pub(super) at: Instant,
+    /// Who.
+    pub(super) by: String,
+    /// What happened.
+    pub(super) note: String,
 }
 
 /// The mailbox.
@@ -73,6 +89,7 @@ struct Inbox {
     readings: Fair<(usize, Keep), (Instant, Value)>,
     refused: BTreeMap<Id, (u64, String)>,
     successor: Option<Successor>,
+    marks: Vec<Mark>,
     end_recording: bool,
     rung: bool,
 }
@@ -97,6 +114,18 @@ impl Mailbox {
     pub(super) fn succeed(&self, successor: Successor) {
         lock(&self.inbox).successor = Some(successor);
         self.bell.notify_one();
+    }
+
+    /// Marks this moment in the recording; false if too many marks wait.
+    pub(super) fn mark(&self, by: &str, note: &str) -> bool {
+        let mut inbox = lock(&self.inbox);
+        let has_room = inbox.marks.len() < MARKS_MAX;
+        if has_room {
+            inbox.marks.push(Mark { at: Instant::now(), by: by.to_owned(), note: note.to_owned() });
+        }
+        inbox.rung = true;
+        self.bell.notify_one();
+        has_room
     }
 
     /// Wants the recording to end.
@@ -126,8 +155,8 @@ impl Mailbox {
         inbox.rung = false;
         let readings = inbox.readings.take().map(|((stream, _), (at, value))| Arrived { stream, at, value }).collect();
         let successor = inbox.successor.take();
-        let end_recording = std::mem::take(&mut inbox.end_recording);
-        Post { readings, refused: std::mem::take(&mut inbox.refused), successor, end_recording }
+        let (end_recording, marks) = (std::mem::take(&mut inbox.end_recording), std::mem::take(&mut inbox.marks));
+        Post { readings, refused: std::mem::take(&mut inbox.refused), successor, marks, end_recording }
     }
 
     /// How many readings gave way to newer ones.

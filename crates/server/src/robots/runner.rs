@@ -6,12 +6,12 @@ use super::gate::Gate;
 use super::host::Start;
 use super::house::House;
 use super::live::LiveValues;
-use super::mailbox::{Arrived, Keep, Mailbox};
+use super::mailbox::{Arrived, Keep, Mailbox, Mark};
 use super::outcome::Outcome;
 use super::successor::{Baton, Successor};
 use super::tally::Tally;
 use crate::lock;
-use crate::recordings::{About, Recorder, Recordings};
+use crate::recordings::{About, Note, Recorder, Recordings};
 use behaviour::{BehaviourFile, FileStream, Id, StreamKind};
 use engine::{Claim, Limits, Run};
 use protocol::{RunPhase, RunState};
@@ -242,6 +242,7 @@ impl<'a> Runner<'a> {
             }
             self.outcome.tally.refused(post.refused);
             self.close_instants();
+            self.mark(post.marks);
             self.outcome.record(post.end_recording);
             self.successor = self.successor.or(post.successor);
             reason = self.took_too_long();
@@ -312,6 +313,15 @@ impl<'a> Runner<'a> {
         self.run.until(Millis(until_ms), &mut |emission| outcome.note(emission));
         outcome.settle_until(until_ms);
         self.open_ms = until_ms + 1;
+    }
+
+    fn mark(&mut self, marks: Vec<Mark>) {
+        for Mark { at, by, note } in marks {
+            let at_ms = self.ms_at(at);
+            if let Some(recorder) = &mut self.outcome.recorder {
+                recorder.note(Note { at_ms, by, note });
+            }
+        }
     }
 
     fn next_wake(&self) -> Option<Instant> {

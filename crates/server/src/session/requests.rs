@@ -58,6 +58,10 @@ impl Session {
                 let done = self.hub.robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
             }
+            Request::Mark { behaviour, robot, note } => {
+                let done = self.hub.robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
+                self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+            }
             Request::EndRecording { behaviour, robot } => {
                 let done = self.hub.robots.end_recording(&behaviour, robot.as_ref());
                 self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));

@@ -58,6 +58,8 @@ Type “record on” or “record off”.
 What you start from now on is recorded
 > start
 It cannot start: this server has no data folder; start it with --data DIR.
+> mark she smiles
+The recording did not do this: this run is not recorded; tick it before Start.
 > record off
 Nothing is recorded
 > recordings

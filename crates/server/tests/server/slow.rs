@@ -130,9 +130,12 @@ async fn a_slow_reader_is_cut_off_and_slows_nobody() {
     let house = House::open().await;
     let (aiko, play) = house.maker("Aiko").await;
     let mut slow = socket(&house).await;
-    slow.send(Message::text(r#"{"ask":1,"request":{"is":"hello","version":3,"client":"slow","name":"Slow"}}"#))
-        .await
-        .unwrap();
+    slow.send(Message::text(format!(
+        r#"{{"ask":1,"request":{{"is":"hello","version":{},"client":"slow","name":"Slow"}}}}"#,
+        protocol::VERSION
+    )))
+    .await
+    .unwrap();
     slow.send(Message::text(format!(r#"{{"ask":2,"request":{{"is":"open","behaviour":"{play}"}}}}"#))).await.unwrap();
     let mut ben = house.person("Ben").await;
     ben.load(&play).await.unwrap();

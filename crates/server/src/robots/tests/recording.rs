@@ -78,6 +78,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
         stimulate(&robots, value);
         until("the value was taken", || value <= 3 || puppet.told(run.run).contains(&Value::Int(value))).await;
     }
+    robots.mark(&id("one"), "Ben", "she \"smiles\"").unwrap();
     let shown = robots.runs().borrow()[0].recording.clone().unwrap();
     assert_eq!((shown.lost, shown.trouble.as_deref()), (0, None));
     robots.stop(None, "Ben");
@@ -87,6 +88,9 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     assert_eq!(text(lines.last().unwrap(), "why"), Some("it was stopped"));
     assert_eq!(outputs(&lines).into_iter().map(|(_, value)| value).collect::<Vec<_>>(), [4, 5, 6, 7].map(Value::Int));
     assert_eq!(outputs(&lines), replayed(&filtered("one", "ball > 3").file, &lines));
+    let note = lines.iter().find(|line| mark(line) == Some("note")).unwrap();
+    assert_eq!((text(note, "by"), text(note, "note")), (Some("Ben"), Some("she \"smiles\"")));
+    assert!(lines.windows(2).all(|pair| mark(&pair[1]) != Some("note") || outputs(&pair[..1]).len() == 1), "after all");
     let known = &recordings.list()[0];
     assert_eq!((known.file.as_str(), known.name.as_str(), known.revision), (shown.file.as_str(), "one", 1));
     recordings.remove(&known.file).unwrap();
