@@ -1,11 +1,13 @@
 //! The robot's thread and the runs' threads, with a puppet for a robot and with the simulated NAO.
 
 mod applying;
+mod between;
 mod puppet;
 mod recording;
 mod running;
 mod simulated;
 mod stopping;
+mod threads;
 mod together;
 
 use super::{Robots, Start};

@@ -2,7 +2,7 @@
 
 use crate::lock;
 use crate::recordings::Recordings;
-use crate::robots::keeper::RoomRobot;
+use crate::robots::keeper::{RoomRobot, STEP_MS};
 use crate::robots::{Order, Robots};
 use behaviour::{Params, Value};
 use engine::Limits;
@@ -25,6 +25,12 @@ struct Strings {
     made: usize,
     refuses: Option<&'static str>,
     fails: bool,
+    /// What it did, in order.
+    log: Vec<String>,
+    /// Steps so far.
+    steps: u64,
+    /// Commands that did not come at the robot time of the coming step.
+    strays: usize,
 }
 
 impl Puppet {
@@ -37,7 +43,7 @@ impl Puppet {
         let puppet = self.clone();
         let make = move || -> Box<dyn RoomRobot> {
             lock(&puppet.0).made += 1;
-            lock(&puppet.0).open.clear();
+            (lock(&puppet.0).open, lock(&puppet.0).steps) = Default::default();
             Box::new(puppet.clone())
         };
         Robots::with(RobotState::default(), Box::new(make), limits, recordings, Order::default()).unwrap()
@@ -76,6 +82,28 @@ impl Puppet {
         lock(&self.0).refuses = Some(device);
     }
 
+    /// Steps so far.
+    pub(super) fn steps(&self) -> u64 {
+        lock(&self.0).steps
+    }
+
+    /// Commands that did not come at the robot time of the coming step.
+    pub(super) fn strays(&self) -> usize {
+        lock(&self.0).strays
+    }
+
+    /// How it held and what it was told, in order.
+    pub(super) fn log(&self) -> Vec<String> {
+        lock(&self.0).log.clone()
+    }
+
+    /// Its thread cannot get on while this is done.
+    pub(super) fn busy_while(&self, work: impl FnOnce()) {
+        let strings = lock(&self.0);
+        work();
+        drop(strings);
+    }
+
     /// It breaks in the next step.
     pub(super) fn fail(&self) {
         lock(&self.0).fails = true;
@@ -105,8 +133,10 @@ impl Robot for Puppet {
         lock(&self.0).open.remove(user);
     }
 
-    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
+    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), String> {
         let mut strings = lock(&self.0);
+        strings.strays += usize::from(now.0 != strings.steps * STEP_MS);
+        strings.log.push(format!("told {value}"));
         if *value == Value::Int(13) {
             return Err("13 brings bad luck".to_owned());
         }
@@ -116,6 +146,7 @@ impl Robot for Puppet {
 
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
         let mut strings = lock(&self.0);
+        strings.steps += 1;
         let fails = std::mem::take(&mut strings.fails);
         let balls = std::mem::take(&mut strings.balls);
         for to in strings.open.iter().filter(|user| user.stream.as_str() == "ball") {
@@ -127,7 +158,9 @@ impl Robot for Puppet {
     }
 
     fn stop(&mut self, _now: Millis) {
-        lock(&self.0).stops += 1;
+        let mut strings = lock(&self.0);
+        strings.stops += 1;
+        strings.log.push("held".to_owned());
     }
 
     fn health(&self) -> Health {

@@ -1,0 +1,129 @@
+//! A robot that only notes when: when its sense read something, when its action was told, when it was to hold.
+
+use crate::lock;
+use crate::recordings::Recordings;
+use crate::robots::keeper::RoomRobot;
+use crate::robots::{Order, Robots};
+use behaviour::{Params, Value};
+use engine::Limits;
+use protocol::RobotState;
+use robot::{Health, Millis, Reading, Robot, Scene, SceneEdit, Use};
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+/// The robot; a clone notes the same.
+#[derive(Clone, Default)]
+pub(super) struct Probe(Arc<Mutex<Notes>>);
+
+#[derive(Default)]
+struct Notes {
+    ball: Option<Use>,
+    beats: bool,
+    read: Vec<Instant>,
+    told: Vec<Told>,
+    held: Vec<Instant>,
+}
+
+/// A value that reached an action.
+#[derive(Clone)]
+pub(super) struct Told {
+    pub(super) stream: String,
+    pub(super) value: Value,
+    pub(super) at: Instant,
+}
+
+impl Probe {
+    pub(super) fn robots(&self) -> Robots {
+        let probe = self.clone();
+        let make = move || -> Box<dyn RoomRobot> { Box::new(probe.clone()) };
+        let (state, recordings) = (RobotState::default(), Recordings::default());
+        Robots::with(state, Box::new(make), Limits::default, recordings, Order::default()).unwrap()
+    }
+
+    /// Whether the ball is read in every step.
+    pub(super) fn beats(&self, beats: bool) {
+        lock(&self.0).beats = beats;
+    }
+
+    /// The number of a reading that is made just now.
+    pub(super) fn reads(&self) -> Value {
+        lock(&self.0).read()
+    }
+
+    /// When every reading was made, by its number, and what the actions were told.
+    pub(super) fn take(&self) -> (Vec<Instant>, Vec<Told>) {
+        let mut notes = lock(&self.0);
+        (std::mem::take(&mut notes.read), std::mem::take(&mut notes.told))
+    }
+
+    pub(super) fn told(&self) -> usize {
+        lock(&self.0).told.len()
+    }
+
+    /// When it was first to hold, from this moment on.
+    pub(super) fn held_after(&self, moment: Instant) -> Option<Instant> {
+        lock(&self.0).held.iter().copied().find(|&at| at >= moment)
+    }
+}
+
+impl Notes {
+    fn read(&mut self) -> Value {
+        self.read.push(Instant::now());
+        Value::Int(self.read.len() as i64 - 1)
+    }
+}
+
+impl Robot for Probe {
+    fn kind(&self) -> &'static str {
+        "probe"
+    }
+
+    fn devices(&self) -> Vec<&'static str> {
+        vec!["RedBall", "Print"]
+    }
+
+    fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), String> {
+        if device == "RedBall" {
+            lock(&self.0).ball = Some(user.clone());
+        }
+        Ok(())
+    }
+
+    fn close(&mut self, user: &Use) {
+        lock(&self.0).ball.take_if(|ball| ball == user);
+    }
+
+    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
+        let at = Instant::now();
+        lock(&self.0).told.push(Told { stream: user.stream.to_string(), value: value.clone(), at });
+        Ok(())
+    }
+
+    fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
+        let mut notes = lock(&self.0);
+        if let Some(to) = notes.ball.clone().filter(|_| notes.beats) {
+            let value = notes.read();
+            readings.push(Reading { to, at: now, value });
+        }
+    }
+
+    fn stop(&mut self, _now: Millis) {
+        lock(&self.0).held.push(Instant::now());
+    }
+
+    fn health(&self) -> Health {
+        Health::Ready
+    }
+
+    fn scene(&self) -> Scene {
+        Scene::default()
+    }
+}
+
+impl RoomRobot for Probe {
+    fn name(&self) -> String {
+        "Probe".to_owned()
+    }
+
+    fn edit(&mut self, _edit: &SceneEdit) {}
+}
