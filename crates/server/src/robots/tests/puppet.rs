@@ -31,6 +31,7 @@ struct Strings {
     steps: u64,
     /// Commands that did not come at the robot time of the coming step.
     strays: usize,
+    hook: Option<Arc<dyn Fn(&Value) + Send + Sync>>,
 }
 
 impl Puppet {
@@ -97,11 +98,9 @@ impl Puppet {
         lock(&self.0).log.clone()
     }
 
-    /// Its thread cannot get on while this is done.
-    pub(super) fn busy_while(&self, work: impl FnOnce()) {
-        let strings = lock(&self.0);
-        work();
-        drop(strings);
+    /// From now on this is done, on the robot's thread, whenever it was told a value.
+    pub(super) fn when_told(&self, hook: impl Fn(&Value) + Send + Sync + 'static) {
+        lock(&self.0).hook = Some(Arc::new(hook));
     }
 
     /// It breaks in the next step.
@@ -141,6 +140,9 @@ impl Robot for Puppet {
             return Err("13 brings bad luck".to_owned());
         }
         strings.told.push((user.clone(), value.clone()));
+        let hook = strings.hook.clone();
+        drop(strings);
+        hook.inspect(|hook| hook(value));
         Ok(())
     }
 
