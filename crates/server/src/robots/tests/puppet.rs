@@ -15,6 +15,9 @@ use std::sync::{Arc, Mutex};
 #[derive(Clone, Default)]
 pub(super) struct Puppet(Arc<Mutex<Strings>>);
 
+/// Done after a value was told.
+type Hook = dyn Fn(&Value) + Send + Sync;
+
 #[derive(Default)]
 struct Strings {
     open: BTreeSet<Use>,
@@ -31,7 +34,7 @@ struct Strings {
     steps: u64,
     /// Commands that did not come at the robot time of the coming step.
     strays: usize,
-    hook: Option<Arc<dyn Fn(&Value) + Send + Sync>>,
+    hook: Option<Arc<Hook>>,
 }
 
 impl Puppet {
