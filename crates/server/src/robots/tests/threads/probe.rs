@@ -1,4 +1,5 @@
-//! A robot that only notes when: when its sense read something, when its action was told, when it was to hold.
+//! A robot that notes when: when its sense read something, when its action was told, when it was to hold. Its body is
+//! the simulated NAO's, so that its steps and pictures take as long as those.
 
 use crate::lock;
 use crate::recordings::Recordings;
@@ -8,12 +9,18 @@ use behaviour::{Params, Value};
 use engine::Limits;
 use protocol::RobotState;
 use robot::{Health, Millis, Reading, Robot, Scene, SceneEdit, Use};
+use simulation::SimulatedNao;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
 
-/// The robot; a clone notes the same.
+/// The robot's notes; a clone is the same ones.
 #[derive(Clone, Default)]
 pub(super) struct Probe(Arc<Mutex<Notes>>);
+
+struct ProbedRobot {
+    notes: Arc<Mutex<Notes>>,
+    nao: SimulatedNao,
+}
 
 #[derive(Default)]
 struct Notes {
@@ -35,7 +42,9 @@ pub(super) struct Told {
 impl Probe {
     pub(super) fn robots(&self) -> Robots {
         let probe = self.clone();
-        let make = move || -> Box<dyn RoomRobot> { Box::new(probe.clone()) };
+        let make = move || -> Box<dyn RoomRobot> {
+            Box::new(ProbedRobot { notes: probe.0.clone(), nao: SimulatedNao::new(1) })
+        };
         let (state, recordings) = (RobotState::default(), Recordings::default());
         Robots::with(state, Box::new(make), Limits::default, recordings, Order::default()).unwrap()
     }
@@ -73,7 +82,7 @@ impl Notes {
     }
 }
 
-impl Robot for Probe {
+impl Robot for ProbedRobot {
     fn kind(&self) -> &'static str {
         "probe"
     }
@@ -84,31 +93,33 @@ impl Robot for Probe {
 
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), String> {
         if device == "RedBall" {
-            lock(&self.0).ball = Some(user.clone());
+            lock(&self.notes).ball = Some(user.clone());
         }
         Ok(())
     }
 
     fn close(&mut self, user: &Use) {
-        lock(&self.0).ball.take_if(|ball| ball == user);
+        lock(&self.notes).ball.take_if(|ball| ball == user);
     }
 
     fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
         let at = Instant::now();
-        lock(&self.0).told.push(Told { stream: user.stream.to_string(), value: value.clone(), at });
+        lock(&self.notes).told.push(Told { stream: user.stream.to_string(), value: value.clone(), at });
         Ok(())
     }
 
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
-        let mut notes = lock(&self.0);
+        self.nao.poll(now, &mut Vec::new());
+        let mut notes = lock(&self.notes);
         if let Some(to) = notes.ball.clone().filter(|_| notes.beats) {
             let value = notes.read();
             readings.push(Reading { to, at: now, value });
         }
     }
 
-    fn stop(&mut self, _now: Millis) {
-        lock(&self.0).held.push(Instant::now());
+    fn stop(&mut self, now: Millis) {
+        lock(&self.notes).held.push(Instant::now());
+        self.nao.stop(now);
     }
 
     fn health(&self) -> Health {
@@ -116,11 +127,11 @@ impl Robot for Probe {
     }
 
     fn scene(&self) -> Scene {
-        Scene::default()
+        self.nao.scene()
     }
 }
 
-impl RoomRobot for Probe {
+impl RoomRobot for ProbedRobot {
     fn name(&self) -> String {
         "Probe".to_owned()
     }
