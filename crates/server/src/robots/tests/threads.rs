@@ -2,8 +2,9 @@
 //! runs it in release, everybody else leaves it out.
 //!
 //! The robot's thread, the run's thread, desk, mailbox and book are the real ones; only the robot is one that notes
-//! when. Its sense has read when the reading exists on the robot's thread, its action is told when `Robot::command`
-//! is called. What a link to a real robot adds before and after that is not in here.
+//! when, and steps like the simulated one. Its sense has read when the reading exists, after the step's computing; its
+//! action is told when `Robot::command` is called. What a link to a real robot adds before and after that is not in
+//! here, nor that what a robot is only asked for in its steps waits for the next one.
 #![expect(clippy::print_stdout, reason = "a measurement prints")]
 
 mod probe;
