@@ -78,8 +78,8 @@ pub trait Robot {
     /// Ends the use; unknown uses are ignored.
     fn close(&mut self, user: &Use);
 
-    /// Tells the actuator of a stream a value at robot time `now`. Values that make no sense for the device are
-    /// dropped with a sentence.
+    /// Tells the actuator of a stream a value at robot time `now`: the time of the next [`Robot::poll`], also if it is
+    /// told long before that one is due. Values that make no sense for the device are dropped with a sentence.
     ///
     /// # Errors
     /// A sentence, if the value was dropped.

@@ -11,6 +11,9 @@ const RXJS: &str = "rxjs@7.8.2";
 const NODE_RED: &str = "node-red@4.1.15";
 const RXPY: &str = "reactivex==6.1.0";
 
+/// What measures the threads.
+const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
+
 /// Measures the stores.
 pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
     let mut cargo = workspace.cargo(&["bench", "--package", "store", "--bench", "stores"]);
@@ -21,8 +24,17 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
     tools::run(&mut cargo, "The benchmark of stores")
 }
 
-/// Measures the engine, beside the others that can be installed here; `words` go to the benchmark.
+/// Measures the engine, then the hand-overs between the threads around it; `words` pick a part.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    match words {
+        [] => graphs(workspace, words).and_then(|()| threads(workspace)),
+        ["threads"] => threads(workspace),
+        _ => graphs(workspace, words),
+    }
+}
+
+/// Measures the engine, beside the others that can be installed here; `words` go to the benchmark.
+fn graphs(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     let folder = |name: &str| workspace.target.join("bench").join(name);
     let others = [
         ("RxJS", "RRP_BENCH_RXJS", from_npm(RXJS, folder("rxjs"))),
@@ -38,6 +50,14 @@ pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
         }
     }
     tools::run(&mut cargo, "The benchmark of the engine")
+}
+
+/// Measures how long it takes from a sense over the threads to an action. It stands among the server's tests, since
+/// the server shows its threads to nobody else.
+fn threads(workspace: &Workspace) -> Outcome<()> {
+    let words = ["test", "--release", "--package", "server", "--lib", "--", "--exact", MEASURE_THREADS];
+    let mut cargo = workspace.cargo(&words);
+    tools::run(cargo.args(["--ignored", "--nocapture"]), "The benchmark of the threads")
 }
 
 /// A folder that has a package of npm, at a version.

@@ -1,5 +1,5 @@
 //! What waits for the robot's thread: Stop first, then what to open and close, what people do in the room, and what
-//! runs command.
+//! runs command. Whoever puts something here rings, so that it does not wait for the next step.
 
 use super::fair::Fair;
 use super::gate::Gate;
@@ -11,7 +11,9 @@ use robot::{SceneEdit, Use};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::SyncSender;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, OnceLock};
+use std::thread::Thread;
+use std::time::Instant;
 
 /// Things people did in the room that may wait.
 const EDITS_MAX: usize = 256;
@@ -23,6 +25,9 @@ const TEXTS_MAX: usize = 8;
 pub(super) struct Desk {
     stop: AtomicBool,
     end: AtomicBool,
+    rung: AtomicBool,
+    /// The robot's thread.
+    keeper: OnceLock<Thread>,
     papers: Mutex<Papers>,
 }
 
@@ -91,9 +96,15 @@ pub(super) struct Command {
 }
 
 impl Desk {
-    /// Wants the robot to hold safely, before anything else.
+    /// From now on this thread is the robot's, and the one that [`Desk::wait`]s.
+    pub(super) fn attend(&self) {
+        drop(self.keeper.set(std::thread::current()));
+    }
+
+    /// Wants the robot to hold safely, before anything else. Takes no lock and waits for nothing.
     pub(super) fn stop(&self) {
         self.stop.store(true, Ordering::SeqCst);
+        self.ring();
     }
 
     /// Whether somebody wanted that since the last question.
@@ -104,6 +115,7 @@ impl Desk {
     /// Wants the robot's thread to end.
     pub(super) fn end(&self) {
         self.end.store(true, Ordering::SeqCst);
+        self.ring();
     }
 
     /// Whether the robot's thread is to end.
@@ -114,26 +126,51 @@ impl Desk {
     /// Gives back the devices of a run. Bounded by the number of runs.
     pub(super) fn close(&self, run: u64) {
         lock(&self.papers).closes.push(run);
+        self.ring();
     }
 
     /// Asks for devices. Bounded by the number of runs.
     pub(super) fn open(&self, opening: Opening) {
         lock(&self.papers).opens.push(opening);
+        self.ring();
     }
 
     /// Hands on what somebody did in the room; the oldest gives way.
     pub(super) fn edit(&self, edit: SceneEdit) {
-        let edits = &mut lock(&self.papers).edits;
-        if edits.len() >= EDITS_MAX {
-            edits.pop_front();
+        let mut papers = lock(&self.papers);
+        if papers.edits.len() >= EDITS_MAX {
+            papers.edits.pop_front();
         }
-        edits.push_back(edit);
+        papers.edits.push_back(edit);
+        drop(papers);
+        self.ring();
     }
 
     /// Hands on a value for an action; an older one of the same stream gives way.
     pub(super) fn command(&self, user: Use, device: &str, command: Command) {
         let waiting_max = if matches!(device, "SayInput" | "SayParameter" | "Print") { TEXTS_MAX } else { 1 };
         lock(&self.papers).commands.push(user, waiting_max, command);
+        self.ring();
+    }
+
+    /// Waits until somebody rings, or until a moment. Returns at once if somebody rang since the last wait, also if
+    /// what was rung for is done already.
+    pub(super) fn wait(&self, until: Instant) {
+        while !self.rung.swap(false, Ordering::SeqCst) {
+            let left = until.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                return;
+            }
+            std::thread::park_timeout(left);
+        }
+    }
+
+    /// Always after what it rings for is there. A condition variable would need the lock of the papers here.
+    fn ring(&self) {
+        self.rung.store(true, Ordering::SeqCst);
+        if let Some(keeper) = self.keeper.get() {
+            keeper.unpark();
+        }
     }
 
     /// Everything that waits; commands in the order in which they were given.

@@ -1,4 +1,5 @@
-//! The robot's thread: the only one that touches the robot. Every step looks at Stop first.
+//! The robot's thread: the only one that touches the robot. It makes a step when one is due, empties the desk when
+//! somebody rings, and looks at Stop first either way.
 
 use super::desk::{Command, Desk, Opening, Wanted};
 use super::gate::Gate;
@@ -14,7 +15,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 /// Length of a step of the robot's thread, in milliseconds.
-const STEP_MS: u64 = 10;
+pub(super) const STEP_MS: u64 = 10;
 /// Steps between two pictures of the room: about 30 a second.
 const STEPS_PER_PICTURE: u64 = 3;
 /// After a longer gap than this robot time goes on where it was instead of catching up, in milliseconds.
@@ -35,8 +36,9 @@ pub(super) type Make = Box<dyn Fn() -> Box<dyn RoomRobot> + Send>;
 
 /// Keeps a robot going until the desk says end; one that fails is made anew.
 pub(super) fn keep(house: &House, make: &Make) {
+    house.desk.attend();
     while !house.desk.is_ended() {
-        let kept = catch_unwind(AssertUnwindSafe(|| Keeper::new(house, make()).work()));
+        let kept = catch_unwind(AssertUnwindSafe(|| Keeper::new(house, make(), Instant::now()).work()));
         if kept.is_err() {
             house.fault_all("the robot failed and is started again");
             let reason = "it failed and is started again".to_owned();
@@ -47,10 +49,11 @@ pub(super) fn keep(house: &House, make: &Make) {
 }
 
 /// The robot, its clock, and who uses it.
-struct Keeper<'a> {
+pub(super) struct Keeper<'a> {
     house: &'a House,
     robot: Box<dyn RoomRobot>,
     steps: u64,
+    /// When its first step was due.
     began: Instant,
     users: BTreeMap<u64, User>,
     readings: Vec<Reading>,
@@ -75,12 +78,13 @@ struct User {
 type Blocked = BTreeMap<(u64, String), (u64, Millis)>;
 
 impl<'a> Keeper<'a> {
-    fn new(house: &'a House, robot: Box<dyn RoomRobot>) -> Self {
+    /// A robot whose first step is due at `began`.
+    pub(super) fn new(house: &'a House, robot: Box<dyn RoomRobot>, began: Instant) -> Self {
         Self {
             house,
             robot,
             steps: 0,
-            began: Instant::now(),
+            began,
             users: BTreeMap::new(),
             readings: Vec::new(),
             parts: Precedence::default(),
@@ -89,18 +93,27 @@ impl<'a> Keeper<'a> {
         }
     }
 
-    fn work(mut self) {
+    /// Works until the desk says end.
+    pub(super) fn work(mut self) {
         while !self.desk().is_ended() {
-            self.step();
+            // The desk holds a bounded number of things: however often somebody rings, a step that is due comes next.
+            self.serve();
+            if self.is_due() {
+                self.step();
+            }
             self.pause();
         }
         self.robot.stop(self.now());
     }
 
-    fn step(&mut self) {
+    /// Does what waits, at the robot time of the coming step.
+    fn serve(&mut self) {
         self.stop_if_wanted();
         self.empty_the_desk();
         self.stop_if_wanted();
+    }
+
+    fn step(&mut self) {
         let mut readings = std::mem::take(&mut self.readings);
         self.robot.poll(self.now(), &mut readings);
         for reading in readings.drain(..) {
@@ -114,6 +127,7 @@ impl<'a> Keeper<'a> {
         self.steps += 1;
     }
 
+    /// Asked again before everything that may take a moment or moves the robot.
     fn stop_if_wanted(&mut self) {
         if self.desk().take_stop() {
             self.robot.stop(self.now());
@@ -126,12 +140,14 @@ impl<'a> Keeper<'a> {
             self.close(run);
         }
         for opening in papers.opens {
+            self.stop_if_wanted();
             self.open(opening);
         }
         for edit in papers.edits {
             self.robot.edit(&edit);
         }
         for (user, command) in commands {
+            self.stop_if_wanted();
             self.command(&user, &command);
         }
     }
@@ -277,19 +293,27 @@ impl<'a> Keeper<'a> {
         });
     }
 
-    /// Robot time: whole steps, so that every run of the program computes alike.
+    /// Robot time: whole steps, so that every run of the program computes alike. Between two steps it is the time of
+    /// the coming one, whatever the clock says.
     fn now(&self) -> Millis {
         Millis(self.steps * STEP_MS)
     }
 
-    /// Sleeps until the next step is due; a gap (a sleeping computer) is left out.
+    fn due(&self) -> Instant {
+        self.began + Duration::from_millis(self.steps * STEP_MS)
+    }
+
+    fn is_due(&self) -> bool {
+        self.due() <= Instant::now()
+    }
+
+    /// Waits until the next step is due or somebody rings; a gap (a sleeping computer) is left out.
     fn pause(&mut self) {
-        let due = self.began + Duration::from_millis(self.steps * STEP_MS);
-        let now = Instant::now();
-        if now.saturating_duration_since(due) > Duration::from_millis(GAP_MAX_MS) {
-            self.began = now - Duration::from_millis(self.steps * STEP_MS).min(now - self.began);
+        let late = Instant::now().saturating_duration_since(self.due());
+        if late > Duration::from_millis(GAP_MAX_MS) {
+            self.began += late;
         }
-        std::thread::sleep(due.saturating_duration_since(now));
+        self.desk().wait(self.due());
     }
 
     fn desk(&self) -> &'a Desk {

@@ -99,6 +99,8 @@ impl Mailbox {
     pub(super) fn put(&self, stream: usize, keep: Keep, value: Value) {
         let mut inbox = lock(&self.inbox);
         inbox.readings.push((stream, keep), keep.readings_max(), (Instant::now(), value));
+        // Who is woken must not find the mailbox locked.
+        drop(inbox);
         self.bell.notify_one();
     }
 
@@ -107,6 +109,7 @@ impl Mailbox {
         let mut inbox = lock(&self.inbox);
         let noted = inbox.refused.entry(stream.clone()).or_default();
         *noted = (noted.0 + 1, reason);
+        drop(inbox);
         self.bell.notify_one();
     }
 
@@ -132,6 +135,7 @@ impl Mailbox {
     pub(super) fn end_recording(&self) {
         let mut inbox = lock(&self.inbox);
         (inbox.end_recording, inbox.rung) = (true, true);
+        drop(inbox);
         self.bell.notify_one();
     }
 

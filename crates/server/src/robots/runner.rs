@@ -241,10 +241,10 @@ impl<'a> Runner<'a> {
                 self.feed(reading);
             }
             self.outcome.tally.refused(post.refused);
+            self.successor = self.successor.or(post.successor);
             self.close_instants();
             self.mark(post.marks);
             self.outcome.record(post.end_recording);
-            self.successor = self.successor.or(post.successor);
             reason = self.took_too_long();
             if self.may_follow()
                 && let Some(successor) = self.successor.take_if(|_| reason.is_none())
@@ -302,12 +302,13 @@ impl<'a> Runner<'a> {
         }
     }
 
-    /// Closes the instants up to now: their ticks run.
+    /// Closes the instants up to now: their ticks run. An instant that is ahead of its time stays open, however many
+    /// readings it takes, so that logical time does not run away; only another run that goes on here closes it.
     fn close_instants(&mut self) {
-        if !self.outcome.job.gate.is_open() {
+        let until_ms = if self.successor.is_some() { self.now_ms().max(self.open_ms) } else { self.now_ms() };
+        if until_ms < self.open_ms || !self.outcome.job.gate.is_open() {
             return;
         }
-        let until_ms = self.now_ms().max(self.open_ms);
         let outcome = &mut self.outcome;
         outcome.clock.set(Instant::now());
         self.run.until(Millis(until_ms), &mut |emission| outcome.note(emission));

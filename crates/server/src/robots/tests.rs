@@ -1,12 +1,14 @@
 //! The robot's thread and the runs' threads, with a puppet for a robot and with the simulated NAO.
 
 mod applying;
+mod between;
 mod puppet;
 mod recording;
 mod running;
 mod several;
 mod simulated;
 mod stopping;
+mod threads;
 mod together;
 
 use super::{Host, Start};

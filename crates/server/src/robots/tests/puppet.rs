@@ -4,7 +4,7 @@ use crate::lock;
 use crate::recordings::Recordings;
 use crate::robots::Host;
 use crate::robots::board::Board;
-use crate::robots::keeper::RoomRobot;
+use crate::robots::keeper::{RoomRobot, STEP_MS};
 use crate::robots::order::Order;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
@@ -17,6 +17,9 @@ use std::sync::{Arc, Mutex};
 #[derive(Clone, Default)]
 pub(super) struct Puppet(Arc<Mutex<Strings>>);
 
+/// Done after a value was told.
+type Hook = dyn Fn(&Value) + Send + Sync;
+
 #[derive(Default)]
 struct Strings {
     open: BTreeSet<Use>,
@@ -27,6 +30,13 @@ struct Strings {
     made: usize,
     refuses: Option<&'static str>,
     fails: bool,
+    /// What it did, in order.
+    log: Vec<String>,
+    /// Steps so far.
+    steps: u64,
+    /// Commands that did not come at the robot time of the coming step.
+    strays: usize,
+    hook: Option<Arc<Hook>>,
 }
 
 impl Puppet {
@@ -39,7 +49,7 @@ impl Puppet {
         let puppet = self.clone();
         let make = move || -> Box<dyn RoomRobot> {
             lock(&puppet.0).made += 1;
-            lock(&puppet.0).open.clear();
+            (lock(&puppet.0).open, lock(&puppet.0).steps) = Default::default();
             Box::new(puppet.clone())
         };
         let (robot, name) = (Id::new("puppet").unwrap(), "Puppet".to_owned());
@@ -80,6 +90,26 @@ impl Puppet {
         lock(&self.0).refuses = Some(device);
     }
 
+    /// Steps so far.
+    pub(super) fn steps(&self) -> u64 {
+        lock(&self.0).steps
+    }
+
+    /// Commands that did not come at the robot time of the coming step.
+    pub(super) fn strays(&self) -> usize {
+        lock(&self.0).strays
+    }
+
+    /// How it held and what it was told, in order.
+    pub(super) fn log(&self) -> Vec<String> {
+        lock(&self.0).log.clone()
+    }
+
+    /// From now on this is done, on the robot's thread, whenever it was told a value.
+    pub(super) fn when_told(&self, hook: impl Fn(&Value) + Send + Sync + 'static) {
+        lock(&self.0).hook = Some(Arc::new(hook));
+    }
+
     /// It breaks in the next step.
     pub(super) fn fail(&self) {
         lock(&self.0).fails = true;
@@ -109,17 +139,23 @@ impl Robot for Puppet {
         lock(&self.0).open.remove(user);
     }
 
-    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
+    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), String> {
         let mut strings = lock(&self.0);
+        strings.strays += usize::from(now.0 != strings.steps * STEP_MS);
+        strings.log.push(format!("told {value}"));
         if *value == Value::Int(13) {
             return Err("13 brings bad luck".to_owned());
         }
         strings.told.push((user.clone(), value.clone()));
+        let hook = strings.hook.clone();
+        drop(strings);
+        hook.inspect(|hook| hook(value));
         Ok(())
     }
 
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
         let mut strings = lock(&self.0);
+        strings.steps += 1;
         let fails = std::mem::take(&mut strings.fails);
         let balls = std::mem::take(&mut strings.balls);
         for to in strings.open.iter().filter(|user| user.stream.as_str() == "ball") {
@@ -131,7 +167,9 @@ impl Robot for Puppet {
     }
 
     fn stop(&mut self, _now: Millis) {
-        lock(&self.0).stops += 1;
+        let mut strings = lock(&self.0);
+        strings.stops += 1;
+        strings.log.push("held".to_owned());
     }
 
     fn health(&self) -> Health {

@@ -1,7 +1,7 @@
 //! Recording what runs.
 
 use super::puppet::Puppet;
-use super::{filtered, id, until};
+use super::{PATIENCE_S, filtered, id, until};
 use crate::recordings::Recordings;
 use crate::robots::{Host, Start};
 use behaviour::{BehaviourFile, Value};
@@ -9,6 +9,7 @@ use engine::{Emission, Limits, Run};
 use protocol::SaidNo;
 use robot::Millis;
 use std::sync::Arc;
+use std::time::Instant;
 
 fn recorded(start: Start) -> Start {
     Start { record: true, ..start }
@@ -130,4 +131,34 @@ async fn without_a_place_to_record_a_recorded_start_is_refused() {
     let no = robots.start(recorded(filtered("one", "true"))).await.unwrap_err();
     assert_eq!(no, "this server has no data folder; start it with --data DIR");
     assert!(!robots.is_running(&id("one")));
+}
+
+#[tokio::test]
+async fn however_fast_readings_come_logical_time_does_not_run_ahead() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let puppet = Puppet::default();
+    let robots = puppet.robots_with(Limits::default, recordings.clone());
+    let mut stamped = filtered("one", "true");
+    let file = Arc::make_mut(&mut stamped.file);
+    (file.connectors[0].operation, file.connectors[0].body) = ("timestamp".to_owned(), None);
+    let (file, began) = (stamped.file.clone(), Instant::now());
+    let run = robots.start(recorded(stamped)).await.unwrap();
+    for number in 0..500 {
+        stimulate(&robots, number);
+        // Each on its own, as soon as the one before is through: on most machines many fall into one millisecond.
+        while puppet.told(run.run).len() as i64 <= number {
+            assert!(began.elapsed().as_secs() < PATIENCE_S, "never: {number}");
+            tokio::task::yield_now().await;
+        }
+    }
+    let latest_ms = began.elapsed().as_millis() as i64 + 1;
+    let told = puppet.told(run.run);
+    let Some(Value::Int(stamp)) = told[499].field("t") else { panic!("{}", told[499]) };
+    assert!(*stamp <= latest_ms, "{stamp} ms, but not more than {latest_ms} ms have passed");
+    robots.stop(None, "Ben");
+    let lines = lines(&recordings).await;
+    let said: Vec<_> = outputs(&lines).into_iter().map(|(_, value)| value).collect();
+    assert_eq!(said, told);
+    assert_eq!(outputs(&lines), replayed(&file, &lines));
 }

@@ -1,0 +1,143 @@
+//! What is done for people and runs between two steps of the robot.
+
+use super::puppet::Puppet;
+use super::{id, until};
+use crate::robots::board::Board;
+use crate::robots::desk::{Command, Opening, Wanted};
+use crate::robots::gate::Gate;
+use crate::robots::house::House;
+use crate::robots::keeper::{Keeper, Make, RoomRobot, keep};
+use crate::robots::mailbox::Mailbox;
+use crate::robots::order::Order;
+use behaviour::{Params, Value};
+use engine::Claim;
+use robot::Use;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, sync_channel};
+use std::thread::JoinHandle;
+use std::time::{Duration, Instant};
+
+/// Long after every test.
+const NEVER_S: u64 = 86_400;
+
+/// A robot that makes no step, since its first is never due.
+struct Still {
+    puppet: Puppet,
+    house: Arc<House>,
+    gate: Arc<Gate>,
+    thread: Option<JoinHandle<()>>,
+}
+
+fn house() -> Arc<House> {
+    Arc::new(House::new(id("puppet"), Arc::new(Board::default()), Order::default()))
+}
+
+impl Still {
+    fn new() -> Self {
+        let house = house();
+        Self { puppet: Puppet::default(), house, gate: Arc::default(), thread: None }
+    }
+
+    /// From now on somebody looks at the desk.
+    fn begin(&mut self) {
+        let (house, puppet) = (self.house.clone(), self.puppet.clone());
+        self.thread = Some(std::thread::spawn(move || {
+            house.desk.attend();
+            Keeper::new(&house, Box::new(puppet), Instant::now() + Duration::from_secs(NEVER_S)).work();
+        }));
+    }
+
+    fn open(&self) -> Receiver<Result<(), String>> {
+        let claim = Claim { resources: Vec::new(), priority: 0, hold_ms: 0 };
+        let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
+        let devices = vec![Wanted { stream: id("page"), index: 0, name, device, params, claim }];
+        let (answer, opened) = sync_channel(1);
+        let (behaviour, gate, mailbox) = ((id("one"), String::new()), self.gate.clone(), Arc::new(Mailbox::default()));
+        self.house.desk.open(Opening { run: 1, behaviour, gate, mailbox, devices, follows: false, answer });
+        opened
+    }
+
+    fn command(&self, value: i64) {
+        command(&self.house, &self.gate, value);
+    }
+
+    async fn ends(mut self) {
+        self.house.desk.end();
+        let thread = self.thread.take().unwrap();
+        until("the thread ends", || thread.is_finished()).await;
+        thread.join().unwrap();
+        assert_eq!((self.puppet.steps(), self.puppet.strays()), (0, 0));
+    }
+}
+
+fn command(house: &House, gate: &Arc<Gate>, value: i64) {
+    let user = Use { run: 1, stream: id("page") };
+    house.desk.command(user, "Print", Command { gate: gate.clone(), value: Value::Int(value) });
+}
+
+#[tokio::test]
+async fn whoever_puts_something_on_the_desk_waits_for_no_step() {
+    let mut still = Still::new();
+    still.begin();
+    let opened = still.open();
+    until("the devices are open", || opened.try_recv() == Ok(Ok(()))).await;
+    for value in [5, 6] {
+        still.command(value);
+        until("the robot is told", || still.puppet.told(1).last() == Some(&Value::Int(value))).await;
+    }
+    still.house.desk.stop();
+    until("the robot holds", || still.puppet.log() == ["told 5", "told 6", "held"]).await;
+    still.house.desk.close(1);
+    until("the devices are given back", || still.puppet.users().is_empty()).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn stop_comes_before_everything_that_waits() {
+    let mut still = Still::new();
+    still.command(1);
+    still.command(2);
+    still.house.desk.stop();
+    // Somebody wants it once more between the two.
+    let house = still.house.clone();
+    still.puppet.when_told(move |value| {
+        if *value == Value::Int(1) {
+            house.desk.stop();
+        }
+    });
+    still.begin();
+    until("the robot is told", || still.puppet.log() == ["held", "told 1", "held", "told 2"]).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn what_a_run_told_before_it_was_stopped_is_void() {
+    let mut still = Still::new();
+    still.command(1);
+    still.command(2);
+    let (house, gate) = (still.house.clone(), still.gate.clone());
+    still.puppet.when_told(move |_| {
+        gate.close();
+        house.desk.stop();
+    });
+    still.begin();
+    until("the robot holds", || still.puppet.log() == ["told 1", "held"]).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn a_desk_that_is_never_empty_delays_no_step() {
+    let (puppet, house) = (Puppet::default(), house());
+    let (gate, desk) = (Arc::new(Gate::default()), house.clone());
+    command(&house, &gate, 1);
+    // Whenever one command was done the next one is there.
+    puppet.when_told(move |_| command(&desk, &gate, 1));
+    let (kept, robot) = (house.clone(), puppet.clone());
+    let make = move || -> Box<dyn RoomRobot> { Box::new(robot.clone()) };
+    let thread = std::thread::spawn(move || keep(&kept, &(Box::new(make) as Make)));
+    until("the steps go on", || puppet.steps() >= 20).await;
+    house.desk.end();
+    until("the thread ends", || thread.is_finished()).await;
+    assert!(puppet.told(1).len() > 20);
+    assert_eq!(puppet.strays(), 0, "all came at the time of the coming step");
+}
