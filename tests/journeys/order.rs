@@ -23,6 +23,9 @@ async fn of_two_programs_the_upper_one_moves_the_head() -> Outcome<()> {
     aiko.press("button", "Move “Idle” down").await?;
     says(&aiko, "The head is held by “Greeting”.").await?;
     silent(&aiko, "The head is held by “Idle”.").await?;
+    // It stands at the connector too.
+    aiko.until("document.querySelector('.fault.held')?.textContent.includes('held by “Greeting”')", "it says so")
+        .await?;
     // The same by hand: with the mouse, then with a finger.
     drag_above(&aiko, "Idle", "Greeting", Page::drag).await?;
     says(&aiko, "The head is held by “Idle”.").await?;

@@ -60,6 +60,8 @@ pub struct RunState {
 pub struct HeldPart {
     /// The part: "left arm".
     pub part: String,
+    /// The stream that wanted it.
+    pub stream: Id,
     /// The behaviour that holds it.
     pub by: Id,
     /// Its name.

@@ -103,6 +103,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         </div>
             <ProblemBadge problem=problem />
             <OthersRing id=id.clone() />
+            <Held signals=signals.clone() />
             <Fault signals=signals />
         </div>
     }
@@ -147,6 +148,20 @@ fn Fault(signals: ConnectorSignals) -> impl IntoView {
     move || {
         error.get().map(|why| view! { <span class="fault" aria-hidden="true" title=why.clone()>{why.clone()}</span> })
     }
+}
+
+/// Who keeps the robot's part from the action that it leads to.
+#[component]
+fn Held(signals: ConnectorSignals) -> impl IntoView {
+    let desk = use_desk();
+    let leads = signals.record.with_untracked(|connector| connector.operation.word() == "subscribe");
+    leads.then(|| {
+        let held = ArcMemo::new(move |_| signals.record.with(|connector| desk.held(&connector.output)));
+        move || {
+            held.get()
+                .map(|who| view! { <span class="fault held" aria-hidden="true" title=who.clone()>{who.clone()}</span> })
+        }
+    })
 }
 
 /// Where the chip of a connector is. Reactive.

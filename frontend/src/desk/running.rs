@@ -1,6 +1,7 @@
 //! What runs beside the open program: its order, and stopping one of it.
 
 use super::Desk;
+use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Request, RunPhase, RunState};
@@ -17,6 +18,12 @@ impl Desk {
     /// Whether what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
     pub(crate) fn runs_older(&self, run: &RunState) -> bool {
         self.fingerprint.get() != run.fingerprint
+    }
+
+    /// Who keeps a part of the robot from this action of the open program, in a sentence. Reactive.
+    pub(crate) fn held(&self, stream: &Id) -> Option<String> {
+        let run = self.running()?;
+        run.held.iter().find(|held| held.stream == *stream).map(|held| words::held_by(&held.part, &held.name))
     }
 
     /// Puts a running behaviour just above another one, or at the end.

@@ -190,7 +190,10 @@ fn ConnectorLive(signals: ConnectorSignals) -> impl IntoView {
         }
     };
     let error = move || live.read().error.clone().map(|text| view! { <p class="refusal">{text}</p> });
-    view! { {counts} {error} }
+    let (desk, record) = (hold(), signals.record);
+    let held = move || record.with(|connector| desk.desk().held(&connector.output));
+    let held = move || held().map(|text| view! { <p class="second">{text}</p> });
+    view! { {counts} {error} {held} }
 }
 
 #[component]

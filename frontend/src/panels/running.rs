@@ -148,9 +148,11 @@ fn Buttons(all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
 /// What it may not move, and what it keeps from others.
 fn said(all: &[RunState], run: &RunState) -> impl IntoView + use<> {
     let mine = run.held.iter().map(|held| words::held_by(&held.part, &held.name));
-    let from = |other: &&RunState| other.held.iter().any(|held| held.by == run.behaviour);
-    let theirs = all.iter().filter(from).flat_map(|other| {
+    let theirs = all.iter().flat_map(|other| {
         other.held.iter().filter(|held| held.by == run.behaviour).map(|held| words::holds(&held.part, &other.name))
     });
-    mine.chain(theirs).map(|sentence| view! { <p class="held">{sentence}</p> }).collect_view()
+    let mut sentences: Vec<_> = mine.chain(theirs).collect();
+    // Several streams may want the same part.
+    sentences.dedup();
+    sentences.into_iter().map(|sentence| view! { <p class="held">{sentence}</p> }).collect_view()
 }

@@ -74,8 +74,8 @@ struct User {
     devices: Vec<Wanted>,
 }
 
-/// A part that a run wanted and did not get: from whom, and when.
-type Blocked = BTreeMap<(u64, String), (u64, Millis)>;
+/// A part that a stream of a run wanted and did not get: from whom, and when.
+type Blocked = BTreeMap<(u64, Id, String), (u64, Millis)>;
 
 impl<'a> Keeper<'a> {
     /// A robot whose first step is due at `began`.
@@ -177,25 +177,25 @@ impl<'a> Keeper<'a> {
             _ => false,
         };
         self.parts.command(now, user, &wanted.claim, is_above)?;
-        let got = |(run, part): &(u64, String)| *run == user.run && wanted.claim.resources.contains(part);
-        self.blocked.retain(|key, _| !got(key));
+        let got = |run: u64, part: &String| run == user.run && wanted.claim.resources.contains(part);
+        self.blocked.retain(|(run, _, part), _| !got(*run, part));
         Ok(())
     }
 
     /// Remembers who kept a part from whom. That is no fault of a connector, and passes.
     fn hold_back(&mut self, user: &Use, held: HeldBy) {
-        self.blocked.insert((user.run, held.part), (held.by.run, self.now()));
+        self.blocked.insert((user.run, user.stream.clone(), held.part), (held.by.run, self.now()));
     }
 
     /// Shows who keeps what from whom, if that changed.
     fn show_held(&mut self) {
         let (now, users) = (self.now(), &self.users);
         let is_new = |at: Millis| now.0.saturating_sub(at.0) < HELD_SHOWN_MS;
-        self.blocked.retain(|(run, _), (by, at)| is_new(*at) && users.contains_key(run) && users.contains_key(by));
+        self.blocked.retain(|(run, ..), (by, at)| is_new(*at) && users.contains_key(run) && users.contains_key(by));
         let mut held: BTreeMap<u64, Vec<HeldPart>> = BTreeMap::new();
-        for ((run, part), (by, _)) in &self.blocked {
+        for ((run, stream, part), (by, _)) in &self.blocked {
             if let Some((by, name)) = users.get(by).map(|holder| holder.behaviour.clone()) {
-                held.entry(*run).or_default().push(HeldPart { part: part.clone(), by, name });
+                held.entry(*run).or_default().push(HeldPart { part: part.clone(), stream: stream.clone(), by, name });
             }
         }
         if held != self.shown {

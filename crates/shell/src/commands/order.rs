@@ -3,6 +3,7 @@
 use super::Command;
 use crate::console::{Console, or_nothing};
 use protocol::{Request, RunState};
+use std::collections::BTreeSet;
 
 pub(crate) const COMMAND: Command = Command {
     name: "order",
@@ -40,5 +41,6 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
 }
 
 fn held(run: &RunState) -> String {
-    run.held.iter().map(|held| format!("; the {} is held by {}", held.part, held.name)).collect()
+    let held: BTreeSet<_> = run.held.iter().map(|held| (&held.part, &held.name)).collect();
+    held.into_iter().map(|(part, name)| format!("; the {part} is held by {name}")).collect()
 }

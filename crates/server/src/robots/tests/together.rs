@@ -27,7 +27,7 @@ fn state(robots: &Host, run: &RunState) -> RunState {
 
 /// Waits until this run shows that the head is held by that behaviour.
 async fn is_held(robots: &Host, run: &RunState, by: &str) {
-    let wanted = [HeldPart { part: "head".to_owned(), by: id(by), name: by.to_owned() }];
+    let wanted = [HeldPart { part: "head".to_owned(), stream: id("page"), by: id(by), name: by.to_owned() }];
     until("it is held", || {
         send(robots, &run.name, 1);
         state(robots, run).held == wanted
