@@ -102,9 +102,9 @@ impl Helpers {
         Some(toll)
     }
 
-    /// The helpers that may be called, also through others; all where a text may name them.
+    /// The helpers that may be called, also through others; all where a text may name one.
     fn reached(&self, called: BTreeSet<String>) -> impl Iterator<Item = &Length> {
-        let all = called.contains("Fn");
+        let all = called.iter().any(|name| name == "Fn" || is_caller(name));
         let (mut seen, mut open) = (BTreeSet::new(), Vec::from_iter(called));
         while let Some(name) = open.pop() {
             if let Some((name, length)) = self.lengths.get_key_value(&name).filter(|(name, _)| !seen.contains(*name)) {

@@ -4,7 +4,7 @@
 //! Rhai counts the parts of a procedure as it computes them, one step each. What is heavy in one part is owed here, and
 //! counted with the next part. The nanoseconds below are measured; they are weights, not times.
 
-use rhai::{Array, Dynamic, Map};
+use rhai::{Array, Dynamic, Identifier, Map};
 use std::cell::Cell;
 
 /// What one step stands for.
@@ -17,10 +17,14 @@ const HOLDER_NANOS: usize = 80;
 const FIELD_NANOS: usize = 60;
 /// Looking at a part that is no number.
 const LOOK_NANOS: usize = 5;
+/// Looking at a field.
+const FIELD_LOOK_NANOS: usize = 10;
 /// Looking into a list or object in another.
 const HELD_NANOS: usize = 16;
 /// Bytes of a long name that are copied in a nanosecond.
 const NAME_BYTES_PER_NANO: usize = 4;
+/// Bytes of a long name that are compared in a nanosecond: only a few of the names are.
+const NAME_BYTES_SEEN_PER_NANO: usize = 128;
 /// The deepest nesting that is looked into; it is deeper than any value that may leave a procedure.
 const LOOK_DEPTH: usize = 64;
 /// Copying what is nested deeper: no list or object could cost more.
@@ -39,8 +43,14 @@ pub(crate) fn owe(nanos: usize) {
 }
 
 /// The whole steps that are owed; less than one step is forgotten, so that small values cost nothing.
+#[inline]
 pub(crate) fn owed_steps() -> u64 {
-    (OWED.take() / STEP_NANOS) as u64
+    let owed = OWED.get();
+    if owed == 0 {
+        return 0;
+    }
+    OWED.set(0);
+    (owed / STEP_NANOS) as u64
 }
 
 /// Forgets what an earlier call left.
@@ -66,9 +76,8 @@ fn nested(value: &Dynamic, depth: usize) -> usize {
 }
 
 fn fields(object: &Map, depth: usize) -> usize {
-    let field = |(name, value): (&rhai::Identifier, &Dynamic)| {
-        FIELD_NANOS + name.len() / NAME_BYTES_PER_NANO + nested(value, depth)
-    };
+    let field =
+        |(name, value): (&Identifier, &Dynamic)| FIELD_NANOS + name.len() / NAME_BYTES_PER_NANO + nested(value, depth);
     object.iter().map(field).sum()
 }
 
@@ -93,19 +102,24 @@ fn looked_at(value: &Dynamic, depth: usize) -> usize {
     let Some(depth) = depth.checked_sub(1) else { return DEEP_LOOK_NANOS };
     if let Some(list) = value.read_lock::<Array>() {
         let looked = || list.iter().map(|item| looked_at(item, depth)).sum::<usize>();
-        return HELD_NANOS + if are_numbers(&list) { list.len() + list.len() / 4 } else { looked() };
+        return HELD_NANOS + if are_numbers(&list) { list.len() * 2 } else { looked() };
     }
     let Some(object) = value.read_lock::<Map>() else { return HELD_NANOS };
-    HELD_NANOS + object.values().map(|value| LOOK_NANOS + looked_at(value, depth)).sum::<usize>()
+    let field = |(name, value): (&Identifier, &Dynamic)| {
+        FIELD_LOOK_NANOS + name.len() / NAME_BYTES_SEEN_PER_NANO + looked_at(value, depth)
+    };
+    HELD_NANOS + object.iter().map(field).sum::<usize>()
 }
 
 /// What copying the largest part of a value costs, an item of a list or a field of an object, and finding it.
 pub(crate) fn largest_part(value: &Dynamic) -> usize {
     let largest = |parts: &mut dyn Iterator<Item = &Dynamic>| parts.filter(|part| holds(part)).map(copying).max();
     if let Some(list) = value.read_lock::<Array>() {
-        return list.len() + largest(&mut list.iter().filter(|part| holds(part))).unwrap_or(0);
+        return list.len() * 3 / 2 + largest(&mut list.iter().filter(|part| holds(part))).unwrap_or(0);
     }
-    value.read_lock::<Map>().map_or(0, |object| LOOK_NANOS * object.len() + largest(&mut object.values()).unwrap_or(0))
+    value
+        .read_lock::<Map>()
+        .map_or(0, |object| FIELD_LOOK_NANOS * object.len() + largest(&mut object.values()).unwrap_or(0))
 }
 
 /// Items of a list; 0 for what is none.

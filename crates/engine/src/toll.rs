@@ -5,7 +5,7 @@
 //! certainly ends soon pays nothing here: without loops and closures each part is computed once.
 
 use crate::meter;
-use rhai::{AST, ASTNode, Dynamic, Expr, FnCallExpr, ImmutableString, Scope, Stmt, Token};
+use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, ImmutableString, Scope, Stmt, Token};
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
@@ -25,7 +25,7 @@ enum Use {
     Put,
     /// It is copied.
     Copy,
-    /// It is gone through, or a text is taken out of it.
+    /// It is gone through or thrown, or a text is taken out of it.
     Through,
 }
 
@@ -44,9 +44,9 @@ const CLOSURE_HALVES: u64 = 3;
 /// The same with a closure of hardly anything but the call.
 const SMALL_CLOSURE_HALVES: u64 = 4;
 /// The same where errors are caught: they are told in words first.
-const CATCH_HALVES: u64 = 6;
+const CATCH_HALVES: u64 = 7;
 /// Statements in closures with fewer parts are hardly anything.
-const SMALL_PARTS: usize = 3;
+const SMALL_PARTS: usize = 2;
 /// Ready-made lists in a loop that cost less than this cost nothing.
 const CONSTANT_NANOS: usize = 1_000;
 /// The same for a copy that is made once.
@@ -74,15 +74,20 @@ impl Drop for Paying {
 }
 
 /// Halves of a step that a step counts now.
+#[inline]
 pub(crate) fn halves() -> u64 {
     HALVES.get()
 }
 
 /// Pays for a variable that is read.
+#[inline]
 pub(crate) fn read(name: &str, scope: &Scope) {
-    if !PAYS.get() {
-        return;
+    if PAYS.get() {
+        pay(name, scope);
     }
+}
+
+fn pay(name: &str, scope: &Scope) {
     let Some(value) = scope.get(name).filter(|value| !meter::is_small(value)) else { return };
     CURRENT.with(|current| {
         let current = current.borrow();
@@ -104,14 +109,15 @@ fn whole_cost(value: &Dynamic, kind: Use) -> usize {
             Use::Copy | Use::Grow => bytes / 16,
             Use::Once => 0,
             Use::Touch => bytes / 2,
-            Use::Put | Use::Through => bytes * 8,
+            Use::Put | Use::Through => bytes * 14,
         };
     }
     match kind {
         Use::Part => meter::largest_part(value),
         Use::Once => meter::list_length(value) + meter::copying(value).saturating_sub(ONCE_NANOS),
         Use::Touch | Use::Grow | Use::Put => meter::looking(value),
-        Use::Copy | Use::Through => meter::copying(value),
+        Use::Copy => meter::copying(value),
+        Use::Through => meter::copying(value) * 2,
     }
 }
 
@@ -267,9 +273,11 @@ fn takes_out(node: &ASTNode) -> bool {
     }
 }
 
-/// True for what a `for` goes through: of a text, it takes all letters first. And for the name of a function.
+/// True for what a `for` goes through: of a text, it takes all letters first. The same for what is thrown, which is
+/// copied twice, and for the name of a function.
 fn is_gone_through(outer: ASTNode, inner: ASTNode) -> bool {
     match (outer, inner) {
+        (ASTNode::Stmt(Stmt::Return(_, options, _)), _) => options.intersects(ASTFlags::BREAK),
         (ASTNode::Stmt(Stmt::For(flow, _)), ASTNode::Expr(inner)) => std::ptr::eq(&flow.2.expr, inner),
         (ASTNode::Expr(Expr::FnCall(call, _)) | ASTNode::Stmt(Stmt::FnCall(call, _)), _) => call.name == "Fn",
         _ => false,

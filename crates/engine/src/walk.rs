@@ -1,6 +1,6 @@
 //! What a procedure calls, and whether it may.
 
-use crate::closures::check_closures;
+use crate::closures::{check_closures, is_caller};
 use crate::library::is_refused;
 use crate::words::placed;
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
@@ -26,7 +26,7 @@ pub(crate) fn length(ast: &AST, helper: &dyn Fn(&str) -> Option<Option<u64>>) ->
                 ASTNode::Stmt(Stmt::FnCall(call, _)) | ASTNode::Expr(Expr::FnCall(call, _) | Expr::MethodCall(call, _)),
             ) => match call.name.as_str() {
                 "Fn" | "call" => None,
-                name => helper(name).unwrap_or(Some(0)),
+                name => helper(name).unwrap_or_else(|| (!is_caller(name)).then_some(0)),
             },
             _ => Some(0),
         };

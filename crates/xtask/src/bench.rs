@@ -37,7 +37,12 @@ pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
             Err(sentence) => println!("SKIPPED by name: the comparison with {name} ({sentence})"),
         }
     }
-    tools::run(&mut cargo, "The benchmark of the engine")
+    tools::run(&mut cargo, "The benchmark of the engine")?;
+    if words.is_empty() || words.contains(&"stalls") {
+        let mut stalls = workspace.cargo(&["bench", "--package", "engine", "--bench", "stalls"]);
+        tools::run(&mut stalls, "The benchmark of runaway procedures")?;
+    }
+    Ok(())
 }
 
 /// A folder that has a package of npm, at a version.

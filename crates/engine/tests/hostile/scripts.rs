@@ -1,5 +1,8 @@
 //! The corpus: what each script must meet.
 
+#[path = "builtins.rs"]
+mod builtins;
+
 /// What must become of a script.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Verdict {
@@ -16,7 +19,8 @@ use Verdict::{Endless, Fault, Gives, Refused};
 
 /// All of them, by what they try; each has one argument, `x`, which is 1.
 pub(crate) fn all() -> impl Iterator<Item = &'static (&'static str, Verdict)> {
-    [LOOPS, CLOSURES, LARGE, SLOW, ESCAPES, NUMBERS, LANGUAGE, NESTED].into_iter().flatten()
+    let ours = [LOOPS, CLOSURES, LARGE, SLOW, ESCAPES, NUMBERS, LANGUAGE, NESTED];
+    ours.into_iter().chain(builtins::ALL).flatten()
 }
 
 /// Those that nest values deep; the limit of steps ends most of them before.
