@@ -106,7 +106,8 @@ fn by_rhai(ctx: &NativeCallContext, a: &mut Dynamic, b: &mut Dynamic) -> Answer 
 }
 
 fn deeper(depth: usize) -> Result<usize, Box<EvalAltResult>> {
-    let too_deep = || EvalAltResult::ErrorRuntime("a list or object is nested too deep".into(), Position::NONE).into();
+    let words = "a list or object is nested too deep; put fewer into each other";
+    let too_deep = || EvalAltResult::ErrorRuntime(words.into(), Position::NONE).into();
     depth.checked_sub(1).filter(|left| *left > 0).ok_or_else(too_deep)
 }
 

@@ -21,8 +21,20 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
     tools::run(&mut cargo, "The benchmark of stores")
 }
 
-/// Measures the engine, beside the others that can be installed here; `words` go to the benchmark.
+/// Measures the engine, beside the others that can be installed here, then how long runaway procedures hold it; `words`
+/// go to the benchmark, or are `stalls` for the second alone.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    if words != ["stalls"] {
+        speed(workspace, words)?;
+    }
+    if words.is_empty() || words == ["stalls"] {
+        let mut stalls = workspace.cargo(&["bench", "--package", "engine", "--bench", "stalls"]);
+        tools::run(&mut stalls, "The benchmark of runaway procedures")?;
+    }
+    Ok(())
+}
+
+fn speed(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     let folder = |name: &str| workspace.target.join("bench").join(name);
     let others = [
         ("RxJS", "RRP_BENCH_RXJS", from_npm(RXJS, folder("rxjs"))),
@@ -37,12 +49,7 @@ pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
             Err(sentence) => println!("SKIPPED by name: the comparison with {name} ({sentence})"),
         }
     }
-    tools::run(&mut cargo, "The benchmark of the engine")?;
-    if words.is_empty() || words.contains(&"stalls") {
-        let mut stalls = workspace.cargo(&["bench", "--package", "engine", "--bench", "stalls"]);
-        tools::run(&mut stalls, "The benchmark of runaway procedures")?;
-    }
-    Ok(())
+    tools::run(&mut cargo, "The benchmark of the engine")
 }
 
 /// A folder that has a package of npm, at a version.
