@@ -7,8 +7,8 @@ use crate::{meter, toll};
 use rhai::{Dynamic, Engine};
 use std::cell::Cell;
 
-/// How many halves of a step pass between two questions to the interrupt.
-const HALVES_PER_QUESTION: u64 = 32;
+/// How many quarters of a step pass between two questions to the interrupt.
+const QUARTERS_PER_QUESTION: u64 = 64;
 /// Tells in Rhai's words that the caller ended a call.
 const INTERRUPTED: bool = true;
 
@@ -50,7 +50,7 @@ fn set_limits(engine: &mut Engine, limits: &Limits) {
 /// counts one for a part of a procedure, however large the values are: the others are owed ([`meter`], [`toll`]).
 /// Once a call is over, every further step of it is refused, so no `catch` can hold it.
 fn count_steps(engine: &mut Engine, limits: &Limits) {
-    let (halves_max, interrupt) = (limits.operations.saturating_mul(2), limits.interrupt.clone());
+    let (quarters_max, interrupt) = (limits.operations.saturating_mul(toll::PLAIN_QUARTERS), limits.interrupt.clone());
     let (done, over) = (Cell::new(0_u64), Cell::new(None::<bool>));
     engine.on_progress(move |rhai_count| {
         if rhai_count == 1 {
@@ -59,12 +59,14 @@ fn count_steps(engine: &mut Engine, limits: &Limits) {
             meter::forget();
         }
         let before = done.get();
-        let halves = before.saturating_add(toll::halves()).saturating_add(meter::owed_steps().saturating_mul(2));
-        done.set(halves);
-        if halves > halves_max {
+        let quarters = before
+            .saturating_add(toll::quarters())
+            .saturating_add(meter::owed_steps().saturating_mul(toll::PLAIN_QUARTERS));
+        done.set(quarters);
+        if quarters > quarters_max {
             over.set(over.get().or(Some(!INTERRUPTED)));
         } else if over.get().is_none()
-            && halves / HALVES_PER_QUESTION > before / HALVES_PER_QUESTION
+            && quarters / QUARTERS_PER_QUESTION > before / QUARTERS_PER_QUESTION
             && interrupt.as_ref().is_some_and(|ended| ended())
         {
             over.set(Some(INTERRUPTED));

@@ -34,26 +34,26 @@ enum Use {
 /// What one procedure pays.
 #[derive(Clone, Debug)]
 pub(crate) struct Toll {
-    /// Halves of a step that each step counts.
-    halves: u64,
+    /// Quarters of a step that each step counts.
+    quarters: u64,
     uses: BTreeMap<ImmutableString, BTreeSet<Use>>,
 }
 
-/// Halves of a step that a step counts.
-const PLAIN_HALVES: u64 = 2;
+/// Quarters of a step that a step counts.
+pub(crate) const PLAIN_QUARTERS: u64 = 4;
 /// The same with closures: a call takes Rhai longer than a part does.
-const CLOSURE_HALVES: u64 = 3;
+const CLOSURE_QUARTERS: u64 = 7;
 /// The same with a closure of hardly anything but the call.
-const SMALL_CLOSURE_HALVES: u64 = 4;
+const SMALL_CLOSURE_QUARTERS: u64 = 9;
 /// The same where errors are caught: they are told in words first.
-const CATCH_HALVES: u64 = 7;
+const CATCH_QUARTERS: u64 = 15;
 /// A copy that is made once in a call and costs less than this costs nothing.
 const ONCE_NANOS: usize = 14_000;
 /// Uses that cost less than this cost nothing.
 const FREE_NANOS: usize = 128;
 
 thread_local! {
-    static HALVES: Cell<u64> = const { Cell::new(PLAIN_HALVES) };
+    static QUARTERS: Cell<u64> = const { Cell::new(PLAIN_QUARTERS) };
     static PAYS: Cell<bool> = const { Cell::new(false) };
     static CURRENT: RefCell<Option<Rc<Toll>>> = const { RefCell::new(None) };
 }
@@ -64,15 +64,15 @@ pub(crate) struct Paying;
 impl Drop for Paying {
     fn drop(&mut self) {
         PAYS.set(false);
-        HALVES.set(PLAIN_HALVES);
+        QUARTERS.set(PLAIN_QUARTERS);
         CURRENT.with(|current| current.borrow_mut().take());
     }
 }
 
-/// Halves of a step that a step counts now.
+/// Quarters of a step that a step counts now.
 #[inline]
-pub(crate) fn halves() -> u64 {
-    HALVES.get()
+pub(crate) fn quarters() -> u64 {
+    QUARTERS.get()
 }
 
 /// Pays for a variable that is read.
@@ -120,7 +120,7 @@ fn whole_cost(value: &Dynamic, kind: Use) -> usize {
 impl Toll {
     /// Adds what it pays in a helper that it calls.
     pub(crate) fn add(&mut self, helper: &Self) {
-        self.halves = self.halves.max(helper.halves);
+        self.quarters = self.quarters.max(helper.quarters);
         for (name, kinds) in &helper.uses {
             kinds.iter().for_each(|kind| self.used(name, *kind));
         }
@@ -132,7 +132,7 @@ impl Toll {
 
     /// Begins to count for a procedure.
     pub(crate) fn begin(self: &Rc<Self>) -> Paying {
-        HALVES.set(self.halves);
+        QUARTERS.set(self.quarters);
         PAYS.set(true);
         CURRENT.with(|current| *current.borrow_mut() = Some(self.clone()));
         Paying

@@ -1,6 +1,6 @@
 //! Reading a procedure for how it uses its variables.
 
-use super::{CATCH_HALVES, CLOSURE_HALVES, PLAIN_HALVES, SMALL_CLOSURE_HALVES, Toll, Use};
+use super::{CATCH_QUARTERS, CLOSURE_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, Toll, Use};
 use crate::meter;
 use rhai::{AST, ASTFlags, ASTNode, Expr, FnCallExpr, ImmutableString, Stmt, Token};
 use std::collections::BTreeMap;
@@ -15,7 +15,7 @@ const ONCE_MAX: usize = 16;
 impl Toll {
     /// Reads a body with its closures; a helper can be called again and again.
     pub(crate) fn of(ast: &AST, is_helper: bool) -> Self {
-        let toll = Self { halves: PLAIN_HALVES, uses: BTreeMap::new() };
+        let toll = Self { quarters: PLAIN_QUARTERS, uses: BTreeMap::new() };
         let mut reader =
             Reader { body: ast.statements(), is_helper, toll, constant: 0, once: Vec::new(), parts: Vec::new() };
         ast.walk(&mut |path: &[ASTNode]| {
@@ -46,10 +46,11 @@ impl Reader<'_> {
         }
         if !self.parts.is_empty() {
             let is_small = self.parts.iter().any(|parts| *parts < SMALL_PARTS);
-            self.toll.halves = self.toll.halves.max(if is_small { SMALL_CLOSURE_HALVES } else { CLOSURE_HALVES });
+            self.toll.quarters =
+                self.toll.quarters.max(if is_small { SMALL_CLOSURE_QUARTERS } else { CLOSURE_QUARTERS });
         }
         let constant = self.constant.saturating_sub(CONSTANT_NANOS) / meter::STEP_NANOS;
-        self.toll.halves += PLAIN_HALVES * constant as u64;
+        self.toll.quarters += PLAIN_QUARTERS * constant as u64;
         self.toll
     }
 
@@ -61,7 +62,7 @@ impl Reader<'_> {
             }
         }
         match path {
-            [.., ASTNode::Stmt(Stmt::TryCatch(..))] => self.toll.halves = self.toll.halves.max(CATCH_HALVES),
+            [.., ASTNode::Stmt(Stmt::TryCatch(..))] => self.toll.quarters = self.toll.quarters.max(CATCH_QUARTERS),
             [.., ASTNode::Expr(Expr::DynamicConstant(made, _))] if self.repeats(path) => {
                 self.constant = self.constant.max(meter::copying(made));
             }
