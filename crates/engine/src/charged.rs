@@ -16,6 +16,8 @@ use std::rc::Rc;
 const CALL_NANOS: usize = 200;
 /// Looking at a byte of a text.
 const BYTE_NANOS: usize = 12;
+/// Making an item of a list, a text perhaps.
+const MADE_ITEM_NANOS: usize = 40;
 /// Comparing an item of a list with another, by the rules of the language.
 const COMPARED_NANOS: usize = 250;
 /// Comparing two numbers or texts for their order.
@@ -87,7 +89,8 @@ fn counting(engine: Rc<Engine>, name: String) -> RhaiFunc {
         let inner = NativeCallContext::new_with_all_fields(&engine, &name, None, global, Position::NONE);
         let made = inner.call_native_fn_raw(&name, true, arguments)?;
         let grown = arguments.first().map_or(0, |first| looking_through(&name, first));
-        owe(looking_through(&name, &made) + grown.saturating_sub(before));
+        let items = list_length(&made) * MADE_ITEM_NANOS;
+        owe(looking_through(&name, &made) + items + grown.saturating_sub(before));
         Ok(made)
     };
     RhaiFunc::Method { func: Shared::new(function), has_context: true, is_pure: true, is_volatile: false }

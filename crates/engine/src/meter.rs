@@ -132,6 +132,22 @@ pub(crate) fn text_bytes(value: &Dynamic) -> usize {
     value.read_lock::<rhai::ImmutableString>().map_or(0, |text| text.len())
 }
 
+/// Bytes of the longest text in a list or object.
+pub(crate) fn longest_text(value: &Dynamic) -> usize {
+    longest(value, LOOK_DEPTH)
+}
+
+fn longest(value: &Dynamic, depth: usize) -> usize {
+    let Some(depth) = depth.checked_sub(1) else { return 0 };
+    if let Some(list) = value.read_lock::<Array>() {
+        return list.iter().filter(|item| !item.is_int()).map(|item| longest(item, depth)).max().unwrap_or(0);
+    }
+    if let Some(object) = value.read_lock::<Map>() {
+        return object.values().map(|value| longest(value, depth)).max().unwrap_or(0);
+    }
+    text_bytes(value)
+}
+
 /// True for what takes no longer when it is larger.
 pub(crate) fn is_small(value: &Dynamic) -> bool {
     value.is_int() || value.is_float() || value.is_bool() || value.is_unit() || value.is_char()

@@ -25,6 +25,8 @@ enum Use {
     Grow,
     /// An item or field is put into it.
     Put,
+    /// A letter is put into a text that it holds.
+    Letter,
     /// It is copied.
     Copy,
     /// It is gone through or thrown, or a text is taken out of it.
@@ -36,6 +38,8 @@ enum Use {
 pub(crate) struct Toll {
     /// Quarters of a step that each step counts.
     quarters: u64,
+    /// Whether a text may be gone through that a variable gave: its letters are taken one by one.
+    texts_go_through: bool,
     uses: BTreeMap<ImmutableString, BTreeSet<Use>>,
 }
 
@@ -47,6 +51,10 @@ const CLOSURE_QUARTERS: u64 = 7;
 const SMALL_CLOSURE_QUARTERS: u64 = 9;
 /// The same where errors are caught: they are told in words first.
 const CATCH_QUARTERS: u64 = 15;
+/// The same with functions that are named: they are looked up at every call.
+const NAMED_QUARTERS: u64 = 9;
+/// Putting a letter into a text, or taking a text out of it.
+const EDITED_BYTE_NANOS: usize = 14;
 /// A copy that is made once in a call and costs less than this costs nothing.
 const ONCE_NANOS: usize = 14_000;
 /// Uses that cost less than this cost nothing.
@@ -87,8 +95,10 @@ fn pay(name: &str, scope: &Scope) {
     let Some(value) = scope.get(name).filter(|value| !meter::is_small(value)) else { return };
     CURRENT.with(|current| {
         let current = current.borrow();
-        let uses = current.as_ref().and_then(|toll| toll.uses.get(name));
-        meter::owe(uses.into_iter().flatten().map(|kind| cost(value, *kind)).max().unwrap_or(0));
+        let Some(toll) = current.as_ref() else { return };
+        let uses = toll.uses.get(name).into_iter().flatten().map(|kind| cost(value, *kind)).max();
+        let letters = if toll.texts_go_through { meter::text_bytes(value) * 3 / 2 } else { 0 };
+        meter::owe(uses.unwrap_or(0).max(letters));
     });
 }
 
@@ -105,7 +115,7 @@ fn whole_cost(value: &Dynamic, kind: Use) -> usize {
             Use::Copy | Use::Grow => bytes / 16,
             Use::Once => 0,
             Use::Touch => bytes / 2,
-            Use::Put | Use::Through => bytes * 14,
+            Use::Put | Use::Letter | Use::Through => bytes * EDITED_BYTE_NANOS,
         };
     }
     match kind {
@@ -113,7 +123,8 @@ fn whole_cost(value: &Dynamic, kind: Use) -> usize {
         Use::Once => meter::list_length(value) + meter::copying(value).saturating_sub(ONCE_NANOS),
         Use::Touch | Use::Grow | Use::Put => meter::looking(value),
         Use::Copy => meter::copying(value),
-        Use::Through => meter::copying(value) * 2,
+        Use::Letter => meter::looking(value) + meter::longest_text(value) * EDITED_BYTE_NANOS,
+        Use::Through => meter::copying(value) * 2 + meter::longest_text(value) * EDITED_BYTE_NANOS,
     }
 }
 
@@ -121,6 +132,7 @@ impl Toll {
     /// Adds what it pays in a helper that it calls.
     pub(crate) fn add(&mut self, helper: &Self) {
         self.quarters = self.quarters.max(helper.quarters);
+        self.texts_go_through |= helper.texts_go_through;
         for (name, kinds) in &helper.uses {
             kinds.iter().for_each(|kind| self.used(name, *kind));
         }

@@ -1,9 +1,10 @@
 //! Reading a procedure for how it uses its variables.
 
-use super::{CATCH_QUARTERS, CLOSURE_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, Toll, Use};
+use super::{CATCH_QUARTERS, CLOSURE_QUARTERS, NAMED_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, Toll, Use};
+use crate::closures::is_caller;
 use crate::meter;
-use rhai::{AST, ASTFlags, ASTNode, Expr, FnCallExpr, ImmutableString, Stmt, Token};
-use std::collections::BTreeMap;
+use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, FnPtr, ImmutableString, Stmt, Token};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Statements in closures with fewer parts are hardly anything.
 const SMALL_PARTS: usize = 2;
@@ -15,9 +16,9 @@ const ONCE_MAX: usize = 16;
 impl Toll {
     /// Reads a body with its closures; a helper can be called again and again.
     pub(crate) fn of(ast: &AST, is_helper: bool) -> Self {
-        let toll = Self { quarters: PLAIN_QUARTERS, uses: BTreeMap::new() };
-        let mut reader =
-            Reader { body: ast.statements(), is_helper, toll, constant: 0, once: Vec::new(), parts: Vec::new() };
+        let toll = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: BTreeMap::new() };
+        let (body, owned) = (ast.statements(), copied_when_handed_over(ast));
+        let mut reader = Reader { body, is_helper, owned, toll, constant: 0, once: Vec::new(), parts: Vec::new() };
         ast.walk(&mut |path: &[ASTNode]| {
             reader.look(path);
             true
@@ -29,6 +30,7 @@ impl Toll {
 struct Reader<'a> {
     body: &'a [Stmt],
     is_helper: bool,
+    owned: BTreeSet<ImmutableString>,
     toll: Toll,
     /// What the largest ready-made list or object in a loop costs.
     constant: usize,
@@ -63,6 +65,16 @@ impl Reader<'_> {
         }
         match path {
             [.., ASTNode::Stmt(Stmt::TryCatch(..))] => self.toll.quarters = self.toll.quarters.max(CATCH_QUARTERS),
+            [
+                ..,
+                ASTNode::Stmt(Stmt::FnCall(call, _)) | ASTNode::Expr(Expr::FnCall(call, _) | Expr::MethodCall(call, _)),
+            ] if names_function(call) => {
+                self.toll.quarters = self.toll.quarters.max(NAMED_QUARTERS);
+            }
+            [.., ASTNode::Expr(Expr::DynamicConstant(made, _))] if is_named(made) => {
+                self.toll.quarters = self.toll.quarters.max(NAMED_QUARTERS);
+            }
+            [.., ASTNode::Stmt(Stmt::For(flow, _))] if calls(&flow.2.expr) => self.toll.texts_go_through = true,
             [.., ASTNode::Expr(Expr::DynamicConstant(made, _))] if self.repeats(path) => {
                 self.constant = self.constant.max(meter::copying(made));
             }
@@ -70,7 +82,10 @@ impl Reader<'_> {
                 self.constant = self.constant.max(text.len());
             }
             [.., ASTNode::Expr(used @ Expr::Variable(variable, ..))] => {
-                let Some(kind) = kind_of_use(path, used) else { return };
+                let Some(mut kind) = kind_of_use(path, used) else { return };
+                if kind == Use::Touch && self.owned.contains(&variable.1) {
+                    kind = Use::Copy;
+                }
                 if kind >= Use::Copy && !self.repeats(path) {
                     self.once.push(variable.1.clone());
                 } else {
@@ -110,7 +125,11 @@ fn kind_of_use(path: &[ASTNode], used: &Expr) -> Option<Use> {
     match parent {
         ASTNode::Expr(root @ (Expr::Dot(pair, ..) | Expr::Index(pair, ..))) if std::ptr::eq(&pair.lhs, used) => {
             let is_put = path.iter().any(|node| is_target(node, root));
-            Some(if is_put { Use::Put } else { kind_of_part(&pair.rhs) })
+            Some(match is_put {
+                true if takes_item(&pair.rhs) => Use::Letter,
+                true => Use::Put,
+                false => kind_of_part(&pair.rhs),
+            })
         }
         ASTNode::Expr(Expr::FnCall(call, _)) | ASTNode::Stmt(Stmt::FnCall(call, _)) if is_first(call, used) => {
             Some(Use::Touch)
@@ -172,6 +191,50 @@ fn is_range(index: &Expr) -> bool {
         Expr::FnCall(call, _) => matches!(call.op_token, Some(Token::ExclusiveRange | Token::InclusiveRange)),
         Expr::DynamicConstant(made, _) => !made.is_array() && !made.is_map(),
         _ => false,
+    }
+}
+
+/// True for brackets anywhere in a chain.
+fn takes_item(link: &Expr) -> bool {
+    match link {
+        Expr::Index(..) => true,
+        Expr::Dot(pair, ..) => takes_item(&pair.rhs),
+        _ => false,
+    }
+}
+
+/// Constants, and what a closure uses of the variables around it: functions get a copy of them.
+fn copied_when_handed_over(ast: &AST) -> BTreeSet<ImmutableString> {
+    let mut names = BTreeSet::new();
+    ast.walk(&mut |path: &[ASTNode]| {
+        match path.last() {
+            Some(ASTNode::Stmt(Stmt::Var(variable, options, _))) if options.intersects(ASTFlags::CONSTANT) => {
+                names.insert(variable.0.name.clone());
+            }
+            Some(ASTNode::Stmt(Stmt::Share(shared))) => names.extend(shared.iter().map(|(name, _)| name.name.clone())),
+            _ => {}
+        }
+        true
+    });
+    names
+}
+
+/// True for `Fn("abs")`, and for a list function that is handed a function by its name, or may be.
+fn names_function(call: &FnCallExpr) -> bool {
+    let is_name = |given: &Expr| matches!(given, Expr::StringConstant(..) | Expr::Variable(..) | Expr::FnCall(..));
+    call.name == "Fn" || is_caller(&call.name) && call.args.iter().any(is_name)
+}
+
+/// True for a function of the library, made of its name while reading.
+fn is_named(made: &Dynamic) -> bool {
+    made.read_lock::<FnPtr>().is_some_and(|function| !function.is_anonymous())
+}
+
+/// True if a `for` goes through what something else makes, a text of a closure perhaps.
+fn calls(gone_through: &Expr) -> bool {
+    match gone_through {
+        Expr::FnCall(call, _) => call.op_token.is_none() || call.args.iter().any(calls),
+        other => calls_method(other),
     }
 }
 
