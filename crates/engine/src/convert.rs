@@ -27,7 +27,7 @@ pub(crate) fn to_rhai(value: &Value) -> Dynamic {
 /// of fields that are longer than a text may be.
 pub(crate) fn from_rhai(made: Dynamic) -> Result<Value, String> {
     if names_bytes(&made, VALUE_DEPTH) > TEXT_BYTES {
-        return Err("the names in the result are too long".to_owned());
+        return Err("the names in the result are too long; use shorter ones".to_owned());
     }
     from_nested(made, VALUE_DEPTH)
 }
@@ -61,9 +61,9 @@ fn from_nested(made: Dynamic, depth: usize) -> Result<Value, String> {
 
 fn finite(number: f64) -> Result<Value, String> {
     if number.is_nan() {
-        Err("the result is not a number (NaN)".to_owned())
+        Err("the result is not a number (NaN); check what it divides or takes the root of".to_owned())
     } else if number.is_infinite() {
-        Err("the result is an infinite number".to_owned())
+        Err("the result is an infinite number; check what it divides by".to_owned())
     } else {
         Ok(Value::Float(number))
     }
@@ -74,7 +74,8 @@ fn from_composite(made: Dynamic, depth: usize) -> Result<Value, String> {
         Ok(text) => return Ok(Value::text(text)),
         Err(made) => made,
     };
-    let deeper = depth.checked_sub(1).ok_or("the result is nested too deep");
+    let deeper =
+        depth.checked_sub(1).ok_or("the result is nested too deep; put fewer lists and objects into each other");
     if made.is_array() {
         return made.try_cast::<Array>().map_or(Ok(Value::Null), |items| from_array(items, deeper?));
     }
@@ -84,7 +85,10 @@ fn from_composite(made: Dynamic, depth: usize) -> Result<Value, String> {
     if let Ok(letter) = made.as_char() {
         return Ok(Value::text(letter.encode_utf8(&mut [0; 4])));
     }
-    Err(format!("{} cannot flow in a stream", crate::words::kind_of(made.type_name())))
+    Err(format!(
+        "{} cannot flow in a stream; end with a number, a text, a list or an object",
+        crate::words::kind_of(made.type_name())
+    ))
 }
 
 fn from_array(items: Array, depth: usize) -> Result<Value, String> {

@@ -4,6 +4,7 @@ use crate::closures::{check_closures, is_caller};
 use crate::limits::Limits;
 use crate::procedure::compile;
 use crate::quick::Shelf;
+use crate::toll::Toll;
 use crate::validate::Fault;
 use crate::walk;
 use behaviour::{FileHelper, is_identifier};
@@ -12,6 +13,9 @@ use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
+/// At least the steps that Rhai counts for one part of a procedure.
+const STEPS_PER_PART: u64 = 2;
+
 /// Compiled helpers.
 #[derive(Default)]
 pub(crate) struct Helpers {
@@ -19,6 +23,9 @@ pub(crate) struct Helpers {
     shelf: Option<Shelf>,
     /// Those with the name of a function that is handed closures.
     callers: BTreeSet<String>,
+    lengths: BTreeMap<String, Length>,
+    /// The limit of steps.
+    operations: u64,
 }
 
 /// All helpers as functions for Rhai, read when they are first needed: where the first tier answers, they never are.
@@ -26,6 +33,14 @@ pub(crate) struct Helpers {
 pub(crate) struct Functions {
     texts: Vec<String>,
     read: OnceCell<AST>,
+}
+
+/// How long a helper may run.
+struct Length {
+    /// The parts that one call computes at most; nothing without such a bound.
+    parts: Option<u64>,
+    toll: Toll,
+    calls: BTreeSet<String>,
 }
 
 /// A helper that Rhai accepts.
@@ -64,6 +79,8 @@ impl Helpers {
         if !faults.is_empty() {
             return Err(faults);
         }
+        made.lengths = lengths(&all);
+        made.operations = limits.operations;
         made.functions = Rc::new(Functions { texts, read: OnceCell::new() });
         made.shelf = limits.compiled.then(|| shelf(helpers, &all, limits));
         Ok(made)
@@ -72,6 +89,30 @@ impl Helpers {
     /// Refuses closures that a helper could keep.
     pub(crate) fn check_closures(&self, body: &AST) -> Result<(), String> {
         if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
+    }
+
+    /// What a body pays that does not certainly end within the limit of steps.
+    pub(crate) fn toll(&self, body: &AST) -> Option<Toll> {
+        let parts = walk::length(body, &|helper| self.lengths.get(helper).map(|length| length.parts));
+        if parts.is_some_and(|parts| parts.saturating_mul(STEPS_PER_PART) <= self.operations) {
+            return None;
+        }
+        let mut toll = Toll::of(body, false);
+        self.reached(walk::called(body)).for_each(|length| toll.add(&length.toll));
+        Some(toll)
+    }
+
+    /// The helpers that may be called, also through others; all where a text may name one.
+    fn reached(&self, called: BTreeSet<String>) -> impl Iterator<Item = &Length> {
+        let all = called.iter().any(|name| name == "Fn" || is_caller(name));
+        let (mut seen, mut open) = (BTreeSet::new(), Vec::from_iter(called));
+        while let Some(name) = open.pop() {
+            if let Some((name, length)) = self.lengths.get_key_value(&name).filter(|(name, _)| !seen.contains(*name)) {
+                seen.insert(name);
+                open.extend(length.calls.iter().cloned());
+            }
+        }
+        self.lengths.iter().filter(move |(name, _)| all || seen.contains(*name)).map(|(_, length)| length)
     }
 
     /// The helpers for the first tier, if it is wanted.
@@ -148,6 +189,25 @@ fn shelf(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, limits: &Limits) ->
         });
     }
     shelf
+}
+
+/// For every helper how long one call may run.
+fn lengths(all: &BTreeMap<&str, Read>) -> BTreeMap<String, Length> {
+    let mut known = BTreeMap::new();
+    for name in all.keys() {
+        add_length(name, all, &mut known);
+    }
+    known
+}
+
+/// Those that it calls first; helpers do not call themselves.
+fn add_length(name: &str, all: &BTreeMap<&str, Read>, known: &mut BTreeMap<String, Length>) {
+    let Some(read) = all.get(name).filter(|_| !known.contains_key(name)) else { return };
+    for called in &read.calls {
+        add_length(called, all, known);
+    }
+    let parts = walk::length(&read.body, &|helper| known.get(helper).map(|length| length.parts));
+    known.insert(name.to_owned(), Length { parts, toll: Toll::of(&read.body, true), calls: read.calls.clone() });
 }
 
 /// Refuses two equal names among arguments.

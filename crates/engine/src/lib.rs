@@ -6,6 +6,7 @@
 
 mod arbiter;
 mod cells;
+mod charged;
 mod check;
 mod closures;
 mod convert;
@@ -21,6 +22,7 @@ mod limits;
 mod lists;
 mod maths;
 mod memory;
+mod meter;
 mod plan;
 mod precedence;
 mod procedure;
@@ -30,6 +32,7 @@ mod sandbox;
 mod stamp;
 mod stats;
 mod texts;
+mod toll;
 mod validate;
 mod walk;
 mod words;

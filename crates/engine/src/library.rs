@@ -1,6 +1,6 @@
 //! The functions a procedure can call: Rhai's own without time and bytes, ours over them.
 
-use crate::{lists, maths, texts};
+use crate::{charged, lists, maths, texts};
 use rhai::packages::{
     BasicArrayPackage, BasicMapPackage, BasicMathPackage, BitFieldPackage, CorePackage, LogicPackage,
     MoreStringPackage, Package,
@@ -26,7 +26,7 @@ pub(crate) fn is_refused(name: &str) -> bool {
 }
 
 fn build() -> Vec<Shared<Module>> {
-    vec![
+    let mut all = vec![
         CorePackage::new().as_shared_module(),
         BitFieldPackage::new().as_shared_module(),
         LogicPackage::new().as_shared_module(),
@@ -35,7 +35,17 @@ fn build() -> Vec<Shared<Module>> {
         BasicMapPackage::new().as_shared_module(),
         MoreStringPackage::new().as_shared_module(),
         ours(),
-    ]
+    ];
+    all.push(counted(&all));
+    all
+}
+
+/// What counts the cost of the others.
+fn counted(others: &[Shared<Module>]) -> Shared<Module> {
+    let mut module = Module::new();
+    charged::register(&mut module, others);
+    module.build_index();
+    module.into()
 }
 
 fn ours() -> Shared<Module> {

@@ -5,6 +5,7 @@ use crate::convert::{from_rhai, to_rhai};
 use crate::helpers::{Functions, Helpers};
 use crate::quick::{Quick, Short};
 use crate::sandbox::is_interrupted;
+use crate::toll::Toll;
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
 use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
@@ -23,6 +24,8 @@ struct Slow {
     names: Vec<String>,
     body: Box<str>,
     functions: Rc<Functions>,
+    /// Nothing if it certainly ends within the limit of steps.
+    toll: Option<Rc<Toll>>,
     /// Made when it is first needed: a run keeps thousands of bodies that the first tier answers for.
     made: Option<Box<Made>>,
 }
@@ -48,7 +51,8 @@ impl Procedure {
         let ast = compile(engine, names, body)?;
         helpers.check_closures(&ast)?;
         let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
-        let mut slow = Slow { names: names.to_vec(), body: body.into(), functions: helpers.functions(), made: None };
+        let (toll, functions) = (helpers.toll(&ast).map(Rc::new), helpers.functions());
+        let mut slow = Slow { names: names.to_vec(), body: body.into(), functions, toll, made: None };
         if quick.is_none() {
             slow.made = Some(Box::new(slow.made_of(engine, ast)?));
         }
@@ -92,15 +96,17 @@ impl Procedure {
 
     /// What Rhai makes of the inputs.
     pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
-        let Slow { names, made, .. } = self.slow.ready(engine).map_err(|reason| failed(&reason))?;
+        let Slow { names, made, toll, .. } = self.slow.ready(engine).map_err(|reason| failed(&reason))?;
         let Some(Made { ast, slots }) = made.as_deref_mut() else { return Ok(Value::Null) };
         for (name, input) in names.iter().zip(inputs) {
             if let Some(slot) = slots.get_mut(name) {
                 *slot = to_rhai(input);
             }
         }
+        let paying = toll.as_ref().map(Toll::begin);
         let run = || engine.eval_ast_with_scope::<Dynamic>(slots, ast);
         let result = catch_unwind(AssertUnwindSafe(run));
+        drop(paying);
         slots.rewind(names.len());
         let made = result.map_err(|_| failed("it broke the procedure language; write it another way"))?;
         from_rhai(made.map_err(|error| fault(&error))?).map_err(|reason| failed(&reason))

@@ -3,11 +3,12 @@
 use crate::fields;
 use crate::library::library;
 use crate::limits::Limits;
+use crate::{meter, toll};
 use rhai::{Dynamic, Engine};
 use std::cell::Cell;
 
-/// How many steps pass between two questions to the interrupt.
-const STEPS_PER_QUESTION: u64 = 16;
+/// How many quarters of a step pass between two questions to the interrupt.
+const QUARTERS_PER_QUESTION: u64 = 64;
 /// Tells in Rhai's words that the caller ended a call.
 const INTERRUPTED: bool = true;
 
@@ -27,6 +28,7 @@ pub(crate) fn hardened_engine(limits: &Limits) -> Engine {
     fields::allow_reserved_names(&mut engine);
     set_limits(&mut engine, limits);
     count_steps(&mut engine, limits);
+    watch_variables(&mut engine);
     engine
 }
 
@@ -44,24 +46,41 @@ fn set_limits(engine: &mut Engine, limits: &Limits) {
 
 /// Counts the steps of a call and ends it at the limit, or when the interrupt says so.
 ///
-/// Rhai's own count forgets what closures do that its functions call: one that sorts or maps could run for hours.
+/// Rhai's own count forgets what closures do that its functions call: one that sorts or maps could run for hours. And it
+/// counts one for a part of a procedure, however large the values are: the others are owed ([`meter`], [`toll`]).
 /// Once a call is over, every further step of it is refused, so no `catch` can hold it.
 fn count_steps(engine: &mut Engine, limits: &Limits) {
-    let (operations, interrupt) = (limits.operations, limits.interrupt.clone());
+    let (quarters_max, interrupt) = (limits.operations.saturating_mul(toll::PLAIN_QUARTERS), limits.interrupt.clone());
     let (done, over) = (Cell::new(0_u64), Cell::new(None::<bool>));
     engine.on_progress(move |rhai_count| {
         if rhai_count == 1 {
             done.set(0);
             over.set(None);
+            meter::forget();
         }
-        let steps = done.get() + 1;
-        done.set(steps);
-        if steps > operations {
+        let before = done.get();
+        let quarters = before
+            .saturating_add(toll::quarters())
+            .saturating_add(meter::owed_steps().saturating_mul(toll::PLAIN_QUARTERS));
+        done.set(quarters);
+        if quarters > quarters_max {
             over.set(over.get().or(Some(!INTERRUPTED)));
-        } else if steps.is_multiple_of(STEPS_PER_QUESTION) && interrupt.as_ref().is_some_and(|ended| ended()) {
+        } else if over.get().is_none()
+            && quarters / QUARTERS_PER_QUESTION > before / QUARTERS_PER_QUESTION
+            && interrupt.as_ref().is_some_and(|ended| ended())
+        {
             over.set(Some(INTERRUPTED));
         }
         over.get().map(Dynamic::from_bool)
+    });
+}
+
+/// Lets the variables pay that a procedure reads.
+fn watch_variables(engine: &mut Engine) {
+    #[expect(deprecated, reason = "not deprecated: Rhai marks the call as one that may change; its version is pinned")]
+    engine.on_var(|name, _, context| {
+        toll::read(name, context.scope());
+        Ok(None)
     });
 }
 

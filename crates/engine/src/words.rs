@@ -69,12 +69,23 @@ fn plain(text: &str) -> String {
     rest.next().map_or_else(String::new, |first| first.to_lowercase().chain(rest).collect())
 }
 
-/// What went wrong while a procedure ran.
+/// What went wrong while a procedure ran, and what to do about it.
 pub(crate) fn fault(error: &EvalAltResult) -> String {
     use EvalAltResult as E;
     match error {
         E::ErrorInFunctionCall(name, _, inner, _) if is_closure(name) || is_caller(name) => fault(inner),
         E::ErrorInFunctionCall(name, _, inner, _) => format!("in the helper “{name}”: {}", fault(inner)),
+        E::ErrorRuntime(thrown, _) => plain(&thrown_words(thrown)),
+        error => match advice(error) {
+            Some(advice) => format!("{}; {advice}", happened(error)),
+            None => happened(error),
+        },
+    }
+}
+
+fn happened(error: &EvalAltResult) -> String {
+    use EvalAltResult as E;
+    match error {
         E::ErrorArithmetic(what, _) => arithmetic(what),
         E::ErrorPropertyNotFound(name, _) => format!("there is no field “{name}” in this object"),
         E::ErrorDotExpr(what, _) => no_field(what),
@@ -89,15 +100,37 @@ pub(crate) fn fault(error: &EvalAltResult) -> String {
         E::ErrorArrayBounds(many, at, _) => format!("there is no item {at} in a list of {many}"),
         E::ErrorStringBounds(many, at, _) => format!("there is no letter {at} in a text of {many}"),
         E::ErrorVariableNotFound(name, _) => format!("there is no value “{name}”"),
-        E::ErrorFor(_) => "for needs a list, a text or a range".to_owned(),
+        E::ErrorFor(_) => "for goes through a list, a text or a range only".to_owned(),
         E::ErrorTerminated(token, _) if is_interrupted(token) => "it took too long and was ended".to_owned(),
         E::ErrorTerminated(..) => "it takes too many steps".to_owned(),
         E::ErrorStackOverflow(_) => "calls are nested too deep".to_owned(),
         E::ErrorDataTooLarge(..) => "a text, list or object became too large".to_owned(),
         E::ErrorTooManyVariables(_) => "it has too many variables".to_owned(),
-        E::ErrorRuntime(thrown, _) => plain(&thrown_words(thrown)),
         other => plain(&other.to_string()),
     }
+}
+
+/// What to do about it, where that can be said.
+fn advice(error: &EvalAltResult) -> Option<&'static str> {
+    use EvalAltResult as E;
+    Some(match error {
+        E::ErrorArithmetic(what, _) if is_by_zero(what) => "check first that the number is not 0",
+        E::ErrorArithmetic(what, _) if is_overflow(what) => "use a measured number, such as 1.0",
+        E::ErrorPropertyNotFound(..) | E::ErrorVariableNotFound(..) => "check how its name is written",
+        E::ErrorDotExpr(..) => "take fields of objects only",
+        E::ErrorFunctionNotFound(signature, _) if is_operator(signature) => "take a field or an item of the right kind",
+        E::ErrorFunctionNotFound(..) => "check its name and what it is given",
+        E::ErrorMismatchDataType(..) | E::ErrorMismatchOutputType(..) => "change what stands here",
+        E::ErrorIndexingType(..) => "take parts of lists, objects and texts only",
+        E::ErrorArrayBounds(..) | E::ErrorStringBounds(..) => "ask for its length first, and count from 0",
+        E::ErrorFor(_) => "give it one of these",
+        E::ErrorTerminated(token, _) if is_interrupted(token) => "let it do less for one value",
+        E::ErrorTerminated(..) => "look for a loop without an end, or use smaller lists and texts",
+        E::ErrorStackOverflow(_) => "let fewer helpers and closures call each other",
+        E::ErrorDataTooLarge(..) => "keep only what is needed of it",
+        E::ErrorTooManyVariables(_) => "move a part into a helper",
+        _ => return None,
+    })
 }
 
 /// What a procedure threw. Rhai's own way to write it calls itself as deep as the value is nested.
@@ -113,14 +146,22 @@ fn is_closure(name: &str) -> bool {
 }
 
 fn arithmetic(what: &str) -> String {
-    let what = what.to_lowercase();
-    if what.contains("by zero") || what.contains("zero division") {
-        "division by zero".to_owned()
-    } else if what.contains("overflow") {
+    if is_by_zero(what) {
+        "division by zero has no result".to_owned()
+    } else if is_overflow(what) {
         "a whole number became too large".to_owned()
     } else {
-        plain(&what)
+        plain(&what.to_lowercase())
     }
+}
+
+fn is_by_zero(what: &str) -> bool {
+    let what = what.to_lowercase();
+    what.contains("by zero") || what.contains("zero division")
+}
+
+fn is_overflow(what: &str) -> bool {
+    what.to_lowercase().contains("overflow")
 }
 
 /// From `Unknown property 'x' - a getter is not registered for type 'i64'` and the like.
@@ -137,13 +178,17 @@ fn no_function(signature: &str) -> String {
     let (name, kinds) = signature.split_once(" (").unwrap_or((signature, ""));
     let kinds: Vec<&str> =
         kinds.trim_end_matches(')').split(", ").filter(|kind| !kind.is_empty()).map(kind_of).collect();
-    let operator = !name.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    let operator = is_operator(signature);
     match kinds.as_slice() {
         [left, right] if operator => format!("{left} and {right} cannot be combined with {name}"),
         [one] if operator => format!("{name} does not work on {one}"),
         [] => format!("there is no function “{name}”"),
         kinds => format!("there is no function “{name}” of {}", kinds.join(" and ")),
     }
+}
+
+fn is_operator(signature: &str) -> bool {
+    !signature.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
 /// Rhai's name of a kind of value in words.

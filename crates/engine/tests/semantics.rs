@@ -120,7 +120,8 @@ fn a_faulting_combine_keeps_the_new_value() {
     let stats = &run.stats().connectors[0];
     assert_eq!((stats.fired, stats.faults, run.last_output(0)), (1, 2, Some(&Value::Int(4))));
     let fault = stats.last_fault.as_ref().unwrap();
-    assert_eq!((fault.at, fault.error.as_str()), (Millis(2), "division by zero"));
+    assert_eq!(fault.at, Millis(2));
+    assert_eq!(fault.error, "division by zero has no result; check first that the number is not 0");
     assert_eq!(fault.inputs, [Value::Int(2), Value::Int(0)]);
     assert_eq!(run.stats().streams[0].count, 2);
 }

@@ -64,21 +64,35 @@ fn a_refusal_says_where_and_what() {
 #[test]
 fn a_fault_says_what_in_plain_words() {
     let cases = [
-        ("1 / (n - n)", "division by zero"),
-        ("1 % (n - n)", "division by zero"),
-        ("ball.siz", "there is no field “siz” in this object"),
-        ("n.size", "a whole number has no field “size”"),
-        ("distanc(ball)", "there is no function “distanc” of an object"),
-        ("ball - 1", "an object and a whole number cannot be combined with -"),
-        ("-ball", "- does not work on an object"),
-        ("if n { 1 }", "true or false is needed here, not a whole number"),
-        ("[1, 2][n]", "there is no item 5 in a list of 2"),
-        ("n[0][0]", "true or false has no parts to take with [ ]"),
-        ("far(ball)", "in the helper “far”: there is no field “siz” in this object"),
-        ("[1].map(|i| i / 0)", "division by zero"),
-        ("n * 9223372036854775807", "a whole number became too large"),
+        ("1 / (n - n)", "division by zero has no result; check first that the number is not 0"),
+        ("1 % (n - n)", "division by zero has no result; check first that the number is not 0"),
+        ("ball.siz", "there is no field “siz” in this object; check how its name is written"),
+        ("n.size", "a whole number has no field “size”; take fields of objects only"),
+        ("distanc(ball)", "there is no function “distanc” of an object; check its name and what it is given"),
+        (
+            "ball - 1",
+            "an object and a whole number cannot be combined with -; take a field or an item of the right kind",
+        ),
+        ("-ball", "- does not work on an object; take a field or an item of the right kind"),
+        ("if n { 1 }", "true or false is needed here, not a whole number; change what stands here"),
+        ("[1, 2][n]", "there is no item 5 in a list of 2; ask for its length first, and count from 0"),
+        ("n[0][0]", "true or false has no parts to take with [ ]; take parts of lists, objects and texts only"),
+        ("far(ball)", "in the helper “far”: there is no field “siz” in this object; check how its name is written"),
+        ("[1].map(|i| i / 0)", "division by zero has no result; check first that the number is not 0"),
+        ("n * 9223372036854775807", "a whole number became too large; use a measured number, such as 1.0"),
         ("throw \"No ball.\"", "no ball"),
-        ("loop {}", "it takes too many steps"),
+        ("for i in n { }", "for goes through a list, a text or a range only; give it one of these"),
+        (
+            "let f = |g| g.call(g); f.call(f)",
+            "calls are nested too deep; let fewer helpers and closures call each other",
+        ),
+        (
+            "let t = \"a\"; t.pad(5000, \"b\")",
+            "a text, list or object became too large; keep only what is needed of it",
+        ),
+        ("0.0 / 0.0", "the result is not a number (NaN); check what it divides or takes the root of"),
+        ("|a| a", "a function cannot flow in a stream; end with a number, a text, a list or an object"),
+        ("loop {}", "it takes too many steps; look for a loop without an end, or use smaller lists and texts"),
     ];
     let names = ["ball".to_owned(), "n".to_owned()];
     let inputs = [Value::object([("size", Value::Float(0.1))]), Value::Int(5)];
@@ -87,4 +101,11 @@ fn a_fault_says_what_in_plain_words() {
         let made = try_body(std::slice::from_ref(&far), &names, body, &inputs, &Limits::default());
         assert_eq!(made.err().as_deref(), Some(words), "{body}");
     }
+}
+
+#[test]
+fn what_the_deadline_ends_is_told_what_to_do() {
+    let limits = Limits::default().interrupted_by(|| true);
+    let made = try_body(&[], &[], "loop {}", &[], &limits);
+    assert_eq!(made, Err("it took too long and was ended; let it do less for one value".to_owned()));
 }

@@ -24,13 +24,21 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
     tools::run(&mut cargo, "The benchmark of stores")
 }
 
-/// Measures the engine, then the hand-overs between the threads around it; `words` pick a part.
+/// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`
+/// pick a part.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     match words {
-        [] => graphs(workspace, words).and_then(|()| threads(workspace)),
+        [] => graphs(workspace, words).and_then(|()| stalls(workspace)).and_then(|()| threads(workspace)),
+        ["stalls"] => stalls(workspace),
         ["threads"] => threads(workspace),
         _ => graphs(workspace, words),
     }
+}
+
+/// Measures how long runaway procedures hold a thread; fails beyond the bounds.
+fn stalls(workspace: &Workspace) -> Outcome<()> {
+    let mut cargo = workspace.cargo(&["bench", "--package", "engine", "--bench", "stalls"]);
+    tools::run(&mut cargo, "The benchmark of runaway procedures")
 }
 
 /// Measures the engine, beside the others that can be installed here; `words` go to the benchmark.

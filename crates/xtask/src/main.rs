@@ -21,7 +21,7 @@ cargo xtask COMMAND
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
-                            robot's and the run's thread to an action
+                            robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
