@@ -37,23 +37,35 @@ impl Number {
 }
 
 /// Puts a number over what was there.
-#[inline]
+#[inline(always)]
 pub(crate) fn put_number(to: &mut Value, number: Number) {
     match (to, number) {
         (Value::Int(to), Number::Int(whole)) => *to = whole,
         (Value::Float(to), Number::Float(number)) => *to = number,
-        (to, number) => *to = number.value(),
+        (to, number) => replace(to, number.value()),
     }
 }
 
+/// Drops what was there. Seldom what flows, so that it does not make the way of numbers longer.
+#[cold]
+fn replace(to: &mut Value, value: Value) {
+    *to = value;
+}
+
+/// Copies what takes more than a few bytes.
+#[inline(never)]
+fn copy_any(to: &mut Value, from: &Value) {
+    *to = from.clone();
+}
+
 /// Copies a value over what was there.
-#[inline]
+#[inline(always)]
 pub(crate) fn copy(to: &mut Value, from: &Value) {
     match (to, from) {
         (Value::Int(to), Value::Int(from)) => *to = *from,
         (Value::Float(to), Value::Float(from)) => *to = *from,
         (Value::Bool(to), Value::Bool(from)) => *to = *from,
-        (to, from) => *to = from.clone(),
+        (to, from) => copy_any(to, from),
     }
 }
 

@@ -20,6 +20,28 @@ pub(crate) fn to_rhai(value: &Value) -> Dynamic {
     }
 }
 
+/// Puts a value for Rhai where another one was. An object goes over one with the same names: making a new one costs more
+/// than most procedures.
+pub(crate) fn put_rhai(place: &mut Dynamic, value: &Value) {
+    if let Value::Map(fields) = value
+        && !place.is_shared()
+        && let Ok(mut older) = place.as_map_mut()
+        && goes_over(&mut older, fields)
+    {
+        return;
+    }
+    *place = to_rhai(value);
+}
+
+fn goes_over(older: &mut Map, fields: &Fields) -> bool {
+    let has_names = || older.keys().zip(fields.iter()).all(|(older, (name, _))| older.as_str() == name.as_ref());
+    let fits = older.len() == fields.len() && has_names();
+    if fits {
+        older.values_mut().zip(fields.iter()).for_each(|(place, (_, value))| put_rhai(place, value));
+    }
+    fits
+}
+
 /// A value from Rhai.
 ///
 /// # Errors
@@ -103,7 +125,7 @@ fn from_map(fields: Map, depth: usize) -> Result<Value, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{from_rhai, to_rhai};
+    use super::{from_rhai, put_rhai, to_rhai};
     use behaviour::Value;
 
     #[test]
@@ -111,6 +133,27 @@ mod tests {
         let list = Value::list([Value::Int(6), Value::Float(6.0), Value::Null, Value::Bool(true)]);
         let value = Value::object([("b", list), ("a", Value::text("赤い")), ("c", Value::object([]))]);
         assert_eq!(from_rhai(to_rhai(&value)), Ok(value));
+    }
+
+    #[test]
+    fn a_value_over_another_one_is_the_same_as_a_new_one() {
+        let object =
+            |x: Value, inner: &[(&str, Value)]| Value::object([("x", x), ("in", Value::object(inner.iter().cloned()))]);
+        let values = [
+            object(Value::Int(1), &[("a", Value::Null)]),
+            object(Value::text("two"), &[("a", Value::Float(2.0))]),
+            object(Value::Int(3), &[("b", Value::Float(2.0))]),
+            object(Value::Int(4), &[("a", Value::Int(1)), ("b", Value::list([Value::Int(5)]))]),
+            Value::Int(6),
+            Value::object([("x", Value::Int(7))]),
+        ];
+        for before in &values {
+            for value in &values {
+                let mut place = to_rhai(before);
+                put_rhai(&mut place, value);
+                assert_eq!(from_rhai(place).as_ref(), Ok(value), "over {before}");
+            }
+        }
     }
 
     #[test]

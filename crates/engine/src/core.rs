@@ -72,13 +72,14 @@ impl Core {
     }
 
     /// Like [`Core::pass`], for a connector that changes nothing, from one stream straight to the next.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn hand_on(&mut self, at: Millis, step: &Step) -> Took {
         self.stats.pass(at, step);
         Took::Gave
     }
 
     /// Like [`Core::hand_on`], for a timestamp.
+    #[inline(never)]
     pub(crate) fn timestamp(&mut self, at: Millis, step: &Step) -> Took {
         let connector = step.connector as usize;
         let spare = &mut self.spares[connector];
@@ -88,7 +89,7 @@ impl Core {
     }
 
     /// Like [`Core::hand_on`], for a map of one operation.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn compute(&mut self, at: Millis, step: &Step, operator: Operator) -> Took {
         let input = Number::of(self.stats.value(step.input as usize));
         match input.and_then(|input| operator.apply(input, step.number)) {
@@ -98,7 +99,7 @@ impl Core {
     }
 
     /// Like [`Core::hand_on`], for a map.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn map(&mut self, at: Millis, step: &Step) -> Took {
         let quick = self.procedures[step.connector as usize].as_ref();
         match quick.and_then(|procedure| procedure.number(&[self.stats.value(step.input as usize)])) {
@@ -113,6 +114,7 @@ impl Core {
         Took::Gave
     }
 
+    #[inline(never)]
     fn map_any(&mut self, at: Millis, step: &Step) -> Took {
         let (connector, input) = (step.connector as usize, step.input as usize);
         let spare = &mut self.spares[connector];
@@ -127,6 +129,7 @@ impl Core {
     }
 
     /// Puts what a combineLatest makes of all its inputs on its output.
+    #[inline(never)]
     pub(crate) fn combine(&mut self, at: Millis, step: &Step, inputs: &[&Value]) -> Took {
         let connector = step.connector as usize;
         let spare = &mut self.spares[connector];
@@ -138,14 +141,14 @@ impl Core {
     }
 
     /// Like [`Core::hand_on`], for a filter of one comparison.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn compare(&mut self, at: Millis, step: &Step, comparison: Comparison) -> Took {
         let passes = comparison.holds_number(self.stats.value(step.input as usize), step.number);
         self.sifted(at, step, passes)
     }
 
     /// Like [`Core::hand_on`], for a filter.
-    #[inline]
+    #[inline(never)]
     pub(crate) fn sift(&mut self, at: Millis, step: &Step) -> Took {
         let quick = self.procedures[step.connector as usize].as_ref();
         match quick.and_then(|procedure| procedure.truth(&[self.stats.value(step.input as usize)])) {
@@ -154,6 +157,7 @@ impl Core {
         }
     }
 
+    #[inline(never)]
     fn sift_any(&mut self, at: Millis, step: &Step) -> Took {
         let connector = step.connector as usize;
         let input = self.stats.value(step.input as usize).clone();
@@ -163,7 +167,7 @@ impl Core {
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn sifted(&mut self, at: Millis, step: &Step, passes: bool) -> Took {
         if passes {
             return self.hand_on(at, step);

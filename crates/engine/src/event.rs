@@ -111,7 +111,7 @@ impl Event {
     }
 
     /// The step after one that gave a value.
-    #[inline]
+    #[inline(always)]
     fn after(&mut self, plan: &Plan, step: &Step, at: usize) -> usize {
         match step.goes {
             Goes::On => at + 1,
@@ -124,7 +124,7 @@ impl Event {
     }
 
     /// Lets a connector take the last value of one of its inputs.
-    #[inline]
+    #[inline(always)]
     fn react(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
         match step.does {
             Does::Compute(operator) => core.compute(at, step, operator),
@@ -139,6 +139,7 @@ impl Event {
         }
     }
 
+    #[inline(never)]
     fn combine(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
         let connector = step.connector as usize;
         let known = &mut self.latest[connector];
@@ -147,6 +148,7 @@ impl Event {
     }
 
     /// What it holds it gives with its next tick.
+    #[inline(never)]
     fn hold(&mut self, core: &Core, at: Millis, step: &Step) -> Took {
         let connector = step.connector as usize;
         let Work::Sample(period) = core.graph.connectors[connector].work else { return Took::Kept };

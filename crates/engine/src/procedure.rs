@@ -1,7 +1,7 @@
 //! A procedure, compiled once and called often.
 
 use crate::cells::Number;
-use crate::convert::{from_rhai, to_rhai};
+use crate::convert::{from_rhai, put_rhai};
 use crate::helpers::{Functions, Helpers};
 use crate::quick::{Quick, Short};
 use crate::sandbox::is_interrupted;
@@ -100,7 +100,7 @@ impl Procedure {
         let Some(Made { ast, slots }) = made.as_deref_mut() else { return Ok(Value::Null) };
         for (name, input) in names.iter().zip(inputs) {
             if let Some(slot) = slots.get_mut(name) {
-                *slot = to_rhai(input);
+                put_rhai(slot, input);
             }
         }
         let paying = toll.as_ref().map(Toll::begin);

@@ -58,7 +58,7 @@ impl Stats {
     }
 
     /// The last value of a stream.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn value(&self, stream: usize) -> &Value {
         &self.streams[stream].value
     }
@@ -81,13 +81,13 @@ impl Stats {
     }
 
     /// Counts a reading.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn read(&mut self, at: Millis, stream: usize, value: Value) {
         *self.streams[stream].open(at) = value;
     }
 
     /// Counts a value that a connector passes from its input to its output.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn pass(&mut self, at: Millis, step: &Step) {
         self.connectors[step.connector as usize].gave();
         if let Ok([from, to]) = self.streams.get_disjoint_mut([step.input as usize, step.output as usize]) {
@@ -104,7 +104,7 @@ impl StreamStats {
     }
 
     /// Counts a value, and gives the place for it.
-    #[inline]
+    #[inline(always)]
     fn open(&mut self, at: Millis) -> &mut Value {
         self.count += 1;
         self.at = at;
@@ -112,7 +112,7 @@ impl StreamStats {
     }
 
     /// Counts a value.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn copy(&mut self, at: Millis, value: &Value) {
         copy(self.open(at), value);
     }
@@ -120,7 +120,7 @@ impl StreamStats {
 
 impl ConnectorStats {
     /// Counts a value that it gives.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn gave(&mut self) {
         self.fired += 1;
         self.deadlines_in_a_row = 0;

@@ -29,7 +29,7 @@ impl Comparison {
     }
 
     /// The same with a number on the right: no other kind is equal to it, smaller or larger.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn holds_number(self, left: &Value, right: Number) -> bool {
         match (left, right) {
             (Value::Int(left), Number::Int(right)) => self.allows(left.cmp(&right)),
