@@ -1,4 +1,4 @@
-//! Dialogs about names: Add a program, Remove program, rename it, and one's own name.
+//! Dialogs about names: Add a program, Remove program, rename it, add and remove a robot, and one's own name.
 
 use super::frame::{Feet, Frame, close};
 use crate::fields::TextField;
@@ -8,25 +8,63 @@ use crate::words;
 use leptos::prelude::*;
 use protocol::ROBOT_NAME_MAX_CHARS;
 
-/// Add a program.
+/// The longest name of a person, in characters.
+const MY_NAME_MAX_CHARS: usize = 40;
+
+/// A dialog that asks for one name, which cannot be empty.
 #[component]
-pub(super) fn AddProgram() -> impl IntoView {
+fn OneName(
+    #[prop(into)] title: String,
+    /// The name at first.
+    #[prop(into)]
+    now: String,
+    #[prop(optional, into)] hint: String,
+    #[prop(default = 200)] max_chars: usize,
+    #[prop(default = words::save())] save: &'static str,
+    done: Callback<String>,
+) -> impl IntoView {
     let desk = hold();
-    let name = RwSignal::new(words::new_behaviour().to_owned());
-    let save = Callback::new(move |()| {
+    let name = RwSignal::new(now);
+    let submit = Callback::new(move |()| {
         let name = name.get_untracked().trim().to_owned();
         if !name.is_empty() {
-            just_made();
-            desk.desk().create_program(&name, None);
+            done.run(name);
             close(desk);
         }
     });
     view! {
-        <Frame title=words::add_program() narrow=true save>
-            <div class="dialog-body"><TextField label=words::name() value=name /></div>
-            <Feet save=words::create() />
+        <Frame title narrow=true save=submit>
+            <div class="dialog-body"><TextField label=words::name() value=name hint max_chars /></div>
+            <Feet save />
         </Frame>
     }
+}
+
+/// A question before something is removed.
+#[component]
+fn RemoveQuestion(
+    #[prop(into)] name: String,
+    says: &'static str,
+    done: Callback<()>,
+    children: Children,
+) -> impl IntoView {
+    view! {
+        <Frame title=words::remove_question(&name) narrow=true save=done>
+            <div class="dialog-body"><p>{says}</p> {children()}</div>
+            <Feet save=words::remove() />
+        </Frame>
+    }
+}
+
+/// Add a program.
+#[component]
+pub(super) fn AddProgram() -> impl IntoView {
+    let desk = hold();
+    let done = Callback::new(move |name: String| {
+        just_made();
+        desk.desk().create_program(&name, None);
+    });
+    view! { <OneName title=words::add_program() now=words::new_behaviour() save=words::create() done /> }
 }
 
 /// Remove program: names it and says where it goes.
@@ -35,7 +73,7 @@ pub(super) fn RemoveProgram() -> impl IntoView {
     let desk = hold();
     let name = desk.desk().name.get_untracked();
     let runs = move || desk.desk().runs_on();
-    let save = Callback::new(move |()| {
+    let done = Callback::new(move |()| {
         let open = desk.desk().open.get_untracked();
         if let Some(id) = open.filter(|_| untrack(runs).is_none()) {
             desk.desk().remove_program(&id);
@@ -43,13 +81,9 @@ pub(super) fn RemoveProgram() -> impl IntoView {
         }
     });
     view! {
-        <Frame title=words::remove_question(&name) narrow=true save>
-            <div class="dialog-body">
-                <p>{words::to_the_bin()}</p>
-                {move || runs().map(|on| view! { <p class="refusal" role="alert">{words::remove_running(&on)}</p> })}
-            </div>
-            <Feet save=words::remove() />
-        </Frame>
+        <RemoveQuestion name says=words::to_the_bin() done>
+            {move || runs().map(|on| view! { <p class="refusal" role="alert">{words::remove_running(&on)}</p> })}
+        </RemoveQuestion>
     }
 }
 
@@ -57,41 +91,25 @@ pub(super) fn RemoveProgram() -> impl IntoView {
 #[component]
 pub(super) fn RenameProgram() -> impl IntoView {
     let desk = hold();
-    let name = RwSignal::new(desk.desk().name.get_untracked());
-    let save = Callback::new(move |()| {
-        let name = name.get_untracked().trim().to_owned();
-        if !name.is_empty() {
-            desk.desk().rename_program(&name);
-            close(desk);
-        }
-    });
-    view! {
-        <Frame title=words::rename_program() narrow=true save>
-            <div class="dialog-body"><TextField label=words::name() value=name /></div>
-            <Feet />
-        </Frame>
-    }
+    let now = desk.desk().name.get_untracked();
+    let done = Callback::new(move |name: String| desk.desk().rename_program(&name));
+    view! { <OneName title=words::rename_program() now done /> }
 }
 
 /// Add a robot: a simulated one, in a room of its own.
 #[component]
 pub(super) fn AddRobot() -> impl IntoView {
     let desk = hold();
-    let name = RwSignal::new(words::new_robot().to_owned());
-    let save = Callback::new(move |()| {
-        let name = name.get_untracked().trim().to_owned();
-        if !name.is_empty() {
-            desk.desk().add_robot(&name);
-            close(desk);
-        }
-    });
+    let done = Callback::new(move |name: String| desk.desk().add_robot(&name));
     view! {
-        <Frame title=words::add_robot() narrow=true save>
-            <div class="dialog-body">
-                <TextField label=words::name() value=name hint=words::add_robot_hint() max_chars=ROBOT_NAME_MAX_CHARS />
-            </div>
-            <Feet save=words::create() />
-        </Frame>
+        <OneName
+            title=words::add_robot()
+            now=words::new_robot()
+            hint=words::add_robot_hint()
+            max_chars=ROBOT_NAME_MAX_CHARS
+            save=words::create()
+            done
+        />
     }
 }
 
@@ -99,38 +117,19 @@ pub(super) fn AddRobot() -> impl IntoView {
 #[component]
 pub(super) fn RemoveRobot() -> impl IntoView {
     let desk = hold();
-    let name = desk.desk().robot.get_untracked().map(|robot| robot.name).unwrap_or_default();
-    let save = Callback::new(move |()| {
+    let name = untrack(|| desk.desk().robot_name());
+    let done = Callback::new(move |()| {
         desk.desk().remove_robot();
         close(desk);
     });
-    view! {
-        <Frame title=words::remove_question(&name) narrow=true save>
-            <div class="dialog-body"><p>{words::remove_robot_says()}</p></div>
-            <Feet save=words::remove() />
-        </Frame>
-    }
+    view! { <RemoveQuestion name says=words::remove_robot_says() done>{()}</RemoveQuestion> }
 }
 
 /// What the others see as one's name.
 #[component]
 pub(super) fn MyName() -> impl IntoView {
     let desk = hold();
-    let me = desk.desk().me.get_untracked();
-    let name = RwSignal::new(me.map(|me| me.name).unwrap_or_default());
-    let save = Callback::new(move |()| {
-        let name = name.get_untracked().trim().to_owned();
-        if !name.is_empty() {
-            desk.desk().set_my_name(&name);
-            close(desk);
-        }
-    });
-    view! {
-        <Frame title=words::my_name() narrow=true save>
-            <div class="dialog-body">
-                <TextField label=words::name() value=name hint=words::my_name_hint() max_chars=40 />
-            </div>
-            <Feet />
-        </Frame>
-    }
+    let now = desk.desk().me.get_untracked().map(|me| me.name).unwrap_or_default();
+    let done = Callback::new(move |name: String| desk.desk().set_my_name(&name));
+    view! { <OneName title=words::my_name() now hint=words::my_name_hint() max_chars=MY_NAME_MAX_CHARS done /> }
 }
