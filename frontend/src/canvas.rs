@@ -16,7 +16,6 @@ mod strip_spot;
 mod suggest;
 mod view;
 mod walk;
-mod words;
 mod zoom;
 
 pub(crate) use stage::Stage;

@@ -28,7 +28,8 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
 /// pick a part.
 pub(crate) fn engine(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     match words {
-        [] => graphs(workspace, words).and_then(|()| stalls(workspace)).and_then(|()| threads(workspace)),
+        // All of them, also after a bar was missed.
+        [] => [graphs(workspace, words), stalls(workspace), threads(workspace)].into_iter().collect(),
         ["stalls"] => stalls(workspace),
         ["threads"] => threads(workspace),
         _ => graphs(workspace, words),

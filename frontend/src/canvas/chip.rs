@@ -1,11 +1,12 @@
 //! One connector: its chip, and its edges behind everything.
 
+use super::Stage;
 use super::curve::{chip_place, curves};
 use super::node::{OthersRing, ProblemBadge, problem_memo};
-use super::{Stage, words};
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::icons::{Icon, connector_icon};
 use crate::layout::{ChipWords, chip_width, chip_words};
+use crate::words;
 use behaviour::{Connector, Id, Kind, Place, RecordId};
 use leptos::prelude::*;
 

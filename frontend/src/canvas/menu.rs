@@ -1,9 +1,9 @@
 //! The thunderbolt: every connector that can come out of a stream.
 
-use super::words;
 use crate::browser;
 use crate::desk::{Dialog, use_desk};
 use crate::icons::{Icon, connector_icon};
+use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;

@@ -1,10 +1,11 @@
 //! One stream: its shape, its name, what happens on it now.
 
-use super::{Stage, words};
+use super::Stage;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
 use crate::live::{rate_words, short_value, sparkline};
+use crate::words;
 use behaviour::{Id, Kind, Problem, ProblemKind, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
 
@@ -120,7 +121,7 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
         let width = format!("{:.0}px", room.get());
         match silent.get() {
             Some(seconds) => {
-                let words = crate::words::quiet_for(u64::from(seconds));
+                let words = words::quiet_for(u64::from(seconds));
                 view! { <span class="value quiet" aria-hidden="true" style:max-width=width><b>{words}</b></span> }
                     .into_any()
             }

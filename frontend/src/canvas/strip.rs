@@ -4,10 +4,11 @@ use super::menu::BoltMenu;
 use super::strip_spot::{Area, EDGE, Own, strip_spot};
 use super::suggest::{Step, suggest};
 use super::view::{Bounds, View};
-use super::{Stage, pointers, words};
+use super::{Stage, pointers};
 use crate::desk::{ConnectPlan, Desk, Dialog, Output, Selected, use_desk};
 use crate::icons::{Icon, connector_icon};
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, stream_width, text_width};
+use crate::words;
 use behaviour::{Helper, Id, Operation, Params, Place, Procedure, StreamKind};
 use leptos::prelude::*;
 
@@ -122,11 +123,11 @@ fn EditAndRemove(what: Selected) -> impl IntoView {
     let desk = use_desk();
     let (remove_desk, removed) = (desk.clone(), what.clone());
     view! {
-        <button type="button" class="tool-button" aria-label=crate::words::edit() title=crate::words::edit()
+        <button type="button" class="tool-button" aria-label=words::edit() title=words::edit()
             on:click=move |_| pointers::edit(&desk, &what)>
             <Icon name="pencil" />
         </button>
-        <button type="button" class="tool-button" aria-label=crate::words::remove() title=crate::words::remove()
+        <button type="button" class="tool-button" aria-label=words::remove() title=words::remove()
             on:click=move |_| remove_desk.remove(&removed)>
             <Icon name="trash" />
         </button>
@@ -147,7 +148,7 @@ fn OfferButton(desk: Desk, id: Id, offer: Offer, first: bool) -> impl IntoView {
 fn title(step: &Step) -> String {
     match step {
         Step::Helper(name) => format!("map ({name})"),
-        Step::Connector(word) => crate::words::connector_says(word).to_owned(),
+        Step::Connector(word) => words::connector_says(word).to_owned(),
         Step::Otherwise(body) => format!("filter ({body})"),
         Step::Action { device, .. } => robot::device(StreamKind::Actuator, device)
             .map_or_else(|_| (*device).to_owned(), |device| device.says.to_owned()),
@@ -168,7 +169,7 @@ fn offers_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Offer>> {
 fn offer(step: Step) -> Offer {
     let (icon, label) = match &step {
         Step::Helper(name) => ("fx", name.clone()),
-        Step::Connector(word) => (connector_icon(word), crate::words::connector_word(word).to_owned()),
+        Step::Connector(word) => (connector_icon(word), words::connector_word(word).to_owned()),
         Step::Otherwise(_) => ("filter", words::otherwise().to_owned()),
         Step::Action { device: "SayParameter", .. } => ("speech", words::say_something().to_owned()),
         Step::Action { device, .. } => {

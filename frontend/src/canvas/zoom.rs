@@ -1,8 +1,9 @@
 //! Smaller, real size, larger, everything, tidy.
 
-use super::{Stage, words};
+use super::Stage;
 use crate::desk::use_desk;
 use crate::icons::Icon;
+use crate::words;
 use leptos::prelude::*;
 
 const STEP: f64 = 1.25;

@@ -1,5 +1,7 @@
 //! The page in English.
 
+use behaviour::StreamKind;
+
 sentences! {
     // The bar
     skip_name: "Main tools";
@@ -241,6 +243,19 @@ sentences! {
     // Notices
     notices_name: "Messages";
     dismiss: "Close this message";
+
+    // The canvas
+    graph: "The graph";
+    to_graph: "To the graph";
+    add_connector: "Add connector";
+    otherwise: "otherwise";
+    say_something: "Say…";
+    zoom_group: "Zoom";
+    zoom_in: "Zoom in";
+    zoom_out: "Zoom out";
+    real_size: "Real size";
+    fit: "Show everything";
+    tidy: "Tidy";
 }
 
 pub(crate) fn offline(waiting: usize) -> String {
@@ -642,4 +657,27 @@ mod tests {
         assert_eq!(program_line("Aiko", 6, "yesterday", "Ben"), "Aiko · 6 streams · changed yesterday by Ben");
         assert_eq!(removed_line("yesterday", "Ben", 29), "removed yesterday by Ben · stays 29 more days");
     }
+}
+
+/// `Head tracker, red ball · head, actuator stream`
+pub(crate) fn stream_name(name: &str, what_it_is: &str, kind: StreamKind) -> String {
+    let kind = match kind {
+        StreamKind::Sensor => "sensor stream",
+        StreamKind::Ordinary => "stream",
+        StreamKind::Actuator => "actuator stream",
+    };
+    if what_it_is.is_empty() { format!("{name}, {kind}") } else { format!("{name}, {what_it_is}, {kind}") }
+}
+
+/// `map (distance), connector from RedBall to Distance`
+pub(crate) fn connector_name(words: &str, from: &[String], to: &str) -> String {
+    format!("{words}, connector from {} to {to}", from.join(" and "))
+}
+
+pub(crate) fn next_steps(name: &str) -> String {
+    format!("Next steps for {name}")
+}
+
+pub(crate) fn percent(zoom: f64) -> String {
+    format!("{:.0} %", zoom * 100.0)
 }

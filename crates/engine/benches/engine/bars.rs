@@ -4,6 +4,7 @@ use crate::clock::{cpu_of, median, memory_kib, share};
 use crate::graphs::Graph;
 use crate::peers;
 use crate::race::Playing;
+use crate::verdict;
 use engine::{Limits, Run};
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -32,6 +33,7 @@ pub(crate) fn bars(tracking: &Graph, chain_of: impl Fn(usize) -> Graph) {
 
 fn line(what: &str, measured: f64, bar: f64) {
     println!("  {what:<56}{measured:>12.3}{bar:>12.3}");
+    verdict::at_most(what, measured, bar);
 }
 
 fn build(graph: &Graph) -> Run {

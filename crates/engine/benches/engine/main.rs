@@ -3,6 +3,7 @@
 //!
 //! `cargo bench -p engine` prints tables; a name after `--` picks one graph, or `bars`. `cargo xtask bench engine`
 //! installs the others first. Passes alternate and medians are shown, so ratios mean something on a busy machine too.
+//! It fails if a bar is missed.
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a bench prints, and may give up")]
 
 mod bars;
@@ -13,8 +14,11 @@ mod hand;
 mod peers;
 mod race;
 mod streams;
+mod verdict;
 
-fn main() {
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
     let only = std::env::args().skip(1).find(|name| !name.starts_with('-'));
     let wanted = |name: &str| only.as_ref().is_none_or(|only| only == name);
     peers::tell_missing();
@@ -25,4 +29,5 @@ fn main() {
         let [_, tracking, ..] = graphs::all();
         bars::bars(&tracking, graphs::long_chain);
     }
+    verdict::tell()
 }

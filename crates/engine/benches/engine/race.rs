@@ -3,6 +3,7 @@
 use crate::clock::{cpu_of, median, memory_kib};
 use crate::graphs::{Graph, Way};
 use crate::peers::{self, Peer};
+use crate::verdict;
 use engine::{Emission, Limits, Run};
 use robot::Millis;
 use serde_json::{Map, Value as Json, json};
@@ -12,6 +13,8 @@ use std::rc::Rc;
 const PASSES: usize = 7;
 /// CPU time of one pass, about.
 const NANOS: u64 = 60_000_000;
+/// How many times RxPY's rate ours must be by Rhai alone.
+const RHAI_LEAST: f64 = 2.0;
 /// How often each plays all readings before it is measured, while what it says is compared.
 const WARM_CYCLES: u64 = 2;
 
@@ -181,6 +184,16 @@ fn print(graph: &str, runners: &[Runner]) {
         let least = least(graph, runner.name).map_or_else(String::new, |least| least.to_string());
         print!("  {:<20}{rate:>14.0}{:>12.1}{memory:>13}", runner.name, 1e9 / rate);
         println!("{:>15.3}{least:>10}{:>17.3}", rates[0] / rate, rates[1] / rate);
+        judge(graph, runner.name, rates[0] / rate, rates[1] / rate);
+    }
+}
+
+fn judge(graph: &str, other: &str, compiled: f64, by_rhai: f64) {
+    if let Some(least) = least(graph, other) {
+        verdict::at_least(&format!("{graph} beside {other}"), compiled, least);
+    }
+    if other == "RxPY" {
+        verdict::at_least(&format!("{graph} by Rhai alone beside {other}"), by_rhai, RHAI_LEAST);
     }
 }
 

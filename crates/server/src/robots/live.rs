@@ -3,14 +3,12 @@
 use crate::lock;
 use protocol::{ConnectorSample, StreamSample, Values};
 use std::sync::{Arc, Mutex};
-use tokio::sync::watch;
 
 /// The live values of one run; a clone shows the same run.
 #[derive(Clone, Debug)]
 pub(crate) struct LiveValues {
     run: u64,
     cell: Arc<Mutex<Cell>>,
-    changed: watch::Sender<u64>,
 }
 
 /// What one subscriber has seen already; starts with nothing.
@@ -49,7 +47,7 @@ impl LiveValues {
             connectors: std::iter::repeat_with(Told::default).take(connectors).collect(),
             ..Cell::default()
         };
-        Self { run, cell: Arc::new(Mutex::new(cell)), changed: watch::Sender::new(0) }
+        Self { run, cell: Arc::new(Mutex::new(cell)) }
     }
 
     /// What changed since this subscriber's last question, or nothing.
@@ -62,12 +60,6 @@ impl LiveValues {
         *seen = Seen { run: self.run, version: cell.version };
         let (streams, connectors) = (newer(&cell.streams, known), newer(&cell.connectors, known));
         Some(Values { run: self.run, at_ms: cell.at_ms, streams, connectors })
-    }
-
-    /// Grows with every change.
-    #[allow(dead_code, reason = "sessions look at a steady beat today; who wants to wait for a change, waits here")]
-    pub(crate) fn changed(&self) -> watch::Receiver<u64> {
-        self.changed.subscribe()
     }
 
     /// Begins anew with that many streams and connectors; whoever watches goes on watching.
@@ -86,8 +78,6 @@ impl LiveValues {
         let version = cell.version;
         put(&mut cell.streams, &mut changes.streams, version);
         put(&mut cell.connectors, &mut changes.connectors, version);
-        drop(cell);
-        self.changed.send_replace(version);
         true
     }
 }
@@ -147,7 +137,6 @@ mod tests {
             assert_eq!(values.streams[0].value, Value::Int(2));
             assert!(live.since(seen).is_none());
         }
-        assert_eq!(*live.changed().borrow(), 2);
         assert_eq!(LiveValues::new(8, 3, 0).since(&mut aiko), None);
     }
 }

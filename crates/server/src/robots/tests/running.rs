@@ -76,10 +76,14 @@ async fn values_tell_what_is_new() {
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
     let (live, mut seen) = (robots.values(run.run).unwrap(), Seen::default());
     assert!(robots.values(run.run + 1).is_none());
-    let mut changed = live.changed();
     robots.stimulate(&id("one"), &id("ball"), Value::Int(5)).unwrap();
-    changed.changed().await.unwrap();
-    let values = live.since(&mut seen).unwrap();
+    let mut values = None;
+    until("they are told", || {
+        values = live.since(&mut seen);
+        values.is_some()
+    })
+    .await;
+    let values = values.unwrap();
     assert_eq!(values.run, run.run);
     let counts: Vec<_> =
         values.streams.iter().map(|s| (s.stream.as_str().to_owned(), s.count, s.value.clone())).collect();
