@@ -22,6 +22,7 @@ pub(crate) use stage::Stage;
 
 use crate::desk::use_desk;
 use crate::panels::EmptyStage;
+use crate::words;
 use chip::{Chip, Edge};
 use leptos::prelude::*;
 use node::StreamNode;

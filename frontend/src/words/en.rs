@@ -638,27 +638,6 @@ pub(crate) fn level(depth: usize) -> String {
     format!("Level {depth}: ")
 }
 
-#[cfg(test)]
-mod tests {
-    use super::{ago, program_line, removed_line};
-
-    #[test]
-    fn times_are_said_as_people_say_them() {
-        let said = [0, 59, 60, 150, 3_600, 7_300, 86_400, 200_000].map(|seconds| ago(seconds).unwrap());
-        let right =
-            ["just now", "just now", "a minute ago", "2 minutes ago", "an hour ago", "2 hours ago", "yesterday"];
-        assert_eq!(said[..7], right);
-        assert_eq!((said[7].as_str(), ago(86_400 * 7)), ("2 days ago", None));
-    }
-
-    #[test]
-    fn a_line_names_a_person_once() {
-        assert_eq!(program_line("Aiko", 1, "just now", "Aiko"), "Aiko · 1 stream · just now");
-        assert_eq!(program_line("Aiko", 6, "yesterday", "Ben"), "Aiko · 6 streams · changed yesterday by Ben");
-        assert_eq!(removed_line("yesterday", "Ben", 29), "removed yesterday by Ben · stays 29 more days");
-    }
-}
-
 /// `Head tracker, red ball · head, actuator stream`
 pub(crate) fn stream_name(name: &str, what_it_is: &str, kind: StreamKind) -> String {
     let kind = match kind {
@@ -680,4 +659,25 @@ pub(crate) fn next_steps(name: &str) -> String {
 
 pub(crate) fn percent(zoom: f64) -> String {
     format!("{:.0} %", zoom * 100.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ago, program_line, removed_line};
+
+    #[test]
+    fn times_are_said_as_people_say_them() {
+        let said = [0, 59, 60, 150, 3_600, 7_300, 86_400, 200_000].map(|seconds| ago(seconds).unwrap());
+        let right =
+            ["just now", "just now", "a minute ago", "2 minutes ago", "an hour ago", "2 hours ago", "yesterday"];
+        assert_eq!(said[..7], right);
+        assert_eq!((said[7].as_str(), ago(86_400 * 7)), ("2 days ago", None));
+    }
+
+    #[test]
+    fn a_line_names_a_person_once() {
+        assert_eq!(program_line("Aiko", 1, "just now", "Aiko"), "Aiko · 1 stream · just now");
+        assert_eq!(program_line("Aiko", 6, "yesterday", "Ben"), "Aiko · 6 streams · changed yesterday by Ben");
+        assert_eq!(removed_line("yesterday", "Ben", 29), "removed yesterday by Ben · stays 29 more days");
+    }
 }

@@ -46,11 +46,11 @@ fn RemoveQuestion(
     #[prop(into)] name: String,
     says: &'static str,
     done: Callback<()>,
-    children: Children,
+    #[prop(optional)] children: Option<Children>,
 ) -> impl IntoView {
     view! {
         <Frame title=words::remove_question(&name) narrow=true save=done>
-            <div class="dialog-body"><p>{says}</p> {children()}</div>
+            <div class="dialog-body"><p>{says}</p> {children.map(|children| children())}</div>
             <Feet save=words::remove() />
         </Frame>
     }
@@ -122,7 +122,7 @@ pub(super) fn RemoveRobot() -> impl IntoView {
         desk.desk().remove_robot();
         close(desk);
     });
-    view! { <RemoveQuestion name says=words::remove_robot_says() done>{()}</RemoveQuestion> }
+    view! { <RemoveQuestion name says=words::remove_robot_says() done /> }
 }
 
 /// What the others see as one's name.
