@@ -21,6 +21,9 @@ pub struct Recorded {
 pub struct Recording {
     /// Its file.
     pub file: String,
+    /// The name of the robot; empty if it is not known.
+    #[serde(default)]
+    pub robot: String,
     /// The name of the behaviour.
     pub name: String,
     /// The revision that ran at Start.

@@ -146,7 +146,7 @@ fn record_and_replay(engine: &str) {
     assert!(made.status.success(), "{}", String::from_utf8_lossy(&made.stderr));
     assert_eq!(String::from_utf8(made.stdout).expect("UTF-8"), lines_of(&text, &actions[1..]));
     let listed = server.console("recordings\n");
-    assert!(listed.contains("Recorded, revision 1, 2"), "{listed}");
+    assert!(listed.contains("Recorded on Simulated NAO, revision 1, 2"), "{listed}");
 }
 
 #[test]

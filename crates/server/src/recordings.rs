@@ -42,6 +42,8 @@ pub(crate) struct Recordings {
 pub(crate) struct About<'a> {
     /// The run's number.
     pub(crate) run: u64,
+    /// The name of the robot.
+    pub(crate) robot: &'a str,
     /// Which behaviour.
     pub(crate) behaviour: &'a Id,
     /// Its revision.
@@ -134,6 +136,9 @@ fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File),
 /// The first line of a recording, as far as it is shown.
 #[derive(Deserialize)]
 struct First {
+    /// Not in recordings from before there were several.
+    #[serde(default)]
+    robot: String,
     name: String,
     revision: u64,
     began: String,
@@ -142,6 +147,6 @@ struct First {
 fn described(path: &Path, bytes: u64) -> Option<Recording> {
     let mut line = String::new();
     BufReader::new(File::open(path).ok()?.take(HEADER_MAX_BYTES)).read_line(&mut line).ok()?;
-    let First { name, revision, began } = serde_json::from_str(&line).ok()?;
-    Some(Recording { file: path.file_name()?.to_str()?.to_owned(), name, revision, began, bytes })
+    let First { robot, name, revision, began } = serde_json::from_str(&line).ok()?;
+    Some(Recording { file: path.file_name()?.to_str()?.to_owned(), robot, name, revision, began, bytes })
 }

@@ -89,7 +89,7 @@ pub(crate) fn Recordings() -> impl IntoView {
 #[component]
 fn Row(recording: Recording) -> impl IntoView {
     let address = format!("{RECORDINGS_PATH}/{}", recording.file);
-    let about = words::recording_about(&recording.began, recording.bytes);
+    let about = words::recording_about(&recording.robot, &recording.began, recording.bytes);
     let label = words::download_recording(&recording.name);
     view! {
         <li>

@@ -342,11 +342,12 @@ pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {
     }
 }
 
-pub(crate) fn recording_about(began: &str, bytes: u64) -> String {
+pub(crate) fn recording_about(robot: &str, began: &str, bytes: u64) -> String {
     let (day, time) = began.split_once('T').unwrap_or((began, ""));
     let time = time.get(..5).unwrap_or_default();
     let size = if bytes < 1 << 20 { format!("{} KB", bytes.div_ceil(1 << 10)) } else { format!("{} MB", bytes >> 20) };
-    format!("{day} {time}, {size}")
+    let robot = if robot.is_empty() { String::new() } else { format!("{robot}, ") };
+    format!("{robot}{day} {time}, {size}")
 }
 
 pub(crate) fn download_recording(name: &str) -> String {

@@ -22,6 +22,7 @@ pub(super) struct Header<'a> {
     by: &'a str,
     began: &'a str,
     run: u64,
+    robot: &'a str,
 }
 
 impl<'a> Header<'a> {
@@ -41,6 +42,7 @@ impl<'a> Header<'a> {
             by: about.by,
             began,
             run: about.run,
+            robot: about.robot,
         }
     }
 }

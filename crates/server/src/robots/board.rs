@@ -25,6 +25,12 @@ impl Board {
         self.robots.subscribe()
     }
 
+    /// What people call a robot; nothing if it is gone.
+    pub(super) fn name(&self, robot: &Id) -> String {
+        let robots = self.robots.borrow();
+        robots.iter().find(|known| known.robot == *robot).map(|known| known.name.clone()).unwrap_or_default()
+    }
+
     /// What runs on them and what ended lately, oldest first.
     pub(super) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
         self.runs.subscribe()

@@ -110,7 +110,8 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
 
 fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
     let Start { behaviour, revision, file, record, by } = &job.start;
-    let about = About { run: job.run, behaviour, revision: *revision, by, file };
+    let robot = &job.house.board.name(&job.house.robot);
+    let about = About { run: job.run, robot, behaviour, revision: *revision, by, file };
     record.then(|| job.recordings.begin(&about)).transpose()
 }
 

@@ -19,6 +19,7 @@ async fn run(console: &mut Console, _: &str) -> Result<String, String> {
 }
 
 fn line(recording: &Recording) -> String {
-    let Recording { file, name, revision, began, bytes } = recording;
-    format!("{name}, revision {revision}, {began}, {} KiB: {RECORDINGS_PATH}/{file}", bytes.div_ceil(1024))
+    let Recording { file, robot, name, revision, began, bytes } = recording;
+    let on = if robot.is_empty() { String::new() } else { format!(" on {robot}") };
+    format!("{name}{on}, revision {revision}, {began}, {} KiB: {RECORDINGS_PATH}/{file}", bytes.div_ceil(1024))
 }

@@ -85,6 +85,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     robots.stop(None, "Ben");
     let lines = lines(&recordings).await;
     assert_eq!(text(&lines[0], "format"), Some("rrp-recording/1"));
+    assert_eq!(text(&lines[0], "robot"), Some("Puppet"));
     assert_eq!((text(&lines[0], "behaviour"), text(&lines[0], "mode")), (Some("one"), Some("event")));
     assert_eq!(text(lines.last().unwrap(), "why"), Some("it was stopped"));
     assert_eq!(outputs(&lines).into_iter().map(|(_, value)| value).collect::<Vec<_>>(), [4, 5, 6, 7].map(Value::Int));
@@ -93,6 +94,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     assert_eq!((text(note, "by"), text(note, "note")), (Some("Ben"), Some("she \"smiles\"")));
     assert!(lines.windows(2).all(|pair| mark(&pair[1]) != Some("note") || outputs(&pair[..1]).len() == 1), "after all");
     let known = &recordings.list()[0];
+    assert_eq!(known.robot, "Puppet");
     assert_eq!((known.file.as_str(), known.name.as_str(), known.revision), (shown.file.as_str(), "one", 1));
     recordings.remove(&known.file).unwrap();
     assert_eq!(recordings.remove(&shown.file), Err(SaidNo::NoRecording));
