@@ -99,7 +99,7 @@ impl Robots {
     /// Why it stays. Waits for the disk.
     pub(crate) fn remove(&self, robot: &Id) -> Result<(), SaidNo> {
         let mut register = lock(&self.fleet.register);
-        let host = self.host(robot).ok_or(SaidNo::NoRobot)?;
+        let host = self.meant(Some(robot))?;
         if register.known().len() == 1 {
             return Err(SaidNo::RobotStays("it is the only one".to_owned()));
         }
@@ -207,7 +207,7 @@ impl Robots {
 
     /// Whether a behaviour runs on any robot.
     pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
-        self.hosts().iter().any(|host| host.is_running(behaviour))
+        self.running(behaviour, None).is_ok()
     }
 
     /// Stops everything and ends the threads; waits for all of them together about two seconds at most.
@@ -220,10 +220,6 @@ impl Robots {
     /// All of them, oldest first.
     pub(crate) fn hosts(&self) -> Vec<Host> {
         lock(&self.fleet.hosts).clone()
-    }
-
-    fn host(&self, robot: &Id) -> Option<Host> {
-        lock(&self.fleet.hosts).iter().find(|host| host.id() == robot).cloned()
     }
 }
 

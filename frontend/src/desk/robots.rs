@@ -33,11 +33,9 @@ impl Desk {
         });
     }
 
-    /// Removes the robot that this tab looks at.
-    pub(crate) fn remove_robot(&self) {
-        if let Some(robot) = self.robot_id() {
-            self.ask_or_say(Request::RemoveRobot { robot }, |_| {});
-        }
+    /// Removes a robot.
+    pub(crate) fn remove_robot(&self, robot: &Id) {
+        self.ask_or_say(Request::RemoveRobot { robot: robot.clone() }, |_| {});
     }
 
     /// Stops everything on all robots.

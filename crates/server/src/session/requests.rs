@@ -56,15 +56,15 @@ impl Session {
             }
             Request::Stimulate { behaviour, robot, stream, value } => {
                 let done = self.hub.robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
-                self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+                self.done(ask, done);
             }
             Request::Mark { behaviour, robot, note } => {
                 let done = self.hub.robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
-                self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+                self.done(ask, done);
             }
             Request::EndRecording { behaviour, robot } => {
                 let done = self.hub.robots.end_recording(&behaviour, robot.as_ref());
-                self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+                self.done(ask, done);
             }
             Request::Runs => {
                 let runs = self.hub.robots.runs().borrow().to_vec();
@@ -80,6 +80,11 @@ impl Session {
                 self.outbox.say(Some(ask), Reply::Done);
             }
         }
+    }
+
+    /// Answers what was done at once, or not.
+    fn done(&self, ask: u32, done: Result<(), SaidNo>) {
+        self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
     fn answer(&self, ask: u32) -> Answer {

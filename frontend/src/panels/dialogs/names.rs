@@ -113,13 +113,16 @@ pub(super) fn AddRobot() -> impl IntoView {
     }
 }
 
-/// Remove the robot that this tab looks at.
+/// Remove the robot that this tab looked at when the question was asked, whatever it looks at meanwhile.
 #[component]
 pub(super) fn RemoveRobot() -> impl IntoView {
     let desk = hold();
     let name = untrack(|| desk.desk().robot_name());
+    let robot = desk.desk().robot_id();
     let done = Callback::new(move |()| {
-        desk.desk().remove_robot();
+        if let Some(robot) = &robot {
+            desk.desk().remove_robot(robot);
+        }
         close(desk);
     });
     view! { <RemoveQuestion name says=words::remove_robot_says() done /> }
