@@ -121,7 +121,7 @@ The robot stays: something runs on it; press Stop first.
 > use robot momo
 Momo is chosen
 > stop
-Everything is stopped
+Everything on Momo is stopped
 > remove robot momo
 Momo is removed
 > use robot momo

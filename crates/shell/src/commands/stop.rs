@@ -15,6 +15,10 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
     let named = if wanted.is_empty() { None } else { Some(console.meant(wanted).await?) };
     let (name, behaviour) = named.map_or(("Everything".to_owned(), None), |(name, id)| (name, Some(id)));
     let robot = console.robot.clone();
-    console.ask(Request::Stop { behaviour, robot }).await?;
-    Ok(format!("{name} is stopped"))
+    console.ask(Request::Stop { behaviour, robot: robot.clone() }).await?;
+    let Some(robot) = robot else { return Ok(format!("{name} is stopped")) };
+    let robots = console.robots().await?;
+    // A robot that is gone stands for all.
+    let on = robots.iter().find(|known| known.robot == robot).map(|known| format!(" on {}", known.name));
+    Ok(format!("{name}{} is stopped", on.unwrap_or_default()))
 }
