@@ -3,7 +3,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, Storage, Window};
+use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlTextAreaElement, Storage, Window};
 
 /// The window; none in tests on the host.
 pub(crate) fn window() -> Option<Window> {
@@ -99,6 +99,27 @@ impl Keep {
             let _ = storage.remove_item(key);
         }
     }
+}
+
+/// Puts a text on the clipboard, also where the page came over plain HTTP; whether that worked. The keyboard stays where it
+/// is.
+pub(crate) fn copy(text: &str) -> bool {
+    let Some(document) = window().and_then(|window| window.document()) else { return false };
+    let before = document.active_element().and_then(|active| active.dyn_into::<web_sys::HtmlElement>().ok());
+    let field = document.create_element("textarea").ok().and_then(|field| field.dyn_into::<HtmlTextAreaElement>().ok());
+    let (Some(field), Some(body)) = (field, document.body()) else { return false };
+    field.set_value(text);
+    field.set_class_name("sr");
+    let _ = body.append_child(&field);
+    field.select();
+    let command = js_sys::Reflect::get(&document, &"execCommand".into()).ok();
+    let command = command.and_then(|command| command.dyn_into::<js_sys::Function>().ok());
+    let done = command.and_then(|command| command.call1(&document, &"copy".into()).ok());
+    field.remove();
+    if let Some(before) = before {
+        let _ = before.focus();
+    }
+    done.and_then(|done| done.as_bool()).unwrap_or_default()
 }
 
 /// The part of the address after `#`.

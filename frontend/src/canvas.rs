@@ -33,6 +33,8 @@ use zoom::Zoom;
 
 /// Below this zoom details are hidden.
 const FAR: f64 = 0.35;
+/// Below this zoom nothing could be read anyway: streams are plain shapes, and what stands on the lines is not drawn.
+const TINY: f64 = 0.08;
 
 /// The graph of the open behaviour.
 #[component]
@@ -49,13 +51,14 @@ pub(crate) fn Canvas() -> impl IntoView {
     let [down, moved, up, cancel, lost] = [(); 5].map(|()| pointers.clone());
     let [leave, wheel, click, double] = [(); 4].map(|()| pointers.clone());
     let (key_desk, key_stage) = (desk.clone(), stage.clone());
-    let (far, transform) = (stage.clone(), stage.clone());
+    let (far, tiny, transform) = (stage.clone(), stage.clone(), stage.clone());
     let seen = stage.clone();
     view! {
         <main
             class="stage"
             class:gliding=move || glides.get()
             class:far=move || far.view.with(|view| view.zoom < FAR)
+            class:tiny=move || tiny.view.with(|view| view.zoom < TINY)
             id="stage"
             tabindex="-1"
             aria-label=words::graph()

@@ -6,6 +6,7 @@
 mod accept;
 mod address;
 mod build;
+mod failing;
 mod files;
 mod gestures;
 mod hear;
@@ -13,14 +14,17 @@ mod kinds;
 mod programs;
 mod propose;
 mod queue;
+mod ran;
 mod recordings;
 mod robot_box;
 mod robots;
 mod running;
 mod samples;
 mod shelves;
+mod silence;
 mod undo;
 
+pub(crate) use failing::Failing;
 pub(crate) use files::{file_address, first_file};
 pub(crate) use shelves::Shelf;
 
@@ -32,7 +36,7 @@ use behaviour::{Behaviour, Helper, Id, Place, Problem};
 use leptos::prelude::*;
 use protocol::{Person, Pointer, Recording, RobotState, RunPhase, RunState, Summary};
 use robot::Scene;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex};
 
@@ -44,6 +48,8 @@ pub(crate) struct Desk(Arc<Fields>);
 #[derive(Default)]
 pub(crate) struct Fields {
     pub(crate) online: ArcRwSignal<LinkState>,
+    /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
+    pub(crate) unheard: ArcRwSignal<Option<u32>>,
     pub(crate) saving: ArcRwSignal<Saving>,
     /// Why the server cannot save now, if so.
     pub(crate) away: ArcRwSignal<Option<String>>,
@@ -69,6 +75,14 @@ pub(crate) struct Fields {
     /// The library, by name.
     pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
+    /// What fails in the run of the open behaviour, or failed in its last one; what began last first.
+    pub(crate) failing: ArcRwSignal<Vec<Failing>>,
+    /// The connectors that the robot does not use yet as they are now.
+    pub(crate) unused: ArcRwSignal<BTreeSet<Id>>,
+    /// Whether there are values of a run, be it over or not.
+    pub(crate) has_values: ArcRwSignal<bool>,
+    /// Who removed what of the open behaviour and of the library, by its id.
+    pub(crate) removed_by: ArcRwSignal<BTreeMap<Id, String>>,
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
     /// Oldest first.
@@ -109,6 +123,10 @@ struct State {
     show_waiting: bool,
     /// The server could not save the last change; it is sent again in a moment.
     stalled: bool,
+    /// The server was asked too much at once; nothing is sent for a moment.
+    slowed: bool,
+    /// The server speaks again: how many changes that waited were sent since; none once that was said.
+    back: Option<usize>,
     history: undo::History,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
@@ -120,6 +138,9 @@ struct State {
     when_saved: Option<robot_box::Wish>,
     /// The run the live values belong to.
     run: u64,
+    /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
+    version: Option<ran::Version>,
+    ran: ran::Before,
     wanted_pictures: shelves::WantedPictures,
     pointer: Option<Pointer>,
     presence_planned: bool,
@@ -148,6 +169,7 @@ impl Desk {
         crate::browser::every(500, move || {
             if desk.run_of_open().is_some() {
                 desk.clock.set(crate::browser::now_ms());
+                desk.renew_failing();
             }
         });
     }

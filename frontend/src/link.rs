@@ -5,7 +5,7 @@ mod socket;
 use crate::browser;
 use crate::desk::{Desk, LinkState};
 use leptos::prelude::Set;
-use protocol::{Ask, Message, Reply, Request};
+use protocol::{Ask, Assembly, Message, Reply, Request};
 use socket::Socket;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -13,7 +13,9 @@ use std::collections::BTreeMap;
 /// The first and the longest wait before the next try, in milliseconds.
 const BACK_OFF_MS: [f64; 2] = [250.0, 8_000.0];
 /// Without a word from the server for so long the link counts as lost.
-const SILENCE_MS: f64 = 3.0 * protocol::PING_MS as f64;
+const SILENCE_MS: f64 = 6_000.0;
+/// How often it is looked whether the server still speaks, in milliseconds.
+const LISTEN_MS: i32 = 200;
 
 /// What is done with a reply; none when the link broke before it came.
 type Answer = Box<dyn FnOnce(Option<&Reply>)>;
@@ -26,9 +28,13 @@ struct Link {
     generation: u32,
     greeted: bool,
     heard_ms: f64,
+    /// When the socket was opened.
+    opened_ms: f64,
     tries: i32,
     asked: u32,
     answers: BTreeMap<u32, Answer>,
+    /// What comes in parts.
+    assembly: Assembly,
 }
 
 thread_local! {
@@ -48,12 +54,22 @@ pub(crate) fn start(desk: Desk) {
     if let Some(document) = window.document() {
         browser::hear(&document, "visibilitychange", |_| hurry());
     }
-    browser::every(2_000, || {
-        let silent = with(|link| link.socket.is_some() && browser::now_ms() - link.heard_ms > SILENCE_MS);
-        if silent {
-            lose(with(|link| link.generation));
-        }
+    browser::every(LISTEN_MS, listen);
+}
+
+/// Tells the desk for how long the server has been silent, and gives the link up after too long.
+fn listen() {
+    let now = browser::now_ms();
+    let (silent, desk) = with(|link| {
+        let silent = link.socket.is_some() && now - link.heard_ms.max(link.opened_ms) > SILENCE_MS;
+        (silent, link.desk.clone().map(|desk| (desk, now - link.heard_ms)))
     });
+    if silent {
+        lose(with(|link| link.generation));
+    }
+    if let Some((desk, silent_ms)) = desk {
+        desk.listen(silent_ms);
+    }
 }
 
 /// True when the server has greeted back.
@@ -110,7 +126,7 @@ fn connect() {
     let Some(url) = browser::socket_url() else { return };
     let generation = with(|link| {
         link.generation += 1;
-        link.heard_ms = browser::now_ms();
+        link.opened_ms = browser::now_ms();
         link.generation
     });
     let socket =
@@ -140,10 +156,16 @@ fn hear(generation: u32, text: &str) {
         link.desk.clone().filter(|_| link.generation == generation)
     });
     let (Some(desk), Ok(message)) = (desk, serde_json::from_str::<Message>(text)) else { return };
+    let message = match with(|link| link.assembly.take(message)) {
+        Ok(Some(message)) => message,
+        Ok(None) => return,
+        Err(_) => return lose(generation),
+    };
     if matches!(message.reply, Reply::Welcome { .. }) {
         with(|link| (link.greeted, link.tries) = (true, 0));
         desk.online.set(LinkState::Online);
     }
+    desk.listen(0.0);
     let answer = message.ask.and_then(|number| with(|link| link.answers.remove(&number)));
     let unasked_no = answer.is_none();
     if let Some(answer) = answer {
@@ -163,6 +185,7 @@ fn lose(generation: u32) {
     let (answers, desk, tries) = with(|link| {
         link.socket = None;
         link.greeted = false;
+        link.assembly = Assembly::default();
         link.generation += 1;
         link.tries += 1;
         (std::mem::take(&mut link.answers), link.desk.clone(), link.tries)

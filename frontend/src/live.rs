@@ -59,6 +59,8 @@ pub(crate) struct LiveConnector {
     pub(crate) fired: u64,
     pub(crate) faults: u64,
     pub(crate) error: Option<String>,
+    /// When the page first heard that it failed (`performance.now()`).
+    pub(crate) failed_at: f64,
     /// When the page last heard that it fired (`performance.now()`).
     pub(crate) fired_at: f64,
     /// True for 150 ms after it fired.
@@ -71,6 +73,9 @@ impl LiveConnector {
         if sample.fired > self.fired {
             self.fired_at = now;
             self.lit = true;
+        }
+        if sample.faults > 0 && self.faults == 0 {
+            self.failed_at = now;
         }
         (self.fired, self.faults, self.error) = (sample.fired, sample.faults, sample.error);
     }

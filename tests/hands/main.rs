@@ -6,6 +6,7 @@ mod keyboard;
 mod library;
 mod many;
 mod room;
+mod sight;
 mod steps;
 mod together;
 mod wire;

@@ -5,6 +5,8 @@ use house::{Outcome, Page};
 use crate::steps::{picture, rests, say, stage, view};
 
 const MOVES: u32 = 60;
+/// Streams in view at once up to which the work of a drag is judged.
+const JUDGED_MAX: usize = 1_000;
 const SELECT: &str = "(face => { face.focus(); face.click(); })(document.querySelector('[aria-label^=\"Face,\"]'))";
 /// A drag may be so many times the work of moving a bare box.
 const WORK_MAX: f64 = 40.0;
@@ -41,6 +43,9 @@ async fn check(count: usize, budget: f64) -> Outcome<()> {
     let program = stage.wire.make_large("Many", count).await?;
     let aiko = stage.person("aiko", &program).await?;
     let stream = "Stream 24, *";
+    aiko.press("button", "Show everything").await?;
+    let whole = format!("document.querySelectorAll('#stage .stream').length === {count}");
+    aiko.until(&whole, "everything is in view").await?;
     let rest = rests(&aiko, stream).await?;
     let (zoom, drawn) = (view(&aiko).await?.2, aiko.eval("document.querySelectorAll('#stage .stream').length").await?);
     picture(&aiko, &format!("many-{count}")).await?;
@@ -63,7 +68,9 @@ async fn check(count: usize, budget: f64) -> Outcome<()> {
          100 % (budget {budget} ms); a bare box {bare:.2} ms.",
         zoom * 100.0
     ));
-    let work = whole.max(real) / bare.max(0.05);
+    // With more in view each is a few pixels large, and nobody drags it: that is told, not judged.
+    let judged = if count > JUDGED_MAX { real } else { whole.max(real) };
+    let work = judged / bare.max(0.05);
     assert!(work < WORK_MAX, "a drag is {work:.0} times the work of moving a bare box");
     Ok(())
 }

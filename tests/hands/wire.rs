@@ -26,7 +26,7 @@ impl Wire {
 
     async fn ask(&self, request: Value) -> Outcome<Value> {
         let (mut socket, _) = tokio_tungstenite::connect_async(&self.url).await.map_err(broken)?;
-        let hello = json!({ "is": "hello", "version": protocol::VERSION, "client": "hands", "name": "Hands" });
+        let hello = json!({ "is": "hello", "version": protocol::VERSION, "name": "Hands" });
         ask(&mut socket, 0, hello).await?;
         ask(&mut socket, 1, request).await
     }

@@ -51,3 +51,32 @@ async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
     silent(&ben, "be saved now").await?;
     calm(&aiko)
 }
+
+#[tokio::test]
+async fn a_recording_that_loses_something_says_so() -> Outcome<()> {
+    if !skip::ready(PART) || !skip::linux(PART) {
+        return Ok(());
+    }
+    let folder = house::folder()?;
+    let data = folder.path().join("data");
+    let server = Server::start_binary(&server_on(folder.path())?, &data, &[]).await?;
+    let stage = Stage::with(server, folder).await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Watcher").await?;
+    add_sense(&aiko, "RedBall").await?;
+    saved(&aiko).await?;
+    aiko.press("checkbox", "Record the next run").await?;
+    start(&aiko).await?;
+    shows_value(&aiko, "RedBall").await?;
+    std::fs::write(data.join(MARK), "")?;
+    says(&aiko, "The recording stopped: it could not be written on").await?;
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    aiko.press("button", "Start").await?;
+    says(&aiko, "it cannot be recorded").await?;
+    aiko.eval("document.querySelector('.recordings summary').click()").await?;
+    says(&aiko, "its end is missing").await?;
+    std::fs::remove_file(data.join(MARK))?;
+    silent(&aiko, "be saved now").await?;
+    calm(&aiko)
+}

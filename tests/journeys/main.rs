@@ -16,5 +16,6 @@ mod steps;
 mod stop;
 mod templates;
 mod together;
+mod truth;
 mod visitor;
 mod walkthrough;

@@ -114,7 +114,7 @@ async fn what_is_done_offline_is_sent_later() -> Outcome<()> {
     let ben = stage.beside(&aiko, "ben").await?;
     ben.find("button", "RedBall, sensor stream").await?;
     stage.server.kill9().await?;
-    says(&aiko, "Offline. You can go on; it is sent when the connection is back.").await?;
+    says(&aiko, "No connection. You can go on; it is sent when the connection is back.").await?;
     rename_program(&aiko, "Ours", "Ours, later").await?;
     says(&aiko, "Offline: 1 change waits here").await?;
     aiko.press("button", "Stop").await?;

@@ -43,7 +43,7 @@ impl Visitor {
         let connected = tokio_tungstenite::connect_async(&address).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("{address}: {error}")))?;
         let mut visitor = Self { socket, asked: 0 };
-        let hello = Request::Hello { version: protocol::VERSION, client: id("visitor")?, name: "Visitor".to_owned() };
+        let hello = Request::Hello { version: protocol::VERSION, name: "Visitor".to_owned(), again: None };
         match visitor.ask(hello).await? {
             Reply::Welcome { .. } => Ok(visitor),
             other => Err(Trouble(format!("The greeting was answered with {other:?}."))),

@@ -101,7 +101,7 @@ impl Line {
         let connected = tokio_tungstenite::connect_async(address).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("There is no socket: {error}")))?;
         let mut line = Line { socket, asks: 0 };
-        let hello = Request::Hello { version: protocol::VERSION, client: id("looks")?, name: "Looks".to_owned() };
+        let hello = Request::Hello { version: protocol::VERSION, name: "Looks".to_owned(), again: None };
         line.ask(hello).await?;
         Ok(line)
     }

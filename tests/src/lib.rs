@@ -33,7 +33,7 @@ pub use axe::Violation;
 pub use browser::Browser;
 pub use find::{Node, Rect};
 pub use page::{Cpu, Page};
-pub use paths::{folder, root, server, target};
+pub use paths::{folder, optimised, root, server, target};
 pub use server::Server;
 pub use trouble::{Outcome, Trouble};
 pub use watch::Traffic;

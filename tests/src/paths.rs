@@ -28,6 +28,11 @@ pub fn server() -> PathBuf {
     named("RRP_BIN").unwrap_or_else(|| target().join("debug").join(format!("rrp{}", env::consts::EXE_SUFFIX)))
 }
 
+/// The optimised server: `RRP_OPTIMISED`, else the release build.
+pub fn optimised() -> PathBuf {
+    named("RRP_OPTIMISED").unwrap_or_else(|| target().join("release").join(format!("rrp{}", env::consts::EXE_SUFFIX)))
+}
+
 /// Chromium: `RRP_CHROMIUM`, else the first on PATH under a usual name.
 pub(crate) fn chromium() -> Option<PathBuf> {
     if let Some(path) = named("RRP_CHROMIUM") {

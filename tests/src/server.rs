@@ -34,7 +34,7 @@ impl Server {
         Server::start_with(dir, &[]).await
     }
 
-    /// As `start`, with more words for `rrp serve`; with `--store` among them the folder has only the log.
+    /// As `start`, with more words for `rrp serve`; with `--store` among them the folder is the one beside that store.
     pub async fn start_with(dir: &Path, arguments: &[&str]) -> Outcome<Server> {
         Server::start_binary(&paths::server(), dir, arguments).await
     }
@@ -114,10 +114,7 @@ impl Server {
     async fn spawn(&mut self, listen: &str) -> Outcome<()> {
         let log = OpenOptions::new().create(true).append(true).open(self.log_path())?;
         let mut command = Command::new(&self.binary);
-        command.args(["serve", "--listen", listen]);
-        if !self.arguments.iter().any(|word| word == "--store") {
-            command.arg("--data").arg(&self.data);
-        }
+        command.args(["serve", "--listen", listen, "--data"]).arg(&self.data);
         command.args(&self.arguments);
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(log).kill_on_drop(true);
         let what = format!("{} does not start", self.binary.display());

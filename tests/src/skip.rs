@@ -26,6 +26,15 @@ pub fn ready_browser(part: &str) -> bool {
     proceed(part, missing)
 }
 
+/// Whether the optimised server is built, and this is Linux, which tells what a process takes of the memory.
+///
+/// # Panics
+/// When it is missing and `CI` is `true`.
+pub fn optimised(part: &str) -> bool {
+    let missing = !paths::optimised().is_file();
+    linux(part) && proceed(part, missing.then(|| "build it with `cargo build --release --package rrp`".to_owned()))
+}
+
 /// Whether this is Linux, for tests that change what the system answers to the server.
 ///
 /// # Panics

@@ -52,3 +52,33 @@ impl From<serde_json::Error> for Trouble {
         Trouble(error.to_string())
     }
 }
+
+impl From<shell::Trouble> for Trouble {
+    fn from(error: shell::Trouble) -> Trouble {
+        Trouble(error.to_string())
+    }
+}
+
+impl From<tokio_tungstenite::tungstenite::Error> for Trouble {
+    fn from(error: tokio_tungstenite::tungstenite::Error) -> Trouble {
+        Trouble(error.to_string())
+    }
+}
+
+impl From<std::net::AddrParseError> for Trouble {
+    fn from(error: std::net::AddrParseError) -> Trouble {
+        Trouble(error.to_string())
+    }
+}
+
+impl From<std::num::ParseIntError> for Trouble {
+    fn from(error: std::num::ParseIntError) -> Trouble {
+        Trouble(error.to_string())
+    }
+}
+
+impl From<std::fmt::Error> for Trouble {
+    fn from(error: std::fmt::Error) -> Trouble {
+        Trouble(error.to_string())
+    }
+}

@@ -116,10 +116,15 @@ impl<'a> Graph<'a> {
                 }
             }
         }
-        missing
-            .into_iter()
-            .find(|(output, left)| *left > 0 && self.below(output).contains(output))
-            .map(|(output, _)| output)
+        missing.retain(|_, left| *left > 0);
+        let (mut here, _) = missing.first_key_value()?;
+        let mut seen = BTreeSet::new();
+        // Whatever still waits has an input that waits: going up, a stream comes a second time.
+        while seen.insert(*here) {
+            let inputs = self.into_stream(here).iter().flat_map(|(_, connector)| &connector.inputs);
+            here = inputs.filter_map(|input| missing.get_key_value(input)).map(|(input, _)| input).next()?;
+        }
+        Some(here)
     }
 }
 

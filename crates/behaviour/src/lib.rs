@@ -7,7 +7,9 @@
 mod change;
 mod fields;
 mod file;
+pub mod flow;
 mod graph;
+mod history;
 mod ids;
 pub mod library;
 pub mod marbles;
@@ -16,6 +18,8 @@ mod problems;
 mod record;
 mod room;
 mod rules;
+mod size;
+mod unseen;
 mod value;
 mod words;
 
@@ -23,8 +27,11 @@ pub use change::{Change, Edit};
 pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 pub use graph::Graph;
+pub use history::History;
 pub use ids::{Id, Kind, RecordId};
-pub use names::{argument_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings};
+pub use names::{
+    argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
+};
 pub use problems::{Problem, ProblemKind, problems};
 pub use record::{
     Behaviour, Connector, Engine, Helper, Note, Operation, Params, Place, Procedure, Record, Settings, Stream,
@@ -32,4 +39,6 @@ pub use record::{
 };
 pub use room::{Accepted, Committed, Decision, Room};
 pub use rules::{BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX};
+pub use size::{BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes};
+pub use unseen::{has_unseen, without_unseen};
 pub use value::Value;

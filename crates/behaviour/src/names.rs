@@ -14,8 +14,8 @@ const POINTER: &str = "Fn(\"";
 
 /// The argument names of a procedure from the names of its input streams, in order: `Red ball` becomes `redBall`.
 pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
-    let mut used = BTreeSet::new();
-    stream_names.into_iter().map(|name| first_free(argument_name(name), &mut used)).collect()
+    let mut used = Used::default();
+    stream_names.into_iter().map(|name| used.first_free(argument_name(name))).collect()
 }
 
 fn argument_name(stream_name: &str) -> String {
@@ -54,12 +54,28 @@ fn has_letter_before_digit(name: &str) -> bool {
     name.chars().find(char::is_ascii_alphanumeric).is_some_and(|first| first.is_ascii_alphabetic())
 }
 
-fn first_free(name: String, used: &mut BTreeSet<String>) -> String {
-    let numbered = (2..).map(|number| format!("{name}{number}"));
-    let free = std::iter::once(name.clone()).chain(numbered).find(|candidate| !used.contains(candidate));
-    let free = free.unwrap_or(name);
-    used.insert(free.clone());
-    free
+/// Names that are taken, and the number to try next for each name that was wanted twice.
+#[derive(Default)]
+struct Used {
+    names: BTreeSet<String>,
+    next: BTreeMap<String, u64>,
+}
+
+impl Used {
+    /// The name, or with the first number that is free.
+    fn first_free(&mut self, name: String) -> String {
+        if self.names.insert(name.clone()) {
+            return name;
+        }
+        let next = self.next.entry(name.clone()).or_insert(2);
+        loop {
+            let numbered = format!("{name}{next}");
+            *next += 1;
+            if self.names.insert(numbered.clone()) {
+                return numbered;
+            }
+        }
+    }
 }
 
 /// True if `name` can name a helper or one of its parameters in Rhai.
@@ -104,7 +120,14 @@ pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)
 /// to have the helper's name is no call.
 #[must_use]
 pub fn calls_helper(body: &str, helper: &str) -> bool {
-    uses(body).into_iter().any(|place| &body[place] == helper)
+    called_names(body).contains(helper)
+}
+
+/// The names of everything that `body` calls, `distance(ball)`, or points to, `Fn("distance")`: helpers and functions of
+/// the language.
+#[must_use]
+pub fn called_names(body: &str) -> BTreeSet<&str> {
+    uses(body).into_iter().map(|place| &body[place]).collect()
 }
 
 /// The body with every helper that it uses under its new name, all at once. Arguments, fields and texts keep theirs.
@@ -132,8 +155,9 @@ fn uses(body: &str) -> Vec<Range<usize>> {
     let mut found: Vec<_> = variables(body).into_iter().filter(opens).collect();
     for (at, before) in body.match_indices(POINTER) {
         let start = at + before.len();
-        if let Some(length) = body[start..].find("\")") {
-            found.push(start..start + length);
+        let end = after_word(body.as_bytes(), start);
+        if body[end..].starts_with("\")") {
+            found.push(start..end);
         }
     }
     found
@@ -241,6 +265,7 @@ mod tests {
             assert_eq!(argument_names([stream]), [argument], "{stream:?}");
         }
         assert_eq!(argument_names(["Red ball", "RedBall", "red  ball"]), ["redBall", "redBall2", "redBall3"]);
+        assert_eq!(argument_names(["b", "b2", "b", "b", "b2"]), ["b", "b2", "b3", "b4", "b22"]);
     }
 
     #[test]
@@ -267,6 +292,12 @@ mod tests {
         for body in ["distance < 20", "distances(b)", "// distance(b)", "#{distance: 1}", ""] {
             assert!(!calls_helper(body, "distance"), "{body}");
         }
+    }
+
+    #[test]
+    fn what_a_body_calls_is_found_at_once() {
+        let body = "near(x) + near(far (1)) + [1].map(Fn(\"close\")) + y.gone(2) // no(1)";
+        assert_eq!(super::called_names(body).into_iter().collect::<Vec<_>>(), ["Fn", "close", "far", "near"]);
     }
 
     #[test]

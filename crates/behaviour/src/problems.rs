@@ -1,6 +1,10 @@
 //! What is still missing before a behaviour can run. Problems never stop editing; most stop Start.
 
-use crate::{Behaviour, Connector, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, StreamKind};
+use crate::flow::{Flow, Gives, HANDED_MAX, Link};
+use crate::{
+    Behaviour, Connector, Engine, Graph, Helper, Id, Kind, Knowledge, Operation, Procedure, RecordId, Settings,
+    StreamKind,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -52,6 +56,8 @@ pub enum ProblemKind {
     NoSource,
     /// A stream from which nothing flows to an action.
     Unused,
+    /// A stream at which one reading becomes more values than one instant may carry.
+    Multiplies,
 }
 
 /// All problems of a behaviour, in file order, connectors after streams. `helpers` is the library.
@@ -60,6 +66,7 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
     let library: BTreeMap<&str, &Helper> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).collect();
     let graph = Graph::of(behaviour);
     let reaching = graph.reaching_action(behaviour);
+    let multiplying = multiplying(behaviour);
     let mut found = Vec::new();
     for (id, stream) in behaviour.streams_in_order() {
         let mut add = |kind, blocks| found.push(problem(Kind::Stream, id, &stream.name, kind, blocks));
@@ -74,6 +81,9 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
         if stream.kind != StreamKind::Actuator && !reaching.contains(id) {
             add(ProblemKind::Unused, false);
         }
+        if let Some((_, blocks)) = multiplying.filter(|(at, _)| *at == id) {
+            add(ProblemKind::Multiplies, blocks);
+        }
     }
     for (id, connector) in behaviour.connectors_in_order() {
         let word = connector.operation.word();
@@ -81,6 +91,45 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
         found.extend(kinds.into_iter().map(|kind| problem(Kind::Connector, id, word, kind, true)));
     }
     found
+}
+
+/// The stream at which the values of one reading become too many, and whether they certainly do: what filters keep out
+/// is known only when it runs. A frame carries one value a stream.
+fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
+    if behaviour.settings().is_some_and(|settings: &Settings| settings.engine != Engine::Event) {
+        return None;
+    }
+    let streams = behaviour.streams_in_order();
+    let places: BTreeMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).collect();
+    let ends = |connector: &Connector| {
+        let inputs = connector.inputs.iter().map(|id| places.get(id).copied()).collect::<Option<Vec<_>>>()?;
+        Some((inputs, *places.get(&connector.output)?, gives(&connector.operation)))
+    };
+    let ends: Vec<_> = behaviour.connectors_in_order().iter().filter_map(|(_, connector)| ends(connector)).collect();
+    let links: Vec<_> =
+        ends.iter().map(|(inputs, output, gives)| Link { inputs, output: *output, gives: *gives }).collect();
+    let flow = Flow::of(streams.len(), &links);
+    let later = links.iter().filter(|link| link.gives == Gives::Later).map(|link| link.output);
+    let senses = (0..streams.len()).filter(|at| streams[*at].1.kind == StreamKind::Sensor);
+    let starts: Vec<usize> = senses.chain(later).collect();
+    let found = |certain| {
+        let handed = flow.handed(certain);
+        let start = starts.iter().find(|start| handed[**start] > HANDED_MAX)?;
+        Some((streams[flow.multiplies_at(*start, certain, HANDED_MAX)?].0, certain))
+    };
+    found(true).or_else(|| found(false))
+}
+
+fn gives(operation: &Operation) -> Gives {
+    match operation {
+        Operation::Map(_)
+        | Operation::Timestamp
+        | Operation::CombineLatest(_)
+        | Operation::Merge
+        | Operation::Subscribe => Gives::Each,
+        Operation::Filter(_) => Gives::Some,
+        Operation::Sample { .. } => Gives::Later,
+    }
 }
 
 fn problem(kind_of: Kind, id: &Id, name: &str, kind: ProblemKind, blocks: bool) -> Problem {

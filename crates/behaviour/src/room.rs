@@ -3,7 +3,8 @@
 //! A change goes through in two steps, because nobody may see an edit that can still vanish: [`Room::propose`] decides
 //! and changes nothing; once the store has the change, [`Room::commit`] makes it the room's truth.
 
-use crate::{Behaviour, Change, EDITS_MAX, Id, Knowledge, Record, RecordId, Refusal, rules};
+use crate::size::Size;
+use crate::{Behaviour, Change, EDITS_MAX, Id, Knowledge, Record, RecordId, Refusal, rules, without_unseen};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -15,6 +16,8 @@ const ANSWERED_MAX: usize = 1_024;
 pub struct Room {
     behaviour: Behaviour,
     revision: u64,
+    /// Of the behaviour, so that a change costs what it touches.
+    size: Size,
     answered: BTreeMap<Id, u64>,
     answered_order: VecDeque<Id>,
 }
@@ -46,7 +49,8 @@ impl Room {
     /// The room of a behaviour as the store has it.
     #[must_use]
     pub fn open(behaviour: Behaviour, revision: u64) -> Self {
-        Self { behaviour, revision, answered: BTreeMap::new(), answered_order: VecDeque::new() }
+        let size = Size::of(&behaviour);
+        Self { behaviour, revision, size, answered: BTreeMap::new(), answered_order: VecDeque::new() }
     }
 
     /// Whether changes that make a behaviour from nothing, one after the other, keep the rules.
@@ -86,7 +90,8 @@ impl Room {
         }
         match self.judge(&change, knowledge) {
             Ok(()) => {
-                let change = Change { at_ms: now_ms, ..change };
+                let (label, author) = (without_unseen(&change.label), without_unseen(&change.author));
+                let change = Change { at_ms: now_ms, label, author, ..change };
                 Decision::Save(Committed { revision: self.revision + 1, change })
             }
             Err(refusal) => Decision::Refuse(refusal),
@@ -106,7 +111,7 @@ impl Room {
         }
         let mut after = self.behaviour.clone();
         after.apply(change);
-        rules::check(&after, change, knowledge)
+        rules::check(&after, change, &self.size, knowledge)
     }
 
     /// What a person calls a record, as it is now or as they saw it.
@@ -127,6 +132,7 @@ impl Room {
     pub fn commit(&mut self, saved: &Committed) {
         debug_assert_eq!(saved.revision, self.revision + 1, "revisions come in order");
         self.behaviour.apply(&saved.change);
+        self.size = self.size.after(&saved.change);
         self.revision = saved.revision;
         self.remember(saved.change.op.clone(), saved.revision);
     }

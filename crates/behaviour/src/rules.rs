@@ -1,10 +1,12 @@
 //! The rules every change must keep, and the refusal that names the broken one.
 
+use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
-    Behaviour, Change, Connector, Graph, Helper, Id, Operation, Params, Procedure, Record, Settings, Stream, StreamKind,
+    Behaviour, Change, Connector, Edit, Graph, Helper, Id, Operation, Params, Procedure, Record, Settings, Stream,
+    StreamKind, has_unseen, record_bytes,
 };
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::RangeInclusive;
 
 /// The longest name of a behaviour, stream or helper, in characters.
@@ -49,14 +51,20 @@ pub enum Refusal {
     Edits(usize),
     /// A record under an id of another kind, or one twice.
     Malformed(String),
-    /// A name is empty, too long or has control characters.
+    /// A name is empty.
     Name(String),
+    /// A name has characters that nobody sees; without them.
+    Unseen(String),
     /// Another stream has this name.
     NameTaken(String),
     /// A text is too long; with its limit in characters.
     TooLong(String, usize),
-    /// More streams or connectors than fit; with the limit.
+    /// More streams, connectors, notes, places or helpers than fit; with the limit.
     TooMany(String, usize),
+    /// The behaviour or the library would hold more than fits; which of them, and the limit in bytes.
+    Full(String, usize),
+    /// One thing with all its texts and lists is too large; what it is called.
+    TooLarge(String),
     /// Values would flow in a circle through this stream.
     Cycle(String),
     /// This stream already has an incoming connector.
@@ -89,20 +97,60 @@ pub enum Refusal {
     NotSaved(String),
 }
 
-/// Whether `after` keeps the rules, given that `change` led to it.
+/// Whether `after` keeps the rules, given that `change` led to it from what had the size `before`. What is cheap to know
+/// comes first.
 ///
 /// # Errors
 /// The first broken rule.
-pub(crate) fn check(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+pub(crate) fn check(
+    after: &Behaviour,
+    change: &Change,
+    before: &Size,
+    knowledge: &dyn Knowledge,
+) -> Result<(), Refusal> {
+    before.after(change).check(before)?;
+    change.edits.iter().try_for_each(check_bounds)?;
     check_touched(after, change, knowledge)?;
     let graph_touched =
         change.edits.iter().any(|edit| matches!(edit.id.kind, crate::Kind::Stream | crate::Kind::Connector));
     if graph_touched {
-        check_counts(after)?;
         check_names(after)?;
         check_graph(after)?;
     }
     check_helper_names(after)
+}
+
+/// Bounds that older versions did not have: what was beyond one of them may stay so, or become smaller.
+fn check_bounds(edit: &Edit) -> Result<(), Refusal> {
+    let Some(after) = &edit.after else { return Ok(()) };
+    let (bytes, before) = (record_bytes(&edit.id, after), edit.before.as_ref());
+    if bytes > RECORD_MAX_BYTES && before.is_none_or(|before| record_bytes(&edit.id, before) < bytes) {
+        return Err(Refusal::TooLarge(format!("this {}", edit.id.kind.word())));
+    }
+    let known: BTreeSet<&str> = before.map(names_in).unwrap_or_default().into_iter().collect();
+    let mut new = names_in(after).into_iter().filter(|name| !known.contains(name));
+    new.try_for_each(|name| {
+        within("This name", name, NAME_MAX_CHARS)?;
+        if has_unseen(name) { Err(Refusal::Unseen(shortened(name))) } else { Ok(()) }
+    })
+}
+
+/// Every name that people read in a record.
+fn names_in(record: &Record) -> Vec<&str> {
+    match record {
+        Record::Settings(settings) => vec![&settings.name, &settings.robot],
+        Record::Helper(helper) => std::iter::once(&helper.name).chain(&helper.params).map(String::as_str).collect(),
+        Record::Stream(stream) => {
+            let names = stream.params.keys().chain(stream.resources.iter().flatten()).chain(&stream.device);
+            std::iter::once(&stream.name).chain(names).map(String::as_str).collect()
+        }
+        Record::Connector(connector) => match connector.operation.procedure() {
+            Some(Procedure::Body { args, .. }) => args.iter().flatten().map(String::as_str).collect(),
+            Some(Procedure::Helper(name)) => vec![name],
+            None => Vec::new(),
+        },
+        Record::Place(_) | Record::Note(_) => Vec::new(),
+    }
 }
 
 fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
@@ -142,7 +190,7 @@ fn within(what: &str, text: &str, limit: usize) -> Result<(), Refusal> {
 }
 
 fn shortened(text: &str) -> String {
-    text.chars().take(40).filter(|c| !c.is_control()).collect()
+    crate::without_unseen(text).chars().take(40).collect()
 }
 
 fn check_stream(stream: &Stream, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
@@ -195,26 +243,16 @@ fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusa
     knowledge.body(&helper.params, &helper.body).map_err(Refusal::Body)
 }
 
-fn check_counts(after: &Behaviour) -> Result<(), Refusal> {
-    if after.streams().count() > STREAMS_MAX {
-        return Err(Refusal::TooMany("streams".into(), STREAMS_MAX));
-    }
-    if after.connectors().count() > CONNECTORS_MAX {
-        return Err(Refusal::TooMany("connectors".into(), CONNECTORS_MAX));
-    }
-    Ok(())
-}
-
-fn check_names(after: &Behaviour) -> Result<(), Refusal> {
+pub(crate) fn check_names(after: &Behaviour) -> Result<(), Refusal> {
     unique(after.streams().map(|(_, stream)| stream.name.trim()))
 }
 
-fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
+pub(crate) fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
     unique(after.helpers().map(|(_, helper)| helper.name.as_str()))
 }
 
 fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     for name in names {
         if !seen.insert(name) {
             return Err(Refusal::NameTaken(name.to_owned()));
@@ -223,7 +261,7 @@ fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
     Ok(())
 }
 
-fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
+pub(crate) fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
     let streams: BTreeMap<&Id, &Stream> = after.streams().collect();
     for (_, connector) in after.connectors_in_order() {
         check_ends(&streams, connector)?;
@@ -245,8 +283,9 @@ fn check_ends(streams: &BTreeMap<&Id, &Stream>, connector: &Connector) -> Result
     if !connector.operation.takes_many() && inputs.len() != 1 {
         return Err(Refusal::OneInput(connector.operation.word().to_owned()));
     }
-    for (at, input) in inputs.iter().enumerate() {
-        if connector.inputs[..at].contains(&connector.inputs[at]) {
+    let mut seen = BTreeSet::new();
+    for (id, input) in connector.inputs.iter().zip(inputs) {
+        if !seen.insert(id) {
             return Err(Refusal::InputTwice(input.name.clone()));
         }
         if input.kind == StreamKind::Actuator {

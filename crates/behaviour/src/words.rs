@@ -13,9 +13,23 @@ impl fmt::Display for Refusal {
             Self::Malformed(what) => write!(to, "This change is damaged ({what}). Reload the page and try again."),
             Self::Name(name) if name.is_empty() => to.write_str("A name is missing. Type at least one letter."),
             Self::Name(name) => write!(to, "“{name}” cannot be a name. Use letters, digits and spaces."),
+            Self::Unseen(name) => {
+                write!(to, "“{name}” cannot be a name, as it has characters that nobody sees. Type it anew.")
+            }
             Self::NameTaken(name) => write!(to, "There is already a “{name}”. Choose another name."),
             Self::TooLong(what, limit) => write!(to, "{what} is too long. It may have {limit} characters."),
+            Self::TooMany(what, limit) if what == "helpers" => {
+                write!(to, "The library holds at most {limit} helpers. Remove some that nobody uses first.")
+            }
             Self::TooMany(what, limit) => write!(to, "A behaviour holds at most {limit} {what}. Remove some first."),
+            Self::Full(what, limit) => {
+                let limit = limit >> 20;
+                write!(
+                    to,
+                    "The {what} is full: all its texts together may have {limit} MB. Shorten or remove some first."
+                )
+            }
+            Self::TooLarge(what) => write!(to, "{} is too large. Shorten its texts or lists.", capital(what)),
             Self::Cycle(name) => write!(to, "Values would flow in a circle through “{name}”. Choose another stream."),
             Self::SecondInput(name) => {
                 write!(to, "“{name}” already gets its values from a connector. Use merge to join two.")
@@ -67,6 +81,14 @@ impl fmt::Display for Problem {
             ProblemKind::Device(reason) => write!(to, "{}.", capital(reason)),
             ProblemKind::NoSource => write!(to, "“{name}” gets no values. Lead a connector to it."),
             ProblemKind::Unused => write!(to, "“{name}” leads to no action."),
+            ProblemKind::Multiplies => {
+                let becomes = if self.blocks { "becomes" } else { "can become" };
+                write!(
+                    to,
+                    "Values multiply at “{name}”: one reading {becomes} more than 100,000 values. Lead fewer ways of \
+                     the same stream together there, or put a sample before it."
+                )
+            }
         }
     }
 }

@@ -201,3 +201,47 @@ fn a_file_with_faults_says_which() {
         serde_json::from_str::<BehaviourFile>(&text.replace("\"name\":\"x\"", "\"name\":\"x\",\"extra\":1")).is_err()
     );
 }
+
+/// A sense, and so many diamonds of two ways each in a row that lead to an action.
+fn diamonds(many: usize, way: &Operation) -> Behaviour {
+    let mut behaviour = Behaviour::default();
+    let mut put = |kind, name: &str, record| behaviour.records.insert(RecordId::new(kind, &id(name)), record);
+    put(Kind::Settings, "behaviour", Record::Settings(Settings::named("Test")));
+    put(Kind::Stream, "m0", stream(StreamKind::Sensor, "Ball"));
+    put(Kind::Stream, "tracker", stream(StreamKind::Actuator, "Tracker"));
+    for at in 0..many {
+        let [from, left, right, to] = [format!("m{at}"), format!("l{at}"), format!("r{at}"), format!("m{}", at + 1)];
+        for name in [&left, &right, &to] {
+            put(Kind::Stream, name, stream(StreamKind::Ordinary, &format!("Merged {name}")));
+        }
+        put(Kind::Connector, &format!("a{at}"), connector(way.clone(), &[&from], &left));
+        put(Kind::Connector, &format!("b{at}"), connector(way.clone(), &[&from], &right));
+        put(Kind::Connector, &format!("c{at}"), connector(Operation::Merge, &[&left, &right], &to));
+    }
+    put(Kind::Connector, "last", connector(Operation::Subscribe, &[&format!("m{many}")], "tracker"));
+    behaviour
+}
+
+#[test]
+fn values_that_multiply_are_a_problem_and_where_filters_choose_a_hint() {
+    let said = |behaviour: &Behaviour| {
+        let found = problems(behaviour, &[], &Anything);
+        found
+            .iter()
+            .filter(|one| one.to_string().contains("multiply"))
+            .map(|one| (one.to_string(), one.blocks))
+            .next_back()
+    };
+    let rest = "Lead fewer ways of the same stream together there, or put a sample before it.";
+    let sure = format!("Values multiply at “Merged m15”: one reading becomes more than 100,000 values. {rest}");
+    assert_eq!(said(&diamonds(60, &map("ball"))), Some((sure, true)));
+    let filter = Operation::Filter(Procedure::body("true"));
+    let perhaps = format!("Values multiply at “Merged m15”: one reading can become more than 100,000 values. {rest}");
+    assert_eq!(said(&diamonds(60, &filter)), Some((perhaps, false)));
+    assert_eq!(said(&diamonds(60, &Operation::Sample { period_ms: 10 })), None);
+    assert_eq!(said(&diamonds(10, &map("ball"))), None);
+    let mut frames = diamonds(60, &map("ball"));
+    let settings = Settings { engine: behaviour::Engine::Frame { frame_ms: 50 }, ..Settings::named("Test") };
+    frames.records.insert(RecordId::settings(), Record::Settings(settings));
+    assert_eq!(said(&frames), None, "a frame carries one value a stream");
+}

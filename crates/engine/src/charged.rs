@@ -134,6 +134,12 @@ mod tests {
         assert!(missed.is_empty(), "{missed:?}");
     }
 
+    #[test]
+    fn no_function_takes_more_values_than_a_call_may_hand_over() {
+        let all = hardened_engine(&Limits::default()).collect_fn_metadata(None, known, true);
+        assert!(all.iter().all(|(_, types)| types.len() <= crate::walk::VALUES_MAX));
+    }
+
     /// How a function is written in a procedure.
     fn tried(name: &str) -> &str {
         match name.strip_prefix("get$").unwrap_or(name) {

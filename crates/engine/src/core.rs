@@ -1,7 +1,10 @@
 //! What both engines share: running one connector's procedure, counting, and telling the caller.
 
+use crate::budget::Budget;
 use crate::cells::{Made, Number};
-use crate::graph::{Graph, Work};
+use crate::end::End;
+use crate::graph::{ConnectorInfo, Graph, Work};
+use crate::limits::Limits;
 use crate::plan::{Plan, Step};
 use crate::procedure::{Failed, Procedure};
 use crate::quick::{Comparison, Operator};
@@ -34,14 +37,20 @@ pub(crate) struct Core {
     spares: Vec<Value>,
     /// Also where event mode keeps the values on their way: the last one of each stream.
     pub(crate) stats: Stats,
+    /// How far values may go.
+    pub(crate) budget: Budget,
+    /// Why it goes no further, once it does not.
+    pub(crate) end: Option<End>,
 }
 
 impl Core {
-    pub(crate) fn of(prepared: Prepared) -> Self {
+    pub(crate) fn of(prepared: Prepared, limits: &Limits) -> Self {
         let Prepared { graph, engine, procedures } = prepared;
         let stats = Stats::of(graph.streams.len(), graph.connectors.len());
         let spares = vec![Value::Null; graph.connectors.len()];
-        Self { graph, engine, procedures, stamp: stamp::names(), spares, stats }
+        let turns_once = graph.connectors.iter().map(|ConnectorInfo { inputs, .. }| inputs.len()).sum();
+        let budget = Budget::of(limits, turns_once);
+        Self { graph, engine, procedures, stamp: stamp::names(), spares, stats, budget, end: None }
     }
 
     /// Tells and counts a value on a stream.

@@ -2,8 +2,10 @@
 
 mod memory;
 
+use crate::budget::Spent;
 use crate::cells::{Made, copy_some};
 use crate::core::{Core, Took, with_known};
+use crate::end::{End, multiplying};
 use crate::graph::Work;
 use crate::plan::{Does, Goes, Plan, Step};
 use crate::run::Emission;
@@ -25,6 +27,8 @@ pub(crate) struct Event {
     due: BTreeSet<(u64, usize, usize)>,
     /// The steps to come back to from other rows; a stack of our own, since a graph may be deeper than the machine's.
     back: Vec<usize>,
+    /// The stream on which what is carried now began.
+    start: usize,
 }
 
 impl Event {
@@ -41,6 +45,7 @@ impl Event {
             latest: graph.connectors.iter().map(cells).collect(),
             due: BTreeSet::new(),
             back: Vec::new(),
+            start: 0,
         }
     }
 
@@ -54,6 +59,9 @@ impl Event {
     ) {
         let at = at.0.max(self.open);
         self.ticks_before(core, at, out);
+        if core.end.is_some() {
+            return;
+        }
         self.open = at;
         core.stats.read(Millis(at), stream, value);
         out(Emission::Value { at: Millis(at), stream, value: core.stats.value(stream) });
@@ -72,7 +80,7 @@ impl Event {
 
     /// Runs all ticks of instants before `end`: by instant, rank and place.
     fn ticks_before(&mut self, core: &mut Core, end: u64, out: &mut (impl FnMut(Emission) + ?Sized)) {
-        while let Some(&(at, rank, connector)) = self.due.first().filter(|(at, ..)| *at < end) {
+        while let Some(&(at, rank, connector)) = self.due.first().filter(|(at, ..)| *at < end && core.end.is_none()) {
             self.due.remove(&(at, rank, connector));
             self.open = self.open.max(at);
             if let Some(value) = self.held[connector].take() {
@@ -87,14 +95,16 @@ impl Event {
     /// Hands the last value of a stream to its connectors in array order, each to the end before the next.
     fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let plan = self.plan.clone();
-        let mut next = plan.row(stream);
+        core.budget.begin();
+        self.start = stream;
+        let mut next = self.enter(core, &plan, at, stream);
         loop {
             let step = &plan.steps[next];
             next = match self.react(core, at, step) {
                 Took::Gave => {
                     let stream = step.output as usize;
                     out(Emission::Value { at, stream, value: core.stats.value(stream) });
-                    self.after(&plan, step, next)
+                    self.after(core, &plan, at, step, next)
                 }
                 Took::Kept if step.does == Does::End => match self.back.pop() {
                     Some(back) => back,
@@ -112,15 +122,37 @@ impl Event {
 
     /// The step after one that gave a value.
     #[inline(always)]
-    fn after(&mut self, plan: &Plan, step: &Step, at: usize) -> usize {
+    fn after(&mut self, core: &mut Core, plan: &Plan, at: Millis, step: &Step, place: usize) -> usize {
         match step.goes {
-            Goes::On => at + 1,
+            Goes::On => place + 1,
             Goes::Away => {
-                self.back.push(at + 1);
-                plan.row(step.output as usize)
+                self.back.push(place + 1);
+                self.enter(core, plan, at, step.output as usize)
             }
-            Goes::AwayForGood => plan.row(step.output as usize),
+            Goes::AwayForGood => self.enter(core, plan, at, step.output as usize),
         }
+    }
+
+    /// The first step of a row, unless values may go no further. Only here they can become more than there are steps.
+    #[inline(always)]
+    fn enter(&mut self, core: &mut Core, plan: &Plan, at: Millis, stream: usize) -> usize {
+        match core.budget.take(plan.turns(stream)) {
+            None => plan.row(stream),
+            Some(spent) => self.end(core, plan, at, spent),
+        }
+    }
+
+    /// Leaves all steps that wait.
+    #[cold]
+    fn end(&mut self, core: &mut Core, plan: &Plan, at: Millis, spent: Spent) -> usize {
+        self.back.clear();
+        core.end = Some(match spent {
+            Spent::Stopped => End::Stopped,
+            Spent::Turns => {
+                End::Multiplied { at, stream: multiplying(&core.graph, self.start, core.budget.turns_max()) }
+            }
+        });
+        plan.last()
     }
 
     /// Lets a connector take the last value of one of its inputs.

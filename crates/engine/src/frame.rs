@@ -3,6 +3,7 @@
 mod memory;
 
 use crate::core::{Core, with_known};
+use crate::end::End;
 use crate::graph::{Graph, Work};
 use crate::memory::Origin;
 use crate::procedure::Failed;
@@ -104,7 +105,7 @@ impl Frame {
 
     /// Runs the frames that end before `end` and have something to do.
     fn frames_before(&mut self, core: &mut Core, end: u64, out: &mut (impl FnMut(Emission) + ?Sized)) {
-        while let Some(Millis(at)) = self.next_due().filter(|at| at.0 < end) {
+        while let Some(Millis(at)) = self.next_due().filter(|at| at.0 < end && core.end.is_none()) {
             self.run(core, Millis(at), out);
             self.open = self.open.max(at.saturating_add(self.length));
         }
@@ -113,8 +114,15 @@ impl Frame {
     fn run(&mut self, core: &mut Core, at: Millis, out: &mut (impl FnMut(Emission) + ?Sized)) {
         self.fed = false;
         self.say_readings(core);
+        core.budget.begin();
         for place in 0..self.order.len() {
             let connector = self.order[place];
+            // A frame cannot take more turns than it has connectors, so it can only be stopped.
+            if core.budget.take(1).is_some() {
+                core.end = Some(End::Stopped);
+                self.said.clear();
+                return;
+            }
             match self.react(core, at, connector) {
                 Ok(None) => {}
                 Ok(Some(made)) => self.give(core, connector, made),

@@ -1,5 +1,8 @@
 //! The helpers of a behaviour: checked, compiled once, callable from bodies and from each other.
 
+mod reach;
+
+use crate::calls::{called_first, circular};
 use crate::closures::{check_closures, is_caller};
 use crate::limits::Limits;
 use crate::procedure::compile;
@@ -8,6 +11,7 @@ use crate::toll::Toll;
 use crate::validate::Fault;
 use crate::walk;
 use behaviour::{FileHelper, is_identifier};
+use reach::Reach;
 use rhai::{AST, Engine};
 use std::cell::OnceCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,7 +27,7 @@ pub(crate) struct Helpers {
     shelf: Option<Shelf>,
     /// Those with the name of a function that is handed closures.
     callers: BTreeSet<String>,
-    lengths: BTreeMap<String, Length>,
+    reach: Reach,
     /// The limit of steps.
     operations: u64,
 }
@@ -35,16 +39,10 @@ pub(crate) struct Functions {
     read: OnceCell<AST>,
 }
 
-/// How long a helper may run.
-struct Length {
-    /// The parts that one call computes at most; nothing without such a bound.
-    parts: Option<u64>,
-    toll: Toll,
-    calls: BTreeSet<String>,
-}
-
 /// A helper that Rhai accepts.
-struct Read {
+struct Read<'f> {
+    /// Its parameters.
+    params: &'f [String],
     /// Its body by itself.
     body: AST,
     /// The body as a function.
@@ -58,9 +56,9 @@ impl Helpers {
     pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
         let mut texts = Vec::new();
-        let mut all = BTreeMap::new();
-        for (at, helper) in helpers.iter().enumerate() {
-            let twice = helpers[..at].iter().any(|other| other.name == helper.name);
+        let (mut all, mut names) = (BTreeMap::new(), BTreeSet::new());
+        for helper in helpers {
+            let twice = !names.insert(helper.name.as_str());
             match if twice { Err("this name is used twice".to_owned()) } else { compile_one(engine, helper) } {
                 Ok(read) => {
                     texts.push(read.function.clone());
@@ -69,50 +67,50 @@ impl Helpers {
                 Err(reason) => faults.push(Fault { id: helper.name.clone(), reason }),
             }
         }
-        faults.extend(recursion(helpers, &all));
+        let calls = calls(&all);
+        faults.extend(recursion(helpers, &all, &calls));
         let callers = all.keys().filter(|name| is_caller(name)).map(|name| (*name).to_owned()).collect();
-        let mut made = Self { callers, ..Self::default() };
+        let all = in_order(all, &called_first(&calls));
+        let mut made = Self { callers, reach: reach(&all), ..Self::default() };
         faults.extend(all.iter().filter_map(|(name, read)| {
-            let reason = made.check_closures(&read.body).err()?;
+            let reason = made.check(&read.body).err()?;
             Some(Fault { id: (*name).to_owned(), reason })
         }));
         if !faults.is_empty() {
             return Err(faults);
         }
-        made.lengths = lengths(&all);
         made.operations = limits.operations;
         made.functions = Rc::new(Functions { texts, read: OnceCell::new() });
-        made.shelf = limits.compiled.then(|| shelf(helpers, &all, limits));
+        made.shelf = limits.compiled.then(|| shelf(&all, limits));
         Ok(made)
     }
 
-    /// Refuses closures that a helper could keep.
-    pub(crate) fn check_closures(&self, body: &AST) -> Result<(), String> {
+    /// Refuses closures that a helper could keep, and calls with so many values that only a helper could take them, where
+    /// there is no such helper.
+    pub(crate) fn check(&self, body: &AST) -> Result<(), String> {
+        walk::check_widths(body, &|name, values| self.takes(name, values))?;
         if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
+    }
+
+    /// Whether there is a helper for so many values.
+    fn takes(&self, name: &str, values: usize) -> bool {
+        self.reach.get(name).is_some_and(|helper| helper.params == values)
     }
 
     /// What a body pays that does not certainly end within the limit of steps.
     pub(crate) fn toll(&self, body: &AST) -> Option<Toll> {
-        let parts = walk::length(body, &|helper| self.lengths.get(helper).map(|length| length.parts));
-        if parts.is_some_and(|parts| parts.saturating_mul(STEPS_PER_PART) <= self.operations) {
+        let parts = walk::length(body, &|helper| self.reach.get(helper).map(|length| length.parts));
+        let called = walk::called(body);
+        let mut search = walk::search(body);
+        self.reach.reached(&called).for_each(|length| search.add(length.search));
+        let is_short = parts.is_some_and(|parts| parts.saturating_mul(STEPS_PER_PART) <= self.operations);
+        if is_short && !search.is_wide() {
             return None;
         }
         let mut toll = Toll::of(body, false);
-        self.reached(walk::called(body)).for_each(|length| toll.add(&length.toll));
+        self.reach.reached(&called).for_each(|length| toll.add(&length.toll));
+        toll.search(search);
         Some(toll)
-    }
-
-    /// The helpers that may be called, also through others; all where a text may name one.
-    fn reached(&self, called: BTreeSet<String>) -> impl Iterator<Item = &Length> {
-        let all = called.iter().any(|name| name == "Fn" || is_caller(name));
-        let (mut seen, mut open) = (BTreeSet::new(), Vec::from_iter(called));
-        while let Some(name) = open.pop() {
-            if let Some((name, length)) = self.lengths.get_key_value(&name).filter(|(name, _)| !seen.contains(*name)) {
-                seen.insert(name);
-                open.extend(length.calls.iter().cloned());
-            }
-        }
-        self.lengths.iter().filter(move |(name, _)| all || seen.contains(*name)).map(|(_, length)| length)
     }
 
     /// The helpers for the first tier, if it is wanted.
@@ -149,7 +147,7 @@ impl Functions {
         }
         let mut all = AST::empty();
         for text in &self.texts {
-            all = all.merge(&read_function(engine, text, &[])?);
+            all.combine(read_function(engine, text, &[])?);
         }
         Ok(self.read.get_or_init(|| all))
     }
@@ -159,7 +157,7 @@ fn read_function(engine: &Engine, text: &str, params: &[String]) -> Result<AST, 
     engine.compile(text).map_err(|error| crate::words::refusal(&error, params))
 }
 
-fn compile_one(engine: &Engine, helper: &FileHelper) -> Result<Read, String> {
+fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, String> {
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !is_identifier(name)) {
         return Err(format!("“{bad}” cannot be a name in a procedure"));
     }
@@ -169,45 +167,38 @@ fn compile_one(engine: &Engine, helper: &FileHelper) -> Result<Read, String> {
     let function = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
     read_function(engine, &function, &helper.params)?;
     let calls = walk::called(&body);
-    Ok(Read { body, function, calls })
+    Ok(Read { params: &helper.params, body, function, calls })
 }
 
-/// Compiles the helpers for the first tier, those that are called before those that call them.
-fn shelf(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, limits: &Limits) -> Shelf {
+/// Who calls whom, by their place in `all`.
+fn calls(all: &BTreeMap<&str, Read>) -> Vec<Vec<usize>> {
+    let places: BTreeMap<&str, usize> = all.keys().enumerate().map(|(at, name)| (*name, at)).collect();
+    let called = |read: &Read| read.calls.iter().filter_map(|name| places.get(name.as_str()).copied()).collect();
+    all.values().map(called).collect()
+}
+
+/// Those that are called before those that call them.
+fn in_order<'f>(all: BTreeMap<&'f str, Read<'f>>, order: &[usize]) -> Vec<(&'f str, Read<'f>)> {
+    let mut all: Vec<_> = all.into_iter().map(Some).collect();
+    order.iter().filter_map(|at| all[*at].take()).collect()
+}
+
+/// Compiles the helpers for the first tier.
+fn shelf(all: &[(&str, Read)], limits: &Limits) -> Shelf {
     let mut shelf = Shelf::of(limits);
-    let mut open: Vec<&FileHelper> = helpers.iter().collect();
-    let mut waiting: BTreeSet<&str> = all.keys().copied().collect();
-    while !open.is_empty() {
-        open.retain(|helper| {
-            let Some(read) = all.get(helper.name.as_str()) else { return false };
-            if read.calls.iter().any(|called| waiting.contains(called.as_str())) {
-                return true;
-            }
-            shelf.add(&helper.name, &helper.params, &read.body);
-            waiting.remove(helper.name.as_str());
-            false
-        });
+    for (name, read) in all {
+        shelf.add(name, read.params, &read.body);
     }
     shelf
 }
 
-/// For every helper how long one call may run.
-fn lengths(all: &BTreeMap<&str, Read>) -> BTreeMap<String, Length> {
-    let mut known = BTreeMap::new();
-    for name in all.keys() {
-        add_length(name, all, &mut known);
+/// What one call of each helper may take.
+fn reach(all: &[(&str, Read)]) -> Reach {
+    let mut reach = Reach::default();
+    for (name, read) in all {
+        reach.add(name, read.params.len(), &read.body, &read.calls, walk::search(&read.body));
     }
-    known
-}
-
-/// Those that it calls first; helpers do not call themselves.
-fn add_length(name: &str, all: &BTreeMap<&str, Read>, known: &mut BTreeMap<String, Length>) {
-    let Some(read) = all.get(name).filter(|_| !known.contains_key(name)) else { return };
-    for called in &read.calls {
-        add_length(called, all, known);
-    }
-    let parts = walk::length(&read.body, &|helper| known.get(helper).map(|length| length.parts));
-    known.insert(name.to_owned(), Length { parts, toll: Toll::of(&read.body, true), calls: read.calls.clone() });
+    reach
 }
 
 /// Refuses two equal names among arguments.
@@ -216,20 +207,11 @@ pub(crate) fn check_distinct(names: &[String]) -> Result<(), String> {
     twice.map_or(Ok(()), |(_, name)| Err(format!("two arguments have the name “{name}”")))
 }
 
-/// Helpers that call themselves, also through others.
-fn recursion(helpers: &[FileHelper], all: &BTreeMap<&str, Read>) -> Vec<Fault> {
-    let reaches = |start: &str| {
-        let mut seen = BTreeSet::new();
-        let called = |name: &str| all.get(name).into_iter().flat_map(|read| &read.calls).map(String::as_str);
-        let mut open: Vec<&str> = called(start).collect();
-        while let Some(name) = open.pop() {
-            if seen.insert(name) {
-                open.extend(called(name));
-            }
-        }
-        seen.contains(start)
-    };
-    let looping = helpers.iter().filter(|helper| reaches(&helper.name));
+/// Helpers that call themselves, also through others, in the order of the file.
+fn recursion(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, calls: &[Vec<usize>]) -> Vec<Fault> {
+    let looping: BTreeSet<&str> =
+        all.keys().copied().zip(circular(calls)).filter(|(_, is)| *is).map(|(n, _)| n).collect();
     let words = |helper: &FileHelper| format!("the helper “{}” calls itself, perhaps through others", helper.name);
-    looping.map(|helper| Fault { id: helper.name.clone(), reason: words(helper) }).collect()
+    let faulty = helpers.iter().filter(|helper| looping.contains(helper.name.as_str()));
+    faulty.map(|helper| Fault { id: helper.name.clone(), reason: words(helper) }).collect()
 }

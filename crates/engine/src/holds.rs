@@ -1,6 +1,6 @@
 //! Who holds which part of the robot, and for how long: what all rules of precedence have in common.
 
-use crate::arbiter::Claim;
+use crate::claim::Claim;
 use robot::Millis;
 use std::collections::BTreeMap;
 

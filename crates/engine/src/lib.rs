@@ -4,13 +4,16 @@
 //! moves a run, so the same readings give the same outputs on every machine, live or replayed.
 #![warn(missing_docs)]
 
-mod arbiter;
+mod budget;
+mod calls;
 mod cells;
 mod charged;
 mod check;
+mod claim;
 mod closures;
 mod convert;
 mod core;
+mod end;
 mod event;
 mod fields;
 mod frame;
@@ -37,8 +40,9 @@ mod validate;
 mod walk;
 mod words;
 
-pub use arbiter::{Arbiter, Claim};
 pub use check::{check_body, try_body};
+pub use claim::Claim;
+pub use end::End;
 pub use graph::{ConnectorInfo, StreamInfo, Work};
 pub use limits::Limits;
 pub use precedence::{HeldBy, Precedence};

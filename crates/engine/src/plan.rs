@@ -58,10 +58,18 @@ pub(crate) struct Step {
 /// All steps, and for every stream that values start from, where its row begins.
 pub(crate) struct Plan {
     pub(crate) steps: Vec<Step>,
-    rows: Vec<u32>,
+    rows: Vec<Row>,
 }
 
-const NO_ROW: u32 = u32::MAX;
+/// The steps of what one stream carries.
+#[derive(Clone, Copy)]
+struct Row {
+    first: u32,
+    /// How many there are, without the end.
+    turns: u32,
+}
+
+const NO_ROW: Row = Row { first: u32::MAX, turns: 0 };
 const ZERO: Number = Number::Int(0);
 const END: Step =
     Step { does: Does::End, goes: Goes::On, connector: 0, slot: 0, input: 0, output: 0, number: ZERO, past: 0 };
@@ -84,11 +92,22 @@ impl Plan {
 
     /// The first step of what a stream carries.
     pub(crate) fn row(&self, stream: usize) -> usize {
-        self.rows[stream] as usize
+        self.rows[stream].first as usize
+    }
+
+    /// How many steps that row has.
+    #[inline(always)]
+    pub(crate) fn turns(&self, stream: usize) -> u32 {
+        self.rows[stream].turns
+    }
+
+    /// A step after which nothing is left to do.
+    pub(crate) fn last(&self) -> usize {
+        self.steps.len() - 1
     }
 
     fn lay_out(&mut self, graph: &Graph, start: usize) {
-        self.rows[start] = index(self.steps.len());
+        let first = self.steps.len();
         // Streams on the way down, how many of their connectors have had their turn, and the step that led there.
         let mut path: Vec<(usize, usize, Option<usize>)> = vec![(start, 0, None)];
         while let Some((stream, next, from)) = path.last_mut() {
@@ -110,6 +129,7 @@ impl Plan {
         if let Some(last) = self.steps.last_mut().filter(|last| last.goes == Goes::Away) {
             last.goes = Goes::AwayForGood;
         }
+        self.rows[start] = Row { first: index(first), turns: index(self.steps.len() - first) };
         self.steps.push(END);
     }
 

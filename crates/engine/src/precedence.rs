@@ -1,7 +1,7 @@
 //! Which of several behaviours on one robot may move a part of it: if they disagree, the upper one wins. A pure
 //! function of the commands and of the order that people gave the behaviours.
 
-use crate::arbiter::Claim;
+use crate::claim::Claim;
 use crate::holds::{Hold, Holds};
 use robot::{Millis, Use};
 
@@ -54,7 +54,7 @@ impl Precedence {
 #[cfg(test)]
 mod tests {
     use super::{HeldBy, Precedence};
-    use crate::arbiter::Claim;
+    use crate::claim::Claim;
     use behaviour::Id;
     use robot::{Millis, Use};
 

@@ -8,9 +8,12 @@ use crate::sandbox::is_interrupted;
 use crate::toll::Toll;
 use crate::{walk, words};
 use behaviour::{BODY_MAX_CHARS, Value};
-use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
+use rhai::{AST, Dynamic, Engine, EvalAltResult, Position, Scope, Token};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
+
+/// The most blocks of their own in one body.
+const BLOCKS_MAX: usize = 200;
 
 /// A compiled body.
 pub(crate) struct Procedure {
@@ -49,7 +52,7 @@ impl Procedure {
     /// Compiles a body that may call `helpers`.
     pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
         let ast = compile(engine, names, body)?;
-        helpers.check_closures(&ast)?;
+        helpers.check(&ast)?;
         let quick = helpers.shelf().and_then(|shelf| Quick::of(&ast, names, shelf));
         let (toll, functions) = (helpers.toll(&ast).map(Rc::new), helpers.functions());
         let mut slow = Slow { names: names.to_vec(), body: body.into(), functions, toll, made: None };
@@ -136,10 +139,31 @@ pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<A
     if body.chars().count() > BODY_MAX_CHARS {
         return Err(format!("it is longer than {BODY_MAX_CHARS} characters"));
     }
+    if bare_blocks(engine, body) > BLOCKS_MAX {
+        return Err(format!("it has more than {BLOCKS_MAX} blocks {{ }} in a row; move a part into a helper"));
+    }
     let scope = scope_of(names);
     let ast = engine.compile_with_scope(&scope, body).map_err(|error| words::refusal(&error, names))?;
     walk::check_calls(&ast)?;
     Ok(ast)
+}
+
+/// How many blocks stand where a statement begins: Rhai takes them apart one after the other, and goes through all that
+/// stands beside them for each.
+fn bare_blocks(engine: &Engine, body: &str) -> usize {
+    if body.matches('{').count() <= BLOCKS_MAX {
+        return 0;
+    }
+    let mut begins = true;
+    let is_bare = |(token, _): (Token, Position)| {
+        let is_bare = begins && token == Token::LeftBrace;
+        begins = matches!(token, Token::SemiColon | Token::LeftBrace | Token::RightBrace);
+        is_bare
+    };
+    let texts = [body];
+    // The end is given again and again, and what cannot be read is refused anyway.
+    let is_text = |(token, _): &(Token, Position)| !matches!(token, Token::EOF | Token::LexError(_));
+    engine.lex(&texts).0.take_while(is_text).map(is_bare).filter(|is_bare| *is_bare).count()
 }
 
 fn scope_of(names: &[String]) -> Scope<'static> {

@@ -7,6 +7,7 @@ pub use kept::Kept;
 pub use succession::Legacy;
 
 use crate::core::Core;
+use crate::end::{End, multiplied};
 use crate::event::Event;
 use crate::frame::Frame;
 use crate::graph::{ConnectorInfo, StreamInfo, Work};
@@ -58,7 +59,7 @@ impl Run {
     /// # Errors
     /// Every reason why it cannot run.
     pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
-        let core = Core::of(prepare(file, &limits)?);
+        let core = Core::of(prepare(file, &limits)?, &limits);
         let mode = match file.engine.unwrap_or_default() {
             Engine::Event => Mode::Event(Event::of(&core)),
             Engine::Frame { frame_ms } => Mode::Frame(Frame::of(&core.graph, frame_ms)),
@@ -89,7 +90,7 @@ impl Run {
     /// open instant. Readings for other streams and numbers that are not finite are ignored.
     pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let sensed = self.core.graph.sensed.get(stream).is_some_and(|sensed| *sensed);
-        if !sensed || !value.is_finite() {
+        if !sensed || !value.is_finite() || self.core.end.is_some() {
             return;
         }
         match &mut self.mode {
@@ -121,6 +122,9 @@ impl Run {
     /// The earliest instant at which something happens by itself, if there is one.
     #[must_use]
     pub fn next_due(&self) -> Option<Millis> {
+        if self.core.end.is_some() {
+            return None;
+        }
         match &self.mode {
             Mode::Event(event) => event.next_due(),
             Mode::Frame(frame) => frame.next_due(),
@@ -134,6 +138,21 @@ impl Run {
         let stream = if info.work == Work::Subscribe { *info.inputs.first()? } else { info.output };
         let fired = stats.connectors[connector].fired > 0;
         stats.streams[stream].last().map(|(_, value)| value).filter(|_| fired)
+    }
+
+    /// Why it ended by itself, if it did.
+    #[must_use]
+    pub fn ended(&self) -> Option<End> {
+        self.core.end
+    }
+
+    /// What went wrong if it ended by itself and nobody stopped it, and what to do about it; without a dot at the end.
+    #[must_use]
+    pub fn fault(&self) -> Option<String> {
+        match self.core.end? {
+            End::Stopped => None,
+            End::Multiplied { stream, .. } => Some(multiplied(&self.core.graph.streams[stream].name)),
+        }
     }
 
     /// What it counted so far.

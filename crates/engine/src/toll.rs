@@ -7,6 +7,7 @@
 mod reader;
 
 use crate::meter;
+use crate::walk::Search;
 use rhai::{Dynamic, ImmutableString, Scope};
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
@@ -136,6 +137,11 @@ impl Toll {
         for (name, kinds) in &helper.uses {
             kinds.iter().for_each(|kind| self.used(name, *kind));
         }
+    }
+
+    /// Adds what looking for functions may take.
+    pub(crate) fn search(&mut self, search: Search) {
+        self.quarters = self.quarters.saturating_add(search.more_steps().saturating_mul(PLAIN_QUARTERS));
     }
 
     fn used(&mut self, name: &ImmutableString, kind: Use) {

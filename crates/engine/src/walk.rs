@@ -6,11 +6,94 @@ use crate::words::placed;
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
 use std::collections::BTreeSet;
 
+/// The most values that a function of the library takes, and some more.
+pub(crate) const VALUES_MAX: usize = 8;
+/// The most values around it that a closure may use.
+const CAPTURES_MAX: usize = 8;
+/// The most values that the library hands to a closure.
+const HANDED_MAX: usize = 3;
+
+/// What looking for functions may take: Rhai looks for one that is not there twice as often for each further value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Search {
+    /// Whether errors are caught, so that it may happen again and again.
+    catches: bool,
+    /// The most values that something is called with.
+    values: usize,
+}
+
+impl Search {
+    /// So many values take no longer than a step has time for.
+    const FREE_VALUES: usize = 4;
+
+    /// Adds what a helper that is called may take.
+    pub(crate) fn add(&mut self, helper: Self) {
+        *self = Self { catches: self.catches | helper.catches, values: self.values.max(helper.values) };
+    }
+
+    /// Whether it takes longer than steps have time for.
+    pub(crate) fn is_wide(self) -> bool {
+        self.catches && self.values > Self::FREE_VALUES
+    }
+
+    /// How many more steps each step counts.
+    pub(crate) fn more_steps(self) -> u64 {
+        if self.is_wide() { 1 << (self.values - 2).min(40) } else { 0 }
+    }
+}
+
+/// What looking for the functions that `ast` calls may take.
+pub(crate) fn search(ast: &AST) -> Search {
+    let mut search = Search::default();
+    ast.walk(&mut |path: &[ASTNode]| {
+        match path.last() {
+            Some(ASTNode::Stmt(Stmt::TryCatch(..))) => search.catches = true,
+            Some(ASTNode::Stmt(Stmt::Share(captures))) => {
+                search.values = search.values.max(captures.len() + HANDED_MAX)
+            }
+            _ => {}
+        }
+        true
+    });
+    each_call(ast, &mut |call| search.values = search.values.max(call.values + usize::from(call.is_method)));
+    search
+}
+
+/// Refuses calls with more values than the library takes, unless a helper does, and closures that use too many values
+/// around them.
+pub(crate) fn check_widths(ast: &AST, takes: &dyn Fn(&str, usize) -> bool) -> Result<(), String> {
+    let mut refused = None;
+    each_call(ast, &mut |Call { name, values, at, .. }| {
+        if refused.is_none() && values > VALUES_MAX && !takes(name, values) {
+            let why = match name {
+                "call" => format!("a closure can be called with at most {VALUES_MAX} values"),
+                name => format!("there is no helper “{name}” that takes {values} values"),
+            };
+            refused = Some(placed(at, &why));
+        }
+    });
+    refused.map_or(Ok(()), Err)
+}
+
+fn check_captures(ast: &AST) -> Result<(), String> {
+    let mut refused = None;
+    ast.walk(&mut |path: &[ASTNode]| {
+        if let Some(ASTNode::Stmt(Stmt::Share(captures))) = path.last()
+            && captures.len() > CAPTURES_MAX
+        {
+            let at = captures.first().map_or(Position::NONE, |(variable, _)| variable.pos);
+            refused = Some(placed(at, &format!("a closure can use at most {CAPTURES_MAX} values around it")));
+        }
+        refused.is_none()
+    });
+    refused.map_or(Ok(()), Err)
+}
+
 /// The names of functions that are called in `ast`.
 pub(crate) fn called(ast: &AST) -> BTreeSet<String> {
     let mut names = BTreeSet::new();
-    each_call(ast, &mut |name, _| {
-        names.insert(name.to_owned());
+    each_call(ast, &mut |call| {
+        names.insert(call.name.to_owned());
     });
     names
 }
@@ -42,21 +125,32 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), String> {
         return Err("a procedure cannot define functions; add a helper for it".to_owned());
     }
     let mut refused = None;
-    each_call(ast, &mut |name, at| {
+    each_call(ast, &mut |Call { name, at, .. }| {
         if refused.is_none() && is_refused(name) {
             refused = Some(placed(at, &format!("“{name}” cannot be used in a procedure")));
         }
     });
-    refused.map_or_else(|| check_closures(ast, &BTreeSet::new()), Err)
+    refused.map_or_else(|| check_captures(ast), Err)?;
+    check_closures(ast, &BTreeSet::new())
 }
 
-fn each_call(ast: &AST, seen: &mut dyn FnMut(&str, Position)) {
+/// A call.
+struct Call<'a> {
+    name: &'a str,
+    /// How many values it hands over, without the one before the dot of a method.
+    values: usize,
+    is_method: bool,
+    at: Position,
+}
+
+fn each_call(ast: &AST, seen: &mut dyn FnMut(Call)) {
     ast.walk(&mut |path: &[ASTNode]| {
-        match path.last() {
-            Some(ASTNode::Stmt(Stmt::FnCall(call, at))) => seen(&call.name, *at),
-            Some(ASTNode::Expr(Expr::FnCall(call, at) | Expr::MethodCall(call, at))) => seen(&call.name, *at),
-            _ => {}
-        }
+        let (call, at, is_method) = match path.last() {
+            Some(ASTNode::Stmt(Stmt::FnCall(call, at)) | ASTNode::Expr(Expr::FnCall(call, at))) => (call, at, false),
+            Some(ASTNode::Expr(Expr::MethodCall(call, at))) => (call, at, true),
+            _ => return true,
+        };
+        seen(Call { name: &call.name, values: call.args.len(), is_method, at: *at });
         true
     });
 }

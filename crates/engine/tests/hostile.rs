@@ -102,6 +102,21 @@ fn a_body_at_the_bound_is_read_and_one_beyond_is_not() {
     assert!(run(&sum(1_100), &Limits::default()).is_err_and(|reason| reason.contains("longer than")));
 }
 
+/// Reading many blocks takes Rhai longer the more there are, each time anew.
+#[test]
+fn many_blocks_in_a_row_are_refused_before_they_are_read() {
+    for block in ["{1}", "{ x }\n", "{};", "{1} // {\n"] {
+        let body = |many: usize| format!("{} x", block.repeat(many));
+        assert_eq!(run(&body(150), &Limits::default()), Ok(Value::Int(1)), "{block}");
+        let refused = run(&body(2_690.min(8_000 / block.len())), &Limits::default());
+        assert!(refused.is_err_and(|reason| reason.contains("more than 200 blocks")), "{block}");
+    }
+    let ifs = format!("{} x", "if x == 2 { return 3 } ".repeat(300));
+    assert_eq!(run(&ifs, &Limits::default()), Ok(Value::Int(1)), "ways that are chosen are no blocks of their own");
+    let objects = format!("[{}].len()", "#{}, ".repeat(300));
+    assert_eq!(run(&objects, &Limits::default()), Ok(Value::Int(300)));
+}
+
 #[test]
 fn deep_nesting_is_refused_before_it_runs() {
     on_small_stack(|| {

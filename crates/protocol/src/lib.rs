@@ -6,6 +6,7 @@
 
 mod library;
 mod live;
+mod parts;
 mod recording;
 mod reply;
 mod request;
@@ -15,12 +16,13 @@ pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
+pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use recording::{Recorded, Recording};
 pub use reply::{Message, Person, Reply, SaidNo};
-pub use request::{Ask, Pointer, Request};
+pub use request::{Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.
-pub const VERSION: u32 = 4;
+pub const VERSION: u32 = 5;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
@@ -32,7 +34,7 @@ pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 /// How often live values and pictures of the room are sent at most, per second and client.
 pub const UPDATES_PER_SECOND_MAX: u64 = 30;
 /// How often the server pings, in milliseconds.
-pub const PING_MS: u64 = 5_000;
+pub const PING_MS: u64 = 500;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
 /// The most robots of a server.

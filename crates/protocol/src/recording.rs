@@ -32,4 +32,7 @@ pub struct Recording {
     pub began: String,
     /// Its size.
     pub bytes: u64,
+    /// Whether its last lines are missing: the disk was full, or the server ended in the middle.
+    #[serde(default)]
+    pub cut_off: bool,
 }

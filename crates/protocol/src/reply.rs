@@ -29,8 +29,13 @@ pub enum Reply {
         epoch: u64,
         /// Who this client is to others.
         you: Person,
-        /// The helper library.
+        /// Proves that it is them on a later link: see [`crate::Credential`].
+        secret: Id,
+        /// The helper library, or its first records.
         library: Box<Behaviour>,
+        /// True if the other records follow as [`Reply::Records`].
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
         /// Its revision.
         library_revision: u64,
         /// Names and sentences of the templates.
@@ -87,14 +92,28 @@ pub enum Reply {
         behaviour: Id,
         /// Its revision.
         revision: u64,
-        /// Its records.
+        /// Its records, or the first of them.
         records: Box<Behaviour>,
+        /// True if the others follow as [`Reply::Records`].
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
         /// Its problems.
         problems: Vec<Problem>,
         /// What [`RunState::fingerprint`] would be if it were started now.
         fingerprint: u32,
         /// Who is there, this client included.
         people: Vec<Person>,
+    },
+    /// More records of the `Welcome` or `Opened` before it, which is told in parts; nothing that needs the whole comes in
+    /// between. [`crate::Assembly`] puts them together.
+    Records {
+        /// Which part, from 1: the first records came before.
+        part: u32,
+        /// The records.
+        records: Box<Behaviour>,
+        /// True if another part follows.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
     },
     /// A change was made and is saved. Told to everyone there, in revision order without gaps.
     Accepted {
@@ -103,12 +122,15 @@ pub enum Reply {
         /// The change and its revision.
         accepted: Accepted,
     },
-    /// The changes a client missed, in order.
+    /// The changes a client missed, in order, as many as fit into one message.
     Missed {
         /// Of which behaviour.
         behaviour: Id,
         /// The changes.
         changes: Vec<Accepted>,
+        /// True if there are newer ones: ask `Since` again.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
     },
     /// The problems of a behaviour after a change to it or to the library.
     Problems {

@@ -22,10 +22,12 @@ pub enum Request {
     Hello {
         /// The client's protocol version.
         version: u32,
-        /// Names this tab or shell for ever; a new socket with the same id replaces the old one.
-        client: Id,
         /// What others see: "Aiko".
         name: String,
+        /// Who this client was on an earlier link, which this one replaces. Anybody else gets an id of the server's
+        /// choice, and nobody is told the secret of another.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        again: Option<Credential>,
     },
     /// A page of the list of behaviours, or of the bin. Answered by `Programs`; `ProgramsChanged` is told unasked later.
     List {
@@ -88,7 +90,7 @@ pub enum Request {
         /// What changes.
         change: Change,
     },
-    /// All changes after a revision, for a client that missed some. Answered by `Missed`.
+    /// The changes after a revision, for a client that missed some. Answered by `Missed`, or by `Opened` if they are many.
     Since {
         /// Which behaviour.
         behaviour: Id,
@@ -221,6 +223,15 @@ pub enum Request {
         /// Live values of the open behaviour.
         values: bool,
     },
+}
+
+/// Proves that a client is the one that it was on an earlier link.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Credential {
+    /// The id that the server gave it.
+    pub client: Id,
+    /// What only it was told, in [`crate::Reply::Welcome`].
+    pub secret: Id,
 }
 
 /// A pointer on the canvas, in canvas units.

@@ -75,7 +75,8 @@ pub trait Robot {
     /// A sentence, if the robot does not have the device or cannot use it with these parameters.
     fn open(&mut self, user: &Use, device: &str, params: &Params) -> Result<(), String>;
 
-    /// Ends the use; unknown uses are ignored.
+    /// Ends the use at once and safely, and nobody else's: what it says is cut unless another use wants the same said,
+    /// what it follows ends, and the joints that it moved last hold where they are. Unknown uses are ignored.
     fn close(&mut self, user: &Use);
 
     /// Tells the actuator of a stream a value at robot time `now`: the time of the next [`Robot::poll`], also if it is

@@ -103,6 +103,9 @@ fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[Reading]) -> Resu
     let before = spent();
     (0..args.repeat).for_each(|_| trace.play(&mut run));
     let cpu = spent().saturating_sub(before);
+    if let Some(reason) = run.fault() {
+        return Err(Refused::Behaviour(vec![reason]));
+    }
     let mut took = trace.timed(&mut run, args.repeat);
     Ok(Measured {
         events: args.repeat.saturating_mul(readings.len() as u64),

@@ -8,15 +8,15 @@ use std::fs::File;
 use std::io::{BufReader, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use store::Store;
-use store::backup::{BackupError, Counted};
+use store::backup::{BackupError, Counted, Robot, Unfinished};
+use store::{FolderLock, Store};
 
 /// How often the bar is drawn, in times a second.
 const DRAWN_HZ: u8 = 10;
 
-/// Writes every behaviour with its whole history, the bin and the library into one file of JSON lines.
+/// Writes every behaviour with its whole history, the bin, the library and the robots into one file of JSON lines.
 ///
-/// The last line tells whether the file is whole. Exit codes: 0 written; 1 not, and no file of that name is left behind.
+/// Only its user may read the file. Recordings are files already and not in it. The last line tells whether the file is whole. Exit codes: 0 written; 1 not, and no file of that name is left behind.
 #[derive(Debug, Args)]
 #[command(after_help = "Example: rrp backup monday.rrpbackup --data /srv/rrp")]
 pub(crate) struct BackupArgs {
@@ -29,8 +29,8 @@ pub(crate) struct BackupArgs {
 
 /// Puts a backup into an empty store.
 ///
-/// The whole file is read before anything is changed. Ended early, the same command goes on where it was.
-/// Exit codes: 0 restored; 1 not.
+/// The whole file is read before anything is changed. Ended early, the same command goes on where it was; until then no
+/// server serves what is there. Robots and their orders go to the data folder. Exit codes: 0 restored; 1 not.
 #[derive(Debug, Args)]
 #[command(after_help = "Example: rrp restore monday.rrpbackup --store files:/srv/new")]
 pub(crate) struct RestoreArgs {
@@ -61,12 +61,15 @@ pub(crate) fn backup(args: &BackupArgs) -> Result<(), String> {
     let (part, bar) = (part(&args.file), Bar::new());
     let done = run(async {
         match args.at.way().await? {
-            Way::Store(store) => write(&*store, &part, &bar).await.map_err(|error| error.to_string()),
+            Way::Store(store) => {
+                let robots = args.at.folder().map(|folder| server::robots_in(&folder)).unwrap_or_default();
+                write(&*store, &robots, &part, &bar).await.map_err(|error| error.to_string())
+            }
             Way::Server(link) => fetch(&link, &part),
         }
     });
     let done = done.and_then(|done| {
-        let kept = std::fs::rename(&part, &args.file);
+        let kept = store::disk::rename(&part, &args.file);
         kept.map(|()| done).map_err(|error| format!("{} could not be written: {error}.", args.file.display()))
     });
     match done {
@@ -86,14 +89,14 @@ fn part(file: &Path) -> PathBuf {
     file.with_file_name(name)
 }
 
-async fn write(store: &dyn Store, part: &Path, bar: &Bar) -> Result<Counted, BackupError> {
-    let to = Mutex::new(BufWriter::new(File::create(part)?));
+async fn write(store: &dyn Store, robots: &[Robot], part: &Path, bar: &Bar) -> Result<Counted, BackupError> {
+    let to = Mutex::new(BufWriter::new(store::disk::create(part)?));
     let put = |line: String| {
         let written = to.lock().unwrap_or_else(PoisonError::into_inner).write_all(line.as_bytes());
         std::future::ready(written)
     };
     let epoch = store.next_epoch().await?;
-    let done = store::backup::backup(store, epoch, put, &|done, of| bar.at(done, of)).await?;
+    let done = store::backup::backup(store, epoch, robots, put, &|done, of| bar.at(done, of)).await?;
     let file = to
         .into_inner()
         .unwrap_or_else(PoisonError::into_inner)
@@ -106,7 +109,7 @@ async fn write(store: &dyn Store, part: &Path, bar: &Bar) -> Result<Counted, Bac
 /// The same from the server that has the store.
 fn fetch(link: &Link, part: &Path) -> Result<Counted, String> {
     let unwritten = |error| format!("{} could not be written: {error}.", part.display());
-    let mut file = BufWriter::new(File::create(part).map_err(unwritten)?);
+    let mut file = BufWriter::new(store::disk::create(part).map_err(unwritten)?);
     link.get("/api/backup")?.copy(&mut file)?;
     let file = file.into_inner().map_err(|error| unwritten(error.into_error()))?;
     file.sync_all().map_err(unwritten)?;
@@ -120,10 +123,41 @@ pub(crate) fn restore(args: &RestoreArgs) -> Result<(), String> {
     let (file, bar) = (BufReader::new(File::open(&args.file).map_err(unopened)?), Bar::new());
     let done = run(async {
         let store = args.at.open().await?;
-        let restored = store::backup::restore(file, &store, &|done, of| bar.at(done, of)).await;
-        restored.map_err(|error| error.to_string())
+        let said = |error: BackupError| error.to_string();
+        let backup = store::backup::read(file, &*store).await.map_err(said)?;
+        let robots = backup.robots().to_vec();
+        let _beside = if robots.is_empty() { None } else { lock_beside(&args.at)? };
+        let (url, folder) = (args.at.url()?, folder_for(&args.at, &robots)?);
+        let marked = store::folder_of(&url).or(folder.as_deref());
+        let begun = marked.map(Unfinished::begin).transpose().map_err(|error| unmarked(&error))?;
+        let done = store::backup::restore(backup, &store, &|done, of| bar.at(done, of)).await.map_err(said)?;
+        folder.map_or(Ok(()), |folder| server::put_robots(&folder, &robots)).map_err(|error| unmarked(&error))?;
+        begun.map_or(Ok(()), Unfinished::end).map_err(|error| unmarked(&error))?;
+        Ok(done)
     })?;
     say(&format!("{} from {}.", counted(done), args.file.display()))
+}
+
+/// Keeps servers away from the folder beside a store that is elsewhere.
+fn lock_beside(at: &StoreArgs) -> Result<Option<FolderLock>, String> {
+    let (url, folder) = (at.url()?, at.folder());
+    let folder = folder.filter(|folder| store::folder_of(&url).is_none_or(|own| !store::is_same_folder(own, folder)));
+    folder.map(|folder| store::lock_folder(&folder)).transpose().map_err(|error| error.to_string())
+}
+
+/// Where the robots go.
+fn folder_for(at: &StoreArgs, robots: &[Robot]) -> Result<Option<PathBuf>, String> {
+    let folder = at.folder();
+    match &folder {
+        Some(folder) => server::check_robots(folder, robots)?,
+        None if robots.is_empty() => {}
+        None => return Err("There is no folder for the robots in the backup. Say one with --data DIR.".to_owned()),
+    }
+    Ok(folder)
+}
+
+fn unmarked(error: &std::io::Error) -> String {
+    format!("The data folder cannot be written ({error}). Look at the disk, then do this again.")
 }
 
 /// Copies, or says why not.

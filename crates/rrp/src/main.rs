@@ -2,17 +2,25 @@
 
 mod bench;
 mod check;
+mod data_folder;
 mod export;
 mod import;
 mod keep;
 mod link;
+mod log;
 mod replay;
 mod serve;
 mod store_at;
 
 use clap::{Parser, Subcommand};
+use mimalloc::MiMalloc;
 use std::io::Write;
 use std::process::ExitCode;
+
+/// Gives memory back to the system soon after it was used: a server runs for days, and what a busy minute took should
+/// not stay taken.
+#[global_allocator]
+static ALLOCATOR: MiMalloc = MiMalloc;
 
 /// Robot behaviours made together: a page for therapists, a robot or its simulation, and tools around them.
 #[derive(Debug, Parser)]

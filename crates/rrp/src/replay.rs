@@ -1,10 +1,14 @@
-//! `rrp replay`: a recorded trace through a behaviour, faster than real time, always with the same output.
+//! `rrp replay`: recorded traces through behaviours, faster than real time, always with the same output.
 
+mod play;
+mod printer;
 mod recording;
 
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use clap::{Args, ValueEnum};
-use engine::{Arbiter, Claim, Emission, Limits, Run};
+use engine::{Limits, Run};
+use play::{Player, play};
+use printer::Printer;
 use robot::Millis;
 use std::io::{BufWriter, Read, Write};
 use std::path::{Path, PathBuf};
@@ -19,16 +23,20 @@ const FRAME_MS: u64 = 50;
 
 /// Replays a trace through a behaviour and prints what its actuators are told, as JSON lines.
 ///
-/// Exit codes: 0 done; 2 the behaviour is refused; 3 the trace is refused.
+/// Several behaviours run side by side from instant 0 on; with --arbitrate, the one that is named first wins the parts of
+/// the robot. Each line then says by its number whose it is: "behaviour":1 is the first one.
+///
+/// Exit codes: 0 done; 2 a behaviour is refused; 3 a trace is refused; 4 a behaviour ended by itself.
 #[derive(Debug, Args)]
-#[command(after_help = "Example: rrp replay --behaviour tracking.json --trace morning.jsonl --probe --errors")]
+#[command(after_help = EXAMPLES)]
 pub(crate) struct ReplayArgs {
-    /// The behaviour, an rrp-behaviour/1 file.
-    #[arg(long, value_name = "FILE")]
-    behaviour: PathBuf,
-    /// The readings, one JSON object a line, or a recording of a run; - reads standard input.
-    #[arg(long, value_name = "FILE|-")]
-    trace: PathBuf,
+    /// The behaviour, an rrp-behaviour/1 file; given several times, the upper one first.
+    #[arg(long, value_name = "FILE", required = true)]
+    behaviour: Vec<PathBuf>,
+    /// The readings, one JSON object a line, or a recording of a run; - reads standard input. One for all behaviours, or
+    /// one for each in the same order.
+    #[arg(long, value_name = "FILE|-", required = true)]
+    trace: Vec<PathBuf>,
     /// The last instant, in milliseconds since Start; the last one of the trace if absent.
     #[arg(long, value_name = "MS")]
     until: Option<u64>,
@@ -44,10 +52,16 @@ pub(crate) struct ReplayArgs {
     /// The length of a frame in milliseconds, in frame mode.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1000))]
     frame_ms: Option<u64>,
-    /// Lets actuator streams compete for the parts of the robot.
+    /// Lets actuator streams compete for the parts of the robot, as on the robot: a stream uses what its file says, else
+    /// what the catalogue says of its device.
     #[arg(long)]
     arbitrate: bool,
 }
+
+const EXAMPLES: &str = "Examples:
+  rrp replay --behaviour tracking.json --trace morning.jsonl --probe --errors
+  rrp replay --arbitrate --behaviour safety.json --behaviour greeting.json --trace morning.jsonl
+  rrp replay --arbitrate --behaviour a.json --behaviour b.json --trace a.jsonl --trace b.jsonl";
 
 /// How time runs.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -77,10 +91,12 @@ struct Trace {
 /// Replays, prints, and answers with the exit code.
 pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
     match prepare(args) {
-        Ok((file, run, trace)) => {
+        Ok((files, mut players)) => {
+            let printer = Printer::new(args, &files);
             // Whoever reads may have seen enough: a closed pipe ends the replay, and that is no failure.
-            let _ = play(args, &file, run, trace, &mut BufWriter::new(std::io::stdout().lock()));
-            ExitCode::SUCCESS
+            let _ = play(&mut players, printer, &mut BufWriter::new(std::io::stdout().lock()));
+            let faults: Vec<String> = players.iter().filter_map(|player| player.fault()).collect();
+            if faults.is_empty() { ExitCode::SUCCESS } else { refuse(&faults, 4) }
         }
         Err(reason) => refused(reason),
     }
@@ -102,22 +118,22 @@ fn refuse(reasons: &[String], code: u8) -> ExitCode {
     ExitCode::from(code)
 }
 
-fn prepare(args: &ReplayArgs) -> Result<(BehaviourFile, Run, Trace), Refused> {
-    let file = read_behaviour(args).map_err(|reason| Refused::Behaviour(vec![reason]))?;
+fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), Refused> {
+    let read = |path: &PathBuf| read_behaviour(args, path).map_err(|reason| Refused::Behaviour(vec![reason]));
+    let files = args.behaviour.iter().map(read).collect::<Result<Vec<_>, _>>()?;
     let faults = |faults: Vec<engine::Fault>| Refused::Behaviour(faults.iter().map(ToString::to_string).collect());
-    let run = Run::build(&file, Limits::default()).map_err(faults)?;
-    let text = read(&args.trace, TRACE_BYTES).map_err(Refused::Trace)?;
-    let trace = match recording::parse(&text, &run) {
-        Some(trace) => trace,
-        None => parse_trace(&text, &run).map(|readings| Trace { readings, closed: None }),
-    };
-    Ok((file, run, trace.map_err(Refused::Trace)?))
+    let build = |file: &BehaviourFile| Run::build(file, Limits::default()).map_err(faults);
+    let runs = files.iter().map(build).collect::<Result<Vec<_>, _>>()?;
+    let traces = traces(args, &runs).map_err(Refused::Trace)?;
+    let player = |((run, trace), file): ((Run, Trace), &BehaviourFile)| Player::new(args.until, file, run, trace);
+    let players = runs.into_iter().zip(traces).zip(&files).map(player).collect();
+    Ok((files, players))
 }
 
-fn read_behaviour(args: &ReplayArgs) -> Result<BehaviourFile, String> {
-    let text = read(&args.behaviour, BEHAVIOUR_BYTES)?;
+fn read_behaviour(args: &ReplayArgs, path: &Path) -> Result<BehaviourFile, String> {
+    let text = read(path, BEHAVIOUR_BYTES)?;
     let file = serde_json::from_str::<BehaviourFile>(&text);
-    let mut file = file.map_err(|error| format!("{}: {error}", args.behaviour.display()))?;
+    let mut file = file.map_err(|error| format!("{}: {error}", path.display()))?;
     file.engine = Some(chosen_engine(args, file.engine.unwrap_or_default()));
     Ok(file)
 }
@@ -148,18 +164,50 @@ pub(crate) fn read(path: &Path, bound: u64) -> Result<String, String> {
     Ok(text)
 }
 
+/// The trace of each behaviour.
+fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, String> {
+    match &args.trace[..] {
+        [shared] => {
+            let text = read(shared, TRACE_BYTES)?;
+            let known: Vec<&Run> = runs.iter().collect();
+            runs.iter().map(|run| parse(&text, run, &known)).collect()
+        }
+        each if each.len() == runs.len() => {
+            let own = |(path, run): (&PathBuf, &Run)| parse(&read(path, TRACE_BYTES)?, run, &[run]);
+            each.iter().zip(runs).map(own).collect()
+        }
+        each => Err(format!("{} traces for {} behaviours; give one for all, or one for each", each.len(), runs.len())),
+    }
+}
+
+/// What a trace has for a run. A plain one may name streams of these runs only.
+fn parse(text: &str, run: &Run, known: &[&Run]) -> Result<Trace, String> {
+    recording::parse(text, run)
+        .unwrap_or_else(|| parse_lines(text, run, known).map(|readings| Trace { readings, closed: None }))
+}
+
+/// The readings of a trace for the only run that it is for.
 pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, String> {
+    parse_lines(text, run, &[run])
+}
+
+fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<Reading>, String> {
     let mut readings = Vec::new();
     let mut latest = 0;
     for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
-        let reading = parse_line(line, run, latest).map_err(|reason| format!("trace line {number}: {reason}"))?;
-        latest = reading.0.0;
-        readings.push(reading);
+        let told = |reason| format!("trace line {number}: {reason}");
+        let (at, stream, value) = parse_line(line, latest).map_err(told)?;
+        latest = at.0;
+        match sensor(run, &stream) {
+            Ok(stream) => readings.push((at, stream, value)),
+            Err(_) if known.iter().any(|run| sensor(run, &stream).is_ok()) => {}
+            Err(reason) => return Err(told(reason)),
+        }
     }
     Ok(readings)
 }
 
-fn parse_line(line: &str, run: &Run, latest: u64) -> Result<Reading, String> {
+fn parse_line(line: &str, latest: u64) -> Result<(Millis, String, Value), String> {
     let line: Value = serde_json::from_str(line).map_err(|error| error.to_string())?;
     let Some(&Value::Int(t)) = line.field("t") else { return Err("t must be a whole number".to_owned()) };
     let t = u64::try_from(t).map_err(|_| "t must not be negative".to_owned())?;
@@ -168,103 +216,19 @@ fn parse_line(line: &str, run: &Run, latest: u64) -> Result<Reading, String> {
     if t < latest {
         return Err(format!("time goes back from {latest} to {t}"));
     }
+    Ok((Millis(t), stream.to_owned(), value))
+}
+
+/// A sensor stream by its id.
+fn sensor(run: &Run, stream: &str) -> Result<usize, String> {
     let at = run.stream_index(stream).ok_or_else(|| format!("there is no stream {stream:?}"))?;
-    if run.streams()[at].kind != StreamKind::Sensor {
-        return Err(format!("{stream:?} is no sensor stream"));
-    }
-    Ok((Millis(t), at, value))
-}
-
-fn play(
-    args: &ReplayArgs,
-    file: &BehaviourFile,
-    mut run: Run,
-    trace: Trace,
-    to: &mut dyn Write,
-) -> std::io::Result<()> {
-    let Trace { readings, closed } = trace;
-    let until = Millis(args.until.unwrap_or_else(|| readings.last().map_or(0, |(at, ..)| at.0)));
-    let mut printer = Printer::new(args, file);
-    for (at, stream, value) in readings.into_iter().take_while(|(at, ..)| *at <= until) {
-        run.feed(at, stream, value, &mut |emission| printer.print(&emission));
-        printer.write(to)?;
-    }
-    match closed.filter(|_| args.until.is_none()) {
-        Some(closed) => run.until(closed, &mut |emission| printer.print(&emission)),
-        None => run.finish(until, &mut |emission| printer.print(&emission)),
-    }
-    printer.write(to)?;
-    to.flush()
-}
-
-/// Chooses what is printed and turns it into lines.
-struct Printer<'a> {
-    args: &'a ReplayArgs,
-    file: &'a BehaviourFile,
-    claims: Vec<Claim>,
-    arbiter: Arbiter,
-    lines: String,
-}
-
-impl<'a> Printer<'a> {
-    fn new(args: &'a ReplayArgs, file: &'a BehaviourFile) -> Self {
-        let claims = file.streams.iter().map(Claim::of).collect();
-        Self { args, file, claims, arbiter: Arbiter::default(), lines: String::new() }
-    }
-
-    fn print(&mut self, emission: &Emission) {
-        match *emission {
-            Emission::Value { at, stream, value } => self.print_value(at, stream, value),
-            Emission::Fault { at, connector, error, .. } if self.args.errors => {
-                let id = quoted(&self.file.connectors[connector].id);
-                self.line(&format!("{{\"t\":{},\"connector\":{id},\"error\":{}}}", at.0, quoted(error)));
-            }
-            Emission::Fault { .. } => {}
-        }
-    }
-
-    fn print_value(&mut self, at: Millis, stream: usize, value: &Value) {
-        let info = &self.file.streams[stream];
-        let command = info.kind == StreamKind::Actuator;
-        if !command && !self.args.probe {
-            return;
-        }
-        let mut line = format!("{{\"t\":{},\"stream\":{},\"value\":{}", at.0, quoted(&info.id), json(value));
-        if command
-            && self.args.arbitrate
-            && let Err(holder) = self.arbiter.command(at, stream, &self.claims[stream])
-        {
-            line.push_str(&format!(",\"suppressedBy\":{}", quoted(&self.file.streams[holder].id)));
-        }
-        line.push('}');
-        self.line(&line);
-    }
-
-    fn line(&mut self, line: &str) {
-        self.lines.push_str(line);
-        self.lines.push('\n');
-    }
-
-    fn write(&mut self, to: &mut dyn Write) -> std::io::Result<()> {
-        let written = to.write_all(self.lines.as_bytes());
-        self.lines.clear();
-        written
-    }
-}
-
-/// A value as JSON: floats bit for bit, whole numbers without a point.
-fn json(value: &Value) -> String {
-    serde_json::to_string(value).unwrap_or_default()
-}
-
-/// A text as JSON.
-fn quoted(text: &str) -> String {
-    serde_json::to_string(text).unwrap_or_default()
+    let is_sensor = run.streams()[at].kind == StreamKind::Sensor;
+    if is_sensor { Ok(at) } else { Err(format!("{stream:?} is no sensor stream")) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Mode, ReplayArgs, Trace, parse_trace, play};
+    use super::{Mode, Player, Printer, ReplayArgs, Trace, parse_trace, play};
     use behaviour::BehaviourFile;
     use engine::{Limits, Run};
 
@@ -281,10 +245,9 @@ mod tests {
         {"t":100,"stream":"b","value":{"x":null}}"#;
 
     fn args() -> ReplayArgs {
-        let nowhere = std::path::PathBuf::new;
         ReplayArgs {
-            behaviour: nowhere(),
-            trace: nowhere(),
+            behaviour: Vec::new(),
+            trace: Vec::new(),
             until: None,
             probe: false,
             errors: false,
@@ -304,7 +267,9 @@ mod tests {
         let (file, run) = start();
         let readings = parse_trace(TRACE, &run).unwrap();
         let mut to = Vec::new();
-        play(args, &file, run, Trace { readings, closed: None }, &mut to).unwrap();
+        let player = Player::new(args.until, &file, run, Trace { readings, closed: None });
+        let files = [file];
+        play(&mut [player], Printer::new(args, &files), &mut to).unwrap();
         String::from_utf8(to).unwrap().lines().map(str::to_owned).collect()
     }
 

@@ -1,16 +1,17 @@
 //! `rrp serve`: the server in the foreground, until Ctrl-C or SIGTERM.
 
+use crate::data_folder::data_folder;
+use crate::log::{self, Log};
 use clap::Args;
 use server::{Config, ServeError};
-use std::io::{IsTerminal, Write};
+use std::io::Write;
 use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
-use tracing_subscriber::EnvFilter;
 
-/// What is logged when RRP_LOG does not say otherwise.
-const LOG: &str = "info";
+/// Files and connections that the server may have open, if the system allows it.
+const FILES: u64 = 8_192;
 /// How long what still works in the background may take at the end.
 const ENDING_MS: u64 = 2_000;
 
@@ -19,16 +20,18 @@ const ENDING_MS: u64 = 2_000;
 /// Prints one line on standard output once it accepts connections; logs go to standard error (RRP_LOG=debug for more).
 /// Ctrl-C and SIGTERM stop the robot first, then finish writing, then exit with 0.
 #[derive(Debug, Args)]
-#[command(after_help = "Examples:\n  rrp serve\n  rrp serve --listen 127.0.0.1:0 --data /tmp/play")]
+#[command(after_help = "Examples:\n  rrp serve\n  rrp serve --listen 127.0.0.1:0 --data /tmp/play
+  rrp serve --store bolt://neo4j@127.0.0.1:7687 --data /srv/rrp")]
 pub(crate) struct ServeArgs {
     /// Where to listen; port 0 takes a free one.
     #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:7130")]
     listen: SocketAddr,
-    /// The folder of the data, recordings included; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
+    /// The folder of the data, recordings, robots and orders included; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
     #[arg(long, value_name = "DIR")]
     data: Option<PathBuf>,
-    /// The address of another store instead of a folder.
-    #[arg(long, value_name = "URL", env = "RRP_STORE", conflicts_with = "data")]
+    /// The address of another store for the behaviours; --data then is the folder for all the rest. Without --data that
+    /// is the folder of a sqlite: store, and for any other store one of its own in the usual folder, in stores/.
+    #[arg(long, value_name = "URL", env = "RRP_STORE")]
     store: Option<String>,
     /// The seed of the simulated robot's noise.
     #[arg(long, value_name = "NUMBER", default_value_t = 1)]
@@ -37,13 +40,9 @@ pub(crate) struct ServeArgs {
 
 /// Serves, and answers with the exit code.
 pub(crate) fn serve(args: ServeArgs) -> ExitCode {
-    let filter = EnvFilter::try_from_env("RRP_LOG").unwrap_or_else(|_| EnvFilter::new(LOG));
-    tracing_subscriber::fmt()
-        .with_env_filter(filter)
-        .with_writer(std::io::stderr)
-        .with_ansi(std::io::stderr().is_terminal())
-        .init();
-    match run(args) {
+    let log = log::start();
+    more_files();
+    match run(args, &log) {
         Ok(()) => ExitCode::SUCCESS,
         Err(sentence) => {
             let _ = writeln!(std::io::stderr(), "{sentence}");
@@ -52,15 +51,31 @@ pub(crate) fn serve(args: ServeArgs) -> ExitCode {
     }
 }
 
-fn run(args: ServeArgs) -> Result<(), String> {
-    let own = args.store.as_deref().and_then(|url| url.strip_prefix("sqlite:")).map(PathBuf::from);
-    let data = args.data.clone().or(own).or_else(usual_data);
+/// Allows as many open files and connections as the system lets us have; often it is few at first.
+#[cfg(unix)]
+fn more_files() {
+    use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+    let Rlimit { current, maximum } = getrlimit(Resource::Nofile);
+    let wanted = maximum.map_or(FILES, |most| most.min(FILES));
+    if current.is_some_and(|now| now < wanted) {
+        // Where it is refused the server does with less.
+        let _ = setrlimit(Resource::Nofile, Rlimit { current: Some(wanted), maximum });
+    }
+}
+
+#[cfg(not(unix))]
+fn more_files() {}
+
+fn run(args: ServeArgs, log: &Log) -> Result<(), String> {
+    let data = data_folder(args.store.as_deref(), args.data.as_deref(), usual_data().as_deref());
     let store = store_url(args.store, args.data)?;
     let config = Config { listen: args.listen, store, data, seed: args.seed };
     let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("The server could not start: {error}."))?;
     let served: Result<(), ServeError> = runtime.block_on(async {
-        let stop = asked_to_stop();
-        server::serve(config, ready, stop).await
+        tokio::select! {
+            served = server::serve(config, ready, asked_to_stop()) => served,
+            () = log.tell_losses() => Ok(()),
+        }
     });
     runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
     served.map_err(|error| error.to_string())
@@ -72,16 +87,21 @@ pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<
     store.or_else(folder).ok_or_else(|| "There is no home folder. Say where the data is with --data DIR.".to_owned())
 }
 
-fn usual_data() -> Option<PathBuf> {
+/// The folder that is taken if none is said.
+pub(crate) fn usual_data() -> Option<PathBuf> {
     let given = std::env::var_os("XDG_DATA_HOME").filter(|folder| !folder.is_empty()).map(PathBuf::from);
     let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/share"));
     given.or_else(home).map(|folder| folder.join("rrp"))
 }
 
-/// The one line on standard output, for people and for programs that wait for it.
+/// The one line on standard output, for people and for programs that wait for it. A terminal on hold keeps only the
+/// thread that writes it.
 fn ready(address: SocketAddr) {
-    let mut out = std::io::stdout().lock();
-    let _ = writeln!(out, "rrp is ready: http://{address}/").and_then(|()| out.flush());
+    let line = move || {
+        let mut out = std::io::stdout().lock();
+        let _ = writeln!(out, "rrp is ready: http://{address}/").and_then(|()| out.flush());
+    };
+    drop(std::thread::Builder::new().name("ready".into()).spawn(line));
 }
 
 /// Ctrl-C or SIGTERM.

@@ -1,7 +1,8 @@
 //! Which store a command works on, and the way to it.
 
+use crate::data_folder::data_folder;
 use crate::link::Link;
-use crate::serve::store_url;
+use crate::serve::{store_url, usual_data};
 use behaviour::Id;
 use clap::Args;
 use std::future::Future;
@@ -13,9 +14,10 @@ use store::{Store, StoreError};
 #[derive(Debug, Default, Args)]
 pub(crate) struct StoreArgs {
     /// The address of the store: sqlite:FOLDER, files:FOLDER or what else this rrp knows.
-    #[arg(long, value_name = "URL", env = "RRP_STORE", conflicts_with = "data")]
+    #[arg(long, value_name = "URL", env = "RRP_STORE")]
     pub(crate) store: Option<String>,
-    /// The folder of the data; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
+    /// The folder of the data; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent. With --store only of what is beside
+    /// that store: robots and their orders.
     #[arg(long, value_name = "DIR")]
     pub(crate) data: Option<PathBuf>,
 }
@@ -31,7 +33,7 @@ pub(crate) enum Way {
 impl StoreArgs {
     /// Opens it, or finds the running server that uses it.
     pub(crate) async fn way(&self) -> Result<Way, String> {
-        let url = store_url(self.store.clone(), self.data.clone())?;
+        let url = self.finished()?;
         match store::open_url(&url).await {
             Ok(store) => Ok(Way::Store(store)),
             Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
@@ -44,7 +46,26 @@ impl StoreArgs {
 
     /// Opens it; a store that a server uses is not touched.
     pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, String> {
-        open(&store_url(self.store.clone(), self.data.clone())?).await
+        open(&self.url()?).await
+    }
+
+    /// Its address.
+    pub(crate) fn url(&self) -> Result<String, String> {
+        store_url(self.store.clone(), self.data.clone())
+    }
+
+    /// The folder with what is beside it.
+    pub(crate) fn folder(&self) -> Option<PathBuf> {
+        data_folder(self.store.as_deref(), self.data.as_deref(), usual_data().as_deref())
+    }
+
+    /// Its address, if no restore into it is left half done.
+    fn finished(&self) -> Result<String, String> {
+        let url = self.url()?;
+        for folder in store::folder_of(&url).map(Path::to_owned).into_iter().chain(self.folder()) {
+            store::backup::check_finished(&folder).map_err(|error| error.to_string())?;
+        }
+        Ok(url)
     }
 }
 

@@ -1,7 +1,7 @@
 //! `rrp replay` says the same, byte for byte, in every process: under another environment, from another folder, with
 //! the streams, helpers and fields of the file in another order.
 
-use serde_json::{Map, Value};
+use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -67,6 +67,99 @@ fn the_order_of_streams_helpers_and_fields_has_no_meaning() {
             }
         }
     }
+}
+
+/// A behaviour that hands each value of `ball` to a device.
+fn following(name: &str, device: &str, hold_ms: u64) -> Value {
+    json!({"format": "rrp-behaviour/1", "name": name, "helpers": [], "streams": [
+        {"id": "ball", "kind": "sensor", "name": "Ball"},
+        {"id": "act", "kind": "actuator", "name": "Act", "device": device, "holdMs": hold_ms}],
+        "connectors": [{"id": "c", "type": "subscribe", "inputs": ["ball"], "output": "act"}]})
+}
+
+/// One process with these arguments: its exit code, standard output and standard error.
+fn said(arguments: &[&str]) -> (Option<i32>, Vec<Value>, String) {
+    let done = Command::new(env!("CARGO_BIN_EXE_rrp")).arg("replay").args(arguments).output().expect("rrp starts");
+    let lines = String::from_utf8(done.stdout).expect("UTF-8");
+    let lines = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    (done.status.code(), lines, String::from_utf8(done.stderr).expect("UTF-8"))
+}
+
+/// Puts a text into a folder; its path.
+fn put(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).expect("written");
+    path.display().to_string()
+}
+
+#[test]
+fn of_several_behaviours_the_upper_one_holds_the_parts_that_the_catalogue_names() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let upper = put(&folder, "upper.json", &following("Safety", "Tracker", 1_000).to_string());
+    let lower = put(&folder, "lower.json", &following("Idle", "SetJointPosition", 100).to_string());
+    let readings: String =
+        (0..12).map(|at| format!("{{\"t\":{},\"stream\":\"ball\",\"value\":1}}\n", at * 100)).collect();
+    let shared = put(&folder, "shared.jsonl", &readings);
+    let arguments = ["--arbitrate", "--behaviour", &upper, "--behaviour", &lower, "--trace", &shared];
+    let (code, lines, complaints) = said(&arguments);
+    assert_eq!((code, complaints.as_str(), lines.len()), (Some(0), "", 24));
+    let held = json!({"t": 0, "behaviour": 2, "stream": "act", "value": 1, "suppressedBy": "act", "heldBy": 1});
+    assert_eq!(lines[..2], [json!({"t": 0, "behaviour": 1, "stream": "act", "value": 1}), held]);
+    let suppressed = |lines: &[Value]| lines.iter().filter(|line| line.get("suppressedBy").is_some()).count();
+    assert_eq!(suppressed(&lines), 12, "all of the lower one");
+    let other = ["--arbitrate", "--behaviour", &lower, "--behaviour", &upper, "--trace", &shared];
+    assert_eq!(suppressed(&said(&other).1), 12, "the order counts, not the device");
+    // A trace each: the upper one commands once, and lets go of the head a second later.
+    let once = put(&folder, "once.jsonl", "{\"t\":50,\"stream\":\"ball\",\"value\":1}\n");
+    let each = ["--arbitrate", "--behaviour", &upper, "--behaviour", &lower, "--trace", &once, "--trace", &shared];
+    let (_, lines, _) = said(&each);
+    let times: Vec<_> =
+        lines.iter().filter(|line| line.get("heldBy").is_some()).map(|line| line["t"].clone()).collect();
+    assert_eq!(times, (1..=10).map(|at| json!(at * 100)).collect::<Vec<_>>());
+    let two = ["--behaviour", &upper, "--trace", &once, "--trace", &shared];
+    let (code, _, complaints) = said(&two);
+    assert_eq!(
+        (code, complaints.as_str()),
+        (Some(3), "2 traces for 1 behaviours; give one for all, or one for each\n")
+    );
+}
+
+#[test]
+fn values_that_multiply_end_a_replay_with_a_sentence_and_a_code() {
+    let stream = |id: String, kind: &str| json!({"id": id, "kind": kind, "name": format!("Merged {id}")});
+    let mut streams = vec![stream("m0".into(), "sensor"), json!({"id": "page", "kind": "actuator", "name": "Page"})];
+    let mut connectors = Vec::new();
+    for at in 0..60 {
+        let [from, left, right, to] = [format!("m{at}"), format!("l{at}"), format!("r{at}"), format!("m{}", at + 1)];
+        streams.extend([&left, &right, &to].map(|id| stream(id.clone(), "ordinary")));
+        for way in [&left, &right] {
+            connectors.push(json!({"id": way, "type": "timestamp", "inputs": [from], "output": way}));
+        }
+        connectors.push(json!({"id": to, "type": "merge", "inputs": [left, right], "output": to}));
+    }
+    connectors[1]["type"] = "merge".into();
+    connectors.push(json!({"id": "show", "type": "subscribe", "inputs": ["m1"], "output": "page"}));
+    for connector in &mut connectors {
+        connector["id"] = format!("to {}", connector["id"]).into();
+    }
+    let file = json!({"format": "rrp-behaviour/1", "name": "Diamonds", "helpers": [], "streams": streams,
+        "connectors": connectors});
+    let folder = tempfile::tempdir().expect("a folder");
+    let behaviour = put(&folder, "diamonds.json", &file.to_string());
+    let trace = put(
+        &folder,
+        "trace.jsonl",
+        "{\"t\":7,\"stream\":\"m0\",\"value\":1}\n{\"t\":9,\"stream\":\"m0\",\"value\":2}\n",
+    );
+    let (code, lines, complaint) = said(&["--errors", "--behaviour", &behaviour, "--trace", &trace]);
+    assert_eq!(code, Some(4));
+    assert!(complaint.starts_with("Diamonds: values multiply at “Merged m15”: one reading became more"), "{complaint}");
+    let last = lines.last().expect("a line");
+    assert_eq!((&last["t"], &last["stream"]), (&json!(7), &json!("m15")));
+    assert!(last["error"].as_str().is_some_and(|error| complaint.contains(error)), "{last}");
+    assert_eq!(said(&["--errors", "--behaviour", &behaviour, "--trace", &trace]), (code, lines, complaint));
+    let frames = said(&["--mode", "frame", "--behaviour", &behaviour, "--trace", &trace]);
+    assert_eq!((frames.0, frames.1.len()), (Some(0), 1), "a frame carries one value a stream");
 }
 
 /// The same behaviour with its streams and helpers in another order. Connectors stay: their order has a meaning.

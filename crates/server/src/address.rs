@@ -21,8 +21,10 @@ impl Told {
     pub(crate) fn new(store: &str, address: SocketAddr) -> Self {
         let Some(folder) = store::folder_of(store).filter(|folder| folder.is_dir()) else { return Self(None) };
         let file = folder.join(FILE);
-        if let Err(error) = std::fs::write(&file, format!("http://{address}/\n")) {
+        if let Err(error) = store::disk::put(&file, format!("http://{address}/\n").as_bytes()) {
             tracing::warn!(%error, "commands will not find this server: its address could not be written");
+            // That of a server that was killed here would send them to somebody else.
+            let _none_is_fine = std::fs::remove_file(&file);
         }
         Self(Some((file, address)))
     }
@@ -52,5 +54,17 @@ mod tests {
         drop(told);
         assert_eq!(address_in(folder.path()), None);
         assert!(Told::new("neo4j://somewhere", address).0.is_none());
+    }
+
+    #[test]
+    fn an_address_that_cannot_be_written_leaves_no_older_one() {
+        let folder = tempfile::tempdir().unwrap();
+        let (url, address) = (format!("sqlite:{}", folder.path().display()), "127.0.0.1:7130".parse().unwrap());
+        std::mem::forget(Told::new(&url, address));
+        assert!(address_in(folder.path()).is_some(), "as a server that was killed leaves it");
+        std::fs::create_dir(folder.path().join("server.new")).unwrap();
+        let told = Told::new(&url, "127.0.0.1:7131".parse().unwrap());
+        assert_eq!(address_in(folder.path()), None);
+        drop(told);
     }
 }

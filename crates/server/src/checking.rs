@@ -1,23 +1,16 @@
-//! Tries procedures on a thread of their own: people's procedures never run on the threads that carry messages.
+//! Tries procedures. Done by workers: people's procedures never run on the threads that carry messages.
 
 use behaviour::{
     Behaviour, BehaviourFile, Connector, FileHelper, Helper, Id, Kind, Operation, Procedure, Record, RecordId, Value,
 };
 use engine::Limits;
-use protocol::{Reply, SaidNo};
-use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use protocol::Reply;
 use std::time::{Duration, Instant};
-use tokio::sync::oneshot;
 
-/// Trials that may wait.
-const WAITING_MAX: usize = 64;
 /// Sets of values in one trial.
 const INPUTS_MAX: usize = 8;
 /// How long a procedure may take for one set of values.
 const CALL_MS: u64 = 20;
-/// The thread's stack; debug builds need the most.
-const STACK_BYTES: usize = 16 << 20;
 
 /// A procedure and what to try it on.
 #[derive(Debug)]
@@ -32,42 +25,12 @@ pub(crate) struct Trial {
     pub(crate) helpers: Vec<FileHelper>,
 }
 
-/// The way to the thread.
-#[derive(Clone, Debug)]
-pub(crate) struct Checker(SyncSender<(Trial, oneshot::Sender<Reply>)>);
-
-impl Checker {
-    /// Starts the thread; it ends with the last way to it.
-    pub(crate) fn start() -> std::io::Result<Self> {
-        let (queue, trials) = sync_channel(WAITING_MAX);
-        std::thread::Builder::new().name("checking".into()).stack_size(STACK_BYTES).spawn(move || work(&trials))?;
-        Ok(Self(queue))
-    }
-
-    /// Whether the procedure can run, and what it makes of the values.
-    pub(crate) async fn check(&self, trial: Trial) -> Reply {
-        let (waiting, answer) = oneshot::channel();
-        if self.0.try_send((trial, waiting)).is_err() {
-            return Reply::No { no: SaidNo::TooFast };
-        }
-        answer.await.unwrap_or(Reply::No { no: SaidNo::TooFast })
-    }
-}
-
-fn work(trials: &Receiver<(Trial, oneshot::Sender<Reply>)>) {
-    while let Ok((trial, waiting)) = trials.recv() {
-        if !waiting.is_closed() {
-            let reply = catch_unwind(AssertUnwindSafe(|| answer(&trial)));
-            let _ = waiting.send(reply.unwrap_or_else(|_| failed("it makes the checker fail".to_owned())));
-        }
-    }
-}
-
 fn failed(error: String) -> Reply {
     Reply::Checked { error: Some(error), results: Vec::new() }
 }
 
-fn answer(trial: &Trial) -> Reply {
+/// Whether the procedure can run, and what it makes of the values.
+pub(crate) fn check(trial: &Trial) -> Reply {
     if trial.body.chars().count() > behaviour::BODY_MAX_CHARS {
         return failed(format!("it is longer than {} characters", behaviour::BODY_MAX_CHARS));
     }
@@ -96,7 +59,7 @@ pub(crate) fn helpers_of(body: &str, library: &[&Helper]) -> Vec<FileHelper> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Checker, Trial, helpers_of};
+    use super::{Trial, check, helpers_of};
     use behaviour::Value;
     use protocol::Reply;
 
@@ -107,20 +70,18 @@ mod tests {
         Trial { arguments: vec!["d".into()], body: body.into(), inputs, helpers }
     }
 
-    #[tokio::test]
-    async fn a_procedure_is_tried_with_the_helpers_it_uses() {
-        let checker = Checker::start().unwrap();
-        let reply = checker.check(trial("distance_to_brightness(d) + 1.0", &[0.2, 1.2])).await;
+    #[test]
+    fn a_procedure_is_tried_with_the_helpers_it_uses() {
+        let reply = check(&trial("distance_to_brightness(d) + 1.0", &[0.2, 1.2]));
         let results = vec![Ok(Value::Float(2.0)), Ok(Value::Float(1.0))];
         assert_eq!(reply, Reply::Checked { error: None, results });
     }
 
-    #[tokio::test]
-    async fn an_endless_procedure_ends_and_a_broken_one_is_named() {
-        let checker = Checker::start().unwrap();
-        let Reply::Checked { error: None, results } = checker.check(trial("loop {}", &[1.0])).await else { panic!() };
+    #[test]
+    fn an_endless_procedure_ends_and_a_broken_one_is_named() {
+        let Reply::Checked { error: None, results } = check(&trial("loop {}", &[1.0])) else { panic!() };
         assert!(results[0].is_err());
-        let reply = checker.check(trial("d +", &[1.0])).await;
+        let reply = check(&trial("d +", &[1.0]));
         assert!(matches!(reply, Reply::Checked { error: Some(_), .. }), "{reply:?}");
     }
 }

@@ -1,10 +1,13 @@
 //! Making a behaviour: empty or from a template, whose helpers join the library.
 
-use crate::carry;
 use crate::hub::{Hub, bounded, reason, store_no};
+use crate::import::{TRIES, is_overtaken, judge, shelve};
 use crate::programs::free_name;
 use crate::templates::{Template, templates};
-use behaviour::{Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings};
+use crate::workers::Sender;
+use behaviour::{
+    Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
+};
 use protocol::{Reply, SaidNo};
 use std::sync::Arc;
 use store::files::Mode;
@@ -30,16 +33,23 @@ pub(crate) async fn create(hub: &Arc<Hub>, wish: Wish) -> Result<Reply, SaidNo> 
         return Err(SaidNo::NoBehaviour);
     }
     check_name(&wish.name)?;
+    if is_there(hub, &wish).await? {
+        return Ok(Reply::Created { behaviour: wish.behaviour });
+    }
+    let records = match template {
+        Some(template) => from_template(hub, template, &wish).await?,
+        None => Behaviour::default(),
+    };
     let _one_at_a_time = hub.creating.lock().await;
-    let there = bounded(hub.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
-    if there.is_none() {
-        let records = match template {
-            Some(template) => from_template(hub, template, &wish.by).await?,
-            None => Behaviour::default(),
-        };
+    if !is_there(hub, &wish).await? {
         save(hub, &wish, records).await?;
     }
     Ok(Reply::Created { behaviour: wish.behaviour })
+}
+
+async fn is_there(hub: &Hub, wish: &Wish) -> Result<bool, SaidNo> {
+    let there = bounded(hub.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
+    Ok(there.is_some())
 }
 
 fn find(name: &str) -> Result<&'static Template, SaidNo> {
@@ -49,8 +59,12 @@ fn find(name: &str) -> Result<&'static Template, SaidNo> {
 
 pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
     let no = |refusal| Err(SaidNo::Change(refusal));
-    if name.trim().is_empty() || name.chars().any(char::is_control) {
-        return no(Refusal::Name(name.chars().filter(|c| !c.is_control()).take(40).collect()));
+    let shown = || without_unseen(name).chars().take(40).collect();
+    if name.trim().is_empty() {
+        return no(Refusal::Name(shown()));
+    }
+    if has_unseen(name) {
+        return no(Refusal::Unseen(shown()));
     }
     // Room for the number that a taken name gets.
     let most = behaviour::NAME_MAX_CHARS - 10;
@@ -83,16 +97,30 @@ pub(crate) async fn append(hub: &Hub, id: &Id, made: &Committed, after: &Behavio
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
         Ok(Append::Conflict { .. }) => Err(SaidNo::Change(Refusal::Stale("this behaviour".to_owned()))),
-        Err(error) => Err(SaidNo::Change(Refusal::NotSaved(reason(&error)))),
+        Err(error) => {
+            hub.health.failed(&error);
+            Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))
+        }
     }
 }
 
 /// The records of a template under new ids, its helpers in the library.
-async fn from_template(hub: &Arc<Hub>, template: &Template, by: &str) -> Result<Behaviour, SaidNo> {
-    let brought = carry::shelve(hub, &Arc::new(template.file()), Mode::Copy, by).await?;
-    let mut records = Behaviour::default();
-    brought.changes.iter().for_each(|change| records.apply(change));
-    Ok(records)
+async fn from_template(hub: &Arc<Hub>, template: &Template, wish: &Wish) -> Result<Behaviour, SaidNo> {
+    let (file, sender) = (Arc::new(template.file()), Sender::Room(wish.behaviour.clone()));
+    let mut last = SaidNo::TooFast;
+    for _ in 0..TRIES {
+        let brought = judge(hub, &sender, &file, Mode::Copy, &wish.by).await?;
+        match shelve(hub, &brought).await {
+            Err(no) if is_overtaken(&no) => last = no,
+            Err(no) => return Err(no),
+            Ok(()) => {
+                let mut records = Behaviour::default();
+                brought.changes.iter().for_each(|change| records.apply(change));
+                return Ok(records);
+            }
+        }
+    }
+    Err(last)
 }
 
 /// The library of a fresh store: the helpers that come with the robot, as one change.

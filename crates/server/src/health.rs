@@ -77,7 +77,8 @@ pub(crate) fn keep(hub: &Arc<Hub>) {
     });
 }
 
-/// While it seems well a cheap question is enough; to be well again it has to save.
+/// While it seems well a cheap question is enough; to be well again it has to save, and after a full disk to have room
+/// for what was refused: else the next save would fail again, and everyone would be told now this, now that.
 async fn ask(hub: &Hub) -> Result<(), StoreError> {
     let well = hub.health.away.borrow().is_none();
     let answer = async { if well { hub.store.reachable().await } else { hub.store.healthy().await } };

@@ -1,29 +1,36 @@
 //! What every part of the server shares: the store, the robots, the rooms, who is here, and what everyone is told.
 
-use crate::checking::Checker;
 use crate::clients::Clients;
 use crate::health::Health;
 use crate::knowledge::Knowing;
+use crate::outbox::AllWaiting;
 use crate::pictures::Pictures;
+use crate::places::Places;
 use crate::programs::Programs;
 use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
+use crate::session::Weights;
 use crate::topics::Topics;
+use crate::workers::Workers;
 use behaviour::{Behaviour, Helper, Id};
 use protocol::SaidNo;
 use std::future::Future;
 use std::sync::Arc;
 use std::time::Duration;
 use store::{Store, StoreError};
+use tokio::runtime::Handle;
 use tokio::sync::{Semaphore, watch};
+use tokio::task::JoinHandle;
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 /// How long the store may take for one answer.
 const STORE_MS: u64 = 5_000;
-/// WebSockets that may be open. Other requests, above all Stop, get through beyond that.
+/// WebSockets that may be open. Other requests get through beyond that.
 pub(crate) const SOCKETS_MAX: usize = 512;
+/// WebSockets among them that have not greeted yet.
+pub(crate) const HALF_OPEN_MAX: usize = 64;
 
 /// The middle of the server.
 pub(crate) struct Hub {
@@ -37,9 +44,9 @@ pub(crate) struct Hub {
     pub(crate) recordings: Recordings,
     /// Devices and procedures.
     pub(crate) knowing: Arc<Knowing>,
-    /// Tries procedures.
-    pub(crate) checker: Checker,
-    /// Grows with every start of the server.
+    /// Work on what people send.
+    pub(crate) workers: Workers,
+    /// Grows with every start of the server; on a disk too full to count them, the time of the start.
     pub(crate) epoch: u64,
     /// The id of the library.
     pub(crate) library: Id,
@@ -57,10 +64,18 @@ pub(crate) struct Hub {
     pub(crate) topics: Topics,
     /// One behaviour is made at a time, so that names stay unique.
     pub(crate) creating: tokio::sync::Mutex<()>,
+    /// Places for sockets that have not greeted yet.
+    pub(crate) half_open: Arc<Places>,
+    /// Room for large messages.
+    pub(crate) weights: Weights,
+    /// What waits to be written to all clients.
+    pub(crate) waiting: AllWaiting,
     /// Places for sockets.
     pub(crate) sockets: Arc<Semaphore>,
     /// Rooms and sockets.
     pub(crate) tasks: TaskTracker,
+    /// The threads on which everything is done that is not carrying messages.
+    pub(crate) runtime: Handle,
     /// Ends sockets, then rooms.
     pub(crate) stopping: CancellationToken,
 }
@@ -82,6 +97,11 @@ impl Shelf {
 }
 
 impl Hub {
+    /// Starts a task on the threads that do not carry messages.
+    pub(crate) fn spawn<T: Send + 'static>(&self, work: impl Future<Output = T> + Send + 'static) -> JoinHandle<T> {
+        self.tasks.spawn_on(work, &self.runtime)
+    }
+
     /// True once the server ends.
     pub(crate) fn ends(&self) -> bool {
         self.stopping.is_cancelled()

@@ -7,6 +7,8 @@ use tokio::time::Instant;
 
 /// How long a server waits for its database at the start.
 const WAIT: Duration = Duration::from_secs(60);
+/// How long a database may be silent before that is said, and between two such sentences.
+const SILENT: Duration = Duration::from_millis(1_500);
 /// Between two attempts.
 const PAUSE: Duration = Duration::from_secs(1);
 
@@ -26,12 +28,25 @@ async fn patiently_within<'a, T>(
 ) -> Result<T, StoreError> {
     let start = Instant::now();
     loop {
-        match attempt().await {
+        match told_while_silent(attempt()).await {
             Err(error) if error.is_open() && url.contains("://") && start.elapsed() < wait => {
                 tracing::warn!(%error, "the database is not ready yet; it is asked again");
                 tokio::time::sleep(pause).await;
             }
             answer => return answer,
+        }
+    }
+}
+
+/// Says again and again that nobody answers, for as long as that is so.
+async fn told_while_silent<T>(attempt: BoxFuture<'_, T>) -> T {
+    let mut attempt = std::pin::pin!(attempt);
+    loop {
+        match tokio::time::timeout(SILENT, &mut attempt).await {
+            Ok(answer) => return answer,
+            Err(_) => {
+                tracing::warn!("the store does not answer yet; look whether the database runs, and what holds it")
+            }
         }
     }
 }

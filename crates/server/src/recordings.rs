@@ -14,8 +14,9 @@ pub(crate) use lines::Note;
 use protocol::{Recording, SaidNo};
 pub(crate) use recorder::{Recorder, Step};
 use serde::Deserialize;
+use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 
@@ -27,6 +28,8 @@ const ALL_MAX_BYTES: u64 = 4 << 30;
 const KEPT_MAX: usize = 1_000;
 /// The longest first line that is read, in bytes.
 const HEADER_MAX_BYTES: u64 = 16 << 10;
+/// The longest last line, in bytes.
+const END_MAX_BYTES: u64 = 4 << 10;
 /// What a recording's name ends with.
 const ENDING: &str = ".jsonl";
 
@@ -36,6 +39,21 @@ pub(crate) struct Recordings {
     folder: Option<Arc<Path>>,
     /// Taken while a name is chosen.
     naming: Arc<Mutex<()>>,
+    /// The files that are being written.
+    open: Arc<Mutex<BTreeSet<String>>>,
+}
+
+/// A file that is being written, until this is dropped.
+#[derive(Debug)]
+struct Open {
+    all: Arc<Mutex<BTreeSet<String>>>,
+    name: String,
+}
+
+impl Drop for Open {
+    fn drop(&mut self) {
+        lock(&self.all).remove(&self.name);
+    }
 }
 
 /// What is recorded.
@@ -57,33 +75,46 @@ pub(crate) struct About<'a> {
 impl Recordings {
     /// In a data folder, or nowhere.
     pub(crate) fn within(data: Option<&Path>) -> Self {
-        Self { folder: data.map(|data| data.join("recordings").into()), naming: Arc::default() }
+        Self { folder: data.map(|data| data.join("recordings").into()), ..Self::default() }
     }
 
-    /// Begins a recording. Nothing that was recorded gives way to it.
+    /// Begins a recording: when this answers, its first line is on the disk. Nothing that was recorded gives way to it.
     ///
     /// # Errors
     /// Why it cannot be recorded, and what to do.
     pub(crate) fn begin(&self, about: &About) -> Result<Recorder, String> {
         let folder = self.folder.as_deref().ok_or("this server has no data folder; start it with --data DIR")?;
         let _naming = lock(&self.naming);
-        std::fs::create_dir_all(folder).map_err(|error| format!("{} cannot be made ({error})", folder.display()))?;
+        store::disk::make_folder(folder).map_err(|error| format!("{} cannot be made ({error})", folder.display()))?;
         let (count, bytes) = taken(folder);
         if count >= KEPT_MAX || bytes + RECORDING_MAX_BYTES > ALL_MAX_BYTES {
             return Err("there is no room for another recording; download and remove some first".to_owned());
         }
         let began = clock::now();
         let (name, file) = create(folder, &began, about.file.name.as_str())?;
-        let header = Header::of(about, &began);
-        Recorder::start(name, file, &header, about.file).map_err(|error| format!("it cannot be recorded ({error})"))
+        let started = Recorder::start(self.opened(&name), file, &Header::of(about, &began), about.file);
+        let started = started.and_then(|recorder| store::disk::sync_names(folder).map(|()| recorder));
+        started.map_err(|error| {
+            // It has not begun; what is left of its file says nothing.
+            let _none_is_fine = std::fs::remove_file(folder.join(&name));
+            format!("it cannot be recorded ({error}); free some space, or start it without recording")
+        })
+    }
+
+    fn opened(&self, name: &str) -> Open {
+        lock(&self.open).insert(name.to_owned());
+        Open { all: self.open.clone(), name: name.to_owned() }
     }
 
     /// All recordings, newest first. Reads the folder: not for the async threads.
     pub(crate) fn list(&self) -> Vec<Recording> {
         let Some(folder) = self.folder.as_deref() else { return Vec::new() };
+        // Asked first: what ends meanwhile has its end.
+        let open = lock(&self.open).clone();
         let mut all: Vec<Recording> = files(folder).filter_map(|(path, bytes)| described(&path, bytes)).collect();
         all.sort_by(|one, other| other.file.cmp(&one.file));
         all.truncate(KEPT_MAX);
+        all.iter_mut().for_each(|recording| recording.cut_off &= !open.contains(&recording.file));
         all
     }
 
@@ -96,7 +127,9 @@ impl Recordings {
     /// Removes a recording for good.
     pub(crate) fn remove(&self, name: &str) -> Result<(), SaidNo> {
         let path = self.find(name).ok_or(SaidNo::NoRecording)?;
-        std::fs::remove_file(path).map_err(|error| SaidNo::CannotRecord(format!("it cannot be removed ({error})")))
+        let removed = std::fs::remove_file(&path);
+        let removed = removed.and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
+        removed.map_err(|error| SaidNo::CannotRecord(format!("it cannot be removed ({error})")))
     }
 }
 
@@ -124,7 +157,7 @@ fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File),
     for number in 1..=KEPT_MAX {
         let more = if number == 1 { String::new() } else { format!("-{number}") };
         let name = format!("{time}-{words}{more}{ENDING}");
-        match File::create_new(folder.join(&name)) {
+        match store::disk::private().create_new(true).open(folder.join(&name)) {
             Ok(file) => return Ok((name, file)),
             Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
             Err(error) => return Err(format!("{} cannot be written ({error})", folder.join(name).display())),
@@ -145,8 +178,21 @@ struct First {
 }
 
 fn described(path: &Path, bytes: u64) -> Option<Recording> {
+    let mut file = File::open(path).ok()?;
     let mut line = String::new();
-    BufReader::new(File::open(path).ok()?.take(HEADER_MAX_BYTES)).read_line(&mut line).ok()?;
+    BufReader::new((&mut file).take(HEADER_MAX_BYTES)).read_line(&mut line).ok()?;
     let First { robot, name, revision, began } = serde_json::from_str(&line).ok()?;
-    Some(Recording { file: path.file_name()?.to_str()?.to_owned(), robot, name, revision, began, bytes })
+    let (file, cut_off) = (path.file_name()?.to_str()?.to_owned(), !has_its_end(&mut file, bytes));
+    Some(Recording { file, robot, name, revision, began, bytes, cut_off })
+}
+
+/// Whether the last line says that it is the last.
+fn has_its_end(file: &mut File, bytes: u64) -> bool {
+    let mut tail = Vec::new();
+    let from = SeekFrom::Start(bytes.saturating_sub(END_MAX_BYTES));
+    let read = file.seek(from).and_then(|_| file.take(END_MAX_BYTES).read_to_end(&mut tail));
+    let tail = String::from_utf8_lossy(&tail);
+    let last = tail.strip_suffix('\n').map(|text| text.rsplit('\n').next().unwrap_or_default());
+    let says_so = |line: &str| line.contains("\"mark\":\"end\"") || line.contains("\"mark\":\"full\"");
+    read.is_ok() && last.is_some_and(says_so)
 }

@@ -10,12 +10,14 @@ mod gate;
 mod host;
 mod house;
 mod keeper;
+mod kept;
 mod live;
 mod mailbox;
 mod order;
 mod outcome;
 mod register;
 mod runner;
+mod settling;
 mod simulated;
 mod successor;
 mod tally;
@@ -23,6 +25,7 @@ mod tally;
 mod tests;
 
 pub(crate) use host::{Host, Start};
+pub use kept::{check_robots, put_robots, robots_in};
 pub(crate) use live::{LiveValues, Seen};
 
 use crate::lock;
@@ -35,6 +38,7 @@ use order::Order;
 use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RobotState, RunState, SaidNo};
 use register::{Known, Register};
 use robot::{Health, SceneEdit};
+use settling::Settling;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
@@ -43,6 +47,7 @@ use tokio::sync::watch;
 #[derive(Clone)]
 pub(crate) struct Robots {
     fleet: Arc<Fleet>,
+    settling: Settling,
 }
 
 struct Fleet {
@@ -68,7 +73,9 @@ impl Robots {
         let fleet = Fleet { hosts: Mutex::default(), board, recordings, data, register };
         let hosts: std::io::Result<_> = known.iter().map(|known| fleet.host(known)).collect();
         *lock(&fleet.hosts) = hosts?;
-        Ok(Self { fleet: Arc::new(fleet) })
+        let fleet = Arc::new(fleet);
+        let settling = Settling::start(&fleet)?;
+        Ok(Self { fleet, settling })
     }
 
     /// Adds a simulated robot; asked twice with the same id, it adds one.
@@ -133,8 +140,21 @@ impl Robots {
     }
 
     /// Stops a behaviour, or everything, on one robot or on all of them, and lets them hold safely. A robot that is not
-    /// there any more means all: better too much than too little. Answers at once; true if something ran.
-    pub(crate) fn stop(&self, behaviour: Option<&Id>, robot: Option<&Id>, by: &str) -> bool {
+    /// there any more means all: better too much than too little. Waits for nobody: what is left to do, another thread
+    /// does.
+    pub(crate) fn stop_now(&self, behaviour: Option<&Id>, robot: Option<&Id>, by: &str) {
+        let hosts = self.hosts();
+        let one = robot.and_then(|robot| hosts.iter().find(|host| host.id() == robot));
+        let meant = one.map_or(&hosts[..], std::slice::from_ref);
+        for host in meant {
+            host.stop_now(behaviour, by);
+        }
+        self.settling.ring();
+    }
+
+    /// Stops, with all that follows; true if something ran.
+    #[cfg(test)]
+    fn stop(&self, behaviour: Option<&Id>, robot: Option<&Id>, by: &str) -> bool {
         let hosts = self.hosts();
         let one = robot.and_then(|robot| hosts.iter().find(|host| host.id() == robot));
         let meant = one.map_or(&hosts[..], std::slice::from_ref);
@@ -205,9 +225,14 @@ impl Robots {
         self.hosts().iter().find_map(|host| host.values(run))
     }
 
-    /// Whether a behaviour runs on any robot.
-    pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
-        self.running(behaviour, None).is_ok()
+    /// The robots as a backup keeps them. Reads the data folder: not for the async threads.
+    pub(crate) fn kept(&self) -> Vec<store::backup::Robot> {
+        self.fleet.data.as_deref().map(robots_in).unwrap_or_default()
+    }
+
+    /// Whether a behaviour runs on any robot, or is about to.
+    pub(crate) fn has(&self, behaviour: &Id) -> bool {
+        self.hosts().iter().any(|host| host.has(behaviour))
     }
 
     /// Stops everything and ends the threads; waits for all of them together about two seconds at most.

@@ -2,6 +2,7 @@
 //! One change is saved at a time; who only looks, comes or goes never waits for saving.
 
 mod jobs;
+mod log;
 mod members;
 mod problems;
 mod saving;
@@ -9,41 +10,50 @@ mod saving;
 use crate::hub::{Hub, Shelf, bounded, store_no};
 use crate::outbox::{Feed, encode};
 use crate::rooms::{Look, Member, Note};
+use crate::workers::NotDone;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Id, Room};
 use futures_util::future::BoxFuture;
-use jobs::Job;
+use jobs::{Job, Waiting};
+use log::ChangeLog;
 use problems::Found;
 use protocol::SaidNo;
 use saving::Saved;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use tokio::sync::{mpsc, oneshot, watch};
-use tokio::task::JoinHandle;
 
-/// Changes a room keeps at hand for who missed some; the store has all.
-const LOG_MAX_CHANGES: usize = 512;
+/// Whether a behaviour is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stay {
+    /// It is.
+    Here,
+    /// It is about to go to the bin: it cannot be started any more.
+    Leaving,
+    /// It went to the bin.
+    Gone,
+}
 
 /// One open behaviour, or the library.
 struct RoomTask {
     hub: Arc<Hub>,
     id: Id,
-    room: Room,
+    /// Shared with whoever looks at it or decides about it elsewhere just now.
+    room: Arc<Room>,
     /// By the number of their link.
     members: BTreeMap<u64, Member>,
     /// What waits for saving.
-    waiting: VecDeque<Job>,
+    waiting: Waiting,
     /// What is being saved.
     saving: Option<BoxFuture<'static, Saved>>,
     /// True when the store may have more than this room knows.
     uncertain: bool,
-    /// True when it went to the bin.
-    gone: bool,
-    log: VecDeque<Accepted>,
+    stay: Stay,
+    log: ChangeLog,
     shelf: watch::Receiver<Arc<Shelf>>,
     found: Found,
     problems_due: bool,
-    finding: Option<JoinHandle<Found>>,
+    finding: Option<BoxFuture<'static, Result<Found, NotDone>>>,
     revision: watch::Sender<u64>,
     people_text: watch::Sender<Utf8Bytes>,
     problems_text: watch::Sender<Utf8Bytes>,
@@ -76,13 +86,13 @@ impl RoomTask {
         Self {
             hub,
             id,
-            room,
+            room: Arc::new(room),
             members: BTreeMap::new(),
-            waiting: VecDeque::new(),
+            waiting: Waiting::default(),
             saving: None,
             uncertain: false,
-            gone: false,
-            log: VecDeque::new(),
+            stay: Stay::Here,
+            log: ChangeLog::default(),
             shelf,
             found: Found::default(),
             problems_due: false,
@@ -123,7 +133,7 @@ impl RoomTask {
 
     fn take(&mut self, note: Note) {
         match note {
-            Note::Join(member, ask) => self.join(member, ask),
+            Note::Join(member, ask, secret) => self.join(member, ask, secret),
             Note::Leave(session) => self.leave(session),
             Note::Propose(change, answer) => self.wait(Job::Save(change, answer)),
             Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
@@ -134,9 +144,8 @@ impl RoomTask {
     }
 
     fn look(&self, waiting: oneshot::Sender<Result<Look, SaidNo>>) {
-        let behaviour = Arc::new(self.room.behaviour().clone());
-        let look = Look { behaviour, revision: self.room.revision() };
-        let _ = waiting.send(if self.gone { Err(SaidNo::NoBehaviour) } else { Ok(look) });
+        let look = Look(Arc::clone(&self.room));
+        let _ = waiting.send(if self.stay == Stay::Here { Ok(look) } else { Err(SaidNo::NoBehaviour) });
     }
 
     fn feed(&self) -> Feed {
@@ -150,11 +159,8 @@ impl RoomTask {
 
     /// Makes a saved change the truth and tells everyone; the copy of who asked carries the ask.
     fn commit(&mut self, accepted: &Accepted, asked: Option<(u64, u32)>) {
-        self.room.commit(accepted);
-        self.log.push_back(accepted.clone());
-        if self.log.len() > LOG_MAX_CHANGES {
-            self.log.pop_front();
-        }
+        Arc::make_mut(&mut self.room).commit(accepted);
+        self.log.push(accepted);
         self.tell_accepted(accepted, asked);
         self.revision.send_replace(accepted.revision);
         if self.is_library() {

@@ -5,7 +5,7 @@ use crate::hub::Hub;
 use crate::lock;
 use crate::outbox::{Answer, Outbox};
 use crate::room;
-use behaviour::{Behaviour, Change, Id};
+use behaviour::{Behaviour, Change, Id, Room};
 use protocol::{LIBRARY, Person, Pointer, SaidNo};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -19,8 +19,8 @@ const ROOMS_MAX: usize = 1_024;
 /// What a room is told.
 #[derive(Debug)]
 pub(crate) enum Note {
-    /// Somebody comes in.
-    Join(Member, u32),
+    /// Somebody comes in, asking with this number; who enters the library hears their secret.
+    Join(Member, u32, Option<Id>),
     /// A link leaves.
     Leave(u64),
     /// A change is proposed.
@@ -46,18 +46,25 @@ pub(crate) struct Member {
 
 /// A behaviour as it is saved.
 #[derive(Clone, Debug)]
-pub(crate) struct Look {
+pub(crate) struct Look(pub(crate) Arc<Room>);
+
+impl Look {
     /// Its records.
-    pub(crate) behaviour: Arc<Behaviour>,
+    pub(crate) fn behaviour(&self) -> &Behaviour {
+        self.0.behaviour()
+    }
+
     /// Its revision.
-    pub(crate) revision: u64,
+    pub(crate) fn revision(&self) -> u64 {
+        self.0.revision()
+    }
 }
 
 impl Note {
     /// Answers who waits that it cannot be.
     pub(crate) fn refuse(self, no: SaidNo) {
         match self {
-            Self::Join(member, ask) => member.outbox.no(ask, no),
+            Self::Join(member, ask, _) => member.outbox.no(ask, no),
             Self::Propose(_, answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
             Self::Leave(_) | Self::Present(..) => {}
@@ -79,7 +86,7 @@ impl Hub {
             }
             let (mailbox, inbox) = mpsc::channel(MAILBOX_MAX_NOTES);
             open.insert(behaviour.clone(), mailbox);
-            self.tasks.spawn(room::run(Arc::clone(self), behaviour.clone(), inbox));
+            self.spawn(room::run(Arc::clone(self), behaviour.clone(), inbox));
         }
         let Some(mailbox) = open.get(behaviour) else { return };
         let sent = mailbox.try_send(note);

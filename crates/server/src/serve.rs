@@ -1,20 +1,25 @@
 //! Starting and ending the server, each step in its order.
 
 use crate::address::Told;
-use crate::checking::Checker;
 use crate::clients::Clients;
+use crate::connection::{self, Routed};
 use crate::create::first_library;
 use crate::health::{self, Health};
-use crate::hub::{Hub, SOCKETS_MAX, Shelf, bounded};
+use crate::hub::{HALF_OPEN_MAX, Hub, SOCKETS_MAX, Shelf, bounded};
 use crate::knowledge::Knowing;
+use crate::origin::Guard;
+use crate::outbox::AllWaiting;
 use crate::patience::patiently;
 use crate::pictures::Pictures;
+use crate::places::Places;
 use crate::programs::Programs;
 use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
+use crate::session::Weights;
 use crate::topics::{self, Topics};
-use crate::{accept, bin, routes};
+use crate::workers::Workers;
+use crate::{accept, bin, data_folder, routes};
 use behaviour::{Behaviour, Id};
 use std::fmt;
 use std::future::Future;
@@ -23,13 +28,15 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 use store::{Append, Store, StoreError};
-use tokio::net::TcpListener;
+use tokio::runtime::{Handle, Runtime};
 use tokio::sync::{Semaphore, watch};
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
 /// How long rooms may take to finish writing at the end.
 const WRITING_MS: u64 = 12_000;
+/// Threads that carry messages.
+const MESSAGE_THREADS: usize = 2;
 /// How long connections may take to end.
 const ENDING_MS: u64 = 3_000;
 
@@ -124,21 +131,51 @@ pub async fn serve_with(
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
     let listening = |error| ServeError::Listen(config.listen, error);
-    let listener = TcpListener::bind(config.listen).await.map_err(listening)?;
+    let listener = accept::listen(config.listen).map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
+    let _data = data_folder::take(&config)?;
     let hub = open(store, &config).await?;
-    let closing = CancellationToken::new();
-    let (router, connections) = (routes::routes(Arc::clone(&hub), address.port()), TaskTracker::new());
-    let accepting = tokio::spawn(accept::accept(listener, router, connections.clone(), closing.clone()));
+    let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
+    let guard = Guard::of(address.port());
+    let accepted = accept::start(listener, guard, hub.robots.clone(), closing.clone());
+    let (accepting, handed) = accepted.map_err(ServeError::Thread)?;
+    let messages = Messages::start().map_err(ServeError::Thread)?;
+    let router = routes::routes(Arc::clone(&hub), guard, messages.handle().clone());
+    let routed = Routed { router, on: hub.runtime.clone() };
+    messages.handle().spawn(connection::serve(handed, routed, connections.clone(), closing.clone()));
     topics::keep(&hub);
     health::keep(&hub);
-    bin::keep(&hub);
+    bin::keep(&hub, config.data.as_deref());
     tracing::info!(%address, epoch = hub.epoch, "the server is ready");
     ready(address);
     stop.await;
     end(&hub, &closing, &connections).await;
-    let _ = accepting.await;
+    drop(tokio::task::spawn_blocking(move || accepting.join()).await);
     Ok(())
+}
+
+/// The threads that carry messages, and nothing else: they read and write what moves between the clients and the rest.
+struct Messages(Option<Runtime>);
+
+impl Messages {
+    fn start() -> std::io::Result<Self> {
+        let mut threads = tokio::runtime::Builder::new_multi_thread();
+        threads.worker_threads(MESSAGE_THREADS).max_blocking_threads(1).thread_name("messages").enable_all();
+        Ok(Self(Some(threads.build()?)))
+    }
+
+    fn handle(&self) -> &Handle {
+        #[expect(clippy::expect_used, reason = "it is there until the end")]
+        self.0.as_ref().expect("the runtime is there").handle()
+    }
+}
+
+impl Drop for Messages {
+    fn drop(&mut self) {
+        if let Some(runtime) = self.0.take() {
+            runtime.shutdown_background();
+        }
+    }
 }
 
 fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
@@ -148,18 +185,26 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
 async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeError> {
     let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
-    let epoch = patiently(url, || Box::pin(bounded(store.next_epoch()))).await?;
+    let health = Health::good();
+    let epoch = match patiently(url, || Box::pin(bounded(store.next_epoch()))).await {
+        // Everything can be looked at and stopped; nothing can be saved, which everyone is told.
+        Err(full @ StoreError::Full) => {
+            health.failed(&full);
+            crate::now_ms()
+        }
+        epoch => epoch?,
+    };
     let shelf = patiently(url, || Box::pin(shelf(&*store, &library))).await?;
     let recordings = Recordings::within(config.data.as_deref());
     let robots = Robots::within(config.data.as_deref(), config.seed, recordings.clone()).map_err(ServeError::Thread)?;
     Ok(Arc::new(Hub {
         topics: Topics::of(&robots),
         store,
-        health: Health::good(),
+        health,
         robots,
         recordings,
         knowing: Arc::new(Knowing::default()),
-        checker: Checker::start().map_err(ServeError::Thread)?,
+        workers: Workers::start().map_err(ServeError::Thread)?,
         epoch,
         library,
         shelf: watch::Sender::new(Arc::new(shelf)),
@@ -168,8 +213,12 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeE
         programs: Programs::default(),
         pictures: Pictures::default(),
         creating: tokio::sync::Mutex::new(()),
+        half_open: Places::of(HALF_OPEN_MAX),
+        weights: Weights::default(),
+        waiting: AllWaiting::default(),
         sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),
         tasks: TaskTracker::new(),
+        runtime: Handle::current(),
         stopping: CancellationToken::new(),
     }))
 }
@@ -190,7 +239,7 @@ async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, StoreError> {
 /// The robots first, then writing, then the connections.
 async fn end(hub: &Arc<Hub>, closing: &CancellationToken, connections: &TaskTracker) {
     tracing::info!("the server ends: the robots stop first");
-    crate::start::stop(hub, None, None, "the server's end");
+    hub.robots.stop_now(None, None, "the server's end");
     let robots = hub.robots.clone();
     if let Err(error) = tokio::task::spawn_blocking(move || robots.shut_down()).await {
         tracing::error!(%error, "the robots did not end in order");

@@ -1,11 +1,14 @@
-//! One socket: a task that reads and a task that writes, until one of them ends.
+//! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
+//! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
 
 mod bucket;
 mod hear;
+mod inbox;
 mod requests;
 mod values;
 mod writer;
 
+use crate::clients::Entered;
 use crate::cut::Why;
 use crate::hub::Hub;
 use crate::outbox::Outbox;
@@ -15,61 +18,58 @@ use bucket::Bucket;
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
 use hear::{Heard, hear};
-use protocol::{Ask, PING_MS, Person, Request, SaidNo, VERSION};
+use inbox::{Asked, Inbox, inbox};
+pub(crate) use inbox::{Weight, Weights};
+use protocol::{Ask, Person, Reply, Request, SaidNo, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
-use tokio::sync::Semaphore;
+use tokio::sync::{Semaphore, mpsc};
 
 /// How long the greeting may take.
-const GREETING_MS: u64 = 10_000;
-/// How long a client may be silent: two pings unanswered, and a little.
-const SILENT_MS: u64 = 2 * PING_MS + 2_000;
+const GREETING_MS: u64 = 2_000;
+/// How long a client may be silent, though it is pinged all the while.
+const SILENT_MS: u64 = 12_000;
 /// Requests of one client that may be under way.
 const UNDER_WAY_MAX: usize = 8;
-
-/// The reading side of one client.
-struct Session {
-    hub: Arc<Hub>,
-    outbox: Outbox,
-    me: Person,
-    /// The behaviour that is open.
-    open: Option<behaviour::Id>,
-    bucket: Bucket,
-    under_way: Arc<Semaphore>,
-}
 
 /// Serves one socket.
 pub(crate) async fn run(hub: Arc<Hub>, socket: WebSocket) {
     let (sink, mut stream) = socket.split();
-    let (outbox, inbox) = Outbox::new(hub.clients.number());
-    let writing = hub.tasks.spawn(writer::write(Arc::clone(&hub), sink, inbox, outbox.cut.clone()));
+    let (outbox, told, waiting) = Outbox::new(hub.clients.number(), hub.waiting.clone());
+    let writing =
+        hub.tasks.spawn(writer::write(Arc::clone(&hub), outbox.session, sink, told, waiting, outbox.cut.clone()));
     let greeted = tokio::select! {
         () = hub.stopping.cancelled() => Err(Why::Restart),
-        greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(&hub, &outbox, &mut stream)) => {
-            greeted.unwrap_or(Err(Why::Unwelcome))
-        }
+        greeted = half_open(&hub, &outbox, &mut stream) => greeted,
     };
     match greeted {
-        Ok((me, ask)) => Session::new(hub, outbox, me).serve(ask, &mut stream).await,
+        Ok((entered, ask)) => serve(hub, outbox, entered, ask, &mut stream).await,
         Err(why) => outbox.cut.with(why),
     }
     let _ = writing.await;
 }
 
+/// Waits for the greeting in one of few places, whose oldest gives way.
+async fn half_open(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Entered, u32), Why> {
+    let place = hub.half_open.take();
+    let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(hub, outbox, stream));
+    place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(Why::Unwelcome))
+}
+
 /// The greeting comes first and in our version.
-async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Person, u32), Why> {
+async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Entered, u32), Why> {
     let Ask { ask, request } = match hear(stream.next().await) {
         Heard::Ask(ask) => *ask,
         Heard::Nonsense(ask, reason) => {
-            outbox.say(ask, protocol::Reply::No { no: SaidNo::Unreadable(reason) });
+            outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) });
             return Err(Why::Unwelcome);
         }
-        Heard::Nothing => return Err(Why::Unwelcome),
+        Heard::Nothing | Heard::Large(_) => return Err(Why::Unwelcome),
         Heard::End(why) => return Err(why),
     };
     match request {
-        Request::Hello { version: VERSION, client, name } => {
-            Ok((hub.clients.enter(client, &name, outbox.session, outbox.cut.clone()), ask))
+        Request::Hello { version: VERSION, name, again } => {
+            Ok((hub.clients.enter(again.as_ref(), &name, outbox.session, outbox.cut.clone()), ask))
         }
         Request::Hello { .. } => {
             outbox.no(ask, SaidNo::Version(VERSION));
@@ -82,27 +82,34 @@ async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) 
     }
 }
 
-impl Session {
-    fn new(hub: Arc<Hub>, outbox: Outbox, me: Person) -> Self {
-        let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
-        Self { hub, outbox, me, open: None, bucket: Bucket::full(), under_way }
-    }
+/// Reads until the link ends, while another task does what is asked.
+async fn serve(hub: Arc<Hub>, outbox: Outbox, entered: Entered, ask: u32, stream: &mut SplitStream<WebSocket>) {
+    let Entered { person: me, secret } = entered;
+    tracing::info!(name = me.name, session = outbox.session, "somebody comes");
+    hub.tell(&hub.library, Note::Join(Member { person: me.clone(), outbox: outbox.clone() }, ask, Some(secret)));
+    let (asking, asked) = inbox();
+    let session = Session::new(Arc::clone(&hub), outbox.clone(), me.clone());
+    let working = hub.spawn(session.work(asked));
+    let mut reader = Reader { hub: &hub, outbox: &outbox, by: &me.name, bucket: Bucket::full(), asking };
+    let why = reader.read(stream).await;
+    drop(reader);
+    outbox.cut.with(why);
+    let _ = working.await;
+    hub.tell_open(&hub.library, Note::Leave(outbox.session));
+    hub.clients.leave(&me.client, outbox.session);
+    tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+}
 
-    fn member(&self) -> Member {
-        Member { person: self.me.clone(), outbox: self.outbox.clone() }
-    }
+/// Hears one client.
+struct Reader<'a> {
+    hub: &'a Hub,
+    outbox: &'a Outbox,
+    by: &'a str,
+    bucket: Bucket,
+    asking: Inbox,
+}
 
-    async fn serve(mut self, ask: u32, stream: &mut SplitStream<WebSocket>) {
-        tracing::info!(name = self.me.name, session = self.outbox.session, "somebody comes");
-        self.hub.tell(&self.hub.library, Note::Join(self.member(), ask));
-        let why = self.read(stream).await;
-        self.outbox.cut.with(why);
-        self.leave_open();
-        self.hub.tell_open(&self.hub.library, Note::Leave(self.outbox.session));
-        self.hub.clients.leave(&self.me.client, self.outbox.session);
-        tracing::info!(name = self.me.name, session = self.outbox.session, ?why, "somebody goes");
-    }
-
+impl Reader<'_> {
     async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> Why {
         let (stopping, cut) = (self.hub.stopping.clone(), self.outbox.cut.clone());
         loop {
@@ -115,23 +122,70 @@ impl Session {
             let Ok(message) = message else { return Why::Left };
             match hear(message) {
                 Heard::Ask(ask) => self.hear(*ask),
-                Heard::Nonsense(ask, reason) => {
-                    self.outbox.say(ask, protocol::Reply::No { no: SaidNo::Unreadable(reason) });
-                }
+                Heard::Large(text) if self.bucket.take() => self.large(text),
+                Heard::Large(_) => self.too_fast(None),
+                Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
                 Heard::Nothing => {}
                 Heard::End(why) => return why,
             }
         }
     }
 
-    /// Stop always gets through; anything else has to keep to its share.
-    fn hear(&mut self, ask: Ask) {
-        let free = matches!(ask.request, Request::Stop { .. });
-        if free || self.bucket.take() {
-            self.request(ask.ask, ask.request);
-        } else if !matches!(ask.request, Request::Present { .. } | Request::Scene { .. }) {
-            self.outbox.no(ask.ask, SaidNo::TooFast);
+    /// Stop always gets through, before all that waits; anything else has to keep to its share.
+    fn hear(&mut self, Ask { ask, request }: Ask) {
+        if let Request::Stop { behaviour, robot } = request {
+            self.hub.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
+            self.outbox.say(Some(ask), Reply::Done);
+            return tracing::info!(by = self.by, "Stop");
         }
+        let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. });
+        if (!self.bucket.take() || !self.asking.ask(Ask { ask, request })) && matters {
+            self.too_fast(Some(ask));
+        }
+    }
+
+    fn large(&mut self, text: axum::extract::ws::Utf8Bytes) {
+        if !self.asking.large(text, &self.hub.weights) {
+            self.too_fast(None);
+        }
+    }
+
+    fn too_fast(&self, ask: Option<u32>) {
+        self.outbox.say(ask, Reply::No { no: SaidNo::TooFast });
+    }
+}
+
+/// Does what one client asks.
+struct Session {
+    hub: Arc<Hub>,
+    outbox: Outbox,
+    me: Person,
+    /// The behaviour that is open.
+    open: Option<behaviour::Id>,
+    under_way: Arc<Semaphore>,
+    /// The room that the request at hand takes, if it is a large one.
+    weight: Option<Weight>,
+}
+
+impl Session {
+    fn new(hub: Arc<Hub>, outbox: Outbox, me: Person) -> Self {
+        let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
+        Self { hub, outbox, me, open: None, under_way, weight: None }
+    }
+
+    fn member(&self) -> Member {
+        Member { person: self.me.clone(), outbox: self.outbox.clone() }
+    }
+
+    /// One request after the other, until the link ended and all are done.
+    async fn work(mut self, mut asked: mpsc::Receiver<Asked>) {
+        while let Some(asked) = asked.recv().await {
+            match asked {
+                Asked::Small(ask) => self.request(ask.ask, ask.request),
+                Asked::Large(text, weight) => self.large(text, weight).await,
+            }
+        }
+        self.leave_open();
     }
 
     fn leave_open(&mut self) {

@@ -1,22 +1,14 @@
 //! Small files that are there whole or not at all.
 
-use std::fs::File;
-use std::io::{Error, ErrorKind, Write};
+use std::io::{Error, ErrorKind};
 use std::path::Path;
 
-/// Puts a file in the place of the old one, once the new one is safe on the disk.
+/// Puts a file in the place of the old one, once the new one is safe on the disk. Only its user may read it.
 ///
 /// # Errors
 /// If it could not be written; then the old one is as it was.
 pub(crate) fn put(path: &Path, text: &str) -> std::io::Result<()> {
-    if let Some(folder) = path.parent() {
-        std::fs::create_dir_all(folder)?;
-    }
-    let fresh = path.with_extension("new");
-    let mut file = File::create(&fresh)?;
-    file.write_all(text.as_bytes())?;
-    file.sync_all()?;
-    std::fs::rename(fresh, path)
+    store::disk::put(path, text.as_bytes())
 }
 
 /// What a JSON file says, if it is there. One that cannot be read is kept beside it under another name.
@@ -32,7 +24,7 @@ pub(crate) fn read<T: serde::de::DeserializeOwned>(path: &Path) -> Option<T> {
 
 fn set_aside(path: &Path, error: &Error) {
     let aside = path.with_extension("unreadable");
-    let kept = std::fs::rename(path, &aside);
+    let kept = store::disk::rename(path, &aside);
     tracing::warn!(path = %path.display(), aside = %aside.display(), ?kept, %error, "a file could not be read; it begins anew");
 }
 

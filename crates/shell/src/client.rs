@@ -7,7 +7,7 @@ pub use mirror::Mirror;
 
 use crate::client::link::{Line, Link};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
-use protocol::{ListQuery, Person, Reply, Request, RobotState, SaidNo, Summary, VERSION};
+use protocol::{Credential, ListQuery, Person, Reply, Request, RobotState, SaidNo, Summary, VERSION};
 use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::Arc;
@@ -59,6 +59,7 @@ pub struct Client {
 struct Welcome {
     epoch: u64,
     you: Person,
+    secret: Id,
 }
 
 impl Client {
@@ -67,25 +68,31 @@ impl Client {
     /// # Errors
     /// If there is no server, or it refuses the greeting.
     pub async fn connect(url: &str, name: &str) -> Result<Self, Trouble> {
-        let client = Id::new(&format!("shell-{}", unique())).map_err(Trouble::Link)?;
-        Self::connect_as(url, client, name).await
+        Self::connect_again(url, None, name).await
     }
 
-    /// The same under a client id of one's own; a newer link of the same id replaces an older one.
+    /// The same as who one was on an earlier link, which this one replaces: see [`Client::credential`].
     ///
     /// # Errors
     /// If there is no server, or it refuses the greeting.
-    pub async fn connect_as(url: &str, client: Id, name: &str) -> Result<Self, Trouble> {
+    pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, Trouble> {
         let (link, lines, told) = link::open(url).await?;
-        let nobody = Person { client: client.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
-        let welcome = Welcome { epoch: 0, you: nobody };
+        let nobody = Id::new("nobody").map_err(Trouble::Link)?;
+        let you = Person { client: nobody.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
+        let welcome = Welcome { epoch: 0, you, secret: nobody };
         let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome };
-        let hello = Request::Hello { version: VERSION, client, name: name.to_owned() };
+        let hello = Request::Hello { version: VERSION, name: name.to_owned(), again };
         match this.ask(hello).await? {
-            Reply::Welcome { epoch, you, .. } => this.welcome = Welcome { epoch, you },
+            Reply::Welcome { epoch, you, secret, .. } => this.welcome = Welcome { epoch, you, secret },
             other => return Err(Trouble::Link(format!("The server greets in a strange way: {other:?}"))),
         }
         Ok(this)
+    }
+
+    /// What proves to the server on a later link that it is this client.
+    #[must_use]
+    pub fn credential(&self) -> Credential {
+        Credential { client: self.welcome.you.client.clone(), secret: self.welcome.secret.clone() }
     }
 
     /// Who this client is to others.

@@ -17,11 +17,11 @@ impl SimulatedNao {
                 self.engage(user, (*target, *mode, *effector), value);
                 Ok(())
             }
-            Act::SayInput => self.speech.say(&words(value)?, self.now),
-            Act::SayText(text) => self.speech.say(text, self.now),
+            Act::SayInput => self.speech.say(&words(value)?, user, self.now),
+            Act::SayText(text) => self.speech.say(text, user, self.now),
             Act::EyeColor(setting) => color(setting, value).map(|color| self.eyes.color = color),
             Act::EyeBrightness => number(value).map(|part| self.eyes.brightness = part.clamp(0.0, 1.0) as f32),
-            Act::Joint { motor, speed } => self.move_joint(*motor, *speed, value),
+            Act::Joint { motor, speed } => self.move_joint(user, *motor, *speed, value),
             Act::RememberFace => self.remember_face(),
             Act::Print => {
                 self.print(value);
@@ -30,9 +30,10 @@ impl SimulatedNao {
         }
     }
 
-    fn move_joint(&mut self, motor: usize, speed: f32, value: &Value) -> Result<(), String> {
+    fn move_joint(&mut self, user: &Use, motor: usize, speed: f32, value: &Value) -> Result<(), String> {
         let angle = number(value)?;
         self.take_joint(motor);
+        self.movers.take([motor], user);
         self.servo.aim(motor, angle.clamp(-100.0, 100.0) as f32, speed);
         Ok(())
     }

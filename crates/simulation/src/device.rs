@@ -39,7 +39,10 @@ pub(crate) enum Sense {
     Ball(Arc<str>),
     Face,
     /// Any part of the head: the hand in the room covers all three fields.
-    Touch,
+    Touch {
+        /// Whether it also tells when the hand leaves.
+        release: bool,
+    },
     Joint(usize),
     /// Every so many microseconds.
     Tick(u64),
@@ -86,7 +89,7 @@ fn sense(name: &str, params: &Params) -> Option<Sense> {
         "RedBall" => Sense::Ball(Arc::from("red")),
         "Blob" => Sense::Ball(text(params, "color")?),
         "FaceDetection" => Sense::Face,
-        "HeadTouch" => Sense::Touch,
+        "HeadTouch" => Sense::Touch { release: &*text(params, "release")? == "yes" },
         "JointPosition" => Sense::Joint(joint(params)?),
         "Tick" => Sense::Tick((params.get("period_ms")?.as_number()? * 1_000.0).max(10_000.0) as u64),
         _ => return None,

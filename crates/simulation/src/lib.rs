@@ -16,6 +16,7 @@ mod hash;
 mod looking;
 mod math;
 mod model;
+mod movers;
 mod nao;
 mod noise;
 mod parts;

@@ -6,6 +6,7 @@ use crate::eyes::Eyes;
 use crate::follow::{Follow, Point};
 use crate::hash::Digest;
 use crate::model::{Model, motor};
+use crate::movers::Movers;
 use crate::noise::{Noise, Random};
 use crate::senses::Senses;
 use crate::servo::Servo;
@@ -25,6 +26,7 @@ pub struct SimulatedNao {
     pub(crate) model: &'static Model,
     pub(crate) now: u64,
     pub(crate) servo: Servo,
+    pub(crate) movers: Movers,
     pub(crate) base: Base,
     pub(crate) body: Body,
     pub(crate) world: World,
@@ -54,6 +56,7 @@ impl SimulatedNao {
             model,
             now: 0,
             servo: Servo::new(model),
+            movers: Movers::default(),
             base: Base::default(),
             body,
             world,
@@ -129,6 +132,7 @@ impl SimulatedNao {
         for numbers in [&self.base.at[..], &self.base.speed, &self.base.wanted] {
             digest.floats(numbers);
         }
+        self.movers.digest(digest);
         digest.truth(self.follow.is_some());
         if let Some(follow) = &self.follow {
             follow.digest(digest);

@@ -40,6 +40,7 @@ impl Robot for SimulatedNao {
         self.senses.close(user);
         if self.acts.remove(user).is_some() {
             self.release(user);
+            self.speech.end(user, self.now);
         }
     }
 

@@ -92,7 +92,7 @@ fn beat(sense: &Sense) -> Option<(u64, u64)> {
         Sense::Face => Some((1_000_000, 10)),
         Sense::Joint(_) => Some((1_000_000, 20)),
         Sense::Tick(micros) => Some((*micros, 1)),
-        Sense::Touch => None,
+        Sense::Touch { .. } => None,
     }
 }
 
@@ -112,7 +112,8 @@ impl SimulatedNao {
 
     fn read_touch(&mut self, readings: &mut Vec<Reading>) {
         let Some(down) = self.senses.touches.pop_front() else { return };
-        let feeling = self.senses.open.iter().filter(|(_, open)| open.sense == Sense::Touch);
+        let feels = |sense: &Sense| matches!(sense, Sense::Touch { release } if down || *release);
+        let feeling = self.senses.open.iter().filter(|(_, open)| feels(&open.sense));
         readings.extend(feeling.map(|(user, _)| Reading {
             to: user.clone(),
             at: Millis(self.now),
@@ -127,7 +128,7 @@ impl SimulatedNao {
             Sense::Face => self.face(),
             Sense::Joint(motor) => Some(Value::Float(f64::from(self.servo.now[*motor]))),
             Sense::Tick(_) => Some(Value::Int(count.cast_signed())),
-            Sense::Touch => None,
+            Sense::Touch { .. } => None,
         }
     }
 

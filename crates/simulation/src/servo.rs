@@ -47,6 +47,7 @@ impl Servo {
     /// Stops one motor where it is.
     pub(crate) fn hold_one(&mut self, motor: usize) {
         self.target[motor] = self.now[motor];
+        self.reference[motor] = self.now[motor];
     }
 
     /// One step of the limiter and of the lag.

@@ -1,7 +1,8 @@
 //! Speaking: a short queue, and a log of what was said.
 
+use crate::follow::digest_use;
 use crate::hash::Digest;
-use robot::Millis;
+use robot::{Millis, Use};
 use std::collections::VecDeque;
 
 /// Most texts that wait.
@@ -34,13 +35,22 @@ pub struct Spoken {
 #[derive(Default)]
 pub(crate) struct Speech {
     ends: Option<u64>,
-    waiting: VecDeque<String>,
+    /// Who wants what is being said.
+    users: Vec<Use>,
+    waiting: VecDeque<Wish>,
     log: Vec<Spoken>,
+}
+
+/// A text that waits.
+struct Wish {
+    text: String,
+    /// Who wants it said.
+    users: Vec<Use>,
 }
 
 impl Speech {
     /// Says a text, or queues it. The same text again, while it is said or last in the queue, is not said twice.
-    pub(crate) fn say(&mut self, text: &str, now: u64) -> Result<(), String> {
+    pub(crate) fn say(&mut self, text: &str, user: &Use, now: u64) -> Result<(), String> {
         let text = text.trim();
         if text.is_empty() {
             return Err("there is nothing to say".to_owned());
@@ -48,15 +58,39 @@ impl Speech {
         if text.chars().count() > TEXT_MAX_CHARS {
             return Err(format!("a text to say may have {TEXT_MAX_CHARS} characters"));
         }
-        if text == self.saying() || self.waiting.back().is_some_and(|last| last == text) {
+        if let Some(users) = self.users_of(text) {
+            if !users.contains(user) {
+                users.push(user.clone());
+            }
             return Ok(());
         }
         if self.waiting.len() >= QUEUE_MAX {
             return Err(format!("{QUEUE_MAX} texts already wait to be said, so this one is left out"));
         }
-        self.waiting.push_back(text.to_owned());
+        self.waiting.push_back(Wish { text: text.to_owned(), users: vec![user.clone()] });
         self.step(now);
         Ok(())
+    }
+
+    /// Who wants this text, if it is being said or the last one that waits.
+    fn users_of(&mut self, text: &str) -> Option<&mut Vec<Use>> {
+        if text == self.saying() {
+            return Some(&mut self.users);
+        }
+        self.waiting.back_mut().filter(|last| last.text == text).map(|last| &mut last.users)
+    }
+
+    /// A use ends: what nobody else wants is not said, and cut if it is being said.
+    pub(crate) fn end(&mut self, user: &Use, now: u64) {
+        for wish in &mut self.waiting {
+            wish.users.retain(|other| other != user);
+        }
+        self.waiting.retain(|wish| !wish.users.is_empty());
+        let before = self.users.len();
+        self.users.retain(|other| other != user);
+        if self.ends.is_some() && self.users.is_empty() && before > 0 {
+            self.finish(now, true);
+        }
     }
 
     /// What is being said, or an empty text.
@@ -78,9 +112,9 @@ impl Speech {
             self.finish(now, false);
         }
         if self.ends.is_none()
-            && let Some(text) = self.waiting.pop_front()
+            && let Some(wish) = self.waiting.pop_front()
         {
-            self.begin(text, now);
+            self.begin(wish, now);
         }
     }
 
@@ -92,7 +126,9 @@ impl Speech {
         }
     }
 
-    fn begin(&mut self, text: String, now: u64) {
+    fn begin(&mut self, wish: Wish, now: u64) {
+        let Wish { text, users } = wish;
+        self.users = users;
         self.ends = Some(now + duration_ms(&text));
         if self.log.len() >= LOG_MAX {
             self.log.remove(0);
@@ -102,6 +138,7 @@ impl Speech {
 
     fn finish(&mut self, now: u64, cut: bool) {
         self.ends = None;
+        self.users.clear();
         if let Some(last) = self.log.last_mut() {
             (last.until, last.cut) = (Some(Millis(now)), cut);
         }
@@ -111,7 +148,11 @@ impl Speech {
     pub(crate) fn digest(&self, digest: &mut Digest) {
         digest.whole(self.ends.unwrap_or_default());
         digest.count(self.waiting.len());
-        self.waiting.iter().for_each(|text| digest.text(text));
+        self.users.iter().for_each(|user| digest_use(user, digest));
+        for wish in &self.waiting {
+            digest.text(&wish.text);
+            wish.users.iter().for_each(|user| digest_use(user, digest));
+        }
         digest.count(self.log.len());
         for spoken in &self.log {
             digest.text(&spoken.text);
@@ -131,12 +172,18 @@ fn duration_ms(text: &str) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::Speech;
+    use behaviour::Id;
+    use robot::Use;
+
+    fn user(stream: &str) -> Use {
+        Use { run: 1, stream: Id::new(stream).expect("a short id") }
+    }
 
     #[test]
     fn the_same_words_thirty_times_a_second_are_said_one_after_the_other_without_piling_up() {
         let mut speech = Speech::default();
         for now in (0..1_000).step_by(30) {
-            speech.say("red", now).expect("present");
+            speech.say("red", &user("a"), now).expect("present");
             speech.step(now);
         }
         assert_eq!(speech.log().len(), 3);
@@ -147,12 +194,12 @@ mod tests {
     fn the_ninth_waiting_text_is_refused_and_stop_is_silence() {
         let mut speech = Speech::default();
         for text in 0..9 {
-            speech.say(&text.to_string(), 0).expect("present");
+            speech.say(&text.to_string(), &user("a"), 0).expect("present");
         }
-        assert!(speech.say("one more", 0).is_err());
+        assert!(speech.say("one more", &user("a"), 0).is_err());
         speech.stop(10);
         speech.step(20);
         assert_eq!((speech.saying(), speech.log().len(), speech.log()[0].cut), ("", 1, true));
-        assert!(speech.say(" ", 20).is_err());
+        assert!(speech.say(" ", &user("a"), 20).is_err());
     }
 }

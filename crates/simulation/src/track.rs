@@ -62,12 +62,15 @@ impl SimulatedNao {
         self.points.push(Point { user: user.clone(), target, wish, side: None, until, pictures });
     }
 
-    /// Ends whatever a stream follows.
+    /// Ends whatever a stream follows and moves: its joints hold where they are.
     pub(crate) fn release(&mut self, user: &Use) {
         if self.follow.as_ref().is_some_and(|follow| follow.user == *user) {
             self.release_head();
         }
-        self.release_arms(user);
+        self.points.retain(|point| point.user != *user);
+        for motor in self.movers.end(user) {
+            self.servo.hold_one(motor);
+        }
     }
 
     fn release_arms(&mut self, user: &Use) {
@@ -86,8 +89,9 @@ impl SimulatedNao {
     fn release_points(&mut self, ends: impl Fn(&Point) -> bool) {
         let (ended, kept): (Vec<_>, Vec<_>) = self.points.drain(..).partition(ends);
         self.points = kept;
-        for side in ended.iter().filter_map(|point| point.side) {
+        for (side, user) in ended.iter().filter_map(|point| Some((point.side?, &point.user))) {
             put_back(&mut self.servo, side, &self.model.stand);
+            self.movers.take(arm_motors(side), user);
         }
     }
 
@@ -124,6 +128,7 @@ impl SimulatedNao {
 
     /// The head goes where it was plus what the picture says, which needs no model of the delay in between.
     fn head_to(&mut self, follow: &mut Follow, seen: Sighting, place: Vector) {
+        self.movers.take([HEAD_YAW, HEAD_PITCH], &follow.user);
         self.servo.aim(HEAD_YAW, self.servo.now[HEAD_YAW] + seen.x, HEAD_SPEED);
         self.servo.aim(HEAD_PITCH, self.servo.now[HEAD_PITCH] + seen.y, HEAD_SPEED);
         let aside = libm::atan2f(place.y, place.x);
@@ -157,7 +162,9 @@ impl SimulatedNao {
             let side = pointing.wish.unwrap_or_else(|| nearest(place));
             if let Some(other) = pointing.side.filter(|other| *other != side) {
                 put_back(&mut self.servo, other, &self.model.stand);
+                self.movers.take(arm_motors(other), &pointing.user);
             }
+            self.movers.take(arm_motors(side), &pointing.user);
             pointing.side = Some(side);
             point(&mut self.servo, side, place);
         }

@@ -1,14 +1,18 @@
 //! A whole store as one file of JSON lines, back again, and from one store into another: every behaviour with its
-//! whole history, the bin and the library.
+//! whole history, the bin and the library; and in the file the robots that are kept beside the store.
 
 mod copy;
 mod lines;
 mod restore;
+mod robots;
 #[cfg(test)]
 mod tests;
+mod unfinished;
 
 pub use copy::{Difference, compare, migrate};
-pub use restore::{restore, verify};
+pub use restore::{Backup, read, restore, verify};
+pub use robots::Robot;
+pub use unfinished::{Unfinished, check_finished};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
 use behaviour::Id;
@@ -62,13 +66,15 @@ pub(crate) struct Shelf {
 /// Tells how far it is: what is done, of how many behaviours.
 pub type Progress<'p> = &'p (dyn Fn(Counted, u64) + Send + Sync);
 
-/// Writes a whole store, line by line through `put`. `epoch` is the store's own; see [`Store::next_epoch`].
+/// Writes a whole store and the robots beside it, line by line through `put`. `epoch` is the store's own; see
+/// [`Store::next_epoch`].
 ///
 /// # Errors
 /// What the store or `put` fails with.
 pub async fn backup<F, W>(
     store: &dyn Store,
     epoch: u64,
+    robots: &[Robot],
     mut put: F,
     progress: Progress<'_>,
 ) -> Result<Counted, BackupError>
@@ -78,6 +84,9 @@ where
 {
     let (shelves, mut sum, mut done) = (shelves(store).await?, Sum::default(), Counted::default());
     put(sum.line(&Line::Start { format: BACKUP_FORMAT.to_owned(), epoch })).await?;
+    for robot in robots {
+        put(sum.line(&Line::Robot(robot.clone()))).await?;
+    }
     for shelf in &shelves {
         put(sum.line(&Line::of(shelf))).await?;
         let mut since = 0;

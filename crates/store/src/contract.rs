@@ -42,5 +42,11 @@ async fn epochs_grow(store: &dyn Store) {
         assert!(next > last, "epoch {next} does not follow {last}");
         last = next;
     }
+    for least in [1, last + 1_000] {
+        store.raise_epoch(least).await.expect("an answer");
+        let next = store.next_epoch().await.expect("an epoch");
+        assert_eq!(next, last.max(least) + 1, "the next epoch after {last} and at least {least}");
+        last = next;
+    }
     store.healthy().await.expect("a new store is healthy");
 }

@@ -9,6 +9,13 @@ pub enum StoreError {
     /// Another server uses the data directory.
     #[error("Another rrp server already uses {}. Stop it, or start this one with another data directory.", .0.display())]
     Busy(PathBuf),
+    /// A restore into this folder did not come to its end.
+    #[error(
+        "A restore into {} did not come to its end, so it holds only a part. Do the same rrp restore again to finish \
+         it, or choose an empty folder.",
+        .0.display()
+    )]
+    HalfRestored(PathBuf),
     /// The disk is full; nothing was saved, everything can still be read.
     #[error("The disk is full. Nothing was lost; free some space and try again.")]
     Full,
@@ -47,6 +54,7 @@ impl StoreError {
         match self {
             Self::Timeout | Self::Unavailable(_) => true,
             Self::Busy(_)
+            | Self::HalfRestored(_)
             | Self::Full
             | Self::Damaged(_)
             | Self::Newer { .. }

@@ -21,13 +21,13 @@ pub use json::write::write_json;
 pub use svg::write_svg;
 pub use xml::write::write_xml;
 
-use behaviour::BehaviourFile;
+use behaviour::{BEHAVIOUR_MAX_BYTES, BehaviourFile, LIBRARY_MAX_BYTES};
 use place::Lines;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// The largest file that is read, in bytes.
-pub const FILE_MAX_BYTES: usize = 2 << 20;
+/// The largest file that is read, in bytes: a behaviour within the rules and the whole library fit.
+pub const FILE_MAX_BYTES: usize = BEHAVIOUR_MAX_BYTES + LIBRARY_MAX_BYTES;
 /// The longest body, note or other text in a file, in bytes.
 pub const TEXT_MAX_BYTES: usize = 64 << 10;
 
@@ -55,7 +55,7 @@ impl std::error::Error for FileFault {}
 pub struct Looked {
     /// The behaviour, if its form is right.
     pub file: Option<BehaviourFile>,
-    /// What is wrong with its form, from top to bottom.
+    /// What is wrong with its form, from top to bottom; of very many faults only the first.
     pub faults: Vec<FileFault>,
     /// Line and column of each stream, connector and note by id, and of each helper by name.
     pub places: BTreeMap<String, (u32, u32)>,

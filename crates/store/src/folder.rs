@@ -6,13 +6,12 @@ mod log;
 mod tests;
 
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Used, door,
-    json,
+    Append, Contested, Driver, FolderLock, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError,
+    Used, json, lock_folder,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
 use log::{Line, Logs};
-use std::fs::File;
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -20,7 +19,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 pub struct FolderStore {
     kept: MemoryStore,
     writing: Arc<Mutex<Logs>>,
-    _lock: File,
+    _lock: FolderLock,
 }
 
 impl FolderStore {
@@ -36,7 +35,7 @@ impl FolderStore {
     }
 
     fn open_now(folder: &Path) -> Result<Self, StoreError> {
-        let lock = door::lock(folder)?;
+        let lock = lock_folder(folder)?;
         let kept = MemoryStore::new();
         let logs = Logs::open(folder, |behaviour, line| take(&kept, behaviour, line))?;
         Ok(Self { kept, writing: Arc::new(Mutex::new(logs)), _lock: lock })
@@ -160,6 +159,17 @@ impl Store for FolderStore {
             logs.set_epoch(next)?;
             kept.set_epoch(next);
             Ok(next)
+        })
+        .await
+    }
+
+    async fn raise_epoch(&self, least: u64) -> Result<(), StoreError> {
+        self.write(move |kept, logs| {
+            if kept.epoch() < least {
+                logs.set_epoch(least)?;
+                kept.set_epoch(least);
+            }
+            Ok(())
         })
         .await
     }

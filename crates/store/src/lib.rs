@@ -9,6 +9,7 @@
 pub mod backup;
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
+pub mod disk;
 mod door;
 mod error;
 pub mod files;
@@ -23,11 +24,12 @@ mod sqlite;
 mod usage;
 
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
+pub use door::{FolderLock, lock_folder};
 pub use error::StoreError;
 pub use folder::FolderStore;
 pub use memory::MemoryStore;
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
-pub use open::{folder_of, open_url};
+pub use open::{folder_of, is_same_folder, open_url};
 pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
 
@@ -90,6 +92,9 @@ pub trait Store: Send + Sync {
 
     /// The next number of a server start. Grows by one at each call and is durable when it answers.
     async fn next_epoch(&self) -> Result<u64, StoreError>;
+
+    /// The number of the last server start is at least this from now on; durable when it answers.
+    async fn raise_epoch(&self, least: u64) -> Result<(), StoreError>;
 
     /// Whether the store answers; cheap enough to be asked every second.
     async fn reachable(&self) -> Result<(), StoreError> {

@@ -160,6 +160,12 @@ impl Store for MemoryStore {
         Ok(self.kept().similar(behaviour, most))
     }
 
+    async fn raise_epoch(&self, least: u64) -> Result<(), StoreError> {
+        let mut kept = self.kept();
+        kept.epoch = kept.epoch.max(least);
+        Ok(())
+    }
+
     async fn next_epoch(&self) -> Result<u64, StoreError> {
         let mut kept = self.kept();
         kept.epoch += 1;

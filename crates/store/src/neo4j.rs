@@ -123,6 +123,10 @@ impl Store for Neo4jStore {
         bin::next_epoch(&self.link).await
     }
 
+    async fn raise_epoch(&self, least: u64) -> Result<(), StoreError> {
+        bin::raise_epoch(&self.link, least).await
+    }
+
     async fn reachable(&self) -> Result<(), StoreError> {
         bin::look(&self.link).await
     }

@@ -12,25 +12,41 @@ mod tests;
 mod write;
 mod writer;
 
-use crate::{Append, Contested, Driver, Listing, Loaded, Query, Similar, Store, StoreError, Used};
+use crate::{
+    Append, Contested, Driver, FolderLock, Listing, Loaded, Query, Similar, Store, StoreError, Used, disk, lock_folder,
+};
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
 use fault::Fault;
 use readers::Readers;
+use rusqlite::Connection;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 use write::Ready;
 use writer::Writer;
 
+/// Room for the pages around a change, in bytes; while the disk is full, less room than that is none.
+const ROOM_MIN_BYTES: usize = 1 << 20;
+/// How many times its own size a change takes on the disk, in the log and in the database, at most.
+const ROOM_TIMES: usize = 8;
+
 /// Keeps behaviours in a data directory. Dropping it waits for the write under way and frees the directory.
+///
+/// On a full disk it opens for reading alone: what would be saved is refused with [`StoreError::Full`], and
+/// [`Store::healthy`] lets it save again as soon as there is room.
 pub struct SqliteStore {
     file: PathBuf,
     // Dropped before the writer, which then is the last to close the database and folds its log into it.
     readers: Arc<Readers>,
-    writer: Writer,
+    /// None while the disk has been full since the start.
+    writer: Arc<OnceLock<Writer>>,
+    /// How much room there must be until the disk is not full any more, in bytes; 0 while nothing was refused.
+    wants_bytes: AtomicUsize,
+    lock: Arc<FolderLock>,
 }
 
-/// Opens the data directory, making it if need be.
+/// Opens the data directory, making it if need be; for reading alone if the disk is full.
 ///
 /// # Errors
 /// [`StoreError::Busy`] if another server uses it, [`StoreError::Damaged`] or [`StoreError::Newer`] if its database
@@ -42,13 +58,82 @@ pub async fn open(data_dir: &Path) -> Result<SqliteStore, StoreError> {
 }
 
 fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
-    let lock = crate::door::lock(data_dir)?;
+    let lock = Arc::new(lock_folder(data_dir)?);
     let file = door::database(data_dir);
     let told = |fault: Fault| fault.told(&file);
-    let at = door::writer(&file).map_err(told)?;
-    let readers = Arc::new(Readers::open(file.clone()).map_err(told)?);
-    let writer = Writer::start(at, file.clone(), lock)?;
-    Ok(SqliteStore { file, readers, writer })
+    let (readers, writer, wants_bytes) = match door::writer(&file).map_err(told) {
+        Ok(at) => {
+            let readers = Readers::open(file.clone()).map_err(told)?;
+            (readers, Writer::start(at, file.clone(), Arc::clone(&lock))?.into(), 0)
+        }
+        Err(error) if is_full(&error, data_dir) => {
+            let readers = Readers::alone(file.clone()).map_err(|fault| at_least_full(fault.told(&file)))?;
+            (readers, OnceLock::new(), ROOM_MIN_BYTES)
+        }
+        Err(error) => return Err(error),
+    };
+    Ok(SqliteStore {
+        file,
+        readers: Arc::new(readers),
+        writer: Arc::new(writer),
+        wants_bytes: wants_bytes.into(),
+        lock,
+    })
+}
+
+/// Whether nothing could be opened because the disk is full, whatever SQLite calls it.
+fn is_full(error: &StoreError, data_dir: &Path) -> bool {
+    let room = || disk::has_room(data_dir, ROOM_MIN_BYTES);
+    let has_none = || room().is_err_and(|error| error.kind() == std::io::ErrorKind::StorageFull);
+    *error == StoreError::Full || matches!(error, StoreError::Unavailable(_)) && has_none()
+}
+
+/// That the disk is full is what people can do something about.
+fn at_least_full(error: StoreError) -> StoreError {
+    if matches!(error, StoreError::Unavailable(_)) { StoreError::Full } else { error }
+}
+
+impl SqliteStore {
+    fn writer(&self) -> Result<&Writer, StoreError> {
+        self.writer.get().ok_or(StoreError::Full)
+    }
+
+    /// Writes so many bytes. If there is no room, the disk is full until there is room for more than that.
+    async fn write<T, F>(&self, bytes: usize, work: F) -> Result<T, StoreError>
+    where
+        T: Send + 'static,
+        F: FnOnce(&Connection) -> Result<T, Fault> + Send + 'static,
+    {
+        let written = self.writer()?.ask(work).await;
+        if matches!(written, Err(StoreError::Full)) {
+            let wants_bytes = bytes.saturating_mul(ROOM_TIMES).saturating_add(ROOM_MIN_BYTES);
+            self.wants_bytes.fetch_max(wants_bytes, Ordering::Relaxed);
+        }
+        written
+    }
+
+    /// Looks whether there is room again for what was refused.
+    async fn check_room(&self) -> Result<(), StoreError> {
+        let wants_bytes = self.wants_bytes.load(Ordering::Relaxed);
+        let Some(folder) = self.file.parent().filter(|_| wants_bytes > 0).map(Path::to_owned) else { return Ok(()) };
+        let looked = tokio::task::spawn_blocking(move || disk::has_room(&folder, wants_bytes)).await;
+        let looked = looked.map_err(|error| StoreError::Unavailable(format!("looking stopped: {error}")))?;
+        looked.map_err(|error| disk::told(&self.file, &error))
+    }
+
+    /// Opens the database for writing too, after a start on a full disk.
+    async fn open_up(&self) -> Result<(), StoreError> {
+        if self.writer.get().is_some() {
+            return Ok(());
+        }
+        let (file, lock, writer) = (self.file.clone(), Arc::clone(&self.lock), Arc::clone(&self.writer));
+        let start = move |at| {
+            // Nobody else comes through: there is one place for whoever opens it.
+            let _only_once = writer.set(Writer::start(at, file, lock)?);
+            Ok(())
+        };
+        self.readers.open_up(start).await
+    }
 }
 
 #[async_trait]
@@ -57,7 +142,7 @@ impl Store for SqliteStore {
         let (id, committed, after) = (behaviour.clone(), committed.clone(), after.clone());
         let ready = tokio::task::spawn_blocking(move || Ready::new(committed, after)).await;
         let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
-        self.writer.ask(move |at| write::append(at, &id, &ready)).await
+        self.write(ready.bytes(), move |at| write::append(at, &id, &ready)).await
     }
 
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
@@ -77,16 +162,16 @@ impl Store for SqliteStore {
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
         let (id, by) = (behaviour.clone(), by.to_owned());
-        self.writer.ask(move |at| write::remove(at, &id, now_ms, &by)).await
+        self.write(0, move |at| write::remove(at, &id, now_ms, &by)).await
     }
 
     async fn restore(&self, behaviour: &Id) -> Result<bool, StoreError> {
         let id = behaviour.clone();
-        self.writer.ask(move |at| write::restore(at, &id)).await
+        self.write(0, move |at| write::restore(at, &id)).await
     }
 
     async fn purge(&self, removed_before_ms: u64) -> Result<u32, StoreError> {
-        self.writer.ask(move |at| write::purge(at, removed_before_ms)).await
+        self.write(0, move |at| write::purge(at, removed_before_ms)).await
     }
 
     async fn users(&self, helper: &str) -> Result<Vec<Used>, StoreError> {
@@ -109,7 +194,11 @@ impl Store for SqliteStore {
     }
 
     async fn next_epoch(&self) -> Result<u64, StoreError> {
-        self.writer.ask(write::next_epoch).await
+        self.write(0, write::next_epoch).await
+    }
+
+    async fn raise_epoch(&self, least: u64) -> Result<(), StoreError> {
+        self.write(0, move |at| write::raise_epoch(at, least)).await
     }
 
     async fn reachable(&self) -> Result<(), StoreError> {
@@ -122,6 +211,10 @@ impl Store for SqliteStore {
 
     async fn healthy(&self) -> Result<(), StoreError> {
         self.reachable().await?;
-        self.writer.ask(write::probe).await
+        self.check_room().await?;
+        self.open_up().await?;
+        self.write(0, write::probe).await?;
+        self.wants_bytes.store(0, Ordering::Relaxed);
+        Ok(())
     }
 }

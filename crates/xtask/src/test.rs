@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use crate::neo4j;
 use crate::page::{self, Mode};
+use crate::supply;
 use crate::tools::{self, Outcome, WASM, Workspace};
 
 /// Crates that must also compile for the browser.
@@ -20,14 +21,16 @@ const HOW_TO_GET_CHROMIUM: &str =
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 12] = [
     ("tools", find_tools),
     ("a Neo4j for the tests", find_neo4j),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
+    ("what we take from others", check_supply),
     ("the pure crates for the browser", check_pure),
     ("the page", |run| page::build(run.workspace, Mode::Small)),
     ("the server", |run| run.cargo(&["build", "--package", "rrp"])),
+    ("the server, optimised", |run| run.cargo(&["build", "--release", "--package", "rrp"])),
     ("hostile procedures, optimised", |run| run.cargo(&HOSTILE)),
     ("cargo test", |run| run.tests(&[])),
     ("cargo doc", document),
@@ -101,6 +104,7 @@ impl Run<'_> {
         if server.is_file() {
             cargo.env("RRP_BIN", server).env("RRP_TOOLS_READY", "1");
         }
+        cargo.env("RRP_OPTIMISED", self.workspace.optimised_server());
     }
 }
 
@@ -139,6 +143,14 @@ fn find_neo4j(run: &mut Run) -> Outcome<()> {
 
 fn in_ci() -> bool {
     env::var("CI").is_ok_and(|value| value == "true")
+}
+
+fn check_supply(run: &mut Run) -> Outcome<()> {
+    match supply::check(run.workspace)? {
+        Some(part) => run.skip(part),
+        None => println!("Licences, sources, doubles and advisories are as .deny.toml wants them."),
+    }
+    Ok(())
 }
 
 fn check_pure(run: &mut Run) -> Outcome<()> {

@@ -63,6 +63,11 @@ impl Workspace {
         self.target.join("debug").join(format!("rrp{}", env::consts::EXE_SUFFIX))
     }
 
+    /// The optimised build of the server.
+    pub(crate) fn optimised_server(&self) -> PathBuf {
+        self.target.join("release").join(format!("rrp{}", env::consts::EXE_SUFFIX))
+    }
+
     /// Cargo, called in the root with `words`, free of what our own cargo left in the environment.
     pub(crate) fn cargo(&self, words: &[&str]) -> Command {
         let mut command = Command::new(env::var_os("CARGO").unwrap_or("cargo".into()));

@@ -3,6 +3,7 @@
 use super::Stage;
 use super::curve::{chip_place, curves};
 use super::node::{OthersRing, ProblemBadge, problem_memo};
+use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::icons::{Icon, connector_icon};
 use crate::layout::{ChipWords, chip_width, chip_words};
@@ -78,6 +79,19 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     let troubles = problem.clone();
     let ends = ends_memo(&desk, &signals);
     let reached = near_selection(&desk, &signals);
+    let unused = {
+        let (desk, id) = (desk.clone(), id.clone());
+        ArcMemo::new(move |_| desk.unused.with(|unused| unused.contains(&id)))
+    };
+    let ring = unused.clone();
+    let said = said_memo(&desk, &id, &signals, &unused);
+    let tells = said.clone();
+    let describes = move || {
+        let mut all: Vec<String> = troubles.get().map(|(sentence, _)| sentence).into_iter().collect();
+        all.extend(tells.get().map(|said| said.text));
+        all.extend(unused.get().then(|| words::not_used_yet().to_owned()));
+        (!all.is_empty()).then(|| all.join(" "))
+    };
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
     let (pressed, picked, record) = (chosen.clone(), chosen, signals.record.clone());
     view! {
@@ -92,7 +106,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             aria-label=move || label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)))
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
-            aria-description=move || troubles.get().map(|(sentence, _)| sentence)
+            aria-description=describes
             style:min-width=move || format!("{:.0}px", wide.with(chip_width))
         >
             {move || {
@@ -101,11 +115,11 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
             <span class="detail" aria-hidden="true">{move || detail.with(|words| words.detail.clone())}</span>
+            {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
             <OthersRing id=id.clone() />
-            <Held signals=signals.clone() />
-            <Fault signals=signals />
+            <Bubble id=id said=said />
         </div>
     }
     .into_any()
@@ -138,31 +152,67 @@ fn near_selection(desk: &Desk, signals: &ConnectorSignals) -> impl Fn() -> bool 
     }
 }
 
-/// Why its procedure failed last.
-#[component]
-fn Fault(signals: ConnectorSignals) -> impl IntoView {
-    let stage = expect_context::<Stage>();
-    let error = {
-        let (live, running) = (signals.live.clone(), stage.running.clone());
-        ArcMemo::new(move |_| live.with(|live| live.error.clone()).filter(|_| running.get()))
-    };
-    move || {
-        error.get().map(|why| view! { <span class="fault" aria-hidden="true" title=why.clone()>{why.clone()}</span> })
-    }
+/// What a chip says about the run.
+#[derive(Clone, Debug, PartialEq)]
+struct Said {
+    text: String,
+    /// How often its procedure failed; none if it only says who holds the robot's part.
+    faults: Option<u64>,
 }
 
-/// Who keeps the robot's part from the action that it leads to.
-#[component]
-fn Held(signals: ConnectorSignals) -> impl IntoView {
-    let desk = use_desk();
-    let leads = signals.record.with_untracked(|connector| connector.operation.word() == "subscribe");
-    leads.then(|| {
-        let held = ArcMemo::new(move |_| signals.record.with(|connector| desk.held(&connector.output)));
-        move || {
-            held.get()
-                .map(|who| view! { <span class="fault held" aria-hidden="true" title=who.clone()>{who.clone()}</span> })
+/// How often its procedure failed and why, or who keeps the robot's part from the action that it leads to. What is not
+/// used yet says nothing: the robot runs another version of it.
+fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<bool>) -> ArcMemo<Option<Said>> {
+    let (desk, id, record, unused) = (desk.clone(), id.clone(), signals.record.clone(), unused.clone());
+    ArcMemo::new(move |_| {
+        if unused.get() || desk.running().is_none() {
+            return None;
         }
+        let failed = desk.failing.with(|failing| {
+            let failing = failing.iter().find(|failing| failing.connector == id)?;
+            Some(Said { text: words::failed(failing.count, &failing.why), faults: Some(failing.count) })
+        });
+        failed.or_else(|| {
+            let output =
+                record.with(|connector| (connector.operation.word() == "subscribe").then(|| connector.output.clone()));
+            Some(Said { text: desk.held(&output?)?, faults: None })
+        })
     })
+}
+
+/// A badge with the count, and beside it the sentence where there is room: of the newest that fails, and of what is selected.
+#[component]
+fn Bubble(id: Id, said: ArcMemo<Option<Said>>) -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let chosen = chosen_memo(&desk, &id);
+    let newest = {
+        let id = id.clone();
+        ArcMemo::new(move |_| desk.failing.with(|failing| failing.first().is_some_and(|first| first.connector == id)))
+    };
+    let room = stage.side_of_chip(&id);
+    let badge = said.clone();
+    let sentence = move |said: Said| {
+        let is_open = said.faults.is_none() || chosen.get() || newest.get();
+        let (side, width) = room.get().filter(|_| is_open)?;
+        let held = said.faults.is_none();
+        Some(view! {
+            <span class="fault" class:held=held class:left=side == Side::Left aria-hidden="true" title=said.text.clone()
+                style:max-width=format!("{width:.0}px")>
+                <span>{said.text.clone()}</span>
+            </span>
+        })
+    };
+    view! {
+        {move || {
+            let said = badge.get()?;
+            let faults = said.faults?;
+            Some(view! {
+                <span class="badge fails" title=said.text aria-hidden="true"><Icon name="warn" />{words::count(faults)}</span>
+            })
+        }}
+        {move || said.get().and_then(&sentence)}
+    }
 }
 
 /// Where the chip of a connector is. Reactive.

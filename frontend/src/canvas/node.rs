@@ -98,31 +98,38 @@ fn whole_title(stream: &Stream) -> String {
     if second.is_empty() { stream.name.clone() } else { format!("{} – {second}", stream.name) }
 }
 
-/// The last value, the rate and a sparkline, or for how long it has been quiet; only while it runs. Where there is
-/// little room the sparkline goes first, then the rate, then the end of the value.
+/// The last value, the rate and a sparkline, or for how long it has been quiet; after Stop and while the server is silent
+/// only what it was last, and faint. Where there is little room the sparkline goes first, then the rate, then the end of the value.
 #[component]
 fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
     let (live, quiet) = (signals.live.clone(), signals.live.clone());
-    let silent = ArcMemo::new(move |_| {
-        let now = desk.clock.get();
-        quiet.with(|live| live.quiet_for(now))
-    });
     let known = {
-        let (running, live) = (stage.running.clone(), signals.live.clone());
-        ArcMemo::new(move |_| running.get() && live.with(|live| live.value.is_some()))
+        let live = signals.live.clone();
+        ArcMemo::new(move |_| live.with(|live| live.value.is_some()))
     };
+    let running = stage.running.clone();
+    let cold = ArcMemo::new(move |_| {
+        let value = || quiet.with(|live| live.value.as_ref().map(short_value)).unwrap_or_default();
+        match (running.get(), desk.unheard.get()) {
+            (false, _) => Some(words::last_was(&value())),
+            (true, Some(seconds)) => Some(words::value_ago(&value(), seconds)),
+            (true, None) => {
+                let now = desk.clock.get();
+                quiet.with(|live| live.quiet_for(now)).map(|seconds| words::quiet_for(u64::from(seconds)))
+            }
+        }
+    });
     let room = stage.room(&id);
     move || {
         if !known.get() || room.get() < ROOM_MIN {
             return ().into_any();
         }
         let width = format!("{:.0}px", room.get());
-        match silent.get() {
-            Some(seconds) => {
-                let words = words::quiet_for(u64::from(seconds));
-                view! { <span class="value quiet" aria-hidden="true" style:max-width=width><b>{words}</b></span> }
+        match cold.get() {
+            Some(words) => {
+                view! { <span class="value quiet" aria-hidden="true" style:max-width=width><b title=words.clone()>{words.clone()}</b></span> }
                     .into_any()
             }
             None => view! { <NewestValue live=live.clone() width=width /> }.into_any(),

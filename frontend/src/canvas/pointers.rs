@@ -88,10 +88,10 @@ impl Pointers {
                 self.end_drag();
                 self.desk.put_back(&[id]);
             }
-            Act::Pan((dx, dy)) => self.stage.look(self.stage.view.get_untracked().panned(dx, dy)),
+            Act::Pan((dx, dy)) => self.stage.look_by_hand(self.stage.view.get_untracked().panned(dx, dy)),
             Act::Pinch(from, to, factor) => {
                 let view = self.stage.view.get_untracked().panned(to.0 - from.0, to.1 - from.1);
-                self.stage.look(view.zoomed(to, factor));
+                self.stage.look_by_hand(view.zoomed(to, factor));
             }
             Act::Rest => self.end_drag(),
         }
@@ -157,10 +157,10 @@ impl Pointers {
         let view = self.stage.view.get_untracked();
         if event.shift_key() {
             let (dx, dy) = if dx == 0.0 { (dy, 0.0) } else { (dx, dy) };
-            self.stage.look(view.panned(-dx, -dy));
+            self.stage.look_by_hand(view.panned(-dx, -dy));
         } else {
             let strength = if event.ctrl_key() { 0.01 } else { 0.0015 };
-            self.stage.look(view.zoomed(at(event), (-dy * strength).clamp(-0.7, 0.7).exp()));
+            self.stage.look_by_hand(view.zoomed(at(event), (-dy * strength).clamp(-0.7, 0.7).exp()));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! How much room a live value has before it would meet what stands at its right. Pure.
+//! How much room there is beside a stream for its value, and beside a chip for what it says. Pure.
 
 use super::view::Bounds;
 use behaviour::Id;
@@ -12,6 +12,34 @@ const APART: f64 = 24.0;
 const ROW: f64 = 24.0;
 /// Half of the height of a value.
 const HALF: f64 = 10.0;
+
+/// The side of a chip on which it says something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    Left,
+    Right,
+}
+
+/// A bubble of three lines reaches so far above and below its chip.
+const BUBBLE_OVER: f64 = 16.0;
+/// Between a chip and its bubble, and between that and what comes next.
+const BUBBLE_APART: f64 = 26.0;
+/// The narrowest bubble that can be read, and the widest, in canvas units.
+const BUBBLE: [f64; 2] = [112.0, 230.0];
+
+/// On which side of a chip there is room for a sentence, and how wide it may be; none if it would cover something.
+pub(super) fn beside_chip(chip: &Bounds, others: &[Bounds]) -> Option<(Side, f64)> {
+    let level = |other: &&Bounds| other.bottom > chip.top - BUBBLE_OVER && other.top < chip.bottom + BUBBLE_OVER;
+    let near = || others.iter().filter(level);
+    let covers = near().any(|other| other.left < chip.right && other.right > chip.left && other != chip);
+    let right = near().filter(|other| other.left >= chip.right).map(|other| other.left - chip.right);
+    let left = near().filter(|other| other.right <= chip.left).map(|other| chip.left - other.right);
+    let width = |free: f64| (free - BUBBLE_APART).min(BUBBLE[1]);
+    let right = (Side::Right, width(right.fold(f64::MAX, f64::min)));
+    let left = (Side::Left, width(left.fold(f64::MAX, f64::min)));
+    let wider = if left.1 > right.1 { left } else { right };
+    (wider.1 >= BUBBLE[0] && !covers).then_some(wider)
+}
 
 /// For every stream how wide its value may be; `chips` are in the way too.
 pub(super) fn rooms(streams: &[(Id, Bounds)], chips: &[Bounds]) -> BTreeMap<Id, f64> {
@@ -39,12 +67,23 @@ fn row(y: f64) -> i64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{WIDEST, rooms};
+    use super::{Side, WIDEST, beside_chip, rooms};
     use crate::canvas::view::Bounds;
     use behaviour::Id;
 
     fn at(name: &str, left: f64, top: f64) -> (Id, Bounds) {
         (Id::new(name).unwrap(), Bounds { left, top, right: left + 100.0, bottom: top + 48.0 })
+    }
+
+    #[test]
+    fn what_a_chip_says_covers_nothing() {
+        let chip = Bounds { left: 100.0, top: 100.0, right: 200.0, bottom: 128.0 };
+        let at = |left: f64, top: f64| Bounds { left, top, right: left + 100.0, bottom: top + 48.0 };
+        assert_eq!(beside_chip(&chip, &[chip]), Some((Side::Right, 230.0)));
+        assert_eq!(beside_chip(&chip, &[at(350.0, 160.0)]), Some((Side::Right, 230.0)), "that is below it");
+        assert_eq!(beside_chip(&chip, &[at(250.0, 90.0)]), Some((Side::Left, 230.0)));
+        assert_eq!(beside_chip(&chip, &[at(250.0, 90.0), at(-40.0, 90.0)]), None);
+        assert_eq!(beside_chip(&chip, &[at(360.0, 90.0), at(-40.0, 90.0)]), Some((Side::Right, 134.0)));
     }
 
     #[test]

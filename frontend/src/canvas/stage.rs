@@ -2,7 +2,7 @@
 
 use super::chip::chip_of;
 use super::cull::{Cells, drawn};
-use super::room;
+use super::room::{self, Side};
 use super::view::{Bounds, View};
 use crate::browser;
 use crate::desk::{Desk, Selected};
@@ -41,7 +41,7 @@ pub(crate) struct Stage {
     pub(super) glides: ArcRwSignal<bool>,
     /// What the strip keeps clear of: streams, in canvas units.
     pub(super) shapes: ArcMemo<Vec<(Id, Bounds)>>,
-    /// How wide the live value of a stream may be; nothing while nothing runs.
+    /// How wide the live value of a stream may be; nothing while there are no values.
     rooms: ArcMemo<BTreeMap<Id, f64>>,
     rests: ArcRwSignal<bool>,
     drawn: ArcMemo<Drawn>,
@@ -68,7 +68,7 @@ impl Stage {
         let shapes = shapes_memo(desk.clone(), dragged.clone());
         Self {
             drawn: drawn_memo(desk.clone(), view.clone(), size.clone(), rests.clone()),
-            rooms: rooms_memo(desk.clone(), running.clone(), shapes.clone()),
+            rooms: rooms_memo(desk.clone(), shapes.clone()),
             glides: ArcRwSignal::new(false),
             shapes,
             others: others_memo(desk.clone()),
@@ -95,8 +95,15 @@ impl Stage {
         self.view.with(|view| format!("translate({:.2}px,{:.2}px) scale({:.4})", view.x, view.y, view.zoom))
     }
 
+    /// Shows another part of the canvas as the hand wants it, at once, but never none of the graph.
+    pub(super) fn look_by_hand(&self, view: View) {
+        let size = self.size.get_untracked();
+        let kept = self.shapes.with_untracked(|shapes| view.keeping(shapes.iter().map(|(_, bounds)| bounds), size));
+        self.look(kept);
+    }
+
     /// Shows another part of the canvas at once, also in the middle of a glide.
-    pub(super) fn look(&self, view: View) {
+    fn look(&self, view: View) {
         if self.glides.get_untracked() {
             self.glides.set(false);
         }
@@ -142,31 +149,81 @@ impl Stage {
     }
 
     fn whole(&self) -> View {
-        let (ids, size) = (self.desk.stream_ids.get_untracked(), self.size.get_untracked());
+        let size = self.size.get_untracked();
+        self.everything().map_or_else(|| View::home(size), |(_, all)| View::fitting(all, VALUE_ROOM, size))
+    }
+
+    fn opening(&self) -> View {
+        let size = self.size.get_untracked();
+        let opening = |(first, all)| View::opening(all, first, VALUE_ROOM, size);
+        self.everything().map_or_else(|| View::home(size), opening)
+    }
+
+    /// The first stream, and what surrounds all of them with their values and the chips.
+    fn everything(&self) -> Option<(Bounds, Bounds)> {
+        let desk = &self.desk;
+        let (streams, chips) = (desk.stream_ids.get_untracked(), desk.connector_ids.get_untracked());
+        let first = streams.first().and_then(|id| bounds(desk, id))?;
         let values = |bounds: Bounds| Bounds { right: bounds.right + VALUE_ROOM, ..bounds };
-        let all = Bounds::around(ids.iter().filter_map(|id| bounds(&self.desk, id)).map(values));
-        all.map_or_else(|| View::home(size), |all| View::fitting(all, VALUE_ROOM, size))
+        let streams = streams.iter().filter_map(|id| bounds(desk, id)).map(values);
+        let all = Bounds::around(streams.chain(chips.iter().filter_map(|id| chip_bounds(desk, id))))?;
+        Some((first, all))
     }
 
     /// Zooms around the middle.
     pub(super) fn zoom_by(&self, factor: f64) {
-        let (width, height) = self.size.get_untracked();
-        self.glide(self.view.get_untracked().zoomed((width / 2.0, height / 2.0), factor));
+        let size = self.size.get_untracked();
+        let view = self.view.get_untracked().zoomed((size.0 / 2.0, size.1 / 2.0), factor);
+        self.glide(self.shapes.with_untracked(|shapes| view.keeping(shapes.iter().map(|(_, bounds)| bounds), size)));
     }
 
-    /// Pans just so far that a stream and the strip under it are seen.
+    /// Pans just so far that a stream with the chips that lead to it, its value and the strip under it are seen.
     pub(super) fn reveal(&self, id: &Id) {
-        if let Some(bounds) = bounds(&self.desk, id) {
-            let view = self.view.get_untracked();
-            let bounds = Bounds { bottom: bounds.bottom + STRIP / view.zoom, ..bounds };
-            self.glide(view.revealing(bounds, self.size.get_untracked(), REVEAL_MARGIN));
-        }
+        let Some(own) = bounds(&self.desk, id) else { return };
+        let view = self.view.get_untracked();
+        let room = Bounds { right: own.right + VALUE_ROOM, bottom: own.bottom + STRIP / view.zoom, ..own };
+        let into = self.chips_at(id, true);
+        let all = Bounds::around(into.into_iter().chain([room])).unwrap_or(room);
+        let size = self.size.get_untracked();
+        let fits = |bounds: &Bounds| {
+            let (width, height) = ((bounds.right - bounds.left) * view.zoom, (bounds.bottom - bounds.top) * view.zoom);
+            width <= size.0 - 2.0 * REVEAL_MARGIN && height <= size.1 - 2.0 * REVEAL_MARGIN
+        };
+        let shown = if fits(&all) { all } else { Bounds { bottom: room.bottom, ..own } };
+        self.glide(view.revealing(shown, size, REVEAL_MARGIN));
+    }
+
+    /// Where the chips are that lead to a stream or, unless `into`, that touch it at all.
+    pub(super) fn chips_at(&self, id: &Id, into: bool) -> Vec<Bounds> {
+        let desk = &self.desk;
+        let touches = |chip: &Id| {
+            desk.connector(chip).is_some_and(|signals| {
+                signals
+                    .record
+                    .with_untracked(|connector| connector.output == *id || (!into && connector.inputs.contains(id)))
+            })
+        };
+        let chips = desk.connector_ids.get_untracked();
+        chips.iter().filter(|chip| touches(chip)).filter_map(|chip| chip_bounds(desk, chip)).collect()
     }
 
     /// How wide the live value of a stream may be.
     pub(super) fn room(&self, id: &Id) -> ArcMemo<f64> {
         let (rooms, id) = (self.rooms.clone(), id.clone());
         ArcMemo::new(move |_| rooms.with(|rooms| rooms.get(&id).copied().unwrap_or(VALUE_ROOM)))
+    }
+
+    /// Where a chip can say something without covering anything, and how wide that may be.
+    pub(super) fn side_of_chip(&self, id: &Id) -> ArcMemo<Option<(Side, f64)>> {
+        let (desk, shapes, id) = (self.desk.clone(), self.shapes.clone(), id.clone());
+        ArcMemo::new(move |_| {
+            desk.revision.track();
+            let chip = chip_bounds(&desk, &id)?;
+            let chips = desk.connector_ids.get().into_iter().filter(|other| *other != id);
+            let mut others: Vec<Bounds> = chips.filter_map(|other| chip_bounds(&desk, &other)).collect();
+            shapes.with(|shapes| others.extend(shapes.iter().map(|(_, bounds)| *bounds)));
+            room::beside_chip(&chip, &others)
+        })
     }
 
     /// Gives a stream the keyboard, once it is in the page.
@@ -215,7 +272,7 @@ impl Stage {
         }
     }
 
-    /// What is opened is shown whole; so is what was empty or became empty.
+    /// What is opened is shown whole if it can be read then; so is what was empty or became empty.
     pub(super) fn follow_open(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         let ids = desk.stream_ids.clone();
@@ -227,7 +284,7 @@ impl Stage {
                     stage.stop.set(None);
                 }
                 let stage = stage.clone();
-                let _ = request_animation_frame(move || stage.look(stage.whole()));
+                let _ = request_animation_frame(move || stage.look(stage.opening()));
             }
             open
         });
@@ -304,9 +361,9 @@ fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id,
     })
 }
 
-fn rooms_memo(desk: Desk, running: ArcMemo<bool>, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<BTreeMap<Id, f64>> {
+fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<BTreeMap<Id, f64>> {
     ArcMemo::new(move |_| {
-        if !running.get() {
+        if !desk.has_values.get() {
             return BTreeMap::new();
         }
         let connectors = desk.connector_ids.get();

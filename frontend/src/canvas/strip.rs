@@ -1,7 +1,8 @@
 //! The strip under what is selected: likely next steps, then thunderbolt, pencil and trash.
 
 use super::menu::BoltMenu;
-use super::strip_spot::{Area, EDGE, Own, strip_spot};
+use super::room::Side;
+use super::strip_spot::{Area, Around, EDGE, Own, covers_chip, strip_spot};
 use super::suggest::{Step, suggest};
 use super::view::{Bounds, View};
 use super::{Stage, pointers};
@@ -14,6 +15,9 @@ use leptos::prelude::*;
 
 /// At most so many suggestions; fewer where the stage is narrow.
 const SUGGESTIONS_MAX: usize = 4;
+
+/// How much of the stage's lower left corner a message may take, in pixels.
+const MESSAGE: (f64, f64) = (570.0, 96.0);
 
 /// The widest label, in pixels; longer ones are cut with an ellipsis.
 const LABEL_MAX: f64 = 170.0;
@@ -54,18 +58,23 @@ fn StreamStrip(id: Id) -> impl IntoView {
     let [size, shown_size, tall] = [(); 3].map(|()| stage.size.clone());
     let action = signals.record.with_untracked(|stream| stream.kind == StreamKind::Actuator);
     let buttons = if action { 2.0 } else { 3.0 };
-    let shown = ArcMemo::new(move |_| as_many_as_fit(offers.get(), shown_size.get().0 - 2.0 * EDGE, buttons));
-    let others = others_memo(&stage, &id);
-    let spot = {
-        let (shown, place, record) = (shown.clone(), signals.place.clone(), signals.record.clone());
+    let fitting = ArcMemo::new(move |_| as_many_as_fit(offers.get(), shown_size.get().0 - 2.0 * EDGE, buttons));
+    let others = others_memo(&stage, &desk, &id);
+    let fitted = {
+        let (place, record) = (signals.place.clone(), signals.record.clone());
         ArcMemo::new(move |_| {
-            let view = stage.view.get();
-            let width = shown.with(|offers| strip_width(offers, buttons));
+            let (view, size) = (stage.view.get(), size.get());
             let area = on_stage(view, place.get(), record.with(stream_width), STREAM_HEIGHT);
             let own = Own { area, value: VALUE_ROOM * view.zoom, beside: false };
-            others.with(|others| strip_spot(own, &seen(view, others), width, size.get()))
+            let around = others.with(|others| others.seen(view, size));
+            fitted(own, &around, fitting.get(), buttons, size)
         })
     };
+    let spot = {
+        let fitted = fitted.clone();
+        ArcMemo::new(move |_| fitted.with(|(_, spot)| *spot))
+    };
+    let shown = ArcMemo::new(move |_| fitted.with(|(offers, _)| offers.clone()));
     let is_high = {
         let (spot, size) = (spot.clone(), tall.clone());
         move || spot.get().1 < size.get().1 / 2.0
@@ -94,17 +103,26 @@ fn ConnectorStrip(id: Id) -> impl IntoView {
     let Some(signals) = desk.connector(&id) else { return ().into_any() };
     let word = signals.record.with_untracked(|connector| connector.operation.word());
     let glides = stage.glides.clone();
-    let others = others_memo(&stage, &id);
+    let others = others_memo(&stage, &desk, &id);
+    let (bubble, mine) = (stage.side_of_chip(&id), id.clone());
     let spot = {
         let (desk, record) = (desk.clone(), signals.record.clone());
         move || {
+            let fails = desk.failing.with(|failing| failing.iter().any(|failing| failing.connector == mine));
+            // What it says at its right is not covered.
+            let said = match bubble.get() {
+                Some((Side::Right, width)) if fails => width + 20.0,
+                _ => 0.0,
+            };
             let (place, width) =
                 record.with(|connector| (super::chip::chip_of(&desk, connector), chip_width(&chip_words(connector))));
             let view = stage.view.get();
-            let own = |place| Own { area: on_stage(view, place, width, CHIP_HEIGHT), value: 0.0, beside: true };
+            let area = |place| on_stage(view, place, width, CHIP_HEIGHT);
+            let own = |place| Own { area: area(place), value: said * view.zoom, beside: true };
             let spot = |place| {
                 let own = own(place);
-                others.with(|others| strip_spot(own, &seen(view, others), strip_width(&[], 2.0), stage.size.get()))
+                let size = stage.size.get();
+                others.with(|others| strip_spot(own, &others.seen(view, size), strip_width(&[], 2.0), size))
             };
             place.map(spot).map(translated)
         }
@@ -241,6 +259,17 @@ fn as_many_as_fit(mut offers: Vec<Offer>, width: f64, buttons: f64) -> Vec<Offer
     offers
 }
 
+/// As many of the offers as a strip has that covers no chip of its stream, and where it stands then; all of them where even
+/// one would.
+fn fitted(own: Own, around: &Around, offers: Vec<Offer>, buttons: f64, size: (f64, f64)) -> (Vec<Offer>, (f64, f64)) {
+    let spot = |offers: &[Offer]| strip_spot(own, around, strip_width(offers, buttons), size);
+    let some = (1..=offers.len()).rev().map(|count| &offers[..count]);
+    let clear = |offers: &&[Offer]| !covers_chip(spot(offers), around, strip_width(offers, buttons));
+    let shown = some.clone().find(clear).unwrap_or(&offers).to_vec();
+    let at = spot(&shown);
+    (shown, at)
+}
+
 fn translated((x, y): (f64, f64)) -> String {
     format!("translate({x:.0}px,{y:.0}px)")
 }
@@ -251,24 +280,43 @@ fn on_stage(view: View, place: Place, width: f64, height: f64) -> Area {
     Area { left: middle - half, top, right: middle + half, bottom: top + height * view.zoom }
 }
 
-/// The other streams, where they are on the stage.
-fn seen(view: View, others: &[Bounds]) -> Vec<Area> {
-    let area = |bounds: &Bounds| {
-        let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
-        let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
-        Area { left, top, right, bottom }
-    };
-    others.iter().map(area).collect()
+/// What the strip of something keeps clear of, in canvas units.
+#[derive(Clone, Debug, PartialEq)]
+struct Others {
+    streams: Vec<Bounds>,
+    chips: Vec<Bounds>,
+    /// Whether a message stands at the bottom left of the stage.
+    message: bool,
 }
 
-/// Where the streams are that are not the one with this id.
-fn others_memo(stage: &Stage, id: &Id) -> ArcMemo<Vec<Bounds>> {
-    let (shapes, id) = (stage.shapes.clone(), id.clone());
+impl Others {
+    /// Where that is on a stage of this size.
+    fn seen(&self, view: View, size: (f64, f64)) -> Around {
+        let area = |bounds: &Bounds| {
+            let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
+            let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
+            Area { left, top, right, bottom }
+        };
+        let message = Area { left: 0.0, top: size.1 - MESSAGE.1, right: MESSAGE.0, bottom: size.1 };
+        Around {
+            streams: self.streams.iter().map(area).collect(),
+            chips: self.chips.iter().map(area).collect(),
+            over: self.message.then_some(message).into_iter().collect(),
+        }
+    }
+}
+
+/// Where the streams are that are not the one with this id, and the chips at that one.
+fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
+    let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
     ArcMemo::new(move |_| {
         let others = |shapes: &Vec<(Id, Bounds)>| {
             shapes.iter().filter(|(other, _)| *other != id).map(|(_, bounds)| *bounds).collect()
         };
-        shapes.with(others)
+        desk.revision.track();
+        let streams = stage.shapes.with(others);
+        let message = desk.notice.with(Option::is_some);
+        Others { streams, chips: stage.chips_at(&id, false), message }
     })
 }
 

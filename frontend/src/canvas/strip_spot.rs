@@ -9,8 +9,8 @@ const ZOOM_BOX: (f64, f64) = (290.0, 64.0);
 /// How bad a pixel of something covered is against a pixel of way; the own value is never covered if that can be.
 const COVERS: f64 = 0.5;
 const COVERS_OWN: f64 = 50.0;
-/// So many streams in the way are tried to be passed.
-const PASSED_MAX: usize = 8;
+/// So many things in the way are tried to be passed.
+const PASSED_MAX: usize = 12;
 
 /// A rectangle of the stage, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,28 +37,44 @@ pub(super) struct Own {
     pub(super) beside: bool,
 }
 
+/// What the strip keeps clear of: other streams where it can, and always the chips of what is selected.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Around {
+    pub(super) streams: Vec<Area>,
+    pub(super) chips: Vec<Area>,
+    /// What stands over the stage, such as a message.
+    pub(super) over: Vec<Area>,
+}
+
+/// Whether a strip of that width at that corner covers a chip of what is selected.
+pub(super) fn covers_chip((x, y): (f64, f64), around: &Around, width: f64) -> bool {
+    let strip = Area { left: x, top: y, right: x + width, bottom: y + HEIGHT };
+    around.chips.iter().any(|chip| strip.shared(chip) > 0.0)
+}
+
 /// The left top corner of a strip of that width.
-pub(super) fn strip_spot(own: Own, others: &[Area], width: f64, size: (f64, f64)) -> (f64, f64) {
+pub(super) fn strip_spot(own: Own, around: &Around, width: f64, size: (f64, f64)) -> (f64, f64) {
     let inside = |(x, y): (f64, f64)| {
         let x = x.clamp(EDGE, (size.0 - width - EDGE).max(EDGE));
         (x, y.clamp(EDGE, (size.1 - HEIGHT - EDGE).max(EDGE)))
     };
     let buttons = Area { left: size.0 - ZOOM_BOX.0, top: size.1 - ZOOM_BOX.1, right: size.0, bottom: size.1 };
     let valued = Area { right: own.area.right + own.value, ..own.area };
-    let spots = spots(own, others, width);
+    let spots = spots(own, around, width);
     let wanted = spots[0];
     let cost = |spot: (f64, f64)| {
         let strip = Area { left: spot.0, top: spot.1, right: spot.0 + width, bottom: spot.1 + HEIGHT };
-        let covered: f64 = others.iter().chain([&buttons]).map(|other| strip.shared(other)).sum();
+        let covered = |all: &[Area]| all.iter().map(|other| strip.shared(other)).sum::<f64>();
+        let others = covered(&around.streams) + covered(&around.over) + strip.shared(&buttons);
         let way = (spot.0 - wanted.0).abs() + (spot.1 - wanted.1).abs();
-        way + covered * COVERS + strip.shared(&valued) * COVERS_OWN
+        way + others * COVERS + (strip.shared(&valued) + covered(&around.chips)) * COVERS_OWN
     };
     let priced = spots.into_iter().map(inside).map(|spot| (cost(spot), spot));
     priced.reduce(|best, next| if next.0 < best.0 { next } else { best }).map_or(wanted, |(_, spot)| spot)
 }
 
 /// All spots worth a look, the wanted one first.
-fn spots(own: Own, others: &[Area], width: f64) -> Vec<(f64, f64)> {
+fn spots(own: Own, around: &Around, width: f64) -> Vec<(f64, f64)> {
     let Area { left, top, right, bottom } = own.area;
     let middle = (left + right) / 2.0 - width / 2.0;
     let (below, above) = (bottom + NEAR, top - HEIGHT - NEAR);
@@ -70,18 +86,25 @@ fn spots(own: Own, others: &[Area], width: f64) -> Vec<(f64, f64)> {
     for y in [below, above] {
         spots.push((middle, y));
         let near = |other: &&Area| !own.beside && other.top < y + HEIGHT && other.bottom > y;
-        for other in others.iter().filter(near).take(PASSED_MAX) {
+        let chips = around.chips.iter().filter(near);
+        for other in chips.chain(around.streams.iter().filter(near)).take(PASSED_MAX) {
             spots.extend([(other.left - EDGE - width, y), (other.right + EDGE, y)]);
         }
     }
     let first = spots[0];
-    spots.retain(|spot| *spot == first || own.beside || (spot.0 <= right && spot.0 + width >= left));
+    // Past its own chips it may stand beside its stream.
+    let reach = if around.chips.is_empty() { 0.0 } else { width / 2.0 };
+    let touches = |spot: &(f64, f64)| spot.0 <= right + reach && spot.0 + width >= left - reach;
+    spots.retain(|spot| *spot == first || own.beside || touches(spot));
+    if !own.beside && !around.chips.is_empty() {
+        spots.extend([(left - NEAR - width, level), (right + own.value + NEAR, level)]);
+    }
     spots
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Area, Own, strip_spot};
+    use super::{Area, Around, HEIGHT, Own, covers_chip, strip_spot};
 
     const STAGE: (f64, f64) = (800.0, 600.0);
 
@@ -90,7 +113,20 @@ mod tests {
     }
 
     fn at(x: f64, y: f64, others: &[Area]) -> (f64, f64) {
-        strip_spot(Own { area: stream(x, y), value: 180.0, beside: false }, others, 300.0, STAGE)
+        let around = Around { streams: others.to_vec(), ..Around::default() };
+        strip_spot(Own { area: stream(x, y), value: 180.0, beside: false }, &around, 300.0, STAGE)
+    }
+
+    #[test]
+    fn the_strip_covers_no_chip_of_its_stream() {
+        let own = Own { area: stream(400.0, 200.0), value: 180.0, beside: false };
+        let chip = |x: f64, y: f64| Area { left: x - 80.0, top: y, right: x + 80.0, bottom: y + 28.0 };
+        let around = Around { chips: vec![chip(400.0, 140.0), chip(400.0, 280.0)], ..Around::default() };
+        let (x, y) = strip_spot(own, &around, 300.0, STAGE);
+        let strip = Area { left: x, top: y, right: x + 300.0, bottom: y + HEIGHT };
+        assert!(!covers_chip((x, y), &around, 300.0), "{strip:?}");
+        assert!(covers_chip((300.0, 120.0), &around, 300.0) && covers_chip((300.0, 258.0), &around, 300.0));
+        assert_eq!(strip.shared(&Area { right: own.area.right + own.value, ..own.area }), 0.0, "{strip:?}");
     }
 
     #[test]
@@ -114,8 +150,9 @@ mod tests {
     #[test]
     fn the_strip_of_a_chip_is_at_its_side() {
         let own = Own { area: stream(400.0, 100.0), value: 0.0, beside: true };
-        assert_eq!(strip_spot(own, &[], 106.0, STAGE), (460.0, 96.0));
-        let around = [stream(520.0, 100.0), stream(400.0, 160.0), stream(400.0, 10.0)];
+        assert_eq!(strip_spot(own, &Around::default(), 106.0, STAGE), (460.0, 96.0));
+        let streams = vec![stream(520.0, 100.0), stream(400.0, 160.0), stream(400.0, 10.0)];
+        let around = Around { streams, ..Around::default() };
         assert_eq!(strip_spot(own, &around, 106.0, STAGE), (234.0, 96.0));
     }
 }

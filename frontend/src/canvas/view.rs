@@ -3,7 +3,11 @@
 use behaviour::Place;
 
 /// The smallest and the largest zoom.
-pub(super) const ZOOM: [f64; 2] = [0.1, 2.5];
+pub(super) const ZOOM: [f64; 2] = [0.02, 2.5];
+/// What is opened is never smaller than this, so that it can be read.
+const READABLE: f64 = 0.4;
+/// So much of the nearest stream stays in view whatever the hand does, in pixels.
+const KEPT: f64 = 48.0;
 /// Room above and below everything when it is fitted into view, in pixels.
 const FIT_MARGIN: f64 = 48.0;
 /// The same at the sides.
@@ -82,6 +86,33 @@ impl View {
         Self { x, y: FIT_MARGIN + lower - bounds.top * zoom, zoom }
     }
 
+    /// What is shown of `bounds` when it is opened: all of it where that can be read, else its width, else what is around
+    /// `first`, from the top.
+    pub(super) fn opening(bounds: Bounds, first: Bounds, spare: f64, size: (f64, f64)) -> Self {
+        let whole = Self::fitting(bounds, spare, size);
+        if whole.zoom >= READABLE {
+            return whole;
+        }
+        let free = size.0 - 2.0 * FIT_SIDE;
+        let zoom = (free / (bounds.right - bounds.left).max(1.0)).clamp(READABLE, 1.0);
+        let [left, right] = [FIT_SIDE - bounds.left * zoom, size.0 - FIT_SIDE - bounds.right * zoom];
+        let middle = size.0 / 2.0 - (first.left + first.right) / 2.0 * zoom;
+        let x = if right >= left { (left + right) / 2.0 } else { middle.clamp(right, left) };
+        Self { x, y: FIT_MARGIN - bounds.top * zoom, zoom }
+    }
+
+    /// The least pan that leaves a part of something in view.
+    pub(super) fn keeping<'a>(self, all: impl Iterator<Item = &'a Bounds>, size: (f64, f64)) -> Self {
+        let pan = |bounds: &Bounds| {
+            let (left, top) = self.to_stage(Place { x: bounds.left, y: bounds.top });
+            let (right, bottom) = self.to_stage(Place { x: bounds.right, y: bounds.bottom });
+            (kept(left, right, size.0), kept(top, bottom, size.1))
+        };
+        let far = |(dx, dy): (f64, f64)| dx.abs() + dy.abs();
+        let least = all.map(pan).reduce(|best, next| if far(next) < far(best) { next } else { best });
+        least.map_or(self, |(dx, dy)| if far((dx, dy)) > 0.0 { self.panned(dx, dy) } else { self })
+    }
+
     /// Where an empty canvas begins: its origin near the top, in the middle.
     pub(super) fn home(size: (f64, f64)) -> Self {
         Self { x: size.0 / 2.0, y: FIT_MARGIN + FIT_LOWER, zoom: 1.0 }
@@ -92,6 +123,18 @@ impl View {
         let (left, top) = self.to_stage(Place { x: bounds.left, y: bounds.top });
         let (right, bottom) = self.to_stage(Place { x: bounds.right, y: bounds.bottom });
         self.panned(into(left, right, size.0, margin), into(top, bottom, size.1, margin))
+    }
+}
+
+/// How far a span must move so that a part of it is inside.
+fn kept(start: f64, end: f64, size: f64) -> f64 {
+    let part = KEPT.min(end - start);
+    if end < part {
+        part - end
+    } else if start > size - part {
+        size - part - start
+    } else {
+        0.0
     }
 }
 
@@ -121,7 +164,7 @@ mod tests {
         let after = view.zoomed(at, 1.7).to_canvas(at);
         assert!((before.x - after.x).abs() < 1e-9 && (before.y - after.y).abs() < 1e-9);
         assert_eq!(view.zoomed(at, 1e9).zoom, 2.5);
-        assert_eq!(view.zoomed(at, 1e-9).zoom, 0.1);
+        assert_eq!(view.zoomed(at, 1e-9).zoom, 0.02);
     }
 
     #[test]
@@ -133,6 +176,40 @@ mod tests {
         assert!(left >= 0.0 && top >= 0.0 && right <= STAGE.0 && bottom <= STAGE.1);
         let small = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
         assert_eq!(View::fitting(small, 20.0, STAGE).zoom, 1.0);
+    }
+
+    #[test]
+    fn a_long_or_wide_graph_opens_so_that_it_can_be_read() {
+        let first = Bounds { left: -50.0, top: 0.0, right: 50.0, bottom: 48.0 };
+        let chain = Bounds { left: -60.0, top: 0.0, right: 240.0, bottom: 8_400.0 };
+        let view = View::opening(chain, first, 180.0, STAGE);
+        assert_eq!(view.zoom, 1.0);
+        assert!(view.to_stage(Place { x: 0.0, y: 0.0 }).1 > 0.0);
+        let wide = Bounds { left: -9_000.0, right: 9_000.0, ..chain };
+        let view = View::opening(wide, first, 180.0, STAGE);
+        assert_eq!((view.zoom, view.to_stage(Place { x: 0.0, y: 0.0 }).0), (0.4, 400.0));
+        let small = Bounds { bottom: 400.0, ..chain };
+        assert_eq!(View::opening(small, first, 180.0, STAGE), View::fitting(small, 180.0, STAGE));
+    }
+
+    #[test]
+    fn show_everything_shows_everything() {
+        let all = Bounds { left: -20_000.0, top: 0.0, right: 9_000.0, bottom: 15_000.0 };
+        let view = View::fitting(all, 180.0, STAGE);
+        let (left, top) = view.to_stage(Place { x: all.left, y: all.top });
+        let (right, bottom) = view.to_stage(Place { x: all.right, y: all.bottom });
+        assert!(left >= 0.0 && top >= 0.0 && right <= STAGE.0 && bottom <= STAGE.1, "{view:?}");
+    }
+
+    #[test]
+    fn the_hand_cannot_lose_the_graph() {
+        let stream = Bounds { left: 0.0, top: 0.0, right: 100.0, bottom: 48.0 };
+        let other = Bounds { left: 900.0, right: 1_000.0, ..stream };
+        let kept = |x, y| View { x, y, zoom: 1.0 }.keeping([stream, other].iter(), STAGE);
+        assert_eq!(kept(50.0, 50.0), View { x: 50.0, y: 50.0, zoom: 1.0 });
+        assert_eq!(kept(5_000.0, 50.0).x, 752.0);
+        assert_eq!(kept(-500.0, 50.0), View { x: -500.0, y: 50.0, zoom: 1.0 }, "the other one is in view");
+        assert_eq!(kept(50.0, -9_000.0).y, 0.0);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use super::{ConnectorSignals, Desk, Selected, State, StreamSignals, set_if_new};
 use crate::layout;
+use crate::live::LiveConnector;
 use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream};
 use leptos::prelude::*;
 
@@ -73,7 +74,12 @@ impl Desk {
         let known = self.state().connectors.get(&key.id).cloned();
         match (now, known) {
             (Some(Record::Connector(connector)), Some(signals)) => {
-                let moved = signals.record.with_untracked(|old| old.order != connector.order);
+                let (moved, other) = signals
+                    .record
+                    .with_untracked(|old| (old.order != connector.order, old.operation != connector.operation));
+                if other && self.run_of_open().is_none() {
+                    set_if_new(&signals.live, LiveConnector::default());
+                }
                 set_if_new(&signals.record, connector);
                 moved
             }

@@ -10,7 +10,7 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 
 /// The largest file that the server takes, in bytes.
-const FILE_MAX_BYTES: f64 = 2.0 * 1024.0 * 1024.0;
+const FILE_MAX_BYTES: f64 = (behaviour::BEHAVIOUR_MAX_BYTES + behaviour::LIBRARY_MAX_BYTES) as f64;
 
 /// What the server says of a file that it took.
 #[derive(Deserialize)]

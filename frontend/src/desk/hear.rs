@@ -3,18 +3,20 @@
 use super::{Desk, set_if_new};
 use crate::browser::Keep;
 use crate::link;
-use behaviour::{Accepted, Behaviour, Id, Problem};
+use behaviour::{Accepted, Behaviour, Id, Kind, Problem};
 use leptos::prelude::*;
-use protocol::{LIBRARY, Person, Reply, Request, Summary};
+use protocol::{Credential, LIBRARY, Person, Reply, Request, Summary};
 
 const TAB_KEY: &str = "rrp.client";
 const ALIVE_KEY: &str = "rrp.alive";
+/// Of so many removed things it is remembered who removed them.
+const REMOVED_MAX: usize = 2_000;
 const NAME_KEY: &str = "rrp.name";
 
 impl Desk {
     /// The greeting of this tab.
     pub(crate) fn greeting(&self) -> Request {
-        Request::Hello { version: protocol::VERSION, client: client_id(), name: my_name() }
+        Request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
     }
 
     /// What others see as this person's name; kept in this browser.
@@ -29,19 +31,23 @@ impl Desk {
     /// Hears one reply.
     pub(crate) fn hear(&self, reply: Reply) {
         match reply {
-            Reply::Welcome { you, library, library_revision, templates, .. } => {
+            Reply::Welcome { you, secret, library, library_revision, templates, .. } => {
+                keep_credential(&you.client, &secret);
                 self.welcome(you, *library, library_revision, templates);
             }
             Reply::ProgramsChanged => self.programs_changed(),
-            Reply::Opened { behaviour, revision, records, problems, fingerprint, people } => {
+            Reply::Opened { behaviour, revision, records, problems, fingerprint, people, .. } => {
                 self.opened(behaviour.clone(), revision, *records, problems, people);
                 if self.is_open(&behaviour) {
                     set_if_new(&self.fingerprint, fingerprint);
                 }
             }
             Reply::Accepted { behaviour, accepted } => self.accepted(&behaviour, accepted),
-            Reply::Missed { behaviour, changes } => {
+            Reply::Missed { behaviour, changes, more } => {
                 changes.into_iter().for_each(|accepted| self.accepted(&behaviour, accepted));
+                if more {
+                    self.ask_since(behaviour);
+                }
             }
             Reply::Problems { behaviour, problems, fingerprint, .. } if self.is_open(&behaviour) => {
                 set_if_new(&self.fingerprint, fingerprint);
@@ -69,6 +75,7 @@ impl Desk {
             | Reply::Recordings { .. }
             | Reply::Created { .. }
             | Reply::Checked { .. }
+            | Reply::Records { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }
@@ -102,6 +109,8 @@ impl Desk {
         set_if_new(&self.problems, problems);
         set_if_new(&self.people, people);
         set_if_new(&self.open, Some(id));
+        self.state().version = None;
+        self.follow_version();
         self.pump();
     }
 
@@ -121,11 +130,13 @@ impl Desk {
         } else if accepted.revision == known + 1 {
             let mut state = self.state();
             state.confirmed.apply(&accepted.change);
-            state.history.accepted(&accepted.change);
+            state.history.accepted(&accepted.change.op);
             drop(state);
             let touched: Vec<_> = accepted.change.edits.iter().map(|edit| edit.id.clone()).collect();
+            self.note_removed(accepted);
             self.refresh(&touched);
             self.revision.set(accepted.revision);
+            self.note_ran(accepted);
         }
     }
 
@@ -136,10 +147,26 @@ impl Desk {
             state.library.apply(&accepted.change);
             state.library_revision = accepted.revision;
             drop(state);
+            self.note_removed(accepted);
             self.refresh_library();
+            self.note_ran(accepted);
         } else if accepted.revision > known {
             drop(state);
             ask_since_library(known);
+        }
+    }
+
+    /// Remembers who removed what, for whoever has it open in a dialog.
+    fn note_removed(&self, accepted: &Accepted) {
+        let gone = accepted.change.edits.iter().filter(|edit| edit.after.is_none());
+        let gone: Vec<Id> = gone.filter(|edit| edit.id.kind != Kind::Place).map(|edit| edit.id.id.clone()).collect();
+        if !gone.is_empty() {
+            self.removed_by.update(|by| {
+                if by.len() > REMOVED_MAX {
+                    by.clear();
+                }
+                by.extend(gone.into_iter().map(|id| (id, accepted.change.author.clone())));
+            });
         }
     }
 
@@ -154,6 +181,13 @@ impl Desk {
         if library_revision > known {
             ask_since_library(known);
         }
+    }
+
+    /// Asks for what is newer than what is known.
+    fn ask_since(&self, behaviour: Id) {
+        let known =
+            if behaviour.as_str() == LIBRARY { self.state().library_revision } else { self.revision.get_untracked() };
+        link::tell(Request::Since { behaviour, revision: known });
     }
 
     fn removed(&self, id: &Id, by: &str) {
@@ -181,25 +215,33 @@ fn ask_since_library(revision: u64) {
     }
 }
 
-/// The name of this tab. A doubled tab copies what is kept for a tab, so a tab that is alive already counts as another.
-fn client_id() -> Id {
-    thread_local! {
-        static ID: Id = choose_client_id();
-    }
-    ID.with(Id::clone)
+/// Who this tab was on an earlier link.
+fn kept_credential() -> Option<Credential> {
+    watch_this_tab();
+    let kept = Keep::Tab.get(TAB_KEY)?;
+    let (client, secret) = kept.split_once(' ')?;
+    Some(Credential { client: Id::new(client).ok()?, secret: Id::new(secret).ok()? })
 }
 
-fn choose_client_id() -> Id {
-    let doubled = Keep::Tab.get(ALIVE_KEY).is_some();
-    let kept = Keep::Tab.get(TAB_KEY).filter(|_| !doubled).and_then(|text| Id::new(&text).ok());
-    let id = kept.unwrap_or_else(super::new_id);
-    Keep::Tab.put(TAB_KEY, id.as_str());
-    Keep::Tab.put(ALIVE_KEY, "1");
-    if let Some(window) = crate::browser::window() {
-        crate::browser::hear(&window, "pagehide", |_| Keep::Tab.drop(ALIVE_KEY));
-        crate::browser::hear(&window, "pageshow", |_| Keep::Tab.put(ALIVE_KEY, "1"));
+fn keep_credential(client: &Id, secret: &Id) {
+    Keep::Tab.put(TAB_KEY, &format!("{client} {secret}"));
+}
+
+/// A doubled tab copies what is kept for a tab, so a tab that is alive already counts as another one: once for each page.
+fn watch_this_tab() {
+    thread_local! {
+        static WATCHED: () = {
+            if Keep::Tab.get(ALIVE_KEY).is_some() {
+                Keep::Tab.drop(TAB_KEY);
+            }
+            Keep::Tab.put(ALIVE_KEY, "1");
+            if let Some(window) = crate::browser::window() {
+                crate::browser::hear(&window, "pagehide", |_| Keep::Tab.drop(ALIVE_KEY));
+                crate::browser::hear(&window, "pageshow", |_| Keep::Tab.put(ALIVE_KEY, "1"));
+            }
+        };
     }
-    id
+    WATCHED.with(|()| ());
 }
 
 /// The name in this browser, at first "Guest" with a number.

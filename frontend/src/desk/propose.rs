@@ -16,6 +16,8 @@ const CHANGE_MAX_BYTES: usize = protocol::MESSAGE_MAX_BYTES - 1_024;
 
 /// When a change that could not be saved is sent again.
 const STALLED_MS: i32 = 2_000;
+/// When a change that came too fast is sent again.
+const TOO_FAST_MS: i32 = 400;
 
 type OnAnswer = Box<dyn FnOnce(Result<(), SaidNo>)>;
 
@@ -60,12 +62,14 @@ impl Desk {
         let room = {
             let mut state = self.state();
             if to.as_str() != LIBRARY {
-                state.history.proposed(&op);
+                state.history.proposed(&change);
             }
             state.queue.push(to, change)
         };
+        self.show_history();
         if !room {
-            self.state().history.refused(&op);
+            self.state().history.not_queued(&op);
+            self.show_history();
             return on_answer(Err(SaidNo::TooFast));
         }
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
@@ -101,16 +105,22 @@ impl Desk {
     }
 
     fn next_to_send(&self) -> Option<super::queue::Waiting> {
-        self.state().queue.send_next()
+        let mut state = self.state();
+        if state.slowed { None } else { state.queue.send_next() }
     }
 
     /// The server said yes or no to a change of this tab.
     pub(super) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
-        if let Err(SaidNo::Store(_)) = &answer {
-            return self.stall();
+        match &answer {
+            Err(SaidNo::Store(_)) => return self.stall(),
+            Err(SaidNo::TooFast) => return self.slow_down(),
+            Err(_) | Ok(()) => {}
         }
         let waiting = self.state().queue.answered(op);
         let Some(waiting) = waiting else { return };
+        if answer.is_ok() {
+            self.sent();
+        }
         if answer.is_err() {
             let mut state = self.state();
             state.history.refused(op);
@@ -125,6 +135,7 @@ impl Desk {
             Some(on_answer) => on_answer(answer),
             None => self.say_refusal(answer),
         }
+        self.say_back();
         self.pump();
     }
 
@@ -140,6 +151,19 @@ impl Desk {
         let desk = self.clone();
         crate::browser::after(STALLED_MS, move || {
             desk.state().stalled = false;
+            desk.pump();
+        });
+    }
+
+    /// The server had too much to do: the change waits in its place and is sent again in a moment.
+    fn slow_down(&self) {
+        self.state().slowed = true;
+        let desk = self.clone();
+        crate::browser::after(TOO_FAST_MS, move || {
+            let mut state = desk.state();
+            state.slowed = false;
+            state.queue.link_lost();
+            drop(state);
             desk.pump();
         });
     }

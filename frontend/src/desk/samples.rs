@@ -14,6 +14,8 @@ impl Desk {
         if let Some(run) = self.run_of_open() {
             self.belong_to(run.run);
         }
+        self.follow_version();
+        self.renew_failing();
     }
 
     /// Values still under way from a robot that this tab does not look at any more are dropped.
@@ -37,6 +39,7 @@ impl Desk {
     /// Begins anew with the run of the open program on the robot that this tab looks at.
     pub(super) fn values_of_open(&self) {
         self.belong_to(self.run_of_open().map_or(0, |run| run.run));
+        self.follow_version();
     }
 
     /// Values of an earlier run are forgotten when another one begins.
@@ -52,6 +55,8 @@ impl Desk {
         };
         streams.iter().for_each(|live| set_if_new(live, LiveStream::default()));
         connectors.iter().for_each(|live| set_if_new(live, LiveConnector::default()));
+        set_if_new(&self.has_values, run != 0);
+        self.renew_failing();
     }
 
     fn hear_stream(&self, sample: StreamSample, now: f64) {
@@ -64,8 +69,12 @@ impl Desk {
     fn hear_connector(&self, sample: ConnectorSample, now: f64) -> Option<Id> {
         let signals = self.connector(&sample.connector)?;
         let id = sample.connector.clone();
-        let fired = signals.live.with_untracked(|live| sample.fired > live.fired);
+        let (fired, begins_to_fail) =
+            signals.live.with_untracked(|live| (sample.fired > live.fired, sample.faults > 0 && live.faults == 0));
         signals.live.update(|live| live.hear(sample, now));
+        if begins_to_fail {
+            self.renew_failing();
+        }
         fired.then_some(id)
     }
 

@@ -13,6 +13,9 @@ pub(crate) fn CodeField(
     /// What tells more about the box, by its id.
     #[prop(optional, into)]
     described_by: String,
+    /// Most texts are one line: Enter saves what looks whole, Shift and Enter begin a new line.
+    #[prop(optional)]
+    one_line: bool,
 ) -> impl IntoView {
     let coloured = move || {
         let pieces = pieces(&value.read(), &arguments.read());
@@ -25,6 +28,7 @@ pub(crate) fn CodeField(
                 aria-label=label
                 aria-describedby=described_by
                 data-first=""
+                data-one-line=one_line.then_some("")
                 spellcheck="false"
                 autocapitalize="off"
                 autocomplete="off"

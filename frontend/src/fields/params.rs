@@ -74,7 +74,7 @@ fn ParamField(param: &'static Param, value: RwSignal<String>) -> impl IntoView {
         ParamKind::Number { min, max, step, unit, .. } => {
             view! { <NumberField label value unit min max step /> }.into_any()
         }
-        ParamKind::Text { max_chars, .. } => view! { <TextField label value max_chars /> }.into_any(),
+        ParamKind::Text { max_chars, .. } => view! { <TextField label value max_chars first=true /> }.into_any(),
     }
 }
 

@@ -2,6 +2,8 @@
 
 use leptos::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
+use wasm_bindgen::JsCast;
+use web_sys::{FocusEvent, HtmlInputElement};
 
 static HINTS: AtomicU32 = AtomicU32::new(0);
 
@@ -19,7 +21,25 @@ pub(crate) fn TextField(
     /// The longest text, in characters.
     #[prop(default = 200)]
     max_chars: usize,
+    /// Gets the keyboard first when its dialog opens.
+    #[prop(optional)]
+    first: bool,
+    /// Whether the text is only a proposal: then it is selected with the keyboard, so that typing replaces it.
+    #[prop(optional, into)]
+    proposed: Option<Signal<bool>>,
 ) -> impl IntoView {
+    let select = move |event: FocusEvent| {
+        let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
+        if let Some(field) = field.filter(|_| proposed.is_some_and(|proposed| proposed.get_untracked())) {
+            let proposal = field.value();
+            // After the press that brought the keyboard here has put the caret somewhere; not if somebody types already.
+            crate::browser::after(0, move || {
+                if field.value() == proposal {
+                    field.select();
+                }
+            });
+        }
+    };
     // Described by the hint, not named by it.
     let hint_id = (!hint.is_empty()).then(|| format!("hint-{}", HINTS.fetch_add(1, Ordering::Relaxed)));
     view! {
@@ -30,6 +50,8 @@ pub(crate) fn TextField(
                 class:mono=mono
                 type="text"
                 aria-describedby=hint_id.clone()
+                data-first=first.then_some("")
+                on:focus=select
                 autocomplete="off"
                 spellcheck=if mono { "false" } else { "true" }
                 maxlength=max_chars.to_string()

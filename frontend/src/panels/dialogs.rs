@@ -1,6 +1,7 @@
 //! The open dialog. Dialogs stand beside Stop, never over it, and give the keyboard back when they close.
 
 mod frame;
+mod gone;
 mod helper;
 mod helpers;
 mod names;

@@ -95,6 +95,9 @@ fn StreamLive(signals: StreamSignals) -> impl IntoView {
     let value =
         move || live.read().value.as_ref().map(|value| (short_value(value), live.read().rate, live.read().count));
     let rows = move || match value() {
+        Some((value, _, _)) if desk.desk().running().is_none() => {
+            view! { <p class="faint cut" title=value.clone()>{words::last_was(&value)}</p> }.into_any()
+        }
         Some((value, rate, count)) => view! {
             <dl class="row second">
                 <dt class="sr">{words::last_value()}</dt><dd class="cut" title=value.clone()><b>{value.clone()}</b></dd>
@@ -131,7 +134,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
             <p class="second">{move || words::connector_says(word())}</p>
             {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
             <TrialTable answers />
-            <ConnectorLive signals />
+            <ConnectorLive id=id.clone() signals />
             <ProblemList of=problems />
             <div class="row">
                 <Edit dialog />
@@ -179,21 +182,34 @@ fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
 }
 
 #[component]
-fn ConnectorLive(signals: ConnectorSignals) -> impl IntoView {
-    let live = signals.live;
+fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
+    let (desk, live, record) = (hold(), signals.live, signals.record);
+    let unused = Memo::new(move |_| desk.desk().unused.read().contains(&id));
     let counts = {
         let live = live.clone();
         move || {
-            let (fired, faults) = (live.read().fired, live.read().faults);
-            (fired + faults > 0)
-                .then(|| view! { <p class="faint">{words::fired()}" "{fired}" · "{words::faults()}" "{faults}</p> })
+            let (fired, faults) = (words::count(live.read().fired), words::count(live.read().faults));
+            let over = desk.desk().running().is_none().then(words::last_run);
+            view! { <p class="faint">{over}{words::fired()}" "{fired}" · "{words::faults()}" "{faults}</p> }
         }
     };
+    let any = {
+        let live = live.clone();
+        Memo::new(move |_| live.read().fired + live.read().faults > 0)
+    };
+    let counts = move || any.get().then(|| counts.clone());
     let error = move || live.read().error.clone().map(|text| view! { <p class="refusal">{text}</p> });
-    let (desk, record) = (hold(), signals.record);
     let held = move || record.with(|connector| desk.desk().held(&connector.output));
     let held = move || held().map(|text| view! { <p class="second">{text}</p> });
-    view! { {counts} {error} {held} }
+    // The counts are those of the version that runs, not of what is written here.
+    move || {
+        if unused.get() {
+            view! { <p class="second unused-line"><span class="unused" aria-hidden="true"></span>{words::runs_before()}</p> }
+                .into_any()
+        } else {
+            view! { {counts.clone()} {error.clone()} {held.clone()} }.into_any()
+        }
+    }
 }
 
 #[component]

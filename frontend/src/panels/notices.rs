@@ -8,7 +8,7 @@ use crate::words;
 use leptos::prelude::*;
 
 /// How long a sentence stays, in milliseconds; refusals stay longer.
-const STAYS_MS: i32 = 5_000;
+const STAYS_MS: i32 = 4_000;
 const REFUSAL_STAYS_MS: i32 = 12_000;
 
 /// The notices.
@@ -61,8 +61,8 @@ fn Offline() -> impl IntoView {
     let line = move || {
         let desk = desk.desk();
         match (desk.online.get(), desk.saving.get()) {
-            (_, Saving::Offline(waiting)) => Some(words::offline_banner(waiting)),
-            (LinkState::Offline, _) => Some(words::offline_banner(0)),
+            (_, Saving::Offline(waiting)) => Some(words::no_connection(waiting, !desk.all_running().is_empty())),
+            (LinkState::Offline, _) => Some(words::no_connection(0, !desk.all_running().is_empty())),
             (_, Saving::Away(waiting)) => Some(words::away_banner(desk.away.get(), waiting)),
             (_, Saving::Saved | Saving::Saving) => None,
         }

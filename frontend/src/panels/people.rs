@@ -19,7 +19,8 @@ pub(super) fn People() -> impl IntoView {
         };
         everyone.into_iter().map(avatar).collect_view()
     };
-    view! { <div class="people">{shown}</div> }
+    let unheard = move || desk.unheard.read().is_some();
+    view! { <div class="people" class:unheard=unheard>{shown}</div> }
 }
 
 #[component]

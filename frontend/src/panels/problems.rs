@@ -16,7 +16,7 @@ const SHOWN_MAX: usize = 30;
 pub(crate) fn Problems() -> impl IntoView {
     let desk = hold();
     let is_open = move || desk.desk().open.read().is_some();
-    let none = move || desk.desk().problems.read().is_empty();
+    let none = move || desk.desk().problems.read().is_empty() && desk.desk().failing.read().is_empty();
     let empty = move || desk.desk().stream_ids.read().is_empty();
     let runs = move || desk.desk().running().is_some();
     view! {
@@ -26,11 +26,65 @@ pub(crate) fn Problems() -> impl IntoView {
                 <Show when=move || none() && !empty()>
                     <p class="second">{move || if runs() { words::no_problems_now() } else { words::no_problems() }}</p>
                 </Show>
+                <FailingList />
                 <ProblemList of=None />
                 <OnThisRobot />
                 <p class="faint">{words::select_to_edit()}</p>
             </section>
         </Show>
+    }
+}
+
+/// What fails on the robot, or failed in the last run, with the way to each.
+#[component]
+pub(crate) fn FailingList() -> impl IntoView {
+    let desk = hold();
+    let ids = Memo::new(move |_| {
+        let failing = desk.desk().failing.get();
+        failing.into_iter().map(|failing| failing.connector).take(SHOWN_MAX).collect::<Vec<_>>()
+    });
+    let over = move || desk.desk().running().is_none();
+    view! {
+        <Show when=move || !ids.read().is_empty()>
+            <Show when=over><p class="second">{words::last_run_failed()}</p></Show>
+            <ul class="big-list">
+                <For each=move || ids.get() key=Clone::clone let:id><FailingLine id /></For>
+            </ul>
+        </Show>
+    }
+}
+
+/// One line; its count grows in place.
+#[component]
+fn FailingLine(id: Id) -> impl IntoView {
+    let desk = hold();
+    let known = id.clone();
+    let text = Memo::new(move |_| {
+        let desk = desk.desk();
+        let failing = desk.failing.read();
+        let failing = failing.iter().find(|failing| failing.connector == known);
+        failing.map(|failing| words::named_failed(&failing.name, failing.count, &failing.why)).unwrap_or_default()
+    });
+    let selected = Some(Selected::Connector(id));
+    let shown = selected.clone();
+    let is_chosen = move || *desk.desk().selected.read() == shown;
+    view! {
+        <li class="problem fails">
+            <Icon name="warn" />
+            <span>
+                {text}
+                " "
+                <Show when=move || !is_chosen()>
+                    <button class="link" type="button" aria-label=move || format!("{}: {}", words::select(), text.get())
+                        on:click={
+                            let selected = selected.clone();
+                            move |_| desk.desk().selected.set(selected.clone())
+                        }>
+                        {words::select()}
+                    </button>
+                </Show>
+            </span>
+        </li>
     }
 }
 

@@ -23,6 +23,8 @@ pub(crate) fn RecordRow() -> impl IntoView {
                 />
                 {words::record()}
             </label>
+            // Where it will stand once the run is recorded, so that nothing moves then.
+            <Show when=move || desk.desk().records.get()><Mark note idle=true /></Show>
         }
     };
     let going = move |recorded: Recorded| {
@@ -39,15 +41,16 @@ pub(crate) fn RecordRow() -> impl IntoView {
         }
     };
     move || match (runs.get(), recorded.get()) {
-        (false, _) => Some(choice().into_any()),
-        (true, Some(recorded)) => Some(going(recorded).into_any()),
-        (true, None) => None,
+        (false, _) => choice().into_any(),
+        (true, Some(recorded)) => going(recorded).into_any(),
+        // What stands below stays where it is.
+        (true, None) => view! { <p class="record">{words::not_recorded()}</p> }.into_any(),
     }
 }
 
 /// A note of what happens now, for whoever looks at the recording later.
 #[component]
-fn Mark(note: RwSignal<String>) -> impl IntoView {
+fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
     let desk = hold();
     let mark = move |event: SubmitEvent| {
         event.prevent_default();
@@ -60,13 +63,14 @@ fn Mark(note: RwSignal<String>) -> impl IntoView {
                 class="input"
                 type="text"
                 autocomplete="off"
+                disabled=idle
                 maxlength=MARK_MAX_CHARS.to_string()
                 aria-label=words::mark_hint()
                 placeholder=words::mark_hint()
                 prop:value=move || note.get()
                 on:input:target=move |event| note.set(event.target().value())
             />
-            <button class="button" type="submit">{words::mark()}</button>
+            <button class="button" type="submit" disabled=idle>{words::mark()}</button>
         </form>
     }
 }
@@ -89,7 +93,7 @@ pub(crate) fn Recordings() -> impl IntoView {
 #[component]
 fn Row(recording: Recording) -> impl IntoView {
     let address = format!("{RECORDINGS_PATH}/{}", recording.file);
-    let about = words::recording_about(&recording.robot, &recording.began, recording.bytes);
+    let about = words::recording_about(&recording.robot, &recording.began, recording.bytes, recording.cut_off);
     let label = words::download_recording(&recording.name);
     view! {
         <li>

@@ -4,7 +4,7 @@ use super::hold::{Hold, hold};
 use super::recordings::{RecordRow, Recordings};
 use super::robots::RobotPicker;
 use super::running::Running;
-use crate::desk::LinkState;
+use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
@@ -29,14 +29,51 @@ pub(crate) fn RobotBox() -> impl IntoView {
 #[component]
 fn Head() -> impl IntoView {
     let desk = hold();
-    let health = move || desk.desk().health();
-    let title = move || lamp_words(&health()).1;
+    let title = move || lamp_now(desk).1;
     view! {
         <div class="robot-head">
-            <span class="lamp" role="img" data-health=move || lamp_words(&health()).0 title=title aria-label=title></span>
+            <span class="lamp" role="img" data-health=move || lamp_now(desk).0 title=title aria-label=title></span>
             <h2>{words::robot()}</h2>
+            <Fails />
             <RobotPicker />
         </div>
+    }
+}
+
+/// That something fails, as the way to what and why; said once when it begins.
+#[component]
+fn Fails() -> impl IntoView {
+    let desk = hold();
+    let count = Memo::new(move |_| if desk.desk().unheard.read().is_some() { 0 } else { desk.desk().fails_now() });
+    let newest = Memo::new(move |_| {
+        let newest = desk.desk().failing.read().first().map(|failing| failing.connector.clone());
+        newest.filter(|_| count.get() > 0)
+    });
+    let said = move || {
+        newest.track();
+        let newest = desk.desk().failing.with_untracked(|failing| failing.first().cloned());
+        newest.filter(|_| count.get() > 0).map(|newest| words::begins_to_fail(&newest.name, &newest.why))
+    };
+    view! {
+        <Show when=move || { count.get() > 0 }>
+            <button class="link fails" type="button" on:click=move |_| desk.desk().dialog.set(Some(Dialog::Problems))>
+                {move || words::parts_fail(count.get())}
+            </button>
+        </Show>
+        <span class="sr" role="status">{said}</span>
+    }
+}
+
+/// What is true of the lamp now: a silent server says nothing about the robot. Reactive.
+fn lamp_now(desk: Hold) -> (&'static str, String) {
+    let desk = desk.desk();
+    if let Some(seconds) = desk.unheard.get() {
+        return ("unheard", words::last_heard(seconds));
+    }
+    let health = desk.health();
+    match (&health, desk.fails_now()) {
+        (Health::Ready | Health::Degraded(_), fails @ 1..) => ("fails", words::parts_fail(fails)),
+        _ => lamp_words(&health),
     }
 }
 
@@ -55,7 +92,13 @@ pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
 fn Start() -> impl IntoView {
     let desk = hold();
     let runs = Memo::new(move |_| desk.desk().running().is_some());
-    let blocked = Memo::new(move |_| !runs.get() && why_not(desk).is_some());
+    let unheard = Memo::new(move |_| desk.desk().unheard.read().is_some());
+    let blocked = Memo::new(move |_| unheard.get() || (!runs.get() && why_not(desk).is_some()));
+    let word = move || match (runs.get(), unheard.get()) {
+        (true, true) => words::was_running(),
+        (true, false) => words::running(),
+        (false, _) => words::start(),
+    };
     let press = move |_| match desk.desk().running() {
         None => desk.desk().start(),
         Some(run) if untrack(|| desk.desk().runs_older(&run)) => desk.desk().apply(),
@@ -65,13 +108,13 @@ fn Start() -> impl IntoView {
         <button
             class="start"
             type="button"
-            aria-pressed=move || runs.get().to_string()
+            aria-pressed=move || (runs.get() && !unheard.get()).to_string()
             aria-describedby="robot-line"
             disabled=move || blocked.get()
             on:click=press
         >
-            <Icon name="play" />
-            <span>{move || if runs.get() { words::running() } else { words::start() }}</span>
+            <Show when=move || !(runs.get() && unheard.get())><Icon name="play" /></Show>
+            <span>{word}</span>
         </button>
     }
 }
@@ -104,11 +147,17 @@ fn Line() -> impl IntoView {
         (Some(revision), None) => words::running_here(revision),
         (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_default(),
     };
-    let can_apply = move || older.get().is_some() && blocked.get().is_none();
-    let bad = move || running.get().is_none() && faulted(desk).is_some();
+    let unheard = move || desk.desk().unheard.get();
+    let heard = Memo::new(move |_| unheard().is_none());
+    let may_move = move || if running.get().is_some() { words::may_still_move().to_owned() } else { text() };
+    let can_apply = move || older.get().is_some() && blocked.get().is_none() && heard.get();
+    let bad = move || heard.get() && running.get().is_none() && faulted(desk).is_some();
+    // The seconds are seen and not said: nobody wants to hear them count.
     view! {
-        <p class="robot-line" class:bad=bad id="robot-line" role="status" hidden=move || text().is_empty()>
-            {text}
+        <p class="robot-line" class:bad=bad id="robot-line" role="status">
+            <b aria-hidden="true">{move || unheard().map(words::last_heard)}</b>
+            " "
+            {move || if heard.get() { text() } else { may_move() }}
             <Show when=can_apply>
                 " · "
                 <button class="link" type="button" on:click=move |_| desk.desk().apply()>{words::apply()}</button>

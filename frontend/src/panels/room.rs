@@ -30,7 +30,7 @@ pub(crate) fn Room() -> impl IntoView {
     view! {
         <section class="room" aria-label=words::room()>
             <p class="room-title">
-                <span>{words::room_hint()}</span>
+                <span>{move || desk.desk().unheard.get().map_or(words::room_hint().to_owned(), words::room_as_it_was)}</span>
                 <span class="legend">
                     <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true" focusable="false">
                         <circle class="sample" cx="8" cy="8" r="3" />

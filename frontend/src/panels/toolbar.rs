@@ -115,7 +115,9 @@ fn ProgramName() -> impl IntoView {
 
 fn is_offline(desk: Hold) -> bool {
     let desk = desk.desk();
-    desk.online.get() == LinkState::Offline || matches!(desk.saving.get(), Saving::Offline(_) | Saving::Away(_))
+    desk.unheard.read().is_some()
+        || desk.online.get() == LinkState::Offline
+        || matches!(desk.saving.get(), Saving::Offline(_) | Saving::Away(_))
 }
 
 fn saving_line(desk: Hold) -> String {
@@ -125,6 +127,7 @@ fn saving_line(desk: Hold) -> String {
         (_, Saving::Away(waiting)) => words::not_saved(waiting),
         (LinkState::Offline, Saving::Saved | Saving::Saving) => words::offline(0),
         (LinkState::Connecting, Saving::Saved | Saving::Saving) => words::connecting().to_owned(),
+        (LinkState::Online, _) if desk.unheard.read().is_some() => words::no_answer().to_owned(),
         (LinkState::Online, Saving::Saving) => words::saving().to_owned(),
         (LinkState::Online, Saving::Saved) if desk.open.read().is_some() => words::all_saved().to_owned(),
         (LinkState::Online, Saving::Saved) => String::new(),

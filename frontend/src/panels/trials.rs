@@ -25,9 +25,34 @@ pub(crate) struct Question {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Trial {
     pub(crate) given: String,
+    pub(crate) from: Origin,
     pub(crate) result: String,
     /// Whether the value passes, or that it failed.
     pub(crate) mark: Mark,
+}
+
+/// Where the values of a trial are from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Origin {
+    /// What flows now.
+    Now,
+    /// What flowed last, before it was stopped.
+    Last,
+    /// What came before the newest.
+    Earlier,
+    /// Nothing came yet; a value such as the sense gives.
+    Example,
+}
+
+impl Origin {
+    fn words(self) -> &'static str {
+        match self {
+            Self::Now => words::now(),
+            Self::Last => words::last(),
+            Self::Example => words::for_example(),
+            Self::Earlier => "",
+        }
+    }
 }
 
 /// How a trial went.
@@ -59,6 +84,8 @@ pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
         }
     });
     Effect::new(move |_| {
+        // What flows now is only the last value once it stops.
+        desk.desk().runs.track();
         if let Some(question) = question.get() {
             for input in &question.inputs {
                 if let Some(signals) = desk.desk().stream(input) {
@@ -80,12 +107,13 @@ impl Answers {
             self.trials.set(Vec::new());
             return;
         };
-        let sets = sets(desk, &question.inputs);
+        let (froms, sets): (Vec<Origin>, Vec<Vec<Value>>) = sets(desk, &question.inputs).into_iter().unzip();
         let me = self.clone();
         let asked = (question.arguments.clone(), question.body.clone(), sets.clone());
         desk.desk().check_body(asked.0, asked.1, asked.2, move |(error, results)| {
             if me.number.get_untracked() == number {
-                let trials = sets.iter().zip(results).map(|(set, result)| trial(set, result, question.is_test));
+                let given = froms.into_iter().zip(&sets).zip(results);
+                let trials = given.map(|((from, set), result)| trial(from, set, result, question.is_test));
                 me.trials.set(trials.collect());
                 me.error.set(error);
             }
@@ -93,7 +121,7 @@ impl Answers {
     }
 }
 
-fn trial(set: &[Value], result: Result<Value, String>, is_test: bool) -> Trial {
+fn trial(from: Origin, set: &[Value], result: Result<Value, String>, is_test: bool) -> Trial {
     let given = set.iter().map(short_value).collect::<Vec<_>>().join(", ");
     let (result, mark) = match result {
         Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), Mark::Passes),
@@ -101,46 +129,54 @@ fn trial(set: &[Value], result: Result<Value, String>, is_test: bool) -> Trial {
         Ok(value) => (short_value(&value), Mark::Plain),
         Err(reason) => (reason, Mark::Fails),
     };
-    Trial { given, result, mark }
+    Trial { given, from, result, mark }
 }
 
 /// The newest values of all inputs, then older numbers of a single input; examples where nothing came yet.
-fn sets(desk: Hold, inputs: &[Id]) -> Vec<Vec<Value>> {
-    let newest: Option<Vec<Value>> = inputs.iter().map(|id| newest(desk, id)).collect();
+fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
+    let newest: Option<Vec<(bool, Value)>> = inputs.iter().map(|id| newest(desk, id)).collect();
     let Some(newest) = newest.filter(|set| !set.is_empty()) else { return Vec::new() };
-    let mut sets = vec![newest];
+    let runs = untrack(|| desk.desk().running().is_some() && desk.desk().unheard.read().is_none());
+    let from = match (newest.iter().any(|(example, _)| *example), runs) {
+        (true, _) => Origin::Example,
+        (false, true) => Origin::Now,
+        (false, false) => Origin::Last,
+    };
+    let newest: Vec<Value> = newest.into_iter().map(|(_, value)| value).collect();
+    let mut sets = vec![(from, newest)];
     if let [input] = inputs
         && let Some(signals) = desk.desk().stream(input)
     {
         for number in signals.live.read_untracked().recent.iter().rev() {
             let set = vec![Value::Float(*number)];
-            if sets.len() < SETS_MAX && !sets.contains(&set) {
-                sets.push(set);
+            if sets.len() < SETS_MAX && sets.iter().all(|(_, known)| *known != set) {
+                sets.push((Origin::Earlier, set));
             }
         }
     }
     sets
 }
 
-fn newest(desk: Hold, id: &Id) -> Option<Value> {
+/// The newest value of a stream, or an example, which the first part tells.
+fn newest(desk: Hold, id: &Id) -> Option<(bool, Value)> {
     let signals = desk.desk().stream(id)?;
     if let Some(value) = signals.live.read_untracked().value.clone() {
-        return Some(value);
+        return Some((false, value));
     }
     let stream = signals.record.get_untracked();
     let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
-    serde_json::from_str(device.example).ok()
+    serde_json::from_str(device.example).ok().map(|example| (true, example))
 }
 
 /// The trials in one line: "now 14.2 → passes".
 #[component]
 pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
     let shown = move || {
-        let trial = |(at, trial): (usize, Trial)| {
-            let now = if at == 0 { format!("{} ", words::now()) } else { String::new() };
-            view! { <span class=class(trial.mark)>{now}{words::trial(&trial.given, &trial.result)}</span> }
+        let trial = |trial: Trial| {
+            let from = trial.from.words();
+            view! { <span class=class(trial.mark)>{from}" "{words::trial(&trial.given, &trial.result)}</span> }
         };
-        answers.trials.get().into_iter().enumerate().map(trial).collect_view()
+        answers.trials.get().into_iter().map(trial).collect_view()
     };
     view! { <div class="trials">{shown}</div> }
 }
@@ -152,9 +188,11 @@ pub(crate) fn TrialTable(answers: Answers) -> impl IntoView {
     let any = trials.clone();
     let row = |trial: Trial| {
         let mark = if trial.mark == Mark::Passes { "✓ " } else { "" };
+        let not_now = matches!(trial.from, Origin::Example | Origin::Last);
+        let from = not_now.then(|| view! { <span class="faint">{trial.from.words()}" "</span> });
         view! {
             <tr>
-                <td class="cut" title=trial.given.clone()>{trial.given.clone()}</td>
+                <td class="cut" title=trial.given.clone()>{from}{trial.given.clone()}</td>
                 <td class=format!("cut {}", class(trial.mark)) title=trial.result.clone()>{mark}{trial.result.clone()}</td>
             </tr>
         }

@@ -46,6 +46,10 @@ sentences! {
     stop_all_robots: "Stop all robots";
     start: "Start";
     running: "Running";
+    was_running: "Was running";
+    may_still_move: "It may still be moving.";
+    no_answer: "No answer from the server";
+    not_recorded: "This run is not recorded.";
     apply: "Apply to the running robot";
     running_together: "Runs on the robot";
     upper_wins: "If they disagree, the upper one wins.";
@@ -101,6 +105,10 @@ sentences! {
     no_value_yet: "No value yet.";
     starts_to_see: "Press Start to see values.";
     problems: "Problems";
+    last_run_failed: "In the last run:";
+    last_run: "Last run: ";
+    not_used_yet: "not used yet";
+    runs_before: "Not used yet: the robot still runs it as it was before.";
     no_problems: "Nothing is missing. Press Start when you like.";
     no_problems_now: "Nothing is missing.";
     select_to_edit: "Select a stream or a connector to see more of it.";
@@ -144,12 +152,19 @@ sentences! {
     input_streams: "Input streams, in this order";
     no_fitting_helper: "No helper takes this many values. Write a body, or add a helper.";
     now: "now";
+    last: "last";
+    for_example: "for example";
     draft_found: "This is your unsaved draft.";
     start_over: "Start over";
     choose_helper: "Choose a helper.";
     write_body: "Write what to do with each value.";
     finish_body: "The test is not finished. Write a number after it, such as 20.";
     name_missing: "Give the stream a name.";
+    copy_mine: "Copy what I wrote";
+    copied: "Copied.";
+    gone_close: "What you wrote is still here: copy it, or close.";
+    you_removed: "You removed this.";
+    somebody_removed: "Somebody removed this.";
     stream_gone: "Somebody removed this stream meanwhile. Close this and choose another one.";
     earlier: "Earlier in the order";
 
@@ -220,6 +235,8 @@ sentences! {
     help_walk_says: "walk along the graph";
     help_edit: "Enter";
     help_edit_says: "edits what is selected";
+    help_lines: "Enter, Shift Enter";
+    help_lines_says: "save a procedure, begin a new line in it";
     help_remove: "Delete";
     help_remove_says: "removes it; undo brings it back";
     help_undo: "Ctrl Z, Ctrl Y";
@@ -266,8 +283,86 @@ pub(crate) fn offline(waiting: usize) -> String {
     }
 }
 
-pub(crate) fn offline_banner(waiting: usize) -> String {
-    format!("{}. You can go on; it is sent when the connection is back.", offline(waiting))
+/// The banner of a lost link; `runs` says whether something ran on the robot.
+pub(crate) fn no_connection(waiting: usize, runs: bool) -> String {
+    let waits = match waiting {
+        0 => "No connection. You can go on; it is sent when the connection is back.".to_owned(),
+        1 => "No connection. 1 change waits here and is sent when it is back.".to_owned(),
+        many => format!("No connection. {many} changes wait here and are sent when it is back."),
+    };
+    let robot = if runs { " The robot goes on by itself." } else { "" };
+    format!("{waits}{robot} Stop still tries its own way.")
+}
+
+pub(crate) fn last_heard(seconds: u32) -> String {
+    format!("Last heard {seconds} s ago.")
+}
+
+pub(crate) fn connected(sent: usize) -> String {
+    match sent {
+        0 => "Connected.".to_owned(),
+        1 => "Connected. 1 change was sent.".to_owned(),
+        many => format!("Connected. {many} changes were sent."),
+    }
+}
+
+pub(crate) fn room_as_it_was(seconds: u32) -> String {
+    format!("Room · as it was {seconds} s ago")
+}
+
+pub(crate) fn value_ago(value: &str, seconds: u32) -> String {
+    format!("{value}, {seconds} s ago")
+}
+
+pub(crate) fn last_was(value: &str) -> String {
+    format!("last {value}")
+}
+
+/// `1,477`.
+pub(crate) fn count(number: u64) -> String {
+    let digits = number.to_string();
+    let mut written = String::new();
+    for (at, digit) in digits.chars().enumerate() {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
+            written.push(',');
+        }
+        written.push(digit);
+    }
+    written
+}
+
+fn times(count_of: u64) -> String {
+    if count_of == 1 { "once".to_owned() } else { format!("{} times", count(count_of)) }
+}
+
+/// How often something failed and why, without its name: `Failed 3 times: there is no field y.`
+pub(crate) fn failed(faults: u64, why: &str) -> String {
+    format!("Failed {}: {}", times(faults), sentence(why))
+}
+
+/// The same with its name, for the list.
+pub(crate) fn named_failed(name: &str, faults: u64, why: &str) -> String {
+    format!("“{name}” failed {}: {}", times(faults), sentence(why))
+}
+
+/// Said once, when something begins to fail.
+pub(crate) fn begins_to_fail(name: &str, why: &str) -> String {
+    format!("“{name}” fails: {}", sentence(why))
+}
+
+/// Beside the lamp.
+pub(crate) fn parts_fail(count: usize) -> String {
+    if count == 1 { "1 fails".to_owned() } else { format!("{count} fail") }
+}
+
+fn sentence(why: &str) -> String {
+    let why = why.trim_end();
+    if why.ends_with(['.', '!', '?']) { why.to_owned() } else { format!("{why}.") }
+}
+
+/// Somebody else removed what a dialog is about.
+pub(crate) fn removed_by(name: &str) -> String {
+    format!("{name} removed this.")
 }
 
 pub(crate) fn not_saved(waiting: usize) -> String {
@@ -342,12 +437,13 @@ pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {
     }
 }
 
-pub(crate) fn recording_about(robot: &str, began: &str, bytes: u64) -> String {
+pub(crate) fn recording_about(robot: &str, began: &str, bytes: u64, cut_off: bool) -> String {
     let (day, time) = began.split_once('T').unwrap_or((began, ""));
     let time = time.get(..5).unwrap_or_default();
     let size = if bytes < 1 << 20 { format!("{} KB", bytes.div_ceil(1 << 10)) } else { format!("{} MB", bytes >> 20) };
     let robot = if robot.is_empty() { String::new() } else { format!("{robot}, ") };
-    format!("{robot}{day} {time}, {size}")
+    let end = if cut_off { ", its end is missing" } else { "" };
+    format!("{robot}{day} {time}, {size}{end}")
 }
 
 pub(crate) fn download_recording(name: &str) -> String {
@@ -664,7 +760,7 @@ pub(crate) fn percent(zoom: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{ago, program_line, removed_line};
+    use super::{ago, connected, count, failed, no_connection, program_line, removed_line};
 
     #[test]
     fn times_are_said_as_people_say_them() {
@@ -673,6 +769,26 @@ mod tests {
             ["just now", "just now", "a minute ago", "2 minutes ago", "an hour ago", "2 hours ago", "yesterday"];
         assert_eq!(said[..7], right);
         assert_eq!((said[7].as_str(), ago(86_400 * 7)), ("2 days ago", None));
+    }
+
+    #[test]
+    fn numbers_are_written_in_groups() {
+        assert_eq!([0, 999, 1_477, 1_234_567].map(count), ["0", "999", "1,477", "1,234,567"]);
+        assert_eq!(failed(1_477, "there is no field z"), "Failed 1,477 times: there is no field z.");
+        assert_eq!(failed(1, "too many steps."), "Failed once: too many steps.");
+    }
+
+    #[test]
+    fn a_lost_link_promises_nothing_of_a_robot_that_rests() {
+        assert!(
+            no_connection(2, true).contains("2 changes wait here and are sent")
+                && no_connection(0, true).contains("goes on by itself")
+        );
+        assert!(!no_connection(1, false).contains("robot"));
+        assert_eq!(
+            [0, 1, 2].map(connected),
+            ["Connected.", "Connected. 1 change was sent.", "Connected. 2 changes were sent."]
+        );
     }
 
     #[test]

@@ -50,7 +50,7 @@ fn open_all(nao: &mut SimulatedNao) {
     open(nao, "face", "FaceDetection", &[]);
     open(nao, "learn", "RememberFace", &[]);
     open(nao, "ball", "RedBall", &[]);
-    open(nao, "touch", "HeadTouch", &[]);
+    open(nao, "touch", "HeadTouch", &[("release", "yes")]);
     open(nao, "yaw", "JointPosition", &[("joint", "HeadYaw")]);
 }
 

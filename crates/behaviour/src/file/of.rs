@@ -2,7 +2,7 @@
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 use crate::{
-    Behaviour, Connector, Engine, Helper, Id, Operation, Place, Procedure, Record, Settings, Stream, calls_helper,
+    Behaviour, Connector, Engine, Helper, Id, Operation, Place, Procedure, Record, Settings, Stream, called_names,
 };
 use std::collections::BTreeMap;
 
@@ -86,18 +86,14 @@ fn layout_of(behaviour: &Behaviour) -> BTreeMap<String, Place> {
 }
 
 fn used_helpers(connectors: &[FileConnector], library: &[&Helper]) -> Vec<FileHelper> {
-    let named = |helper: &Helper| connectors.iter().any(|connector| connector.helper.as_deref() == Some(&helper.name));
-    let mut unread: Vec<&str> = connectors.iter().filter_map(|connector| connector.body.as_deref()).collect();
+    let known: BTreeMap<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).collect();
+    let mut open: Vec<&str> = connectors.iter().filter_map(|connector| connector.helper.as_deref()).collect();
+    open.extend(connectors.iter().filter_map(|connector| connector.body.as_deref()).flat_map(called_names));
     let mut used: BTreeMap<&str, &Helper> = BTreeMap::new();
-    for helper in library.iter().filter(|helper| named(helper)) {
-        used.insert(&helper.name, helper);
-        unread.push(&helper.body);
-    }
-    while let Some(text) = unread.pop() {
-        for helper in library.iter().filter(|helper| calls_helper(text, &helper.name)) {
-            if used.insert(&helper.name, helper).is_none() {
-                unread.push(&helper.body);
-            }
+    while let Some(name) = open.pop() {
+        if let Some(helper) = known.get(name).filter(|_| !used.contains_key(name)) {
+            used.insert(&helper.name, helper);
+            open.extend(called_names(&helper.body));
         }
     }
     used.into_values().map(file_helper).collect()

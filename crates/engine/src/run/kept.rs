@@ -1,7 +1,7 @@
 //! What two versions of a behaviour have in common: the streams and connectors that mean the same in both.
 
 use behaviour::{
-    BehaviourFile, FileConnector, FileHelper, FileStream, argument_names, calls_helper, rename_identifier,
+    BehaviourFile, FileConnector, FileHelper, FileStream, argument_names, called_names, rename_identifier,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -28,8 +28,11 @@ impl Kept {
         let same_stream = |&(from, to): &(usize, usize)| device(&old.streams[from]) == device(&new.streams[to]);
         let connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
         let (before, after) = (Reader::of(old), Reader::of(new));
-        let same =
-            |&(from, to): &(usize, usize)| before.meaning(&old.connectors[from]) == after.meaning(&new.connectors[to]);
+        let helpers = before.same_helpers(&after);
+        let same = |&(from, to): &(usize, usize)| {
+            let (one, other) = (before.meaning(&old.connectors[from]), after.meaning(&new.connectors[to]));
+            one == other && one.helpers.is_subset(&helpers)
+        };
         Self {
             streams: streams.into_iter().filter(same_stream).collect(),
             connectors: connectors.into_iter().filter(same).collect(),
@@ -51,66 +54,72 @@ struct Meaning<'f> {
     inputs: &'f [String],
     period_ms: Option<u64>,
     procedure: Option<String>,
-    /// The helpers it calls, also through others.
-    helpers: BTreeMap<&'f str, (&'f [String], &'f str)>,
+    /// The helpers that it calls itself.
+    helpers: BTreeSet<&'f str>,
 }
 
 /// Reads meanings out of a file.
 struct Reader<'f> {
-    file: &'f BehaviourFile,
     names: BTreeMap<&'f str, &'f str>,
-    /// For every helper by name itself and what it calls, also through others.
-    reach: BTreeMap<&'f str, BTreeSet<&'f str>>,
+    helpers: BTreeMap<&'f str, &'f FileHelper>,
 }
 
 impl<'f> Reader<'f> {
     fn of(file: &'f BehaviourFile) -> Self {
         let names = file.streams.iter().map(|stream| (stream.id.as_str(), stream.name.as_str())).collect();
-        let calls: BTreeMap<&str, Vec<&str>> =
-            file.helpers.iter().map(|helper| (helper.name.as_str(), called(&file.helpers, &helper.body))).collect();
-        let reach = calls.keys().map(|&name| (name, reached(name, &calls))).collect();
-        Self { file, names, reach }
+        let helpers = file.helpers.iter().map(|helper| (helper.name.as_str(), helper)).collect();
+        Self { names, helpers }
+    }
+
+    /// The helpers that a text calls.
+    fn called<'t>(&self, body: &'t str) -> BTreeSet<&'t str> {
+        called_names(body).into_iter().filter(|name| self.helpers.contains_key(name)).collect()
+    }
+
+    /// The helpers that mean the same in both, with all that they call, also through others.
+    fn same_helpers(&self, other: &Self) -> BTreeSet<&'f str> {
+        let mut callers: BTreeMap<&str, Vec<&'f str>> = BTreeMap::new();
+        let mut same: BTreeSet<&'f str> = self.helpers.keys().copied().collect();
+        let mut different = Vec::new();
+        for (name, helper) in &self.helpers {
+            let called = self.called(&helper.body);
+            called.iter().for_each(|called| callers.entry(*called).or_default().push(name));
+            let is_same = |twin: &&FileHelper| {
+                (&twin.params, &twin.body) == (&helper.params, &helper.body) && called == other.called(&twin.body)
+            };
+            if !other.helpers.get(name).is_some_and(is_same) {
+                different.push(*name);
+            }
+        }
+        while let Some(name) = different.pop() {
+            if same.remove(name) {
+                different.extend(callers.get(name).into_iter().flatten());
+            }
+        }
+        same
     }
 
     fn meaning(&self, of: &'f FileConnector) -> Meaning<'f> {
         let text = self.text(of);
-        let direct = text.as_ref().map(|(_, body)| called(&self.file.helpers, body)).unwrap_or_default();
-        let reached: BTreeSet<&str> =
-            direct.iter().filter_map(|name| self.reach.get(name)).flatten().copied().collect();
-        let helpers = self.file.helpers.iter().filter(|helper| reached.contains(helper.name.as_str()));
         Meaning {
             operation: &of.operation,
             inputs: &of.inputs,
             period_ms: of.period_ms,
+            helpers: text.as_ref().map(|(_, body)| self.called(body)).unwrap_or_default(),
             procedure: text.map(|(names, body)| without_names(&names, body)),
-            helpers: helpers.map(|helper| (helper.name.as_str(), (&helper.params[..], helper.body.as_str()))).collect(),
         }
     }
 
     /// The arguments and the body of a connector.
     fn text(&self, of: &'f FileConnector) -> Option<(Vec<String>, &'f str)> {
         if let Some(name) = &of.helper {
-            let helper = self.file.helpers.iter().find(|helper| helper.name == *name)?;
+            let helper = self.helpers.get(name.as_str())?;
             return Some((helper.params.clone(), &helper.body));
         }
         let name = |id: &String| self.names.get(id.as_str()).copied().unwrap_or_default();
         let args = || argument_names(of.inputs.iter().map(name));
         Some((of.args.clone().unwrap_or_else(args), of.body.as_ref()?))
     }
-}
-
-fn called<'f>(helpers: &'f [FileHelper], body: &str) -> Vec<&'f str> {
-    helpers.iter().map(|helper| helper.name.as_str()).filter(|name| calls_helper(body, name)).collect()
-}
-
-fn reached<'f>(from: &'f str, calls: &BTreeMap<&'f str, Vec<&'f str>>) -> BTreeSet<&'f str> {
-    let (mut seen, mut open) = (BTreeSet::new(), vec![from]);
-    while let Some(name) = open.pop() {
-        if seen.insert(name) {
-            open.extend(calls.get(name).into_iter().flatten());
-        }
-    }
-    seen
 }
 
 /// The body with its arguments numbered, in a way that nobody can write.

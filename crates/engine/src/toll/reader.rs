@@ -99,7 +99,7 @@ impl Reader<'_> {
     /// True for what is not in a closure.
     fn is_of_body(&self, path: &[ASTNode]) -> bool {
         let Some(ASTNode::Stmt(first)) = path.first() else { return false };
-        self.body.iter().any(|statement| std::ptr::eq(statement, *first))
+        self.body.as_ptr_range().contains(&std::ptr::from_ref(*first))
     }
 
     /// True for what is computed more than once in a call: in a loop, a closure or a helper.

@@ -7,13 +7,20 @@ pub(crate) const DEVICE: Device = Device {
     name: "HeadTouch",
     kind: StreamKind::Sensor,
     label: "HeadTouch",
-    says: "Feels a hand on the head: true when touched, false when let go.",
+    says: "Feels a hand on the head: gives true when touched and, if wanted, false when let go.",
     icon: "touch",
-    params: &[Param {
-        name: "part",
-        label: "Part",
-        kind: ParamKind::Choice(&[("any", "anywhere"), ("front", "front"), ("middle", "middle"), ("rear", "rear")]),
-    }],
+    params: &[
+        Param {
+            name: "part",
+            label: "Part",
+            kind: ParamKind::Choice(&[("any", "anywhere"), ("front", "front"), ("middle", "middle"), ("rear", "rear")]),
+        },
+        Param {
+            name: "release",
+            label: "Also told",
+            kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]),
+        },
+    ],
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     example: "true",

@@ -42,12 +42,14 @@ impl Reader<'_> {
         if line.field("mark").is_some() {
             self.mark(&line);
         } else if let Some(stream) = line.field("stream").and_then(Value::as_text) {
-            match self.run.stream_index(stream).map(|at| self.run.streams()[at].kind) {
-                Some(StreamKind::Sensor) => {
+            let known = self.run.stream_index(stream);
+            match known.map(|at| (at, self.run.streams()[at].kind)) {
+                Some((known, StreamKind::Sensor)) => {
                     let latest = self.readings.last().map_or(0, |(at, ..)| at.0);
-                    self.readings.push(parse_line(text, self.run, latest)?);
+                    let (at, _, value) = parse_line(text, latest)?;
+                    self.readings.push((at, known, value));
                 }
-                Some(StreamKind::Ordinary | StreamKind::Actuator) => {}
+                Some((_, StreamKind::Ordinary | StreamKind::Actuator)) => {}
                 None => self.strange += 1,
             }
         }

@@ -1,17 +1,22 @@
 //! The run's side of a recording: gathers what happened and hands it on without ever waiting.
 
+use super::Open;
 use super::lines::{End, Header, Line, Names, Note, json};
 use super::writer::{Batch, Progress, write};
 use behaviour::{BehaviourFile, Value};
 use protocol::Recorded;
 use std::fs::File;
+use std::io::Write;
 use std::sync::Arc;
 use std::sync::mpsc::{SyncSender, TrySendError, sync_channel};
+use std::time::Duration;
 
 /// Lines that are handed on together at most.
 const BATCH_MAX_LINES: usize = 256;
 /// Batches that may wait for the writer.
 const QUEUE_MAX_BATCHES: usize = 1_024;
+/// How soon the run looks again how the writing went, while something is on its way to the disk.
+const LOOK_MS: u64 = 100;
 
 /// What one reading, or one closing of instants, brought about.
 #[derive(Debug, Default)]
@@ -37,6 +42,8 @@ pub(crate) struct Recorder {
     progress: Arc<Progress>,
     names: Arc<Names>,
     lines: Vec<Line>,
+    /// Batches that were handed on.
+    handed_on: u64,
     /// Lines that found no room since the last batch that did.
     missed: u64,
     last_ms: u64,
@@ -46,13 +53,19 @@ pub(crate) struct Recorder {
 }
 
 impl Recorder {
-    /// Writes the first line and starts the writer's thread.
-    pub(super) fn start(name: String, file: File, header: &Header, of: &BehaviourFile) -> std::io::Result<Self> {
+    /// Writes the first line, and makes sure that it is on the disk; then starts the writer's thread.
+    pub(super) fn start(open: Open, mut file: File, header: &Header, of: &BehaviourFile) -> std::io::Result<Self> {
+        let first = format!("{}\n", json(header));
+        file.write_all(first.as_bytes())?;
+        file.sync_all()?;
         let (queue, batches) = sync_channel(QUEUE_MAX_BATCHES);
         let progress = Arc::new(Progress::default());
-        let (shared, first) = (progress.clone(), format!("{}\n", json(header)));
+        let (shared, bytes, name) = (progress.clone(), first.len() as u64, open.name.clone());
         let thread = std::thread::Builder::new().name("recording".to_owned());
-        thread.spawn(move || write(file, &first, &batches, &shared))?;
+        thread.spawn(move || {
+            write(file, bytes, &batches, &shared);
+            drop(open);
+        })?;
         Ok(Self::over(name, queue, progress, of))
     }
 
@@ -64,6 +77,7 @@ impl Recorder {
             progress,
             names: Arc::new(Names::of(of)),
             lines: Vec::new(),
+            handed_on: 0,
             missed: 0,
             last_ms: 0,
             closed: None,
@@ -114,7 +128,7 @@ impl Recorder {
         }
         let batch = Batch { names: self.names.clone(), missed: self.missed, lines: std::mem::take(&mut self.lines) };
         match self.queue.try_send(batch) {
-            Ok(()) => self.missed = 0,
+            Ok(()) => (self.missed, self.handed_on) = (0, self.handed_on + 1),
             Err(TrySendError::Full(batch) | TrySendError::Disconnected(batch)) => {
                 self.missed += batch.lines.len() as u64;
                 self.progress.lose(batch.lines.len() as u64);
@@ -138,6 +152,11 @@ impl Recorder {
         (self.told.as_ref() != Some(&now)).then(|| self.told.insert(now).clone())
     }
 
+    /// When to ask for news again, also if nothing else happens: what is on its way may still get lost.
+    pub(crate) fn next_look(&self) -> Option<Duration> {
+        (self.progress.taken() < self.handed_on).then_some(Duration::from_millis(LOOK_MS))
+    }
+
     fn push(&mut self, line: Line) {
         match &line {
             Line::Value { at_ms, .. }
@@ -155,7 +174,8 @@ impl Recorder {
 
 #[cfg(test)]
 mod tests {
-    use super::{BATCH_MAX_LINES, Progress, Recorder, Step};
+    use super::{BATCH_MAX_LINES, Header, Open, Progress, Recorder, Step};
+    use crate::recordings::About;
     use crate::recordings::writer::write;
     use behaviour::{BehaviourFile, Value};
     use std::sync::Arc;
@@ -182,17 +202,57 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("recording");
         let written = std::fs::File::create(&path).unwrap();
-        let writer = std::thread::spawn(move || write(written, "{}\n", &batches, &progress));
+        let writer = std::thread::spawn(move || write(written, 0, &batches, &progress));
         recorder.closed(900);
         recorder.end("the test ended it");
         writer.join().unwrap();
         let text = std::fs::read_to_string(path).unwrap();
         let lines: Vec<_> = text.lines().collect();
-        assert_eq!(lines.len(), 1 + BATCH_MAX_LINES + 2);
-        assert_eq!(lines[1], r#"{"t":0,"stream":"ball","value":1}"#);
+        assert_eq!(lines.len(), BATCH_MAX_LINES + 2);
+        assert_eq!(lines[0], r#"{"t":0,"stream":"ball","value":1}"#);
         assert_eq!(lines[lines.len() - 2], r#"{"mark":"gap","lost":512}"#);
         let end = r#"{"t":900,"mark":"end","closed":900,"late":0,"why":"the test ended it"}"#;
         assert_eq!(lines[lines.len() - 1], end);
+    }
+
+    /// A file to which nothing more can be written.
+    #[cfg(target_os = "linux")]
+    fn full() -> std::fs::File {
+        std::fs::File::options().write(true).open("/dev/full").unwrap()
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn on_a_full_disk_it_does_not_begin() {
+        let (id, file) = (behaviour::Id::new("b").unwrap(), file());
+        let about = About { run: 1, robot: "NAO", behaviour: &id, revision: 1, by: "Aiko", file: &file };
+        let open = Open { all: Arc::default(), name: "x".to_owned() };
+        let refused = Recorder::start(open, full(), &Header::of(&about, "today"), &file).unwrap_err();
+        assert_eq!(refused.kind(), std::io::ErrorKind::StorageFull);
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn what_is_lost_later_is_told_also_if_nothing_more_happens() {
+        let (queue, batches) = sync_channel(4);
+        let progress = Arc::new(Progress::default());
+        let mut recorder = Recorder::over("x".to_owned(), queue, progress.clone(), &file());
+        assert!(recorder.news().is_some() && recorder.next_look().is_none(), "nothing is on its way");
+        let mut step = Step::default();
+        step.value(1, 0, &Value::Int(1));
+        recorder.take(&mut step, 0);
+        recorder.flush();
+        assert!(recorder.next_look().is_some(), "the run looks again");
+        let writer = std::thread::spawn(move || write(full(), 9, &batches, &progress));
+        let began = std::time::Instant::now();
+        while recorder.next_look().is_some() {
+            assert!(began.elapsed().as_secs() < 60, "the writer never took it");
+            std::thread::yield_now();
+        }
+        let trouble = recorder.news().unwrap().trouble.unwrap();
+        assert!(trouble.contains("could not be written on"), "{trouble}");
+        drop(recorder);
+        writer.join().unwrap();
     }
 
     #[test]

@@ -26,11 +26,18 @@ pub(super) struct Batch {
 /// How the writing goes, for both sides.
 #[derive(Debug, Default)]
 pub(super) struct Progress {
+    /// Batches that were written, or lost.
+    taken: AtomicU64,
     lost: AtomicU64,
     trouble: Mutex<Option<String>>,
 }
 
 impl Progress {
+    /// How many batches are not on their way any more.
+    pub(super) fn taken(&self) -> u64 {
+        self.taken.load(Ordering::Acquire)
+    }
+
     /// Lines that are not in the file.
     pub(super) fn lost(&self) -> u64 {
         self.lost.load(Ordering::Relaxed)
@@ -47,10 +54,10 @@ impl Progress {
     }
 }
 
-/// Writes until nobody hands on any more, then makes sure that it is on disk.
-pub(super) fn write(file: File, first: &str, batches: &Receiver<Batch>, progress: &Progress) {
-    let mut pen = Pen { file, bytes: 0, text: first.to_owned() };
-    let mut done = pen.write();
+/// Writes until nobody hands on any more, then makes sure that it is on disk. `bytes` are in the file already.
+pub(super) fn write(file: File, bytes: u64, batches: &Receiver<Batch>, progress: &Progress) {
+    let mut pen = Pen { file, bytes, text: String::new() };
+    let mut done = Ok(());
     while let Ok(batch) = batches.recv() {
         if done.is_ok() {
             done = pen.take(&batch);
@@ -60,6 +67,7 @@ pub(super) fn write(file: File, first: &str, batches: &Receiver<Batch>, progress
         if let Err(why) = &done {
             lock(&progress.trouble).get_or_insert_with(|| why.clone());
         }
+        progress.taken.fetch_add(1, Ordering::Release);
     }
     if done.and_then(|()| pen.file.sync_all().map_err(|error| error.to_string())).is_err() {
         tracing::warn!("a recording is not complete");

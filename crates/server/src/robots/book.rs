@@ -83,6 +83,11 @@ impl Book {
         self.preparing.is_empty() && self.running().next().is_none()
     }
 
+    /// Whether anything runs.
+    pub(super) fn runs_any(&self) -> bool {
+        self.running().next().is_some()
+    }
+
     /// Forgets a run that did not come to be.
     pub(super) fn withdraw(&mut self, run: u64) {
         self.preparing.remove(&run);
@@ -117,10 +122,24 @@ impl Book {
         Some(ended)
     }
 
-    /// Stops what is only being prepared; true if there was any.
-    pub(super) fn cancel(&mut self, behaviour: Option<&Id>) -> bool {
-        let is_meant = |waiting: &&Preparing| behaviour.is_none_or(|id| waiting.behaviour == *id);
-        self.preparing.values().filter(is_meant).filter(|waiting| waiting.gate.close()).count() > 0
+    /// Ends what Stop ended already by closing its gate, and returns what ran.
+    pub(super) fn end_stopped(&mut self) -> Vec<Entry> {
+        let by = |entry: &Entry| entry.gate.stopped_by().filter(|_| !entry.gate.is_open()).map(str::to_owned);
+        let stopped: Vec<_> = self.running().filter_map(|entry| Some((entry.state.run, by(entry)?))).collect();
+        stopped.into_iter().filter_map(|(run, by)| self.end_run(run, RunPhase::Stopped(by))).collect()
+    }
+
+    /// Closes the gates of all that is only being prepared.
+    pub(super) fn cancel_all(&mut self) {
+        for waiting in self.preparing.values() {
+            waiting.gate.close();
+        }
+    }
+
+    /// Whether a behaviour runs or is about to.
+    pub(super) fn has(&self, behaviour: &Id) -> bool {
+        let prepares = |waiting: &Preparing| waiting.behaviour == *behaviour && waiting.gate.is_open();
+        self.running_of(behaviour).is_some() || self.preparing.values().any(prepares)
     }
 
     /// The running one of a behaviour.

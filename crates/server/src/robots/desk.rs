@@ -26,6 +26,8 @@ pub(super) struct Desk {
     stop: AtomicBool,
     end: AtomicBool,
     rung: AtomicBool,
+    /// Whether runs ended whose devices are not given back yet.
+    closing: AtomicBool,
     /// The robot's thread.
     keeper: OnceLock<Thread>,
     papers: Mutex<Papers>,
@@ -35,7 +37,7 @@ pub(super) struct Desk {
 #[derive(Debug, Default)]
 pub(super) struct Papers {
     /// Runs that ended.
-    pub(super) closes: Vec<u64>,
+    closes: Vec<u64>,
     /// Runs that want their devices.
     pub(super) opens: Vec<Opening>,
     /// What people did in the room.
@@ -126,7 +128,17 @@ impl Desk {
     /// Gives back the devices of a run. Bounded by the number of runs.
     pub(super) fn close(&self, run: u64) {
         lock(&self.papers).closes.push(run);
+        self.closing.store(true, Ordering::SeqCst);
         self.ring();
+    }
+
+    /// The runs that ended since the last question.
+    pub(super) fn take_closes(&self) -> Vec<u64> {
+        if self.closing.swap(false, Ordering::SeqCst) {
+            std::mem::take(&mut lock(&self.papers).closes)
+        } else {
+            Vec::new()
+        }
     }
 
     /// Asks for devices. Bounded by the number of runs.
@@ -166,7 +178,7 @@ impl Desk {
     }
 
     /// Always after what it rings for is there. A condition variable would need the lock of the papers here.
-    fn ring(&self) {
+    pub(super) fn ring(&self) {
         self.rung.store(true, Ordering::SeqCst);
         if let Some(keeper) = self.keeper.get() {
             keeper.unpark();
@@ -178,7 +190,7 @@ impl Desk {
         let mut papers = lock(&self.papers);
         let commands = papers.commands.take().collect();
         let taken = Papers {
-            closes: std::mem::take(&mut papers.closes),
+            closes: Vec::new(),
             opens: std::mem::take(&mut papers.opens),
             edits: std::mem::take(&mut papers.edits),
             commands: Fair::default(),

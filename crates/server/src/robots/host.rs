@@ -12,6 +12,7 @@ use super::order::Order;
 use super::runner::{self, Job};
 use super::successor;
 use crate::lock;
+use crate::priority::{self, Priority};
 use crate::recordings::Recordings;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
@@ -53,6 +54,26 @@ pub(crate) struct Start {
     pub(crate) by: String,
 }
 
+/// A run that is about to be; forgotten with its end if it did not come to be.
+pub(crate) struct Announced {
+    run: u64,
+    gate: Arc<Gate>,
+    house: Arc<House>,
+}
+
+impl Announced {
+    /// Whether nobody pressed Stop yet.
+    pub(crate) fn is_open(&self) -> bool {
+        self.gate.is_open()
+    }
+}
+
+impl Drop for Announced {
+    fn drop(&mut self) {
+        lock(&self.house.book).withdraw(self.run);
+    }
+}
+
 /// Whether a run began, or why not.
 type Begun = Result<RunState, String>;
 
@@ -92,46 +113,49 @@ impl Host {
         &self.house().robot
     }
 
-    /// Grows with every Stop.
-    pub(crate) fn stops(&self) -> u64 {
-        self.house().stops.load(Ordering::SeqCst)
-    }
-
     /// Whether nothing runs on it, and nothing is about to.
     pub(super) fn is_idle(&self) -> bool {
         lock(&self.house().book).is_idle()
     }
 
-    /// Starts a behaviour; one that runs already is replaced as soon as the new one is ready.
+    /// Announces that a behaviour is about to start: from now on a Stop of it counts, and it may not be removed.
     ///
     /// # Errors
-    /// Why it cannot start.
-    pub(crate) async fn start(&self, start: Start) -> Result<RunState, String> {
-        let gate = Arc::new(Gate::default());
-        let answer = self.launch(start, gate.clone())?;
-        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answer).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
-            Err(_) => {
-                gate.close();
-                Err("it took too long to prepare".to_owned())
-            }
-        }
-    }
-
-    fn launch(&self, start: Start, gate: Arc<Gate>) -> Result<oneshot::Receiver<Begun>, String> {
+    /// If too many run already.
+    pub(crate) fn announce(&self, behaviour: &Id) -> Result<Announced, String> {
         let house = self.house().clone();
         let busy = || "too many behaviours run already; stop one first".to_owned();
         if house.threads() >= THREADS_MAX {
             return Err(busy());
         }
-        let run = house.board.next_run();
-        if !lock(&house.book).announce(run, &start.behaviour, &gate) {
-            return Err(busy());
-        }
-        let job = self.job(run, start, gate);
+        let (run, gate) = (house.board.next_run(), house.gates.open(behaviour));
+        let announced = Announced { run, gate, house };
+        let has_room = lock(&announced.house.book).announce(run, behaviour, &announced.gate);
+        if has_room { Ok(announced) } else { Err(busy()) }
+    }
+
+    /// Starts an announced behaviour; one that runs already is replaced as soon as the new one is ready.
+    ///
+    /// # Errors
+    /// Why it cannot start.
+    pub(crate) async fn start_announced(&self, announced: &Announced, start: Start) -> Result<RunState, String> {
+        let job = self.job(announced.run, start, announced.gate.clone());
         let (answer, answered) = oneshot::channel();
-        self.thread(job, move |job| runner::run(job, answer)).inspect_err(|_| lock(&house.book).withdraw(run))?;
-        Ok(answered)
+        self.thread(job, move |job| runner::run(job, answer))?;
+        match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
+            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
+            Err(_) => {
+                announced.gate.close();
+                Err("it took too long to prepare".to_owned())
+            }
+        }
+    }
+
+    /// Announces and starts a behaviour.
+    #[cfg(test)]
+    pub(super) async fn start(&self, start: Start) -> Result<RunState, String> {
+        let announced = self.announce(&start.behaviour)?;
+        self.start_announced(&announced, start).await
     }
 
     fn job(&self, run: u64, start: Start, gate: Arc<Gate>) -> Job {
@@ -145,6 +169,7 @@ impl Host {
         house.threads.fetch_add(1, Ordering::SeqCst);
         let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
         let spawned = thread.spawn(move || {
+            priority::of_this_thread(Priority::Run);
             work(&job);
             job.house.threads.fetch_sub(1, Ordering::SeqCst);
         });
@@ -184,10 +209,22 @@ impl Host {
         Ok(answered)
     }
 
-    /// Stops a behaviour, or everything, and lets the robot hold safely. Answers at once, whatever the procedures do;
-    /// true if something ran.
-    pub(crate) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
-        self.house().stop(behaviour, by)
+    /// Stops a behaviour, or everything, and lets the robot hold safely: nothing passes any more. Waits for nobody,
+    /// whatever the procedures do; true if something ran. [`Host::settle`] has to follow.
+    pub(super) fn stop_now(&self, behaviour: Option<&Id>, by: &str) -> bool {
+        self.house().stop_now(behaviour, by)
+    }
+
+    /// Writes down what was stopped and shows it.
+    pub(super) fn settle(&self) {
+        self.house().settle();
+    }
+
+    /// Stops a behaviour, or everything, with all that follows; true if something ran.
+    pub(super) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
+        let ran = self.stop_now(behaviour, by);
+        self.settle();
+        ran
     }
 
     /// Gives a value to a sensor stream of a running behaviour, as if the robot had sensed it.
@@ -205,8 +242,11 @@ impl Host {
     /// Puts a behaviour just above another one in the order on the robot, or at the end.
     ///
     /// # Errors
-    /// If that could not be kept.
+    /// If it never ran here, or if that could not be kept.
     pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), SaidNo> {
+        if !self.house().order.has(behaviour) {
+            return Err(SaidNo::NotRunning);
+        }
         self.house().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
     }
 
@@ -264,6 +304,11 @@ impl Host {
         lock(&self.house().book).running_of(behaviour).is_some()
     }
 
+    /// Whether a behaviour runs or is about to.
+    pub(super) fn has(&self, behaviour: &Id) -> bool {
+        lock(&self.house().book).has(behaviour)
+    }
+
     /// Stops everything and wants the threads to end.
     pub(super) fn end(&self) {
         self.stop(None, "the server");
@@ -299,7 +344,8 @@ impl Host {
 
 impl Drop for Owner {
     fn drop(&mut self) {
-        self.house.stop(None, "the server");
+        self.house.stop_now(None, "the server");
+        self.house.settle();
         self.house.desk.end();
     }
 }

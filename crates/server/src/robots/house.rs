@@ -3,6 +3,7 @@
 use super::board::Board;
 use super::book::{Book, Entry};
 use super::desk::Desk;
+use super::gate::Gates;
 use super::host::Start;
 use super::order::Order;
 use crate::lock;
@@ -10,7 +11,7 @@ use behaviour::Id;
 use protocol::{HeldPart, Recorded, RunPhase, RunState};
 use robot::Scene;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
 
@@ -31,8 +32,8 @@ pub(super) struct House {
     pub(super) scene: watch::Sender<Arc<Scene>>,
     /// Who wins.
     pub(super) order: Order,
-    /// Grows with every Stop, so that a Start under way notices.
-    pub(super) stops: AtomicU64,
+    /// What Stop closes.
+    pub(super) gates: Gates,
 }
 
 impl House {
@@ -46,7 +47,7 @@ impl House {
             book: Mutex::default(),
             threads: AtomicUsize::new(0),
             scene: watch::Sender::new(Arc::default()),
-            stops: AtomicU64::new(0),
+            gates: Gates::default(),
         }
     }
 
@@ -54,43 +55,52 @@ impl House {
     pub(super) fn begin(&self, entry: Entry) -> bool {
         let mut book = lock(&self.book);
         let Some(replaced) = book.enter(entry) else { return false };
-        self.clear_away(&replaced);
+        self.clear_away(&book, &replaced);
         self.show(&book);
         true
     }
 
-    /// Stops a behaviour, or everything. Takes only the book's lock; true if there was something to stop.
-    pub(super) fn stop(&self, behaviour: Option<&Id>, by: &str) -> bool {
-        self.stops.fetch_add(1, Ordering::SeqCst);
+    /// Lets nothing of a behaviour, or of anything, reach the robot from now on, and lets the robot hold. Waits for
+    /// nobody; true if there was something to stop. [`House::settle`] does the rest.
+    pub(super) fn stop_now(&self, behaviour: Option<&Id>, by: &str) -> bool {
         if behaviour.is_none() {
             self.desk.stop();
         }
+        let ran = self.gates.stop(behaviour, by);
+        if behaviour.is_none() {
+            // What passed a gate just before it closed.
+            self.desk.stop();
+        } else if ran {
+            // The robot's thread looks which gates are closed.
+            self.desk.ring();
+        }
+        ran
+    }
+
+    /// Writes down what was stopped, gives its devices back and shows it.
+    pub(super) fn settle(&self) {
         let mut book = lock(&self.book);
-        let cancelled = book.cancel(behaviour);
-        let ended = book.end(behaviour, &RunPhase::Stopped(by.to_owned()));
-        self.clear_away(&ended);
+        let ended = book.end_stopped();
+        self.clear_away(&book, &ended);
         self.show(&book);
-        drop(book);
-        if behaviour.is_none() {
-            self.desk.stop();
-        }
-        cancelled || !ended.is_empty()
     }
 
     /// Ends a run that failed by itself, with its actions safe.
     pub(super) fn fault(&self, run: u64, reason: String) {
         let mut book = lock(&self.book);
-        let ended = book.end_run(run, RunPhase::Faulted(reason));
-        self.clear_away(ended.as_slice());
+        // Its thread may notice a Stop before it is written down.
+        let stopped_by = book.get(run).and_then(|entry| entry.gate.stopped_by().map(str::to_owned));
+        let ended = book.end_run(run, stopped_by.map_or(RunPhase::Faulted(reason), RunPhase::Stopped));
+        self.clear_away(&book, ended.as_slice());
         self.show(&book);
     }
 
     /// Ends every run because the robot failed.
     pub(super) fn fault_all(&self, reason: &str) {
         let mut book = lock(&self.book);
-        book.cancel(None);
+        book.cancel_all();
         let ended = book.end(None, &RunPhase::Faulted(reason.to_owned()));
-        self.clear_away(&ended);
+        self.clear_away(&book, &ended);
         self.show(&book);
     }
 
@@ -120,9 +130,10 @@ impl House {
         self.threads.load(Ordering::SeqCst)
     }
 
-    /// Their gates are closed: now the robot holds, gives their devices back, and their threads notice.
-    fn clear_away(&self, ended: &[Entry]) {
-        if ended.iter().any(|entry| entry.acts) {
+    /// Their gates are closed: now the robot ends what they do, and nobody else's, and their threads notice. With
+    /// nobody else left it holds as a whole.
+    fn clear_away(&self, book: &Book, ended: &[Entry]) {
+        if ended.iter().any(|entry| entry.acts) && !book.runs_any() {
             self.desk.stop();
         }
         for entry in ended {

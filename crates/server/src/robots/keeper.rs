@@ -108,9 +108,9 @@ impl<'a> Keeper<'a> {
 
     /// Does what waits, at the robot time of the coming step.
     fn serve(&mut self) {
-        self.stop_if_wanted();
+        self.end_what_ended();
         self.empty_the_desk();
-        self.stop_if_wanted();
+        self.end_what_ended();
     }
 
     fn step(&mut self) {
@@ -127,27 +127,34 @@ impl<'a> Keeper<'a> {
         self.steps += 1;
     }
 
-    /// Asked again before everything that may take a moment or moves the robot.
-    fn stop_if_wanted(&mut self) {
+    /// Holds if that is wanted, and ends what runs did that ended. Asked again before everything that may take a moment
+    /// or moves the robot.
+    fn end_what_ended(&mut self) {
         if self.desk().take_stop() {
             self.robot.stop(self.now());
+        }
+        for run in self.desk().take_closes() {
+            self.close(run);
+        }
+        // A Stop closes the gate first; what is written down of it may come later.
+        let stopped = self.users.iter().find(|(_, user)| !user.gate.is_open()).map(|(run, _)| *run);
+        if let Some(run) = stopped {
+            self.close(run);
+            self.end_what_ended();
         }
     }
 
     fn empty_the_desk(&mut self) {
         let (papers, commands) = self.desk().take();
-        for run in papers.closes {
-            self.close(run);
-        }
         for opening in papers.opens {
-            self.stop_if_wanted();
+            self.end_what_ended();
             self.open(opening);
         }
         for edit in papers.edits {
             self.robot.edit(&edit);
         }
         for (user, command) in commands {
-            self.stop_if_wanted();
+            self.end_what_ended();
             self.command(&user, &command);
         }
     }

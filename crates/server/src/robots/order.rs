@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 /// Behaviours whose place is remembered.
-const ORDER_MAX: usize = 10_000;
+pub(super) const ORDER_MAX: usize = 10_000;
 /// Where the orders are in the data folder, a file a robot.
 const FOLDER: &str = "robot-orders";
 
@@ -33,11 +33,29 @@ impl Order {
         tracing::debug!(?gone, "the order of a robot that is gone");
     }
 
+    /// All of it, from the top.
+    pub(super) fn list(&self) -> Vec<Id> {
+        lock(&self.list).clone()
+    }
+
+    /// Another order in its place.
+    ///
+    /// # Errors
+    /// If it could not be kept; then nothing changed.
+    pub(super) fn replace(&self, order: Vec<Id>) -> std::io::Result<()> {
+        self.change(|list| *list = order)
+    }
+
     /// Whether the first stands above the second.
     pub(super) fn is_above(&self, one: &Id, other: &Id) -> bool {
         let list = lock(&self.list);
         let place = |id: &Id| list.iter().position(|known| known == id).unwrap_or(usize::MAX);
         place(one) < place(other)
+    }
+
+    /// Whether it has a place: it ran on this robot.
+    pub(super) fn has(&self, behaviour: &Id) -> bool {
+        lock(&self.list).contains(behaviour)
     }
 
     /// How many stand above it.
@@ -69,6 +87,7 @@ impl Order {
                 return;
             }
             list.retain(|known| known != behaviour);
+            list.truncate(ORDER_MAX - 1);
             let at = above.and_then(|above| list.iter().position(|known| known == above)).unwrap_or(list.len());
             list.insert(at, behaviour.clone());
         })
@@ -92,7 +111,7 @@ impl Order {
 
 #[cfg(test)]
 mod tests {
-    use super::Order;
+    use super::{ORDER_MAX, Order};
     use behaviour::Id;
 
     #[test]
@@ -114,5 +133,19 @@ mod tests {
         assert_eq!(Order::within(Some(folder.path()), &another).place(&c), 0, "every robot has its own");
         again.forget();
         assert_eq!(Order::within(Some(folder.path()), &robot).place(&a), 0);
+    }
+
+    #[test]
+    fn however_many_are_placed_the_order_has_its_bound() {
+        let order = Order::default();
+        let id = |number: usize| Id::new(&format!("b{number}")).unwrap();
+        *order.list.lock().unwrap() = (0..ORDER_MAX).map(id).collect();
+        for number in 0..3 {
+            order.put(&id(ORDER_MAX + number), Some(&id(1))).unwrap();
+        }
+        order.put(&id(ORDER_MAX + 9), None).unwrap();
+        assert_eq!(order.list.lock().unwrap().len(), ORDER_MAX);
+        assert_eq!(order.place(&id(ORDER_MAX)), 1, "who is placed stays, the lowest go");
+        assert_eq!(order.place(&id(ORDER_MAX + 9)), ORDER_MAX - 1, "also at the end");
     }
 }

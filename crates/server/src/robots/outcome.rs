@@ -5,7 +5,7 @@ use super::runner::{Job, devices};
 use super::tally::Tally;
 use crate::recordings::{Recorder, Step};
 use behaviour::{StreamKind, Value};
-use engine::{Emission, Run};
+use engine::{Emission, End, Run};
 use robot::{Millis, Use};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -81,8 +81,9 @@ impl<'a> Outcome<'a> {
     }
 
     /// What was fed last was carried to its end, unless Stop cut it short; then nobody knows what it would have done.
-    pub(super) fn settle(&mut self) -> bool {
-        let (late, cut) = (std::mem::take(&mut self.late), std::mem::take(&mut self.cut));
+    pub(super) fn settle(&mut self, run: &Run) -> bool {
+        let cut = std::mem::take(&mut self.cut) || run.ended() == Some(End::Stopped);
+        let late = std::mem::take(&mut self.late);
         match &mut self.recorder {
             Some(recorder) if cut => recorder.forget(&mut self.step),
             Some(recorder) => recorder.take(&mut self.step, late),
@@ -92,8 +93,8 @@ impl<'a> Outcome<'a> {
     }
 
     /// The same for closing all instants up to one.
-    pub(super) fn settle_until(&mut self, closed_ms: u64) {
-        if self.settle()
+    pub(super) fn settle_until(&mut self, run: &Run, closed_ms: u64) {
+        if self.settle(run)
             && let Some(recorder) = &mut self.recorder
         {
             recorder.closed(closed_ms);

@@ -1,7 +1,7 @@
 //! Which robots there are, kept in the data folder before it counts.
 
 use crate::whole;
-use behaviour::Id;
+use behaviour::{Id, has_unseen};
 use protocol::ROBOT_NAME_MAX_CHARS;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -42,6 +42,16 @@ impl Register {
         this
     }
 
+    /// Whether it was ever written: people added or removed a robot.
+    pub(super) fn is_kept(&self) -> bool {
+        self.path.as_ref().is_some_and(|path| path.is_file())
+    }
+
+    /// Others in their place.
+    pub(super) fn replace(&mut self, known: Vec<Known>) -> std::io::Result<()> {
+        self.keep(known)
+    }
+
     /// All of them.
     pub(super) fn known(&self) -> &[Known] {
         &self.known
@@ -53,8 +63,8 @@ impl Register {
     /// What is wrong with the name.
     pub(super) fn newcomer(&self, robot: &Id, name: &str) -> Result<Known, String> {
         let name = name.trim();
-        if name.is_empty() || name.chars().any(char::is_control) {
-            return Err("it needs a name of letters and digits".to_owned());
+        if name.is_empty() || has_unseen(name) {
+            return Err("it needs a name of letters and digits, all of which are seen".to_owned());
         }
         if name.chars().count() > ROBOT_NAME_MAX_CHARS {
             return Err(format!("its name may have {ROBOT_NAME_MAX_CHARS} characters"));
@@ -115,6 +125,7 @@ mod tests {
         let robot = Id::new("a").unwrap();
         assert!(register.newcomer(&robot, " \t ").is_err());
         assert!(register.newcomer(&robot, "a\u{7}").is_err());
+        assert!(register.newcomer(&robot, "NAO\u{202e}").is_err());
         assert!(register.newcomer(&robot, &"x".repeat(41)).is_err());
         assert!(register.newcomer(&robot, &"x".repeat(40)).is_ok());
     }

@@ -12,7 +12,7 @@ use super::successor::{Baton, Successor};
 use super::tally::Tally;
 use crate::lock;
 use crate::recordings::{About, Note, Recorder, Recordings};
-use behaviour::{BehaviourFile, FileStream, Id, StreamKind};
+use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Run};
 use protocol::{RunPhase, RunState};
 use robot::Millis;
@@ -98,14 +98,21 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     let mailbox = Arc::new(Mailbox::default());
     let devices = devices(&run, &job.start.file);
     open(job, &mailbox, devices.clone(), false)?;
-    let entry = entry(job, &run, &mailbox, &devices);
-    let (tally, state) = (Tally::new(entry.live.clone(), &run), entry.state.clone());
+    let mut entry = entry(job, &run, &mailbox, &devices);
+    let tally = Tally::new(entry.live.clone(), &run);
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
     let unkept = |error: std::io::Error| format!("its place in the order could not be kept ({error})");
     job.house.order.add(&job.start.behaviour).map_err(unkept)?;
     runner.outcome.recorder = recorder(job)?;
+    entry.state.recording = runner.outcome.recorder.as_mut().and_then(Recorder::news);
     runner.began = Instant::now();
-    if job.house.begin(entry) { Ok((runner, state)) } else { Err("it was stopped before it began".to_owned()) }
+    let state = entry.state.clone();
+    if job.house.begin(entry) {
+        return Ok((runner, state));
+    }
+    let why = "it was stopped before it began";
+    runner.outcome.end_recording(why);
+    Err(why.to_owned())
 }
 
 fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
@@ -117,7 +124,9 @@ fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
 
 /// Compiles what is to run. `clock` says when the procedure that runs began.
 pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, String> {
+    let gate = job.gate.clone();
     let limits = (job.limits)().interrupted_by(interrupt(job.gate.clone(), clock.clone()));
+    let limits = limits.stopped_by(move || !gate.is_open());
     Run::build(&job.start.file, limits).map_err(|faults| in_one_sentence(&faults))
 }
 
@@ -136,22 +145,11 @@ pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<Wanted> {
     let of = |kind: StreamKind| {
         run.streams().iter().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
             let (stream, device) = (Id::new(&info.id).ok()?, info.device.clone()?);
-            let (claim, params) = (claim(&file.streams[index]), info.params.clone());
+            let (claim, params) = (Claim::of(&file.streams[index]), info.params.clone());
             Some(Wanted { stream, index, name: info.name.clone(), device, params, claim })
         })
     };
     of(StreamKind::Actuator).chain(of(StreamKind::Sensor)).collect()
-}
-
-/// The parts of the robot that an actuator stream uses: what it says itself, else what the catalogue says.
-fn claim(stream: &FileStream) -> Claim {
-    let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
-    let parts = |device: &robot::Device| device.parts(&stream.params.clone().unwrap_or_default());
-    let mut claim = Claim::of(stream);
-    if let (None, Some(device)) = (&stream.resources, device) {
-        claim.resources = parts(device).into_iter().map(|part| part.word().to_owned()).collect();
-    }
-    claim
 }
 
 /// Asks the robot for devices; a run that follows another takes over the other's.
@@ -246,7 +244,7 @@ impl<'a> Runner<'a> {
             self.close_instants();
             self.mark(post.marks);
             self.outcome.record(post.end_recording);
-            reason = self.took_too_long();
+            reason = self.run.fault().or_else(|| self.took_too_long());
             if self.may_follow()
                 && let Some(successor) = self.successor.take_if(|_| reason.is_none())
             {
@@ -280,7 +278,7 @@ impl<'a> Runner<'a> {
 
     /// The live rule: a reading counts when it arrived, but never in an instant that is closed.
     fn feed(&mut self, reading: Arrived) {
-        if !self.outcome.job.gate.is_open() {
+        if !self.outcome.job.gate.is_open() || self.run.ended().is_some() {
             return;
         }
         let arrived_ms = self.ms_at(reading.at);
@@ -290,7 +288,7 @@ impl<'a> Runner<'a> {
         outcome.clock.set(Instant::now());
         outcome.reading(at, reading.stream, &reading.value);
         self.run.feed(at, reading.stream, reading.value, &mut |emission| outcome.note(emission));
-        outcome.settle();
+        outcome.settle(&self.run);
     }
 
     /// What is due before a reading comes before it in the recording too.
@@ -299,7 +297,7 @@ impl<'a> Runner<'a> {
         if let (Some(_), Some(before)) = (&outcome.recorder, self.open_ms.checked_sub(1)) {
             outcome.clock.set(Instant::now());
             self.run.until(Millis(before), &mut |emission| outcome.note(emission));
-            outcome.settle_until(before);
+            outcome.settle_until(&self.run, before);
         }
     }
 
@@ -313,7 +311,7 @@ impl<'a> Runner<'a> {
         let outcome = &mut self.outcome;
         outcome.clock.set(Instant::now());
         self.run.until(Millis(until_ms), &mut |emission| outcome.note(emission));
-        outcome.settle_until(until_ms);
+        outcome.settle_until(&self.run, until_ms);
         self.open_ms = until_ms + 1;
     }
 
@@ -328,7 +326,8 @@ impl<'a> Runner<'a> {
 
     fn next_wake(&self) -> Option<Instant> {
         let due = self.run.next_due().map(|due| self.began + Duration::from_millis(due.0));
-        [due, self.outcome.tally.next_telling()].into_iter().flatten().min()
+        let recorded = self.outcome.recorder.as_ref().and_then(Recorder::next_look).map(|look| Instant::now() + look);
+        [due, self.outcome.tally.next_telling(), recorded].into_iter().flatten().min()
     }
 
     fn took_too_long(&mut self) -> Option<String> {

@@ -2,6 +2,8 @@
 
 mod applying;
 mod between;
+mod ending;
+mod multiplying;
 mod puppet;
 mod recording;
 mod running;

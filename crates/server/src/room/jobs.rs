@@ -1,14 +1,17 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
-use super::RoomTask;
-use super::saving::{self, Keep, Saved};
+use super::saving::{self, Saved};
+use super::{RoomTask, Stay};
 use crate::outbox::Answer;
-use behaviour::{Change, Decision, Kind, Record, Refusal};
+use behaviour::{Change, Kind, Refusal};
 use protocol::{Reply, SaidNo};
+use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
 /// Jobs that may wait in one room.
-const WAITING_MAX_JOBS: usize = 256;
+const WAITING_MAX_JOBS: usize = 1_024;
+/// Jobs of one sender among them.
+const WAITING_PER_SENDER_MAX_JOBS: usize = 256;
 
 /// What has to be saved.
 pub(super) enum Job {
@@ -19,6 +22,13 @@ pub(super) enum Job {
 }
 
 impl Job {
+    /// The link of who wants it; none is the server.
+    fn sender(&self) -> Option<u64> {
+        match self {
+            Self::Save(_, answer) | Self::Remove(_, answer) => answer.session(),
+        }
+    }
+
     fn no(self, no: SaidNo) {
         match self {
             Self::Save(_, answer) | Self::Remove(_, answer) => answer.no(no),
@@ -26,61 +36,88 @@ impl Job {
     }
 }
 
+/// Jobs that wait: each sender's in order, and the senders take turns.
+#[derive(Default)]
+pub(super) struct Waiting {
+    of: BTreeMap<Option<u64>, VecDeque<Job>>,
+    /// Who is next.
+    turns: VecDeque<Option<u64>>,
+    count: usize,
+}
+
+impl Waiting {
+    /// Whether one more job of this sender finds room.
+    fn has_room(&self, sender: Option<u64>) -> bool {
+        let mine = self.of.get(&sender).map_or(0, VecDeque::len);
+        self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS
+    }
+
+    fn put(&mut self, job: Job) {
+        let sender = job.sender();
+        let mine = self.of.entry(sender).or_default();
+        if mine.is_empty() {
+            self.turns.push_back(sender);
+        }
+        mine.push_back(job);
+        self.count += 1;
+    }
+
+    fn take(&mut self) -> Option<Job> {
+        let sender = self.turns.pop_front()?;
+        let jobs = self.of.get_mut(&sender)?;
+        let job = jobs.pop_front()?;
+        self.count -= 1;
+        if jobs.is_empty() {
+            self.of.remove(&sender);
+        } else {
+            self.turns.push_back(sender);
+        }
+        Some(job)
+    }
+
+    fn take_all(&mut self) -> Vec<Job> {
+        std::iter::from_fn(|| self.take()).collect()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+}
+
 impl RoomTask {
     pub(super) fn wait(&mut self, job: Job) {
-        if self.gone {
+        if self.stay == Stay::Gone {
             job.no(SaidNo::NoBehaviour);
-        } else if self.waiting.len() >= WAITING_MAX_JOBS {
-            job.no(SaidNo::TooFast);
+        } else if self.waiting.has_room(job.sender()) {
+            self.waiting.put(job);
         } else {
-            self.waiting.push_back(job);
+            job.no(SaidNo::TooFast);
         }
     }
 
-    /// Begins the next jobs until one has to wait for the store.
+    /// Begins the next job: one at a time.
     pub(super) fn start_saving(&mut self) {
-        while self.saving.is_none() && !self.waiting.is_empty() {
-            if let Some(no) = self.hub.health.away() {
-                self.waiting.drain(..).for_each(|job| job.no(no.clone()));
-                return;
-            }
-            if self.uncertain {
-                let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
-                self.saving = Some(Box::pin(saving::catch_up(hub, id, self.room.revision())));
-                return;
-            }
-            match self.waiting.pop_front() {
-                Some(Job::Save(change, from)) => self.decide(change, from),
-                Some(Job::Remove(by, from)) => {
-                    let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
-                    self.saving = Some(Box::pin(saving::remove(hub, id, by, from)));
-                }
-                None => {}
-            }
+        if self.saving.is_some() || self.waiting.is_empty() {
+            return;
         }
-    }
-
-    fn decide(&mut self, change: Change, from: Answer) {
-        if let Some(stranger) = self.stranger(&change) {
-            return from.no(SaidNo::Change(Refusal::Malformed(stranger)));
+        if let Some(no) = self.hub.health.away() {
+            return self.waiting.take_all().into_iter().for_each(|job| job.no(no.clone()));
         }
         let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
-        match self.room.propose(crate::now_ms(), change.clone(), &*self.hub.knowing) {
-            Decision::Save(committed) => {
-                let helpers = helpers_let_go(&committed.change);
-                let mut after = self.room.behaviour().clone();
-                after.apply(&committed.change);
-                let keep = Keep { committed, after, helpers };
-                self.saving = Some(Box::pin(saving::save(hub, id, keep, from)));
-            }
-            Decision::Duplicate(revision) => match self.log.iter().find(|known| known.revision == revision) {
-                Some(known) => from.give(Reply::Accepted { behaviour: id, accepted: known.clone() }),
-                None => self.saving = Some(Box::pin(saving::repeat(hub, id, revision, from))),
+        if self.uncertain {
+            self.saving = Some(Box::pin(saving::catch_up(hub, id, self.room.revision())));
+            return;
+        }
+        match self.waiting.take() {
+            Some(Job::Save(change, from)) => match self.stranger(&change) {
+                Some(stranger) => from.no(SaidNo::Change(Refusal::Malformed(stranger))),
+                None => self.saving = Some(Box::pin(saving::decide(hub, id, Arc::clone(&self.room), change, from))),
             },
-            Decision::Refuse(refusal @ Refusal::Stale(_)) => {
-                self.saving = Some(Box::pin(saving::settle(hub, id, change, refusal, from)));
+            Some(Job::Remove(by, from)) => {
+                self.stay = Stay::Leaving;
+                self.saving = Some(Box::pin(saving::remove(hub, id, by, from)));
             }
-            Decision::Refuse(refusal) => from.no(SaidNo::Change(refusal)),
+            None => {}
         }
     }
 
@@ -103,12 +140,15 @@ impl RoomTask {
                 news.iter().for_each(|news| self.commit(news, None));
             }
             Saved::CaughtUp(Err(no)) => {
-                if let Some(job) = self.waiting.pop_front() {
+                if let Some(job) = self.waiting.take() {
                     job.no(no);
                 }
             }
             Saved::Removed { outcome: Ok(()), from, by } => self.removed(&by, from),
-            Saved::Removed { outcome: Err(no), from, .. } => from.no(no),
+            Saved::Removed { outcome: Err(no), from, .. } => {
+                self.stay = Stay::Here;
+                from.no(no);
+            }
         }
     }
 
@@ -116,7 +156,7 @@ impl RoomTask {
     fn conclude(&mut self, news: &[behaviour::Committed], answer: Result<behaviour::Accepted, SaidNo>, from: Answer) {
         let here = from.session().filter(|session| self.members.contains_key(session));
         let asked =
-            if let (Some(session), Answer::Client(_, ask)) = (here, &from) { Some((session, *ask)) } else { None };
+            if let (Some(session), Answer::Client(_, ask, _)) = (here, &from) { Some((session, *ask)) } else { None };
         let mut told = false;
         for one in news {
             let mine = asked.filter(|_| answer.as_ref().is_ok_and(|mine| mine.revision == one.revision));
@@ -132,24 +172,34 @@ impl RoomTask {
 
     fn removed(&mut self, by: &str, from: Answer) {
         tracing::info!(behaviour = %self.id, by, "a behaviour goes to the bin");
-        self.gone = true;
-        std::mem::take(&mut self.waiting).into_iter().for_each(|job| job.no(SaidNo::NoBehaviour));
+        self.stay = Stay::Gone;
+        self.waiting.take_all().into_iter().for_each(|job| job.no(SaidNo::NoBehaviour));
         self.hub.programs.tell();
         from.give(Reply::Done);
         self.tell_removed(by);
     }
 }
 
-/// The helpers that would no longer be there under their name.
-fn helpers_let_go(change: &Change) -> Vec<String> {
-    let mut gone = Vec::new();
-    for edit in &change.edits {
-        if let Some(Record::Helper(before)) = &edit.before {
-            let stays = matches!(&edit.after, Some(Record::Helper(after)) if after.name == before.name);
-            if !stays {
-                gone.push(before.name.clone());
-            }
+#[cfg(test)]
+mod tests {
+    use super::{Job, WAITING_PER_SENDER_MAX_JOBS, Waiting};
+    use crate::outbox::{AllWaiting, Answer, Outbox};
+
+    fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
+        let (outbox, ..) = Outbox::new(session, AllWaiting::default());
+        let has_room = waiting.has_room(Some(session));
+        if has_room {
+            waiting.put(Job::Remove(by.to_owned(), Answer::Client(outbox, 1, None)));
         }
+        has_room
     }
-    gone
+
+    #[test]
+    fn senders_take_turns_and_each_has_its_own_bound() {
+        let mut waiting = Waiting::default();
+        let mine = (0..2 * WAITING_PER_SENDER_MAX_JOBS).filter(|_| put(&mut waiting, 1, "Ben")).count();
+        assert!(mine == WAITING_PER_SENDER_MAX_JOBS && put(&mut waiting, 2, "Aiko"));
+        let mut next = || waiting.take().and_then(|job| job.sender());
+        assert_eq!([next(), next(), next()], [Some(1), Some(2), Some(1)]);
+    }
 }

@@ -1,56 +1,64 @@
 //! Who is in a room: coming, going, pointing, and catching up.
 
-use super::RoomTask;
+use super::log::page;
+use super::{RoomTask, Stay};
 use crate::hub::{bounded, store_no};
-use crate::outbox::{Answer, Out, encode};
+use crate::outbox::{Answer, Out, Whole, encode};
 use crate::rooms::Member;
 use crate::templates::Template;
 use behaviour::{Accepted, Id};
 use protocol::{Person, Pointer, Reply, SaidNo};
 use std::sync::Arc;
 
-/// Changes in one answer to who missed some; who missed more opens again.
+/// Who missed more changes than this opens again.
 const MISSED_MAX_CHANGES: u64 = 256;
+/// Changes that are fetched from the store at once for who missed some.
+const FETCHED_MAX_CHANGES: u64 = 32;
 
 impl RoomTask {
     /// The answer goes into the member's queue here, so that no change can come before it.
-    pub(super) fn join(&mut self, member: Member, ask: u32) {
-        if self.gone {
+    pub(super) fn join(&mut self, member: Member, ask: u32, secret: Option<Id>) {
+        if self.stay == Stay::Gone {
             return member.outbox.no(ask, SaidNo::NoBehaviour);
         }
-        if self.is_library() {
-            member.outbox.say(Some(ask), self.welcome(&member.person));
+        if let Some(secret) = secret {
+            member.outbox.show(ask, self.welcome(&member.person, secret));
         }
         let (session, outbox) = (member.outbox.session, member.outbox.clone());
         self.members.insert(session, member);
         if !self.is_library() {
-            outbox.say(Some(ask), self.opened());
+            outbox.show(ask, self.opened());
             self.tell_people();
             outbox.put(Out::Follow(Box::new(self.feed())));
         }
     }
 
-    fn welcome(&self, you: &Person) -> Reply {
+    fn welcome(&self, you: &Person, secret: Id) -> Whole {
         let templates = crate::templates::templates().iter().map(Template::summary);
-        Reply::Welcome {
+        let reply = Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.hub.epoch,
             you: you.clone(),
-            library: Box::new(self.room.behaviour().clone()),
+            secret,
+            library: Box::default(),
+            more: false,
             library_revision: self.room.revision(),
             templates: templates.collect(),
-        }
+        };
+        Whole { reply, room: Arc::clone(&self.room) }
     }
 
-    fn opened(&self) -> Reply {
-        Reply::Opened {
+    fn opened(&self) -> Whole {
+        let reply = Reply::Opened {
             behaviour: self.id.clone(),
             revision: self.room.revision(),
-            records: Box::new(self.room.behaviour().clone()),
+            records: Box::default(),
+            more: false,
             problems: self.found.problems.clone(),
             fingerprint: self.found.fingerprint,
             people: self.people(),
-        }
+        };
+        Whole { reply, room: Arc::clone(&self.room) }
     }
 
     pub(super) fn leave(&mut self, session: u64) {
@@ -77,22 +85,22 @@ impl RoomTask {
         self.people_text.send_replace(encode(None, reply));
     }
 
-    /// Changes that somebody missed: from memory, else from the store.
+    /// The first of the changes that somebody missed: from memory, else from the store.
     pub(super) fn since(&self, revision: u64, answer: Answer) {
         let here = self.room.revision();
         let wanted = here.saturating_sub(revision);
         if wanted > MISSED_MAX_CHANGES && !self.is_library() {
-            return answer.give(self.opened());
-        }
-        let newest: Vec<Accepted> = self.log.iter().filter(|change| change.revision > revision).cloned().collect();
-        if newest.len() as u64 == wanted {
-            return answer.give(Reply::Missed { behaviour: self.id.clone(), changes: newest });
+            return answer.show(self.opened());
         }
         let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
-        self.hub.tasks.spawn(async move {
-            let most = u32::try_from(wanted).unwrap_or(u32::MAX);
+        let at_hand = if wanted == 0 { Some(Vec::new()) } else { self.log.since(revision) };
+        if let Some(changes) = at_hand {
+            return answer.give(missed(id, changes, here));
+        }
+        self.hub.spawn(async move {
+            let most = u32::try_from(wanted.min(FETCHED_MAX_CHANGES)).unwrap_or(u32::MAX);
             match bounded(hub.store.history(&id, revision, most)).await {
-                Ok(changes) => answer.give(Reply::Missed { behaviour: id, changes }),
+                Ok(changes) => answer.give(missed(id, page(changes), here)),
                 Err(error) => answer.no(store_no(&error)),
             }
         });
@@ -106,4 +114,10 @@ impl RoomTask {
             member.outbox.put(Out::Text(text.clone()));
         }
     }
+}
+
+/// The answer to who missed some changes, when the newest revision is `here`.
+fn missed(behaviour: Id, changes: Vec<Accepted>, here: u64) -> Reply {
+    let more = changes.last().is_some_and(|last| last.revision < here);
+    Reply::Missed { behaviour, changes, more }
 }

@@ -3,10 +3,10 @@
 
 use super::RoomTask;
 use crate::outbox::encode;
+use crate::workers::{CancelFlag, NotDone, Sender};
 use behaviour::{BehaviourFile, Problem};
 use protocol::Reply;
 use std::sync::Arc;
-use tokio::task::JoinError;
 
 /// What was found out about one revision.
 #[derive(Clone, Debug, Default)]
@@ -35,17 +35,19 @@ impl RoomTask {
         }
         self.problems_due = false;
         let (knowing, shelf) = (Arc::clone(&self.hub.knowing), self.shelf.borrow_and_update().clone());
-        let (behaviour, revision) = (self.room.behaviour().clone(), self.room.revision());
-        let find = move || {
-            let helpers = shelf.helpers();
-            let problems = behaviour::problems(&behaviour, &helpers, &*knowing);
-            Found { revision, problems, fingerprint: BehaviourFile::of(&behaviour, &helpers).fingerprint() }
+        let room = Arc::clone(&self.room);
+        let find = move |_: &CancelFlag| {
+            let (behaviour, helpers) = (room.behaviour(), shelf.helpers());
+            let problems = behaviour::problems(behaviour, &helpers, &*knowing);
+            let fingerprint = BehaviourFile::of(behaviour, &helpers).fingerprint();
+            Found { revision: room.revision(), problems, fingerprint }
         };
-        self.finding = Some(tokio::task::spawn_blocking(find));
+        let (workers, sender) = (self.hub.workers.clone(), Sender::Room(self.id.clone()));
+        self.finding = Some(Box::pin(async move { workers.run(sender, find).await }));
     }
 
     /// They are found.
-    pub(super) fn found_problems(&mut self, found: Result<Found, JoinError>) {
+    pub(super) fn found_problems(&mut self, found: Result<Found, NotDone>) {
         match found {
             Ok(found) => {
                 let Found { revision, problems, fingerprint } = found.clone();
@@ -53,7 +55,9 @@ impl RoomTask {
                 let reply = Reply::Problems { behaviour: self.id.clone(), revision, problems, fingerprint };
                 self.problems_text.send_replace(encode(None, reply));
             }
-            Err(error) => tracing::error!(behaviour = %self.id, %error, "the problems could not be found"),
+            // When it is the turn of something else, it is tried again.
+            Err(NotDone::TooMuch) => self.problems_due = true,
+            Err(NotDone::Failed) => tracing::error!(behaviour = %self.id, "the problems could not be found"),
         }
     }
 }

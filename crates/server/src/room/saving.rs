@@ -2,7 +2,8 @@
 
 use crate::hub::{Hub, bounded, reason, store_no};
 use crate::outbox::Answer;
-use behaviour::{Accepted, Behaviour, Change, Committed, Id, Refusal};
+use crate::workers::Sender;
+use behaviour::{Accepted, Behaviour, Change, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
 use protocol::SaidNo;
 use std::sync::Arc;
 use store::{Append, StoreError};
@@ -37,17 +38,65 @@ pub(super) enum Saved {
 }
 
 /// What is to be kept, and what has to be so before.
-pub(super) struct Keep {
+struct Keep {
     /// The change.
-    pub(super) committed: Committed,
+    committed: Committed,
     /// The behaviour with the change made.
-    pub(super) after: Behaviour,
+    after: Behaviour,
     /// Helpers that nobody may use.
-    pub(super) helpers: Vec<String>,
+    helpers: Vec<String>,
+}
+
+/// What the room decided about a change.
+enum Decided {
+    Save(Box<Keep>),
+    Duplicate(u64),
+    /// Not as its sender saw it; it may be one that was made long ago.
+    Stale(Change, Refusal),
+    Refuse(Refusal),
+}
+
+/// Decides about a change among the other work, then keeps it.
+pub(super) async fn decide(hub: Arc<Hub>, id: Id, room: Arc<Room>, change: Change, from: Answer) -> Saved {
+    let sender = from.session().map_or(Sender::Server, Sender::Link);
+    let (knowing, now_ms) = (Arc::clone(&hub.knowing), crate::now_ms());
+    let decided = hub.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
+    let no = |no: SaidNo, from| Saved::Change { news: Vec::new(), answer: Err(no), from, uncertain: false };
+    match decided {
+        Ok(Decided::Save(keep)) => save(hub, id, *keep, from).await,
+        Ok(Decided::Duplicate(revision)) => repeat(hub, id, revision, from).await,
+        Ok(Decided::Stale(change, refusal)) => settle(hub, id, change, refusal, from).await,
+        Ok(Decided::Refuse(refusal)) => no(SaidNo::Change(refusal), from),
+        Err(why) => no(why.into(), from),
+    }
+}
+
+fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) -> Decided {
+    match room.propose(now_ms, change.clone(), knowledge) {
+        Decision::Save(committed) => {
+            let helpers = helpers_let_go(&committed.change);
+            let mut after = room.behaviour().clone();
+            after.apply(&committed.change);
+            Decided::Save(Box::new(Keep { committed, after, helpers }))
+        }
+        Decision::Duplicate(revision) => Decided::Duplicate(revision),
+        Decision::Refuse(refusal @ Refusal::Stale(_)) => Decided::Stale(change, refusal),
+        Decision::Refuse(refusal) => Decided::Refuse(refusal),
+    }
+}
+
+/// The helpers that would no longer be there under their name.
+fn helpers_let_go(change: &Change) -> Vec<String> {
+    let gone = change.edits.iter().filter_map(|edit| match (&edit.before, &edit.after) {
+        (Some(Record::Helper(before)), Some(Record::Helper(after))) if before.name == after.name => None,
+        (Some(Record::Helper(before)), _) => Some(before.name.clone()),
+        _ => None,
+    });
+    gone.collect()
 }
 
 /// Keeps a change.
-pub(super) async fn save(hub: Arc<Hub>, id: Id, keep: Keep, from: Answer) -> Saved {
+async fn save(hub: Arc<Hub>, id: Id, keep: Keep, from: Answer) -> Saved {
     let Keep { committed, after, helpers } = keep;
     let before = committed.revision.saturating_sub(1);
     let no = |no, uncertain| (Vec::new(), Err(no), uncertain);
@@ -104,7 +153,7 @@ async fn one(hub: &Hub, id: &Id, revision: u64) -> Result<Accepted, SaidNo> {
 
 /// A change that the rules refuse may be one that was made long ago and is sent again: the store knows every op. Asked
 /// under revision 0, which is never the next one, it keeps nothing.
-pub(super) async fn settle(hub: Arc<Hub>, id: Id, change: Change, refusal: Refusal, from: Answer) -> Saved {
+async fn settle(hub: Arc<Hub>, id: Id, change: Change, refusal: Refusal, from: Answer) -> Saved {
     let probe = Committed { revision: 0, change };
     let answer = match bounded(hub.store.append(&id, &probe, &Behaviour::default())).await {
         Ok(Append::Duplicate { revision }) => one(&hub, &id, revision).await,
@@ -114,7 +163,7 @@ pub(super) async fn settle(hub: Arc<Hub>, id: Id, change: Change, refusal: Refus
 }
 
 /// Answers a change that the room remembers.
-pub(super) async fn repeat(hub: Arc<Hub>, id: Id, revision: u64, from: Answer) -> Saved {
+async fn repeat(hub: Arc<Hub>, id: Id, revision: u64, from: Answer) -> Saved {
     Saved::Change { news: Vec::new(), answer: one(&hub, &id, revision).await, from, uncertain: false }
 }
 
@@ -126,7 +175,7 @@ pub(super) async fn catch_up(hub: Arc<Hub>, id: Id, revision: u64) -> Saved {
 
 /// Moves the behaviour to the bin.
 pub(super) async fn remove(hub: Arc<Hub>, id: Id, by: String, from: Answer) -> Saved {
-    let outcome = if hub.robots.is_running(&id) {
+    let outcome = if hub.robots.has(&id) {
         Err(SaidNo::Running)
     } else {
         match bounded(hub.store.remove(&id, crate::now_ms(), &by)).await {

@@ -2,17 +2,22 @@
 
 use super::Incoming;
 use crate::cut::Why;
-use axum::extract::ws::Message;
+use axum::extract::ws::{Message, Utf8Bytes};
 use protocol::Ask;
 use serde::Deserialize;
 
 /// The longest reason that is told, in characters.
 const REASON_MAX_CHARS: usize = 200;
 
+/// What is read at once, in bytes; every Stop is smaller.
+const SMALL_MAX_BYTES: usize = 4 << 10;
+
 /// What one message is.
 pub(super) enum Heard {
     /// A request.
     Ask(Box<Ask>),
+    /// Too large to be read here.
+    Large(Utf8Bytes),
     /// None of ours; with its number if it has one, and the reason.
     Nonsense(Option<u32>, String),
     /// A sign of life.
@@ -24,6 +29,7 @@ pub(super) enum Heard {
 /// Reads one message.
 pub(super) fn hear(message: Incoming) -> Heard {
     match message {
+        Some(Ok(Message::Text(text))) if text.len() > SMALL_MAX_BYTES => Heard::Large(text),
         Some(Ok(Message::Text(text))) => read(&text),
         Some(Ok(Message::Binary(_))) => Heard::Nonsense(None, "it is not text".to_owned()),
         Some(Ok(Message::Ping(_) | Message::Pong(_))) => Heard::Nothing,
@@ -32,7 +38,8 @@ pub(super) fn hear(message: Incoming) -> Heard {
     }
 }
 
-fn read(text: &str) -> Heard {
+/// Reads a text.
+pub(super) fn read(text: &str) -> Heard {
     match serde_json::from_str(text) {
         Ok(ask) => Heard::Ask(Box::new(ask)),
         Err(error) => {

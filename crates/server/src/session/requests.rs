@@ -1,12 +1,13 @@
 //! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
 
 use super::Session;
-use crate::checking::{Trial, helpers_of};
+use crate::checking::{self, Trial, helpers_of};
 use crate::create::{self, Wish};
 use crate::hub::{bounded, store_no};
 use crate::outbox::{Answer, Out};
 use crate::rooms::Note;
 use crate::start;
+use crate::workers::{CancelFlag, Sender};
 use crate::{insight, pictures, programs};
 use behaviour::{Change, Id};
 use protocol::{Reply, Request, SaidNo};
@@ -30,12 +31,17 @@ impl Session {
             Request::Restore { behaviour } => self.restore(ask, behaviour),
             Request::Propose { behaviour, change } => self.propose(ask, &behaviour, change),
             Request::Since { behaviour, revision } => {
-                self.hub.tell(&behaviour, Note::Since(revision, self.answer(ask)))
+                let answer = self.answer(ask);
+                self.hub.tell(&behaviour, Note::Since(revision, answer));
             }
             Request::Check { arguments, body, inputs } => {
-                let helpers = helpers_of(&body, &self.hub.shelf().helpers());
-                let (checker, trial) = (self.hub.checker.clone(), Trial { arguments, body, inputs, helpers });
-                self.later(ask, async move { Ok(checker.check(trial).await) });
+                let (shelf, hub) = (self.hub.shelf(), Arc::clone(&self.hub));
+                let sender = Sender::Link(self.outbox.session);
+                let check = move |_: &CancelFlag| {
+                    let helpers = helpers_of(&body, &shelf.helpers());
+                    checking::check(&Trial { arguments, body, inputs, helpers })
+                };
+                self.later(ask, async move { Ok(hub.workers.run(sender, check).await?) });
             }
             Request::Present { pointer, selected } => {
                 if let Some(open) = &self.open {
@@ -50,8 +56,9 @@ impl Session {
                 let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
                 self.later(ask, async move { start::apply(&hub, behaviour, robot, by).await });
             }
+            // Who reads the socket did it already, unless it was hidden in a large message.
             Request::Stop { behaviour, robot } => {
-                start::stop(&self.hub, behaviour.as_ref(), robot.as_ref(), &self.me.name);
+                self.hub.robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
                 self.outbox.say(Some(ask), Reply::Done);
             }
             Request::Stimulate { behaviour, robot, stream, value } => {
@@ -87,8 +94,8 @@ impl Session {
         self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
-    fn answer(&self, ask: u32) -> Answer {
-        Answer::Client(self.outbox.clone(), ask)
+    fn answer(&mut self, ask: u32) -> Answer {
+        Answer::Client(self.outbox.clone(), ask, self.weight.take())
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
@@ -97,7 +104,7 @@ impl Session {
             return self.outbox.no(ask, SaidNo::TooFast);
         };
         let outbox = self.outbox.clone();
-        self.hub.tasks.spawn(async move {
+        self.hub.spawn(async move {
             let reply = work.await.unwrap_or_else(|no| Reply::No { no });
             outbox.say(Some(ask), reply);
             drop(place);
@@ -160,7 +167,7 @@ impl Session {
         }
         self.leave_open();
         self.outbox.put(Out::Unfollow);
-        self.hub.tell(&behaviour, Note::Join(self.member(), ask));
+        self.hub.tell(&behaviour, Note::Join(self.member(), ask, None));
         self.open = Some(behaviour);
     }
 
@@ -171,18 +178,18 @@ impl Session {
     }
 
     /// The author is who sends it, whatever the change says.
-    fn propose(&self, ask: u32, behaviour: &Id, change: Change) {
+    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change) {
         let change = Change { author: self.me.name.clone(), ..change };
-        self.hub.tell(behaviour, Note::Propose(change, self.answer(ask)));
+        let answer = self.answer(ask);
+        self.hub.tell(behaviour, Note::Propose(change, answer));
     }
 
-    fn remove(&self, ask: u32, behaviour: &Id) {
+    fn remove(&mut self, ask: u32, behaviour: &Id) {
         if *behaviour == self.hub.library {
             self.outbox.no(ask, SaidNo::NoBehaviour);
-        } else if self.hub.robots.is_running(behaviour) {
-            self.outbox.no(ask, SaidNo::Running);
         } else {
-            self.hub.tell(behaviour, Note::Remove(self.me.name.clone(), self.answer(ask)));
+            let answer = self.answer(ask);
+            self.hub.tell(behaviour, Note::Remove(self.me.name.clone(), answer));
         }
     }
 

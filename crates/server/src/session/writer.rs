@@ -4,8 +4,9 @@
 use super::values::Watching;
 use crate::cut::{Cut, Why};
 use crate::hub::Hub;
-use crate::outbox::{Feed, Out, QUEUE_MAX_MESSAGES, encode};
+use crate::outbox::{Feed, Out, QUEUE_MAX_MESSAGES, Waiting, encode};
 use crate::topics::BEAT_MS;
+use crate::workers::{CancelFlag, Sender};
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
@@ -24,7 +25,11 @@ const CLOSE_MS: u64 = 1_000;
 
 struct Writer {
     hub: Arc<Hub>,
+    /// The number of the link.
+    session: u64,
     sink: SplitSink<WebSocket, Message>,
+    /// What is in the queue.
+    waiting: Waiting,
     /// Told to everyone: runs, robots, the store's health, that the list of behaviours changed.
     topics: [watch::Receiver<Utf8Bytes>; 4],
     /// Pictures of the watched robot; which one, if it was named.
@@ -39,14 +44,23 @@ struct Writer {
 }
 
 /// Writes until the link is cut.
-pub(super) async fn write(hub: Arc<Hub>, sink: SplitSink<WebSocket, Message>, inbox: mpsc::Receiver<Out>, cut: Cut) {
+pub(super) async fn write(
+    hub: Arc<Hub>,
+    session: u64,
+    sink: SplitSink<WebSocket, Message>,
+    inbox: mpsc::Receiver<Out>,
+    waiting: Waiting,
+    cut: Cut,
+) {
     let mut topics =
         [hub.topics.runs.subscribe(), hub.topics.robots.subscribe(), hub.health.text(), hub.programs.text()];
     topics[..3].iter_mut().for_each(watch::Receiver::mark_changed);
     let scene = pictures(&hub, None);
     let mut writer = Writer {
         hub,
+        session,
         sink,
+        waiting,
         topics,
         scene,
         robot: None,
@@ -96,7 +110,15 @@ impl Writer {
         let mut texts = Vec::with_capacity(batch.len());
         for out in batch.drain(..) {
             match out {
-                Out::Text(text) => texts.push(text),
+                Out::Text(text) => {
+                    self.waiting.taken(&text);
+                    texts.push(text);
+                }
+                Out::Whole(ask, whole) => {
+                    self.send(std::mem::take(&mut texts)).await?;
+                    self.parts(whole.texts(ask)).await?;
+                    self.welcomed = true;
+                }
                 Out::Follow(feed) => self.feed = Some(feed),
                 Out::Unfollow => self.feed = None,
                 Out::Watch { robot, scene, values } => self.watch(robot, scene, values),
@@ -125,7 +147,7 @@ impl Writer {
             texts.extend(newest(&mut feed.people));
             texts.extend(newest(&mut feed.problems));
             if self.values_wanted {
-                texts.extend(self.watching.news(&self.hub, &feed.behaviour, self.robot.as_ref()));
+                texts.extend(values(&self.hub, &mut self.watching, &feed.behaviour, self.robot.as_ref()).await);
             }
         }
         if texts.is_empty() { Ok(()) } else { self.send(texts).await }
@@ -140,6 +162,23 @@ impl Writer {
 
     async fn send(&mut self, texts: Vec<Utf8Bytes>) -> Result<(), Why> {
         self.write(texts.into_iter().map(Message::Text)).await
+    }
+
+    /// Writes one part after the other, each made among the other work when it is its turn; the pings between them show
+    /// on both sides that the link lives.
+    async fn parts(&mut self, texts: impl Iterator<Item = Utf8Bytes> + Send + 'static) -> Result<(), Why> {
+        let mut texts = texts;
+        loop {
+            let make = move |_: &CancelFlag| {
+                let text = texts.next();
+                (text, texts)
+            };
+            let made = self.hub.workers.run(Sender::Writer(self.session), make).await;
+            let (text, rest) = made.map_err(|_| Why::Resync)?;
+            let Some(text) = text else { return Ok(()) };
+            self.write([Message::Text(text), Message::Ping(Bytes::new())]).await?;
+            texts = rest;
+        }
     }
 
     /// A client that takes too long is cut off; everything is still there when it comes back.
@@ -172,6 +211,18 @@ impl Writer {
         };
         let _ = tokio::time::timeout(Duration::from_millis(CLOSE_MS), end).await;
     }
+}
+
+/// What is new of the live values, made on the server's other threads.
+async fn values(hub: &Arc<Hub>, watching: &mut Watching, behaviour: &Id, robot: Option<&Id>) -> Option<Utf8Bytes> {
+    let (known, hub, behaviour, robot) = (std::mem::take(watching), Arc::clone(hub), behaviour.clone(), robot.cloned());
+    let made = hub.clone().runtime.spawn(async move {
+        let mut known = known;
+        (known.news(&hub, &behaviour, robot.as_ref()), known)
+    });
+    let (text, known) = made.await.ok()?;
+    *watching = known;
+    text
 }
 
 /// Pictures of a robot, beginning with the newest.

@@ -10,7 +10,7 @@ pub(crate) async fn raw(house: &House, request: &str) -> String {
     let mut stream = TcpStream::connect(house.address).await.unwrap();
     stream.write_all(request.as_bytes()).await.unwrap();
     let mut answer = Vec::new();
-    let _ = tokio::time::timeout(Duration::from_secs(10), stream.read_to_end(&mut answer)).await.unwrap();
+    let _ = tokio::time::timeout(Duration::from_secs(60), stream.read_to_end(&mut answer)).await.unwrap();
     String::from_utf8_lossy(&answer).into_owned()
 }
 
@@ -90,20 +90,20 @@ async fn half_a_header_and_a_silent_socket_do_not_stay() {
     house.close().await;
 }
 
-fn post(house: &House, path: &str, body: &str) -> String {
+pub(crate) fn post(house: &House, path: &str, body: &str) -> String {
     let more = format!("Origin: http://{}\r\nContent-Length: {}\r\n\r\n{body}", house.address, body.len());
     line("POST", path, house, &more).trim_end_matches("\r\n").to_owned()
 }
 
 /// Status line and body of what came back.
-async fn asked(house: &House, request: &str) -> (String, String) {
+pub(crate) async fn asked(house: &House, request: &str) -> (String, String) {
     let answer = raw(house, request).await;
     let (head, body) = answer.split_once("\r\n\r\n").expect("a head and a body");
     let status = head.split_whitespace().nth(1).expect("a status").to_owned();
     (status, body.to_owned())
 }
 
-async fn exported(house: &House, id: &str, ending: &str) -> String {
+pub(crate) async fn exported(house: &House, id: &str, ending: &str) -> String {
     let (status, body) = asked(house, &line("GET", &format!("/api/behaviours/{id}.{ending}"), house, "")).await;
     assert_eq!(status, "200", "{body}");
     body
@@ -162,7 +162,7 @@ async fn a_file_that_cannot_be_imported_is_refused_with_line_and_reason() {
         (file.replace("distance >= 0.5", "distance >="), "422", "This procedure cannot run"),
         (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "cannot be a name"),
         ("<!DOCTYPE x><behaviour/>".to_owned(), "400", "Line 1, column 1: A DOCTYPE"),
-        (" ".repeat(store::files::FILE_MAX_BYTES + 1), "413", "larger than 2097152 bytes"),
+        (" ".repeat(store::files::FILE_MAX_BYTES + 1), "413", "larger than 8388608 bytes"),
     ];
     for (text, status, reason) in cases {
         let (said, body) = asked(&house, &post(&house, "/api/import", &text)).await;

@@ -2,7 +2,7 @@
 
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Reply, Request, SaidNo};
+use protocol::{Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Reply, Request, SaidNo};
 use shell::{Client, Trouble};
 use std::time::Duration;
 use tokio::net::TcpStream;
@@ -38,10 +38,7 @@ async fn the_greeting_comes_first_and_in_our_version() {
     let house = House::open().await;
     let table = [
         (r#"{"ask":1,"request":{"is":"list"}}"#, SaidNo::Greeting),
-        (
-            r#"{"ask":1,"request":{"is":"hello","version":99,"client":"a","name":"A"}}"#,
-            SaidNo::Version(protocol::VERSION),
-        ),
+        (r#"{"ask":1,"request":{"is":"hello","version":99,"name":"A"}}"#, SaidNo::Version(protocol::VERSION)),
     ];
     for (text, expected) in table {
         assert_eq!(say(&mut socket(&house).await, text).await, (Some(expected), Some(1008)));
@@ -55,7 +52,8 @@ async fn the_greeting_comes_first_and_in_our_version() {
 async fn a_message_that_is_too_large_ends_the_link() {
     let house = House::open().await;
     let mut socket = socket(&house).await;
-    let hello = r#"{"ask":1,"request":{"is":"hello","version":3,"client":"a","name":"A"}}"#;
+    let hello = Request::Hello { version: protocol::VERSION, name: "A".into(), again: None };
+    let hello = serde_json::to_string(&protocol::Ask { ask: 1, request: hello }).unwrap();
     socket.send(Message::text(hello)).await.unwrap();
     let _ = socket.send(Message::text("x".repeat(MESSAGE_MAX_BYTES + 1))).await;
     let ended = async { while let Some(Ok(_)) = socket.next().await {} };
@@ -67,13 +65,30 @@ async fn a_message_that_is_too_large_ends_the_link() {
 #[tokio::test]
 async fn a_newer_link_of_the_same_client_replaces_the_older() {
     let house = House::open().await;
-    let mut first = Client::connect_as(&house.url(), id("tab"), "Aiko").await.unwrap();
-    let second = Client::connect_as(&house.url(), id("tab"), "Aiko").await.unwrap();
+    let mut first = house.person("Aiko").await;
+    let second = Client::connect_again(&house.url(), Some(first.credential()), "Aiko").await.unwrap();
     while first.next().await.is_some() {}
     let why = first.ask(Request::List { query: ListQuery::default() }).await.unwrap_err();
     assert!(matches!(&why, Trouble::Link(sentence) if sentence.contains("replaced")), "{why}");
     assert!(second.ask(Request::List { query: ListQuery::default() }).await.is_ok());
-    assert_eq!(first.you().color, second.you().color);
+    assert_eq!(first.you(), second.you());
+    house.close().await;
+}
+
+#[tokio::test]
+async fn nobody_takes_over_the_link_of_somebody_they_see() {
+    let house = House::open().await;
+    let (mut aiko, play) = house.maker("Aiko").await;
+    let seen = aiko.credential().client;
+    let guesses = [seen.clone(), id("1"), id("aiko")];
+    for secret in guesses {
+        let again = Some(Credential { client: seen.clone(), secret });
+        let ben = Client::connect_again(&house.url(), again, "Aiko").await.unwrap();
+        assert_ne!(ben.you().client, seen);
+        assert!(ben.load(&play).await.is_ok());
+    }
+    aiko.put("Add", stream_id("s"), Some(plain("Still here"))).await.unwrap();
+    aiko.until(|reply| matches!(reply, Reply::People { .. })).await.unwrap();
     house.close().await;
 }
 

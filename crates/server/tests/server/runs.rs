@@ -44,6 +44,40 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
 }
 
 #[tokio::test]
+async fn a_stop_of_one_behaviour_leaves_the_start_of_another_alone() {
+    let house = House::open().await;
+    let (aiko, ben) = (house.person("Aiko").await, house.person("Ben").await);
+    let greet = make(&aiko, "Greet", Some("Greeter")).await;
+    let other = make(&aiko, "Other", Some("Reflect ball color")).await;
+    for _ in 0..20 {
+        let start = Request::Start { behaviour: greet.clone(), robot: None, record: false };
+        let stop = || ben.ask(Request::Stop { behaviour: Some(other.clone()), robot: None });
+        let (started, ..) = tokio::join!(aiko.ask(start), stop(), stop(), stop());
+        assert_eq!(started, Ok(Reply::Done));
+        aiko.ask(Request::Stop { behaviour: Some(greet.clone()), robot: None }).await.unwrap();
+    }
+    house.close().await;
+}
+
+#[tokio::test]
+async fn nothing_runs_that_is_in_the_bin() {
+    let house = House::open().await;
+    let (mut aiko, ben) = (house.person("Aiko").await, house.person("Ben").await);
+    for number in 0..20 {
+        let play = make(&aiko, &format!("Play {number}"), Some("Reflect ball color")).await;
+        let start = aiko.ask(Request::Start { behaviour: play.clone(), robot: None, record: false });
+        let remove = ben.ask(Request::Remove { behaviour: play.clone() });
+        let (started, gone) = tokio::join!(start, remove);
+        assert!(started.is_err() || gone.is_err(), "{started:?} {gone:?}");
+        aiko.ask(Request::Stop { behaviour: None, robot: None }).await.unwrap();
+    }
+    let all_ended =
+        |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().all(|run| run.phase != RunPhase::Running));
+    aiko.until(all_ended).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
 async fn edits_disturb_nothing_until_they_are_applied() {
     let house = House::open().await;
     let (mut aiko, play) = house.maker("Aiko").await;

@@ -71,6 +71,9 @@ impl Store for Hanging {
         self.inside.similar(behaviour, most).await
     }
 
+    async fn raise_epoch(&self, least: u64) -> Result<(), StoreError> {
+        self.inside.raise_epoch(least).await
+    }
     async fn next_epoch(&self) -> Result<u64, StoreError> {
         self.inside.next_epoch().await
     }

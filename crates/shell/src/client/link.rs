@@ -3,7 +3,7 @@
 use super::Trouble;
 use super::mirror::Mirrors;
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Ask, Message as Told, PATH, Reply, Request};
+use protocol::{Ask, Assembly, Message as Told, PATH, Reply, Request};
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -13,7 +13,7 @@ use tokio_tungstenite::tungstenite::protocol::{CloseFrame, WebSocketConfig};
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
 
-/// The largest message taken from the server, in bytes: a whole behaviour comes as one.
+/// The largest message taken from the server, in bytes: large behaviours come in parts, a change as a whole.
 const MESSAGE_MAX_BYTES: usize = 64 << 20;
 /// Requests that may wait to be written.
 const LINES_MAX: usize = 256;
@@ -70,7 +70,8 @@ pub(super) async fn open(url: &str) -> Result<Opened, Trouble> {
     let link = Arc::new(Link { mirrors, ended: Mutex::new(None) });
     let (lines, inbox) = mpsc::channel(LINES_MAX);
     let (tell, told) = mpsc::channel(TOLD_MAX);
-    let carrier = Carrier { link: Arc::clone(&link), socket, tell, waiting: BTreeMap::new() };
+    let carrier =
+        Carrier { link: Arc::clone(&link), socket, tell, waiting: BTreeMap::new(), assembly: Assembly::default() };
     tokio::spawn(carrier.carry(inbox));
     Ok((link, lines, told))
 }
@@ -87,6 +88,7 @@ struct Carrier {
     socket: Socket,
     tell: mpsc::Sender<Reply>,
     waiting: BTreeMap<u32, oneshot::Sender<Reply>>,
+    assembly: Assembly,
 }
 
 impl Carrier {
@@ -120,10 +122,9 @@ impl Carrier {
     }
 
     async fn hear(&mut self, text: &str) -> Result<(), Error> {
-        let told = match serde_json::from_str::<Told>(text) {
-            Ok(told) => told,
-            Err(error) => return Err(Error::Io(std::io::Error::other(error))),
-        };
+        let broken = |error: Box<dyn std::error::Error + Send + Sync>| Error::Io(std::io::Error::other(error));
+        let told = serde_json::from_str::<Told>(text).map_err(|error| broken(error.into()))?;
+        let Some(told) = self.assembly.take(told).map_err(|missing| broken(missing.into()))? else { return Ok(()) };
         let missing = {
             let mut mirrors = self.link.mirrors();
             mirrors.hear(&told.reply);

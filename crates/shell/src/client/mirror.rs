@@ -41,7 +41,9 @@ impl Mirrors {
             }
             Reply::Robots { robots } => self.robots.clone_from(robots),
             Reply::Accepted { behaviour, accepted } => self.accept(behaviour, accepted),
-            Reply::Missed { behaviour, changes } => changes.iter().for_each(|change| self.accept(behaviour, change)),
+            Reply::Missed { behaviour, changes, .. } => {
+                changes.iter().for_each(|change| self.accept(behaviour, change))
+            }
             Reply::Removed { behaviour, .. } if self.open.as_ref().is_some_and(|open| open.behaviour == *behaviour) => {
                 self.open = None;
             }
@@ -59,8 +61,13 @@ impl Mirrors {
         }
     }
 
-    /// What a ping shows to be missing: the behaviour and the last revision known.
+    /// What a ping, or a page of missed changes with more behind it, shows to be missing: the behaviour and the last
+    /// revision known.
     pub(super) fn missing(&self, reply: &Reply) -> Vec<(Id, u64)> {
+        if let Reply::Missed { behaviour, more: true, .. } = reply {
+            let known = self.open.iter().chain([&self.library]).find(|mirror| mirror.behaviour == *behaviour);
+            return known.map(|mirror| (behaviour.clone(), mirror.revision)).into_iter().collect();
+        }
         let Reply::Ping { behaviour, library_revision } = reply else { return Vec::new() };
         let library = (&self.library.behaviour, *library_revision);
         let told = behaviour.iter().map(|(id, revision)| (id, *revision)).chain([library]);

@@ -19,7 +19,8 @@ async fn run(console: &mut Console, _: &str) -> Result<String, String> {
 }
 
 fn line(recording: &Recording) -> String {
-    let Recording { file, robot, name, revision, began, bytes } = recording;
+    let Recording { file, robot, name, revision, began, bytes, cut_off } = recording;
     let on = if robot.is_empty() { String::new() } else { format!(" on {robot}") };
-    format!("{name}{on}, revision {revision}, {began}, {} KiB: {RECORDINGS_PATH}/{file}", bytes.div_ceil(1024))
+    let (size, end) = (bytes.div_ceil(1024), if *cut_off { ", its end is missing" } else { "" });
+    format!("{name}{on}, revision {revision}, {began}, {size} KiB{end}: {RECORDINGS_PATH}/{file}")
 }

@@ -2,6 +2,7 @@
 
 mod arms;
 mod bench;
+mod ends;
 mod head;
 mod room;
 mod senses;

@@ -45,7 +45,7 @@ pub async fn migrate(
     }
     // Locks of the first store must stay void in the second.
     let epoch = from.next_epoch().await?;
-    while to.next_epoch().await? < epoch {}
+    to.raise_epoch(epoch).await?;
     let differences = compare(&**from, &**to).await?;
     Ok((done, differences))
 }

@@ -1,12 +1,16 @@
 //! The lines of a backup, and the sum at its end that tells whether it is whole.
 
-use super::{BACKUP_FORMAT, BackupError, Counted, Shelf};
+use super::{BACKUP_FORMAT, BackupError, Counted, Robot, Shelf};
 use behaviour::{Committed, Id};
 use serde::{Deserialize, Serialize};
 use std::io::BufRead;
 
 /// The longest line, in bytes: a change of the most edits with the longest bodies.
 const LINE_MAX_BYTES: u64 = 256 << 20;
+/// The most starts that a server can have had.
+const EPOCH_MAX: u64 = 1 << 53;
+/// Robots in one backup.
+const ROBOTS_MAX: usize = 64;
 
 /// One line.
 #[derive(Debug, Serialize, Deserialize)]
@@ -14,6 +18,8 @@ const LINE_MAX_BYTES: u64 = 256 << 20;
 pub(super) enum Line {
     /// The first one.
     Start { format: String, epoch: u64 },
+    /// A robot with its order; all of them come before the first behaviour.
+    Robot(Robot),
     /// A behaviour; its changes follow.
     Behaviour { id: Id, revision: u64, removed: Option<Removed> },
     /// The next change of it.
@@ -76,32 +82,48 @@ pub(super) trait Listener {
     fn change(&mut self, change: Committed) -> Result<(), BackupError>;
 }
 
-/// Reads a whole backup and tells the listener; answers with its epoch and its counts. An error may come after much
-/// was told: who must know first whether it is whole reads it twice.
-pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<(u64, Counted), BackupError> {
+/// What a backup says besides its behaviours.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Whole {
+    /// How often the server had started.
+    pub(super) epoch: u64,
+    /// The robots.
+    pub(super) robots: Vec<Robot>,
+    /// How much it holds.
+    pub(super) counted: Counted,
+}
+
+/// Reads a whole backup and tells the listener; answers with all the rest. An error may come after much was told: who
+/// must know first whether it is whole reads it twice.
+pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whole, BackupError> {
     let mut reading = Reading { from, number: 0, sum: Sum::default() };
     let epoch = match reading.next()? {
-        (_, Line::Start { format, epoch }) if format == BACKUP_FORMAT => epoch,
+        (_, Line::Start { format, epoch }) if format == BACKUP_FORMAT && epoch <= EPOCH_MAX => epoch,
+        (_, Line::Start { format, .. }) if format == BACKUP_FORMAT => {
+            return reading.broken("No server can have started so often.".to_owned());
+        }
         _ => return reading.broken(format!("This is no {BACKUP_FORMAT}.")),
     };
-    let (mut done, mut left) = (Counted::default(), 0..0_u64);
+    let (mut robots, mut done, mut left) = (Vec::new(), Counted::default(), 0..0_u64);
     loop {
         let (sum_before, line) = reading.next()?;
         match line {
-            Line::Behaviour { id, revision, removed } if left.is_empty() => {
+            Line::Robot(robot) if done.behaviours == 0 && robots.len() < ROBOTS_MAX => robots.push(robot),
+            Line::Behaviour { id, revision, removed } if left.is_empty() && revision > 0 => {
                 done.behaviours += 1;
                 left = 0..revision;
-                to.behaviour(Shelf { id, revision, removed: removed.map(|removed| (removed.at_ms, removed.by)) })?;
+                let removed = removed.map(|removed| (removed.at_ms, removed.by));
+                reading.placed(to.behaviour(Shelf { id, revision, removed }))?;
             }
             Line::Change(change) if left.next().is_some_and(|before| change.revision == before + 1) => {
                 done.changes += 1;
-                to.change(change)?;
+                reading.placed(to.change(change))?;
             }
             Line::End { behaviours, changes, sum } if left.is_empty() => {
                 if (Counted { behaviours, changes }) != done || sum != format!("{:016x}", sum_before.0) {
                     return reading.broken("Something before it was changed.".to_owned());
                 }
-                return reading.nothing_more().map(|()| (epoch, done));
+                return reading.nothing_more().map(|()| Whole { epoch, robots, counted: done });
             }
             _ => return reading.broken("It does not follow what is before it.".to_owned()),
         }
@@ -117,6 +139,14 @@ struct Reading<'r> {
 impl Reading<'_> {
     fn broken<T>(&self, reason: String) -> Result<T, BackupError> {
         Err(BackupError::Broken(self.number, reason))
+    }
+
+    /// What the listener found wrong is wrong in this line.
+    fn placed(&self, told: Result<(), BackupError>) -> Result<(), BackupError> {
+        told.map_err(|error| match error {
+            BackupError::Broken(_, reason) => BackupError::Broken(self.number, reason),
+            other => other,
+        })
     }
 
     /// The next line, with the sum of all before it.

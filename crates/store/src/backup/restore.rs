@@ -1,10 +1,11 @@
 //! From a backup into a store: first the whole file is read, then the first change is made.
 
 use super::copy::{Filling, Heads, finished, heads};
-use super::lines::{Listener, read};
-use super::{BackupError, Counted, Progress, Shelf};
+use super::lines::{self, Listener, Whole};
+use super::{BackupError, Counted, Progress, Robot, Shelf};
 use crate::{Store, StoreError};
-use behaviour::Committed;
+use behaviour::{Committed, History, Id, Refusal};
+use std::collections::BTreeSet;
 use std::io::{BufRead, Seek};
 use std::sync::Arc;
 use tokio::sync::mpsc;
@@ -14,55 +15,80 @@ use tokio::task::JoinSet;
 const AT_ONCE: usize = 16;
 
 /// A behaviour with its history.
-type Whole = (Shelf, Vec<Committed>);
+type Filled = (Shelf, Vec<Committed>);
 
-/// Restores a backup into a store that is empty or holds a part of the same backup.
+/// A backup that was read to its end, found whole, and fits the store that it is for.
+#[derive(Debug)]
+pub struct Backup<R> {
+    from: R,
+    whole: Whole,
+}
+
+impl<R> Backup<R> {
+    /// The robots that are in it; none in one of an older rrp.
+    #[must_use]
+    pub fn robots(&self) -> &[Robot] {
+        &self.whole.robots
+    }
+}
+
+/// Reads a whole backup for a store that is empty or holds a part of the same backup. Changes nothing.
 ///
 /// # Errors
-/// [`BackupError::Broken`] for a file that is not whole and [`BackupError::NotEmpty`], both before anything is
-/// changed; what the store fails with. Done again, it goes on where it ended.
-pub async fn restore<R>(mut from: R, to: &Arc<dyn Store>, progress: Progress<'_>) -> Result<Counted, BackupError>
+/// [`BackupError::Broken`] for a file that is not whole or whose behaviours do not keep the rules, and
+/// [`BackupError::NotEmpty`].
+pub async fn read<R>(mut from: R, to: &dyn Store) -> Result<Backup<R>, BackupError>
 where
     R: BufRead + Seek + Send + 'static,
 {
-    let heads = heads(&**to).await?;
+    let heads = heads(to).await?;
     let looking = tokio::task::spawn_blocking(move || {
-        let mut look = Look { heads: heads.clone(), revisions: heads, now: None };
-        let found = read(&mut from, &mut look)?;
+        let mut look = Look::at(heads);
+        let whole = lines::read(&mut from, &mut look)?;
         look.all_found()?;
         from.rewind()?;
-        Ok::<_, BackupError>((found, from))
+        Ok(Backup { from, whole })
     });
-    let ((epoch, counted), mut from) = looking.await.map_err(|error| stopped(&error))??;
+    looking.await.map_err(|error| stopped(&error))?
+}
+
+/// Restores a backup into the store that it was read for.
+///
+/// # Errors
+/// What the store fails with. Done again, it goes on where it ended.
+pub async fn restore<R>(backup: Backup<R>, to: &Arc<dyn Store>, progress: Progress<'_>) -> Result<Counted, BackupError>
+where
+    R: BufRead + Seek + Send + 'static,
+{
+    let Backup { mut from, whole } = backup;
     let (tell, mut told) = mpsc::channel(AT_ONCE);
     let reading = tokio::task::spawn_blocking(move || {
         let mut gather = Gather { tell, whole: None };
-        read(&mut from, &mut gather)?;
+        lines::read(&mut from, &mut gather)?;
         gather.pass_on()
     });
     let (mut done, mut filling) = (Counted::default(), JoinSet::new());
     while let Some((shelf, changes)) = told.recv().await {
         if filling.len() >= AT_ONCE {
-            finished(&mut filling, &mut done, counted.behaviours, progress).await?;
+            finished(&mut filling, &mut done, whole.counted.behaviours, progress).await?;
         }
         filling.spawn(fill(Arc::clone(to), shelf, changes));
     }
     while !filling.is_empty() {
-        finished(&mut filling, &mut done, counted.behaviours, progress).await?;
+        finished(&mut filling, &mut done, whole.counted.behaviours, progress).await?;
     }
     reading.await.map_err(|error| stopped(&error))??;
     // Locks of the time before the backup must stay void.
-    while to.next_epoch().await? < epoch {}
+    to.raise_epoch(whole.epoch).await?;
     Ok(done)
 }
 
 /// Reads a whole backup without a store; answers with its counts.
 ///
 /// # Errors
-/// [`BackupError::Broken`] if it is not whole.
+/// [`BackupError::Broken`] if it is not whole, or if its behaviours do not keep the rules.
 pub fn verify(from: &mut dyn BufRead) -> Result<Counted, BackupError> {
-    let mut look = Look { heads: Heads::new(), revisions: Heads::new(), now: None };
-    read(from, &mut look).map(|(_, counted)| counted)
+    lines::read(from, &mut Look::at(Heads::new())).map(|whole| whole.counted)
 }
 
 fn stopped(error: &tokio::task::JoinError) -> StoreError {
@@ -77,34 +103,46 @@ async fn fill(to: Arc<dyn Store>, shelf: Shelf, changes: Vec<Committed>) -> Resu
     filling.end().await
 }
 
-/// Looks whether what the store has is the beginning of what the backup has.
+/// Looks whether what the store has is the beginning of what the backup has, and whether that keeps the rules.
 struct Look {
     heads: Heads,
     /// What was not found yet.
-    revisions: Heads,
-    now: Option<Shelf>,
+    missing: Heads,
+    seen: BTreeSet<Id>,
+    now: Option<Id>,
+    history: History,
 }
 
 impl Look {
+    fn at(heads: Heads) -> Self {
+        let (missing, history) = (heads.clone(), History::default());
+        Self { heads, missing, seen: BTreeSet::new(), now: None, history }
+    }
+
     fn all_found(&self) -> Result<(), BackupError> {
-        self.revisions.keys().next().map_or(Ok(()), |id| Err(BackupError::NotEmpty(id.clone())))
+        self.missing.keys().next().map_or(Ok(()), |id| Err(BackupError::NotEmpty(id.clone())))
     }
 }
 
 impl Listener for Look {
     fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError> {
-        self.now = Some(shelf);
+        if !self.seen.insert(shelf.id.clone()) {
+            return Err(broken("The same behaviour was there before.".to_owned()));
+        }
+        (self.now, self.history) = (Some(shelf.id), History::default());
         Ok(())
     }
 
     fn change(&mut self, change: Committed) -> Result<(), BackupError> {
-        let Some(shelf) = &self.now else { return Ok(()) };
-        match self.heads.get(&shelf.id) {
+        let Some(id) = &self.now else { return Ok(()) };
+        let taken = self.history.take(&change.change);
+        taken.map_err(|refusal| broken(unruly(&refusal)))?;
+        match self.heads.get(id) {
             Some((revision, op)) if *revision == change.revision => {
                 if *op != change.change.op {
-                    return Err(BackupError::NotEmpty(shelf.id.clone()));
+                    return Err(BackupError::NotEmpty(id.clone()));
                 }
-                self.revisions.remove(&shelf.id);
+                self.missing.remove(id);
             }
             _ => {}
         }
@@ -112,10 +150,22 @@ impl Listener for Look {
     }
 }
 
+fn unruly(refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::Stale(record) => format!("It does not fit what {record} was before."),
+        refusal => format!("No room would have made this change: {refusal}"),
+    }
+}
+
+/// The reader of the lines knows which one it is.
+fn broken(reason: String) -> BackupError {
+    BackupError::Broken(0, reason)
+}
+
 /// Gathers behaviours and passes each on when it is whole.
 struct Gather {
-    tell: mpsc::Sender<Whole>,
-    whole: Option<Whole>,
+    tell: mpsc::Sender<Filled>,
+    whole: Option<Filled>,
 }
 
 impl Gather {

@@ -1,7 +1,7 @@
 //! Backups there and back, cut off, changed, and taken up again.
 
-use super::{BackupError, Counted, backup, compare, migrate, restore};
-use crate::{FolderStore, LIBRARY, MemoryStore, Store};
+use super::{BackupError, Counted, Robot, Unfinished, backup, check_finished, compare, migrate, read, restore};
+use crate::{FolderStore, LIBRARY, MemoryStore, Store, StoreError};
 use behaviour::{Behaviour, Change, Committed, Helper, Id, Kind, Note, Record, RecordId, Settings};
 use std::io::Cursor;
 use std::sync::{Arc, Mutex};
@@ -49,19 +49,26 @@ async fn filled() -> Arc<dyn Store> {
     store
 }
 
+fn robots() -> Vec<Robot> {
+    let robot = |name: &str, order| Robot { id: id(name), name: name.to_owned(), seed: 3, order };
+    vec![robot("nao", vec![id("b"), id("a")]), robot("other", Vec::new())]
+}
+
 async fn taken(store: &dyn Store) -> String {
     let text = Mutex::new(String::new());
     let put = |line: String| {
         text.lock().expect("nobody panicked").push_str(&line);
         std::future::ready(Ok(()))
     };
-    let done = backup(store, EPOCH, put, &|_, _| {}).await.expect("a backup");
+    let done = backup(store, EPOCH, &robots(), put, &|_, _| {}).await.expect("a backup");
     assert_eq!(done, Counted { behaviours: 5, changes: 311 });
     text.into_inner().expect("nobody panicked")
 }
 
 async fn given(text: &str, to: &Arc<dyn Store>) -> Result<Counted, BackupError> {
-    restore(Cursor::new(text.to_owned().into_bytes()), to, &|_, _| {}).await
+    let read = read(Cursor::new(text.to_owned().into_bytes()), &**to).await?;
+    assert_eq!(read.robots(), robots());
+    restore(read, to, &|_, _| {}).await
 }
 
 #[tokio::test]
@@ -147,4 +154,112 @@ async fn a_migration_copies_everything_goes_on_and_says_how_far_it_is() {
     let differences: Vec<_> = differences.iter().map(|d| (d.behaviour.as_str(), d.what)).collect();
     assert_eq!(differences, [("a", "its revision"), ("e", "it is in one store only")]);
     assert!(matches!(migrate(&from, &to, &|_, _| {}).await, Err(BackupError::NotEmpty(id)) if id.as_str() == "a"));
+}
+
+/// A backup with another line in the place of one, and with the sum that belongs to it.
+fn resigned(text: &str, at: usize, line: &str) -> String {
+    let mut lines: Vec<&str> = text.lines().collect();
+    lines[at] = line;
+    let (end, before) = lines.split_last().expect("an end");
+    let before = before.join("\n") + "\n";
+    let sum = before
+        .bytes()
+        .fold(0xcbf2_9ce4_8422_2325_u64, |sum, byte| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3));
+    let (start, _) = end.split_once("\"sum\":").expect("a sum");
+    format!("{before}{start}\"sum\":\"{sum:016x}\"}}}}\n")
+}
+
+#[tokio::test]
+async fn a_backup_of_an_older_rrp_has_no_robots_and_is_restored() {
+    let text = taken(&*filled().await).await;
+    let robots: Vec<_> = text.lines().filter(|line| line.starts_with("{\"robot\"")).collect();
+    assert_eq!(robots.len(), 2);
+    let older = text.lines().filter(|line| !robots.contains(line)).collect::<Vec<_>>().join("\n");
+    let older = resigned(&older, 0, older.lines().next().expect("a first line"));
+    let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
+    let read = read(Cursor::new(older.into_bytes()), &*to).await.expect("it is whole");
+    assert_eq!(read.robots(), []);
+    assert_eq!(restore(read, &to, &|_, _| {}).await.expect("restored").changes, 311);
+}
+
+#[tokio::test]
+async fn what_no_server_can_have_written_is_refused_though_its_sum_is_right() {
+    let text = taken(&*filled().await).await;
+    let lines: Vec<&str> = text.lines().collect();
+    let with = |wanted: &str, from: &str, to: &str| {
+        let at = lines.iter().position(|line| line.contains(wanted)).expect("a line");
+        resigned(&text, at, &lines[at].replacen(from, to, 1))
+    };
+    assert_eq!(resigned(&text, 0, lines[0]), text);
+    let cases = [
+        (with("\"start\"", "\"epoch\":5", "\"epoch\":9223372036854775808"), "so often"),
+        (with("\"id\":\"d\"", "\"id\":\"d\"", "\"id\":\"a\""), "was there before"),
+        (with("\"b-7\"", "\"b-7\"", "\"b-6\""), "twice"),
+        (with("\"b-7\"", "\"note/n7\"", "\"note/n6\""), "does not fit what note/n6 was"),
+        (with("\"b-7\"", "\"note/n7\"", "\"stream/n7\""), "No room would have made"),
+        (with("\"id\":\"a\"", "\"revision\":1", "\"revision\":0"), "does not follow"),
+    ];
+    for (text, why) in cases {
+        let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
+        let refused = given(&text, &to).await.expect_err("this is refused");
+        assert!(
+            matches!(&refused, BackupError::Broken(line, reason) if *line > 0 && reason.contains(why)),
+            "{refused}"
+        );
+        assert!(super::shelves(&*to).await.expect("an answer").is_empty());
+    }
+}
+
+#[tokio::test]
+async fn a_large_number_of_starts_is_restored_at_once() {
+    let text = taken(&*filled().await).await;
+    let first = text.lines().next().expect("a first line").replace("\"epoch\":5", "\"epoch\":9007199254740992");
+    let text = resigned(&text, 0, &first);
+    let folder = tempfile::tempdir().expect("a folder");
+    let sqlite: Arc<dyn Store> = Arc::new(crate::open(folder.path()).await.expect("a store"));
+    given(&text, &sqlite).await.expect("restored");
+    assert_eq!(sqlite.next_epoch().await, Ok((1 << 53) + 1));
+}
+
+/// Cuts and flips of all kinds, the same ones each time: each is refused with a sentence, and none hangs or panics.
+#[test]
+fn whatever_is_cut_or_flipped_is_noticed() {
+    let text = tokio::runtime::Runtime::new().expect("a runtime").block_on(async { taken(&*filled().await).await });
+    let mut last = 7_u64;
+    let mut below = |bound: usize| {
+        last = last.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        usize::try_from(last >> 33).expect("it is small") % bound
+    };
+    for round in 0..400 {
+        let mut bytes = text.clone().into_bytes();
+        match round % 4 {
+            0 => bytes.truncate(below(bytes.len())),
+            1 => drop(bytes.remove(below(bytes.len()))),
+            2 => {
+                let at = below(bytes.len());
+                bytes[at] ^= 1 << below(8);
+            }
+            _ => {
+                let from = below(bytes.len());
+                let piece = bytes[from..(from + 1 + below(500)).min(bytes.len())].to_vec();
+                let to = below(bytes.len());
+                bytes.splice(to..to, piece);
+            }
+        }
+        if bytes == text.as_bytes() {
+            continue;
+        }
+        let refused = super::verify(&mut bytes.as_slice());
+        assert!(matches!(refused, Err(BackupError::Broken(..))), "round {round}: {refused:?}");
+    }
+}
+
+#[test]
+fn a_folder_says_that_a_restore_into_it_did_not_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    assert_eq!(check_finished(folder.path()), Ok(()));
+    let begun = Unfinished::begin(folder.path()).expect("to mark it");
+    assert_eq!(check_finished(folder.path()), Err(StoreError::HalfRestored(folder.path().to_owned())));
+    begun.end().expect("to take the mark away");
+    assert_eq!(check_finished(folder.path()), Ok(()));
 }

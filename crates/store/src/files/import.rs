@@ -2,7 +2,7 @@
 
 mod helpers;
 
-use behaviour::{Behaviour, BehaviourFile, Change, EDITS_MAX, Id, NAME_MAX_CHARS, Record, RecordId};
+use behaviour::{Behaviour, BehaviourFile, Change, EDITS_MAX, Edit, Id, NAME_MAX_CHARS, Record, RecordId};
 use helpers::Shelved;
 
 /// Whose ids the imported behaviour gets.
@@ -19,7 +19,7 @@ pub enum Mode {
 pub struct Import {
     /// The behaviour's id.
     pub behaviour: Id,
-    /// Its name.
+    /// Its name in the file.
     pub name: String,
     /// The change to the library; none if it has all helpers already.
     pub library: Option<Change>,
@@ -27,6 +27,26 @@ pub struct Import {
     pub changes: Vec<Change>,
     /// Helpers whose names meant something else here: the name in the file and the one they have now.
     pub renamed: Vec<(String, String)>,
+}
+
+impl Import {
+    /// The same under a name that is free where it goes.
+    #[must_use]
+    pub fn named(mut self, name: &str) -> Self {
+        for change in &mut self.changes {
+            change.label = label(name);
+            for edit in &mut change.edits {
+                if let Some(Record::Settings(settings)) = &mut edit.after {
+                    name.clone_into(&mut settings.name);
+                }
+            }
+        }
+        Self { name: name.to_owned(), ..self }
+    }
+}
+
+fn label(name: &str) -> String {
+    format!("Import {name}").chars().take(NAME_MAX_CHARS).collect()
 }
 
 /// What importing `file` changes, given the library as it is now and a source of new ids.
@@ -56,17 +76,15 @@ pub fn import(
 
 /// The changes that make all records, streams before what needs them.
 fn from_nothing(records: &Behaviour, name: &str, by: &str, new_id: &mut impl FnMut() -> Id) -> Vec<Change> {
-    let label: String = format!("Import {name}").chars().take(NAME_MAX_CHARS).collect();
     debug_assert!(records.records.contains_key(&RecordId::settings()), "a file always has settings");
-    let nothing = Behaviour::default();
     let all: Vec<(&RecordId, &Record)> = records.records.iter().collect();
     let mut changes = Vec::new();
     for part in all.chunks(EDITS_MAX) {
-        let start = Change::of(new_id(), by, &label);
-        changes.push(part.iter().fold(start, |made, (id, record)| {
-            let (id, record) = ((*id).clone(), (*record).clone());
-            made.put(&nothing, id, record)
-        }));
+        let edit = |(id, record): &(&RecordId, &Record)| {
+            let (id, after) = ((*id).clone(), Some((*record).clone()));
+            Edit { id, before: None, after }
+        };
+        changes.push(Change { edits: part.iter().map(edit).collect(), ..Change::of(new_id(), by, &label(name)) });
     }
     changes
 }
@@ -145,6 +163,15 @@ mod tests {
         let mut all: Vec<_> = edits.iter().map(helper).collect();
         all.sort();
         all
+    }
+
+    fn added_in_order(change: Option<&Change>) -> Vec<String> {
+        let edits = change.map_or(&[][..], |change| &change.edits).iter();
+        let name = |edit: &behaviour::Edit| match &edit.after {
+            Some(Record::Helper(helper)) => helper.name.clone(),
+            other => panic!("{other:?}"),
+        };
+        edits.map(name).collect()
     }
 
     fn procedures(made: &Import) -> Vec<Procedure> {
@@ -226,6 +253,27 @@ mod tests {
         dangling.connectors[0].inputs = vec!["nobody".to_owned()];
         let refused = import(&dangling, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
         assert_eq!(refused, ["c0: there is no stream \"nobody\""]);
+    }
+
+    #[test]
+    fn it_can_have_another_name_than_in_the_file() {
+        let made = import(&file(vec![], &[]), Mode::Copy, &library(&[]), "Aiko", ids()).unwrap().named("Near 2");
+        assert_eq!(
+            (done(&made).name(), made.name.as_str(), made.changes[0].label.as_str()),
+            ("Near 2", "Near 2", "Import Near 2")
+        );
+    }
+
+    #[test]
+    fn chained_and_dense_helpers_are_sorted_with_each_body_read_once() {
+        let chain =
+            |at: usize| helper(&format!("h{at}"), &if at == 0 { "x".to_owned() } else { format!("h{}(x)", at - 1) });
+        let dense = |at: usize| helper(&format!("h{at}"), &(0..at).map(|to| format!("h{to}(x);")).collect::<String>());
+        for helpers in [(0..1_000).rev().map(chain).collect::<Vec<_>>(), (0..1_000).rev().map(dense).collect()] {
+            let made = import(&file(helpers, &[]), Mode::Copy, &library(&[]), "Aiko", ids()).unwrap();
+            let names: Vec<_> = added_in_order(made.library.as_ref());
+            assert!(names.iter().eq((0..1_000).map(|at| format!("h{at}")).collect::<Vec<_>>().iter()));
+        }
     }
 
     #[test]

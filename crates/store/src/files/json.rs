@@ -4,16 +4,17 @@ pub(super) mod write;
 
 use super::FileFault;
 use super::place::Lines;
-use super::tree::{DEPTH_MAX, Node, What};
+use super::tree::{DEPTH_MAX, NODES_MAX, Node, TOO_MANY, What};
 use behaviour::Value;
-use serde::de::{Deserialize, Deserializer, MapAccess, Visitor};
+use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
+use std::cell::Cell;
 use std::fmt;
 
 /// The tree of a JSON text.
 pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
     let whole: &RawValue = serde_json::from_str(text).map_err(|error| syntax(&error, lines))?;
-    node(whole, lines, 0)
+    Reader { lines, left: Cell::new(NODES_MAX) }.node(whole, 0)
 }
 
 /// A number as JSON writes it: whole, or measured and finite.
@@ -28,53 +29,102 @@ pub(super) fn number(text: &str) -> Result<Value, &'static str> {
     }
 }
 
-fn node(raw: &RawValue, lines: &Lines, depth: usize) -> Result<Node, FileFault> {
-    let text = raw.get();
-    let at = lines.offset(text.as_bytes());
-    if depth > DEPTH_MAX {
-        return Err(lines.fault(at, format!("Things lie in each other more than {DEPTH_MAX} deep. Make it simpler.")));
+struct Reader<'l, 't> {
+    lines: &'l Lines<'t>,
+    /// Things that the file may still have.
+    left: Cell<usize>,
+}
+
+impl Reader<'_, '_> {
+    fn node(&self, raw: &RawValue, depth: usize) -> Result<Node, FileFault> {
+        let text = raw.get();
+        let at = self.lines.offset(text.as_bytes());
+        if depth > DEPTH_MAX {
+            let reason = format!("Things lie in each other more than {DEPTH_MAX} deep. Make it simpler.");
+            return Err(self.lines.fault(at, reason));
+        }
+        let bad = |_: serde_json::Error| match self.left.get() {
+            0 => self.lines.fault(at, TOO_MANY),
+            _ => self.lines.fault(at, "This text has letters that JSON does not know. Write it again."),
+        };
+        let what = match text.as_bytes().first() {
+            Some(b'{') => {
+                let entries = Entries(&self.left).deserialize(&mut serde_json::Deserializer::from_str(text));
+                let entry = |(name, raw): (String, &RawValue)| Ok((name, self.node(raw, depth + 1)?));
+                What::Object(entries.map_err(bad)?.into_iter().map(entry).collect::<Result<_, FileFault>>()?)
+            }
+            Some(b'[') => {
+                let items = Items(&self.left).deserialize(&mut serde_json::Deserializer::from_str(text));
+                What::Array(
+                    items.map_err(bad)?.into_iter().map(|raw| self.node(raw, depth + 1)).collect::<Result<_, _>>()?,
+                )
+            }
+            Some(b'-' | b'0'..=b'9') => What::Plain(number(text).map_err(|reason| self.lines.fault(at, reason))?),
+            _ => What::Plain(serde_json::from_str(text).map_err(bad)?),
+        };
+        Ok(Node { at, what })
     }
-    let bad = |_: serde_json::Error| lines.fault(at, "This text has letters that JSON does not know. Write it again.");
-    let what = match text.as_bytes().first() {
-        Some(b'{') => {
-            let Entries(entries) = serde_json::from_str(text).map_err(bad)?;
-            let entry = |(name, raw)| Ok((name, node(raw, lines, depth + 1)?));
-            What::Object(entries.into_iter().map(entry).collect::<Result<_, FileFault>>()?)
-        }
-        Some(b'[') => {
-            let items: Vec<&RawValue> = serde_json::from_str(text).map_err(bad)?;
-            What::Array(items.into_iter().map(|raw| node(raw, lines, depth + 1)).collect::<Result<_, _>>()?)
-        }
-        Some(b'-' | b'0'..=b'9') => What::Plain(number(text).map_err(|reason| lines.fault(at, reason))?),
-        _ => What::Plain(serde_json::from_str(text).map_err(bad)?),
-    };
-    Ok(Node { at, what })
+}
+
+/// One thing more, if there may be one.
+fn count<E: Error>(left: &Cell<usize>) -> Result<(), E> {
+    left.set(left.get().saturating_sub(1));
+    if left.get() == 0 { Err(E::custom(TOO_MANY)) } else { Ok(()) }
 }
 
 /// An object's fields as they are written, also those that are there twice.
-struct Entries<'t>(Vec<(String, &'t RawValue)>);
+struct Entries<'c>(&'c Cell<usize>);
 
-impl<'t> Deserialize<'t> for Entries<'t> {
-    fn deserialize<D: Deserializer<'t>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_map(InOrder)
+impl<'t> DeserializeSeed<'t> for Entries<'_> {
+    type Value = Vec<(String, &'t RawValue)>;
+
+    fn deserialize<D: Deserializer<'t>>(self, from: D) -> Result<Self::Value, D::Error> {
+        from.deserialize_map(self)
     }
 }
 
-struct InOrder;
-
-impl<'t> Visitor<'t> for InOrder {
-    type Value = Entries<'t>;
+impl<'t> Visitor<'t> for Entries<'_> {
+    type Value = Vec<(String, &'t RawValue)>;
 
     fn expecting(&self, words: &mut fmt::Formatter) -> fmt::Result {
         words.write_str("an object")
     }
 
-    fn visit_map<A: MapAccess<'t>>(self, mut map: A) -> Result<Entries<'t>, A::Error> {
+    fn visit_map<A: MapAccess<'t>>(self, mut map: A) -> Result<Self::Value, A::Error> {
         let mut entries = Vec::new();
         while let Some(entry) = map.next_entry()? {
+            count(self.0)?;
             entries.push(entry);
         }
-        Ok(Entries(entries))
+        Ok(entries)
+    }
+}
+
+/// The items of a list as they are written.
+struct Items<'c>(&'c Cell<usize>);
+
+impl<'t> DeserializeSeed<'t> for Items<'_> {
+    type Value = Vec<&'t RawValue>;
+
+    fn deserialize<D: Deserializer<'t>>(self, from: D) -> Result<Self::Value, D::Error> {
+        from.deserialize_seq(self)
+    }
+}
+
+impl<'t> Visitor<'t> for Items<'_> {
+    type Value = Vec<&'t RawValue>;
+
+    fn expecting(&self, words: &mut fmt::Formatter) -> fmt::Result {
+        words.write_str("a list")
+    }
+
+    fn visit_seq<A: SeqAccess<'t>>(self, mut seq: A) -> Result<Self::Value, A::Error> {
+        let mut items = Vec::new();
+        while let Some(item) = seq.next_element()? {
+            count(self.0)?;
+            items.push(item);
+        }
+        Ok(items)
     }
 }
 

@@ -6,18 +6,16 @@ use super::place::Lines;
 use super::tree::{Node, What};
 use super::{FileFault, Looked, TEXT_MAX_BYTES};
 use behaviour::{
-    BehaviourFile, CONNECTORS_MAX, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Id, NAME_MAX_CHARS,
-    Place, RATE_MS, STREAMS_MAX, StreamKind, is_identifier,
+    BehaviourFile, CONNECTORS_MAX, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, HELPERS_MAX, Id,
+    NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind, is_identifier,
 };
 use fields::Fields;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Helpers in one file.
-const HELPERS_MAX: usize = 1_000;
-/// Notes in one file.
-const NOTES_MAX: usize = 2_000;
 /// The lengths a frame may have, in milliseconds.
 const FRAME_MS: std::ops::RangeInclusive<u64> = 1..=1000;
+/// Faults that are told of one file.
+const FAULTS_MAX: usize = 100;
 
 /// The behaviour in a tree, with everything that is wrong with it.
 pub(super) fn behaviour(root: &Node, lines: &Lines) -> Looked {
@@ -43,7 +41,9 @@ struct Reader<'l, 't> {
 
 impl Reader<'_, '_> {
     fn fault(&mut self, at: usize, reason: impl Into<String>) {
-        self.faults.push(self.lines.fault(at, reason));
+        if self.faults.len() < FAULTS_MAX {
+            self.faults.push(self.lines.fault(at, reason));
+        }
     }
 
     /// Nothing may be said twice, however deep.

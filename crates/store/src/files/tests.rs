@@ -2,7 +2,7 @@
 
 use super::samples::{any_behaviour, any_file, any_text, templates};
 use super::{FILE_MAX_BYTES, look, read, write_json, write_xml};
-use behaviour::BehaviourFile;
+use behaviour::{BehaviourFile, Id, Kind, Record, RecordId, record_bytes};
 use proptest::prelude::*;
 
 const SMALL: &str = r#"{
@@ -213,6 +213,10 @@ fn every_fault_of_xml_is_told_with_its_place_and_what_to_do() {
     check_faults(SMALL_XML, &WRONG_XML);
 }
 
+fn id() -> Id {
+    Id::new("h").expect("an id")
+}
+
 fn refused(bytes: &[u8]) -> String {
     read(bytes).expect_err("refused").to_string()
 }
@@ -233,10 +237,40 @@ fn what_is_too_much_is_refused() {
     assert!(refused(body(65_537).as_bytes()).starts_with("Line 5, column 50: A text has 65537 bytes"));
     let padded = |many: usize| SMALL.to_owned() + &" ".repeat(many - SMALL.len());
     assert!(read(padded(FILE_MAX_BYTES).as_bytes()).is_ok());
-    assert!(refused(padded(FILE_MAX_BYTES + 1).as_bytes()).contains("may have 2097152"));
+    assert!(refused(padded(FILE_MAX_BYTES + 1).as_bytes()).contains("may have 8388608"));
     assert!(refused(b"").contains("empty") && refused(b"  \n").contains("Line 2, column 1: The file is empty"));
     assert!(refused(b"name: x").contains("begins with"));
     assert!(refused(b"{\n\"a\xff\":1}").starts_with("Line 2, column 3: This is no UTF-8"));
+}
+
+#[test]
+fn a_file_with_more_things_than_the_rules_allow_is_refused_by_their_count() {
+    let attributes: String = (0..180_000).map(|at| format!(" a{at}=\"\"")).collect();
+    let element = SMALL_XML.replace("<helpers>", &format!("<helpers{attributes}>"));
+    assert!(refused(element.as_bytes()).contains("more than 16 attributes"));
+    let elements = SMALL_XML.replace("<helpers>", &format!("<helpers>{}", "<helper/>".repeat(110_000)));
+    assert!(refused(elements.as_bytes()).contains("more things in it"));
+    for (many, between) in [("1,".repeat(300_000), "[]"), (r#""a":1,"#.repeat(300_000), "{}")] {
+        let (open, close) = between.split_at(1);
+        let things = format!("{open}{}{close}", many.trim_end_matches(','));
+        let json = SMALL.replace("\"RedBall\"", &things);
+        assert!(refused(json.as_bytes()).contains("more things in it"));
+    }
+}
+
+#[test]
+fn of_very_many_faults_the_first_are_told() {
+    let unknown: String = (0..20_000).map(|at| format!("\"u{at}\": 1, ")).collect();
+    let looked = look(SMALL.replacen("\"name\"", &format!("{unknown}\"name\""), 1).as_bytes());
+    assert_eq!((looked.file, looked.faults.len()), (None, 100));
+}
+
+#[test]
+fn blanks_that_come_one_by_one_are_read_once() {
+    let blanks = "&#32;".repeat(200_000);
+    let spread = SMALL_XML.replacen("<helpers>", &format!("<helpers>{blanks}"), 1);
+    assert!(read(spread.as_bytes()).is_ok());
+    assert!(refused(spread.replacen(&blanks, &format!("{blanks}x"), 1).as_bytes()).contains("holds no text"));
 }
 
 #[test]
@@ -283,7 +317,12 @@ proptest! {
     #[test]
     fn nothing_that_a_behaviour_holds_is_lost((behaviour, library) in any_behaviour()) {
         let file = BehaviourFile::of(&behaviour, &library.iter().collect::<Vec<_>>());
+        let records = library.iter().map(|helper| (RecordId::new(Kind::Helper, &id()), Record::Helper(helper.clone())));
+        let all: Vec<_> = behaviour.records.clone().into_iter().chain(records).collect();
+        let bound: usize = all.iter().map(|(id, record)| record_bytes(id, record)).sum();
+        prop_assert!(serde_json::to_string(&all).unwrap().len() <= bound, "in messages and backups");
         for text in [write_json(&file), write_xml(&file).unwrap()] {
+            prop_assert!(text.len() <= bound, "{} bytes of {bound}", text.len());
             prop_assert_eq!(&read(text.as_bytes()).unwrap().records(|_| None).unwrap(), &behaviour);
         }
     }

@@ -5,6 +5,12 @@ use behaviour::Value;
 /// How deep things may lie in each other.
 pub(super) const DEPTH_MAX: usize = 32;
 
+/// How many things a file may have; what the rules allow has fewer.
+pub(super) const NODES_MAX: usize = 250_000;
+
+/// What is said of a file that has more.
+pub(super) const TOO_MANY: &str = "The file has more things in it than a behaviour may have. Split it into several.";
+
 /// A thing in the file.
 #[derive(Debug)]
 pub(super) struct Node {

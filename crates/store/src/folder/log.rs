@@ -1,5 +1,6 @@
 //! The files: `b-ID.jsonl`, one JSON object a line, each line whole and synced or not there.
 
+use crate::disk::{self, told};
 use crate::{StoreError, json};
 use behaviour::{Committed, Id};
 use serde::{Deserialize, Serialize};
@@ -12,6 +13,8 @@ const SUFFIX: &str = ".jsonl";
 /// Stands before a letter that is upper case, since some disks do not tell the cases apart.
 const UPPER: char = '+';
 const EPOCH: &str = "epoch.json";
+/// With less room than that the disk is full, in bytes.
+const ROOM_MIN_BYTES: usize = 4_096;
 
 /// One line of a file.
 #[derive(Debug, Serialize, Deserialize)]
@@ -38,12 +41,14 @@ pub(super) struct Logs {
     folder: PathBuf,
     /// Why nothing more can be written, once a line could not be taken back.
     broken: Option<StoreError>,
+    /// How much room there must be until the disk is not full any more, in bytes.
+    wants_bytes: usize,
 }
 
 impl Logs {
     /// Reads every file, each line through `take`.
     pub(super) fn open(folder: &Path, take: impl Fn(&Id, Line) -> Result<(), String>) -> Result<Self, StoreError> {
-        let logs = Self { folder: folder.to_owned(), broken: None };
+        let logs = Self { folder: folder.to_owned(), broken: None, wants_bytes: ROOM_MIN_BYTES };
         for (id, path) in logs.files()? {
             let length = read(&path, |line| take(&id, line))?;
             cut(&path, length).map_err(|error| told(&path, &error))?;
@@ -80,6 +85,7 @@ impl Logs {
         let was = std::fs::metadata(&path).map_or(0, |about| about.len());
         let written = write(&path, text.as_bytes()).and_then(|()| if was == 0 { self.sync_names() } else { Ok(()) });
         written.map_err(|error| {
+            self.wants_bytes = self.wants_bytes.max(ROOM_MIN_BYTES + text.len());
             if let Err(worse) = cut(&path, was) {
                 self.broken = Some(told(&path, &worse));
             }
@@ -95,24 +101,21 @@ impl Logs {
 
     /// Keeps the number of the server's start.
     pub(super) fn set_epoch(&mut self, epoch: u64) -> Result<(), StoreError> {
-        let (path, fresh) = (self.folder.join(EPOCH), self.folder.join("epoch.new"));
+        let path = self.folder.join(EPOCH);
         let text = json::encode(&Line::Epoch(epoch)).map_err(StoreError::Refused)?;
-        let _none_is_fine = std::fs::remove_file(&fresh);
-        let written = write(&fresh, text.as_bytes()).and_then(|()| std::fs::rename(&fresh, &path));
-        written.and_then(|()| self.sync_names()).map_err(|error| told(&path, &error))
+        disk::put(&path, text.as_bytes()).map_err(|error| told(&path, &error))
     }
 
     /// Writes without changing anything, to see whether that works.
     pub(super) fn probe(&mut self) -> Result<(), StoreError> {
-        let path = self.folder.join("probe");
-        let tried = write(&path, b"probe").and_then(|()| std::fs::remove_file(&path));
-        tried.map_err(|error| told(&path, &error))?;
+        disk::has_room(&self.folder, self.wants_bytes).map_err(|error| told(&self.folder, &error))?;
+        self.wants_bytes = ROOM_MIN_BYTES;
         self.broken.clone().map_or(Ok(()), Err)
     }
 
     /// Makes new and lost names survive a power cut.
     fn sync_names(&self) -> io::Result<()> {
-        File::open(&self.folder)?.sync_all()
+        disk::sync_names(&self.folder)
     }
 }
 
@@ -164,7 +167,7 @@ fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), String>) -> Result
 }
 
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut file = File::options().create(true).append(true).open(path)?;
+    let mut file = disk::private().create(true).append(true).open(path)?;
     file.write_all(bytes)?;
     file.sync_all()
 }
@@ -178,13 +181,6 @@ fn cut(path: &Path, length: u64) -> io::Result<()> {
             file.sync_all()
         }
         _ => Ok(()),
-    }
-}
-
-fn told(path: &Path, error: &io::Error) -> StoreError {
-    match error.kind() {
-        io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => StoreError::Full,
-        _ => StoreError::Unavailable(format!("{}: {error}", path.display())),
     }
 }
 

@@ -42,6 +42,12 @@ SET n.lock = true REMOVE n.lock
 WITH n SET n.value = n.value + 1
 RETURN n.value AS many";
 
+const RAISE: &str = "
+MATCH (n:Shared {name: 'epoch'})
+SET n.lock = true REMOVE n.lock
+WITH n SET n.value = CASE WHEN n.value < $least THEN $least ELSE n.value END
+RETURN n.value AS many";
+
 const PROBE: &str = "MATCH (n:Shared {name: 'epoch'}) SET n.probed_ms = timestamp() RETURN n.value AS many";
 
 const LOOK: &str = "MATCH (n:Shared {name: 'epoch'}) RETURN n.value AS many";
@@ -94,6 +100,11 @@ pub(super) async fn next_epoch(link: &Link) -> Result<u64, StoreError> {
         0 => Err(StoreError::Damaged("the Neo4j database: it has lost the number of its starts".to_owned())),
         epoch => Ok(epoch),
     }
+}
+
+/// The number of the last server start is at least this.
+pub(super) async fn raise_epoch(link: &Link, least: u64) -> Result<(), StoreError> {
+    count(link, RAISE, &[("least", kept(least))]).await.map(|_| ())
 }
 
 /// Writes something that nobody reads, to see whether that works.

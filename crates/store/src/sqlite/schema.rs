@@ -31,6 +31,15 @@ pub(super) fn migrate(at: &mut Connection) -> Result<(), Fault> {
     Ok(step.commit()?)
 }
 
+/// Whether the tables can be read as they are.
+pub(super) fn check(at: &Connection) -> Result<(), Fault> {
+    match version(at)? {
+        found if found == MIGRATIONS.len() => Ok(()),
+        found if found > MIGRATIONS.len() => Err(newer(found).into()),
+        _ => Err(StoreError::Full.into()),
+    }
+}
+
 /// Fills what is derived from the records, for every behaviour.
 fn derive_all(at: &Connection) -> Result<(), Fault> {
     for id in read::ids(at)? {

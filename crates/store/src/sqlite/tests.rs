@@ -1,11 +1,13 @@
 //! The contract on both stores, and what only the embedded store promises.
 
 use super::write::{self, Ready};
-use super::{door, open, read};
+use super::writer::Writer;
+use super::{SqliteStore, door, open, read};
 use crate::{Append, MemoryStore, Query, Store, StoreError, contract, json};
 use behaviour::{Behaviour, Change, Committed, Id, Kind, Note, Record, RecordId};
 use rusqlite::Connection;
 use std::path::Path;
+use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 
 fn id(text: &str) -> Id {
@@ -17,6 +19,10 @@ fn committed(revision: u64, text: &str) -> Committed {
     let note = Record::Note(Note { text: text.to_owned() });
     let key = RecordId::new(Kind::Note, &id(&format!("n{revision}")));
     Committed { revision, change: change.put(&Default::default(), key, note) }
+}
+
+fn writing(store: &SqliteStore) -> &Writer {
+    store.writer().expect("it can write")
 }
 
 async fn put(store: &dyn Store, made: &Committed) -> Result<Append, StoreError> {
@@ -170,13 +176,25 @@ async fn on_a_full_disk_everything_can_still_be_read() {
     let limit = |pages: i64| {
         move |at: &Connection| Ok(at.query_row(&format!("PRAGMA max_page_count = {pages}"), [], |_| Ok(()))?)
     };
-    store.writer.ask(limit(1)).await.expect("a limit");
+    writing(&store).ask(limit(1)).await.expect("a limit");
     let before = store.load(&id("b")).await.expect("an answer");
     let large = committed(41, &"large ".repeat(50_000));
     assert_eq!(put(&store, &large).await, Err(StoreError::Full));
     assert_eq!(store.load(&id("b")).await.expect("an answer"), before, "nothing is half saved");
-    store.writer.ask(limit(1_000_000)).await.expect("a limit");
+    writing(&store).ask(limit(1_000_000)).await.expect("a limit");
     assert_eq!(put(&store, &large).await, Ok(Append::Applied), "it works again with room");
+}
+
+#[tokio::test]
+async fn whatever_finds_no_room_makes_the_disk_full_until_there_is_more() {
+    let dir = tempfile::tempdir().expect("a directory");
+    let store = open(dir.path()).await.expect("a store");
+    assert_eq!(store.wants_bytes.load(Ordering::Relaxed), 0);
+    let refused: Result<(), _> = store.write(5, |_| Err(StoreError::Full.into())).await;
+    assert_eq!(refused, Err(StoreError::Full));
+    assert_eq!(store.wants_bytes.load(Ordering::Relaxed), super::ROOM_MIN_BYTES + 5 * super::ROOM_TIMES);
+    assert_eq!(store.healthy().await, Ok(()), "there is room");
+    assert_eq!(store.wants_bytes.load(Ordering::Relaxed), 0);
 }
 
 /// Holds the writer until everything else waits, so that the next transaction takes all of it.
@@ -186,7 +204,7 @@ async fn one_job_that_fails_spoils_no_other_in_its_transaction() {
     let store = open(dir.path()).await.expect("a store");
     let (started, has_started) = tokio::sync::oneshot::channel();
     let (go, gate) = std::sync::mpsc::channel();
-    let hold = store.writer.ask(move |_| {
+    let hold = writing(&store).ask(move |_| {
         started.send(()).expect("somebody waits");
         gate.recv().expect("the gate opens");
         Ok(())
@@ -194,9 +212,9 @@ async fn one_job_that_fails_spoils_no_other_in_its_transaction() {
     let append = |name: &str, revision| {
         let ready = Ready::new(committed(revision, "x"), Behaviour::default());
         let (name, ready) = (id(name), ready.expect("it can be kept"));
-        store.writer.ask(move |at| write::append(at, &name, &ready))
+        writing(&store).ask(move |at| write::append(at, &name, &ready))
     };
-    let spoilt = store.writer.ask(|at| {
+    let spoilt = writing(&store).ask(|at| {
         at.execute("UPDATE meta SET epoch = 99", [])?;
         Ok(at.execute("INSERT INTO meta VALUES (2, 0, 0)", [])?)
     });

@@ -21,6 +21,11 @@ impl Ready {
         let after = tells(&committed).then_some(after);
         Ok(Self { committed, json, after })
     }
+
+    /// How large it is.
+    pub(super) fn bytes(&self) -> usize {
+        self.json.len()
+    }
 }
 
 /// True if what lists and searches show may change with it: a move changes nothing there.
@@ -173,6 +178,12 @@ pub(super) fn purge(at: &Connection, removed_before_ms: u64) -> Result<u32, Faul
 pub(super) fn next_epoch(at: &Connection) -> Result<u64, Fault> {
     let next = at.query_row("UPDATE meta SET epoch = epoch + 1 RETURNING epoch", [], |row| row.get(0))?;
     Ok(read(next))
+}
+
+/// The number of the last server start is at least this.
+pub(super) fn raise_epoch(at: &Connection, least: u64) -> Result<(), Fault> {
+    at.execute("UPDATE meta SET epoch = max(epoch, ?1)", [kept(least)])?;
+    Ok(())
 }
 
 /// Writes without changing anything, to see whether that works.

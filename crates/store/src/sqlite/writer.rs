@@ -1,10 +1,10 @@
 //! The one thread that writes. It takes everything that waits into one transaction and answers after the commit.
 
 use super::fault::Fault;
-use crate::StoreError;
+use crate::{FolderLock, StoreError};
 use rusqlite::{Connection, Transaction, TransactionBehavior};
-use std::fs::File;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
 use tokio::sync::{mpsc, oneshot};
@@ -24,7 +24,7 @@ pub(super) struct Writer {
 
 impl Writer {
     /// Starts the thread; it holds the directory's lock until it ends.
-    pub(super) fn start(at: Connection, file: PathBuf, lock: File) -> Result<Self, StoreError> {
+    pub(super) fn start(at: Connection, file: PathBuf, lock: Arc<FolderLock>) -> Result<Self, StoreError> {
         let (queue, waiting) = mpsc::channel(WAITING_MAX);
         let work = move || {
             write_all(at, &file, waiting);

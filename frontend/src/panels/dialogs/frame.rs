@@ -7,7 +7,7 @@ use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
-use web_sys::{HtmlElement, KeyboardEvent};
+use web_sys::{HtmlElement, HtmlInputElement, HtmlTextAreaElement, KeyboardEvent};
 
 const TITLE_ID: &str = "dialog-title";
 /// What gets the keyboard first, best first.
@@ -37,7 +37,8 @@ pub(super) fn Frame(
     });
     watch_keys_outside(desk, dialog);
     let keys = move |event: KeyboardEvent| {
-        if (event.ctrl_key() || event.meta_key()) && event.key() == "Enter" {
+        let control = event.ctrl_key() || event.meta_key();
+        if event.key() == "Enter" && (control || ends_one_line(&event)) {
             event.prevent_default();
             save.run(());
         }
@@ -68,19 +69,38 @@ pub(super) fn Frame(
     }
 }
 
+/// Whether Enter was pressed where one line is meant and what is written there looks whole.
+fn ends_one_line(event: &KeyboardEvent) -> bool {
+    let field = event.target().and_then(|target| target.dyn_into::<HtmlTextAreaElement>().ok());
+    let field =
+        field.filter(|field| field.has_attribute("data-one-line") && !event.shift_key() && !event.is_composing());
+    field.is_some_and(|field| is_whole_line(&field.value()))
+}
+
+/// One line that nobody would go on with on the next: not empty, every brace closed, no `;` at the end.
+fn is_whole_line(text: &str) -> bool {
+    let text = text.trim();
+    let closed = text.matches('{').count() == text.matches('}').count();
+    closed && !text.is_empty() && !text.contains('\n') && !text.ends_with(';')
+}
+
 /// The feet of a dialog that saves something: Close, Save, and perhaps something apart.
 #[component]
 pub(super) fn Feet(
     #[prop(default = words::save())] save: &'static str,
     #[prop(optional)] busy: Option<RwSignal<bool>>,
+    /// Whether there is nothing to save to any more.
+    #[prop(optional, into)]
+    nothing: Option<Signal<bool>>,
     #[prop(optional)] children: Option<Children>,
 ) -> impl IntoView {
     let desk = hold();
+    let waits = move || busy.is_some_and(|busy| busy.get()) || nothing.is_some_and(|nothing| nothing.get());
     view! {
         <div class="dialog-feet">
             {children.map(|children| children())}
             <button class="button" type="button" on:click=move |_| close(desk)>{words::close()}</button>
-            <button class="button primary" type="submit" disabled=move || busy.is_some_and(|busy| busy.get())>{save}</button>
+            <button class="button primary" type="submit" disabled=waits>{save}</button>
         </div>
     }
 }
@@ -109,7 +129,12 @@ fn focus_first(dialog: NodeRef<Div>) {
     }
     let found = FIRST.iter().find_map(|selector| focus::all(&dialog, selector).into_iter().next());
     match found.filter(|_| !focus::is_coarse()) {
-        Some(first) => focus::focus(&first),
+        Some(first) => {
+            focus::focus(&first);
+            if let Some(field) = first.dyn_ref::<HtmlInputElement>() {
+                field.select();
+            }
+        }
         None => focus::focus(dialog.unchecked_ref::<HtmlElement>()),
     }
 }
@@ -153,5 +178,16 @@ fn step(dialog: &HtmlElement, back: bool) {
     };
     if let Some(element) = ring.get(next) {
         focus::focus(element);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_whole_line;
+
+    #[test]
+    fn enter_saves_what_is_whole() {
+        assert!(["distance < 20", "if near { 1 } else { 2 }", r#"{"x":1}"#].into_iter().all(is_whole_line));
+        assert!(!["", " ", "if near {", "let x = 1;", "1\n2"].into_iter().any(is_whole_line));
     }
 }

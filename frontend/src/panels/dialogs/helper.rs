@@ -3,6 +3,7 @@
 mod used_in;
 
 use super::frame::{Feet, Frame, Refused};
+use super::gone::{Gone, gone};
 use super::stream::answered;
 use crate::fields::{CodeField, TextField};
 use crate::panels::hold::{Hold, Soon, hold};
@@ -41,7 +42,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     view! {
         <Frame title save>
             <div class="dialog-body">
-                <TextField label=words::helper_name() value=fields.name mono=true />
+                <TextField label=words::helper_name() value=fields.name mono=true first={!is_there} />
                 <TextField label=words::helper_params() value=fields.params mono=true />
                 <div class="field">
                     <span class="label">{words::body()}</span>
@@ -51,6 +52,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                 <TextField label=words::helper_says() value=fields.says />
                 {is_there.then(|| view! { <UsedIn name=fields.name.get_untracked() /> })}
                 <Refused why=fields.refusal />
+                {fields.seen.get_value().map(|(id, _)| view! { <Removed fields id /> })}
             </div>
             <Feet busy=fields.busy>{is_there.then(|| view! { <Remove fields /> })}</Feet>
         </Frame>
@@ -139,6 +141,15 @@ fn Lint(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
             {move || why.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
         </div>
     }
+}
+
+/// Who removed the helper meanwhile; saved again, it is a new one.
+#[component]
+fn Removed(fields: Fields, id: Id) -> impl IntoView {
+    let desk = hold();
+    let known = id.clone();
+    let who = gone(desk, id, move || desk.desk().helpers.read().iter().any(|(other, _)| *other == known));
+    view! { <Gone who written=fields.body /> }
 }
 
 #[component]

@@ -24,6 +24,7 @@ fn OneName(
     done: Callback<String>,
 ) -> impl IntoView {
     let desk = hold();
+    let first = StoredValue::new(now.clone());
     let name = RwSignal::new(now);
     let submit = Callback::new(move |()| {
         let name = name.get_untracked().trim().to_owned();
@@ -34,7 +35,7 @@ fn OneName(
     });
     view! {
         <Frame title narrow=true save=submit>
-            <div class="dialog-body"><TextField label=words::name() value=name hint max_chars /></div>
+            <div class="dialog-body"><TextField label=words::name() value=name hint max_chars proposed=Signal::derive(move || name.get() == first.get_value()) /></div>
             <Feet save />
         </Frame>
     }

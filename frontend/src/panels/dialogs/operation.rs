@@ -11,6 +11,7 @@ mod procedure;
 mod saving;
 
 use super::frame::{Feet, Frame, Refused};
+use super::gone::{self, Gone};
 use super::stream::EditStream;
 use crate::fields::{NumberField, TextField};
 use crate::icons::{Icon, connector_icon};
@@ -39,7 +40,13 @@ pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static str) ->
 fn OperationForm(form: Form) -> impl IntoView {
     let desk = hold();
     draft::keep(form);
-    let save = Callback::new(move |()| saving::save(form));
+    let gone = gone_memo(form);
+    let save = Callback::new(move |()| {
+        if gone.get_untracked().is_none() {
+            saving::save(form);
+        }
+    });
+    let written = move || if *form.way.read() == "body" { form.body.get() } else { String::new() };
     let from = move || {
         let names =
             form.inputs.get().into_iter().filter_map(|id| Some(desk.desk().stream(&id)?.record.read().name.clone()));
@@ -62,12 +69,26 @@ fn OperationForm(form: Form) -> impl IntoView {
                 </Show>
                 <Show when=move || form.kind.get() == "subscribe"><actuator::Actuator form /></Show>
                 <Show when=move || form.kind.get() != "subscribe">
-                    <TextField label=words::output_stream_name() value=form.name />
+                    <TextField label=words::output_stream_name() value=form.name
+                        proposed=Signal::derive(move || form.name.get() == form.offered.get()) />
                 </Show>
                 <Refused why=form.refusal />
+                <Gone who=gone written=Signal::derive(written) />
             </div>
-            <Feet busy=form.busy />
+            <Feet busy=form.busy nothing=Signal::derive(move || gone.read().is_some()) />
         </Frame>
+    }
+}
+
+/// Who removed the edited connector, or the stream that a new one was to come out of.
+fn gone_memo(form: Form) -> Memo<Option<String>> {
+    let desk = form.desk;
+    match form.edits.get_value() {
+        Some((id, _)) => gone::gone(desk, id.clone(), move || gone::has_connector(desk, &id)),
+        None => {
+            let source = form.source.get_value();
+            gone::gone(desk, source.clone(), move || gone::has_stream(desk, &source))
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use super::frame::{Feet, Frame, Refused, close};
 use crate::fields::CodeField;
 use crate::panels::hold::hold;
-use crate::panels::problems::ProblemList;
+use crate::panels::problems::{FailingList, ProblemList};
 use crate::words;
 use behaviour::{Id, Value};
 use leptos::prelude::*;
@@ -30,7 +30,7 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
             <div class="dialog-body">
                 <div class="field">
                     <span class="label">{words::value_json()}</span>
-                    <CodeField label=words::value_json() value=text arguments=Signal::stored(Vec::new()) />
+                    <CodeField label=words::value_json() value=text arguments=Signal::stored(Vec::new()) one_line=true />
                     <span class="faint">{words::value_hint()}</span>
                     <span class="faint">{words::example(example)}</span>
                 </div>
@@ -45,7 +45,7 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
 #[component]
 pub(super) fn AllProblems() -> impl IntoView {
     let desk = hold();
-    let none = move || desk.desk().problems.read().is_empty();
+    let none = move || desk.desk().problems.read().is_empty() && desk.desk().failing.read().is_empty();
     let first = desk.desk().selected.get_untracked();
     Effect::new(move |_| {
         if desk.desk().selected.get() != first {
@@ -56,6 +56,7 @@ pub(super) fn AllProblems() -> impl IntoView {
         <Frame title=words::problems() narrow=true save=Callback::new(move |()| close(desk))>
             <div class="dialog-body">
                 <Show when=none><p class="second">{words::no_problems()}</p></Show>
+                <FailingList />
                 <ProblemList of=None />
             </div>
         </Frame>
@@ -70,6 +71,7 @@ pub(super) fn Help() -> impl IntoView {
         (words::help_stop(), words::help_stop_says()),
         (words::help_walk(), words::help_walk_says()),
         (words::help_edit(), words::help_edit_says()),
+        (words::help_lines(), words::help_lines_says()),
         (words::help_remove(), words::help_remove_says()),
         (words::help_undo(), words::help_undo_says()),
         (words::help_pan(), words::help_pan_says()),

@@ -1,6 +1,7 @@
 //! Edit stream sensor, Edit stream actuator: type, name and the device's parameters.
 
 use super::frame::{Feet, Frame, Refused, close};
+use super::gone::{self, Gone};
 use crate::desk::Desk;
 use crate::fields::{Options, ParamFields, ParamForm, Select, TextField};
 use crate::panels::hold::{Hold, hold};
@@ -49,7 +50,13 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
         busy: RwSignal::new(false),
     };
     Effect::new(move |_| fields.params.set(form_of(fields, kind)));
-    let save = Callback::new(move |()| save(desk, fields));
+    let id = fields.id.get_value();
+    let gone = gone::gone(desk, id.clone(), move || gone::has_stream(desk, &id));
+    let save = Callback::new(move |()| {
+        if gone.get_untracked().is_none() {
+            save(desk, fields);
+        }
+    });
     let says = move || robot::device(kind, &fields.device.read()).map(|device| device.says).ok();
     view! {
         <Frame title=title(kind) narrow=true save>
@@ -63,8 +70,9 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
                 <TextField label=words::name() value=fields.name />
                 {move || fields.params.get().map(|form| view! { <ParamFields form /> })}
                 <Refused why=fields.refusal />
+                <Gone who=gone written=fields.name />
             </div>
-            <Feet busy=fields.busy />
+            <Feet busy=fields.busy nothing=Signal::derive(move || gone.read().is_some()) />
         </Frame>
     }
 }

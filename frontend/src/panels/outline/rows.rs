@@ -106,7 +106,13 @@ fn other_person(desk: Hold, what: &Selected) -> Option<(String, u8)> {
 }
 
 fn problem_of(desk: Hold, what: &Selected) -> Option<String> {
-    let problems = desk.desk().problems.get();
+    let desk = desk.desk();
+    if desk.fails_now() > 0
+        && let Some(failing) = desk.failing.read().iter().find(|failing| failing.connector == *what.id())
+    {
+        return Some(words::failed(failing.count, &failing.why));
+    }
+    let problems = desk.problems.get();
     problems
         .into_iter()
         .find(|problem| problem.blocks && problem.at.id == *what.id())

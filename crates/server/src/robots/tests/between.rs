@@ -12,8 +12,8 @@ use crate::robots::order::Order;
 use behaviour::{Params, Value};
 use engine::Claim;
 use robot::Use;
-use std::sync::Arc;
 use std::sync::mpsc::{Receiver, sync_channel};
+use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
 use std::time::{Duration, Instant};
 
@@ -122,6 +122,27 @@ async fn what_a_run_told_before_it_was_stopped_is_void() {
     });
     still.begin();
     until("the robot holds", || still.puppet.log() == ["told 1", "held"]).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn what_a_run_does_ends_before_anything_else_that_waits() {
+    let mut still = Still::new();
+    still.begin();
+    let opened = still.open();
+    until("the devices are open", || opened.try_recv() == Ok(Ok(()))).await;
+    let (house, gate, puppet) = (still.house.clone(), still.gate.clone(), still.puppet.clone());
+    let seen = Arc::new(Mutex::new(None));
+    let at_last = seen.clone();
+    still.puppet.when_told(move |value| match value {
+        // Both wait together, and the run ends while the first of them is done.
+        Value::Int(0) => [1, 2].into_iter().for_each(|value| command(&house, &gate, value)),
+        Value::Int(1) => house.desk.close(1),
+        _ => *at_last.lock().unwrap() = Some(puppet.users().is_empty()),
+    });
+    still.command(0);
+    until("all is told", || seen.lock().unwrap().is_some()).await;
+    assert_eq!(*seen.lock().unwrap(), Some(true), "its devices were given back first");
     still.ends().await;
 }
 

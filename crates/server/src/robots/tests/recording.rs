@@ -11,12 +11,12 @@ use robot::Millis;
 use std::sync::Arc;
 use std::time::Instant;
 
-fn recorded(start: Start) -> Start {
+pub(super) fn recorded(start: Start) -> Start {
     Start { record: true, ..start }
 }
 
 /// The lines of the only recording, once it has its last.
-async fn lines(recordings: &Recordings) -> Vec<Value> {
+pub(super) async fn lines(recordings: &Recordings) -> Vec<Value> {
     let read = || {
         let list = recordings.list();
         let path = recordings.find(&list.first()?.file)?;
@@ -32,12 +32,12 @@ fn mark(line: &Value) -> Option<&str> {
     line.field("mark")?.as_text()
 }
 
-fn text<'v>(line: &'v Value, field: &str) -> Option<&'v str> {
+pub(super) fn text<'v>(line: &'v Value, field: &str) -> Option<&'v str> {
     line.field(field)?.as_text()
 }
 
 /// What the readings of a recording make of a behaviour, as `(time, value)` of its only action.
-fn replayed(file: &BehaviourFile, lines: &[Value]) -> Vec<(u64, Value)> {
+pub(super) fn replayed(file: &BehaviourFile, lines: &[Value]) -> Vec<(u64, Value)> {
     let mut run = Run::build(file, Limits::default()).map_err(|faults| faults[0].to_string()).unwrap();
     let (ball, page) = (run.stream_index("ball").unwrap(), run.stream_index("page").unwrap());
     let mut told = Vec::new();
@@ -59,7 +59,7 @@ fn time(line: &Value) -> u64 {
     time.unsigned_abs()
 }
 
-fn outputs(lines: &[Value]) -> Vec<(u64, Value)> {
+pub(super) fn outputs(lines: &[Value]) -> Vec<(u64, Value)> {
     let page = lines.iter().filter(|line| text(line, "stream") == Some("page"));
     page.map(|line| (time(line), line.field("value").unwrap().clone())).collect()
 }
@@ -125,6 +125,27 @@ async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants()
     until("it is not recorded any more", || robots.runs().borrow()[0].recording.is_none()).await;
     stimulate(&robots, 1);
     until("it runs on", || puppet.told(run.run).len() == 3).await;
+}
+
+#[tokio::test]
+async fn before_the_first_reading_it_is_listed_and_can_be_marked() {
+    let folder = tempfile::tempdir().unwrap();
+    let recordings = Recordings::within(Some(folder.path()));
+    let robots = Puppet::default().robots_with(Limits::default, recordings.clone());
+    let run = robots.start(recorded(filtered("one", "true"))).await.unwrap();
+    let listed = recordings.list();
+    assert_eq!(listed.len(), 1);
+    assert_eq!(run.recording.map(|recorded| recorded.file).as_ref(), Some(&listed[0].file));
+    assert!(!listed[0].cut_off, "it is being written");
+    assert_eq!(robots.mark(&id("one"), "Ben", "quiet"), Ok(()));
+    robots.stop(None, "Ben");
+    let lines = lines(&recordings).await;
+    assert!(lines.iter().any(|line| text(line, "note") == Some("quiet")));
+    assert!(!recordings.list()[0].cut_off);
+    let path = recordings.find(&listed[0].file).unwrap();
+    let whole = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(&path, &whole[..whole.len() - 5]).unwrap();
+    until("its last line is not whole", || recordings.list()[0].cut_off).await;
 }
 
 #[tokio::test]

@@ -5,7 +5,7 @@ use super::{filtered, id, until};
 use crate::robots::{Host, Start};
 use behaviour::Value;
 use engine::Limits;
-use protocol::{HeldPart, RunState};
+use protocol::{HeldPart, RunState, SaidNo};
 use std::sync::Arc;
 
 /// A behaviour that moves the head, and holds it for longer than any test takes.
@@ -65,6 +65,17 @@ async fn the_upper_one_wins_and_both_see_it() {
     })
     .await;
     until("that is not shown any more", || state(&robots, &greeting).held.is_empty()).await;
+}
+
+#[tokio::test]
+async fn who_never_ran_here_gets_no_place() {
+    let robots = Puppet::default().robots(Limits::default);
+    robots.start(head("one")).await.unwrap();
+    for number in 0..20 {
+        let stranger = id(&format!("stranger{number}"));
+        assert_eq!(robots.place(&stranger, Some(&id("one"))), Err(SaidNo::NotRunning));
+    }
+    assert_eq!(robots.house().order.place(&id("one")), 0, "nobody stands above it");
 }
 
 #[tokio::test]

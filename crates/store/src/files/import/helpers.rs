@@ -1,9 +1,9 @@
 //! The helpers of a file in a library that may have others of the same name.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, calls_helper, rename_helpers,
+    Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, called_names, rename_helpers,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Where the helpers of a file went.
 pub(super) struct Shelved {
@@ -24,6 +24,7 @@ pub(super) fn shelve(
     let mut there: BTreeMap<String, Helper> = library.helpers().map(|(_, h)| (h.name.clone(), h.clone())).collect();
     let mut change = Change::of(new_id(), by, "Import helpers");
     let mut names = BTreeMap::new();
+    let in_file: BTreeSet<&str> = file.helpers.iter().map(|helper| helper.name.as_str()).collect();
     for helper in callees_first(&file.helpers)? {
         let mut wanted = Helper {
             name: helper.name.clone(),
@@ -31,7 +32,7 @@ pub(super) fn shelve(
             body: rename_helpers(&helper.body, &names),
             says: helper.says.clone(),
         };
-        let name = name_for(&wanted, &there, &file.helpers);
+        let name = name_for(&wanted, &there, &in_file);
         wanted.name.clone_from(&name);
         if !there.contains_key(&name) {
             let id = RecordId::new(Kind::Helper, &new_id());
@@ -44,30 +45,42 @@ pub(super) fn shelve(
 }
 
 /// Its own name, or with the first number under which it is there already or nothing is, here or in the file.
-fn name_for(wanted: &Helper, there: &BTreeMap<String, Helper>, file: &[FileHelper]) -> String {
+fn name_for(wanted: &Helper, there: &BTreeMap<String, Helper>, in_file: &BTreeSet<&str>) -> String {
     let same = |other: &Helper| other.params == wanted.params && other.body == wanted.body;
     let fits = |name: &String| match there.get(name) {
         Some(other) => same(other),
-        None => *name == wanted.name || file.iter().all(|helper| helper.name != *name),
+        None => *name == wanted.name || !in_file.contains(name.as_str()),
     };
     let numbered = (2_u32..).map(|number| format!("{}{number}", wanted.name));
     std::iter::once(wanted.name.clone()).chain(numbered).find(fits).unwrap_or_default()
 }
 
-/// Every helper after those that it calls.
+/// Every helper after those that it calls; each body is read once.
 fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, String> {
-    let mut sorted: Vec<&FileHelper> = Vec::new();
-    let mut open: Vec<&FileHelper> = helpers.iter().collect();
-    while !open.is_empty() {
-        let waits = |helper: &FileHelper| open.iter().any(|other| calls_helper(&helper.body, &other.name));
-        let (later, now): (Vec<&FileHelper>, Vec<&FileHelper>) = open.iter().partition(|helper| waits(helper));
-        if now.is_empty() {
-            return Err(format!("{}: it calls itself, also through others. Change its body.", later[0].name));
+    let places: BTreeMap<&str, usize> = helpers.iter().enumerate().map(|(at, helper)| (&*helper.name, at)).collect();
+    let mut callers: Vec<Vec<usize>> = vec![Vec::new(); helpers.len()];
+    let mut waits = vec![0_usize; helpers.len()];
+    for (at, helper) in helpers.iter().enumerate() {
+        for callee in called_names(&helper.body).into_iter().filter_map(|name| places.get(name)) {
+            callers[*callee].push(at);
+            waits[at] += 1;
         }
-        sorted.extend(now);
-        open = later;
     }
-    Ok(sorted)
+    let mut ready: BTreeSet<usize> = (0..helpers.len()).filter(|at| waits[*at] == 0).collect();
+    let mut sorted = Vec::with_capacity(helpers.len());
+    while let Some(at) = ready.pop_first() {
+        sorted.push(&helpers[at]);
+        for caller in &callers[at] {
+            waits[*caller] -= 1;
+            if waits[*caller] == 0 {
+                ready.insert(*caller);
+            }
+        }
+    }
+    match helpers.iter().zip(waits).find(|(_, waits)| *waits > 0) {
+        Some((helper, _)) => Err(format!("{}: it calls itself, also through others. Change its body.", helper.name)),
+        None => Ok(sorted),
+    }
 }
 
 /// The file with its helpers under their names in the library.

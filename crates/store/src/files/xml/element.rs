@@ -3,11 +3,16 @@
 use super::escape::{cannot_hold, of_attribute, of_element, reference};
 use crate::files::FileFault;
 use crate::files::place::Lines;
+use crate::files::tree::TOO_MANY;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 /// How deep elements may lie in each other.
 const DEPTH_MAX: usize = 8;
+/// Elements in one file; what the rules allow has fewer.
+const ELEMENTS_MAX: usize = 100_000;
+/// Attributes of one element; those that are known are fewer.
+const ATTRIBUTES_MAX: usize = 16;
 
 /// An element with what it holds.
 #[derive(Debug, Default)]
@@ -21,6 +26,8 @@ pub(super) struct Element {
     pub(super) text: String,
     /// Where its text begins.
     pub(super) text_at: usize,
+    /// True once there is text other than blanks.
+    has_text: bool,
 }
 
 impl Element {
@@ -30,8 +37,9 @@ impl Element {
     }
 
     fn add(&mut self, at: usize, text: &str) {
-        if self.text.trim().is_empty() {
+        if !self.has_text {
             self.text_at = at + text.len() - text.trim_start().len();
+            self.has_text = !text.trim().is_empty();
         }
         self.text.push_str(text);
     }
@@ -42,7 +50,7 @@ pub(super) fn root(text: &str, lines: &Lines) -> Result<Element, FileFault> {
     if let Some((at, _)) = text.char_indices().find(|(_, c)| cannot_hold(*c)) {
         return Err(lines.fault(at, "There is a control character that XML cannot hold. Take it out."));
     }
-    let mut parser = Parser { lines, reader: Reader::from_str(text), open: Vec::new(), root: None };
+    let mut parser = Parser { lines, reader: Reader::from_str(text), open: Vec::new(), root: None, elements: 0 };
     let config = parser.reader.config_mut();
     config.check_comments = true;
     while parser.step()? {}
@@ -54,6 +62,7 @@ struct Parser<'l, 't> {
     reader: Reader<&'t [u8]>,
     open: Vec<Element>,
     root: Option<Element>,
+    elements: usize,
 }
 
 impl Parser<'_, '_> {
@@ -105,6 +114,10 @@ impl Parser<'_, '_> {
         if self.open.len() >= DEPTH_MAX {
             return self.no(at, format!("Elements lie in each other more than {DEPTH_MAX} deep. Make it simpler."));
         }
+        self.elements += 1;
+        if self.elements > ELEMENTS_MAX {
+            return self.no(at, TOO_MANY);
+        }
         if self.root.is_some() {
             return self.no(at, format!("<{name}> stands after the end of the behaviour. Take it out."));
         }
@@ -114,16 +127,22 @@ impl Parser<'_, '_> {
     }
 
     fn attributes(&self, at: usize, start: &BytesStart) -> Result<Vec<(String, usize, String)>, FileFault> {
-        let mut all = Vec::new();
-        for attribute in start.attributes() {
-            let attribute = attribute.or_else(|error| {
-                let reason = match error {
-                    quick_xml::events::attributes::AttrError::Duplicated(..) => "An attribute is there twice.",
-                    _ => "An attribute is broken; write it as name=\"value\".",
-                };
-                self.no(at, format!("{reason} Mend it in <{}>.", String::from_utf8_lossy(start.name().as_ref())))
-            })?;
+        let mut all: Vec<(String, usize, String)> = Vec::new();
+        let mend = |reason: &str| {
+            self.no(at, format!("{reason} Mend it in <{}>.", String::from_utf8_lossy(start.name().as_ref())))
+        };
+        // The reader's own check for doubles compares each with all others, however many there are.
+        for attribute in start.attributes().with_checks(false) {
+            let Ok(attribute) = attribute else {
+                return mend("An attribute is broken; write it as name=\"value\".");
+            };
+            if all.len() >= ATTRIBUTES_MAX {
+                return mend(&format!("There are more than {ATTRIBUTES_MAX} attributes."));
+            }
             let name = String::from_utf8_lossy(attribute.key.as_ref()).into_owned();
+            if all.iter().any(|(known, ..)| *known == name) {
+                return mend("An attribute is there twice.");
+            }
             let key = inside(start, attribute.key.as_ref());
             if !start.get(key.wrapping_sub(1)).is_some_and(u8::is_ascii_whitespace) {
                 return self.no(at + 1 + key, format!("There must be a blank before {name}. Add one."));

@@ -19,6 +19,15 @@ pub(super) fn beginning(desk: Hold, input: &Id, kind: &str) -> String {
     format!("{argument} < ")
 }
 
+/// The test alone, when somebody writes all of it after the beginning: `distance < distance > 5` becomes `distance > 5`.
+pub(super) fn typed_whole(begun: &str, body: &str) -> Option<String> {
+    let argument = begun.split(' ').next().filter(|argument| !argument.is_empty())?;
+    let rest = body.strip_prefix(begun)?;
+    let before = &rest[..rest.find(['<', '>', '=', '!'])?];
+    let mut words = before.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    words.any(|word| word == argument).then(|| rest.to_owned())
+}
+
 /// What it carries now decides; before the first Start it is guessed from what makes it.
 fn is_number(desk: Hold, id: &Id) -> bool {
     let desk = desk.desk();
@@ -72,7 +81,18 @@ fn makes_number(body: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::makes_number;
+    use super::{makes_number, typed_whole};
+
+    #[test]
+    fn a_test_that_is_written_whole_replaces_its_beginning() {
+        let typed = |body: &str| typed_whole("distance < ", body);
+        assert_eq!(typed("distance < distance <").as_deref(), Some("distance <"));
+        assert_eq!(typed("distance < abs(distance) > 5").as_deref(), Some("abs(distance) > 5"));
+        for body in ["distance < 20", "distance < distance", "distance < distanceMax <", "distance", "other < 3"] {
+            assert_eq!(typed(body), None, "{body}");
+        }
+        assert_eq!(typed_whole("", "a < 1"), None);
+    }
 
     #[test]
     fn procedures_that_reckon_make_numbers() {

@@ -53,10 +53,16 @@ fn Way(form: Form) -> impl IntoView {
 #[component]
 fn Body(form: Form) -> impl IntoView {
     let arguments = Signal::derive(move || form.arguments());
+    Effect::new(move |_| {
+        let whole = form.begun.with_value(|begun| super::prefill::typed_whole(begun, &form.body.read()));
+        if let Some(whole) = whole {
+            form.body.set(whole);
+        }
+    });
     view! {
         <div class="field">
             <span class="label">{words::parameters()}" "<code>{move || arguments.get().join(", ")}</code></span>
-            <CodeField label=words::body() value=form.body arguments described_by="body-said" />
+            <CodeField label=words::body() value=form.body arguments described_by="body-said" one_line=true />
             <Spellings form arguments />
             <FieldNames form />
         </div>

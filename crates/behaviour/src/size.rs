@@ -1,0 +1,292 @@
+//! How large records are, so that the whole stays within what messages, files and backups carry.
+//!
+//! A size is never smaller than what the record takes in any of its written forms (messages, JSON, XML), so what keeps
+//! the bounds can be sent, exported and imported again. It depends on nothing but the record, and the size of a whole is
+//! kept up to date edit by edit.
+
+use crate::{
+    Behaviour, Change, Connector, Edit, Helper, Id, Kind, Note, Procedure, Record, RecordId, Refusal, Settings, Stream,
+    Value,
+};
+
+/// The streams, connectors, places, notes and settings of one behaviour together, in bytes.
+pub const BEHAVIOUR_MAX_BYTES: usize = 6 << 20;
+/// All helpers of the library together, in bytes.
+pub const LIBRARY_MAX_BYTES: usize = 2 << 20;
+/// One record, in bytes: what it was and what it becomes fit together into one message.
+pub(crate) const RECORD_MAX_BYTES: usize = 96 << 10;
+/// Helpers in the library.
+pub const HELPERS_MAX: usize = 1_000;
+/// Notes in one behaviour.
+pub const NOTES_MAX: usize = 2_000;
+/// Entries of all lists in one behaviour: inputs and arguments of connectors, parameters and resources of streams.
+pub const ENTRIES_MAX: usize = 40_000;
+/// Places in one behaviour: one for each stream, connector and note.
+pub const PLACES_MAX: usize = crate::STREAMS_MAX + crate::CONNECTORS_MAX + NOTES_MAX;
+
+/// What a character takes at most that JSON or XML write in a longer way.
+const ESCAPED_BYTES: usize = 8;
+/// A file's own words and its sections.
+const SETTINGS_BYTES: usize = 1_024;
+const HELPER_BYTES: usize = 96;
+const STREAM_BYTES: usize = 256;
+const CONNECTOR_BYTES: usize = 224;
+const PLACE_BYTES: usize = 96;
+const NOTE_BYTES: usize = 64;
+/// The words around one name, input or argument of a list.
+const ITEM_BYTES: usize = 32;
+/// The words around one parameter of a device.
+const PARAM_BYTES: usize = 48;
+const NUMBER_BYTES: usize = 25;
+/// Quotes, a comma and a blank.
+const MARKS_BYTES: usize = 20;
+/// The ids that a copy gets: an import must not fail because they are longer than those in the file.
+const NEW_ID_BYTES: usize = 32;
+/// How often an id stands in a file: at its thing, its order and its place.
+const ID_TIMES: usize = 3;
+
+/// How much a behaviour or library holds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Size {
+    helpers: Amount,
+    streams: Amount,
+    connectors: Amount,
+    places: Amount,
+    notes: Amount,
+    settings: Amount,
+}
+
+/// Records of one kind.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+struct Amount {
+    count: usize,
+    bytes: usize,
+    entries: usize,
+}
+
+impl Size {
+    /// Of all records.
+    pub(crate) fn of(behaviour: &Behaviour) -> Self {
+        let mut size = Self::default();
+        behaviour.records.iter().for_each(|(id, record)| size.add(id, record));
+        size
+    }
+
+    /// After a change that was made to what has this size.
+    pub(crate) fn after(mut self, change: &Change) -> Self {
+        for Edit { id, before, after } in &change.edits {
+            if let Some(record) = before {
+                self.take(id, record);
+            }
+            if let Some(record) = after {
+                self.add(id, record);
+            }
+        }
+        self
+    }
+
+    fn add(&mut self, id: &RecordId, record: &Record) {
+        let amount = self.of_kind(id.kind);
+        amount.count += 1;
+        amount.bytes += record_bytes(id, record);
+        amount.entries += entries(record);
+    }
+
+    fn take(&mut self, id: &RecordId, record: &Record) {
+        let amount = self.of_kind(id.kind);
+        amount.count = amount.count.saturating_sub(1);
+        amount.bytes = amount.bytes.saturating_sub(record_bytes(id, record));
+        amount.entries = amount.entries.saturating_sub(entries(record));
+    }
+
+    fn of_kind(&mut self, kind: Kind) -> &mut Amount {
+        match kind {
+            Kind::Settings => &mut self.settings,
+            Kind::Helper => &mut self.helpers,
+            Kind::Stream => &mut self.streams,
+            Kind::Connector => &mut self.connectors,
+            Kind::Place => &mut self.places,
+            Kind::Note => &mut self.notes,
+        }
+    }
+
+    /// Everything but helpers, which live in the library.
+    fn behaviour_bytes(&self) -> usize {
+        [self.settings, self.streams, self.connectors, self.places, self.notes].iter().map(|amount| amount.bytes).sum()
+    }
+
+    fn behaviour_entries(&self) -> usize {
+        self.streams.entries + self.connectors.entries
+    }
+
+    /// Whether this fits. What is too large already, made by an older version, may become smaller or stay.
+    ///
+    /// # Errors
+    /// The first bound that is passed.
+    pub(crate) fn check(&self, before: &Self) -> Result<(), Refusal> {
+        let counts = [
+            ("helpers", self.helpers.count, before.helpers.count, HELPERS_MAX),
+            ("streams", self.streams.count, before.streams.count, crate::STREAMS_MAX),
+            ("connectors", self.connectors.count, before.connectors.count, crate::CONNECTORS_MAX),
+            ("notes", self.notes.count, before.notes.count, NOTES_MAX),
+            ("places", self.places.count, before.places.count, PLACES_MAX),
+            ("inputs, arguments and parameters", self.behaviour_entries(), before.behaviour_entries(), ENTRIES_MAX),
+        ];
+        if let Some((what, .., most)) = counts.into_iter().find(|(_, now, before, most)| now > most && now > before) {
+            return Err(Refusal::TooMany(what.to_owned(), most));
+        }
+        let (helpers, behaviour) = (self.helpers.bytes, self.behaviour_bytes());
+        if helpers > LIBRARY_MAX_BYTES && helpers > before.helpers.bytes {
+            return Err(Refusal::Full("library".to_owned(), LIBRARY_MAX_BYTES));
+        }
+        if behaviour > BEHAVIOUR_MAX_BYTES && behaviour > before.behaviour_bytes() {
+            return Err(Refusal::Full("behaviour".to_owned(), BEHAVIOUR_MAX_BYTES));
+        }
+        Ok(())
+    }
+}
+
+/// What one record takes at most in a message or a file, in bytes.
+#[must_use]
+pub fn record_bytes(id: &RecordId, record: &Record) -> usize {
+    let own = match record {
+        Record::Settings(settings) => settings_bytes(settings),
+        Record::Helper(helper) => helper_bytes(helper),
+        Record::Stream(stream) => stream_bytes(stream),
+        Record::Connector(connector) => connector_bytes(connector),
+        Record::Place(_) => PLACE_BYTES,
+        Record::Note(Note { text }) => NOTE_BYTES + text_bytes(text),
+    };
+    own + ID_TIMES * id_bytes(&id.id)
+}
+
+/// How many entries the lists of a stream or connector have.
+fn entries(record: &Record) -> usize {
+    match record {
+        Record::Stream(stream) => {
+            stream.params.values().map(value_entries).sum::<usize>() + stream.resources.as_deref().map_or(0, <[_]>::len)
+        }
+        Record::Connector(connector) => {
+            let args = match connector.operation.procedure() {
+                Some(Procedure::Body { args: Some(args), .. }) => args.len(),
+                _ => 0,
+            };
+            connector.inputs.len() + args
+        }
+        Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) => 0,
+    }
+}
+
+/// A value, and all values in it.
+fn value_entries(value: &Value) -> usize {
+    match value {
+        Value::List(items) => 1 + items.iter().map(value_entries).sum::<usize>(),
+        Value::Map(fields) => 1 + fields.values().iter().map(value_entries).sum::<usize>(),
+        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) | Value::Text(_) => 1,
+    }
+}
+
+impl Change {
+    /// What the change takes at most in a message, in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let edit = |edit: &Edit| {
+            let records = [&edit.before, &edit.after].into_iter().flatten();
+            ITEM_BYTES + records.map(|record| record_bytes(&edit.id, record)).sum::<usize>()
+        };
+        let texts = text_bytes(&self.author) + text_bytes(&self.label) + self.op.as_str().len();
+        STREAM_BYTES + texts + self.edits.iter().map(edit).sum::<usize>()
+    }
+}
+
+fn settings_bytes(settings: &Settings) -> usize {
+    SETTINGS_BYTES + text_bytes(&settings.name) + text_bytes(&settings.robot)
+}
+
+fn helper_bytes(helper: &Helper) -> usize {
+    let texts = [&helper.name, &helper.body, &helper.says].into_iter().map(|text| text_bytes(text));
+    HELPER_BYTES + texts.sum::<usize>() + names_bytes(&helper.params)
+}
+
+fn stream_bytes(stream: &Stream) -> usize {
+    let params = stream.params.iter().map(|(name, value)| PARAM_BYTES + text_bytes(name) + value_bytes(value));
+    let texts = text_bytes(&stream.name) + stream.device.as_deref().map_or(0, text_bytes);
+    STREAM_BYTES + texts + params.sum::<usize>() + stream.resources.as_deref().map_or(0, names_bytes)
+}
+
+fn connector_bytes(connector: &Connector) -> usize {
+    let inputs = connector.inputs.iter().map(|id| ITEM_BYTES + id_bytes(id));
+    let procedure = match connector.operation.procedure() {
+        Some(Procedure::Body { body, args }) => text_bytes(body) + args.as_deref().map_or(0, names_bytes),
+        Some(Procedure::Helper(name)) => text_bytes(name),
+        None => 0,
+    };
+    CONNECTOR_BYTES + id_bytes(&connector.output) + inputs.sum::<usize>() + procedure
+}
+
+fn names_bytes(names: &[String]) -> usize {
+    names.iter().map(|name| ITEM_BYTES + text_bytes(name)).sum()
+}
+
+fn value_bytes(value: &Value) -> usize {
+    match value {
+        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => NUMBER_BYTES,
+        Value::Text(text) => MARKS_BYTES + text_bytes(text),
+        Value::List(items) => MARKS_BYTES + items.iter().map(|item| 2 + value_bytes(item)).sum::<usize>(),
+        Value::Map(fields) => {
+            let field =
+                |(name, value): (&std::sync::Arc<str>, &Value)| MARKS_BYTES + text_bytes(name) + value_bytes(value);
+            MARKS_BYTES + fields.iter().map(field).sum::<usize>()
+        }
+    }
+}
+
+fn id_bytes(id: &Id) -> usize {
+    id.as_str().len().max(NEW_ID_BYTES)
+}
+
+fn text_bytes(text: &str) -> usize {
+    let takes = |byte| if matches!(byte, b'"' | b'&' | b'<' | b'>' | b'\\' | 0..=31) { ESCAPED_BYTES } else { 1 };
+    text.bytes().map(takes).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Size, record_bytes};
+    use crate::{Behaviour, Change, Id, Kind, Note, Place, Record, RecordId};
+
+    fn note(text: &str) -> Record {
+        Record::Note(Note { text: text.into() })
+    }
+
+    #[test]
+    fn the_size_of_a_whole_is_kept_edit_by_edit() {
+        let id = |name: &str| RecordId::new(Kind::Note, &Id::new(name).unwrap());
+        let mut behaviour = Behaviour::default();
+        behaviour.records.insert(id("a"), note("one"));
+        behaviour.records.insert(id("b"), note("two"));
+        let place = RecordId::new(Kind::Place, &Id::new("a").unwrap());
+        let change = Change::of(Id::new("op").unwrap(), "Aiko", "Tidy").take(&behaviour, id("a"));
+        let change = change.put(&behaviour, id("b"), note("longer")).put(&behaviour, id("c"), note("new"));
+        let change = change.put(&behaviour, place, Record::Place(Place { x: 1.0, y: 2.0 }));
+        let size = Size::of(&behaviour).after(&change);
+        behaviour.apply(&change);
+        assert_eq!(size, Size::of(&behaviour));
+    }
+
+    #[test]
+    fn a_copy_under_new_ids_is_as_large() {
+        let size = |id: &str| record_bytes(&RecordId::new(Kind::Note, &Id::new(id).unwrap()), &note("n"));
+        assert_eq!(size("n1"), size("0123456789abcdef0123456789abcdef"));
+        assert!(size(&"n".repeat(64)) > size("n1"));
+    }
+
+    #[test]
+    fn what_is_written_in_a_longer_way_counts_so() {
+        let id = RecordId::new(Kind::Note, &Id::new("a").unwrap());
+        for text in ["plain", "a < b && \"c\"", "\u{1}\u{1f}\n\t", "赤いボール"] {
+            let written = serde_json::to_string(&(&id, note(text))).unwrap();
+            assert!(record_bytes(&id, &note(text)) >= written.len(), "{text:?}");
+        }
+    }
+}

@@ -1,0 +1,37 @@
+//! Who moves each motor: when a use of the robot ends, what it moves holds, and nothing else does.
+
+use crate::follow::digest_use;
+use crate::hash::Digest;
+use robot::Use;
+use std::collections::BTreeMap;
+
+/// The last use that sent each motor somewhere.
+#[derive(Default)]
+pub(crate) struct Movers(BTreeMap<usize, Use>);
+
+impl Movers {
+    /// A use sends motors somewhere.
+    pub(crate) fn take(&mut self, motors: impl IntoIterator<Item = usize>, user: &Use) {
+        for motor in motors {
+            if self.0.get(&motor) != Some(user) {
+                self.0.insert(motor, user.clone());
+            }
+        }
+    }
+
+    /// A use ends: the motors that were its own are nobody's.
+    pub(crate) fn end(&mut self, user: &Use) -> Vec<usize> {
+        let own: Vec<usize> = self.0.iter().filter(|(_, mover)| *mover == user).map(|(motor, _)| *motor).collect();
+        own.iter().for_each(|motor| drop(self.0.remove(motor)));
+        own
+    }
+
+    /// Adds who moves what.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest.count(self.0.len());
+        for (motor, user) in &self.0 {
+            digest.count(*motor);
+            digest_use(user, digest);
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! The page tells the truth: what fails is said, a silent server is not taken for a calm robot, what is old is not shown as
+//! new, and nothing that somebody wrote or pressed is lost.
+
+use house::{Outcome, Page, skip};
+use protocol::{Message, Reply, SaidNo};
+use std::process::Command;
+
+use crate::steps::*;
+use crate::stop::running_ball;
+
+const FAILS: &str = "throw 1";
+
+/// What the sentence beside a chip covers, and how it is shaped: one that cannot be read is a column of letters.
+const BUBBLE: &str = "(() => {
+    const bubble = document.querySelector('.fault');
+    if (!bubble) return 'there is none';
+    const box = bubble.getBoundingClientRect();
+    if (box.width < 100 || box.height > 70) return `it is ${box.width} by ${box.height}`;
+    for (const other of document.querySelectorAll('.stream, .chip')) {
+        const that = other.getBoundingClientRect();
+        const across = Math.min(box.right, that.right) - Math.max(box.left, that.left);
+        const down = Math.min(box.bottom, that.bottom) - Math.max(box.top, that.top);
+        if (across > 1 && down > 1) return 'it covers ' + other.getAttribute('aria-label');
+    }
+    return '';
+})()";
+
+#[tokio::test]
+async fn what_fails_is_counted_where_people_look() -> Outcome<()> {
+    if !skip::ready("journey: what fails") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Failing").await?;
+    add_sense(&aiko, "RedBall").await?;
+    thunderbolt(&aiko, "RedBall", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Body", FAILS).await?;
+    save(&aiko, "Operation").await?;
+    aiko.find("image", "ready").await?;
+    start(&aiko).await?;
+
+    aiko.find("image", "1 fails").await?;
+    aiko.until("document.querySelector('.lamp').dataset.health === 'fails'", "the lamp has another shape").await?;
+    let counted = "Number(document.querySelector('.badge.fails')?.textContent) >= 2";
+    aiko.until(counted, "the chip counts").await?;
+    aiko.until(&format!("{BUBBLE} === ''"), "what stands beside the chip can be read and covers nothing").await?;
+    aiko.press_at((300.0, 700.0)).await?;
+    says(&aiko, "“map (throw 1)” failed").await?;
+    silent(&aiko, "Nothing is missing").await?;
+    aiko.press("button", "1 fails").await?;
+    aiko.within("dialog", "Problems").press("button", "Select: “map (throw 1)” failed*").await?;
+    aiko.gone("dialog", "Problems").await?;
+    aiko.find("toolbar", "Next steps for map").await?;
+
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    aiko.gone("button", "1 fails").await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn while_the_server_is_silent_nothing_is_claimed() -> Outcome<()> {
+    if !skip::ready("journey: a silent server") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    running_ball(&aiko).await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    ben.find("button", "Running").await?;
+    signal(&stage, "-STOP")?;
+    says(&aiko, "Last heard").await?;
+    says(&aiko, "It may still be moving.").await?;
+    aiko.find("button", "Was running").await?;
+    assert!(aiko.find("button", "Was running").await?.disabled);
+    aiko.until("document.querySelector('.lamp').dataset.health === 'unheard'", "the lamp is hollow").await?;
+    for claim in ["All changes saved", "Running version"] {
+        silent(&aiko, claim).await?;
+    }
+    says(&aiko, "as it was").await?;
+    says(&aiko, "No connection. You can go on").await?;
+    says(&aiko, "The robot goes on by itself. Stop still tries its own way.").await?;
+    rename_program(&aiko, "To be stopped", "Renamed").await?;
+    says(&aiko, "No connection. 1 change waits here and is sent when it is back.").await?;
+
+    signal(&stage, "-CONT")?;
+    says(&aiko, "Connected. 1 change was sent.").await?;
+    saved(&aiko).await?;
+    aiko.find("button", "Running").await?;
+    for gone in ["Last heard", "No connection", "as it was"] {
+        silent(&aiko, gone).await?;
+    }
+    silent(&aiko, "Connected.").await?;
+    aiko.find("image", "ready").await?;
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    calm_but_lost(&aiko)
+}
+
+/// Halts the server's process, or lets it go on.
+fn signal(stage: &Stage, signal: &str) -> Outcome<()> {
+    let id = stage.server.id().ok_or("the server does not run")?;
+    let sent = Command::new("kill").args([signal, &id.to_string()]).status()?;
+    assert!(sent.success(), "{signal}");
+    Ok(())
+}
+
+#[tokio::test]
+async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written() -> Outcome<()> {
+    if !skip::ready("journey: removed under the hand") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+    thunderbolt(&aiko, "RedBall", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
+    save(&aiko, "Operation").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    let chip = "map (1), connector*";
+    aiko.press("button", chip).await?;
+    next(&aiko, "map", "Edit").await?;
+    let dialog = aiko.within("dialog", "Operation");
+    dialog.fill("textbox", "Body", "2 + 2").await?;
+    ben.press("button", chip).await?;
+    next(&ben, "map", "Remove").await?;
+    ben.gone("button", chip).await?;
+
+    says(&aiko, " removed this. What you wrote is still here: copy it, or close.").await?;
+    let sentence = dialog.text("alert", "").await?;
+    assert!(sentence.starts_with("Guest "), "it says who: {sentence}");
+    assert!(dialog.find("button", "Save").await?.disabled);
+    aiko.key("Control+Enter").await?;
+    assert_eq!(dialog.text("textbox", "Body").await?, "2 + 2");
+    dialog.press("button", "Copy what I wrote").await?;
+    says(&aiko, "Copied.").await?;
+
+    ben.press("button", "Undo").await?;
+    ben.find("button", chip).await?;
+    silent(&aiko, " removed this.").await?;
+    save(&aiko, "Operation").await?;
+    ben.find("button", "map (2 + 2), connector*").await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn an_undo_that_came_too_fast_is_sent_again_in_its_order() -> Outcome<()> {
+    if !skip::ready("journey: undo too fast") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    refuse_when_asked(&aiko).await?;
+    aiko.goto(&stage.server.url()).await?;
+    usable(&aiko).await?;
+    add_program(&aiko, "One").await?;
+    rename_program(&aiko, "One", "Two").await?;
+    saved(&aiko).await?;
+    rename_program(&aiko, "Two", "Three").await?;
+    saved(&aiko).await?;
+    aiko.eval("globalThis.refuse = 2; 0").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.find("button", "Two").await?;
+    aiko.until("globalThis.refuse === 0", "it was refused twice").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.find("button", "One").await?;
+    silent(&aiko, "too much at once").await?;
+    calm(&aiko)
+}
+
+/// Answers proposals of the page with “too fast”, as often as `refuse` says, in place of the server.
+async fn refuse_when_asked(page: &Page) -> Outcome<()> {
+    let no = serde_json::to_string(&Message { ask: Some(0), reply: Reply::No { no: SaidNo::TooFast } })?;
+    let source = format!(
+        "const Real = WebSocket;
+        globalThis.refuse = 0;
+        globalThis.WebSocket = class extends Real {{
+            send(text) {{
+                const asked = JSON.parse(text);
+                if (asked.request.is !== 'propose' || !globalThis.refuse) return super.send(text);
+                globalThis.refuse -= 1;
+                const data = JSON.stringify({{ ...{no}, ask: asked.ask }});
+                setTimeout(() => this.dispatchEvent(new MessageEvent('message', {{ data }})));
+            }}
+        }};"
+    );
+    page.call("Page.enable", serde_json::json!({})).await?;
+    let asked = serde_json::json!({ "source": source });
+    page.call("Page.addScriptToEvaluateOnNewDocument", asked).await.map(drop)
+}
+
+#[tokio::test]
+async fn what_one_types_replaces_what_was_only_proposed() -> Outcome<()> {
+    if !skip::ready("journey: typing") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    aiko.press("button", "Add a program").await?;
+    typed_over(&aiko, "Name", "My own").await?;
+    aiko.key("Enter").await?;
+    aiko.find("button", "My own").await?;
+    aiko.find("heading", "Add a sense to begin").await?;
+    add_sense(&aiko, "RedBall").await?;
+    next(&aiko, "RedBall", "distance").await?;
+    aiko.find("button", "Distance, stream").await?;
+
+    thunderbolt(&aiko, "Distance", "filter").await?;
+    has(&aiko, "Body", "distance < ").await?;
+    aiko.until("document.activeElement.tagName === 'TEXTAREA'", "the body has the keyboard").await?;
+    aiko.type_text("distance > 5").await?;
+    has(&aiko, "Body", "distance > 5").await?;
+    aiko.press("textbox", "Output stream name").await?;
+    aiko.until("getSelection().toString() === 'Distance > 5'", "the proposed name is selected").await?;
+    aiko.type_text("Far").await?;
+    has(&aiko, "Output stream name", "Far").await?;
+    aiko.press("textbox", "Body").await?;
+    aiko.key("Enter").await?;
+    aiko.gone("dialog", "Operation").await?;
+    sees(&aiko, &["filter (distance > 5), connector*", "Far, stream"]).await?;
+
+    aiko.press("button", "Add a helper").await?;
+    typed_over(&aiko, "Name", "twice").await?;
+    aiko.key("Escape").await?;
+    aiko.gone("dialog", "Add a helper").await?;
+    select(&aiko, "RedBall").await?;
+    next(&aiko, "RedBall", "Say…").await?;
+    aiko.find("dialog", "Edit stream actuator").await?;
+    typed_over(&aiko, "Text", "Good morning").await?;
+    aiko.key("Enter").await?;
+    aiko.gone("dialog", "Edit stream actuator").await?;
+    says(&aiko, "Good morning").await?;
+    calm(&aiko)
+}
+
+/// Types at once into the dialog that has just opened; that is all the field has then.
+async fn typed_over(page: &Page, field: &str, text: &str) -> Outcome<()> {
+    page.until_on("textbox", field, "function () { return document.activeElement === this; }", "it has the keyboard")
+        .await?;
+    page.type_text(text).await?;
+    has(page, field, text).await
+}
+
+async fn has(page: &Page, field: &str, text: &str) -> Outcome<()> {
+    let js = format!("function () {{ return this.value === {}; }}", serde_json::Value::from(text));
+    page.until_on("textbox", field, &js, &format!("{field} is “{text}”")).await.map(drop)
+}
+
+#[tokio::test]
+async fn what_is_old_or_an_example_is_called_so() -> Outcome<()> {
+    if !skip::ready("journey: old values") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Old and new").await?;
+    add_sense(&aiko, "RedBall").await?;
+    thunderbolt(&aiko, "RedBall", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Body", "redBall.size").await?;
+    says(&aiko, "for example x").await?;
+    silent(&aiko, "now x").await?;
+    save(&aiko, "Operation").await?;
+    start(&aiko).await?;
+    shows_value(&aiko, "RedBall.size").await?;
+    let chip = "map (redBall.size), connector*";
+    aiko.press("button", chip).await?;
+    says(&aiko, "Passed on").await?;
+
+    next(&aiko, "map", "Edit").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Body", "redBall.size * 2").await?;
+    says(&aiko, "now x").await?;
+    save(&aiko, "Operation").await?;
+    let ring =
+        "function () { return this.querySelector('.unused') !== null && this.ariaDescription === 'not used yet'; }";
+    let edited = "map (redBall.size * 2), connector*";
+    aiko.until_on("button", edited, ring, "the chip says that it is not used yet").await?;
+    says(&aiko, "Not used yet: the robot still runs it as it was before.").await?;
+    silent(&aiko, "Passed on").await?;
+    aiko.press("button", "Apply to the running robot").await?;
+    let used = "function () { return this.querySelector('.unused') === null; }";
+    aiko.until_on("button", edited, used, "it is used now").await?;
+
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    let last = "[...document.querySelectorAll('.value')].length > 0 \
+        && [...document.querySelectorAll('.value')].every(value => value.matches('.quiet') && value.textContent.startsWith('last '))";
+    aiko.until(last, "every value is called the last one").await?;
+    calm(&aiko)
+}
