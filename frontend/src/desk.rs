@@ -130,6 +130,8 @@ struct State {
     history: undo::History,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
+    /// The program that is to be made, until the server has answered.
+    making: Option<programs::Making>,
     /// Which robot this tab wants to look at, if somebody chose.
     wanted_robot: Option<Id>,
     /// The robot whose room and values the server tells.

@@ -45,6 +45,9 @@ async fn what_fails_is_counted_where_people_look() -> Outcome<()> {
     let counted = "Number(document.querySelector('.badge.fails')?.textContent) >= 2";
     aiko.until(counted, "the chip counts").await?;
     aiko.until(&format!("{BUBBLE} === ''"), "what stands beside the chip can be read and covers nothing").await?;
+    let said = "[...document.querySelectorAll('.robot [role=status]')].some(said => \
+        said.textContent.startsWith('“map (throw 1)” fails:'))";
+    aiko.until(said, "it is announced").await?;
     aiko.press_at((300.0, 700.0)).await?;
     says(&aiko, "“map (throw 1)” failed").await?;
     silent(&aiko, "Nothing is missing").await?;
@@ -276,11 +279,15 @@ async fn what_is_old_or_an_example_is_called_so() -> Outcome<()> {
         "function () { return this.querySelector('.unused') !== null && this.ariaDescription === 'not used yet'; }";
     let edited = "map (redBall.size * 2), connector*";
     aiko.until_on("button", edited, ring, "the chip says that it is not used yet").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    ben.until_on("button", edited, ring, "who comes later is told too").await?;
     says(&aiko, "Not used yet: the robot still runs it as it was before.").await?;
     silent(&aiko, "Passed on").await?;
     aiko.press("button", "Apply to the running robot").await?;
     let used = "function () { return this.querySelector('.unused') === null; }";
-    aiko.until_on("button", edited, used, "it is used now").await?;
+    for page in [&aiko, &ben] {
+        page.until_on("button", edited, used, "it is used now").await?;
+    }
 
     stop(&aiko).await?;
     at_rest(&aiko).await?;

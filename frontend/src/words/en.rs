@@ -365,6 +365,11 @@ pub(crate) fn removed_by(name: &str) -> String {
     format!("{name} removed this.")
 }
 
+/// While a new program cannot be saved.
+pub(crate) fn not_made_yet(name: &str) -> String {
+    format!("“{name}” cannot be saved just now. It is made as soon as that is possible.")
+}
+
 pub(crate) fn not_saved(waiting: usize) -> String {
     match waiting {
         0 => "Nothing can be saved now".to_owned(),

@@ -2,7 +2,7 @@
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
 use crate::{Behaviour, Connector, Helper, Id, Kind, Note, Operation, Procedure, Record, RecordId, Settings, Stream};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 impl BehaviourFile {
     /// The records of the file, with new ids from `new_id` (asked once per stream, connector and note) or, if it
@@ -88,7 +88,8 @@ impl BehaviourFile {
                 format!("{name}: its order {here} comes before {above}, the one above it; leave order out of the file")
             }));
         }
-        for name in self.order.keys().filter(|name| !self.ids().any(|id| id == *name)) {
+        let ids: BTreeSet<_> = self.ids().collect();
+        for name in self.order.keys().filter(|name| !ids.contains(name)) {
             faults.push(format!("{name}: order names it, but there is no such stream or connector"));
         }
     }

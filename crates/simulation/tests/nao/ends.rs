@@ -85,3 +85,33 @@ fn an_arm_that_points_holds_when_its_tracker_ends_and_another_tracker_stays() {
     assert!((bench.joint("LShoulderPitch") - arm).abs() < 1e-3, "it holds, and does not go back");
     assert_eq!(bench.nao.scene().body.tracking, "red ball with head");
 }
+
+#[test]
+fn a_head_follows_on_when_an_arm_that_points_ends() {
+    let moved = [0.6, -0.15, 0.45];
+    let follows_on = |with_arm: bool| {
+        let mut bench = Bench::new();
+        bench.open("head", "Tracker", &[]);
+        if with_arm {
+            bench.open("arm", "Tracker", &[("mode", "Arm"), ("effector", "LArm")]);
+        }
+        for _ in 0..10 {
+            if with_arm {
+                bench.tell("arm", true);
+            }
+            bench.tell("head", true);
+            bench.wait(100);
+        }
+        println!("{with_arm} before {} {:?}", bench.joint("HeadYaw"), bench.nao.scene().balls);
+        if with_arm {
+            bench.nao.close(&user("arm"));
+        }
+        bench.ball("red", moved);
+        bench.keep("head", true, 3_000);
+        let yaw = bench.joint("HeadYaw");
+        println!("{with_arm}: {yaw} to {}", bench.bearing(moved));
+        (yaw - bench.bearing(moved)).abs()
+    };
+    assert!(follows_on(false) < 0.02, "alone");
+    assert!(follows_on(true) < 0.02, "after an arm");
+}
