@@ -23,15 +23,20 @@ fn server_on(folder: &Path) -> Outcome<PathBuf> {
     Ok(command)
 }
 
-#[tokio::test]
-async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
+/// The stage on such a disk, and the folder that the mark fills.
+async fn set() -> Outcome<Option<(Stage, PathBuf)>> {
     if !skip::ready(PART) || !skip::linux(PART) {
-        return Ok(());
+        return Ok(None);
     }
     let folder = house::folder()?;
     let data = folder.path().join("data");
     let server = Server::start_binary(&server_on(folder.path())?, &data, &[]).await?;
-    let stage = Stage::with(server, folder).await?;
+    Ok(Some((Stage::with(server, folder).await?, data)))
+}
+
+#[tokio::test]
+async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
+    let Some((stage, data)) = set().await? else { return Ok(()) };
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
     add_sense(&aiko, "RedBall").await?;
@@ -54,13 +59,7 @@ async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
 
 #[tokio::test]
 async fn a_recording_that_loses_something_says_so() -> Outcome<()> {
-    if !skip::ready(PART) || !skip::linux(PART) {
-        return Ok(());
-    }
-    let folder = house::folder()?;
-    let data = folder.path().join("data");
-    let server = Server::start_binary(&server_on(folder.path())?, &data, &[]).await?;
-    let stage = Stage::with(server, folder).await?;
+    let Some((stage, data)) = set().await? else { return Ok(()) };
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Watcher").await?;
     add_sense(&aiko, "RedBall").await?;

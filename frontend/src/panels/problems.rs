@@ -66,25 +66,31 @@ fn FailingLine(id: Id) -> impl IntoView {
         failing.map(|failing| words::named_failed(&failing.name, failing.count, &failing.why)).unwrap_or_default()
     });
     let selected = Some(Selected::Connector(id));
-    let shown = selected.clone();
-    let is_chosen = move || *desk.desk().selected.read() == shown;
     view! {
         <li class="problem fails">
             <Icon name="warn" />
-            <span>
-                {text}
-                " "
-                <Show when=move || !is_chosen()>
-                    <button class="link" type="button" aria-label=move || format!("{}: {}", words::select(), text.get())
-                        on:click={
-                            let selected = selected.clone();
-                            move |_| desk.desk().selected.set(selected.clone())
-                        }>
-                        {words::select()}
-                    </button>
-                </Show>
-            </span>
+            <span>{text} " " <SelectIt selected text /></span>
         </li>
+    }
+}
+
+/// The way to what a line is about, unless that is selected already.
+#[component]
+fn SelectIt(selected: Option<Selected>, #[prop(into)] text: Signal<String>) -> impl IntoView {
+    let desk = hold();
+    let selected = StoredValue::new(selected);
+    let leads = move || selected.with_value(|it| it.is_none() || *desk.desk().selected.read() != *it);
+    view! {
+        <Show when=leads>
+            <button
+                class="link"
+                type="button"
+                aria-label=move || format!("{}: {}", words::select(), text.get())
+                on:click=move |_| desk.desk().selected.set(selected.get_value())
+            >
+                {words::select()}
+            </button>
+        </Show>
     }
 }
 
@@ -109,28 +115,11 @@ pub(crate) fn ProblemList(of: Option<Id>) -> impl IntoView {
 
 #[component]
 fn ProblemLine(problem: Problem) -> impl IntoView {
-    let desk = hold();
-    let selected = element(&problem);
-    let is_chosen = {
-        let selected = selected.clone();
-        move || selected.is_some() && *desk.desk().selected.read() == selected
-    };
-    let text = problem.to_string();
+    let (selected, text) = (element(&problem), problem.to_string());
     view! {
         <li class="problem" data-blocks=problem.blocks.to_string()>
             <Icon name="warn" />
-            <span>
-                {text.clone()}
-                " "
-                <Show when=move || !is_chosen()>
-                    <button class="link" type="button" aria-label=format!("{}: {text}", words::select()) on:click={
-                        let selected = selected.clone();
-                        move |_| desk.desk().selected.set(selected.clone())
-                    }>
-                        {words::select()}
-                    </button>
-                </Show>
-            </span>
+            <span>{text.clone()} " " <SelectIt selected text /></span>
         </li>
     }
 }
