@@ -6,32 +6,29 @@ use std::path::PathBuf;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use crate::beside::Beside;
 use crate::neo4j;
-use crate::page::{self, Mode};
 use crate::supply;
 use crate::tools::{self, Outcome, WASM, Workspace};
 
-/// Crates that must also compile for the browser.
-const PURE: [&str; 5] = ["behaviour", "robot", "protocol", "engine", "simulation"];
-/// Stacks, overflows and comparisons differ between debug and release, so the hostile corpus is tried in both.
-const HOSTILE: [&str; 6] = ["test", "--release", "--package", "engine", "--test", "hostile"];
+/// What is optimised: the server, which is attacked, and the hostile corpus, as stacks, overflows and comparisons differ
+/// between debug and release. Selected together, so that what both use is compiled once.
+const OPTIMISED: [&str; 7] = ["--release", "--package", "rrp", "--package", "engine", "--test", "hostile"];
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
 
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 12] = [
-    ("tools", find_tools),
+const STEPS: [Step; 10] = [
+    ("tools", find_tools_and_begin),
     ("a Neo4j for the tests", find_neo4j),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("what we take from others", check_supply),
-    ("the pure crates for the browser", check_pure),
-    ("the page", |run| page::build(run.workspace, Mode::Small)),
-    ("the server", |run| run.cargo(&["build", "--package", "rrp"])),
-    ("the server, optimised", |run| run.cargo(&["build", "--release", "--package", "rrp"])),
-    ("hostile procedures, optimised", |run| run.cargo(&HOSTILE)),
+    ("the server and the tests", |run| run.cargo(&["test", "--workspace", "--no-run"])),
+    ("the page and the optimised server", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
+    ("hostile procedures, optimised", |run| run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())),
     ("cargo test", |run| run.tests(&[])),
     ("cargo doc", document),
 ];
@@ -41,13 +38,14 @@ struct Run<'a> {
     workspace: &'a Workspace,
     chromium: Option<PathBuf>,
     neo4j: Option<PathBuf>,
+    beside: Option<Beside>,
     skipped: Vec<String>,
 }
 
 /// Runs every check and stops at the first that fails.
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
-    let mut run = Run { workspace, chromium: None, neo4j: None, skipped: Vec::new() };
+    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, skipped: Vec::new() };
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
@@ -62,7 +60,7 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run = Run { workspace, chromium: None, neo4j: None, skipped: Vec::new() };
+    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, skipped: Vec::new() };
     find_tools(&mut run)?;
     find_neo4j(&mut run)?;
     run.tests(&[filter])?;
@@ -108,6 +106,17 @@ impl Run<'_> {
     }
 }
 
+/// The page is built beside the other checks, and after it the server that carries it.
+fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
+    find_tools(run)?;
+    let this = env::current_exe().map_err(|error| format!("This program is not found: {error}."))?;
+    let mut page = Command::new(this);
+    page.arg("page");
+    let optimised = run.workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
+    run.beside = Some(Beside::begin(vec![page, optimised], run.workspace.target.join("beside.txt"))?);
+    Ok(())
+}
+
 /// Looks for the browser, and makes the page's folder, which the server's code names at compile time.
 fn find_tools(run: &mut Run) -> Outcome<()> {
     tools::ensure_wasm(run.workspace)?;
@@ -151,12 +160,6 @@ fn check_supply(run: &mut Run) -> Outcome<()> {
         None => println!("Licences, sources, doubles and advisories are as .deny.toml wants them."),
     }
     Ok(())
-}
-
-fn check_pure(run: &mut Run) -> Outcome<()> {
-    let mut words = vec!["check", "--target", WASM];
-    words.extend(PURE.iter().flat_map(|name| ["--package", name]));
-    run.cargo(&words)
 }
 
 fn document(run: &mut Run) -> Outcome<()> {
