@@ -3,7 +3,8 @@
 use super::fair::Fair;
 use super::successor::Successor;
 use crate::lock;
-use behaviour::{Id, Value};
+use behaviour::{Id, StreamKind, Value};
+use robot::Waiting;
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex};
 use std::time::Instant;
@@ -26,9 +27,9 @@ pub(super) enum Keep {
 impl Keep {
     /// How the readings of a sense are kept.
     pub(super) fn of(device: &str) -> Self {
-        match device {
-            "HeadTouch" | "Tick" => Self::All,
-            _ => Self::Newest,
+        match robot::device(StreamKind::Sensor, device).map(|device| device.waiting) {
+            Ok(Waiting::Every) => Self::All,
+            Ok(Waiting::Newest) | Err(_) => Self::Newest,
         }
     }
 
