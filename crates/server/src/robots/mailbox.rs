@@ -182,6 +182,15 @@ mod tests {
     use behaviour::Value;
 
     #[test]
+    fn how_readings_are_kept_is_what_their_device_says() {
+        for sense in robot::sensors() {
+            let every = sense.waiting == robot::Waiting::Every;
+            assert_eq!(Keep::of(sense.name) == Keep::All, every, "{}", sense.name);
+        }
+        assert_eq!(Keep::of("no such sense"), Keep::Newest);
+    }
+
+    #[test]
     fn a_camera_keeps_its_newest_and_a_touch_keeps_every_one() {
         let mailbox = Mailbox::default();
         for at in 0..300_i64 {
