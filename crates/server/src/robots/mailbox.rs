@@ -3,7 +3,8 @@
 use super::fair::Fair;
 use super::successor::Successor;
 use crate::lock;
-use behaviour::{Id, Value};
+use behaviour::{Id, StreamKind, Value};
+use robot::Waiting;
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex};
 use std::time::Instant;
@@ -26,9 +27,9 @@ pub(super) enum Keep {
 impl Keep {
     /// How the readings of a sense are kept.
     pub(super) fn of(device: &str) -> Self {
-        match device {
-            "HeadTouch" | "Tick" => Self::All,
-            _ => Self::Newest,
+        match robot::device(StreamKind::Sensor, device).map(|device| device.waiting) {
+            Ok(Waiting::Every) => Self::All,
+            Ok(Waiting::Newest) | Err(_) => Self::Newest,
         }
     }
 
@@ -179,6 +180,15 @@ impl Inbox {
 mod tests {
     use super::{Keep, Mailbox};
     use behaviour::Value;
+
+    #[test]
+    fn how_readings_are_kept_is_what_their_device_says() {
+        for sense in robot::sensors() {
+            let every = sense.waiting == robot::Waiting::Every;
+            assert_eq!(Keep::of(sense.name) == Keep::All, every, "{}", sense.name);
+        }
+        assert_eq!(Keep::of("no such sense"), Keep::Newest);
+    }
 
     #[test]
     fn a_camera_keeps_its_newest_and_a_touch_keeps_every_one() {
