@@ -1,19 +1,30 @@
-//! A procedure, compiled once and called often.
+//! Procedures: read once, compiled where that is possible, called often.
 
-use crate::cells::Number;
-use crate::convert::{from_rhai, put_rhai};
-use crate::helpers::{Functions, Helpers};
-use crate::quick::{Quick, Short};
-use crate::sandbox::is_interrupted;
-use crate::toll::Toll;
-use crate::{walk, words};
-use behaviour::{BODY_MAX_CHARS, Value};
-use rhai::{AST, Dynamic, Engine, EvalAltResult, Position, Scope, Token};
+mod calls;
+mod closures;
+pub(crate) mod compiled;
+mod fault;
+pub(crate) mod helpers;
+mod parse;
+mod trial;
+mod walk;
+
+pub use fault::Fault;
+pub use trial::{check_body, try_body};
+
+use crate::rhai::conversion::{from_rhai, put_rhai};
+use crate::values::in_place::Number;
+
+use crate::cost::variable_cost::Toll;
+use crate::rhai::sandbox::is_interrupted;
+use crate::rhai::words;
+use behaviour::Value;
+use compiled::{Quick, Short};
+use helpers::{Functions, Helpers};
+use parse::{compile, scope_of};
+use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
-
-/// The most blocks of their own in one body.
-const BLOCKS_MAX: usize = 200;
 
 /// A compiled body.
 pub(crate) struct Procedure {
@@ -129,49 +140,6 @@ impl Slow {
         }
         Ok(self)
     }
-}
-
-/// Compiles a body by itself.
-pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<AST, String> {
-    if body.trim().is_empty() {
-        return Err("it has no procedure yet".to_owned());
-    }
-    if body.chars().count() > BODY_MAX_CHARS {
-        return Err(format!("it is longer than {BODY_MAX_CHARS} characters"));
-    }
-    if bare_blocks(engine, body) > BLOCKS_MAX {
-        return Err(format!("it has more than {BLOCKS_MAX} blocks {{ }} in a row; move a part into a helper"));
-    }
-    let scope = scope_of(names);
-    let ast = engine.compile_with_scope(&scope, body).map_err(|error| words::refusal(&error, names))?;
-    walk::check_calls(&ast)?;
-    Ok(ast)
-}
-
-/// How many blocks stand where a statement begins: Rhai takes them apart one after the other, and goes through all that
-/// stands beside them for each.
-fn bare_blocks(engine: &Engine, body: &str) -> usize {
-    if body.matches('{').count() <= BLOCKS_MAX {
-        return 0;
-    }
-    let mut begins = true;
-    let is_bare = |(token, _): (Token, Position)| {
-        let is_bare = begins && token == Token::LeftBrace;
-        begins = matches!(token, Token::SemiColon | Token::LeftBrace | Token::RightBrace);
-        is_bare
-    };
-    let texts = [body];
-    // The end is given again and again, and what cannot be read is refused anyway.
-    let is_text = |(token, _): &(Token, Position)| !matches!(token, Token::EOF | Token::LexError(_));
-    engine.lex(&texts).0.take_while(is_text).map(is_bare).filter(|is_bare| *is_bare).count()
-}
-
-fn scope_of(names: &[String]) -> Scope<'static> {
-    let mut scope = Scope::with_capacity(names.len());
-    for name in names {
-        scope.push_dynamic(name.as_str(), Dynamic::UNIT);
-    }
-    scope
 }
 
 fn fault(error: &EvalAltResult) -> Box<Failed> {

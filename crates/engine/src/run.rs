@@ -1,46 +1,23 @@
 //! A run: one behaviour in logical time, moved by readings and by time and by nothing else.
 
-mod kept;
-mod succession;
+mod handover;
+mod matching;
 
-pub use kept::Kept;
-pub use succession::Legacy;
+pub use handover::Legacy;
+pub use matching::Kept;
 
-use crate::core::Core;
-use crate::end::{End, multiplied};
-use crate::event::Event;
-use crate::frame::Frame;
-use crate::graph::{ConnectorInfo, StreamInfo, Work};
-use crate::limits::Limits;
-use crate::stats::Stats;
-use crate::validate::{Fault, prepare};
+use crate::cost::Limits;
+use crate::procedure::Fault;
+use crate::program::model::{ConnectorInfo, StreamInfo, Work};
+use crate::program::validity::prepare;
+use crate::timeline::Emission;
+use crate::timeline::core::Core;
+use crate::timeline::end::{End, multiplied};
+use crate::timeline::event::Event;
+use crate::timeline::frame::Frame;
+use crate::values::stats::Stats;
 use behaviour::{BehaviourFile, Engine, Value};
 use robot::Millis;
-
-/// What a run tells its caller, in order.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Emission<'a> {
-    /// A value on a stream.
-    Value {
-        /// When, in logical time.
-        at: Millis,
-        /// The index of the stream.
-        stream: usize,
-        /// The value.
-        value: &'a Value,
-    },
-    /// A procedure dropped a value.
-    Fault {
-        /// When, in logical time.
-        at: Millis,
-        /// The index of the connector.
-        connector: usize,
-        /// In plain words.
-        error: &'a str,
-        /// True if the caller's interrupt ended the procedure.
-        deadline: bool,
-    },
-}
 
 /// One behaviour running. A further engine is one more variant of its mode.
 pub struct Run {
