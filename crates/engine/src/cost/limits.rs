@@ -59,14 +59,14 @@ impl Default for Limits {
 }
 
 impl Limits {
-    /// The same with a hook that is asked now and then; true ends the procedure that runs.
+    /// Adds a hook that is asked now and then; true ends the procedure that runs.
     #[must_use]
     pub fn interrupted_by(mut self, hook: impl Fn() -> bool + 'static) -> Self {
         self.interrupt = Some(Rc::new(hook));
         self
     }
 
-    /// The same with a hook that is asked now and then while values are on their way; true ends the run.
+    /// Adds a hook that is asked now and then while values are on their way; true ends the run.
     #[must_use]
     pub fn stopped_by(mut self, hook: impl Fn() -> bool + 'static) -> Self {
         self.stop = Some(Rc::new(hook));

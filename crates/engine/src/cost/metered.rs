@@ -26,7 +26,7 @@ const SORTED_NANOS: usize = 15;
 /// Functions of lists and objects that touch an item or two: that the variable is looked at pays for them.
 const LIGHT: [&str; 11] =
     ["len", "is_empty", "push", "pop", "set", "clear", "truncate", "chop", "shift", "insert", "remove"];
-/// The same of texts.
+/// Functions of texts that touch a letter or two.
 const LIGHT_OF_TEXTS: [&str; 4] = ["len", "is_empty", "bytes", "clear"];
 /// Functions that compare each item with one other.
 const COMPARING: [&str; 5] = ["contains", "index_of", "dedup", "==", "!="];

@@ -33,9 +33,9 @@ enum Use {
     Through,
 }
 
-/// What one procedure pays.
+/// What the variables of one procedure cost.
 #[derive(Clone, Debug)]
-pub(crate) struct Toll {
+pub(crate) struct VariableCost {
     /// Quarters of a step that each step counts.
     quarters: u64,
     /// Whether a text may be gone through that a variable gave: its letters are taken one by one.
@@ -45,13 +45,13 @@ pub(crate) struct Toll {
 
 /// Quarters of a step that a step counts.
 pub(crate) const PLAIN_QUARTERS: u64 = 4;
-/// The same with closures: a call takes Rhai longer than a part does.
+/// Quarters that a step counts with closures: a call takes Rhai longer than a part does.
 const CLOSURE_QUARTERS: u64 = 7;
-/// The same with a closure of hardly anything but the call.
+/// Quarters that a step counts with a closure of hardly anything but the call.
 const SMALL_CLOSURE_QUARTERS: u64 = 9;
-/// The same where errors are caught: they are told in words first.
+/// Quarters that a step counts where errors are caught: they are told in words first.
 const CATCH_QUARTERS: u64 = 15;
-/// The same with functions that are named: they are looked up at every call.
+/// Quarters that a step counts with functions that are named: they are looked up at every call.
 const NAMED_QUARTERS: u64 = 9;
 /// Putting a letter into a text, or taking a text out of it.
 const EDITED_BYTE_NANOS: usize = 14;
@@ -62,16 +62,16 @@ const FREE_NANOS: usize = 128;
 
 thread_local! {
     static QUARTERS: Cell<u64> = const { Cell::new(PLAIN_QUARTERS) };
-    static PAYS: Cell<bool> = const { Cell::new(false) };
-    static CURRENT: RefCell<Option<Rc<Toll>>> = const { RefCell::new(None) };
+    static COUNTS: Cell<bool> = const { Cell::new(false) };
+    static CURRENT: RefCell<Option<Rc<VariableCost>>> = const { RefCell::new(None) };
 }
 
-/// While it lives, a procedure pays its toll.
-pub(crate) struct Paying;
+/// While it lives, a procedure counts what its variables cost.
+pub(crate) struct Counting;
 
-impl Drop for Paying {
+impl Drop for Counting {
     fn drop(&mut self) {
-        PAYS.set(false);
+        COUNTS.set(false);
         QUARTERS.set(PLAIN_QUARTERS);
         CURRENT.with(|current| current.borrow_mut().take());
     }
@@ -83,21 +83,21 @@ pub(crate) fn quarters() -> u64 {
     QUARTERS.get()
 }
 
-/// Pays for a variable that is read.
+/// Counts what a variable that is read costs.
 #[inline]
 pub(crate) fn read(name: &str, scope: &Scope) {
-    if PAYS.get() {
-        pay(name, scope);
+    if COUNTS.get() {
+        count(name, scope);
     }
 }
 
-fn pay(name: &str, scope: &Scope) {
+fn count(name: &str, scope: &Scope) {
     let Some(value) = scope.get(name).filter(|value| !meter::is_small(value)) else { return };
     CURRENT.with(|current| {
         let current = current.borrow();
-        let Some(toll) = current.as_ref() else { return };
-        let uses = toll.uses.get(name).into_iter().flatten().map(|kind| cost(value, *kind)).max();
-        let letters = if toll.texts_go_through { meter::text_bytes(value) * 3 / 2 } else { 0 };
+        let Some(current) = current.as_ref() else { return };
+        let uses = current.uses.get(name).into_iter().flatten().map(|kind| cost(value, *kind)).max();
+        let letters = if current.texts_go_through { meter::text_bytes(value) * 3 / 2 } else { 0 };
         meter::owe(uses.unwrap_or(0).max(letters));
     });
 }
@@ -128,8 +128,8 @@ fn whole_cost(value: &Dynamic, kind: Use) -> usize {
     }
 }
 
-impl Toll {
-    /// Adds what it pays in a helper that it calls.
+impl VariableCost {
+    /// Adds what variables cost in a helper that is called.
     pub(crate) fn add(&mut self, helper: &Self) {
         self.quarters = self.quarters.max(helper.quarters);
         self.texts_go_through |= helper.texts_go_through;
@@ -148,10 +148,10 @@ impl Toll {
     }
 
     /// Begins to count for a procedure.
-    pub(crate) fn begin(self: &Rc<Self>) -> Paying {
+    pub(crate) fn begin(self: &Rc<Self>) -> Counting {
         QUARTERS.set(self.quarters);
-        PAYS.set(true);
+        COUNTS.set(true);
         CURRENT.with(|current| *current.borrow_mut() = Some(self.clone()));
-        Paying
+        Counting
     }
 }

@@ -9,12 +9,12 @@ mod build;
 mod chain;
 mod compare;
 mod functions;
+mod helpers;
 mod literals;
 mod make;
 mod name;
 mod node;
 mod numbers;
-mod shelf;
 #[cfg(test)]
 mod tests;
 
@@ -26,15 +26,15 @@ use rhai::AST;
 use std::rc::Rc;
 
 pub(crate) use compare::Comparison;
+pub(crate) use helpers::CompiledHelpers;
 pub(crate) use numbers::Operator;
-pub(crate) use shelf::Shelf;
 
 /// The tree is not sure what Rhai would say.
 #[derive(Debug)]
 pub(crate) struct Unsure;
 
 /// A compiled procedure.
-pub(crate) struct Quick {
+pub(crate) struct Compiled {
     root: Node,
     bounds: Rc<Bounds>,
     says: Says,
@@ -56,20 +56,20 @@ enum Says {
     Anything,
 }
 
-impl Quick {
+impl Compiled {
     /// Compiles a body, if all of it is known here.
-    pub(crate) fn of(ast: &AST, names: &[String], shelf: &Shelf) -> Option<Self> {
-        let root = build::body(ast, names, shelf)?;
+    pub(crate) fn of(ast: &AST, names: &[String], helpers: &CompiledHelpers) -> Option<Self> {
+        let root = build::body(ast, names, helpers)?;
         let says = match &root {
             root if root.is_numeric() => Says::Number,
             Node::Compare(..) | Node::Not(_) | Node::All(_) | Node::Any(_) => Says::Truth,
             Node::Object(object) if object.1.iter().all(Node::is_numeric) => Says::Object,
             _ => Says::Anything,
         };
-        Some(Self { root, bounds: shelf.bounds(), says })
+        Some(Self { root, bounds: helpers.bounds(), says })
     }
 
-    /// The same as one operation, if it is no more than that.
+    /// Its one operation, if it is no more than that.
     pub(crate) fn short(&self) -> Option<Short> {
         let number = |pair: &(Node, Node)| match pair {
             (Node::Input(0), Node::Constant(value)) => Number::of(value).ok(),

@@ -4,11 +4,11 @@ mod reach;
 
 use crate::cost::Limits;
 use crate::cost::callers::is_caller;
-use crate::cost::variable_cost::Toll;
+use crate::cost::variable_cost::VariableCost;
 use crate::procedure::Fault;
 use crate::procedure::calls::{called_first, circular};
 use crate::procedure::closures::check_closures;
-use crate::procedure::compiled::Shelf;
+use crate::procedure::compiled::CompiledHelpers;
 use crate::procedure::parse::compile;
 use crate::procedure::walk;
 use behaviour::{FileHelper, is_identifier};
@@ -25,7 +25,7 @@ const STEPS_PER_PART: u64 = 2;
 #[derive(Default)]
 pub(crate) struct Helpers {
     functions: Rc<Functions>,
-    shelf: Option<Shelf>,
+    compiled: Option<CompiledHelpers>,
     /// Those with the name of a function that is handed closures.
     callers: BTreeSet<String>,
     reach: Reach,
@@ -82,7 +82,7 @@ impl Helpers {
         }
         made.operations = limits.operations;
         made.functions = Rc::new(Functions { texts, read: OnceCell::new() });
-        made.shelf = limits.compiled.then(|| shelf(&all, limits));
+        made.compiled = limits.compiled.then(|| compiled(&all, limits));
         Ok(made)
     }
 
@@ -98,8 +98,8 @@ impl Helpers {
         self.reach.get(name).is_some_and(|helper| helper.params == values)
     }
 
-    /// What a body pays that does not certainly end within the limit of steps.
-    pub(crate) fn toll(&self, body: &AST) -> Option<Toll> {
+    /// What the variables of a body cost that does not certainly end within the limit of steps.
+    pub(crate) fn cost(&self, body: &AST) -> Option<VariableCost> {
         let parts = walk::length(body, &|helper| self.reach.get(helper).map(|length| length.parts));
         let called = walk::called(body);
         let mut search = walk::search(body);
@@ -108,15 +108,15 @@ impl Helpers {
         if is_short && !search.is_wide() {
             return None;
         }
-        let mut toll = Toll::of(body, false);
-        self.reach.reached(&called).for_each(|length| toll.add(&length.toll));
-        toll.lengthen(search.more_steps());
-        Some(toll)
+        let mut cost = VariableCost::of(body, false);
+        self.reach.reached(&called).for_each(|length| cost.add(&length.cost));
+        cost.lengthen(search.more_steps());
+        Some(cost)
     }
 
     /// The helpers for the first tier, if it is wanted.
-    pub(crate) fn shelf(&self) -> Option<&Shelf> {
-        self.shelf.as_ref()
+    pub(crate) fn compiled(&self) -> Option<&CompiledHelpers> {
+        self.compiled.as_ref()
     }
 
     /// All of them as functions for Rhai.
@@ -185,12 +185,12 @@ fn in_order<'f>(all: BTreeMap<&'f str, Read<'f>>, order: &[usize]) -> Vec<(&'f s
 }
 
 /// Compiles the helpers for the first tier.
-fn shelf(all: &[(&str, Read)], limits: &Limits) -> Shelf {
-    let mut shelf = Shelf::of(limits);
+fn compiled(all: &[(&str, Read)], limits: &Limits) -> CompiledHelpers {
+    let mut compiled = CompiledHelpers::of(limits);
     for (name, read) in all {
-        shelf.add(name, read.params, &read.body);
+        compiled.add(name, read.params, &read.body);
     }
-    shelf
+    compiled
 }
 
 /// What one call of each helper may take.

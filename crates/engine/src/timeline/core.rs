@@ -110,8 +110,8 @@ impl Core {
     /// Like [`Core::hand_on`], for a map.
     #[inline(never)]
     pub(crate) fn map(&mut self, at: Millis, step: &Step) -> Took {
-        let quick = self.procedures[step.connector as usize].as_ref();
-        match quick.and_then(|procedure| procedure.number(&[self.stats.value(step.input as usize)])) {
+        let compiled = self.procedures[step.connector as usize].as_ref();
+        match compiled.and_then(|procedure| procedure.number(&[self.stats.value(step.input as usize)])) {
             Some(made) => self.give_number(at, step, made),
             None => self.map_any(at, step),
         }
@@ -159,8 +159,8 @@ impl Core {
     /// Like [`Core::hand_on`], for a filter.
     #[inline(never)]
     pub(crate) fn sift(&mut self, at: Millis, step: &Step) -> Took {
-        let quick = self.procedures[step.connector as usize].as_ref();
-        match quick.and_then(|procedure| procedure.truth(&[self.stats.value(step.input as usize)])) {
+        let compiled = self.procedures[step.connector as usize].as_ref();
+        match compiled.and_then(|procedure| procedure.truth(&[self.stats.value(step.input as usize)])) {
             Some(passes) => self.sifted(at, step, passes),
             None => self.sift_any(at, step),
         }

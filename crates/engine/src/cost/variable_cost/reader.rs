@@ -1,6 +1,8 @@
 //! Reading a procedure for how it uses its variables.
 
-use super::{CATCH_QUARTERS, CLOSURE_QUARTERS, NAMED_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, Toll, Use};
+use super::{
+    CATCH_QUARTERS, CLOSURE_QUARTERS, NAMED_QUARTERS, PLAIN_QUARTERS, SMALL_CLOSURE_QUARTERS, Use, VariableCost,
+};
 use crate::cost::callers::is_caller;
 use crate::cost::meter;
 use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, FnPtr, ImmutableString, Stmt, Token};
@@ -13,12 +15,12 @@ const CONSTANT_NANOS: usize = 1_000;
 /// So many copies outside of loops are made once; more of them pay.
 const ONCE_MAX: usize = 16;
 
-impl Toll {
+impl VariableCost {
     /// Reads a body with its closures; a helper can be called again and again.
     pub(crate) fn of(ast: &AST, is_helper: bool) -> Self {
-        let toll = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: BTreeMap::new() };
+        let cost = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: BTreeMap::new() };
         let (body, owned) = (ast.statements(), copied_when_handed_over(ast));
-        let mut reader = Reader { body, is_helper, owned, toll, constant: 0, once: Vec::new(), parts: Vec::new() };
+        let mut reader = Reader { body, is_helper, owned, cost, constant: 0, once: Vec::new(), parts: Vec::new() };
         ast.walk(&mut |path: &[ASTNode]| {
             reader.look(path);
             true
@@ -31,7 +33,7 @@ struct Reader<'a> {
     body: &'a [Stmt],
     is_helper: bool,
     owned: BTreeSet<ImmutableString>,
-    toll: Toll,
+    cost: VariableCost,
     /// What the largest ready-made list or object in a loop costs.
     constant: usize,
     /// Variables that are copied outside of loops.
@@ -41,19 +43,19 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn done(mut self) -> Toll {
+    fn done(mut self) -> VariableCost {
         let kind = if self.once.len() > ONCE_MAX { Use::Copy } else { Use::Once };
         for name in std::mem::take(&mut self.once) {
-            self.toll.used(&name, kind);
+            self.cost.used(&name, kind);
         }
         if !self.parts.is_empty() {
             let is_small = self.parts.iter().any(|parts| *parts < SMALL_PARTS);
-            self.toll.quarters =
-                self.toll.quarters.max(if is_small { SMALL_CLOSURE_QUARTERS } else { CLOSURE_QUARTERS });
+            self.cost.quarters =
+                self.cost.quarters.max(if is_small { SMALL_CLOSURE_QUARTERS } else { CLOSURE_QUARTERS });
         }
         let constant = self.constant.saturating_sub(CONSTANT_NANOS) / meter::STEP_NANOS;
-        self.toll.quarters += PLAIN_QUARTERS * constant as u64;
-        self.toll
+        self.cost.quarters += PLAIN_QUARTERS * constant as u64;
+        self.cost
     }
 
     fn look(&mut self, path: &[ASTNode]) {
@@ -64,17 +66,17 @@ impl Reader<'_> {
             }
         }
         match path {
-            [.., ASTNode::Stmt(Stmt::TryCatch(..))] => self.toll.quarters = self.toll.quarters.max(CATCH_QUARTERS),
+            [.., ASTNode::Stmt(Stmt::TryCatch(..))] => self.cost.quarters = self.cost.quarters.max(CATCH_QUARTERS),
             [
                 ..,
                 ASTNode::Stmt(Stmt::FnCall(call, _)) | ASTNode::Expr(Expr::FnCall(call, _) | Expr::MethodCall(call, _)),
             ] if names_function(call) => {
-                self.toll.quarters = self.toll.quarters.max(NAMED_QUARTERS);
+                self.cost.quarters = self.cost.quarters.max(NAMED_QUARTERS);
             }
             [.., ASTNode::Expr(Expr::DynamicConstant(made, _))] if is_named(made) => {
-                self.toll.quarters = self.toll.quarters.max(NAMED_QUARTERS);
+                self.cost.quarters = self.cost.quarters.max(NAMED_QUARTERS);
             }
-            [.., ASTNode::Stmt(Stmt::For(flow, _))] if calls(&flow.2.expr) => self.toll.texts_go_through = true,
+            [.., ASTNode::Stmt(Stmt::For(flow, _))] if calls(&flow.2.expr) => self.cost.texts_go_through = true,
             [.., ASTNode::Expr(Expr::DynamicConstant(made, _))] if self.repeats(path) => {
                 self.constant = self.constant.max(meter::copying(made));
             }
@@ -89,7 +91,7 @@ impl Reader<'_> {
                 if kind >= Use::Copy && !self.repeats(path) {
                     self.once.push(variable.1.clone());
                 } else {
-                    self.toll.used(&variable.1, kind);
+                    self.cost.used(&variable.1, kind);
                 }
             }
             _ => {}

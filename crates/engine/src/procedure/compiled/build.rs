@@ -1,9 +1,9 @@
 //! From what Rhai has read to our tree; nothing for a procedure with any part that is not known here.
 
 use super::functions::Function;
+use super::helpers::{CompiledHelpers, Piece};
 use super::literals::{constant, operation};
 use super::node::Node;
-use super::shelf::{Piece, Shelf};
 use behaviour::{Names, Value};
 use rhai::{AST, ASTFlags, Expr, FnCallExpr, Stmt};
 use std::rc::Rc;
@@ -15,7 +15,7 @@ const DEPTH_MAX: usize = 96;
 
 /// Builds the tree of one body.
 pub(super) struct Builder<'h> {
-    pub(super) shelf: &'h Shelf,
+    pub(super) helpers: &'h CompiledHelpers,
     /// The names in sight, newest last.
     names: Vec<String>,
     /// How many of them, at the front, are inputs.
@@ -27,15 +27,15 @@ pub(super) struct Builder<'h> {
 }
 
 /// The tree of a body with inputs of these names.
-pub(super) fn body(ast: &AST, names: &[String], shelf: &Shelf) -> Option<Node> {
-    let mut builder = Builder::of(names, names.len(), shelf);
+pub(super) fn body(ast: &AST, names: &[String], helpers: &CompiledHelpers) -> Option<Node> {
+    let mut builder = Builder::of(names, names.len(), helpers);
     let root = builder.sequence(ast.statements())?;
     builder.is_bounded().then_some(root)
 }
 
 /// The tree of a helper with these parameters.
-pub(super) fn helper(ast: &AST, params: &[String], shelf: &Shelf) -> Option<Piece> {
-    let mut builder = Builder::of(params, 0, shelf);
+pub(super) fn helper(ast: &AST, params: &[String], helpers: &CompiledHelpers) -> Option<Piece> {
+    let mut builder = Builder::of(params, 0, helpers);
     let root = builder.sequence(ast.statements())?;
     let Builder { steps, deepest, levels, .. } = builder;
     let piece = || Piece { root: Rc::new(root), steps, depth: deepest + params.len() + 1, levels: levels + 1 };
@@ -43,13 +43,13 @@ pub(super) fn helper(ast: &AST, params: &[String], shelf: &Shelf) -> Option<Piec
 }
 
 impl<'h> Builder<'h> {
-    fn of(names: &[String], inputs: usize, shelf: &'h Shelf) -> Self {
-        Self { shelf, names: names.to_vec(), inputs, steps: 0, depth: 0, deepest: 0, levels: 0 }
+    fn of(names: &[String], inputs: usize, helpers: &'h CompiledHelpers) -> Self {
+        Self { helpers, names: names.to_vec(), inputs, steps: 0, depth: 0, deepest: 0, levels: 0 }
     }
 
     /// True if Rhai would not meet a limit either.
     fn is_bounded(&self) -> bool {
-        self.steps <= self.shelf.limits().operations && self.levels < self.shelf.limits().levels
+        self.steps <= self.helpers.limits().operations && self.levels < self.helpers.limits().levels
     }
 
     fn block(&mut self, statements: &[Stmt]) -> Option<Node> {
@@ -63,7 +63,7 @@ impl<'h> Builder<'h> {
         match statements {
             [] => Some(Node::Constant(Value::Null)),
             [Stmt::Var(variable, options, _), rest @ ..] => {
-                if options.intersects(ASTFlags::EXPORTED) || self.names.len() >= self.shelf.limits().variables {
+                if options.intersects(ASTFlags::EXPORTED) || self.names.len() >= self.helpers.limits().variables {
                     return None;
                 }
                 let value = self.part(&variable.1)?;
@@ -157,11 +157,11 @@ impl<'h> Builder<'h> {
         if let Some(token) = &call.op_token {
             return operation(token, arguments);
         }
-        if !self.shelf.has(&call.name, arguments.len()) {
+        if !self.helpers.has(&call.name, arguments.len()) {
             let function = Function::of(&call.name, arguments.len())?;
             return Some(Node::Function(Box::new((function, arguments.into()))));
         }
-        let piece = self.shelf.piece(&call.name, arguments.len())?;
+        let piece = self.helpers.piece(&call.name, arguments.len())?;
         self.steps = self.steps.saturating_add(piece.steps);
         self.levels = self.levels.max(piece.levels);
         self.deepest = self.deepest.max(self.depth + piece.depth);

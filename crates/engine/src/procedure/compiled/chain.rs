@@ -63,7 +63,7 @@ impl Builder<'_> {
             }
             Expr::MethodCall(call, _) if link.dot => {
                 let parameters = call.args.len() + 1;
-                let taken = |many| self.shelf.has(&call.name, many);
+                let taken = |many| self.helpers.has(&call.name, many);
                 if call.is_qualified() || taken(parameters) || taken(parameters - 1) {
                     return None;
                 }

@@ -145,7 +145,7 @@ impl Node {
         }
     }
 
-    /// The same as [`Node::number`], without a call for a procedure of one operation: `x + 1`, `ball.size`.
+    /// What it makes, if that is a number, without a call for a procedure of one operation: `x + 1`, `ball.size`.
     #[inline]
     pub(super) fn short_number(&self, env: &Env) -> Result<Number, Unsure> {
         match self {
@@ -154,7 +154,7 @@ impl Node {
         }
     }
 
-    /// The same as [`Node::truth`], without a call for a procedure of one comparison: `x > 2.0`, `ball.size < 4`.
+    /// Whether it is true, without a call for a procedure of one comparison: `x > 2.0`, `ball.size < 4`.
     #[inline]
     pub(super) fn short_truth(&self, env: &Env) -> Result<bool, Unsure> {
         match self {
@@ -167,7 +167,7 @@ impl Node {
         }
     }
 
-    /// The same as [`Node::number`], without a call where nothing needs to be computed.
+    /// What it makes, if that is a number, without a call where nothing needs to be computed.
     #[inline]
     pub(super) fn operand(&self, env: &Env) -> Result<Number, Unsure> {
         match self.place(env) {

@@ -5,7 +5,7 @@ mod values;
 
 use self::procedures::{BINARY, Chance, HELPERS, NAMES, OPERATORS, UNARY, procedure};
 use self::values::inputs;
-use super::{Quick, Shelf, Short};
+use super::{Compiled, CompiledHelpers, Short};
 use crate::cost::Limits;
 use crate::procedure::Procedure;
 use crate::procedure::helpers::Helpers;
@@ -40,20 +40,20 @@ impl Bench {
     }
 
     fn compiles(&self, body: &str) -> bool {
-        self.quick(body).is_some()
+        self.compiled(body).is_some()
     }
 
-    fn quick(&self, body: &str) -> Option<Quick> {
-        Quick::of(&compile(&self.engine, &self.names, body).ok()?, &self.names, self.shelf())
+    fn compiled(&self, body: &str) -> Option<Compiled> {
+        Compiled::of(&compile(&self.engine, &self.names, body).ok()?, &self.names, self.helpers())
     }
 
     /// True if its variables cost nothing in Rhai.
     fn is_free(&self, body: &str) -> bool {
-        self.helpers.toll(&compile(&self.engine, &self.names, body).unwrap()).is_none()
+        self.helpers.cost(&compile(&self.engine, &self.names, body).unwrap()).is_none()
     }
 
-    fn shelf(&self) -> &Shelf {
-        self.helpers.shelf().unwrap()
+    fn helpers(&self) -> &CompiledHelpers {
+        self.helpers.compiled().unwrap()
     }
 }
 
@@ -84,23 +84,30 @@ fn one_operation(short: Short, input: &Value) -> Option<Value> {
 }
 
 impl Counts {
-    fn short_ways(&mut self, quick: &Quick, inputs: &[&Value]) -> Vec<Value> {
-        let over = quick.object(inputs, &mut self.spare).then(|| std::mem::take(&mut self.spare));
-        self.spare = quick.call(inputs).unwrap_or_default();
-        let number = quick.number(inputs).map(|number| number.value());
-        let one = quick.short().and_then(|short| one_operation(short, inputs[0]));
+    fn short_ways(&mut self, compiled: &Compiled, inputs: &[&Value]) -> Vec<Value> {
+        let over = compiled.object(inputs, &mut self.spare).then(|| std::mem::take(&mut self.spare));
+        self.spare = compiled.call(inputs).unwrap_or_default();
+        let number = compiled.number(inputs).map(|number| number.value());
+        let one = compiled.short().and_then(|short| one_operation(short, inputs[0]));
         self.one_operation += u64::from(one.is_some());
-        number.into_iter().chain(quick.truth(inputs).map(Value::Bool)).chain(one).chain(over).collect()
+        number.into_iter().chain(compiled.truth(inputs).map(Value::Bool)).chain(one).chain(over).collect()
     }
 
-    fn call(&mut self, bench: &Bench, quick: &Quick, slow: &mut Procedure, inputs: &[&Value], about: &str) {
-        let wanted = slow.interpret(&bench.engine, inputs);
-        for made in self.short_ways(quick, inputs) {
+    fn call(
+        &mut self,
+        bench: &Bench,
+        compiled: &Compiled,
+        interpreted: &mut Procedure,
+        inputs: &[&Value],
+        about: &str,
+    ) {
+        let wanted = interpreted.interpret(&bench.engine, inputs);
+        for made in self.short_ways(compiled, inputs) {
             self.short += 1;
             let wanted = wanted.as_ref().map(|wanted| format!("{wanted:?}"));
             assert_eq!(Ok(format!("{made:?}")), wanted, "the short way: {about} {inputs:?}");
         }
-        match (quick.call(inputs), wanted) {
+        match (compiled.call(inputs), wanted) {
             // Printed, since -0.0 is not 0.0 here.
             (Some(made), wanted) => {
                 self.answered += 1;
@@ -119,16 +126,16 @@ fn the_first_tier_is_right_wherever_it_answers() {
     for seed in 0..BODIES {
         let mut chance = Chance(seed.wrapping_mul(0x5DEE_CE66_D1CE_4E5B));
         let body = procedure(&mut chance);
-        let Ok(mut slow) = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body) else {
+        let Ok(mut interpreted) = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body) else {
             counts.refused += 1;
             continue;
         };
-        let Some(quick) = bench.quick(&body) else { continue };
+        let Some(compiled) = bench.compiled(&body) else { continue };
         assert!(bench.is_free(&body), "Rhai would count more steps than the first tier expects: {body}");
         counts.compiled += 1;
         for _ in 0..CALLS {
             let inputs = inputs(&mut chance);
-            counts.call(&bench, &quick, &mut slow, &inputs.each_ref(), &format!("seed {seed}: {body}"));
+            counts.call(&bench, &compiled, &mut interpreted, &inputs.each_ref(), &format!("seed {seed}: {body}"));
         }
     }
     let Counts { refused, compiled, answered, left_to_rhai, .. } = counts;
@@ -147,7 +154,7 @@ fn what_the_thesis_writes_is_compiled() {
         let prepared = crate::program::validity::prepare(&file, &Limits::default()).ok().unwrap();
         for (procedure, connector) in prepared.procedures.iter().zip(&file.connectors) {
             let Some(procedure) = procedure else { continue };
-            assert!(procedure.is_quick(), "{:?} {:?}", connector.body, connector.helper);
+            assert!(procedure.is_compiled(), "{:?} {:?}", connector.body, connector.helper);
             compiled += 1;
         }
     }
@@ -196,9 +203,9 @@ fn what_grows_too_large_is_left_to_rhai() {
         ("d", true),
         ("[d * 2]", false),
     ] {
-        let mut slow = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, body).unwrap();
-        assert_eq!(bench.quick(body).unwrap().call(&inputs).is_some(), fits, "{body}");
-        assert_eq!(slow.interpret(&bench.engine, &inputs).is_ok(), fits, "{body}");
+        let mut interpreted = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, body).unwrap();
+        assert_eq!(bench.compiled(body).unwrap().call(&inputs).is_some(), fits, "{body}");
+        assert_eq!(interpreted.interpret(&bench.engine, &inputs).is_ok(), fits, "{body}");
     }
 }
 
@@ -236,10 +243,10 @@ fn every_operator_and_function_is_right_on_every_pair_of_edges() {
     let one = OPERATORS.iter().flat_map(|operator| numbers.map(|number| format!("a {operator} {number}")));
     let mut counts = Counts::default();
     for body in operators.chain(endless).chain(functions).chain(beyond).chain(single).chain(one) {
-        let quick = bench.quick(&body).unwrap();
-        let mut slow = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body).unwrap();
+        let compiled = bench.compiled(&body).unwrap();
+        let mut interpreted = Procedure::compile(&bench.engine, &bench.helpers, &bench.names, &body).unwrap();
         for (one, other) in edges().iter().flat_map(|one| edges().into_iter().map(move |other| (one.clone(), other))) {
-            counts.call(&bench, &quick, &mut slow, &[&one, &other, &Value::Null, &Value::Null], &body);
+            counts.call(&bench, &compiled, &mut interpreted, &[&one, &other, &Value::Null, &Value::Null], &body);
         }
     }
     assert!(counts.answered > 15_000 && counts.left_to_rhai < 3_000, "{counts:?}");

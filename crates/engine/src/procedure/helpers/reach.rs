@@ -1,7 +1,7 @@
 //! What one call of each helper may take, and which helpers a body may reach.
 
 use crate::cost::callers::is_caller;
-use crate::cost::variable_cost::Toll;
+use crate::cost::variable_cost::VariableCost;
 use crate::procedure::walk::{self, Search};
 use rhai::AST;
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,8 +17,8 @@ pub(super) struct Reach {
 pub(super) struct Length {
     /// The parts that one call computes at most; nothing without such a bound.
     pub(super) parts: Option<u64>,
-    /// What its variables pay.
-    pub(super) toll: Toll,
+    /// What its variables cost.
+    pub(super) cost: VariableCost,
     /// What looking for functions may take.
     pub(super) search: Search,
     /// How many parameters it has.
@@ -34,7 +34,7 @@ impl Reach {
     pub(super) fn add(&mut self, name: &str, params: usize, body: &AST, called: &BTreeSet<String>, search: Search) {
         let length = Length {
             parts: walk::length(body, &|helper| self.get(helper).map(|length| length.parts)),
-            toll: Toll::of(body, true),
+            cost: VariableCost::of(body, true),
             search,
             params,
             calls: called.iter().filter_map(|name| self.names.get(name).copied()).collect(),

@@ -36,7 +36,7 @@ pub(super) fn inputs(chance: &mut Chance) -> [Value; 4] {
     [value(chance, 1), value(chance, 1), third, fourth]
 }
 
-/// The same with numbers alone, so that most calls come to an end.
+/// Values with numbers alone, so that most calls come to an end.
 fn numbers(chance: &mut Chance) -> [Value; 4] {
     let mut number = || {
         let kind = 3 + chance.below(6);

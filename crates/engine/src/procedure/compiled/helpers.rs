@@ -20,14 +20,14 @@ pub(super) struct Piece {
 }
 
 /// All helpers by name and number of parameters; nothing for one that only Rhai can run.
-pub(crate) struct Shelf {
+pub(crate) struct CompiledHelpers {
     pieces: BTreeMap<(String, usize), Option<Piece>>,
     limits: Limits,
     bounds: Rc<Bounds>,
 }
 
-impl Shelf {
-    /// A shelf for helpers to come.
+impl CompiledHelpers {
+    /// None yet.
     pub(crate) fn of(limits: &Limits) -> Self {
         Self { pieces: BTreeMap::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
     }
