@@ -21,6 +21,7 @@ mod rules;
 mod size;
 mod unseen;
 mod value;
+pub mod walk;
 mod words;
 
 pub use change::{Change, Edit};

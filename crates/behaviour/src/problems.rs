@@ -2,8 +2,7 @@
 
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
 use crate::{
-    Behaviour, Connector, Engine, Graph, Helper, Id, Kind, Knowledge, Operation, Procedure, RecordId, Settings,
-    StreamKind,
+    Behaviour, Connector, Engine, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, Settings, StreamKind,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -103,7 +102,7 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
     let places: BTreeMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).collect();
     let ends = |connector: &Connector| {
         let inputs = connector.inputs.iter().map(|id| places.get(id).copied()).collect::<Option<Vec<_>>>()?;
-        Some((inputs, *places.get(&connector.output)?, gives(&connector.operation)))
+        Some((inputs, *places.get(&connector.output)?, connector.operation.gives()))
     };
     let ends: Vec<_> = behaviour.connectors_in_order().iter().filter_map(|(_, connector)| ends(connector)).collect();
     let links: Vec<_> =
@@ -118,18 +117,6 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
         Some((streams[flow.multiplies_at(*start, certain, HANDED_MAX)?].0, certain))
     };
     found(true).or_else(|| found(false))
-}
-
-fn gives(operation: &Operation) -> Gives {
-    match operation {
-        Operation::Map(_)
-        | Operation::Timestamp
-        | Operation::CombineLatest(_)
-        | Operation::Merge
-        | Operation::Subscribe => Gives::Each,
-        Operation::Filter(_) => Gives::Some,
-        Operation::Sample { .. } => Gives::Later,
-    }
 }
 
 fn problem(kind_of: Kind, id: &Id, name: &str, kind: ProblemKind, blocks: bool) -> Problem {

@@ -1,5 +1,6 @@
 //! The records a behaviour is made of.
 
+use crate::flow::Gives;
 use crate::{Id, Kind, RecordId, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -118,7 +119,7 @@ impl Operation {
         }
     }
 
-    /// The same, to change it.
+    /// The procedural parameter, if it takes one, to change it.
     pub fn procedure_mut(&mut self) -> Option<&mut Procedure> {
         match self {
             Self::Map(procedure) | Self::Filter(procedure) | Self::CombineLatest(procedure) => Some(procedure),
@@ -130,6 +131,36 @@ impl Operation {
     #[must_use]
     pub fn takes_many(&self) -> bool {
         matches!(self, Self::CombineLatest(_) | Self::Merge)
+    }
+
+    /// The duration in milliseconds, if it takes one.
+    #[must_use]
+    pub fn period_ms(&self) -> Option<u64> {
+        if let Self::Sample { period_ms } = self { Some(*period_ms) } else { None }
+    }
+
+    /// The kind of stream in which it ends.
+    #[must_use]
+    pub fn ends(&self) -> StreamKind {
+        if *self == Self::Subscribe { StreamKind::Actuator } else { StreamKind::Ordinary }
+    }
+
+    /// How many values it gives for those that it takes.
+    #[must_use]
+    pub fn gives(&self) -> Gives {
+        match self {
+            Self::Map(_) | Self::Timestamp | Self::CombineLatest(_) | Self::Merge | Self::Subscribe => Gives::Each,
+            Self::Filter(_) => Gives::Some,
+            Self::Sample { .. } => Gives::Later,
+        }
+    }
+
+    /// The argument names of its procedure: as given, else from the names of its inputs.
+    pub fn arguments<'n>(&self, inputs: impl IntoIterator<Item = &'n str>) -> Vec<String> {
+        match self.procedure() {
+            Some(Procedure::Body { args: Some(args), .. }) => args.clone(),
+            Some(_) | None => crate::argument_names(inputs),
+        }
     }
 }
 
@@ -351,10 +382,7 @@ impl Behaviour {
     /// The argument names of a connector: as given, else from the names of its inputs.
     #[must_use]
     pub fn arguments(&self, connector: &Connector) -> Vec<String> {
-        if let Some(Procedure::Body { args: Some(args), .. }) = connector.operation.procedure() {
-            return args.clone();
-        }
         let names = connector.inputs.iter().map(|id| self.stream(id).map_or("", |stream| stream.name.as_str()));
-        crate::argument_names(names)
+        connector.operation.arguments(names)
     }
 }

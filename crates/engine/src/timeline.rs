@@ -1,18 +1,24 @@
 //! Logical time: instants and frames, and how values are carried through them.
 
-pub(crate) mod budget;
-pub(crate) mod core;
-pub(crate) mod end;
-pub(crate) mod event;
-pub(crate) mod frame;
-pub(crate) mod memory;
-pub(crate) mod plan;
-pub(crate) mod stamp;
+mod budget;
+mod core;
+mod end;
+mod event;
+mod frame;
+mod memory;
+mod plan;
+mod schedule;
 
+use crate::values::{ConnectorIx, StreamIx};
 use behaviour::Value;
 use robot::Millis;
 
+pub(crate) use self::core::Core;
 pub use end::End;
+pub(crate) use end::multiplied;
+pub(crate) use event::Event;
+pub(crate) use frame::Frame;
+pub(crate) use memory::RunMemory;
 
 /// What a run tells its caller, in order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +27,8 @@ pub enum Emission<'a> {
     Value {
         /// When, in logical time.
         at: Millis,
-        /// The index of the stream.
-        stream: usize,
+        /// The stream.
+        stream: StreamIx,
         /// The value.
         value: &'a Value,
     },
@@ -30,8 +36,8 @@ pub enum Emission<'a> {
     Fault {
         /// When, in logical time.
         at: Millis,
-        /// The index of the connector.
-        connector: usize,
+        /// The connector.
+        connector: ConnectorIx,
         /// In plain words.
         error: &'a str,
         /// True if the caller's interrupt ended the procedure.

@@ -130,7 +130,11 @@ impl FileConnector {
         Ok((find(&self.id)?, connector))
     }
 
-    fn operation(&self) -> Result<Operation, String> {
+    /// What it does.
+    ///
+    /// # Errors
+    /// Why it is no connector, in plain words.
+    pub fn operation(&self) -> Result<Operation, String> {
         match self.operation.as_str() {
             "map" => self.procedure().map(Operation::Map),
             "filter" => self.procedure().map(Operation::Filter),
@@ -139,7 +143,7 @@ impl FileConnector {
             "merge" => Ok(Operation::Merge),
             "subscribe" => Ok(Operation::Subscribe),
             "sample" => {
-                let period_ms = self.period_ms.ok_or("sample needs periodMs")?;
+                let period_ms = self.period_ms.ok_or("sample needs a periodMs of 1 or more")?;
                 Ok(Operation::Sample { period_ms })
             }
             other => Err(format!("there is no connector {other:?}")),

@@ -1,5 +1,9 @@
 //! A valid behaviour as numbers: streams and connectors by index, who hands values to whom, and in which order.
 
+use crate::connectors::Op;
+use crate::values::{ConnectorIx, IndexVec, StreamIx};
+use behaviour::flow::Gives;
+use behaviour::walk::{self, Ends};
 use behaviour::{FileStream, Params, StreamKind};
 
 /// A stream of a run.
@@ -29,50 +33,42 @@ impl StreamInfo {
     }
 }
 
-/// What a connector does with values.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Work {
-    /// Passes on what its procedure makes.
-    Map,
-    /// Passes on what its procedure finds true.
-    Filter,
-    /// Pairs with the time.
-    Timestamp,
-    /// Passes on the newest value at each beat of that many milliseconds.
-    Sample(u64),
-    /// Passes on what its procedure makes of the newest values of all inputs.
-    CombineLatest,
-    /// Passes on every value.
-    Merge,
-    /// Hands every value to an actuator.
-    Subscribe,
-}
-
 /// A connector of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConnectorInfo {
     /// Its id.
     pub id: String,
-    /// What it does.
-    pub work: Work,
+    /// Its word in files.
+    pub word: &'static str,
     /// Its input streams, in order.
-    pub inputs: Vec<usize>,
+    pub inputs: Vec<StreamIx>,
     /// Its output stream.
-    pub output: usize,
+    pub output: StreamIx,
+    /// How many values it gives for those that it takes.
+    pub(crate) gives: Gives,
+    /// What event mode does when one of its inputs has a value.
+    pub(crate) op: Op,
+}
+
+impl ConnectorInfo {
+    /// Its input streams by their places in the file.
+    pub(crate) fn input_places(&self) -> Vec<usize> {
+        self.inputs.iter().map(|input| input.index()).collect()
+    }
 }
 
 /// The wiring of a run.
 pub(crate) struct Graph {
-    pub(crate) streams: Vec<StreamInfo>,
+    pub(crate) streams: IndexVec<StreamIx, StreamInfo>,
     /// For every stream whether it is a sensor's.
-    pub(crate) sensed: Vec<bool>,
+    pub(crate) sensed: IndexVec<StreamIx, bool>,
     /// The streams in the order of their ids.
-    by_id: Vec<usize>,
-    pub(crate) connectors: Vec<ConnectorInfo>,
+    by_id: Vec<StreamIx>,
+    pub(crate) connectors: IndexVec<ConnectorIx, ConnectorInfo>,
     /// For every stream the connectors that take from it, in array order, and as which of their inputs.
-    pub(crate) outgoing: Vec<Vec<(usize, usize)>>,
+    pub(crate) outgoing: IndexVec<StreamIx, Vec<(ConnectorIx, u32)>>,
     /// For every connector the length of the longest path from a source to it.
-    pub(crate) ranks: Vec<usize>,
+    pub(crate) ranks: IndexVec<ConnectorIx, usize>,
 }
 
 impl Graph {
@@ -80,58 +76,44 @@ impl Graph {
     ///
     /// # Errors
     /// A connector that values would reach again in a circle.
-    pub(crate) fn of(streams: Vec<StreamInfo>, connectors: Vec<ConnectorInfo>) -> Result<Self, usize> {
-        let mut outgoing = vec![Vec::new(); streams.len()];
-        for (at, connector) in connectors.iter().enumerate() {
-            for (slot, &input) in connector.inputs.iter().enumerate() {
+    pub(crate) fn of(streams: Vec<StreamInfo>, connectors: Vec<ConnectorInfo>) -> Result<Self, ConnectorIx> {
+        let (streams, connectors) = (IndexVec::from(streams), IndexVec::from(connectors));
+        let mut outgoing = IndexVec::filled(&Vec::new(), streams.len());
+        for (at, connector) in connectors.enumerate() {
+            for (slot, &input) in (0..).zip(&connector.inputs) {
                 outgoing[input].push((at, slot));
             }
         }
         outgoing.iter_mut().for_each(Vec::shrink_to_fit);
-        let ranks = ranks(&connectors, &outgoing)?;
-        let mut by_id: Vec<usize> = (0..streams.len()).collect();
+        let ranks = ranks(streams.len(), &connectors)?;
+        let mut by_id: Vec<StreamIx> = streams.indices().collect();
         by_id.sort_by_key(|&at| &streams[at].id);
         let sensed = streams.iter().map(|stream| stream.kind == StreamKind::Sensor).collect();
         Ok(Self { streams, sensed, by_id, connectors, outgoing, ranks })
     }
 
-    /// The index of a stream by its id.
-    pub(crate) fn stream(&self, id: &str) -> Option<usize> {
+    /// The number of a stream by its id.
+    pub(crate) fn stream(&self, id: &str) -> Option<StreamIx> {
         let at = self.by_id.binary_search_by(|&at| self.streams[at].id.as_str().cmp(id)).ok()?;
         Some(self.by_id[at])
     }
 }
 
-/// Ranks by taking away, again and again, what has no open input.
-fn ranks(connectors: &[ConnectorInfo], outgoing: &[Vec<(usize, usize)>]) -> Result<Vec<usize>, usize> {
-    let mut waiting = vec![0_usize; connectors.len()];
-    for connector in connectors {
-        for &(next, _) in &outgoing[connector.output] {
-            waiting[next] += 1;
-        }
+/// For every connector the length of the longest path to it.
+///
+/// # Errors
+/// A connector that is in a circle.
+fn ranks(
+    streams: usize,
+    connectors: &IndexVec<ConnectorIx, ConnectorInfo>,
+) -> Result<IndexVec<ConnectorIx, usize>, ConnectorIx> {
+    let inputs: Vec<Vec<usize>> = connectors.iter().map(ConnectorInfo::input_places).collect();
+    let ends: Vec<Ends> =
+        inputs.iter().zip(connectors).map(|(inputs, info)| (&inputs[..], info.output.index())).collect();
+    if let Some(at) = walk::in_circle(streams, &ends) {
+        return Err(ConnectorIx::of(at));
     }
-    let mut ranks = vec![1; connectors.len()];
-    let mut ready: Vec<usize> = (0..connectors.len()).filter(|&at| waiting[at] == 0).collect();
-    while let Some(done) = ready.pop() {
-        for &(next, _) in &outgoing[connectors[done].output] {
-            ranks[next] = ranks[next].max(ranks[done] + 1);
-            waiting[next] -= 1;
-            if waiting[next] == 0 {
-                ready.push(next);
-            }
-        }
-    }
-    on_circle(connectors, &waiting).map_or(Ok(ranks), Err)
-}
-
-/// A connector on a circle: walking up from any that still waits must come back.
-fn on_circle(connectors: &[ConnectorInfo], waiting: &[usize]) -> Option<usize> {
-    let mut seen = vec![false; connectors.len()];
-    let mut at = waiting.iter().position(|&left| left > 0)?;
-    while !seen[at] {
-        seen[at] = true;
-        let feeds = |&other: &usize| waiting[other] > 0 && connectors[at].inputs.contains(&connectors[other].output);
-        at = (0..connectors.len()).find(feeds)?;
-    }
-    Some(at)
+    let ranks = walk::ranks(streams, &ends);
+    let longest = |info: &ConnectorInfo| info.inputs.iter().filter_map(|input| ranks[input.index()]).max();
+    Ok(connectors.iter().map(|info| longest(info).unwrap_or_default() + 1).collect())
 }

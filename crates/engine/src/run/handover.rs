@@ -1,13 +1,13 @@
 //! One run follows another: an edited behaviour goes on where the one before it was.
 
-use super::{Kept, Mode, Run};
-use crate::timeline::memory::Memory;
-use crate::values::stats::Stats;
+use super::{Matching, Mode, Run};
+use crate::timeline::RunMemory;
+use crate::values::Stats;
 
 /// What a run leaves to the one that follows it; may be handed to another thread.
 #[derive(Clone, Debug)]
-pub struct Legacy {
-    memory: Memory,
+pub struct Handover {
+    memory: RunMemory,
     stats: Stats,
 }
 
@@ -24,28 +24,28 @@ impl Run {
     /// What it remembers and counted so far. Readings that wait for the end of their frame belong to it, and are
     /// lost if the one that follows has no frames: ask [`Run::is_between`] first.
     #[must_use]
-    pub fn legacy(&self) -> Legacy {
+    pub fn handover(&self) -> Handover {
         let memory = match &self.mode {
-            Mode::Event(event) => event.memory(),
-            Mode::Frame(frame) => frame.memory(&self.core.graph),
+            Mode::Event(event) => event.memory(&self.core),
+            Mode::Frame(frame) => frame.memory(&self.core),
         };
-        Legacy { memory, stats: self.core.stats.clone() }
+        Handover { memory, stats: self.core.context.stats.clone() }
     }
 
-    /// Goes on, before it was fed anything, where another run was: logical time continues, and what `kept` names keeps
-    /// its memory, counts and last values. A sample that held a value gives it at the tick for which it was held.
-    pub fn succeed(&mut self, legacy: Legacy, kept: &Kept) {
-        let Legacy { memory, stats } = legacy;
-        let memory = memory.moved(&kept.streams, &kept.connectors);
+    /// Goes on, before it was fed anything, where another run was: logical time continues, and what `matching` names keeps
+    /// its memory, counts and last values. What a connector would have given by itself it gives when it would have.
+    pub fn resume_from(&mut self, handover: Handover, matching: &Matching) {
+        let Handover { memory, stats } = handover;
+        let memory = memory.moved(&matching.streams, &matching.connectors);
         match &mut self.mode {
-            Mode::Event(event) => event.remember(&self.core.graph, memory),
-            Mode::Frame(frame) => frame.remember(&self.core.graph, memory),
+            Mode::Event(event) => event.resume(&mut self.core, memory),
+            Mode::Frame(frame) => frame.resume(&mut self.core, memory),
         }
-        for (&from, &to) in &kept.streams {
-            self.core.stats.streams[to].clone_from(&stats.streams[from]);
+        for (&from, &to) in &matching.streams {
+            self.core.context.stats.streams[to].clone_from(&stats.streams[from]);
         }
-        for (&from, &to) in &kept.connectors {
-            self.core.stats.connectors[to].clone_from(&stats.connectors[from]);
+        for (&from, &to) in &matching.connectors {
+            self.core.context.stats.connectors[to].clone_from(&stats.connectors[from]);
         }
     }
 }

@@ -1,22 +1,23 @@
 //! What two versions of a behaviour have in common: the streams and connectors that mean the same in both.
 
+use crate::values::{ConnectorIx, Ix, StreamIx};
 use behaviour::{
-    BehaviourFile, FileConnector, FileHelper, FileStream, argument_names, called_names, rename_identifier,
+    BehaviourFile, FileConnector, FileHelper, FileStream, Operation, Procedure, called_names, rename_identifier,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Streams and connectors that keep what they remember when one version of a behaviour follows another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Kept {
-    /// By index in the old version, the index in the new one.
-    pub streams: BTreeMap<usize, usize>,
-    /// By index in the old version, the index in the new one.
-    pub connectors: BTreeMap<usize, usize>,
+pub struct Matching {
+    /// By stream of the old version, the stream of the new one.
+    pub streams: BTreeMap<StreamIx, StreamIx>,
+    /// By connector of the old version, the connector of the new one.
+    pub connectors: BTreeMap<ConnectorIx, ConnectorIx>,
 }
 
-impl Kept {
+impl Matching {
     /// What stays the same from `old` to `new`. A stream is the same with its id, kind, device and parameters; a
-    /// connector with its id, operation, beat, inputs, and the text of its procedure and of all helpers that it calls.
+    /// connector with its id, operation, inputs, what was chosen for it, and the text of its procedure and of all helpers that it calls.
     /// Other names of arguments and streams, other outputs and another order do not matter.
     #[must_use]
     pub fn between(old: &BehaviourFile, new: &BehaviourFile) -> Self {
@@ -25,13 +26,15 @@ impl Kept {
             (stream.kind, stream.device.clone(), params)
         };
         let streams = pairs(&old.streams, &new.streams, |stream| &stream.id);
-        let same_stream = |&(from, to): &(usize, usize)| device(&old.streams[from]) == device(&new.streams[to]);
+        let same_stream =
+            |&(from, to): &(StreamIx, StreamIx)| device(&old.streams[from.index()]) == device(&new.streams[to.index()]);
         let connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
         let (before, after) = (Reader::of(old), Reader::of(new));
         let helpers = before.same_helpers(&after);
-        let same = |&(from, to): &(usize, usize)| {
-            let (one, other) = (before.meaning(&old.connectors[from]), after.meaning(&new.connectors[to]));
-            one == other && one.helpers.is_subset(&helpers)
+        let same = |&(from, to): &(ConnectorIx, ConnectorIx)| {
+            let one = before.meaning(&old.connectors[from.index()]);
+            let other = after.meaning(&new.connectors[to.index()]);
+            one == other && one.is_some_and(|one| one.helpers.iter().all(|name| helpers.contains(name.as_str())))
         };
         Self {
             streams: streams.into_iter().filter(same_stream).collect(),
@@ -40,22 +43,21 @@ impl Kept {
     }
 }
 
-/// The indices of what has the same id in both.
-fn pairs<T>(old: &[T], new: &[T], id: impl Fn(&T) -> &String) -> Vec<(usize, usize)> {
+/// The numbers of what has the same id in both.
+fn pairs<I: Ix, T>(old: &[T], new: &[T], id: impl Fn(&T) -> &String) -> Vec<(I, I)> {
     let places: BTreeMap<&String, usize> = new.iter().enumerate().map(|(at, thing)| (id(thing), at)).collect();
-    let found = |(at, thing): (usize, &T)| Some((at, *places.get(id(thing))?));
+    let found = |(at, thing): (usize, &T)| Some((I::of(at), I::of(*places.get(id(thing))?)));
     old.iter().enumerate().filter_map(found).collect()
 }
 
 /// What a connector does, whatever it and its arguments are called.
 #[derive(Debug, PartialEq)]
 struct Meaning<'f> {
-    operation: &'f str,
+    /// With the body of its procedure, also if that is a helper, in which arguments are numbered.
+    operation: Operation,
     inputs: &'f [String],
-    period_ms: Option<u64>,
-    procedure: Option<String>,
     /// The helpers that it calls itself.
-    helpers: BTreeSet<&'f str>,
+    helpers: BTreeSet<String>,
 }
 
 /// Reads meanings out of a file.
@@ -99,26 +101,26 @@ impl<'f> Reader<'f> {
         same
     }
 
-    fn meaning(&self, of: &'f FileConnector) -> Meaning<'f> {
-        let text = self.text(of);
-        Meaning {
-            operation: &of.operation,
-            inputs: &of.inputs,
-            period_ms: of.period_ms,
-            helpers: text.as_ref().map(|(_, body)| self.called(body)).unwrap_or_default(),
-            procedure: text.map(|(names, body)| without_names(&names, body)),
+    /// What a connector does; nothing if it cannot run.
+    fn meaning(&self, of: &'f FileConnector) -> Option<Meaning<'f>> {
+        let mut operation = of.operation().ok()?;
+        let arguments = operation.arguments(of.inputs.iter().map(|id| self.name(id)));
+        let mut helpers = BTreeSet::new();
+        if let Some(procedure) = operation.procedure_mut() {
+            let (names, body) = match procedure {
+                Procedure::Helper(name) => {
+                    self.helpers.get(name.as_str()).map(|helper| (&helper.params, &helper.body))?
+                }
+                Procedure::Body { body, .. } => (&arguments, &*body),
+            };
+            helpers = self.called(body).into_iter().map(str::to_owned).collect();
+            *procedure = Procedure::Body { body: without_names(names, body), args: None };
         }
+        Some(Meaning { operation, inputs: &of.inputs, helpers })
     }
 
-    /// The arguments and the body of a connector.
-    fn text(&self, of: &'f FileConnector) -> Option<(Vec<String>, &'f str)> {
-        if let Some(name) = &of.helper {
-            let helper = self.helpers.get(name.as_str())?;
-            return Some((helper.params.clone(), &helper.body));
-        }
-        let name = |id: &String| self.names.get(id.as_str()).copied().unwrap_or_default();
-        let args = || argument_names(of.inputs.iter().map(name));
-        Some((of.args.clone().unwrap_or_else(args), of.body.as_ref()?))
+    fn name(&self, stream: &str) -> &'f str {
+        self.names.get(stream).copied().unwrap_or_default()
     }
 }
 

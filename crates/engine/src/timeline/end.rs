@@ -1,7 +1,8 @@
 //! Why a run goes no further, and at which stream.
 
-use crate::program::model::{ConnectorInfo, Graph, Work};
-use behaviour::flow::{Flow, Gives, Link};
+use crate::program::{ConnectorInfo, Graph};
+use crate::values::StreamIx;
+use behaviour::flow::{Flow, Link};
 use robot::Millis;
 
 /// Why a run ended by itself: from then on it takes nothing and gives nothing.
@@ -14,7 +15,7 @@ pub enum End {
         /// When, in logical time.
         at: Millis,
         /// The stream at which values multiply.
-        stream: usize,
+        stream: StreamIx,
     },
 }
 
@@ -27,16 +28,11 @@ pub(crate) fn multiplied(name: &str) -> String {
 }
 
 /// The stream at which values that began on `start` become too many.
-pub(crate) fn multiplying(graph: &Graph, start: usize, handed_max: u64) -> usize {
-    let links: Vec<Link> = graph.connectors.iter().map(link).collect();
-    Flow::of(graph.streams.len(), &links).multiplies_at(start, false, handed_max).unwrap_or(start)
-}
-
-fn link(info: &ConnectorInfo) -> Link<'_> {
-    let gives = match info.work {
-        Work::Map | Work::Timestamp | Work::CombineLatest | Work::Merge | Work::Subscribe => Gives::Each,
-        Work::Filter => Gives::Some,
-        Work::Sample(_) => Gives::Later,
-    };
-    Link { inputs: &info.inputs, output: info.output, gives }
+pub(crate) fn multiplying(graph: &Graph, start: StreamIx, handed_max: u64) -> StreamIx {
+    let inputs: Vec<Vec<usize>> = graph.connectors.iter().map(ConnectorInfo::input_places).collect();
+    let ends = inputs.iter().zip(&graph.connectors);
+    let links: Vec<Link> =
+        ends.map(|(inputs, info)| Link { inputs, output: info.output.index(), gives: info.gives }).collect();
+    let at = Flow::of(graph.streams.len(), &links).multiplies_at(start.index(), false, handed_max);
+    at.map_or(start, StreamIx::of)
 }

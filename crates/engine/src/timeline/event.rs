@@ -1,51 +1,41 @@
 //! Event mode: every reading at its own instant, carried depth first to the end before the next.
 
-mod memory;
-
-use crate::program::model::Work;
-use crate::timeline::Emission;
-use crate::timeline::budget::Spent;
-use crate::timeline::core::{Core, Took, with_known};
-use crate::timeline::end::{End, multiplying};
-use crate::timeline::plan::{Does, Goes, Plan, Step};
-use crate::values::in_place::{Made, copy_some};
+use super::Emission;
+use super::budget::Spent;
+use super::core::Core;
+use super::end::{End, multiplying};
+use super::memory::RunMemory;
+use super::plan::{Next, Plan, Step};
+use super::schedule::Schedule;
+use crate::connectors::{Op, Outcome};
+use crate::values::in_place::Output;
+use crate::values::{ConnectorIx, StreamIx};
 use behaviour::Value;
 use robot::Millis;
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
-/// The memory of event mode.
+/// The time of event mode.
 pub(crate) struct Event {
     plan: Rc<Plan>,
     /// The first instant that still takes readings.
     open: u64,
-    /// For every connector the value a sample holds for its next tick.
-    held: Vec<Option<Value>>,
-    /// For every connector the newest values a combineLatest knows.
-    latest: Vec<Vec<Option<Value>>>,
-    /// Samples that hold a value: instant, rank, connector. Others would tick in vain.
-    due: BTreeSet<(u64, usize, usize)>,
+    schedule: Schedule,
     /// The steps to come back to from other rows; a stack of our own, since a graph may be deeper than the machine's.
     back: Vec<usize>,
     /// The stream on which what is carried now began.
-    start: usize,
+    start: StreamIx,
 }
 
 impl Event {
     pub(crate) fn of(core: &Core) -> Self {
-        let graph = &core.graph;
-        let cells = |connector: &crate::ConnectorInfo| match connector.work {
-            Work::CombineLatest => vec![None; connector.inputs.len()],
-            Work::Map | Work::Filter | Work::Timestamp | Work::Sample(_) | Work::Merge | Work::Subscribe => Vec::new(),
-        };
+        let procedure = |connector| core.context.procedure(connector);
         Self {
-            plan: Rc::new(core.plan()),
+            plan: Rc::new(Plan::of(&core.graph, procedure)),
             open: 0,
-            held: vec![None; graph.connectors.len()],
-            latest: graph.connectors.iter().map(cells).collect(),
-            due: BTreeSet::new(),
+            schedule: Schedule::of(core.connectors.len()),
             back: Vec::new(),
-            start: 0,
+            start: StreamIx::FIRST,
         }
     }
 
@@ -53,7 +43,7 @@ impl Event {
         &mut self,
         core: &mut Core,
         at: Millis,
-        stream: usize,
+        stream: StreamIx,
         value: Value,
         out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
@@ -63,8 +53,9 @@ impl Event {
             return;
         }
         self.open = at;
-        core.stats.read(Millis(at), stream, value);
-        out(Emission::Value { at: Millis(at), stream, value: core.stats.value(stream) });
+        let stats = &mut core.context.stats;
+        stats.read(Millis(at), stream, value);
+        out(Emission::Value { at: Millis(at), stream, value: stats.value(stream) });
         self.carry(core, Millis(at), stream, out);
     }
 
@@ -75,44 +66,56 @@ impl Event {
     }
 
     pub(crate) fn next_due(&self) -> Option<Millis> {
-        self.due.first().map(|(at, ..)| Millis(*at))
+        self.schedule.first().map(|(at, _)| at)
     }
 
     /// Runs all ticks of instants before `end`: by instant, rank and place.
     fn ticks_before(&mut self, core: &mut Core, end: u64, out: &mut (impl FnMut(Emission) + ?Sized)) {
-        while let Some(&(at, rank, connector)) = self.due.first().filter(|(at, ..)| *at < end && core.end.is_none()) {
-            self.due.remove(&(at, rank, connector));
-            self.open = self.open.max(at);
-            if let Some(value) = self.held[connector].take() {
-                let output = core.graph.connectors[connector].output;
-                core.stats.give(Millis(at), connector, output, Made::Value(value), &mut Value::Null);
-                out(Emission::Value { at: Millis(at), stream: output, value: core.stats.value(output) });
-                self.carry(core, Millis(at), output, out);
+        while let Some((at, connector)) = self.schedule.first().filter(|(at, _)| at.0 < end && core.end.is_none()) {
+            self.open = self.open.max(at.0);
+            let given = core.connectors[connector].tick();
+            self.reschedule(core, connector);
+            if let Some(given) = given {
+                let (output, stats) = (core.graph.connectors[connector].output, &mut core.context.stats);
+                stats.give(at, connector, output, Output::Value(given.value), &mut Value::Null);
+                out(Emission::Value { at, stream: output, value: stats.value(output) });
+                self.carry(core, at, output, out);
             }
         }
     }
 
+    /// Asks a connector when it gives something by itself.
+    #[inline(never)]
+    fn reschedule(&mut self, core: &Core, connector: ConnectorIx) {
+        let due = core.connectors[connector].due().map(|due| due.max(Millis(self.open)));
+        self.schedule.set(connector, core.graph.ranks[connector], due);
+    }
+
     /// Hands the last value of a stream to its connectors in array order, each to the end before the next.
-    fn carry(&mut self, core: &mut Core, at: Millis, stream: usize, out: &mut (impl FnMut(Emission) + ?Sized)) {
+    fn carry(&mut self, core: &mut Core, at: Millis, stream: StreamIx, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let plan = self.plan.clone();
         core.budget.begin();
         self.start = stream;
         let mut next = self.enter(core, &plan, at, stream);
         loop {
             let step = &plan.steps[next];
-            next = match self.react(core, at, step) {
-                Took::Gave => {
-                    let stream = step.output as usize;
-                    out(Emission::Value { at, stream, value: core.stats.value(stream) });
+            next = match step.op.perform(&mut core.connectors, &mut core.context, at, &step.turn) {
+                Outcome::Gave => {
+                    let stream = step.turn.output;
+                    out(Emission::Value { at, stream, value: core.context.stats.value(stream) });
                     self.after(core, &plan, at, step, next)
                 }
-                Took::Kept if step.does == Does::End => match self.back.pop() {
+                Outcome::Kept if step.op == Op::End => match self.back.pop() {
                     Some(back) => back,
                     None => return,
                 },
-                Took::Kept => step.past as usize,
-                Took::Failed(failed) => {
-                    let (connector, error) = (step.connector as usize, &failed.reason);
+                Outcome::Kept => step.past as usize,
+                Outcome::Waits => {
+                    self.reschedule(core, step.turn.connector);
+                    step.past as usize
+                }
+                Outcome::Failed(failed) => {
+                    let (connector, error) = (step.turn.connector, &failed.reason);
                     out(Emission::Fault { at, connector, error, deadline: failed.deadline });
                     step.past as usize
                 }
@@ -123,19 +126,19 @@ impl Event {
     /// The step after one that gave a value.
     #[inline(always)]
     fn after(&mut self, core: &mut Core, plan: &Plan, at: Millis, step: &Step, place: usize) -> usize {
-        match step.goes {
-            Goes::On => place + 1,
-            Goes::Away => {
+        match step.next {
+            Next::On => place + 1,
+            Next::Away => {
                 self.back.push(place + 1);
-                self.enter(core, plan, at, step.output as usize)
+                self.enter(core, plan, at, step.turn.output)
             }
-            Goes::AwayForGood => self.enter(core, plan, at, step.output as usize),
+            Next::AwayForGood => self.enter(core, plan, at, step.turn.output),
         }
     }
 
     /// The first step of a row, unless values may go no further. Only here they can become more than there are steps.
     #[inline(always)]
-    fn enter(&mut self, core: &mut Core, plan: &Plan, at: Millis, stream: usize) -> usize {
+    fn enter(&mut self, core: &mut Core, plan: &Plan, at: Millis, stream: StreamIx) -> usize {
         match core.budget.take(plan.turns(stream)) {
             None => plan.row(stream),
             Some(spent) => self.end(core, plan, at, spent),
@@ -155,40 +158,22 @@ impl Event {
         plan.last()
     }
 
-    /// Lets a connector take the last value of one of its inputs.
-    #[inline(always)]
-    fn react(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
-        match step.does {
-            Does::Compute(operator) => core.compute(at, step, operator),
-            Does::Map => core.map(at, step),
-            Does::Compare(comparison) => core.compare(at, step, comparison),
-            Does::Filter => core.sift(at, step),
-            Does::Pass => core.hand_on(at, step),
-            Does::Stamp => core.timestamp(at, step),
-            Does::Combine => self.combine(core, at, step),
-            Does::Hold => self.hold(core, at, step),
-            Does::End => Took::Kept,
+    /// What it remembers. Values that wait count as sensed in the first instant that is open.
+    pub(crate) fn memory(&self, core: &Core) -> RunMemory {
+        let mut connectors = core.memories();
+        for waiting in connectors.values_mut().flat_map(|memory| &mut memory.waiting) {
+            waiting.carried.origin = (self.open, 0);
         }
+        RunMemory { open: self.open, readings: 0, connectors, waiting: BTreeMap::new() }
     }
 
-    #[inline(never)]
-    fn combine(&mut self, core: &mut Core, at: Millis, step: &Step) -> Took {
-        let connector = step.connector as usize;
-        let known = &mut self.latest[connector];
-        copy_some(&mut known[step.slot as usize], core.stats.value(step.input as usize));
-        with_known(known, |inputs| core.combine(at, step, inputs)).unwrap_or(Took::Kept)
-    }
-
-    /// What it holds it gives with its next tick.
-    #[inline(never)]
-    fn hold(&mut self, core: &Core, at: Millis, step: &Step) -> Took {
-        let connector = step.connector as usize;
-        let Work::Sample(period) = core.graph.connectors[connector].work else { return Took::Kept };
-        let value = core.stats.value(step.input as usize).clone();
-        if self.held[connector].replace(value).is_none() {
-            let tick = at.0.max(1).div_ceil(period).saturating_mul(period);
-            self.due.insert((tick, core.graph.ranks[connector], connector));
+    /// Goes on with what another run of the same connectors remembered. A reading that waits for a frame has no place
+    /// here.
+    pub(crate) fn resume(&mut self, core: &mut Core, memory: RunMemory) {
+        self.open = memory.open;
+        core.resume(memory.connectors);
+        for connector in core.connectors.indices() {
+            self.reschedule(core, connector);
         }
-        Took::Kept
     }
 }

@@ -1,25 +1,19 @@
 //! Frame mode: readings gathered into frames, every connector at most once a frame, no glitches.
 
-mod memory;
-
+use super::Emission;
+use super::core::Core;
+use super::end::End;
+use super::memory::RunMemory;
+use super::schedule::Schedule;
+use crate::connectors;
 use crate::procedure::Failed;
-use crate::program::model::{Graph, Work};
-use crate::timeline::Emission;
-use crate::timeline::End;
-use crate::timeline::core::{Core, with_known};
-use crate::timeline::memory::Origin;
+use crate::program::Graph;
+use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
+use behaviour::flow::Gives;
 use behaviour::{StreamKind, Value};
 use robot::Millis;
-use std::collections::BTreeSet;
 
-/// A value with its origin.
-#[derive(Clone)]
-struct Carried {
-    value: Value,
-    origin: Origin,
-}
-
-/// The memory of frame mode.
+/// The time of frame mode.
 pub(crate) struct Frame {
     length: u64,
     /// The end of the first frame that still takes readings.
@@ -28,40 +22,39 @@ pub(crate) struct Frame {
     fed: bool,
     readings: u64,
     /// For every stream its value in this frame.
-    now: Vec<Option<Carried>>,
-    /// For every connector what a sample holds.
-    held: Vec<Option<Carried>>,
-    /// For every connector the newest values a combineLatest knows.
-    latest: Vec<Vec<Option<Value>>>,
-    /// Samples that hold a value, with the end of the frame that has their next tick.
-    due: BTreeSet<(u64, usize)>,
+    now: IndexVec<StreamIx, Option<Carried>>,
+    /// By the end of the frame that has the instant.
+    schedule: Schedule,
     /// The connectors by rank and place.
-    order: Vec<usize>,
+    order: Vec<ConnectorIx>,
     /// What the frame says, in order.
     said: Vec<Said>,
 }
 
 enum Said {
-    Value(usize, Value),
-    Fault(usize, Box<Failed>),
+    Value(StreamIx, Value),
+    Fault(ConnectorIx, Box<Failed>),
 }
 
 impl Frame {
     pub(crate) fn of(graph: &Graph, length: u64) -> Self {
-        let mut order: Vec<usize> = (0..graph.connectors.len()).collect();
+        let mut order: Vec<ConnectorIx> = graph.connectors.indices().collect();
         order.sort_by_key(|&at| graph.ranks[at]);
         Self {
             length,
             open: length,
             fed: false,
             readings: 0,
-            now: vec![None; graph.streams.len()],
-            held: vec![None; graph.connectors.len()],
-            latest: graph.connectors.iter().map(|connector| vec![None; connector.inputs.len()]).collect(),
-            due: BTreeSet::new(),
+            now: IndexVec::filled(&None, graph.streams.len()),
+            schedule: Schedule::of(graph.connectors.len()),
             order,
             said: Vec::new(),
         }
+    }
+
+    /// Whether readings wait for the open frame.
+    pub(crate) fn is_fed(&self) -> bool {
+        self.fed
     }
 
     /// The end of the frame that covers an instant.
@@ -78,7 +71,7 @@ impl Frame {
         &mut self,
         core: &mut Core,
         at: Millis,
-        stream: usize,
+        stream: StreamIx,
         value: Value,
         out: &mut (impl FnMut(Emission) + ?Sized),
     ) {
@@ -98,9 +91,9 @@ impl Frame {
     }
 
     pub(crate) fn next_due(&self) -> Option<Millis> {
-        let tick = self.due.first().map(|(at, _)| *at);
-        let fed = self.fed.then_some(self.open);
-        tick.into_iter().chain(fed).min().map(Millis)
+        let tick = self.schedule.first().map(|(at, _)| at);
+        let fed = self.fed.then_some(Millis(self.open));
+        tick.into_iter().chain(fed).min()
     }
 
     /// Runs the frames that end before `end` and have something to do.
@@ -116,20 +109,15 @@ impl Frame {
         self.say_readings(core);
         core.budget.begin();
         for place in 0..self.order.len() {
-            let connector = self.order[place];
             // A frame cannot take more turns than it has connectors, so it can only be stopped.
             if core.budget.take(1).is_some() {
                 core.end = Some(End::Stopped);
                 self.said.clear();
                 return;
             }
-            match self.react(core, at, connector) {
-                Ok(None) => {}
-                Ok(Some(made)) => self.give(core, connector, made),
-                Err(failed) => self.said.push(Said::Fault(connector, failed)),
-            }
+            self.turn(core, at, self.order[place]);
         }
-        self.now.fill(None);
+        self.now.fill(&None);
         for said in self.said.drain(..) {
             match said {
                 Said::Value(stream, value) => core.emit(at, stream, &value, out),
@@ -141,18 +129,54 @@ impl Frame {
     }
 
     fn say_readings(&mut self, core: &Core) {
-        let sensed = |at: &usize| core.graph.streams[*at].kind == StreamKind::Sensor;
-        let mut sensed: Vec<_> = (0..self.now.len()).filter(sensed).filter(|&at| self.now[at].is_some()).collect();
+        let sensed = |at: &StreamIx| core.graph.streams[*at].kind == StreamKind::Sensor && self.now[*at].is_some();
+        let mut sensed: Vec<_> = self.now.indices().filter(sensed).collect();
         sensed.sort_by_key(|&at| self.now[at].as_ref().map(|carried| carried.origin));
         for at in sensed {
             self.said.extend(self.now[at].as_ref().map(|carried| Said::Value(at, carried.value.clone())));
         }
     }
 
+    /// The turn of one connector: it takes what there is, then gives what is due.
+    fn turn(&mut self, core: &mut Core, at: Millis, connector: ConnectorIx) {
+        let info = &core.graph.connectors[connector];
+        if let Some(newest) = newest(&info.inputs, &self.now) {
+            let (length, inputs, now) = (self.length, &info.inputs[..], &self.now);
+            let frame = connectors::Frame { at, length, connector, inputs, now, newest };
+            match core.connectors[connector].frame(&mut core.context, &frame) {
+                Ok(None) => {}
+                Ok(Some(made)) => self.give(core, connector, made),
+                Err(failed) => self.said.push(Said::Fault(connector, failed)),
+            }
+        }
+        if core.graph.connectors[connector].gives == Gives::Later {
+            self.reschedule(core, connector, at);
+            self.tick(core, connector, at);
+        }
+    }
+
+    /// Lets a connector give what is due. A stream carries one value a frame: of several the last.
+    fn tick(&mut self, core: &mut Core, connector: ConnectorIx, at: Millis) {
+        let mut given = None;
+        while self.schedule.due(connector).is_some_and(|due| due <= at) {
+            given = core.connectors[connector].tick().or(given);
+            self.reschedule(core, connector, at);
+        }
+        if let Some(given) = given {
+            self.give(core, connector, given);
+        }
+    }
+
+    /// Asks a connector when it gives something by itself; never in a frame before `first`.
+    fn reschedule(&mut self, core: &Core, connector: ConnectorIx, first: Millis) {
+        let due = core.connectors[connector].due().map(|due| self.end_of(due).max(first));
+        self.schedule.set(connector, core.graph.ranks[connector], due);
+    }
+
     /// Puts a value on a connector's output. Of several subscribes into one actuator the last in order wins.
-    fn give(&mut self, core: &mut Core, connector: usize, made: Carried) {
+    fn give(&mut self, core: &mut Core, connector: ConnectorIx, made: Carried) {
         let stream = core.graph.connectors[connector].output;
-        core.stats.connectors[connector].fired += 1;
+        core.context.stats.connectors[connector].fired += 1;
         if self.now[stream].is_some() {
             self.said.retain(|said| !matches!(said, Said::Value(other, _) if *other == stream));
         }
@@ -160,47 +184,31 @@ impl Frame {
         self.now[stream] = Some(made);
     }
 
-    fn react(&mut self, core: &mut Core, at: Millis, connector: usize) -> Result<Option<Carried>, Box<Failed>> {
-        match core.graph.connectors[connector].work {
-            Work::CombineLatest => self.combine(core, at, connector),
-            Work::Sample(period) => Ok(self.sample(core, at, connector, period)),
-            Work::Map | Work::Filter | Work::Timestamp | Work::Merge | Work::Subscribe => {
-                let Some(newest) = self.newest(core, connector) else { return Ok(None) };
-                let origin = newest.origin;
-                let made = core.pass(at, connector, &newest.value)?;
-                Ok(made.map(|value| Carried { value, origin }))
-            }
-        }
+    /// What it remembers.
+    pub(crate) fn memory(&self, core: &Core) -> RunMemory {
+        let waiting = self.now.enumerate().filter_map(|(at, carried)| Some((at, carried.clone()?))).collect();
+        let open = self.open - self.length + 1;
+        RunMemory { open, readings: self.readings, connectors: core.memories(), waiting }
     }
 
-    /// The newest value among a connector's inputs; of two equally new ones that of the earlier input.
-    fn newest(&self, core: &Core, connector: usize) -> Option<&Carried> {
-        let present = core.graph.connectors[connector].inputs.iter().filter_map(|&at| self.now[at].as_ref());
-        present.reduce(|best, other| if other.origin > best.origin { other } else { best })
-    }
-
-    fn combine(&mut self, core: &mut Core, at: Millis, connector: usize) -> Result<Option<Carried>, Box<Failed>> {
-        let Some(origin) = self.newest(core, connector).map(|newest| newest.origin) else { return Ok(None) };
-        let known = &mut self.latest[connector];
-        for (cell, &input) in known.iter_mut().zip(&core.graph.connectors[connector].inputs) {
-            if let Some(carried) = &self.now[input] {
-                *cell = Some(carried.value.clone());
-            }
+    /// Goes on with what another run of the same connectors remembered: the next frame is the first that ends in an
+    /// instant that is not closed.
+    pub(crate) fn resume(&mut self, core: &mut Core, memory: RunMemory) {
+        self.open = self.end_of(Millis(memory.open)).0;
+        self.readings = memory.readings;
+        self.fed = !memory.waiting.is_empty();
+        for (stream, carried) in memory.waiting {
+            self.now[stream] = Some(carried);
         }
-        let made = with_known(known, |inputs| core.call(at, connector, inputs)).transpose()?;
-        Ok(made.map(|value| Carried { value, origin }))
-    }
-
-    /// Holds the newest value and gives it in the frame that has the next tick.
-    fn sample(&mut self, core: &Core, at: Millis, connector: usize, period: u64) -> Option<Carried> {
-        if let Some(newest) = self.newest(core, connector).cloned() {
-            let began = at.0 - self.length;
-            let tick = (began / period + 1).saturating_mul(period);
-            let frame = self.end_of(Millis(tick)).0;
-            if self.held[connector].replace(newest).is_none() {
-                self.due.insert((frame, connector));
-            }
+        core.resume(memory.connectors);
+        for connector in core.connectors.indices() {
+            self.reschedule(core, connector, Millis(self.open));
         }
-        if self.due.remove(&(at.0, connector)) { self.held[connector].take() } else { None }
     }
+}
+
+/// The newest value among some streams; of two equally new ones that of the earlier stream.
+fn newest<'f>(inputs: &[StreamIx], now: &'f IndexVec<StreamIx, Option<Carried>>) -> Option<&'f Carried> {
+    let present = inputs.iter().filter_map(|&at| now[at].as_ref());
+    present.reduce(|best, other| if other.origin > best.origin { other } else { best })
 }

@@ -11,7 +11,7 @@ pub(crate) enum Number {
 }
 
 /// What a procedure made, and where it is.
-pub(crate) enum Made {
+pub(crate) enum Output {
     /// In the spare that was handed in.
     Spare,
     /// In here.

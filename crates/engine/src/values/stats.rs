@@ -1,6 +1,7 @@
 //! What a run counts about itself, for the live view: plain arrays by index, read at any moment.
 
-use crate::values::in_place::{Made, Number, copy, put_number};
+use super::in_place::{Number, Output, copy, put_number};
+use super::index::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::Value;
 use robot::Millis;
 use std::mem::{replace, swap};
@@ -9,9 +10,9 @@ use std::mem::{replace, swap};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stats {
     /// By stream.
-    pub streams: Vec<StreamStats>,
+    pub streams: IndexVec<StreamIx, StreamStats>,
     /// By connector.
-    pub connectors: Vec<ConnectorStats>,
+    pub connectors: IndexVec<ConnectorIx, ConnectorStats>,
 }
 
 /// What one stream carried.
@@ -51,44 +52,53 @@ pub struct LastFault {
 
 impl Stats {
     pub(crate) fn of(streams: usize, connectors: usize) -> Self {
-        let (stream, connector) = (StreamStats::default(), ConnectorStats::default());
-        Self { streams: vec![stream; streams], connectors: vec![connector; connectors] }
+        Self {
+            streams: IndexVec::filled(&StreamStats::default(), streams),
+            connectors: IndexVec::filled(&ConnectorStats::default(), connectors),
+        }
     }
 
     /// The last value of a stream.
     #[inline(always)]
-    pub(crate) fn value(&self, stream: usize) -> &Value {
+    pub(crate) fn value(&self, stream: StreamIx) -> &Value {
         &self.streams[stream].value
     }
 
     /// Counts a number that a connector puts on its output.
     #[inline(always)]
-    pub(crate) fn give_number(&mut self, at: Millis, connector: usize, output: usize, number: Number) {
+    pub(crate) fn give_number(&mut self, at: Millis, connector: ConnectorIx, output: StreamIx, number: Number) {
         self.connectors[connector].gave();
         put_number(self.streams[output].open(at), number);
     }
 
     /// Counts what a connector puts on its output. The value before it becomes the spare.
-    pub(crate) fn give(&mut self, at: Millis, connector: usize, output: usize, made: Made, spare: &mut Value) {
+    pub(crate) fn give(
+        &mut self,
+        at: Millis,
+        connector: ConnectorIx,
+        output: StreamIx,
+        made: Output,
+        spare: &mut Value,
+    ) {
         self.connectors[connector].gave();
         let place = self.streams[output].open(at);
         match made {
-            Made::Spare => swap(place, spare),
-            Made::Value(value) => *spare = replace(place, value),
+            Output::Spare => swap(place, spare),
+            Output::Value(value) => *spare = replace(place, value),
         }
     }
 
     /// Counts a reading.
     #[inline(always)]
-    pub(crate) fn read(&mut self, at: Millis, stream: usize, value: Value) {
+    pub(crate) fn read(&mut self, at: Millis, stream: StreamIx, value: Value) {
         *self.streams[stream].open(at) = value;
     }
 
     /// Counts a value that a connector passes from its input to its output.
     #[inline(always)]
-    pub(crate) fn pass(&mut self, at: Millis, connector: usize, input: usize, output: usize) {
+    pub(crate) fn pass(&mut self, at: Millis, connector: ConnectorIx, input: StreamIx, output: StreamIx) {
         self.connectors[connector].gave();
-        if let Ok([from, to]) = self.streams.get_disjoint_mut([input, output]) {
+        if let Some([from, to]) = self.streams.pair_mut(input, output) {
             to.copy(at, &from.value);
         }
     }
