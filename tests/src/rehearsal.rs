@@ -1,7 +1,7 @@
 //! A rehearsal: a behaviour, the simulated NAO and things that people do, on one virtual clock and without a server.
 
 use behaviour::{BehaviourFile, Id, StreamKind, Value};
-use engine::{Emission, Limits, Run};
+use engine::{Emission, Limits, Run, StreamIx};
 use robot::{Millis, Reading, Robot, Scene, SceneEdit, Use};
 use simulation::{SimulatedNao, Spoken};
 use std::collections::BTreeMap;
@@ -71,8 +71,8 @@ pub fn rehearse(file: &BehaviourFile, seed: u64, script: &Script, until: Millis)
 struct Rehearsal {
     robot: SimulatedNao,
     run: Run,
-    /// The actions by their streams' index.
-    actions: BTreeMap<usize, Use>,
+    /// The actions by their streams.
+    actions: BTreeMap<StreamIx, Use>,
     readings: Vec<Reading>,
     report: Report,
 }
@@ -125,9 +125,9 @@ impl Rehearsal {
 }
 
 /// Opens the devices of all streams of a kind, in file order.
-fn open(robot: &mut SimulatedNao, run: &Run, kind: StreamKind) -> Outcome<BTreeMap<usize, Use>> {
+fn open(robot: &mut SimulatedNao, run: &Run, kind: StreamKind) -> Outcome<BTreeMap<StreamIx, Use>> {
     let mut uses = BTreeMap::new();
-    for (index, info) in run.streams().iter().enumerate().filter(|(_, info)| info.kind == kind) {
+    for (index, info) in run.streams().enumerate().filter(|(_, info)| info.kind == kind) {
         let user = Use { run: RUN, stream: Id::new(&info.id).map_err(Trouble)? };
         let device = info.device.as_deref().unwrap_or_default();
         let opened = robot.open(&user, device, &info.params);

@@ -1,5 +1,7 @@
 //! How many values one value becomes: where ways of the same stream come together again and again, they multiply.
 
+use crate::walk::{Ends, in_order};
+
 /// So many times the values that one reading becomes may be handed to a connector, all in all.
 pub const HANDED_MAX: u64 = 100_000;
 
@@ -37,28 +39,8 @@ impl<'a> Flow<'a> {
     /// Brings connectors between so many streams into the order of their values.
     #[must_use]
     pub fn of(streams: usize, links: &[Link<'a>]) -> Self {
-        let links: Vec<Link> = links.iter().filter(|link| !link.inputs.is_empty()).copied().collect();
-        let (mut takers, mut open) = (vec![Vec::new(); streams], vec![0_usize; streams]);
-        for (at, link) in links.iter().enumerate() {
-            open[link.output] += 1;
-            link.inputs.iter().for_each(|input| takers[*input].push(at));
-        }
-        let mut missing: Vec<usize> = links.iter().map(|link| link.inputs.len()).collect();
-        let mut ready: Vec<usize> = (0..streams).rev().filter(|stream| open[*stream] == 0).collect();
-        let mut sorted = Vec::with_capacity(links.len());
-        while let Some(stream) = ready.pop() {
-            for &at in &takers[stream] {
-                missing[at] -= 1;
-                if missing[at] == 0 {
-                    sorted.push(links[at]);
-                    let left = &mut open[links[at].output];
-                    *left -= 1;
-                    if *left == 0 {
-                        ready.push(links[at].output);
-                    }
-                }
-            }
-        }
+        let ends: Vec<Ends> = links.iter().map(|link| (link.inputs, link.output)).collect();
+        let sorted = in_order(streams, &ends).into_iter().map(|at| links[at]).collect();
         Self { streams, links: sorted }
     }
 

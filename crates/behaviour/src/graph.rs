@@ -1,5 +1,6 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
+use crate::walk::{self, Ends};
 use crate::{Behaviour, Connector, Id, StreamKind};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -52,29 +53,23 @@ impl<'a> Graph<'a> {
     /// How many connectors the longest way to each stream has; none of the streams in a circle or behind one.
     #[must_use]
     pub fn ranks(&self, behaviour: &'a Behaviour) -> BTreeMap<&'a Id, usize> {
-        let mut missing: BTreeMap<&'a Id, usize> =
-            behaviour.streams().map(|(id, _)| (id, self.ends_into(id))).collect();
-        let mut ranks: BTreeMap<&'a Id, usize> = BTreeMap::new();
-        let mut ready: Vec<&'a Id> = missing.iter().filter(|(_, left)| **left == 0).map(|(id, _)| *id).collect();
-        while let Some(stream) = ready.pop() {
-            let rank = *ranks.entry(stream).or_default();
-            for (_, connector) in self.out_of_stream(stream) {
-                let below = ranks.entry(&connector.output).or_default();
-                *below = (*below).max(rank + 1);
-                let left = missing.entry(&connector.output).or_default();
-                *left = left.saturating_sub(1);
-                if *left == 0 {
-                    ready.push(&connector.output);
-                }
-            }
-        }
-        ranks.retain(|id, _| missing.get(id).is_none_or(|left| *left == 0));
-        ranks
+        let wires = self.wires(behaviour.streams().map(|(id, _)| id));
+        let ranks = walk::ranks(wires.streams.len(), &wires.ends());
+        wires.streams.into_iter().zip(ranks).filter_map(|(id, rank)| Some((id, rank?))).collect()
     }
 
-    /// How many streams give to this one, counted once per connector.
-    fn ends_into(&self, stream: &Id) -> usize {
-        self.into_stream(stream).iter().map(|(_, connector)| connector.inputs.len()).sum()
+    /// The graph in numbers, with these streams besides those that connectors lead from and to.
+    fn wires(&self, streams: impl Iterator<Item = &'a Id>) -> Wires<'a> {
+        let streams: BTreeSet<&'a Id> = self.into.keys().chain(self.out_of.keys()).copied().chain(streams).collect();
+        let streams: Vec<&'a Id> = streams.into_iter().collect();
+        let place = |id: &Id| streams.binary_search(&id).unwrap_or_default();
+        let mut all: Vec<_> = self.into.values().flatten().collect();
+        all.sort_by_key(|(id, connector)| (connector.order, *id));
+        let ends = |(_, connector): &&(&Id, &Connector)| {
+            (connector.inputs.iter().map(place).collect(), place(&connector.output))
+        };
+        let connectors = all.iter().map(ends).collect();
+        Wires { streams, connectors }
     }
 
     /// The streams whose values can reach an action of the robot, actions included: one walk upwards for all of them.
@@ -102,29 +97,23 @@ impl<'a> Graph<'a> {
     /// A stream that flows back into itself, if there is one.
     #[must_use]
     pub fn cycle(&self) -> Option<&'a Id> {
-        let mut missing: BTreeMap<&'a Id, usize> = BTreeMap::new();
-        for (output, connectors) in &self.into {
-            missing.insert(output, connectors.iter().map(|(_, connector)| connector.inputs.len()).sum());
-        }
-        let mut ready: Vec<&'a Id> = self.out_of.keys().filter(|id| !missing.contains_key(*id)).copied().collect();
-        while let Some(stream) = ready.pop() {
-            for (_, connector) in self.out_of_stream(stream) {
-                let left = missing.entry(&connector.output).or_default();
-                *left = left.saturating_sub(1);
-                if *left == 0 {
-                    ready.push(&connector.output);
-                }
-            }
-        }
-        missing.retain(|_, left| *left > 0);
-        let (mut here, _) = missing.first_key_value()?;
-        let mut seen = BTreeSet::new();
-        // Whatever still waits has an input that waits: going up, a stream comes a second time.
-        while seen.insert(*here) {
-            let inputs = self.into_stream(here).iter().flat_map(|(_, connector)| &connector.inputs);
-            here = inputs.filter_map(|input| missing.get_key_value(input)).map(|(input, _)| input).next()?;
-        }
-        Some(here)
+        let wires = self.wires(std::iter::empty());
+        let at = walk::in_circle(wires.streams.len(), &wires.ends())?;
+        Some(wires.streams[wires.connectors[at].1])
+    }
+}
+
+/// A graph in numbers.
+struct Wires<'a> {
+    /// By their ids.
+    streams: Vec<&'a Id>,
+    /// In file order: what they take from and what they give to.
+    connectors: Vec<(Vec<usize>, usize)>,
+}
+
+impl Wires<'_> {
+    fn ends(&self) -> Vec<Ends<'_>> {
+        self.connectors.iter().map(|(inputs, output)| (&inputs[..], *output)).collect()
     }
 }
 

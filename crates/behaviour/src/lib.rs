@@ -24,6 +24,7 @@ mod size;
 mod spec;
 mod unseen;
 mod value;
+pub mod walk;
 mod words;
 
 pub use change::{Change, Edit};

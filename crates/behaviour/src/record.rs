@@ -288,10 +288,7 @@ impl Behaviour {
     /// The argument names of a connector: as given, else from the names of its inputs.
     #[must_use]
     pub fn arguments(&self, connector: &Connector) -> Vec<String> {
-        if let Some(Procedure::Body { args: Some(args), .. }) = connector.operation.procedure() {
-            return args.clone();
-        }
         let names = connector.inputs.iter().map(|id| self.stream(id).map_or("", |stream| stream.name.as_str()));
-        connector.operation.spec().argument_names(names)
+        connector.operation.arguments(names)
     }
 }

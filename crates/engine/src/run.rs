@@ -1,46 +1,18 @@
 //! A run: one behaviour in logical time, moved by readings and by time and by nothing else.
 
-mod kept;
-mod succession;
+mod handover;
+mod matching;
 
-pub use kept::Kept;
-pub use succession::Legacy;
+pub use handover::Handover;
+pub use matching::Matching;
 
-use crate::core::Core;
-use crate::end::{End, multiplied};
-use crate::event::Event;
-use crate::frame::Frame;
-use crate::graph::{ConnectorInfo, StreamInfo, Work};
-use crate::limits::Limits;
-use crate::stats::Stats;
-use crate::validate::{Fault, prepare};
-use behaviour::{BehaviourFile, Engine, Value};
+use crate::cost::Limits;
+use crate::procedure::Fault;
+use crate::program::{ConnectorInfo, Program, StreamInfo};
+use crate::timeline::{Core, Emission, End, Event, Frame, multiplied};
+use crate::values::{ConnectorIx, IndexVec, Stats, StreamIx};
+use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use robot::Millis;
-
-/// What a run tells its caller, in order.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Emission<'a> {
-    /// A value on a stream.
-    Value {
-        /// When, in logical time.
-        at: Millis,
-        /// The index of the stream.
-        stream: usize,
-        /// The value.
-        value: &'a Value,
-    },
-    /// A procedure dropped a value.
-    Fault {
-        /// When, in logical time.
-        at: Millis,
-        /// The index of the connector.
-        connector: usize,
-        /// In plain words.
-        error: &'a str,
-        /// True if the caller's interrupt ended the procedure.
-        deadline: bool,
-    },
-}
 
 /// One behaviour running. A further engine is one more variant of its mode.
 pub struct Run {
@@ -59,36 +31,43 @@ impl Run {
     /// # Errors
     /// Every reason why it cannot run.
     pub fn build(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
-        let core = Core::of(prepare(file, &limits)?, &limits);
-        let mode = match file.engine.unwrap_or_default() {
+        Program::of(file, limits).map(Self::of)
+    }
+
+    /// Begins a program; logical time is 0.
+    #[must_use]
+    pub fn of(program: Program) -> Self {
+        let engine = program.mode;
+        let core = Core::of(program);
+        let mode = match engine {
             Engine::Event => Mode::Event(Event::of(&core)),
             Engine::Frame { frame_ms } => Mode::Frame(Frame::of(&core.graph, frame_ms)),
         };
-        Ok(Self { core, mode })
+        Self { core, mode }
     }
 
     /// The streams, in the order of the file.
     #[must_use]
-    pub fn streams(&self) -> &[StreamInfo] {
+    pub fn streams(&self) -> &IndexVec<StreamIx, StreamInfo> {
         &self.core.graph.streams
     }
 
     /// The connectors, in the order of the file.
     #[must_use]
-    pub fn connectors(&self) -> &[ConnectorInfo] {
+    pub fn connectors(&self) -> &IndexVec<ConnectorIx, ConnectorInfo> {
         &self.core.graph.connectors
     }
 
-    /// The index of a stream by its id.
+    /// The number of a stream by its id.
     #[must_use]
-    pub fn stream_index(&self, id: &str) -> Option<usize> {
+    pub fn stream_index(&self, id: &str) -> Option<StreamIx> {
         self.core.graph.stream(id)
     }
 
     /// Gives a reading to a sensor stream; what is due strictly before `at` runs first. Times must not decrease, and
     /// an instant that [`Run::until`] closed takes nothing more: a reading that comes late counts as one of the next
     /// open instant. Readings for other streams and numbers that are not finite are ignored.
-    pub fn feed(&mut self, at: Millis, stream: usize, value: Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
+    pub fn feed(&mut self, at: Millis, stream: StreamIx, value: Value, out: &mut (impl FnMut(Emission) + ?Sized)) {
         let sensed = self.core.graph.sensed.get(stream).is_some_and(|sensed| *sensed);
         if !sensed || !value.is_finite() || self.core.end.is_some() {
             return;
@@ -133,9 +112,10 @@ impl Run {
 
     /// The last value that a connector gave: it is on its output still, or for a subscribe, on its input.
     #[must_use]
-    pub fn last_output(&self, connector: usize) -> Option<&Value> {
+    pub fn last_output(&self, connector: ConnectorIx) -> Option<&Value> {
         let (stats, info) = (self.stats(), self.connectors().get(connector)?);
-        let stream = if info.work == Work::Subscribe { *info.inputs.first()? } else { info.output };
+        let commands = self.streams()[info.output].kind == StreamKind::Actuator;
+        let stream = if commands { *info.inputs.first()? } else { info.output };
         let fired = stats.connectors[connector].fired > 0;
         stats.streams[stream].last().map(|(_, value)| value).filter(|_| fired)
     }
@@ -158,6 +138,6 @@ impl Run {
     /// What it counted so far.
     #[must_use]
     pub fn stats(&self) -> &Stats {
-        &self.core.stats
+        &self.core.context.stats
     }
 }

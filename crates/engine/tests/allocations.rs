@@ -40,7 +40,7 @@ fn count(mut run: Run, value: fn(u64) -> Value) -> (u64, u64) {
     let mut play = |from: u64, to: u64| {
         for t in from..to {
             let mut hear = |emission: Emission| match emission {
-                Emission::Value { stream, .. } => out += u64::from(stream == last),
+                Emission::Value { stream, .. } => out += u64::from(stream.index() == last),
                 Emission::Fault { error, .. } => panic!("{error}"),
             };
             run.feed(Millis(t), if t % 2 == 0 { ball } else { hand }, value(t), &mut hear);

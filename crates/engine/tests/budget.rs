@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{BehaviourFile, Value};
-use engine::{Emission, End, Limits, Run};
+use engine::{Emission, End, Limits, Run, StreamIx};
 use robot::Millis;
 use serde_json::json;
 use std::cell::Cell;
@@ -142,7 +142,7 @@ fn stop_ends_values_on_their_way_at_the_question_that_it_answers() {
         let mut run = build(&diamonds(many, "merge", ["v + 1", "v"], &mode), limits);
         let mut count = 0_u64;
         for at in 0..3 {
-            run.feed(Millis(at * 100), 0, Value::Int(1), &mut |_: Emission| count += 1);
+            run.feed(Millis(at * 100), StreamIx::of(0), Value::Int(1), &mut |_: Emission| count += 1);
             run.until(Millis(at * 100 + 50), &mut |_: Emission| count += 1);
         }
         assert_eq!((run.ended(), asked.get()), (Some(End::Stopped), 3), "{mode}");
@@ -156,7 +156,7 @@ fn stop_is_asked_for_also_where_each_reading_takes_a_short_way() {
     let mut run = build(&diamonds(2, "merge", ["v + 1", "v"], &json!("event")), Limits::default().stopped_by(hook));
     let mut readings = 0;
     while run.ended().is_none() {
-        run.feed(Millis(readings), 0, Value::Int(1), &mut |_: Emission| {});
+        run.feed(Millis(readings), StreamIx::of(0), Value::Int(1), &mut |_: Emission| {});
         readings += 1;
         assert!(readings < 1_000, "asked {} times", asked.get());
     }

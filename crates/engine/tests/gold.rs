@@ -36,10 +36,10 @@ fn play(case: &Path, mode: Engine, compiled: bool) -> Vec<Json> {
     let mut show = |emission: Emission| {
         shown.push(match emission {
             Emission::Value { at, stream, value } => {
-                serde_json::json!({"t": at.0, "stream": streams[stream], "value": value})
+                serde_json::json!({"t": at.0, "stream": streams[stream.index()], "value": value})
             }
             Emission::Fault { at, connector, error, .. } => {
-                serde_json::json!({"t": at.0, "connector": connectors[connector], "error": error})
+                serde_json::json!({"t": at.0, "connector": connectors[connector.index()], "error": error})
             }
         });
     };

@@ -15,7 +15,7 @@ mod plain;
 
 use behaviour::{BehaviourFile, Engine};
 use chance::Chance;
-use engine::{Emission, Limits, Run};
+use engine::{Emission, Limits, Run, StreamIx};
 use graphs::Reading;
 use plain::Said;
 use robot::Millis;
@@ -28,12 +28,12 @@ fn product(file: &BehaviourFile, trace: &[Reading], until: u64, limits: Limits) 
     let mut said = Vec::new();
     let mut hear = |emission: Emission| {
         said.push(match emission {
-            Emission::Value { at, stream, value } => Said::Value(at.0, stream, value.clone()),
-            Emission::Fault { at, connector, .. } => Said::Fault(at.0, connector),
+            Emission::Value { at, stream, value } => Said::Value(at.0, stream.index(), value.clone()),
+            Emission::Fault { at, connector, .. } => Said::Fault(at.0, connector.index()),
         });
     };
     for reading in trace {
-        run.feed(Millis(reading.at), reading.stream, reading.value.clone(), &mut hear);
+        run.feed(Millis(reading.at), StreamIx::of(reading.stream), reading.value.clone(), &mut hear);
     }
     run.finish(Millis(until), &mut hear);
     said

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{BehaviourFile, Value};
-use engine::{Emission, Limits, Run, validate};
+use engine::{ConnectorIx, Emission, Limits, Run, StreamIx, validate};
 use robot::Millis;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -46,8 +46,8 @@ fn said(run: &mut Run, act: impl FnOnce(&mut Run, &mut dyn FnMut(Emission))) -> 
     let mut lines = Vec::new();
     act(run, &mut |emission| {
         lines.push(match emission {
-            Emission::Value { at, stream, value } => format!("{} {}={value}", at.0, streams[stream]),
-            Emission::Fault { at, connector, .. } => format!("{} {}!", at.0, connectors[connector]),
+            Emission::Value { at, stream, value } => format!("{} {}={value}", at.0, streams[stream.index()]),
+            Emission::Fault { at, connector, .. } => format!("{} {}!", at.0, connectors[connector.index()]),
         });
     });
     lines.join(", ")
@@ -117,13 +117,13 @@ fn a_faulting_combine_keeps_the_new_value() {
     assert_eq!(feed(&mut run, 1, "b", 0), "1 b=0, 1 c1!");
     assert_eq!(feed(&mut run, 2, "a", 2), "2 a=2, 2 c1!");
     assert_eq!(feed(&mut run, 3, "b", 5), "3 b=5, 3 c=4");
-    let stats = &run.stats().connectors[0];
-    assert_eq!((stats.fired, stats.faults, run.last_output(0)), (1, 2, Some(&Value::Int(4))));
+    let stats = &run.stats().connectors[ConnectorIx::of(0)];
+    assert_eq!((stats.fired, stats.faults, run.last_output(ConnectorIx::of(0))), (1, 2, Some(&Value::Int(4))));
     let fault = stats.last_fault.as_ref().unwrap();
     assert_eq!(fault.at, Millis(2));
     assert_eq!(fault.error, "division by zero has no result; check first that the number is not 0");
     assert_eq!(fault.inputs, [Value::Int(2), Value::Int(0)]);
-    assert_eq!(run.stats().streams[0].count, 2);
+    assert_eq!(run.stats().streams[StreamIx::of(0)].count, 2);
 }
 
 #[test]
@@ -152,11 +152,11 @@ fn an_interrupt_is_told_apart_and_counted_in_a_row() {
     let mut run = Run::build(&file, limits).map_err(|faults| faults[0].to_string()).unwrap();
     for at in 1..=3 {
         assert_eq!(feed(&mut run, at, "a", 1), format!("{at} a=1, {at} c1!"));
-        assert_eq!(u64::from(run.stats().connectors[0].deadlines_in_a_row), at);
+        assert_eq!(u64::from(run.stats().connectors[ConnectorIx::of(0)].deadlines_in_a_row), at);
     }
     stop.set(false);
     assert_eq!(feed(&mut run, 4, "a", 1), "4 a=1, 4 b=1");
-    assert_eq!(run.stats().connectors[0].deadlines_in_a_row, 0);
+    assert_eq!(run.stats().connectors[ConnectorIx::of(0)].deadlines_in_a_row, 0);
 }
 
 #[test]

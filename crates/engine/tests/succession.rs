@@ -8,7 +8,7 @@ mod graphs;
 
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use chance::Chance;
-use engine::{Emission, Kept, Limits, Run};
+use engine::{ConnectorIx, Emission, Limits, Matching, Run, StreamIx};
 use graphs::Reading;
 use robot::Millis;
 use std::collections::BTreeSet;
@@ -56,8 +56,8 @@ fn names(run: &Run) -> (Vec<String>, Vec<String>) {
 
 fn heard(emission: &Emission, streams: &[String], connectors: &[String]) -> Said {
     match *emission {
-        Emission::Value { at, stream, value } => Said::Value(at.0, streams[stream].clone(), value.clone()),
-        Emission::Fault { at, connector, .. } => Said::Fault(at.0, connectors[connector].clone()),
+        Emission::Value { at, stream, value } => Said::Value(at.0, streams[stream.index()].clone(), value.clone()),
+        Emission::Fault { at, connector, .. } => Said::Fault(at.0, connectors[connector.index()].clone()),
     }
 }
 
@@ -69,7 +69,7 @@ fn swapped(old: &BehaviourFile, new: &BehaviourFile, case: &Case) -> (Run, Vec<S
         close(&mut first, at, &mut said);
     }
     let mut second = build(new);
-    second.succeed(first.legacy(), &Kept::between(old, new));
+    second.resume_from(first.handover(), &Matching::between(old, new));
     let begins = said.len();
     play(&mut second, &case.trace[case.cut..], old, &mut said);
     close(&mut second, case.until, &mut said);
@@ -235,7 +235,7 @@ fn file(connectors: &str) -> BehaviourFile {
 const BOTH: &str = r#"{"id":"k","type":"combineLatest","inputs":["a","b"],"output":"c","body":"more(redBall) - b"}"#;
 
 fn keeps(old: &BehaviourFile, new: &BehaviourFile) -> bool {
-    Kept::between(old, new).connectors.contains_key(&0)
+    Matching::between(old, new).connectors.contains_key(&ConnectorIx::of(0))
 }
 
 #[test]
@@ -275,21 +275,21 @@ fn a_sample_and_a_combination_go_on_and_counts_stay() {
     let (old, mut said) = (graph(100, ""), Vec::new());
     let mut run = build(&old);
     let mut hear = |_: Emission| {};
-    run.feed(Millis(10), 1, Value::Int(5), &mut hear);
-    run.feed(Millis(20), 0, Value::Int(1), &mut hear);
+    run.feed(Millis(10), StreamIx::of(1), Value::Int(5), &mut hear);
+    run.feed(Millis(20), StreamIx::of(0), Value::Int(1), &mut hear);
     run.until(Millis(60), &mut hear);
     let follow = |new: &BehaviourFile| {
         let mut next = build(new);
-        next.succeed(run.legacy(), &Kept::between(&old, new));
+        next.resume_from(run.handover(), &Matching::between(&old, new));
         next
     };
     let mut same = follow(&graph(100, ""));
-    assert_eq!((same.next_due(), same.stats().streams[1].count), (Some(Millis(100)), 1));
+    assert_eq!((same.next_due(), same.stats().streams[StreamIx::of(1)].count), (Some(Millis(100)), 1));
     close(&mut same, 100, &mut said);
     assert_eq!(said[1], Said::Value(100, "d".into(), Value::Int(6)));
     let other = follow(&graph(50, ""));
     assert_eq!(other.next_due(), None, "a sample with another beat begins anew");
-    assert_eq!(other.stats().streams[0].count, 1);
+    assert_eq!(other.stats().streams[StreamIx::of(0)].count, 1);
     let mut framed = graph(100, "");
     framed.engine = Some(Engine::Frame { frame_ms: 30 });
     let mut framed = follow(&framed);
@@ -298,7 +298,7 @@ fn a_sample_and_a_combination_go_on_and_counts_stay() {
     close(&mut framed, 120, &mut said);
     assert_eq!(said[1], Said::Value(120, "d".into(), Value::Int(6)));
     let mut back = follow(&graph(100, ""));
-    back.feed(Millis(30), 0, Value::Int(9), &mut |emission| {
+    back.feed(Millis(30), StreamIx::of(0), Value::Int(9), &mut |emission| {
         assert!(matches!(emission, Emission::Value { at: Millis(61), .. }), "closed instants stay closed");
     });
 }
@@ -308,7 +308,7 @@ fn a_stream_of_another_device_begins_anew() {
     let old = file(BOTH);
     let mut new = old.clone();
     new.streams[0].device = Some("RedBall".into());
-    let kept = Kept::between(&old, &new);
-    assert!(!kept.streams.contains_key(&0) && kept.streams.contains_key(&1));
+    let matching = Matching::between(&old, &new);
+    assert!(!matching.streams.contains_key(&StreamIx::of(0)) && matching.streams.contains_key(&StreamIx::of(1)));
     assert_eq!(old.streams[0].kind, StreamKind::Sensor);
 }

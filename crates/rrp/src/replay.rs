@@ -6,7 +6,7 @@ mod recording;
 
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use clap::{Args, ValueEnum};
-use engine::{Limits, Run};
+use engine::{Limits, Run, StreamIx};
 use play::{Player, play};
 use printer::Printer;
 use robot::Millis;
@@ -79,7 +79,7 @@ pub(crate) enum Refused {
 }
 
 /// A reading for a stream by index.
-pub(crate) type Reading = (Millis, usize, Value);
+pub(crate) type Reading = (Millis, StreamIx, Value);
 
 /// What is replayed.
 struct Trace {
@@ -220,7 +220,7 @@ fn parse_line(line: &str, latest: u64) -> Result<(Millis, String, Value), String
 }
 
 /// A sensor stream by its id.
-fn sensor(run: &Run, stream: &str) -> Result<usize, String> {
+fn sensor(run: &Run, stream: &str) -> Result<StreamIx, String> {
     let at = run.stream_index(stream).ok_or_else(|| format!("there is no stream {stream:?}"))?;
     let is_sensor = run.streams()[at].kind == StreamKind::Sensor;
     if is_sensor { Ok(at) } else { Err(format!("{stream:?} is no sensor stream")) }

@@ -3,7 +3,7 @@
 use crate::chance::Chance;
 use crate::graphs;
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
-use engine::{Emission, Limits, Run};
+use engine::{Emission, Limits, Run, StreamIx};
 use robot::Millis;
 use serde_json::{Value as Json, json};
 
@@ -109,15 +109,19 @@ fn play(file: &BehaviourFile, readings: &[Reading]) -> Vec<u8> {
     let mut lines = String::new();
     let mut note = |emission: Emission| {
         let line = match emission {
-            Emission::Value { at, stream, value } => json!({"t": at.0, "stream": streams[stream], "value": value}),
-            Emission::Fault { at, connector, error, .. } => json!({"t": at.0, "connector": connector, "error": error}),
+            Emission::Value { at, stream, value } => {
+                json!({"t": at.0, "stream": streams[stream.index()], "value": value})
+            }
+            Emission::Fault { at, connector, error, .. } => {
+                json!({"t": at.0, "connector": connector.index(), "error": error})
+            }
         };
         lines.push_str(&line.to_string());
         lines.push('\n');
     };
     for (at, stream, value) in readings {
         let stream = file.streams.iter().position(|known| known.id == *stream && known.kind == StreamKind::Sensor);
-        run.feed(Millis(*at), stream.expect("a sensor"), value.clone(), &mut note);
+        run.feed(Millis(*at), StreamIx::of(stream.expect("a sensor")), value.clone(), &mut note);
     }
     run.finish(Millis(readings.last().map_or(0, |last| last.0) + 200), &mut note);
     lines.into_bytes()

@@ -133,12 +133,16 @@ impl FileConnector {
         Ok((find(&self.id)?, connector))
     }
 
-    fn operation(&self) -> Result<Operation, String> {
+    /// What it does.
+    ///
+    /// # Errors
+    /// Why it is no connector, in plain words.
+    pub fn operation(&self) -> Result<Operation, String> {
         let word = &self.operation;
         let spec = connectors::spec(word).ok_or_else(|| format!("there is no connector {word:?}"))?;
         let procedure = if spec.takes.procedure.is_some() { self.procedure()? } else { None };
         if spec.takes.period.is_some() && self.period_ms.is_none() {
-            return Err(format!("{word} needs periodMs"));
+            return Err(format!("{word} needs a periodMs of 1 or more"));
         }
         Ok(spec.with(Parameters { procedure, period_ms: self.period_ms, start: self.start.clone() }))
     }

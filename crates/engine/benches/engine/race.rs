@@ -76,7 +76,7 @@ fn other(graph: &Graph, mut peer: Peer) -> Runner {
 /// A run, and what feeds it the readings of its graph in turn, a millisecond apart.
 pub(crate) struct Playing {
     pub(crate) run: Run,
-    readings: Rc<[(usize, behaviour::Value)]>,
+    readings: Rc<[(engine::StreamIx, behaviour::Value)]>,
     at: usize,
 }
 
@@ -122,7 +122,7 @@ fn wanted(graph: &Graph) -> Json {
     for _ in 0..WARM_CYCLES * graph.readings.len() as u64 {
         playing.next(&mut |emission| {
             if let Emission::Value { stream, value, .. } = emission
-                && let Some(leaf) = leaves.iter().find(|leaf| **leaf == graph.file.streams[stream].id)
+                && let Some(leaf) = leaves.iter().find(|leaf| **leaf == graph.file.streams[stream.index()].id)
             {
                 let heard = said.entry(leaf.clone()).or_insert_with(|| json!([]));
                 heard.as_array_mut().unwrap().push(json!(value));

@@ -2,7 +2,7 @@
 
 use super::ReplayArgs;
 use behaviour::{BehaviourFile, Id, StreamKind, Value};
-use engine::{Claim, Emission, Precedence};
+use engine::{Claim, Emission, Precedence, StreamIx};
 use robot::{Millis, Use};
 use std::io::Write;
 
@@ -28,7 +28,7 @@ impl<'a> Printer<'a> {
         match *emission {
             Emission::Value { at, stream, value } => self.print_value(number, at, stream, value),
             Emission::Fault { at, connector, error, .. } if self.args.errors => {
-                let id = quoted(&self.files[number].connectors[connector].id);
+                let id = quoted(&self.files[number].connectors[connector.index()].id);
                 self.line(number, at, &format!("\"connector\":{id},\"error\":{}", quoted(error)));
             }
             Emission::Fault { .. } => {}
@@ -36,15 +36,15 @@ impl<'a> Printer<'a> {
     }
 
     /// A behaviour ended by itself at a stream.
-    pub(super) fn print_end(&mut self, number: usize, at: Millis, stream: usize, reason: &str) {
+    pub(super) fn print_end(&mut self, number: usize, at: Millis, stream: StreamIx, reason: &str) {
         if self.args.errors {
-            let id = quoted(&self.files[number].streams[stream].id);
+            let id = quoted(&self.files[number].streams[stream.index()].id);
             self.line(number, at, &format!("\"stream\":{id},\"error\":{}", quoted(reason)));
         }
     }
 
-    fn print_value(&mut self, number: usize, at: Millis, stream: usize, value: &Value) {
-        let info = &self.files[number].streams[stream];
+    fn print_value(&mut self, number: usize, at: Millis, stream: StreamIx, value: &Value) {
+        let info = &self.files[number].streams[stream.index()];
         let command = info.kind == StreamKind::Actuator;
         if !command && !self.args.probe {
             return;
@@ -57,9 +57,9 @@ impl<'a> Printer<'a> {
     }
 
     /// Who keeps a command from its parts, as the rest of its line; nothing if nobody does.
-    fn held(&mut self, number: usize, at: Millis, stream: usize) -> String {
+    fn held(&mut self, number: usize, at: Millis, stream: StreamIx) -> String {
         let Some(by) = user(number, stream) else { return String::new() };
-        let claim = &self.claims[number][stream];
+        let claim = &self.claims[number][stream.index()];
         let Err(held) = self.parts.command(at, &by, claim, |one, other| one < other) else { return String::new() };
         let holder = usize::try_from(held.by.run).ok().and_then(|number| self.files.get(number));
         let at = held.by.stream.as_str().parse::<usize>().ok();
@@ -82,8 +82,8 @@ impl<'a> Printer<'a> {
 }
 
 /// A stream as a use of the robot: by numbers, since ids of files may be any text.
-fn user(number: usize, stream: usize) -> Option<Use> {
-    Some(Use { run: number as u64, stream: Id::new(&stream.to_string()).ok()? })
+fn user(number: usize, stream: StreamIx) -> Option<Use> {
+    Some(Use { run: number as u64, stream: Id::new(&stream.index().to_string()).ok()? })
 }
 
 /// A value as JSON: floats bit for bit, whole numbers without a point.

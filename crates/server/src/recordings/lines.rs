@@ -2,6 +2,7 @@
 
 use super::About;
 use behaviour::{BehaviourFile, Engine, Value};
+use engine::{ConnectorIx, IndexVec, StreamIx};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -51,9 +52,9 @@ impl<'a> Header<'a> {
 #[derive(Clone, Debug)]
 pub(super) enum Line {
     /// A reading or an output.
-    Value { at_ms: u64, stream: usize, value: Value },
+    Value { at_ms: u64, stream: StreamIx, value: Value },
     /// A value that a procedure dropped.
-    Fault { at_ms: u64, connector: usize, error: String },
+    Fault { at_ms: u64, connector: ConnectorIx, error: String },
     /// An edited behaviour goes on from here.
     Applied { at_ms: u64, revision: u64 },
     /// Somebody marked a moment.
@@ -86,11 +87,11 @@ pub(super) struct End {
     pub(super) why: String,
 }
 
-/// The ids of streams and connectors as JSON texts, by index.
+/// The ids of streams and connectors as JSON texts.
 #[derive(Debug)]
 pub(super) struct Names {
-    streams: Vec<String>,
-    connectors: Vec<String>,
+    streams: IndexVec<StreamIx, String>,
+    connectors: IndexVec<ConnectorIx, String>,
 }
 
 impl Names {

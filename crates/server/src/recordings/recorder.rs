@@ -4,6 +4,7 @@ use super::Open;
 use super::lines::{End, Header, Line, Names, Note, json};
 use super::writer::{Batch, Progress, write};
 use behaviour::{BehaviourFile, Value};
+use engine::{ConnectorIx, StreamIx};
 use protocol::Recorded;
 use std::fs::File;
 use std::io::Write;
@@ -24,12 +25,12 @@ pub(crate) struct Step(Vec<Line>);
 
 impl Step {
     /// A reading was admitted, or an action was told a value.
-    pub(crate) fn value(&mut self, at_ms: u64, stream: usize, value: &Value) {
+    pub(crate) fn value(&mut self, at_ms: u64, stream: StreamIx, value: &Value) {
         self.0.push(Line::Value { at_ms, stream, value: value.clone() });
     }
 
     /// A procedure dropped a value.
-    pub(crate) fn fault(&mut self, at_ms: u64, connector: usize, error: &str) {
+    pub(crate) fn fault(&mut self, at_ms: u64, connector: ConnectorIx, error: &str) {
         self.0.push(Line::Fault { at_ms, connector, error: error.to_owned() });
     }
 }
@@ -194,7 +195,7 @@ mod tests {
         let mut recorder = Recorder::over("x".to_owned(), queue, progress.clone(), &file());
         let mut step = Step::default();
         for at_ms in 0..3 * BATCH_MAX_LINES as u64 {
-            step.value(at_ms, 0, &Value::Int(1));
+            step.value(at_ms, StreamIx::of(0), &Value::Int(1));
             recorder.take(&mut step, 0);
         }
         assert_eq!(recorder.news().unwrap().lost, 2 * BATCH_MAX_LINES as u64, "only the first batch found room");
@@ -239,7 +240,7 @@ mod tests {
         let mut recorder = Recorder::over("x".to_owned(), queue, progress.clone(), &file());
         assert!(recorder.news().is_some() && recorder.next_look().is_none(), "nothing is on its way");
         let mut step = Step::default();
-        step.value(1, 0, &Value::Int(1));
+        step.value(1, StreamIx::of(0), &Value::Int(1));
         recorder.take(&mut step, 0);
         recorder.flush();
         assert!(recorder.next_look().is_some(), "the run looks again");
@@ -260,7 +261,7 @@ mod tests {
         let (queue, batches) = sync_channel(4);
         let mut recorder = Recorder::over("x".to_owned(), queue, Arc::default(), &file());
         let mut step = Step::default();
-        step.value(1, 0, &Value::Int(1));
+        step.value(1, StreamIx::of(0), &Value::Int(1));
         recorder.forget(&mut step);
         recorder.take(&mut step, 0);
         recorder.flush();

@@ -4,6 +4,7 @@ use super::gate::Gate;
 use super::live::LiveValues;
 use super::mailbox::{Keep, Mailbox};
 use behaviour::{BehaviourFile, Id};
+use engine::StreamIx;
 use protocol::{RunPhase, RunState};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -29,7 +30,7 @@ struct Preparing {
 }
 
 /// The sensor streams of a run by id: their index, and which readings wait.
-pub(super) type Senses = BTreeMap<Id, (usize, Keep)>;
+pub(super) type Senses = BTreeMap<Id, (StreamIx, Keep)>;
 
 /// Taken while somebody applies an edited behaviour to a run.
 #[derive(Clone, Debug, Default)]

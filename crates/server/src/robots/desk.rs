@@ -6,7 +6,7 @@ use super::gate::Gate;
 use super::mailbox::Mailbox;
 use crate::lock;
 use behaviour::{Id, Params, StreamKind, Value};
-use engine::Claim;
+use engine::{Claim, StreamIx};
 use robot::{SceneEdit, Use, Waiting};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -70,7 +70,7 @@ pub(super) struct Wanted {
     /// The stream.
     pub(super) stream: Id,
     /// The stream's index in the run.
-    pub(super) index: usize,
+    pub(super) index: StreamIx,
     /// What people call it.
     pub(super) name: String,
     /// The device.

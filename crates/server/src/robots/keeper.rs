@@ -6,7 +6,7 @@ use super::gate::Gate;
 use super::house::House;
 use super::mailbox::{Keep, Mailbox};
 use behaviour::Id;
-use engine::{HeldBy, Precedence};
+use engine::{HeldBy, Precedence, StreamIx};
 use protocol::HeldPart;
 use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
 use std::collections::BTreeMap;
@@ -70,7 +70,7 @@ struct User {
     behaviour: (Id, String),
     gate: Arc<Gate>,
     mailbox: Arc<Mailbox>,
-    streams: BTreeMap<Id, (usize, Keep)>,
+    streams: BTreeMap<Id, (StreamIx, Keep)>,
     devices: Vec<Wanted>,
 }
 

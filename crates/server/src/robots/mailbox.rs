@@ -4,6 +4,7 @@ use super::fair::Fair;
 use super::successor::Successor;
 use crate::lock;
 use behaviour::{Id, StreamKind, Value};
+use engine::StreamIx;
 use robot::Waiting;
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex};
@@ -44,8 +45,8 @@ impl Keep {
 /// A reading and when it arrived.
 #[derive(Debug)]
 pub(super) struct Arrived {
-    /// Index of the stream in the run.
-    pub(super) stream: usize,
+    /// The stream of the run.
+    pub(super) stream: StreamIx,
     /// When it came into the mailbox.
     pub(super) at: Instant,
     /// What was read.
@@ -87,7 +88,7 @@ pub(super) struct Mailbox {
 
 #[derive(Debug, Default)]
 struct Inbox {
-    readings: Fair<(usize, Keep), (Instant, Value)>,
+    readings: Fair<(StreamIx, Keep), (Instant, Value)>,
     refused: BTreeMap<Id, (u64, String)>,
     successor: Option<Successor>,
     marks: Vec<Mark>,
@@ -97,7 +98,7 @@ struct Inbox {
 
 impl Mailbox {
     /// Puts a reading in.
-    pub(super) fn put(&self, stream: usize, keep: Keep, value: Value) {
+    pub(super) fn put(&self, stream: StreamIx, keep: Keep, value: Value) {
         let mut inbox = lock(&self.inbox);
         inbox.readings.push((stream, keep), keep.readings_max(), (Instant::now(), value));
         // Who is woken must not find the mailbox locked.
@@ -194,8 +195,8 @@ mod tests {
     fn a_camera_keeps_its_newest_and_a_touch_keeps_every_one() {
         let mailbox = Mailbox::default();
         for at in 0..300_i64 {
-            mailbox.put(0, Keep::Newest, Value::Int(at));
-            mailbox.put(1, Keep::All, Value::Int(at));
+            mailbox.put(StreamIx::of(0), Keep::Newest, Value::Int(at));
+            mailbox.put(StreamIx::of(1), Keep::All, Value::Int(at));
         }
         let post = mailbox.take(None);
         let of = |stream| post.readings.iter().filter(move |reading| reading.stream == stream);

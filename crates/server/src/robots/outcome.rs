@@ -5,7 +5,7 @@ use super::runner::{Job, devices};
 use super::tally::Tally;
 use crate::recordings::{Recorder, Step};
 use behaviour::{StreamKind, Value};
-use engine::{Emission, End, Run};
+use engine::{ConnectorIx, Emission, End, IndexVec, Run, StreamIx};
 use robot::{Millis, Use};
 use std::cell::Cell;
 use std::collections::BTreeMap;
@@ -19,15 +19,15 @@ pub(super) struct Outcome<'a> {
     /// What it counted.
     pub(super) tally: Tally,
     /// For every actuator stream its use and device.
-    uses: BTreeMap<usize, (Use, String)>,
+    uses: BTreeMap<StreamIx, (Use, String)>,
     /// When the procedure that runs now began, or a little before.
     pub(super) clock: Rc<Cell<Instant>>,
     /// The connector that took too long last.
-    pub(super) too_long: Option<usize>,
+    pub(super) too_long: Option<ConnectorIx>,
     /// What is recorded, if it is.
     pub(super) recorder: Option<Recorder>,
     /// By stream whether it is an action's.
-    acts: Vec<bool>,
+    acts: IndexVec<StreamIx, bool>,
     step: Step,
     /// Values that took too long in this step.
     late: u64,
@@ -39,7 +39,8 @@ impl<'a> Outcome<'a> {
     /// For a run that commands these devices.
     pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
         let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
-        let acts: Vec<bool> = run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
+        let acts: IndexVec<StreamIx, bool> =
+            run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
         let uses = devices(run, &job.start.file).into_iter().filter(|wanted| acts[wanted.index]).map(of).collect();
         let (recorder, step) = (None, Step::default());
         Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
@@ -74,7 +75,7 @@ impl<'a> Outcome<'a> {
     }
 
     /// A reading is about to be fed.
-    pub(super) fn reading(&mut self, at: Millis, stream: usize, value: &Value) {
+    pub(super) fn reading(&mut self, at: Millis, stream: StreamIx, value: &Value) {
         if self.recorder.is_some() && value.is_finite() {
             self.step.value(at.0, stream, value);
         }

@@ -143,9 +143,9 @@ fn in_one_sentence(faults: &[engine::Fault]) -> String {
 /// The devices it uses, actions before senses, each in file order.
 pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<Wanted> {
     let of = |kind: StreamKind| {
-        run.streams().iter().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
+        run.streams().enumerate().filter(move |(_, info)| info.kind == kind).filter_map(|(index, info)| {
             let (stream, device) = (Id::new(&info.id).ok()?, info.device.clone()?);
-            let (claim, params) = (Claim::of(&file.streams[index]), info.params.clone());
+            let (claim, params) = (Claim::of(&file.streams[index.index()]), info.params.clone());
             Some(Wanted { stream, index, name: info.name.clone(), device, params, claim })
         })
     };
@@ -266,7 +266,7 @@ impl<'a> Runner<'a> {
 
     fn hand_over(self, to: Successor) -> End {
         let baton = Baton {
-            legacy: self.run.legacy(),
+            handover: self.run.handover(),
             tally: self.outcome.tally,
             recorder: self.outcome.recorder,
             began: self.began,

@@ -8,7 +8,7 @@ use super::runner::{self, Job, Runner, devices, open, senses};
 use super::tally::Tally;
 use crate::lock;
 use crate::recordings::Recorder;
-use engine::{Kept, Legacy, Run};
+use engine::{Handover, Matching, Run};
 use protocol::RunState;
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -25,7 +25,7 @@ pub(super) struct Successor(SyncSender<Baton>);
 /// What one run hands over to the next.
 pub(super) struct Baton {
     /// What the run remembers.
-    pub(super) legacy: Legacy,
+    pub(super) handover: Handover,
     /// What it counted.
     pub(super) tally: Tally,
     /// What is recorded, if it is.
@@ -62,12 +62,12 @@ pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<R
 fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState), String> {
     let clock = Rc::new(Cell::new(Instant::now()));
     let run = runner::build(job, &clock)?;
-    let kept = Kept::between(&before.file, &job.start.file);
+    let matching = Matching::between(&before.file, &job.start.file);
     let mailbox = Arc::new(Mailbox::default());
     open(job, &mailbox, devices(&run, &job.start.file), true)?;
     let baton = baton(job, &run, &mailbox)?;
     let state = job.house.applied(job.run, &job.start).ok_or_else(stopped)?;
-    Ok((go_on(job, run, baton, &kept, mailbox, clock), state))
+    Ok((go_on(job, run, baton, &matching, mailbox, clock), state))
 }
 
 /// From now on readings go to the new run, where they wait; the old one hands over after its last ones.
@@ -84,13 +84,13 @@ fn go_on<'a>(
     job: &'a Job,
     mut run: Run,
     baton: Baton,
-    kept: &Kept,
+    matching: &Matching,
     mailbox: Arc<Mailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
-    let Baton { legacy, tally, recorder, began, open_ms } = baton;
-    run.succeed(legacy, kept);
-    let tally = tally.succeeded(&run, kept);
+    let Baton { handover, tally, recorder, began, open_ms } = baton;
+    run.resume_from(handover, matching);
+    let tally = tally.succeeded(&run, matching);
     Runner::new(job, run, mailbox, tally, clock).since(began, open_ms, recorder)
 }
 

@@ -3,7 +3,7 @@
 use super::beats::{Beats, SLOT_MS};
 use super::live::{Changes, LiveValues};
 use behaviour::Id;
-use engine::{ConnectorStats, Kept, Run, StreamStats};
+use engine::{ConnectorIx, ConnectorStats, IndexVec, Matching, Run, StreamIx, StreamStats};
 use protocol::{ConnectorSample, StreamSample};
 use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
@@ -14,8 +14,8 @@ const TELL_MS: u64 = 33;
 /// Counts of one run.
 pub(super) struct Tally {
     live: LiveValues,
-    streams: Vec<StreamTally>,
-    connectors: Vec<ConnectorTally>,
+    streams: IndexVec<StreamIx, StreamTally>,
+    connectors: IndexVec<ConnectorIx, ConnectorTally>,
     changes: Changes,
     is_stale: bool,
     told: Instant,
@@ -30,7 +30,7 @@ struct StreamTally {
 
 struct ConnectorTally {
     id: Option<Id>,
-    output: usize,
+    output: StreamIx,
     told: (u64, u64),
     refused: u64,
     refusal: Option<String>,
@@ -53,13 +53,13 @@ impl Tally {
     }
 
     /// For the run that follows: rates and refusals of what stays the same go on, and everything is told once more.
-    pub(super) fn succeeded(mut self, run: &Run, kept: &Kept) -> Self {
+    pub(super) fn succeeded(mut self, run: &Run, matching: &Matching) -> Self {
         self.live.renew(run.streams().len(), run.connectors().len());
         let mut next = Self::new(self.live.clone(), run);
-        for (&from, &to) in &kept.streams {
+        for (&from, &to) in &matching.streams {
             next.streams[to].beats = self.streams[from].beats;
         }
-        for (&from, &to) in &kept.connectors {
+        for (&from, &to) in &matching.connectors {
             let before = &mut self.connectors[from];
             (next.connectors[to].refused, next.connectors[to].refusal) = (before.refused, before.refusal.take());
         }
@@ -68,11 +68,9 @@ impl Tally {
     }
 
     /// A value was carried by a stream.
-    pub(super) fn carried(&mut self, stream: usize, at_ms: u64) {
+    pub(super) fn carried(&mut self, stream: StreamIx, at_ms: u64) {
         self.is_stale = true;
-        if let Some(tally) = self.streams.get_mut(stream) {
-            tally.beats.beat(at_ms);
-        }
+        self.streams[stream].beats.beat(at_ms);
     }
 
     /// A procedure failed.
@@ -83,7 +81,8 @@ impl Tally {
     /// The robot dropped commands; shown on the connector that gave them.
     pub(super) fn refused(&mut self, refused: BTreeMap<Id, (u64, String)>) {
         for (stream, (count, reason)) in refused {
-            let index = self.streams.iter().position(|tally| tally.id.as_ref() == Some(&stream));
+            let index =
+                self.streams.enumerate().find(|(_, tally)| tally.id.as_ref() == Some(&stream)).map(|(at, _)| at);
             if let Some(giver) = self.connectors.iter_mut().find(|tally| Some(tally.output) == index) {
                 giver.refused += count;
                 giver.refusal = Some(reason);

@@ -10,7 +10,7 @@ use crate::robots::keeper::{Keeper, Make, RoomRobot, keep};
 use crate::robots::mailbox::Mailbox;
 use crate::robots::order::Order;
 use behaviour::{Params, Value};
-use engine::Claim;
+use engine::{Claim, StreamIx};
 use robot::Use;
 use std::sync::mpsc::{Receiver, sync_channel};
 use std::sync::{Arc, Mutex};
@@ -50,7 +50,7 @@ impl Still {
     fn open(&self) -> Receiver<Result<(), String>> {
         let claim = Claim { resources: Vec::new(), priority: 0, hold_ms: 0 };
         let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
-        let devices = vec![Wanted { stream: id("page"), index: 0, name, device, params, claim }];
+        let devices = vec![Wanted { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
         let (answer, opened) = sync_channel(1);
         let (behaviour, gate, mailbox) = ((id("one"), String::new()), self.gate.clone(), Arc::new(Mailbox::default()));
         self.house.desk.open(Opening { run: 1, behaviour, gate, mailbox, devices, follows: false, answer });

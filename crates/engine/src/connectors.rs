@@ -1,0 +1,92 @@
+//! What connectors do with values, one file a connector: in event mode, in frame mode, and when one run follows another.
+
+mod combine_latest;
+mod context;
+mod filter;
+mod map;
+mod memory;
+mod merge;
+mod op;
+mod sample;
+mod subscribe;
+mod timestamp;
+
+use crate::procedure::Failed;
+use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
+use robot::Millis;
+
+pub(crate) use context::{Context, Outcome};
+pub(crate) use memory::Memory;
+pub(crate) use op::{Op, Turn};
+
+/// All connectors, in the order of their names.
+const ALL: [&Kind; 7] =
+    [&combine_latest::KIND, &filter::KIND, &map::KIND, &merge::KIND, &sample::KIND, &subscribe::KIND, &timestamp::KIND];
+
+/// A kind of connector, as the engine runs it.
+pub(crate) struct Kind {
+    /// Its word in files.
+    word: &'static str,
+    /// What event mode does when one of its inputs has a value: [`Op::Take`], unless measuring says otherwise.
+    pub(crate) op: Op,
+    /// Makes one, with what was chosen for it.
+    pub(crate) make: fn(&Choice) -> Box<dyn Connector>,
+}
+
+/// What was chosen for a connector, besides its procedure.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Choice {
+    /// How many streams it takes from.
+    pub(crate) inputs: usize,
+    /// The duration in milliseconds, 1 or more, if it takes one.
+    pub(crate) period_ms: u64,
+}
+
+/// One connector of a run, with what it remembers.
+pub(crate) trait Connector {
+    /// Event mode: takes the last value of one of its inputs.
+    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome;
+
+    /// Frame mode: its turn in a frame in which it has a value at one of its inputs. What it gives now.
+    ///
+    /// # Errors
+    /// The fault that dropped a value; already counted.
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>>;
+
+    /// When it gives something by itself next, if it will.
+    fn due(&self) -> Option<Millis> {
+        None
+    }
+
+    /// What it gives then, in both modes. From then on it is due later, or not at all.
+    fn tick(&mut self) -> Option<Carried> {
+        None
+    }
+
+    /// What it remembers.
+    fn memory(&self) -> Memory {
+        Memory::default()
+    }
+
+    /// Goes on with what one of the same kind and with the same inputs remembered.
+    fn resume(&mut self, _memory: Memory) {}
+}
+
+/// The turn of one connector in one frame.
+pub(crate) struct Frame<'f> {
+    /// The end of the frame.
+    pub(crate) at: Millis,
+    /// The length of all frames, in milliseconds.
+    pub(crate) length: u64,
+    pub(crate) connector: ConnectorIx,
+    pub(crate) inputs: &'f [StreamIx],
+    /// For every stream its value in this frame.
+    pub(crate) now: &'f IndexVec<StreamIx, Option<Carried>>,
+    /// The newest value among the inputs; of two equally new ones that of the earlier input.
+    pub(crate) newest: &'f Carried,
+}
+
+/// The kind of connector with this word, if the engine has it.
+pub(crate) fn kind(word: &str) -> Option<&'static Kind> {
+    ALL.into_iter().find(|kind| kind.word == word)
+}

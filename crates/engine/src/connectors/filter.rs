@@ -1,0 +1,81 @@
+//! filter: passes on the values for which its procedure says exactly true.
+
+use super::context::{Context, Outcome};
+use super::op::{Op, Turn};
+use super::{Connector, Frame, Kind};
+use crate::procedure::Failed;
+use crate::procedure::compiled::Comparison;
+use crate::values::{Carried, ConnectorIx};
+use behaviour::Value;
+use robot::Millis;
+
+pub(super) const KIND: Kind = Kind { word: "filter", op: Op::Filter, make: |_| Box::new(Filter) };
+
+/// The longest value that a fault shows, in characters.
+const SHOWN_MAX: usize = 40;
+
+/// Remembers nothing.
+struct Filter;
+
+impl Connector for Filter {
+    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+        take(cx, at, turn)
+    }
+
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+        let value = &frame.newest.value;
+        let passes = test(cx, frame.connector, value);
+        let passes = cx.counted(frame.at, frame.connector, passes, &[value])?;
+        Ok(passes.then(|| frame.newest.clone()))
+    }
+}
+
+/// What event mode does with a value, compiled tests first.
+#[inline(never)]
+pub(super) fn take(cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+    let procedure = cx.procedure(turn.connector);
+    match procedure.and_then(|procedure| procedure.truth(&[cx.stats.value(turn.input)])) {
+        Some(passes) => tested(cx, at, turn, passes),
+        None => take_any(cx, at, turn),
+    }
+}
+
+/// What event mode does if the procedure is one comparison with a number.
+#[inline(always)]
+pub(super) fn compare(cx: &mut Context, at: Millis, turn: &Turn, comparison: Comparison) -> Outcome {
+    let passes = comparison.holds_number(cx.stats.value(turn.input), turn.number);
+    tested(cx, at, turn, passes)
+}
+
+#[inline(never)]
+fn take_any(cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+    let input = cx.stats.value(turn.input).clone();
+    match test(cx, turn.connector, &input) {
+        Ok(passes) => tested(cx, at, turn, passes),
+        Err(failed) => cx.failed(at, turn.connector, failed, &[&input]),
+    }
+}
+
+#[inline(always)]
+fn tested(cx: &mut Context, at: Millis, turn: &Turn, passes: bool) -> Outcome {
+    if passes {
+        return cx.pass(at, turn);
+    }
+    cx.stats.connectors[turn.connector].deadlines_in_a_row = 0;
+    Outcome::Kept
+}
+
+fn test(cx: &mut Context, connector: ConnectorIx, value: &Value) -> Result<bool, Box<Failed>> {
+    match cx.made(connector, &[value])? {
+        Value::Bool(passes) => Ok(passes),
+        other => {
+            let reason = format!("a filter must answer true or false, not {}", shortened(&other));
+            Err(Box::new(Failed { reason, deadline: false }))
+        }
+    }
+}
+
+fn shortened(value: &Value) -> String {
+    let text = value.to_string();
+    if text.chars().count() <= SHOWN_MAX { text } else { text.chars().take(SHOWN_MAX - 1).chain(['…']).collect() }
+}

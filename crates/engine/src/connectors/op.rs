@@ -1,0 +1,71 @@
+//! What one step of event mode does: most connectors take the value themselves, the way of numbers is inlined.
+
+use super::context::{Context, Outcome};
+use super::{Connector, filter, map};
+use crate::procedure::Procedure;
+use crate::procedure::compiled::{Comparison, Operator, Short};
+use crate::values::in_place::Number;
+use crate::values::{ConnectorIx, IndexVec, StreamIx};
+use robot::Millis;
+
+/// What a step does with the last value of its input.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Op {
+    /// Lets the connector take it.
+    Take,
+    /// Passes it on.
+    Pass,
+    /// Hands it to a map.
+    Map,
+    /// Hands it to a map that is one operation with the number of the turn.
+    Compute(Operator),
+    /// Hands it to a filter.
+    Filter,
+    /// Hands it to a filter that is one comparison with the number of the turn.
+    Compare(Comparison),
+    /// Nothing: no connector is left in this row.
+    End,
+}
+
+/// One connector's turn to take a value.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Turn {
+    pub(crate) connector: ConnectorIx,
+    /// The place of its input among the inputs of the connector.
+    pub(crate) slot: u32,
+    pub(crate) input: StreamIx,
+    pub(crate) output: StreamIx,
+    /// The number that a procedure of one operation has.
+    pub(crate) number: Number,
+}
+
+impl Op {
+    /// The shorter way, if the procedure is one operation with a number.
+    pub(crate) fn shortened(self, procedure: &Procedure) -> Option<(Self, Number)> {
+        match (self, procedure.short()?) {
+            (Self::Map, Short::Compute(operator, number)) => Some((Self::Compute(operator), number)),
+            (Self::Filter, Short::Compare(comparison, number)) => Some((Self::Compare(comparison), number)),
+            _ => None,
+        }
+    }
+
+    /// Lets a connector take the last value of one of its inputs.
+    #[inline(always)]
+    pub(crate) fn perform(
+        self,
+        connectors: &mut IndexVec<ConnectorIx, Box<dyn Connector>>,
+        cx: &mut Context,
+        at: Millis,
+        turn: &Turn,
+    ) -> Outcome {
+        match self {
+            Self::Compute(operator) => map::compute(cx, at, turn, operator),
+            Self::Map => map::take(cx, at, turn),
+            Self::Compare(comparison) => filter::compare(cx, at, turn, comparison),
+            Self::Filter => filter::take(cx, at, turn),
+            Self::Pass => cx.pass(at, turn),
+            Self::Take => connectors[turn.connector].take(cx, at, turn),
+            Self::End => Outcome::Kept,
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! The compiled helpers, each once, for every body that calls them.
+
+use super::bounds::Bounds;
+use super::build;
+use super::node::Node;
+use crate::cost::Limits;
+use rhai::AST;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+
+/// A compiled helper.
+pub(super) struct Piece {
+    pub(super) root: Rc<Node>,
+    /// At least the steps that Rhai counts for one call.
+    pub(super) steps: u64,
+    /// How deep one call nests.
+    pub(super) depth: usize,
+    /// How many helpers call each other in it, itself included.
+    pub(super) levels: usize,
+}
+
+/// All helpers by name and number of parameters; nothing for one that only Rhai can run.
+pub(crate) struct CompiledHelpers {
+    pieces: BTreeMap<(String, usize), Option<Piece>>,
+    limits: Limits,
+    bounds: Rc<Bounds>,
+}
+
+impl CompiledHelpers {
+    /// None yet.
+    pub(crate) fn of(limits: &Limits) -> Self {
+        Self { pieces: BTreeMap::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
+    }
+
+    /// Adds a helper. The ones it calls must be here before it.
+    pub(crate) fn add(&mut self, name: &str, params: &[String], ast: &AST) {
+        let piece = build::helper(ast, params, self);
+        self.pieces.insert((name.to_owned(), params.len()), piece);
+    }
+
+    pub(super) fn has(&self, name: &str, parameters: usize) -> bool {
+        self.pieces.contains_key(&(name.to_owned(), parameters))
+    }
+
+    pub(super) fn piece(&self, name: &str, parameters: usize) -> Option<&Piece> {
+        self.pieces.get(&(name.to_owned(), parameters))?.as_ref()
+    }
+
+    pub(super) fn limits(&self) -> &Limits {
+        &self.limits
+    }
+
+    pub(super) fn bounds(&self) -> Rc<Bounds> {
+        self.bounds.clone()
+    }
+}

@@ -1,0 +1,218 @@
+//! The helpers of a behaviour: checked, compiled once, callable from bodies and from each other.
+
+mod reach;
+
+use crate::cost::Limits;
+use crate::cost::callers::is_caller;
+use crate::cost::variable_cost::VariableCost;
+use crate::procedure::Fault;
+use crate::procedure::calls::{called_first, circular};
+use crate::procedure::closures::check_closures;
+use crate::procedure::compiled::CompiledHelpers;
+use crate::procedure::parse::compile;
+use crate::procedure::walk;
+use behaviour::{FileHelper, is_identifier};
+use reach::Reach;
+use rhai::{AST, Engine};
+use std::cell::OnceCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// At least the steps that Rhai counts for one part of a procedure.
+const STEPS_PER_PART: u64 = 2;
+
+/// Compiled helpers.
+#[derive(Default)]
+pub(crate) struct Helpers {
+    functions: Rc<Functions>,
+    compiled: Option<CompiledHelpers>,
+    /// Those with the name of a function that is handed closures.
+    callers: BTreeSet<String>,
+    reach: Reach,
+    /// The limit of steps.
+    operations: u64,
+}
+
+/// All helpers as functions for Rhai, read when they are first needed: where the first tier answers, they never are.
+#[derive(Default)]
+pub(crate) struct Functions {
+    texts: Vec<String>,
+    read: OnceCell<AST>,
+}
+
+/// A helper that Rhai accepts.
+struct Read<'f> {
+    /// Its parameters.
+    params: &'f [String],
+    /// Its body by itself.
+    body: AST,
+    /// The body as a function.
+    function: String,
+    /// What it calls.
+    calls: BTreeSet<String>,
+}
+
+impl Helpers {
+    /// Checks and compiles all helpers.
+    pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
+        let mut faults = Vec::new();
+        let mut texts = Vec::new();
+        let (mut all, mut names) = (BTreeMap::new(), BTreeSet::new());
+        for helper in helpers {
+            let twice = !names.insert(helper.name.as_str());
+            match if twice { Err("this name is used twice".to_owned()) } else { compile_one(engine, helper) } {
+                Ok(read) => {
+                    texts.push(read.function.clone());
+                    all.insert(helper.name.as_str(), read);
+                }
+                Err(reason) => faults.push(Fault { id: helper.name.clone(), reason }),
+            }
+        }
+        let calls = calls(&all);
+        faults.extend(recursion(helpers, &all, &calls));
+        let callers = all.keys().filter(|name| is_caller(name)).map(|name| (*name).to_owned()).collect();
+        let all = in_order(all, &called_first(&calls));
+        let mut made = Self { callers, reach: reach(&all), ..Self::default() };
+        faults.extend(all.iter().filter_map(|(name, read)| {
+            let reason = made.check(&read.body).err()?;
+            Some(Fault { id: (*name).to_owned(), reason })
+        }));
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        made.operations = limits.operations;
+        made.functions = Rc::new(Functions { texts, read: OnceCell::new() });
+        made.compiled = limits.compiled.then(|| compiled(&all, limits));
+        Ok(made)
+    }
+
+    /// Refuses closures that a helper could keep, and calls with so many values that only a helper could take them, where
+    /// there is no such helper.
+    pub(crate) fn check(&self, body: &AST) -> Result<(), String> {
+        walk::check_widths(body, &|name, values| self.takes(name, values))?;
+        if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
+    }
+
+    /// Whether there is a helper for so many values.
+    fn takes(&self, name: &str, values: usize) -> bool {
+        self.reach.get(name).is_some_and(|helper| helper.params == values)
+    }
+
+    /// What the variables of a body cost that does not certainly end within the limit of steps.
+    pub(crate) fn cost(&self, body: &AST) -> Option<VariableCost> {
+        let parts = walk::length(body, &|helper| self.reach.get(helper).map(|length| length.parts));
+        let called = walk::called(body);
+        let mut search = walk::search(body);
+        self.reach.reached(&called).for_each(|length| search.add(length.search));
+        let is_short = parts.is_some_and(|parts| parts.saturating_mul(STEPS_PER_PART) <= self.operations);
+        if is_short && !search.is_wide() {
+            return None;
+        }
+        let mut cost = VariableCost::of(body, false);
+        self.reach.reached(&called).for_each(|length| cost.add(&length.cost));
+        cost.lengthen(search.more_steps());
+        Some(cost)
+    }
+
+    /// The helpers for the first tier, if it is wanted.
+    pub(crate) fn compiled(&self) -> Option<&CompiledHelpers> {
+        self.compiled.as_ref()
+    }
+
+    /// All of them as functions for Rhai.
+    pub(crate) fn functions(&self) -> Rc<Functions> {
+        self.functions.clone()
+    }
+}
+
+impl Functions {
+    /// The body with all helpers within reach.
+    ///
+    /// # Errors
+    /// Why Rhai cannot read them, in plain words.
+    pub(crate) fn joined(&self, engine: &Engine, body: AST) -> Result<AST, String> {
+        if self.texts.is_empty() {
+            return Ok(body);
+        }
+        let functions = self.read(engine)?;
+        Ok(if body.has_functions() {
+            body.merge(functions)
+        } else {
+            AST::new(body.statements().iter().cloned(), functions.shared_lib().clone())
+        })
+    }
+
+    fn read(&self, engine: &Engine) -> Result<&AST, String> {
+        if let Some(read) = self.read.get() {
+            return Ok(read);
+        }
+        let mut all = AST::empty();
+        for text in &self.texts {
+            all.combine(read_function(engine, text, &[])?);
+        }
+        Ok(self.read.get_or_init(|| all))
+    }
+}
+
+fn read_function(engine: &Engine, text: &str, params: &[String]) -> Result<AST, String> {
+    engine.compile(text).map_err(|error| crate::rhai::words::refusal(&error, params))
+}
+
+fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, String> {
+    if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !is_identifier(name)) {
+        return Err(format!("“{bad}” cannot be a name in a procedure"));
+    }
+    check_distinct(&helper.params)?;
+    // By itself first: only a text that is whole by itself may be put between the brackets of a function.
+    let body = compile(engine, &helper.params, &helper.body)?;
+    let function = format!("fn {}({}) {{\n{}\n}}", helper.name, helper.params.join(", "), helper.body);
+    read_function(engine, &function, &helper.params)?;
+    let calls = walk::called(&body);
+    Ok(Read { params: &helper.params, body, function, calls })
+}
+
+/// Who calls whom, by their place in `all`.
+fn calls(all: &BTreeMap<&str, Read>) -> Vec<Vec<usize>> {
+    let places: BTreeMap<&str, usize> = all.keys().enumerate().map(|(at, name)| (*name, at)).collect();
+    let called = |read: &Read| read.calls.iter().filter_map(|name| places.get(name.as_str()).copied()).collect();
+    all.values().map(called).collect()
+}
+
+/// Those that are called before those that call them.
+fn in_order<'f>(all: BTreeMap<&'f str, Read<'f>>, order: &[usize]) -> Vec<(&'f str, Read<'f>)> {
+    let mut all: Vec<_> = all.into_iter().map(Some).collect();
+    order.iter().filter_map(|at| all[*at].take()).collect()
+}
+
+/// Compiles the helpers for the first tier.
+fn compiled(all: &[(&str, Read)], limits: &Limits) -> CompiledHelpers {
+    let mut compiled = CompiledHelpers::of(limits);
+    for (name, read) in all {
+        compiled.add(name, read.params, &read.body);
+    }
+    compiled
+}
+
+/// What one call of each helper may take.
+fn reach(all: &[(&str, Read)]) -> Reach {
+    let mut reach = Reach::default();
+    for (name, read) in all {
+        reach.add(name, read.params.len(), &read.body, &read.calls, walk::search(&read.body));
+    }
+    reach
+}
+
+/// Refuses two equal names among arguments.
+pub(crate) fn check_distinct(names: &[String]) -> Result<(), String> {
+    let twice = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name));
+    twice.map_or(Ok(()), |(_, name)| Err(format!("two arguments have the name “{name}”")))
+}
+
+/// Helpers that call themselves, also through others, in the order of the file.
+fn recursion(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, calls: &[Vec<usize>]) -> Vec<Fault> {
+    let looping: BTreeSet<&str> =
+        all.keys().copied().zip(circular(calls)).filter(|(_, is)| *is).map(|(n, _)| n).collect();
+    let words = |helper: &FileHelper| format!("the helper “{}” calls itself, perhaps through others", helper.name);
+    let faulty = helpers.iter().filter(|helper| looping.contains(helper.name.as_str()));
+    faulty.map(|helper| Fault { id: helper.name.clone(), reason: words(helper) }).collect()
+}

@@ -1,0 +1,71 @@
+//! What one call of each helper may take, and which helpers a body may reach.
+
+use crate::cost::callers::is_caller;
+use crate::cost::variable_cost::VariableCost;
+use crate::procedure::walk::{self, Search};
+use rhai::AST;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The helpers by name, those that are called before those that call them.
+#[derive(Default)]
+pub(super) struct Reach {
+    names: BTreeMap<String, usize>,
+    lengths: Vec<Length>,
+}
+
+/// How long a helper may run.
+pub(super) struct Length {
+    /// The parts that one call computes at most; nothing without such a bound.
+    pub(super) parts: Option<u64>,
+    /// What its variables cost.
+    pub(super) cost: VariableCost,
+    /// What looking for functions may take.
+    pub(super) search: Search,
+    /// How many parameters it has.
+    pub(super) params: usize,
+    /// Helpers that it calls.
+    calls: Vec<usize>,
+    /// Whether it may call any other helper, by a text.
+    names_others: bool,
+}
+
+impl Reach {
+    /// Adds a helper. The ones that it calls must be here before it.
+    pub(super) fn add(&mut self, name: &str, params: usize, body: &AST, called: &BTreeSet<String>, search: Search) {
+        let length = Length {
+            parts: walk::length(body, &|helper| self.get(helper).map(|length| length.parts)),
+            cost: VariableCost::of(body, true),
+            search,
+            params,
+            calls: called.iter().filter_map(|name| self.names.get(name).copied()).collect(),
+            names_others: names_others(called),
+        };
+        self.names.insert(name.to_owned(), self.lengths.len());
+        self.lengths.push(length);
+    }
+
+    /// One helper.
+    pub(super) fn get(&self, name: &str) -> Option<&Length> {
+        self.names.get(name).map(|at| &self.lengths[*at])
+    }
+
+    /// The helpers that may be called, also through others; all where a text may name one.
+    pub(super) fn reached(&self, called: &BTreeSet<String>) -> impl Iterator<Item = &Length> {
+        let mut all = names_others(called);
+        let mut seen = vec![false; self.lengths.len()];
+        let mut open: Vec<usize> = called.iter().filter_map(|name| self.names.get(name).copied()).collect();
+        while let Some(at) = open.pop() {
+            if !std::mem::replace(&mut seen[at], true) {
+                let length = &self.lengths[at];
+                all |= length.names_others;
+                open.extend(&length.calls);
+            }
+        }
+        self.lengths.iter().zip(seen).filter(move |(_, seen)| all || *seen).map(|(length, _)| length)
+    }
+}
+
+/// True for what calls functions by their name in a text, or may.
+fn names_others(called: &BTreeSet<String>) -> bool {
+    called.iter().any(|name| name == "Fn" || is_caller(name))
+}

@@ -1,0 +1,52 @@
+//! From the text of a body to what Rhai has read, if it is one that may run.
+
+use crate::procedure::walk;
+use crate::rhai::words;
+use behaviour::BODY_MAX_CHARS;
+use rhai::{AST, Dynamic, Engine, Position, Scope, Token};
+
+/// The most blocks of their own in one body.
+const BLOCKS_MAX: usize = 200;
+
+/// Compiles a body by itself.
+pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<AST, String> {
+    if body.trim().is_empty() {
+        return Err("it has no procedure yet".to_owned());
+    }
+    if body.chars().count() > BODY_MAX_CHARS {
+        return Err(format!("it is longer than {BODY_MAX_CHARS} characters"));
+    }
+    if bare_blocks(engine, body) > BLOCKS_MAX {
+        return Err(format!("it has more than {BLOCKS_MAX} blocks {{ }} in a row; move a part into a helper"));
+    }
+    let scope = scope_of(names);
+    let ast = engine.compile_with_scope(&scope, body).map_err(|error| words::refusal(&error, names))?;
+    walk::check_calls(&ast)?;
+    Ok(ast)
+}
+
+/// How many blocks stand where a statement begins: Rhai takes them apart one after the other, and goes through all that
+/// stands beside them for each.
+fn bare_blocks(engine: &Engine, body: &str) -> usize {
+    if body.matches('{').count() <= BLOCKS_MAX {
+        return 0;
+    }
+    let mut begins = true;
+    let is_bare = |(token, _): (Token, Position)| {
+        let is_bare = begins && token == Token::LeftBrace;
+        begins = matches!(token, Token::SemiColon | Token::LeftBrace | Token::RightBrace);
+        is_bare
+    };
+    let texts = [body];
+    // The end is given again and again, and what cannot be read is refused anyway.
+    let is_text = |(token, _): &(Token, Position)| !matches!(token, Token::EOF | Token::LexError(_));
+    engine.lex(&texts).0.take_while(is_text).map(is_bare).filter(|is_bare| *is_bare).count()
+}
+
+pub(super) fn scope_of(names: &[String]) -> Scope<'static> {
+    let mut scope = Scope::with_capacity(names.len());
+    for name in names {
+        scope.push_dynamic(name.as_str(), Dynamic::UNIT);
+    }
+    scope
+}

@@ -1,0 +1,171 @@
+//! What a procedure calls, and whether it may.
+
+use crate::cost::callers::is_caller;
+use crate::procedure::closures::check_closures;
+use crate::rhai::library::is_refused;
+use crate::rhai::words::placed;
+use rhai::{AST, ASTNode, Expr, Position, Stmt};
+use std::collections::BTreeSet;
+
+/// The most values that a function of the library takes, and some more.
+pub(crate) const VALUES_MAX: usize = 8;
+/// The most values around it that a closure may use.
+const CAPTURES_MAX: usize = 8;
+/// The most values that the library hands to a closure.
+const HANDED_MAX: usize = 3;
+
+/// What looking for functions may take: Rhai looks for one that is not there twice as often for each further value.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Search {
+    /// Whether errors are caught, so that it may happen again and again.
+    catches: bool,
+    /// The most values that something is called with.
+    values: usize,
+}
+
+impl Search {
+    /// So many values take no longer than a step has time for.
+    const FREE_VALUES: usize = 4;
+
+    /// Adds what a helper that is called may take.
+    pub(crate) fn add(&mut self, helper: Self) {
+        *self = Self { catches: self.catches | helper.catches, values: self.values.max(helper.values) };
+    }
+
+    /// Whether it takes longer than steps have time for.
+    pub(crate) fn is_wide(self) -> bool {
+        self.catches && self.values > Self::FREE_VALUES
+    }
+
+    /// How many more steps each step counts.
+    pub(crate) fn more_steps(self) -> u64 {
+        if self.is_wide() { 1 << (self.values - 2).min(40) } else { 0 }
+    }
+}
+
+/// What looking for the functions that `ast` calls may take.
+pub(crate) fn search(ast: &AST) -> Search {
+    let mut search = Search::default();
+    ast.walk(&mut |path: &[ASTNode]| {
+        match path.last() {
+            Some(ASTNode::Stmt(Stmt::TryCatch(..))) => search.catches = true,
+            Some(ASTNode::Stmt(Stmt::Share(captures))) => {
+                search.values = search.values.max(captures.len() + HANDED_MAX)
+            }
+            _ => {}
+        }
+        true
+    });
+    each_call(ast, &mut |call| search.values = search.values.max(call.values + usize::from(call.is_method)));
+    search
+}
+
+/// Refuses calls with more values than the library takes, unless a helper does, and closures that use too many values
+/// around them.
+pub(crate) fn check_widths(ast: &AST, takes: &dyn Fn(&str, usize) -> bool) -> Result<(), String> {
+    let mut refused = None;
+    each_call(ast, &mut |Call { name, values, at, .. }| {
+        if refused.is_none() && values > VALUES_MAX && !takes(name, values) {
+            let why = match name {
+                "call" => format!("a closure can be called with at most {VALUES_MAX} values"),
+                name => format!("there is no helper “{name}” that takes {values} values"),
+            };
+            refused = Some(placed(at, &why));
+        }
+    });
+    refused.map_or(Ok(()), Err)
+}
+
+fn check_captures(ast: &AST) -> Result<(), String> {
+    let mut refused = None;
+    ast.walk(&mut |path: &[ASTNode]| {
+        if let Some(ASTNode::Stmt(Stmt::Share(captures))) = path.last()
+            && captures.len() > CAPTURES_MAX
+        {
+            let at = captures.first().map_or(Position::NONE, |(variable, _)| variable.pos);
+            refused = Some(placed(at, &format!("a closure can use at most {CAPTURES_MAX} values around it")));
+        }
+        refused.is_none()
+    });
+    refused.map_or(Ok(()), Err)
+}
+
+/// The names of functions that are called in `ast`.
+pub(crate) fn called(ast: &AST) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    each_call(ast, &mut |call| {
+        names.insert(call.name.to_owned());
+    });
+    names
+}
+
+/// How many parts a call of `ast` computes at most, those of helpers included; nothing if a loop or a closure has no
+/// such bound. `helper` knows the helpers by name.
+pub(crate) fn length(ast: &AST, helper: &dyn Fn(&str) -> Option<Option<u64>>) -> Option<u64> {
+    let mut parts = (!ast.has_functions()).then_some(0_u64);
+    ast.walk(&mut |path: &[ASTNode]| {
+        let of_helper = match path.last() {
+            Some(ASTNode::Stmt(Stmt::While(..) | Stmt::Do(..) | Stmt::For(..))) => None,
+            Some(
+                ASTNode::Stmt(Stmt::FnCall(call, _)) | ASTNode::Expr(Expr::FnCall(call, _) | Expr::MethodCall(call, _)),
+            ) => match call.name.as_str() {
+                "Fn" | "call" => None,
+                name => helper(name).unwrap_or_else(|| (!is_caller(name)).then_some(0)),
+            },
+            _ => Some(0),
+        };
+        parts = parts.zip(of_helper).map(|(parts, more)| parts.saturating_add(more).saturating_add(1));
+        true
+    });
+    parts
+}
+
+/// Refuses functions of its own and calls that are not allowed.
+pub(crate) fn check_calls(ast: &AST) -> Result<(), String> {
+    if ast.iter_functions().any(|function| !function.name.starts_with("anon$")) {
+        return Err("a procedure cannot define functions; add a helper for it".to_owned());
+    }
+    let mut refused = None;
+    each_call(ast, &mut |Call { name, at, .. }| {
+        if refused.is_none() && is_refused(name) {
+            refused = Some(placed(at, &format!("“{name}” cannot be used in a procedure")));
+        }
+    });
+    refused.map_or_else(|| check_captures(ast), Err)?;
+    check_closures(ast, &BTreeSet::new())
+}
+
+/// A call.
+struct Call<'a> {
+    name: &'a str,
+    /// How many values it hands over, without the one before the dot of a method.
+    values: usize,
+    is_method: bool,
+    at: Position,
+}
+
+fn each_call(ast: &AST, seen: &mut dyn FnMut(Call)) {
+    ast.walk(&mut |path: &[ASTNode]| {
+        let (call, at, is_method) = match path.last() {
+            Some(ASTNode::Stmt(Stmt::FnCall(call, at)) | ASTNode::Expr(Expr::FnCall(call, at))) => (call, at, false),
+            Some(ASTNode::Expr(Expr::MethodCall(call, at))) => (call, at, true),
+            _ => return true,
+        };
+        seen(Call { name: &call.name, values: call.args.len(), is_method, at: *at });
+        true
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::VALUES_MAX;
+    use crate::cost::Limits;
+    use crate::cost::metered::known;
+    use crate::rhai::sandbox::hardened_engine;
+
+    #[test]
+    fn no_function_takes_more_values_than_a_call_may_hand_over() {
+        let all = hardened_engine(&Limits::default()).collect_fn_metadata(None, known, true);
+        assert!(all.iter().all(|(_, types)| types.len() <= VALUES_MAX));
+    }
+}

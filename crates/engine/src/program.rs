@@ -1,0 +1,26 @@
+//! What runs: a behaviour read once, as numbers, checked and with its procedures compiled.
+
+mod model;
+mod operation;
+mod validity;
+
+use crate::connectors::Connector;
+use crate::cost::Limits;
+use crate::procedure::Procedure;
+use crate::values::{ConnectorIx, IndexVec};
+use behaviour::Engine;
+
+pub(crate) use model::Graph;
+pub use model::{ConnectorInfo, StreamInfo};
+pub use validity::validate;
+
+/// A behaviour that can run.
+pub struct Program {
+    pub(crate) graph: Graph,
+    /// How time runs.
+    pub(crate) mode: Engine,
+    pub(crate) engine: rhai::Engine,
+    pub(crate) procedures: IndexVec<ConnectorIx, Option<Procedure>>,
+    pub(crate) connectors: IndexVec<ConnectorIx, Box<dyn Connector>>,
+    pub(crate) limits: Limits,
+}

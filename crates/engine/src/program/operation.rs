@@ -1,0 +1,66 @@
+//! What a connector of a file is: the one place where the engine asks about `behaviour::Operation`.
+
+use crate::connectors::{Choice, Kind, kind};
+use behaviour::connectors::Inputs;
+use behaviour::flow::Gives;
+use behaviour::{FileConnector, Operation, Procedure, StreamKind};
+
+/// A connector of a file, read once.
+pub(super) struct Declared {
+    operation: Operation,
+    pub(super) kind: &'static Kind,
+}
+
+impl Declared {
+    /// Reads a connector.
+    ///
+    /// # Errors
+    /// Why it is none, in plain words.
+    pub(super) fn of(connector: &FileConnector) -> Result<Self, String> {
+        let operation = connector.operation()?;
+        if operation.period_ms() == Some(0) {
+            return Err(format!("{} needs a periodMs of 1 or more", operation.word()));
+        }
+        let kind = kind(operation.word()).ok_or_else(|| format!("there is no connector {:?}", operation.word()))?;
+        Ok(Self { operation, kind })
+    }
+
+    /// Its word in files.
+    pub(super) fn word(&self) -> &'static str {
+        self.operation.word()
+    }
+
+    /// How many streams it takes from, in words; nothing if so many are right.
+    pub(super) fn wants_inputs(&self, many: usize) -> Option<&'static str> {
+        match self.operation.spec().inputs {
+            Inputs::One => (many != 1).then_some("exactly one input"),
+            Inputs::OneOrMore => (many < 1).then_some("one input or more"),
+            Inputs::TwoOrMore => (many < 2).then_some("two inputs or more"),
+        }
+    }
+
+    /// The kind of stream in which it ends.
+    pub(super) fn ends(&self) -> StreamKind {
+        self.operation.spec().ends
+    }
+
+    /// How many values it gives for those that it takes.
+    pub(super) fn gives(&self) -> Gives {
+        self.operation.spec().gives
+    }
+
+    /// Its procedure, if it takes one.
+    pub(super) fn procedure(&self) -> Option<&Procedure> {
+        self.operation.procedure()
+    }
+
+    /// The names of its arguments, as given or from the names of its inputs.
+    pub(super) fn arguments<'n>(&self, inputs: impl IntoIterator<Item = &'n str>) -> Vec<String> {
+        self.operation.arguments(inputs)
+    }
+
+    /// What was chosen for it, besides its procedure.
+    pub(super) fn choice(&self, inputs: usize) -> Choice {
+        Choice { inputs, period_ms: self.operation.period_ms().unwrap_or_default() }
+    }
+}

@@ -1,0 +1,226 @@
+//! Whether a behaviour can run: every fault with the id of the stream, connector or helper, and a reason.
+
+use super::Program;
+use super::model::{ConnectorInfo, Graph, StreamInfo};
+use super::operation::Declared;
+use crate::cost::Limits;
+use crate::procedure::helpers::{Helpers, check_distinct};
+use crate::procedure::{Fault, Procedure};
+use crate::rhai::maths::has_power;
+use crate::rhai::sandbox::hardened_engine;
+use crate::values::{ConnectorIx, StreamIx};
+use behaviour::{BehaviourFile, Engine, FORMAT, FileConnector, Procedure as Written, StreamKind, is_identifier};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Everything that keeps a behaviour from running, in the order of the file; empty if it can run.
+#[must_use]
+pub fn validate(file: &BehaviourFile) -> Vec<Fault> {
+    Program::of(file, Limits::default()).err().unwrap_or_default()
+}
+
+impl Program {
+    /// Checks a behaviour, wires it and compiles its procedures.
+    ///
+    /// # Errors
+    /// Every reason why it cannot run, in the order of the file.
+    pub fn of(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
+        let mut engine = hardened_engine(&limits);
+        engine.set_fast_operators(!has_powers(file));
+        let mut check = Check { file, streams: index(file), faults: Vec::new() };
+        check.file();
+        check.ids();
+        let (declared, infos) = check.connectors();
+        let helpers = Helpers::compile(&engine, &file.helpers, &limits).unwrap_or_else(|faults| check.give_up(faults));
+        let procedures = declared.iter().zip(&file.connectors);
+        let procedures =
+            procedures.map(|(declared, of)| check.procedure(&engine, &helpers, declared.as_ref()?, of)).collect();
+        let Some(infos) = infos else { return Err(check.faults) };
+        let graph = check.wired(infos);
+        let made = |(declared, of): (Option<Declared>, &FileConnector)| {
+            declared.map(|declared| (declared.kind.make)(&declared.choice(of.inputs.len())))
+        };
+        let connectors = declared.into_iter().zip(&file.connectors).filter_map(made).collect();
+        match graph {
+            Some(graph) if check.faults.is_empty() => {
+                let mode = file.engine.unwrap_or_default();
+                Ok(Self { graph, mode, engine, procedures, connectors, limits })
+            }
+            _ => Err(check.faults),
+        }
+    }
+}
+
+fn has_powers(file: &BehaviourFile) -> bool {
+    let bodies = file.connectors.iter().filter_map(|connector| connector.body.as_ref());
+    bodies.chain(file.helpers.iter().map(|helper| &helper.body)).any(|body| has_power(body))
+}
+
+fn index(file: &BehaviourFile) -> BTreeMap<&str, StreamIx> {
+    let streams = file.streams.iter().enumerate().rev();
+    streams.map(|(at, stream)| (stream.id.as_str(), StreamIx::of(at))).collect()
+}
+
+/// A file that is checked.
+struct Check<'f> {
+    file: &'f BehaviourFile,
+    streams: BTreeMap<&'f str, StreamIx>,
+    faults: Vec<Fault>,
+}
+
+impl Check<'_> {
+    fn fault(&mut self, id: &str, reason: impl Into<String>) {
+        self.faults.push(Fault { id: id.to_owned(), reason: reason.into() });
+    }
+
+    fn give_up(&mut self, faults: Vec<Fault>) -> Helpers {
+        self.faults.extend(faults);
+        Helpers::default()
+    }
+
+    fn file(&mut self) {
+        if self.file.format != FORMAT {
+            self.fault("format", format!("{:?} is not {FORMAT}", self.file.format));
+        }
+        if let Some(Engine::Frame { frame_ms }) = self.file.engine
+            && !(1..=1000).contains(&frame_ms)
+        {
+            self.fault("engine", "a frame has 1 to 1000 milliseconds");
+        }
+    }
+
+    fn ids(&mut self) {
+        let mut seen = BTreeSet::new();
+        let ids = self.file.streams.iter().map(|s| &s.id).chain(self.file.connectors.iter().map(|c| &c.id));
+        let twice: Vec<_> = ids.filter(|id| !seen.insert(id.as_str())).collect();
+        for id in twice {
+            self.fault(id, "this id is used twice");
+        }
+    }
+
+    /// What every connector of the file is, unless it is none; and all of them with their ends, unless an end is missing.
+    fn connectors(&mut self) -> (Vec<Option<Declared>>, Option<Vec<ConnectorInfo>>) {
+        let mut fed = BTreeSet::new();
+        let (mut all, mut infos) = (Vec::new(), Vec::new());
+        for connector in &self.file.connectors {
+            let declared = Declared::of(connector).map_err(|reason| self.fault(&connector.id, reason)).ok();
+            match declared.as_ref().map(|declared| self.connector(declared, connector, &mut fed)) {
+                Some(Ok(info)) => infos.push(info),
+                Some(Err(reason)) => self.fault(&connector.id, reason),
+                None => {}
+            }
+            all.push(declared);
+        }
+        let is_whole = infos.len() == all.len();
+        (all, is_whole.then_some(infos))
+    }
+
+    fn connector(
+        &self,
+        declared: &Declared,
+        connector: &FileConnector,
+        fed: &mut BTreeSet<StreamIx>,
+    ) -> Result<ConnectorInfo, String> {
+        let inputs = connector.inputs.iter().map(|id| self.stream(id)).collect::<Result<Vec<_>, _>>()?;
+        let output = self.stream(&connector.output)?;
+        self.check_inputs(declared, connector, &inputs)?;
+        self.check_output(declared, output)?;
+        if !fed.insert(output) && declared.ends() == StreamKind::Ordinary {
+            return Err(format!("the stream {} already has an incoming connector", connector.output));
+        }
+        let (word, gives, op) = (declared.word(), declared.gives(), declared.kind.op);
+        Ok(ConnectorInfo { id: connector.id.clone(), word, inputs, output, gives, op })
+    }
+
+    fn stream(&self, id: &str) -> Result<StreamIx, String> {
+        self.streams.get(id).copied().ok_or_else(|| format!("there is no stream {id:?}"))
+    }
+
+    fn check_inputs(&self, of: &Declared, connector: &FileConnector, inputs: &[StreamIx]) -> Result<(), String> {
+        if let Some(wanted) = of.wants_inputs(inputs.len()) {
+            return Err(format!("{} takes {wanted}, not {}", of.word(), inputs.len()));
+        }
+        let mut seen = BTreeSet::new();
+        for (input, id) in inputs.iter().zip(&connector.inputs) {
+            if !seen.insert(input) {
+                return Err(format!("the input {id} is there twice"));
+            }
+            if self.file.streams[input.index()].kind == StreamKind::Actuator {
+                return Err(format!("nothing can come out of the actuator stream {id}"));
+            }
+        }
+        Ok(())
+    }
+
+    fn check_output(&self, of: &Declared, output: StreamIx) -> Result<(), String> {
+        let stream = &self.file.streams[output.index()];
+        match (stream.kind, of.ends()) {
+            (StreamKind::Sensor, _) => Err(format!("nothing can lead into the sensor stream {}", stream.id)),
+            (StreamKind::Actuator, StreamKind::Actuator) => Ok(()),
+            (StreamKind::Actuator, _) => Err(format!("only subscribe leads into the actuator stream {}", stream.id)),
+            (StreamKind::Ordinary, StreamKind::Actuator) => {
+                Err(format!("{} must lead to an actuator stream, and {} is none", of.word(), stream.id))
+            }
+            (StreamKind::Ordinary, _) => Ok(()),
+        }
+    }
+
+    /// The wiring, unless there is a circle.
+    fn wired(&mut self, connectors: Vec<ConnectorInfo>) -> Option<Graph> {
+        let streams = self.file.streams.iter().map(StreamInfo::of).collect();
+        let circle = |at: ConnectorIx| {
+            self.fault(&self.file.connectors[at.index()].id, "values would flow in a circle through it");
+        };
+        Graph::of(streams, connectors).map_err(circle).ok()
+    }
+
+    fn procedure(
+        &mut self,
+        engine: &rhai::Engine,
+        helpers: &Helpers,
+        declared: &Declared,
+        of: &FileConnector,
+    ) -> Option<Procedure> {
+        let text = self.text(declared, declared.procedure()?, of);
+        let compiled = text.and_then(|(names, body)| Procedure::compile(engine, helpers, &names, &body));
+        compiled.map_err(|reason| self.fault(&of.id, reason)).ok()
+    }
+
+    /// The arguments and body of a connector; a helper counts as a body of its own.
+    fn text(&self, of: &Declared, procedure: &Written, at: &FileConnector) -> Result<(Vec<String>, String), String> {
+        let arguments = || of.arguments(at.inputs.iter().map(|id| self.name(id)));
+        match procedure {
+            Written::Helper(name) => {
+                let helper = self.file.helpers.iter().find(|helper| helper.name == *name);
+                let helper = helper.ok_or_else(|| format!("there is no helper “{name}”"))?;
+                let (takes, many) = (helper.params.len(), arguments().len());
+                if takes != many {
+                    return Err(format!("the helper “{name}” takes {takes} values, but gets {many}"));
+                }
+                Ok((helper.params.clone(), helper.body.clone()))
+            }
+            Written::Body { body, args } => {
+                let names = arguments();
+                if args.is_some() {
+                    check_arguments(&names, at.inputs.len())?;
+                }
+                Ok((names, body.clone()))
+            }
+        }
+    }
+
+    /// The name of a stream.
+    fn name(&self, id: &str) -> &str {
+        self.streams.get(id).map_or("", |at| &self.file.streams[at.index()].name)
+    }
+}
+
+/// Whether arguments that a file names can be those of a procedure with so many of them.
+fn check_arguments(names: &[String], many: usize) -> Result<(), String> {
+    if names.len() != many {
+        return Err(format!("it names {} arguments for {many} inputs", names.len()));
+    }
+    if let Some(bad) = names.iter().find(|name| !is_identifier(name)) {
+        return Err(format!("“{bad}” cannot be a name in a procedure"));
+    }
+    check_distinct(names)
+}

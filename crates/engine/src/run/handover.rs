@@ -1,0 +1,51 @@
+//! One run follows another: an edited behaviour goes on where the one before it was.
+
+use super::{Matching, Mode, Run};
+use crate::timeline::RunMemory;
+use crate::values::Stats;
+
+/// What a run leaves to the one that follows it; may be handed to another thread.
+#[derive(Clone, Debug)]
+pub struct Handover {
+    memory: RunMemory,
+    stats: Stats,
+}
+
+impl Run {
+    /// Whether everything that was fed was carried. In frame mode readings wait for the end of their frame.
+    #[must_use]
+    pub fn is_between(&self) -> bool {
+        match &self.mode {
+            Mode::Event(_) => true,
+            Mode::Frame(frame) => !frame.is_fed(),
+        }
+    }
+
+    /// What it remembers and counted so far. Readings that wait for the end of their frame belong to it, and are
+    /// lost if the one that follows has no frames: ask [`Run::is_between`] first.
+    #[must_use]
+    pub fn handover(&self) -> Handover {
+        let memory = match &self.mode {
+            Mode::Event(event) => event.memory(&self.core),
+            Mode::Frame(frame) => frame.memory(&self.core),
+        };
+        Handover { memory, stats: self.core.context.stats.clone() }
+    }
+
+    /// Goes on, before it was fed anything, where another run was: logical time continues, and what `matching` names keeps
+    /// its memory, counts and last values. What a connector would have given by itself it gives when it would have.
+    pub fn resume_from(&mut self, handover: Handover, matching: &Matching) {
+        let Handover { memory, stats } = handover;
+        let memory = memory.moved(&matching.streams, &matching.connectors);
+        match &mut self.mode {
+            Mode::Event(event) => event.resume(&mut self.core, memory),
+            Mode::Frame(frame) => frame.resume(&mut self.core, memory),
+        }
+        for (&from, &to) in &matching.streams {
+            self.core.context.stats.streams[to].clone_from(&stats.streams[from]);
+        }
+        for (&from, &to) in &matching.connectors {
+            self.core.context.stats.connectors[to].clone_from(&stats.connectors[from]);
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! What two versions of a behaviour have in common: the streams and connectors that mean the same in both.
+
+use crate::values::{ConnectorIx, Ix, StreamIx};
+use behaviour::{
+    BehaviourFile, FileConnector, FileHelper, FileStream, Operation, Procedure, called_names, rename_identifier,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Streams and connectors that keep what they remember when one version of a behaviour follows another.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Matching {
+    /// By stream of the old version, the stream of the new one.
+    pub streams: BTreeMap<StreamIx, StreamIx>,
+    /// By connector of the old version, the connector of the new one.
+    pub connectors: BTreeMap<ConnectorIx, ConnectorIx>,
+}
+
+impl Matching {
+    /// What stays the same from `old` to `new`. A stream is the same with its id, kind, device and parameters; a
+    /// connector with its id, operation, inputs, what was chosen for it, and the text of its procedure and of all helpers that it calls.
+    /// Other names of arguments and streams, other outputs and another order do not matter.
+    #[must_use]
+    pub fn between(old: &BehaviourFile, new: &BehaviourFile) -> Self {
+        let device = |stream: &FileStream| {
+            let params = stream.params.clone().unwrap_or_default();
+            (stream.kind, stream.device.clone(), params)
+        };
+        let streams = pairs(&old.streams, &new.streams, |stream| &stream.id);
+        let same_stream =
+            |&(from, to): &(StreamIx, StreamIx)| device(&old.streams[from.index()]) == device(&new.streams[to.index()]);
+        let connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
+        let (before, after) = (Reader::of(old), Reader::of(new));
+        let helpers = before.same_helpers(&after);
+        let same = |&(from, to): &(ConnectorIx, ConnectorIx)| {
+            let one = before.meaning(&old.connectors[from.index()]);
+            let other = after.meaning(&new.connectors[to.index()]);
+            one == other && one.is_some_and(|one| one.helpers.iter().all(|name| helpers.contains(name.as_str())))
+        };
+        Self {
+            streams: streams.into_iter().filter(same_stream).collect(),
+            connectors: connectors.into_iter().filter(same).collect(),
+        }
+    }
+}
+
+/// The numbers of what has the same id in both.
+fn pairs<I: Ix, T>(old: &[T], new: &[T], id: impl Fn(&T) -> &String) -> Vec<(I, I)> {
+    let places: BTreeMap<&String, usize> = new.iter().enumerate().map(|(at, thing)| (id(thing), at)).collect();
+    let found = |(at, thing): (usize, &T)| Some((I::of(at), I::of(*places.get(id(thing))?)));
+    old.iter().enumerate().filter_map(found).collect()
+}
+
+/// What a connector does, whatever it and its arguments are called.
+#[derive(Debug, PartialEq)]
+struct Meaning<'f> {
+    /// With the body of its procedure, also if that is a helper, in which arguments are numbered.
+    operation: Operation,
+    inputs: &'f [String],
+    /// The helpers that it calls itself.
+    helpers: BTreeSet<String>,
+}
+
+/// Reads meanings out of a file.
+struct Reader<'f> {
+    names: BTreeMap<&'f str, &'f str>,
+    helpers: BTreeMap<&'f str, &'f FileHelper>,
+}
+
+impl<'f> Reader<'f> {
+    fn of(file: &'f BehaviourFile) -> Self {
+        let names = file.streams.iter().map(|stream| (stream.id.as_str(), stream.name.as_str())).collect();
+        let helpers = file.helpers.iter().map(|helper| (helper.name.as_str(), helper)).collect();
+        Self { names, helpers }
+    }
+
+    /// The helpers that a text calls.
+    fn called<'t>(&self, body: &'t str) -> BTreeSet<&'t str> {
+        called_names(body).into_iter().filter(|name| self.helpers.contains_key(name)).collect()
+    }
+
+    /// The helpers that mean the same in both, with all that they call, also through others.
+    fn same_helpers(&self, other: &Self) -> BTreeSet<&'f str> {
+        let mut callers: BTreeMap<&str, Vec<&'f str>> = BTreeMap::new();
+        let mut same: BTreeSet<&'f str> = self.helpers.keys().copied().collect();
+        let mut different = Vec::new();
+        for (name, helper) in &self.helpers {
+            let called = self.called(&helper.body);
+            called.iter().for_each(|called| callers.entry(*called).or_default().push(name));
+            let is_same = |twin: &&FileHelper| {
+                (&twin.params, &twin.body) == (&helper.params, &helper.body) && called == other.called(&twin.body)
+            };
+            if !other.helpers.get(name).is_some_and(is_same) {
+                different.push(*name);
+            }
+        }
+        while let Some(name) = different.pop() {
+            if same.remove(name) {
+                different.extend(callers.get(name).into_iter().flatten());
+            }
+        }
+        same
+    }
+
+    /// What a connector does; nothing if it cannot run.
+    fn meaning(&self, of: &'f FileConnector) -> Option<Meaning<'f>> {
+        let mut operation = of.operation().ok()?;
+        let arguments = operation.arguments(of.inputs.iter().map(|id| self.name(id)));
+        let mut helpers = BTreeSet::new();
+        if let Some(procedure) = operation.procedure_mut() {
+            let (names, body) = match procedure {
+                Procedure::Helper(name) => {
+                    self.helpers.get(name.as_str()).map(|helper| (&helper.params, &helper.body))?
+                }
+                Procedure::Body { body, .. } => (&arguments, &*body),
+            };
+            helpers = self.called(body).into_iter().map(str::to_owned).collect();
+            *procedure = Procedure::Body { body: without_names(names, body), args: None };
+        }
+        Some(Meaning { operation, inputs: &of.inputs, helpers })
+    }
+
+    fn name(&self, stream: &str) -> &'f str {
+        self.names.get(stream).copied().unwrap_or_default()
+    }
+}
+
+/// The body with its arguments numbered, in a way that nobody can write.
+fn without_names(names: &[String], body: &str) -> String {
+    let numbered = names.iter().enumerate();
+    numbered.fold(body.trim().to_owned(), |body, (at, name)| rename_identifier(&body, name, &format!("§{at}§")))
+}

@@ -1,0 +1,46 @@
+//! Logical time: instants and frames, and how values are carried through them.
+
+mod budget;
+mod core;
+mod end;
+mod event;
+mod frame;
+mod memory;
+mod plan;
+mod schedule;
+
+use crate::values::{ConnectorIx, StreamIx};
+use behaviour::Value;
+use robot::Millis;
+
+pub(crate) use self::core::Core;
+pub use end::End;
+pub(crate) use end::multiplied;
+pub(crate) use event::Event;
+pub(crate) use frame::Frame;
+pub(crate) use memory::RunMemory;
+
+/// What a run tells its caller, in order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Emission<'a> {
+    /// A value on a stream.
+    Value {
+        /// When, in logical time.
+        at: Millis,
+        /// The stream.
+        stream: StreamIx,
+        /// The value.
+        value: &'a Value,
+    },
+    /// A procedure dropped a value.
+    Fault {
+        /// When, in logical time.
+        at: Millis,
+        /// The connector.
+        connector: ConnectorIx,
+        /// In plain words.
+        error: &'a str,
+        /// True if the caller's interrupt ended the procedure.
+        deadline: bool,
+    },
+}

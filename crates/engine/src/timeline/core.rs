@@ -1,0 +1,56 @@
+//! What both modes share: the wiring, the connectors with what they work with, and how far values may go.
+
+use super::Emission;
+use super::budget::Budget;
+use super::end::End;
+use crate::connectors::{Connector, Context, Memory};
+use crate::program::{ConnectorInfo, Graph, Program};
+use crate::values::{ConnectorIx, IndexVec, StreamIx};
+use behaviour::Value;
+use robot::Millis;
+use std::collections::BTreeMap;
+
+/// A run without its time.
+pub(crate) struct Core {
+    pub(crate) graph: Graph,
+    pub(crate) connectors: IndexVec<ConnectorIx, Box<dyn Connector>>,
+    pub(crate) context: Context,
+    /// How far values may go.
+    pub(crate) budget: Budget,
+    /// Why it goes no further, once it does not.
+    pub(crate) end: Option<End>,
+}
+
+impl Core {
+    pub(crate) fn of(program: Program) -> Self {
+        let Program { graph, engine, procedures, connectors, limits, .. } = program;
+        let turns_once = graph.connectors.iter().map(|ConnectorInfo { inputs, .. }| inputs.len()).sum();
+        let budget = Budget::of(&limits, turns_once);
+        let context = Context::of(engine, procedures, graph.streams.len());
+        Self { graph, connectors, context, budget, end: None }
+    }
+
+    /// Tells and counts a value on a stream.
+    pub(crate) fn emit(
+        &mut self,
+        at: Millis,
+        stream: StreamIx,
+        value: &Value,
+        out: &mut (impl FnMut(Emission) + ?Sized),
+    ) {
+        self.context.stats.streams[stream].copy(at, value);
+        out(Emission::Value { at, stream, value });
+    }
+
+    /// What every connector remembers.
+    pub(crate) fn memories(&self) -> BTreeMap<ConnectorIx, Memory> {
+        self.connectors.enumerate().map(|(at, connector)| (at, connector.memory())).collect()
+    }
+
+    /// Lets connectors go on with what others of the same meaning remembered.
+    pub(crate) fn resume(&mut self, memories: BTreeMap<ConnectorIx, Memory>) {
+        for (connector, memory) in memories {
+            self.connectors[connector].resume(memory);
+        }
+    }
+}

@@ -1,0 +1,10 @@
+//! The values of a run: the last one of each stream, counts, and how one goes in the place of another.
+
+mod carried;
+pub(crate) mod in_place;
+mod index;
+mod stats;
+
+pub(crate) use carried::Carried;
+pub use index::{ConnectorIx, IndexVec, Ix, StreamIx};
+pub use stats::{ConnectorStats, LastFault, Stats, StreamStats};
