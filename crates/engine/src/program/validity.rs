@@ -224,3 +224,26 @@ fn check_arguments(names: &[String], many: usize) -> Result<(), String> {
     }
     check_distinct(names)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Program;
+    use crate::cost::Limits;
+
+    #[test]
+    fn what_the_thesis_writes_is_compiled() {
+        let gold = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/gold");
+        let mut compiled = 0;
+        for case in std::fs::read_dir(gold).unwrap() {
+            let Ok(text) = std::fs::read_to_string(case.unwrap().path().join("behaviour.json")) else { continue };
+            let file: behaviour::BehaviourFile = serde_json::from_str(&text).unwrap();
+            let program = Program::of(&file, Limits::default()).ok().unwrap();
+            for (procedure, connector) in program.procedures.iter().zip(&file.connectors) {
+                let Some(procedure) = procedure else { continue };
+                assert!(procedure.is_compiled(), "{:?} {:?}", connector.body, connector.helper);
+                compiled += 1;
+            }
+        }
+        assert!(compiled > 30, "{compiled}");
+    }
+}

@@ -179,6 +179,7 @@ mod tests {
     use crate::recordings::About;
     use crate::recordings::writer::write;
     use behaviour::{BehaviourFile, Value};
+    use engine::StreamIx;
     use std::sync::Arc;
     use std::sync::mpsc::sync_channel;
 

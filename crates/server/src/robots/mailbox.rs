@@ -181,6 +181,7 @@ impl Inbox {
 mod tests {
     use super::{Keep, Mailbox};
     use behaviour::Value;
+    use engine::StreamIx;
 
     #[test]
     fn how_readings_are_kept_is_what_their_device_says() {
@@ -199,7 +200,7 @@ mod tests {
             mailbox.put(StreamIx::of(1), Keep::All, Value::Int(at));
         }
         let post = mailbox.take(None);
-        let of = |stream| post.readings.iter().filter(move |reading| reading.stream == stream);
+        let of = |at| post.readings.iter().filter(move |reading| reading.stream == StreamIx::of(at));
         assert_eq!(of(0).map(|reading| reading.value.clone()).collect::<Vec<_>>(), [Value::Int(299)]);
         assert_eq!(of(1).count(), 256);
         assert_eq!(of(1).next().unwrap().value, Value::Int(44));

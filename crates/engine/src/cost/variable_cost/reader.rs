@@ -166,7 +166,7 @@ fn takes_out(node: &ASTNode) -> bool {
     }
 }
 
-/// True for what a `for` goes through: of a text, it takes all letters first. The same for what is thrown, which is
+/// True for what a `for` goes through: of a text, it takes all letters first. Also for what is thrown, which is
 /// copied twice, and for the name of a function.
 fn is_gone_through(outer: ASTNode, inner: ASTNode) -> bool {
     match (outer, inner) {

@@ -145,23 +145,6 @@ fn the_first_tier_is_right_wherever_it_answers() {
 }
 
 #[test]
-fn what_the_thesis_writes_is_compiled() {
-    let gold = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/gold");
-    let mut compiled = 0;
-    for case in std::fs::read_dir(gold).unwrap() {
-        let Ok(text) = std::fs::read_to_string(case.unwrap().path().join("behaviour.json")) else { continue };
-        let file: behaviour::BehaviourFile = serde_json::from_str(&text).unwrap();
-        let prepared = crate::program::validity::prepare(&file, &Limits::default()).ok().unwrap();
-        for (procedure, connector) in prepared.procedures.iter().zip(&file.connectors) {
-            let Some(procedure) = procedure else { continue };
-            assert!(procedure.is_compiled(), "{:?} {:?}", connector.body, connector.helper);
-            compiled += 1;
-        }
-    }
-    assert!(compiled > 30, "{compiled}");
-}
-
-#[test]
 fn what_has_no_certain_end_or_size_is_left_to_rhai() {
     let bench = Bench::of(&Limits::default());
     assert!(bench.compiles("half(a) + pick(c)") && bench.compiles("let x = 1; { let x = 2; }; -x"));
