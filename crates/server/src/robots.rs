@@ -28,8 +28,8 @@ pub(crate) use host::{Host, Start};
 pub use kept::{check_robots, put_robots, robots_in};
 pub(crate) use live::{LiveValues, Seen};
 
-use crate::lock;
 use crate::recordings::Recordings;
+use crate::support::lock;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use board::Board;

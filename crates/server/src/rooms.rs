@@ -1,10 +1,12 @@
-//! Which rooms are open, and how a note reaches one. A room exists at most once, because notes are put into a mailbox
+//! The rooms of open behaviours: which are open, and how a note reaches one. A room exists at most once, because notes are put into a mailbox
 //! and rooms are let go under the same lock.
 
-use crate::hub::Hub;
-use crate::lock;
-use crate::outbox::{Answer, Outbox};
-use crate::room;
+pub(crate) mod knowledge;
+mod task;
+
+use crate::connection::outbox::{Answer, Outbox};
+use crate::state::Hub;
+use crate::support::lock;
 use behaviour::{Behaviour, Change, Id, Room};
 use protocol::{LIBRARY, Person, Pointer, SaidNo};
 use std::collections::BTreeMap;
@@ -86,7 +88,7 @@ impl Hub {
             }
             let (mailbox, inbox) = mpsc::channel(MAILBOX_MAX_NOTES);
             open.insert(behaviour.clone(), mailbox);
-            self.spawn(room::run(Arc::clone(self), behaviour.clone(), inbox));
+            self.spawn(task::run(Arc::clone(self), behaviour.clone(), inbox));
         }
         let Some(mailbox) = open.get(behaviour) else { return };
         let sent = mailbox.try_send(note);

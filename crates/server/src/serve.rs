@@ -1,25 +1,28 @@
 //! Starting and ending the server, each step in its order.
 
-use crate::address::Told;
-use crate::clients::Clients;
-use crate::connection::{self, Routed};
-use crate::create::first_library;
-use crate::health::{self, Health};
-use crate::hub::{HALF_OPEN_MAX, Hub, SOCKETS_MAX, Shelf, bounded};
-use crate::knowledge::Knowing;
-use crate::origin::Guard;
-use crate::outbox::AllWaiting;
-use crate::patience::patiently;
-use crate::pictures::Pictures;
-use crate::places::Places;
-use crate::programs::Programs;
+use crate::connection::clients::Clients;
+use crate::connection::inbox::Weights;
+use crate::connection::outbox::AllWaiting;
+use crate::connection::topics::{self, Topics};
+use crate::http::address::Told;
+use crate::http::origin::Guard;
+use crate::http::serving::{self, Routed};
+use crate::http::{accept, routes};
+use crate::library::bin;
+use crate::library::create::first_library;
+use crate::library::list::Programs;
+use crate::library::thumbnails::Pictures;
 use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
-use crate::session::Weights;
-use crate::topics::{self, Topics};
-use crate::workers::Workers;
-use crate::{accept, bin, data_folder, routes};
+use crate::rooms::knowledge::Knowing;
+use crate::state::{HALF_OPEN_MAX, Hub, SOCKETS_MAX, Shelf};
+use crate::support::data_folder;
+use crate::support::health::{self, Health};
+use crate::support::places::Places;
+use crate::support::retry::patiently;
+use crate::support::store_call::bounded;
+use crate::support::workers::Workers;
 use behaviour::{Behaviour, Id};
 use std::fmt;
 use std::future::Future;
@@ -142,7 +145,7 @@ pub async fn serve_with(
     let messages = Messages::start().map_err(ServeError::Thread)?;
     let router = routes::routes(Arc::clone(&hub), guard, messages.handle().clone());
     let routed = Routed { router, on: hub.runtime.clone() };
-    messages.handle().spawn(connection::serve(handed, routed, connections.clone(), closing.clone()));
+    messages.handle().spawn(serving::serve(handed, routed, connections.clone(), closing.clone()));
     topics::keep(&hub);
     health::keep(&hub);
     bin::keep(&hub, config.data.as_deref());
@@ -190,7 +193,7 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeE
         // Everything can be looked at and stopped; nothing can be saved, which everyone is told.
         Err(full @ StoreError::Full) => {
             health.failed(&full);
-            crate::now_ms()
+            crate::support::now_ms()
         }
         epoch => epoch?,
     };

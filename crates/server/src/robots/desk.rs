@@ -4,7 +4,7 @@
 use super::fair::Fair;
 use super::gate::Gate;
 use super::mailbox::Mailbox;
-use crate::lock;
+use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Claim;
 use robot::{SceneEdit, Use};

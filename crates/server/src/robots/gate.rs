@@ -1,6 +1,6 @@
 //! The gate between a run and the robot: once closed, nothing of the run reaches the robot any more.
 
-use crate::lock;
+use crate::support::lock;
 use behaviour::Id;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock};

@@ -6,7 +6,7 @@ use super::desk::Desk;
 use super::gate::Gates;
 use super::host::Start;
 use super::order::Order;
-use crate::lock;
+use crate::support::lock;
 use behaviour::Id;
 use protocol::{HeldPart, Recorded, RunPhase, RunState};
 use robot::Scene;

@@ -2,7 +2,7 @@
 
 use super::fair::Fair;
 use super::successor::Successor;
-use crate::lock;
+use crate::support::lock;
 use behaviour::{Id, Value};
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex};

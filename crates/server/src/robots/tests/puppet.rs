@@ -1,11 +1,11 @@
 //! A robot whose strings the test holds.
 
-use crate::lock;
 use crate::recordings::Recordings;
 use crate::robots::Host;
 use crate::robots::board::Board;
 use crate::robots::keeper::{RoomRobot, STEP_MS};
 use crate::robots::order::Order;
+use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;

@@ -1,12 +1,12 @@
 //! A robot that notes when: when its sense read something, when its action was told, when it was to hold. Its body is
 //! the simulated NAO's, so that its steps and pictures take as long as those.
 
-use crate::lock;
 use crate::recordings::Recordings;
 use crate::robots::Host;
 use crate::robots::board::Board;
 use crate::robots::keeper::RoomRobot;
 use crate::robots::order::Order;
+use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;

@@ -1,0 +1,242 @@
+//! The reliable queue to one client: in order, bounded; who cannot keep up is cut off and fetches everything anew.
+
+use crate::connection::close_signal::{Cut, Why};
+use crate::connection::inbox::Weight;
+use crate::support::message::encode;
+use axum::extract::ws::Utf8Bytes;
+use behaviour::Room;
+use protocol::{Parts, Reply, SaidNo};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tokio::sync::{mpsc, watch};
+
+/// Messages that may wait for one client.
+pub(crate) const QUEUE_MAX_MESSAGES: usize = 256;
+/// What may wait for one client before another message is put behind it, in bytes.
+const QUEUE_MAX_BYTES: usize = 2 << 20;
+/// What may wait for all clients together before each is left its share only, in bytes.
+const ALL_MAX_BYTES: usize = 48 << 20;
+/// The share, in bytes.
+const SHARE_BYTES: usize = 64 << 10;
+
+/// What the writing task of a client is told.
+#[derive(Debug)]
+pub(crate) enum Out {
+    /// Send this.
+    Text(Utf8Bytes),
+    /// Send this in parts.
+    Whole(u32, Box<Whole>),
+    /// From now on tell what goes on in this room.
+    Follow(Box<Feed>),
+    /// No longer.
+    Unfollow,
+    /// Which pictures are wanted.
+    Watch {
+        /// Of which robot; none means the first one.
+        robot: Option<behaviour::Id>,
+        /// Pictures of the scene.
+        scene: bool,
+        /// Live values.
+        values: bool,
+    },
+}
+
+/// A welcome or an opened behaviour with all its records, shared by all who get it until they are written.
+#[derive(Debug)]
+pub(crate) struct Whole {
+    /// The reply without records.
+    pub(crate) reply: Reply,
+    /// The room as it was, with the records.
+    pub(crate) room: Arc<Room>,
+}
+
+impl Whole {
+    /// The messages, each made when it is its turn.
+    pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Utf8Bytes> + Send {
+        let (mut first, room, mut parts) = (Some(self.reply), self.room, Parts::default());
+        let parts = (0..).zip(std::iter::from_fn(move || parts.next(room.behaviour())));
+        parts.map(move |(number, part)| match first.take() {
+            Some(reply) => encode(Some(ask), reply.with(part)),
+            None => {
+                let (records, more) = (Box::new(part.records), part.more);
+                encode(None, Reply::Records { part: number, records, more })
+            }
+        })
+    }
+}
+
+/// What a room shows besides its changes; only the newest counts.
+#[derive(Clone, Debug)]
+pub(crate) struct Feed {
+    /// Which room.
+    pub(crate) behaviour: behaviour::Id,
+    /// Its revision.
+    pub(crate) revision: watch::Receiver<u64>,
+    /// Who is there.
+    pub(crate) people: watch::Receiver<Utf8Bytes>,
+    /// Its problems.
+    pub(crate) problems: watch::Receiver<Utf8Bytes>,
+}
+
+/// The way to one client.
+#[derive(Clone, Debug)]
+pub(crate) struct Outbox {
+    /// The number of the link, never used twice.
+    pub(crate) session: u64,
+    /// Ends the link.
+    pub(crate) cut: Cut,
+    queue: mpsc::Sender<Out>,
+    waiting: Waiting,
+}
+
+/// How many bytes wait for one client, and for all together.
+#[derive(Clone, Debug)]
+pub(crate) struct Waiting(Arc<Bytes>);
+
+/// How many bytes wait for all clients together. A clone counts the same.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct AllWaiting(Arc<AtomicUsize>);
+
+#[derive(Debug)]
+struct Bytes {
+    own: AtomicUsize,
+    all: AllWaiting,
+}
+
+impl Waiting {
+    fn of(all: AllWaiting) -> Self {
+        Self(Arc::new(Bytes { own: AtomicUsize::new(0), all }))
+    }
+
+    /// A message was put into the queue; false if what waited before was too much.
+    fn put(&self, text: &Utf8Bytes) -> bool {
+        let own = self.0.own.fetch_add(text.len(), Ordering::Relaxed);
+        let all = self.0.all.0.fetch_add(text.len(), Ordering::Relaxed);
+        own <= if all > ALL_MAX_BYTES { SHARE_BYTES } else { QUEUE_MAX_BYTES }
+    }
+
+    /// A message was taken out of the queue.
+    pub(crate) fn taken(&self, text: &Utf8Bytes) {
+        self.0.own.fetch_sub(text.len(), Ordering::Relaxed);
+        self.0.all.0.fetch_sub(text.len(), Ordering::Relaxed);
+    }
+}
+
+impl Drop for Bytes {
+    /// What was never taken waits no more.
+    fn drop(&mut self) {
+        self.all.0.fetch_sub(*self.own.get_mut(), Ordering::Relaxed);
+    }
+}
+
+impl Outbox {
+    /// A way, its other end, and what waits between them.
+    pub(crate) fn new(session: u64, all: AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
+        let (queue, inbox) = mpsc::channel(QUEUE_MAX_MESSAGES);
+        let waiting = Waiting::of(all);
+        (Self { session, cut: Cut::new(), queue, waiting: waiting.clone() }, inbox, waiting)
+    }
+
+    /// Says something, as the answer to `ask` if there is one.
+    pub(crate) fn say(&self, ask: Option<u32>, reply: Reply) {
+        self.put(Out::Text(encode(ask, reply)));
+    }
+
+    /// Says why not.
+    pub(crate) fn no(&self, ask: u32, no: SaidNo) {
+        self.say(Some(ask), Reply::No { no });
+    }
+
+    /// Shows all of a behaviour, as the answer to `ask`.
+    pub(crate) fn show(&self, ask: u32, whole: Whole) {
+        self.put(Out::Whole(ask, Box::new(whole)));
+    }
+
+    /// Never waits. A single message may be larger than what may wait: who reads gets it.
+    pub(crate) fn put(&self, out: Out) {
+        if let Out::Text(text) = &out
+            && !self.waiting.put(text)
+        {
+            self.cut.with(Why::Resync);
+        }
+        if let Err(mpsc::error::TrySendError::Full(_)) = self.queue.try_send(out) {
+            self.cut.with(Why::Resync);
+        }
+    }
+}
+
+/// Who waits for an answer: a client, or this server itself.
+#[derive(Debug)]
+pub(crate) enum Answer {
+    /// A client that asked, and the room that its message takes until it is answered.
+    #[expect(dead_code, reason = "the room is only held")]
+    Client(Outbox, u32, Option<Weight>),
+    /// The server.
+    Server(tokio::sync::oneshot::Sender<Reply>),
+}
+
+impl Answer {
+    /// Gives the answer.
+    pub(crate) fn give(self, reply: Reply) {
+        match self {
+            Self::Client(outbox, ask, _) => outbox.say(Some(ask), reply),
+            Self::Server(waiting) => drop(waiting.send(reply)),
+        }
+    }
+
+    /// Shows all of a behaviour.
+    pub(crate) fn show(self, whole: Whole) {
+        match self {
+            Self::Client(outbox, ask, _) => outbox.show(ask, whole),
+            Self::Server(waiting) => drop(waiting.send(whole.reply)),
+        }
+    }
+
+    /// Says why not.
+    pub(crate) fn no(self, no: SaidNo) {
+        self.give(Reply::No { no });
+    }
+
+    /// The link that asked.
+    pub(crate) fn session(&self) -> Option<u64> {
+        if let Self::Client(outbox, ..) = self { Some(outbox.session) } else { None }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ALL_MAX_BYTES, AllWaiting, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES};
+    use protocol::{Reply, SaidNo};
+    use std::sync::atomic::Ordering;
+
+    /// How many large replies are queued for a client that reads nothing before its link is cut.
+    async fn queued(all: &AllWaiting) -> (usize, Outbox) {
+        let (outbox, _inbox, _) = Outbox::new(1, all.clone());
+        let no = Reply::No { no: SaidNo::Unreadable("x".repeat(32 << 10)) };
+        for count in 0.. {
+            tokio::select! {
+                biased;
+                _ = outbox.cut.wait() => return (count, outbox),
+                () = std::future::ready(()) => outbox.say(None, no.clone()),
+            }
+        }
+        unreachable!("it is cut")
+    }
+
+    #[tokio::test]
+    async fn who_reads_nothing_is_cut_off_and_gives_everything_back() {
+        let all = AllWaiting::default();
+        let (count, outbox) = queued(&all).await;
+        assert!((QUEUE_MAX_BYTES >> 15..=(QUEUE_MAX_BYTES >> 15) + 2).contains(&count), "{count}");
+        drop(outbox);
+        assert_eq!(all.0.load(Ordering::Relaxed), 0);
+    }
+
+    #[tokio::test]
+    async fn when_much_waits_for_all_each_has_a_share() {
+        let all = AllWaiting::default();
+        all.0.store(ALL_MAX_BYTES, Ordering::Relaxed);
+        let (count, _) = queued(&all).await;
+        assert!(count <= (SHARE_BYTES >> 15) + 2, "{count}");
+    }
+}

@@ -1,0 +1,212 @@
+//! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
+//! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
+
+mod requests;
+
+use super::hear::{Heard, hear, read};
+use super::inbox::{Asked, Inbox, Weight, inbox};
+use super::rate_limit::Bucket;
+use crate::connection::clients::Entered;
+use crate::connection::close_signal::Why;
+use crate::connection::outbox::Outbox;
+use crate::rooms::{Member, Note};
+use crate::state::Hub;
+use crate::support::workers::Sender;
+use axum::extract::ws::{Utf8Bytes, WebSocket};
+use futures_util::StreamExt;
+use futures_util::stream::SplitStream;
+use protocol::{Ask, Person, Reply, Request, SaidNo, VERSION};
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::{Semaphore, mpsc};
+
+/// How long the greeting may take.
+const GREETING_MS: u64 = 2_000;
+/// How long a client may be silent, though it is pinged all the while.
+const SILENT_MS: u64 = 12_000;
+/// Requests of one client that may be under way.
+const UNDER_WAY_MAX: usize = 8;
+
+/// Serves one socket.
+pub(crate) async fn run(hub: Arc<Hub>, socket: WebSocket) {
+    let (sink, mut stream) = socket.split();
+    let (outbox, told, waiting) = Outbox::new(hub.clients.number(), hub.waiting.clone());
+    let writing = hub.tasks.spawn(super::writer::write(
+        Arc::clone(&hub),
+        outbox.session,
+        sink,
+        told,
+        waiting,
+        outbox.cut.clone(),
+    ));
+    let greeted = tokio::select! {
+        () = hub.stopping.cancelled() => Err(Why::Restart),
+        greeted = half_open(&hub, &outbox, &mut stream) => greeted,
+    };
+    match greeted {
+        Ok((entered, ask)) => serve(hub, outbox, entered, ask, &mut stream).await,
+        Err(why) => outbox.cut.with(why),
+    }
+    let _ = writing.await;
+}
+
+/// Waits for the greeting in one of few places, whose oldest gives way.
+async fn half_open(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Entered, u32), Why> {
+    let place = hub.half_open.take();
+    let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(hub, outbox, stream));
+    place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(Why::Unwelcome))
+}
+
+/// The greeting comes first and in our version.
+async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Entered, u32), Why> {
+    let Ask { ask, request } = match hear(stream.next().await) {
+        Heard::Ask(ask) => *ask,
+        Heard::Nonsense(ask, reason) => {
+            outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) });
+            return Err(Why::Unwelcome);
+        }
+        Heard::Nothing | Heard::Large(_) => return Err(Why::Unwelcome),
+        Heard::End(why) => return Err(why),
+    };
+    match request {
+        Request::Hello { version: VERSION, name, again } => {
+            Ok((hub.clients.enter(again.as_ref(), &name, outbox.session, outbox.cut.clone()), ask))
+        }
+        Request::Hello { .. } => {
+            outbox.no(ask, SaidNo::Version(VERSION));
+            Err(Why::Unwelcome)
+        }
+        _ => {
+            outbox.no(ask, SaidNo::Greeting);
+            Err(Why::Unwelcome)
+        }
+    }
+}
+
+/// Reads until the link ends, while another task does what is asked.
+async fn serve(hub: Arc<Hub>, outbox: Outbox, entered: Entered, ask: u32, stream: &mut SplitStream<WebSocket>) {
+    let Entered { person: me, secret } = entered;
+    tracing::info!(name = me.name, session = outbox.session, "somebody comes");
+    hub.tell(&hub.library, Note::Join(Member { person: me.clone(), outbox: outbox.clone() }, ask, Some(secret)));
+    let (asking, asked) = inbox();
+    let session = Session::new(Arc::clone(&hub), outbox.clone(), me.clone());
+    let working = hub.spawn(session.work(asked));
+    let mut reader = Reader { hub: &hub, outbox: &outbox, by: &me.name, bucket: Bucket::full(), asking };
+    let why = reader.read(stream).await;
+    drop(reader);
+    outbox.cut.with(why);
+    let _ = working.await;
+    hub.tell_open(&hub.library, Note::Leave(outbox.session));
+    hub.clients.leave(&me.client, outbox.session);
+    tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+}
+
+/// Hears one client.
+struct Reader<'a> {
+    hub: &'a Hub,
+    outbox: &'a Outbox,
+    by: &'a str,
+    bucket: Bucket,
+    asking: Inbox,
+}
+
+impl Reader<'_> {
+    async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> Why {
+        let (stopping, cut) = (self.hub.stopping.clone(), self.outbox.cut.clone());
+        loop {
+            let next = tokio::time::timeout(Duration::from_millis(SILENT_MS), stream.next());
+            let message = tokio::select! {
+                () = stopping.cancelled() => return Why::Restart,
+                why = cut.wait() => return why,
+                message = next => message,
+            };
+            let Ok(message) = message else { return Why::Left };
+            match hear(message) {
+                Heard::Ask(ask) => self.hear(*ask),
+                Heard::Large(text) if self.bucket.take() => self.large(text),
+                Heard::Large(_) => self.too_fast(None),
+                Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
+                Heard::Nothing => {}
+                Heard::End(why) => return why,
+            }
+        }
+    }
+
+    /// Stop always gets through, before all that waits; anything else has to keep to its share.
+    fn hear(&mut self, Ask { ask, request }: Ask) {
+        if let Request::Stop { behaviour, robot } = request {
+            self.hub.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
+            self.outbox.say(Some(ask), Reply::Done);
+            return tracing::info!(by = self.by, "Stop");
+        }
+        let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. });
+        if (!self.bucket.take() || !self.asking.ask(Ask { ask, request })) && matters {
+            self.too_fast(Some(ask));
+        }
+    }
+
+    fn large(&mut self, text: Utf8Bytes) {
+        if !self.asking.large(text, &self.hub.weights) {
+            self.too_fast(None);
+        }
+    }
+
+    fn too_fast(&self, ask: Option<u32>) {
+        self.outbox.say(ask, Reply::No { no: SaidNo::TooFast });
+    }
+}
+
+/// Does what one client asks.
+struct Session {
+    hub: Arc<Hub>,
+    outbox: Outbox,
+    me: Person,
+    /// The behaviour that is open.
+    open: Option<behaviour::Id>,
+    under_way: Arc<Semaphore>,
+    /// The room that the request at hand takes, if it is a large one.
+    weight: Option<Weight>,
+}
+
+impl Session {
+    fn new(hub: Arc<Hub>, outbox: Outbox, me: Person) -> Self {
+        let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
+        Self { hub, outbox, me, open: None, under_way, weight: None }
+    }
+
+    fn member(&self) -> Member {
+        Member { person: self.me.clone(), outbox: self.outbox.clone() }
+    }
+
+    /// One request after the other, until the link ended and all are done.
+    async fn work(mut self, mut asked: mpsc::Receiver<Asked>) {
+        while let Some(asked) = asked.recv().await {
+            match asked {
+                Asked::Small(ask) => self.request(ask.ask, ask.request),
+                Asked::Large(text, weight) => self.large(text, weight).await,
+            }
+        }
+        self.leave_open();
+    }
+
+    /// Reads a large message among the other work, then does what it asks.
+    async fn large(&mut self, text: Utf8Bytes, weight: Weight) {
+        let sender = Sender::Link(self.outbox.session);
+        match self.hub.workers.run(sender, move |_| read(&text)).await {
+            Ok(Heard::Ask(ask)) => {
+                self.weight = Some(weight);
+                self.request(ask.ask, ask.request);
+                self.weight = None;
+            }
+            Ok(Heard::Nonsense(ask, reason)) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
+            Ok(Heard::Large(_) | Heard::Nothing | Heard::End(_)) => {}
+            Err(why) => self.outbox.say(None, Reply::No { no: why.into() }),
+        }
+    }
+
+    fn leave_open(&mut self) {
+        if let Some(open) = self.open.take() {
+            self.hub.tell_open(&open, Note::Leave(self.outbox.session));
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! What every client is told, newest wins: the robots, their rooms and the runs, each made into text once for all.
+
+use crate::robots::Robots;
+use crate::state::Hub;
+use crate::support::message::encode;
+use axum::extract::ws::Utf8Bytes;
+use behaviour::Id;
+use protocol::{Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
+use robot::Scene;
+use std::collections::BTreeSet;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::watch;
+
+/// How often the list of behaviours is told when only times in it changed.
+const LIST_MS: u64 = 2_000;
+/// The shortest time between two messages of one topic, in milliseconds.
+pub(crate) const BEAT_MS: u64 = 1_000 / UPDATES_PER_SECOND_MAX + 1;
+
+/// The newest of every topic, as messages.
+pub(crate) struct Topics {
+    /// The robots and their links.
+    pub(crate) robots: watch::Sender<Utf8Bytes>,
+    /// What runs.
+    pub(crate) runs: watch::Sender<Utf8Bytes>,
+    /// What runs, for looking up values.
+    pub(crate) states: watch::Receiver<Arc<Vec<RunState>>>,
+}
+
+impl Topics {
+    /// The topics as they are now.
+    pub(crate) fn of(robots: &Robots) -> Self {
+        let states = robots.runs();
+        let runs = runs_text(&states.borrow());
+        let robots = robots_text(&robots.states().borrow());
+        Self { robots: watch::Sender::new(robots), runs: watch::Sender::new(runs), states }
+    }
+}
+
+fn robots_text(newest: &[RobotState]) -> Utf8Bytes {
+    encode(None, Reply::Robots { robots: newest.to_vec() })
+}
+
+fn runs_text(newest: &[RunState]) -> Utf8Bytes {
+    encode(None, Reply::Runs { runs: newest.to_vec() })
+}
+
+/// Keeps the topics new until the server ends.
+pub(crate) fn keep(hub: &Arc<Hub>) {
+    let topics = &hub.topics;
+    follow(hub, hub.robots.states(), topics.robots.clone(), |robots| robots_text(robots));
+    follow(hub, hub.robots.runs(), topics.runs.clone(), |runs| runs_text(runs));
+    hub.tasks.spawn(keep_pictures(Arc::clone(hub)));
+    let hub = Arc::clone(hub);
+    hub.clone().tasks.spawn(async move {
+        let mut beat = tokio::time::interval(Duration::from_millis(LIST_MS));
+        while hub.stopping.run_until_cancelled(beat.tick()).await.is_some() {
+            hub.programs.tell_later_ones();
+        }
+    });
+}
+
+/// Keeps the pictures of all robots new, also of those that come later.
+async fn keep_pictures(hub: Arc<Hub>) {
+    let (mut robots, mut known) = (hub.robots.states(), BTreeSet::new());
+    loop {
+        robots.borrow_and_update();
+        let hosts = hub.robots.hosts();
+        known.retain(|robot| hosts.iter().any(|host| host.id() == robot));
+        for host in hosts {
+            let robot = host.id().clone();
+            if known.insert(robot.clone()) {
+                let text = move |scene: &Scene| picture_text(&robot, scene);
+                follow(&hub, host.scene(), host.pictures().clone(), text);
+            }
+        }
+        if !matches!(hub.stopping.run_until_cancelled(robots.changed()).await, Some(Ok(()))) {
+            return;
+        }
+    }
+}
+
+fn picture_text(robot: &Id, newest: &Scene) -> Utf8Bytes {
+    encode(None, Reply::Scene { robot: robot.clone(), scene: Box::new(newest.clone()) })
+}
+
+/// Makes each newest value into a message, at most so often.
+fn follow<T: Send + Sync + 'static>(
+    hub: &Arc<Hub>,
+    mut newest: watch::Receiver<Arc<T>>,
+    topic: watch::Sender<Utf8Bytes>,
+    text: impl Fn(&T) -> Utf8Bytes + Send + 'static,
+) {
+    let stopping = hub.stopping.clone();
+    // It may have changed since the first text was made.
+    newest.mark_changed();
+    hub.tasks.spawn(async move {
+        while let Some(Ok(())) = stopping.run_until_cancelled(newest.changed()).await {
+            let value = Arc::clone(&newest.borrow_and_update());
+            topic.send_replace(text(&value));
+            tokio::time::sleep(Duration::from_millis(BEAT_MS)).await;
+        }
+    });
+}
