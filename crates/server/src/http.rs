@@ -3,6 +3,7 @@
 pub(crate) mod accept;
 pub(crate) mod address;
 mod downloads;
+mod headers;
 pub(crate) mod origin;
 mod page;
 mod recordings;
@@ -10,3 +11,4 @@ pub(crate) mod routes;
 pub(crate) mod serving;
 mod stop;
 mod transfer;
+mod upload;

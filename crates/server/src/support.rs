@@ -2,12 +2,12 @@
 
 pub(crate) mod atomic_file;
 pub(crate) mod data_folder;
-pub(crate) mod health;
 pub(crate) mod message;
 pub(crate) mod places;
 pub(crate) mod priority;
 pub(crate) mod retry;
 pub(crate) mod store_call;
+pub(crate) mod store_health;
 pub(crate) mod tasks;
 pub(crate) mod workers;
 

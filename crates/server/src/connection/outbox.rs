@@ -1,14 +1,13 @@
 //! The reliable queue to one client: in order, bounded; who cannot keep up is cut off and fetches everything anew.
 
 use crate::connection::close_signal::{Cut, Why};
-use crate::connection::inbox::Weight;
+use crate::rooms::member::{Feed, Recipient, Whole};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
-use behaviour::Room;
-use protocol::{Parts, Reply, SaidNo};
+use protocol::{Reply, SaidNo};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use tokio::sync::{mpsc, watch};
+use tokio::sync::mpsc;
 
 /// Messages that may wait for one client.
 pub(crate) const QUEUE_MAX_MESSAGES: usize = 256;
@@ -39,43 +38,6 @@ pub(crate) enum Out {
         /// Live values.
         values: bool,
     },
-}
-
-/// A welcome or an opened behaviour with all its records, shared by all who get it until they are written.
-#[derive(Debug)]
-pub(crate) struct Whole {
-    /// The reply without records.
-    pub(crate) reply: Reply,
-    /// The room as it was, with the records.
-    pub(crate) room: Arc<Room>,
-}
-
-impl Whole {
-    /// The messages, each made when it is its turn.
-    pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Utf8Bytes> + Send {
-        let (mut first, room, mut parts) = (Some(self.reply), self.room, Parts::default());
-        let parts = (0..).zip(std::iter::from_fn(move || parts.next(room.behaviour())));
-        parts.map(move |(number, part)| match first.take() {
-            Some(reply) => encode(Some(ask), reply.with(part)),
-            None => {
-                let (records, more) = (Box::new(part.records), part.more);
-                encode(None, Reply::Records { part: number, records, more })
-            }
-        })
-    }
-}
-
-/// What a room shows besides its changes; only the newest counts.
-#[derive(Clone, Debug)]
-pub(crate) struct Feed {
-    /// Which room.
-    pub(crate) behaviour: behaviour::Id,
-    /// Its revision.
-    pub(crate) revision: watch::Receiver<u64>,
-    /// Who is there.
-    pub(crate) people: watch::Receiver<Utf8Bytes>,
-    /// Its problems.
-    pub(crate) problems: watch::Receiver<Utf8Bytes>,
 }
 
 /// The way to one client.
@@ -147,11 +109,6 @@ impl Outbox {
         self.say(Some(ask), Reply::No { no });
     }
 
-    /// Shows all of a behaviour, as the answer to `ask`.
-    pub(crate) fn show(&self, ask: u32, whole: Whole) {
-        self.put(Out::Whole(ask, Box::new(whole)));
-    }
-
     /// Never waits. A single message may be larger than what may wait: who reads gets it.
     pub(crate) fn put(&self, out: Out) {
         if let Out::Text(text) = &out
@@ -165,41 +122,21 @@ impl Outbox {
     }
 }
 
-/// Who waits for an answer: a client, or this server itself.
-#[derive(Debug)]
-pub(crate) enum Answer {
-    /// A client that asked, and the room that its message takes until it is answered.
-    #[expect(dead_code, reason = "the room is only held")]
-    Client(Outbox, u32, Option<Weight>),
-    /// The server.
-    Server(tokio::sync::oneshot::Sender<Reply>),
-}
-
-impl Answer {
-    /// Gives the answer.
-    pub(crate) fn give(self, reply: Reply) {
-        match self {
-            Self::Client(outbox, ask, _) => outbox.say(Some(ask), reply),
-            Self::Server(waiting) => drop(waiting.send(reply)),
-        }
+impl Recipient for Outbox {
+    fn session(&self) -> u64 {
+        self.session
     }
 
-    /// Shows all of a behaviour.
-    pub(crate) fn show(self, whole: Whole) {
-        match self {
-            Self::Client(outbox, ask, _) => outbox.show(ask, whole),
-            Self::Server(waiting) => drop(waiting.send(whole.reply)),
-        }
+    fn send(&self, text: Utf8Bytes) {
+        self.put(Out::Text(text));
     }
 
-    /// Says why not.
-    pub(crate) fn no(self, no: SaidNo) {
-        self.give(Reply::No { no });
+    fn send_whole(&self, ask: u32, whole: Whole) {
+        self.put(Out::Whole(ask, Box::new(whole)));
     }
 
-    /// The link that asked.
-    pub(crate) fn session(&self) -> Option<u64> {
-        if let Self::Client(outbox, ..) = self { Some(outbox.session) } else { None }
+    fn follow(&self, feed: Option<Box<Feed>>) {
+        self.put(feed.map_or(Out::Unfollow, Out::Follow));
     }
 }
 

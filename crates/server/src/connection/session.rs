@@ -6,11 +6,12 @@ mod requests;
 use super::hear::{Heard, hear, read};
 use super::inbox::{Asked, Inbox, Weight, inbox};
 use super::rate_limit::Bucket;
+use crate::connection::Connections;
 use crate::connection::clients::Entered;
 use crate::connection::close_signal::Why;
 use crate::connection::outbox::Outbox;
-use crate::rooms::{Member, Note};
-use crate::state::Hub;
+use crate::rooms::Note;
+use crate::rooms::member::Member;
 use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
@@ -28,11 +29,11 @@ const SILENT_MS: u64 = 12_000;
 const UNDER_WAY_MAX: usize = 8;
 
 /// Serves one socket.
-pub(crate) async fn run(hub: Arc<Hub>, socket: WebSocket) {
+pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
     let (sink, mut stream) = socket.split();
-    let (outbox, told, waiting) = Outbox::new(hub.clients.number(), hub.waiting.clone());
-    let writing = hub.tasks.spawn(super::writer::write(
-        Arc::clone(&hub),
+    let (outbox, told, waiting) = Outbox::new(connections.number(), connections.waiting.clone());
+    let writing = connections.state.tasks.tracker.spawn(super::writer::write(
+        Arc::clone(&connections),
         outbox.session,
         sink,
         told,
@@ -40,25 +41,33 @@ pub(crate) async fn run(hub: Arc<Hub>, socket: WebSocket) {
         outbox.cut.clone(),
     ));
     let greeted = tokio::select! {
-        () = hub.stopping.cancelled() => Err(Why::Restart),
-        greeted = half_open(&hub, &outbox, &mut stream) => greeted,
+        () = connections.state.tasks.stopping.cancelled() => Err(Why::Restart),
+        greeted = half_open(&connections, &outbox, &mut stream) => greeted,
     };
     match greeted {
-        Ok((entered, ask)) => serve(hub, outbox, entered, ask, &mut stream).await,
+        Ok((entered, ask)) => serve(connections, outbox, entered, ask, &mut stream).await,
         Err(why) => outbox.cut.with(why),
     }
     let _ = writing.await;
 }
 
 /// Waits for the greeting in one of few places, whose oldest gives way.
-async fn half_open(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Entered, u32), Why> {
-    let place = hub.half_open.take();
-    let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(hub, outbox, stream));
+async fn half_open(
+    connections: &Connections,
+    outbox: &Outbox,
+    stream: &mut SplitStream<WebSocket>,
+) -> Result<(Entered, u32), Why> {
+    let place = connections.half_open.take();
+    let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(connections, outbox, stream));
     place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(Why::Unwelcome))
 }
 
 /// The greeting comes first and in our version.
-async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) -> Result<(Entered, u32), Why> {
+async fn greet(
+    connections: &Connections,
+    outbox: &Outbox,
+    stream: &mut SplitStream<WebSocket>,
+) -> Result<(Entered, u32), Why> {
     let Ask { ask, request } = match hear(stream.next().await) {
         Heard::Ask(ask) => *ask,
         Heard::Nonsense(ask, reason) => {
@@ -70,7 +79,7 @@ async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) 
     };
     match request {
         Request::Hello { version: VERSION, name, again } => {
-            Ok((hub.clients.enter(again.as_ref(), &name, outbox.session, outbox.cut.clone()), ask))
+            Ok((connections.clients.enter(again.as_ref(), &name, outbox.session, outbox.cut.clone()), ask))
         }
         Request::Hello { .. } => {
             outbox.no(ask, SaidNo::Version(VERSION));
@@ -84,26 +93,36 @@ async fn greet(hub: &Hub, outbox: &Outbox, stream: &mut SplitStream<WebSocket>) 
 }
 
 /// Reads until the link ends, while another task does what is asked.
-async fn serve(hub: Arc<Hub>, outbox: Outbox, entered: Entered, ask: u32, stream: &mut SplitStream<WebSocket>) {
+async fn serve(
+    connections: Arc<Connections>,
+    outbox: Outbox,
+    entered: Entered,
+    ask: u32,
+    stream: &mut SplitStream<WebSocket>,
+) {
     let Entered { person: me, secret } = entered;
     tracing::info!(name = me.name, session = outbox.session, "somebody comes");
-    hub.tell(&hub.library, Note::Join(Member { person: me.clone(), outbox: outbox.clone() }, ask, Some(secret)));
+    connections.state.rooms.tell(
+        connections.state.rooms.library(),
+        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(secret)),
+    );
     let (asking, asked) = inbox();
-    let session = Session::new(Arc::clone(&hub), outbox.clone(), me.clone());
-    let working = hub.spawn(session.work(asked));
-    let mut reader = Reader { hub: &hub, outbox: &outbox, by: &me.name, bucket: Bucket::full(), asking };
+    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone());
+    let working = connections.state.tasks.spawn(session.work(asked));
+    let mut reader =
+        Reader { connections: &connections, outbox: &outbox, by: &me.name, bucket: Bucket::full(), asking };
     let why = reader.read(stream).await;
     drop(reader);
     outbox.cut.with(why);
     let _ = working.await;
-    hub.tell_open(&hub.library, Note::Leave(outbox.session));
-    hub.clients.leave(&me.client, outbox.session);
+    connections.state.rooms.tell_open(connections.state.rooms.library(), Note::Leave(outbox.session));
+    connections.clients.leave(&me.client, outbox.session);
     tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
 }
 
 /// Hears one client.
 struct Reader<'a> {
-    hub: &'a Hub,
+    connections: &'a Connections,
     outbox: &'a Outbox,
     by: &'a str,
     bucket: Bucket,
@@ -112,7 +131,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> Why {
-        let (stopping, cut) = (self.hub.stopping.clone(), self.outbox.cut.clone());
+        let (stopping, cut) = (self.connections.state.tasks.stopping.clone(), self.outbox.cut.clone());
         loop {
             let next = tokio::time::timeout(Duration::from_millis(SILENT_MS), stream.next());
             let message = tokio::select! {
@@ -135,7 +154,7 @@ impl Reader<'_> {
     /// Stop always gets through, before all that waits; anything else has to keep to its share.
     fn hear(&mut self, Ask { ask, request }: Ask) {
         if let Request::Stop { behaviour, robot } = request {
-            self.hub.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
+            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
             self.outbox.say(Some(ask), Reply::Done);
             return tracing::info!(by = self.by, "Stop");
         }
@@ -146,7 +165,7 @@ impl Reader<'_> {
     }
 
     fn large(&mut self, text: Utf8Bytes) {
-        if !self.asking.large(text, &self.hub.weights) {
+        if !self.asking.large(text, &self.connections.weights) {
             self.too_fast(None);
         }
     }
@@ -158,7 +177,7 @@ impl Reader<'_> {
 
 /// Does what one client asks.
 struct Session {
-    hub: Arc<Hub>,
+    connections: Arc<Connections>,
     outbox: Outbox,
     me: Person,
     /// The behaviour that is open.
@@ -169,13 +188,13 @@ struct Session {
 }
 
 impl Session {
-    fn new(hub: Arc<Hub>, outbox: Outbox, me: Person) -> Self {
+    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person) -> Self {
         let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
-        Self { hub, outbox, me, open: None, under_way, weight: None }
+        Self { connections, outbox, me, open: None, under_way, weight: None }
     }
 
     fn member(&self) -> Member {
-        Member { person: self.me.clone(), outbox: self.outbox.clone() }
+        Member { person: self.me.clone(), link: Arc::new(self.outbox.clone()) }
     }
 
     /// One request after the other, until the link ended and all are done.
@@ -192,7 +211,7 @@ impl Session {
     /// Reads a large message among the other work, then does what it asks.
     async fn large(&mut self, text: Utf8Bytes, weight: Weight) {
         let sender = Sender::Link(self.outbox.session);
-        match self.hub.workers.run(sender, move |_| read(&text)).await {
+        match self.connections.state.workers.run(sender, move |_| read(&text)).await {
             Ok(Heard::Ask(ask)) => {
                 self.weight = Some(weight);
                 self.request(ask.ask, ask.request);
@@ -206,7 +225,7 @@ impl Session {
 
     fn leave_open(&mut self) {
         if let Some(open) = self.open.take() {
-            self.hub.tell_open(&open, Note::Leave(self.outbox.session));
+            self.connections.state.rooms.tell_open(&open, Note::Leave(self.outbox.session));
         }
     }
 }

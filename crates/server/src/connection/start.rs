@@ -2,7 +2,7 @@
 
 use crate::robots::Start;
 use crate::rooms::Look;
-use crate::state::Hub;
+use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
 use protocol::{Reply, SaidNo};
@@ -10,20 +10,20 @@ use std::sync::Arc;
 
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
 pub(crate) async fn start(
-    hub: &Arc<Hub>,
+    state: &ServerState,
     behaviour: Id,
     robot: Option<Id>,
     record: bool,
     by: String,
 ) -> Result<Reply, SaidNo> {
-    let host = hub.robots.meant(robot.as_ref())?;
+    let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
     let announced = host.announce(&behaviour).map_err(SaidNo::CannotStart)?;
-    let look = hub.look(&behaviour).await?;
+    let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
-    let file = ready(hub, &behaviour, look).await?;
+    let file = ready(state, &behaviour, look).await?;
     let stopped = || SaidNo::CannotStart("Stop was pressed".to_owned());
-    if !announced.is_open() || hub.ends() {
+    if !announced.is_open() || state.tasks.ends() {
         return Err(stopped());
     }
     let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
@@ -37,11 +37,11 @@ pub(crate) async fn start(
 }
 
 /// Lets the running behaviour go on with the revision that is saved. If it is refused, what runs goes on as it is.
-pub(crate) async fn apply(hub: &Arc<Hub>, behaviour: Id, robot: Option<Id>, by: String) -> Result<Reply, SaidNo> {
-    let hosts = hub.robots.running(&behaviour, robot.as_ref())?;
-    let look = hub.look(&behaviour).await?;
+pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>, by: String) -> Result<Reply, SaidNo> {
+    let hosts = state.robots.running(&behaviour, robot.as_ref())?;
+    let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
-    let file = ready(hub, &behaviour, look).await.map_err(|no| match no {
+    let file = ready(state, &behaviour, look).await.map_err(|no| match no {
         SaidNo::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
         other => other,
     })?;
@@ -59,13 +59,13 @@ fn not_applied(reason: String) -> SaidNo {
 }
 
 /// The file to run, if no problem stops it.
-async fn ready(hub: &Arc<Hub>, behaviour: &Id, look: Look) -> Result<BehaviourFile, SaidNo> {
-    let (shelf, knowing) = (hub.shelf(), Arc::clone(&hub.knowing));
+async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<BehaviourFile, SaidNo> {
+    let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
     let judge = move || {
-        let helpers = shelf.helpers();
+        let helpers = snapshot.helpers();
         let mut problems = ::behaviour::problems(look.behaviour(), &helpers, &*knowing);
         problems.retain(|problem: &Problem| problem.blocks);
         if problems.is_empty() { Ok(BehaviourFile::of(look.behaviour(), &helpers)) } else { Err(problems) }
     };
-    hub.workers.run(Sender::Room(behaviour.clone()), move |_| judge()).await?.map_err(SaidNo::Problems)
+    state.workers.run(Sender::Room(behaviour.clone()), move |_| judge()).await?.map_err(SaidNo::Problems)
 }

@@ -1,8 +1,9 @@
 //! What every client is told, newest wins: the robots, their rooms and the runs, each made into text once for all.
 
 use crate::robots::Robots;
-use crate::state::Hub;
+use crate::rooms::list_news::ListNews;
 use crate::support::message::encode;
+use crate::support::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
 use protocol::{Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
@@ -35,6 +36,14 @@ impl Topics {
         let robots = robots_text(&robots.states().borrow());
         Self { robots: watch::Sender::new(robots), runs: watch::Sender::new(runs), states }
     }
+
+    /// Keeps the topics new until the server ends.
+    pub(crate) fn keep(&self, robots: &Robots, news: &ListNews, tasks: &Tasks) {
+        follow(tasks, robots.states(), self.robots.clone(), |robots| robots_text(robots));
+        follow(tasks, robots.runs(), self.runs.clone(), |runs| runs_text(runs));
+        tasks.tracker.spawn(keep_pictures(robots.clone(), tasks.clone()));
+        tasks.tracker.spawn(keep_list(news.clone(), tasks.clone()));
+    }
 }
 
 fn robots_text(newest: &[RobotState]) -> Utf8Bytes {
@@ -45,38 +54,31 @@ fn runs_text(newest: &[RunState]) -> Utf8Bytes {
     encode(None, Reply::Runs { runs: newest.to_vec() })
 }
 
-/// Keeps the topics new until the server ends.
-pub(crate) fn keep(hub: &Arc<Hub>) {
-    let topics = &hub.topics;
-    follow(hub, hub.robots.states(), topics.robots.clone(), |robots| robots_text(robots));
-    follow(hub, hub.robots.runs(), topics.runs.clone(), |runs| runs_text(runs));
-    hub.tasks.spawn(keep_pictures(Arc::clone(hub)));
-    let hub = Arc::clone(hub);
-    hub.clone().tasks.spawn(async move {
-        let mut beat = tokio::time::interval(Duration::from_millis(LIST_MS));
-        while hub.stopping.run_until_cancelled(beat.tick()).await.is_some() {
-            hub.programs.tell_later_ones();
-        }
-    });
-}
-
 /// Keeps the pictures of all robots new, also of those that come later.
-async fn keep_pictures(hub: Arc<Hub>) {
-    let (mut robots, mut known) = (hub.robots.states(), BTreeSet::new());
+async fn keep_pictures(all: Robots, tasks: Tasks) {
+    let (mut robots, mut known) = (all.states(), BTreeSet::new());
     loop {
         robots.borrow_and_update();
-        let hosts = hub.robots.hosts();
+        let hosts = all.hosts();
         known.retain(|robot| hosts.iter().any(|host| host.id() == robot));
         for host in hosts {
             let robot = host.id().clone();
             if known.insert(robot.clone()) {
                 let text = move |scene: &Scene| picture_text(&robot, scene);
-                follow(&hub, host.scene(), host.pictures().clone(), text);
+                follow(&tasks, host.scene(), host.pictures().clone(), text);
             }
         }
-        if !matches!(hub.stopping.run_until_cancelled(robots.changed()).await, Some(Ok(()))) {
+        if !matches!(tasks.until_end(robots.changed()).await, Some(Ok(()))) {
             return;
         }
+    }
+}
+
+/// Tells now and then that the list of behaviours changed, when only times in it did.
+async fn keep_list(news: ListNews, tasks: Tasks) {
+    let mut beat = tokio::time::interval(Duration::from_millis(LIST_MS));
+    while tasks.until_end(beat.tick()).await.is_some() {
+        news.tell_later_ones();
     }
 }
 
@@ -86,16 +88,16 @@ fn picture_text(robot: &Id, newest: &Scene) -> Utf8Bytes {
 
 /// Makes each newest value into a message, at most so often.
 fn follow<T: Send + Sync + 'static>(
-    hub: &Arc<Hub>,
+    tasks: &Tasks,
     mut newest: watch::Receiver<Arc<T>>,
     topic: watch::Sender<Utf8Bytes>,
     text: impl Fn(&T) -> Utf8Bytes + Send + 'static,
 ) {
-    let stopping = hub.stopping.clone();
+    let ending = tasks.clone();
     // It may have changed since the first text was made.
     newest.mark_changed();
-    hub.tasks.spawn(async move {
-        while let Some(Ok(())) = stopping.run_until_cancelled(newest.changed()).await {
+    tasks.tracker.spawn(async move {
+        while let Some(Ok(())) = ending.until_end(newest.changed()).await {
             let value = Arc::clone(&newest.borrow_and_update());
             topic.send_replace(text(&value));
             tokio::time::sleep(Duration::from_millis(BEAT_MS)).await;

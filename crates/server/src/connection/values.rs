@@ -1,7 +1,7 @@
 //! The live values of the behaviour that a client has open, at the client's own pace.
 
+use crate::connection::Connections;
 use crate::robots::{LiveValues, Seen};
-use crate::state::Hub;
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
@@ -15,11 +15,11 @@ pub(super) struct Watching {
 
 impl Watching {
     /// What changed since the last call in the newest run on this robot, or on any, as a message.
-    pub(super) fn news(&mut self, hub: &Hub, behaviour: &Id, robot: Option<&Id>) -> Option<Utf8Bytes> {
+    pub(super) fn news(&mut self, connections: &Connections, behaviour: &Id, robot: Option<&Id>) -> Option<Utf8Bytes> {
         let is_meant = |run: &&RunState| run.behaviour == *behaviour && robot.is_none_or(|robot| run.robot == *robot);
-        let newest = hub.topics.states.borrow().iter().filter(is_meant).map(|run| run.run).max()?;
+        let newest = connections.topics.states.borrow().iter().filter(is_meant).map(|run| run.run).max()?;
         if self.run.as_ref().is_none_or(|(run, ..)| *run != newest) {
-            self.run = hub.robots.values(newest).map(|live| (newest, live, Seen::default()));
+            self.run = connections.state.robots.values(newest).map(|live| (newest, live, Seen::default()));
         }
         let (_, live, seen) = self.run.as_mut()?;
         let values = live.since(seen)?;

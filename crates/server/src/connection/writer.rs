@@ -2,10 +2,11 @@
 //! that only matters new.
 
 use super::values::Watching;
+use crate::connection::Connections;
 use crate::connection::close_signal::{Cut, Why};
-use crate::connection::outbox::{Feed, Out, QUEUE_MAX_MESSAGES, Waiting};
+use crate::connection::outbox::{Out, QUEUE_MAX_MESSAGES, Waiting};
 use crate::connection::topics::BEAT_MS;
-use crate::state::Hub;
+use crate::rooms::member::Feed;
 use crate::support::message::encode;
 use crate::support::workers::{CancelFlag, Sender};
 use axum::body::Bytes;
@@ -25,7 +26,7 @@ const WRITE_MS: u64 = 5_000;
 const CLOSE_MS: u64 = 1_000;
 
 struct Writer {
-    hub: Arc<Hub>,
+    connections: Arc<Connections>,
     /// The number of the link.
     session: u64,
     sink: SplitSink<WebSocket, Message>,
@@ -46,19 +47,23 @@ struct Writer {
 
 /// Writes until the link is cut.
 pub(super) async fn write(
-    hub: Arc<Hub>,
+    connections: Arc<Connections>,
     session: u64,
     sink: SplitSink<WebSocket, Message>,
     inbox: mpsc::Receiver<Out>,
     waiting: Waiting,
     cut: Cut,
 ) {
-    let mut topics =
-        [hub.topics.runs.subscribe(), hub.topics.robots.subscribe(), hub.health.text(), hub.programs.text()];
+    let mut topics = [
+        connections.topics.runs.subscribe(),
+        connections.topics.robots.subscribe(),
+        connections.state.health.text(),
+        connections.state.rooms.news().text(),
+    ];
     topics[..3].iter_mut().for_each(watch::Receiver::mark_changed);
-    let scene = pictures(&hub, None);
+    let scene = pictures(&connections, None);
     let mut writer = Writer {
-        hub,
+        connections,
         session,
         sink,
         waiting,
@@ -133,7 +138,7 @@ impl Writer {
     fn watch(&mut self, robot: Option<Id>, scene: bool, values: bool) {
         (self.scene_wanted, self.values_wanted) = (scene, values);
         if robot != self.robot {
-            self.scene = pictures(&self.hub, robot.as_ref());
+            self.scene = pictures(&self.connections, robot.as_ref());
             self.robot = robot;
         }
     }
@@ -148,7 +153,7 @@ impl Writer {
             texts.extend(newest(&mut feed.people));
             texts.extend(newest(&mut feed.problems));
             if self.values_wanted {
-                texts.extend(values(&self.hub, &mut self.watching, &feed.behaviour, self.robot.as_ref()).await);
+                texts.extend(values(&self.connections, &mut self.watching, &feed.behaviour, self.robot.as_ref()).await);
             }
         }
         if texts.is_empty() { Ok(()) } else { self.send(texts).await }
@@ -156,7 +161,7 @@ impl Writer {
 
     async fn ping(&mut self) -> Result<(), Why> {
         let behaviour = self.feed.as_ref().map(|feed| (feed.behaviour.clone(), *feed.revision.borrow()));
-        let library_revision = self.hub.shelf.borrow().revision;
+        let library_revision = self.connections.state.rooms.snapshot().revision;
         let text = encode(None, Reply::Ping { behaviour, library_revision });
         self.write([Message::Text(text), Message::Ping(Bytes::new())]).await
     }
@@ -174,7 +179,7 @@ impl Writer {
                 let text = texts.next();
                 (text, texts)
             };
-            let made = self.hub.workers.run(Sender::Writer(self.session), make).await;
+            let made = self.connections.state.workers.run(Sender::Writer(self.session), make).await;
             let (text, rest) = made.map_err(|_| Why::Resync)?;
             let Some(text) = text else { return Ok(()) };
             self.write([Message::Text(text), Message::Ping(Bytes::new())]).await?;
@@ -215,11 +220,17 @@ impl Writer {
 }
 
 /// What is new of the live values, made on the server's other threads.
-async fn values(hub: &Arc<Hub>, watching: &mut Watching, behaviour: &Id, robot: Option<&Id>) -> Option<Utf8Bytes> {
-    let (known, hub, behaviour, robot) = (std::mem::take(watching), Arc::clone(hub), behaviour.clone(), robot.cloned());
-    let made = hub.clone().runtime.spawn(async move {
+async fn values(
+    connections: &Arc<Connections>,
+    watching: &mut Watching,
+    behaviour: &Id,
+    robot: Option<&Id>,
+) -> Option<Utf8Bytes> {
+    let (known, all, behaviour, robot) =
+        (std::mem::take(watching), Arc::clone(connections), behaviour.clone(), robot.cloned());
+    let made = connections.state.tasks.runtime.spawn(async move {
         let mut known = known;
-        (known.news(&hub, &behaviour, robot.as_ref()), known)
+        (known.news(&all, &behaviour, robot.as_ref()), known)
     });
     let (text, known) = made.await.ok()?;
     *watching = known;
@@ -227,8 +238,8 @@ async fn values(hub: &Arc<Hub>, watching: &mut Watching, behaviour: &Id, robot: 
 }
 
 /// Pictures of a robot, beginning with the newest.
-fn pictures(hub: &Hub, robot: Option<&Id>) -> Option<watch::Receiver<Utf8Bytes>> {
-    let mut pictures = hub.robots.pictures(robot)?;
+fn pictures(connections: &Connections, robot: Option<&Id>) -> Option<watch::Receiver<Utf8Bytes>> {
+    let mut pictures = connections.state.robots.pictures(robot)?;
     pictures.mark_changed();
     Some(pictures)
 }

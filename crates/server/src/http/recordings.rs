@@ -1,6 +1,6 @@
 //! Recordings over HTTP: the list, and a file as it is so far.
 
-use crate::state::Hub;
+use crate::recordings::Recordings;
 use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::http::{StatusCode, header};
@@ -8,14 +8,12 @@ use axum::response::{IntoResponse, Response};
 use protocol::SaidNo;
 use std::fs::File;
 use std::io::Read;
-use std::sync::Arc;
 
 /// Size of a piece, in bytes.
 const PIECE_BYTES: usize = 64 << 10;
 
 /// All recordings, newest first.
-pub(crate) async fn list(hub: &Arc<Hub>) -> Response {
-    let recordings = hub.recordings.clone();
+pub(crate) async fn list(recordings: Recordings) -> Response {
     match tokio::task::spawn_blocking(move || recordings.list()).await {
         Ok(list) => Json(list).into_response(),
         Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
@@ -23,8 +21,8 @@ pub(crate) async fn list(hub: &Arc<Hub>) -> Response {
 }
 
 /// One recording, read piece by piece as it is taken.
-pub(crate) async fn download(hub: &Arc<Hub>, name: String) -> Response {
-    let (recordings, wanted) = (hub.recordings.clone(), name.clone());
+pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
+    let wanted = name.clone();
     let open = move || recordings.find(&wanted).map(File::open);
     let file = match tokio::task::spawn_blocking(open).await {
         Ok(Some(Ok(file))) => file,

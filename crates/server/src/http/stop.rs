@@ -1,7 +1,7 @@
 //! Answers one Stop: reads its head, lets the robots hold, says so, and only then has anything else done.
 
+use super::headers::HEADERS;
 use crate::http::origin::Guard;
-use crate::http::routes::HEADERS;
 use crate::robots::Robots;
 use axum::extract::Query;
 use axum::http::Uri;

@@ -1,7 +1,8 @@
 //! Behaviours as files, out of the server.
 
 use crate::library::list::names;
-use crate::state::Hub;
+use crate::rooms::Rooms;
+use crate::state::ServerState;
 use axum::Json;
 use axum::body::Body;
 use axum::http::{StatusCode, header};
@@ -9,21 +10,22 @@ use axum::response::{IntoResponse, Response};
 use behaviour::{BehaviourFile, Id};
 use protocol::SaidNo;
 use std::sync::Arc;
+use store::Store;
 
 /// Lines of a backup that wait to be sent.
 const LINES_MAX: usize = 1;
 
 /// A behaviour as a file to keep: `ID.json`, `ID.xml` or `ID.svg`.
-pub(crate) async fn download(hub: &Arc<Hub>, file: &str) -> Response {
+pub(crate) async fn download(rooms: &Rooms, file: &str) -> Response {
     let gone = |no: SaidNo| (StatusCode::NOT_FOUND, format!("{no}\n")).into_response();
     let (id, format) = file.rsplit_once('.').unwrap_or((file, ""));
     let (Ok(id), "json" | "xml" | "svg") = (Id::new(id), format) else { return gone(SaidNo::NoBehaviour) };
-    let look = match hub.look(&id).await {
+    let look = match rooms.look(&id).await {
         Ok(look) if look.behaviour().settings().is_some() => look,
         Ok(_) | Err(SaidNo::NoBehaviour) => return gone(SaidNo::NoBehaviour),
         Err(no) => return (StatusCode::SERVICE_UNAVAILABLE, format!("{no}\n")).into_response(),
     };
-    let mut file = BehaviourFile::of(look.behaviour(), &hub.shelf().helpers());
+    let mut file = BehaviourFile::of(look.behaviour(), &rooms.snapshot().helpers());
     file.id = Some(id.to_string());
     match format {
         "json" => attached(&file.name, format, "application/json", store::files::write_json(&file)),
@@ -36,19 +38,19 @@ pub(crate) async fn download(hub: &Arc<Hub>, file: &str) -> Response {
 }
 
 /// Id and name of every behaviour that is not in the bin, by name.
-pub(crate) async fn list(hub: &Hub) -> Response {
+pub(crate) async fn list(store: &dyn Store) -> Response {
     let line = |(id, name): &(Id, String)| serde_json::json!({"id": id, "name": name});
-    match names(&*hub.store).await {
+    match names(store).await {
         Ok(names) => Json(names.iter().map(line).collect::<Vec<_>>()).into_response(),
         Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
     }
 }
 
 /// Everything that is kept, line by line as it is read; the last line tells that nothing is missing.
-pub(crate) fn backup(hub: &Arc<Hub>) -> Response {
+pub(crate) fn backup(state: &Arc<ServerState>) -> Response {
     let (tell, told) = tokio::sync::mpsc::channel::<String>(LINES_MAX);
-    let writing = Arc::clone(hub);
-    hub.tasks.spawn(async move {
+    let writing = Arc::clone(state);
+    state.tasks.tracker.spawn(async move {
         let put = |line: String| {
             let tell = tell.clone();
             async move { tell.send(line).await.map_err(std::io::Error::other) }
@@ -56,7 +58,7 @@ pub(crate) fn backup(hub: &Arc<Hub>) -> Response {
         let kept = writing.robots.clone();
         let Ok(robots) = tokio::task::spawn_blocking(move || kept.kept()).await else { return };
         let taken = store::backup::backup(&*writing.store, writing.epoch, &robots, put, &|_, _| {});
-        match writing.stopping.run_until_cancelled(taken).await {
+        match writing.tasks.until_end(taken).await {
             Some(Ok(done)) => tracing::info!(?done, "a backup was taken"),
             Some(Err(error)) => tracing::warn!(%error, "a backup did not come to its end"),
             None => {}

@@ -5,9 +5,11 @@
 //! only what was too old at that earlier look already, if that was at least a day ago. If a look finds the clock before
 //! the earlier one, the earlier one was wrong and is forgotten. It does not matter which store keeps the behaviours.
 
-use crate::state::Hub;
+use super::Library;
 use crate::support::atomic_file;
-use crate::support::store_call::bounded;
+use crate::support::store_call::{bounded, store_no};
+use behaviour::Id;
+use protocol::{Reply, SaidNo};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -22,21 +24,31 @@ const LOOK_MS: u64 = 60 * 60 * 1_000;
 const FILE: &str = "bin-looked.json";
 
 /// Empties the bin now and then until the server ends.
-pub(crate) fn keep(hub: &Arc<Hub>, data: Option<&Path>) {
-    let (hub, mut looks) = (Arc::clone(hub), Looks::within(data));
-    hub.clone().tasks.spawn(async move {
+pub(crate) fn keep(library: &Arc<Library>, data: Option<&Path>) {
+    let (library, mut looks) = (Arc::clone(library), Looks::within(data));
+    library.clone().tasks.tracker.spawn(async move {
         let mut beat = tokio::time::interval(Duration::from_millis(LOOK_MS));
-        while hub.stopping.run_until_cancelled(beat.tick()).await.is_some() {
-            match empty(&*hub.store, &mut looks, crate::support::now_ms()).await {
+        while library.tasks.until_end(beat.tick()).await.is_some() {
+            match empty(&*library.store, &mut looks, crate::support::now_ms()).await {
                 Ok(0) => {}
                 Ok(gone) => {
                     tracing::info!(gone, "behaviours were in the bin for {BIN_DAYS} days and are deleted");
-                    hub.programs.tell();
+                    library.rooms.news().tell();
                 }
                 Err(error) => tracing::warn!(%error, "the bin could not be emptied; it is tried again in an hour"),
             }
         }
     });
+}
+
+/// Takes a behaviour back out of the bin.
+///
+/// # Errors
+/// If it is not there, or the store does not answer.
+pub(crate) async fn restore(library: &Library, behaviour: &Id) -> Result<Reply, SaidNo> {
+    let back = bounded(library.store.restore(behaviour)).await.map_err(|error| store_no(&error))?;
+    library.rooms.news().tell();
+    if back { Ok(Reply::Done) } else { Err(SaidNo::NoBehaviour) }
 }
 
 /// Deletes what was in the bin for [`BIN_DAYS`] at the earlier look already; says how many.

@@ -1,9 +1,9 @@
 //! Making a behaviour: empty or from a template, whose helpers join the library.
 
-use crate::library::import::{TRIES, is_overtaken, judge, shelve};
-use crate::library::list::free_name;
-use crate::library::templates::{Template, templates};
-use crate::state::Hub;
+use super::Library;
+use super::import::{TRIES, is_overtaken, judge, shelve};
+use super::list::free_name;
+use super::templates::{Template, templates};
 use crate::support::store_call::{bounded, reason, store_no};
 use crate::support::workers::Sender;
 use behaviour::{
@@ -28,28 +28,28 @@ pub(crate) struct Wish {
 }
 
 /// Makes the behaviour; asked twice with the same id, it makes one.
-pub(crate) async fn create(hub: &Arc<Hub>, wish: Wish) -> Result<Reply, SaidNo> {
+pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, SaidNo> {
     let template = wish.template.as_deref().map(find).transpose()?;
-    if wish.behaviour == hub.library {
+    if wish.behaviour == *library.rooms.library() {
         return Err(SaidNo::NoBehaviour);
     }
     check_name(&wish.name)?;
-    if is_there(hub, &wish).await? {
+    if is_there(library, &wish).await? {
         return Ok(Reply::Created { behaviour: wish.behaviour });
     }
     let records = match template {
-        Some(template) => from_template(hub, template, &wish).await?,
+        Some(template) => from_template(library, template, &wish).await?,
         None => Behaviour::default(),
     };
-    let _one_at_a_time = hub.creating.lock().await;
-    if !is_there(hub, &wish).await? {
-        save(hub, &wish, records).await?;
+    let _one_at_a_time = library.creating.lock().await;
+    if !is_there(library, &wish).await? {
+        save(library, &wish, records).await?;
     }
     Ok(Reply::Created { behaviour: wish.behaviour })
 }
 
-async fn is_there(hub: &Hub, wish: &Wish) -> Result<bool, SaidNo> {
-    let there = bounded(hub.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
+async fn is_there(library: &Library, wish: &Wish) -> Result<bool, SaidNo> {
+    let there = bounded(library.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
     Ok(there.is_some())
 }
 
@@ -72,8 +72,8 @@ pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
     if name.chars().count() > most { no(Refusal::TooLong("This name".to_owned(), most)) } else { Ok(()) }
 }
 
-async fn save(hub: &Arc<Hub>, wish: &Wish, mut records: Behaviour) -> Result<(), SaidNo> {
-    let name = free_name(&*hub.store, wish.name.trim()).await.map_err(|error| store_no(&error))?;
+async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Result<(), SaidNo> {
+    let name = free_name(&*library.store, wish.name.trim()).await.map_err(|error| store_no(&error))?;
     let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
     let settings = Settings { name: name.clone(), ..settings };
     records.records.insert(RecordId::settings(), Record::Settings(settings));
@@ -84,34 +84,34 @@ async fn save(hub: &Arc<Hub>, wish: &Wish, mut records: Behaviour) -> Result<(),
         change = change.put(&Behaviour::default(), id.clone(), record.clone());
     }
     let first = Accepted { revision: 1, change };
-    append(hub, &wish.behaviour, &first, &records).await?;
-    hub.programs.changed(&first);
+    append(library, &wish.behaviour, &first, &records).await?;
+    library.rooms.news().changed(&first);
     Ok(())
 }
 
 /// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
-pub(crate) async fn append(hub: &Hub, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
-    let mut answer = bounded(hub.store.append(id, made, after)).await;
+pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
+    let mut answer = bounded(library.store.append(id, made, after)).await;
     if answer.as_ref().is_err_and(StoreError::is_open) {
-        answer = bounded(hub.store.append(id, made, after)).await;
+        answer = bounded(library.store.append(id, made, after)).await;
     }
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
         Ok(Append::Conflict { .. }) => Err(SaidNo::Change(Refusal::Stale("this behaviour".to_owned()))),
         Err(error) => {
-            hub.health.failed(&error);
+            library.health.failed(&error);
             Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))
         }
     }
 }
 
 /// The records of a template under new ids, its helpers in the library.
-async fn from_template(hub: &Arc<Hub>, template: &Template, wish: &Wish) -> Result<Behaviour, SaidNo> {
+async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish) -> Result<Behaviour, SaidNo> {
     let (file, sender) = (Arc::new(template.file()), Sender::Room(wish.behaviour.clone()));
     let mut last = SaidNo::TooFast;
     for _ in 0..TRIES {
-        let brought = judge(hub, &sender, &file, Mode::Copy, &wish.by).await?;
-        match shelve(hub, &brought).await {
+        let brought = judge(library, &sender, &file, Mode::Copy, &wish.by).await?;
+        match shelve(library, &brought).await {
             Err(no) if is_overtaken(&no) => last = no,
             Err(no) => return Err(no),
             Ok(()) => {

@@ -1,69 +1,14 @@
-//! The list of behaviours: a page of it from the store, and when everyone is told that it changed: at once when a name
-//! or the number of behaviours changed, otherwise together with other changes, a little later.
+//! The list of behaviours as the store has it, and names that are free in it.
 
-use crate::state::Hub;
-use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
-use axum::extract::ws::Utf8Bytes;
-use behaviour::{Accepted, Edit, Id, Record, RecordId};
+use behaviour::Id;
 use protocol::{LIST_MAX_LINES, ListQuery, Reply, SaidNo, Summary, WORDS_MAX_CHARS};
 use std::collections::BTreeSet;
-use std::sync::atomic::{AtomicBool, Ordering};
 use store::{Listed, Listing, Query, Store, StoreError};
-use tokio::sync::watch;
-
-/// Tells everyone that the list changed.
-#[derive(Debug)]
-pub(crate) struct Programs {
-    changed: AtomicBool,
-    text: watch::Sender<Utf8Bytes>,
-}
-
-impl Default for Programs {
-    fn default() -> Self {
-        Self { changed: AtomicBool::new(false), text: watch::Sender::new(encode(None, Reply::ProgramsChanged)) }
-    }
-}
-
-impl Programs {
-    /// The message to everyone, new each time the list changed.
-    pub(crate) fn text(&self) -> watch::Receiver<Utf8Bytes> {
-        self.text.subscribe()
-    }
-
-    /// A behaviour was made or changed.
-    pub(crate) fn changed(&self, accepted: &Accepted) {
-        if accepted.revision == 1 || accepted.change.edits.iter().any(renames) {
-            self.tell();
-        } else {
-            self.changed.store(true, Ordering::Relaxed);
-        }
-    }
-
-    /// Tells what was left for later.
-    pub(crate) fn tell_later_ones(&self) {
-        if self.changed.swap(false, Ordering::Relaxed) {
-            self.tell();
-        }
-    }
-
-    /// Tells everyone now.
-    pub(crate) fn tell(&self) {
-        self.text.send_modify(|_| {});
-    }
-}
-
-fn renames(edit: &Edit) -> bool {
-    let name = |record: &Option<Record>| match record {
-        Some(Record::Settings(settings)) => settings.name.clone(),
-        _ => String::new(),
-    };
-    edit.id == RecordId::settings() && name(&edit.before) != name(&edit.after)
-}
 
 /// A page of the list.
-pub(crate) async fn list(hub: &Hub, query: ListQuery) -> Result<Reply, SaidNo> {
-    let listing = bounded(hub.store.list(&asked(query))).await.map_err(|error| store_no(&error))?;
+pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<Reply, SaidNo> {
+    let listing = bounded(store.list(&asked(query))).await.map_err(|error| store_no(&error))?;
     let Listing { lines, next, total } = listing;
     Ok(Reply::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })
 }

@@ -1,6 +1,6 @@
 //! The gallery: the sample applications of the thesis, ready to be copied, changed and run.
 
-use crate::library::thumbnails::picture_of;
+use super::thumbnails::picture_of;
 use behaviour::BehaviourFile;
 use protocol::Summary;
 

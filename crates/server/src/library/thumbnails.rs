@@ -1,6 +1,5 @@
 //! Small pictures of graphs for lists, made from what is saved and kept for a while.
 
-use crate::state::Hub;
 use crate::support::lock;
 use crate::support::store_call::bounded;
 use behaviour::{Behaviour, Graph, Id};
@@ -8,6 +7,7 @@ use futures_util::StreamExt;
 use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Reply, SaidNo};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex};
+use store::Store;
 
 /// Pictures that are kept.
 const KEPT_MAX: usize = 1_000;
@@ -18,7 +18,7 @@ const STEP: [f64; 2] = [180.0, 130.0];
 
 /// The pictures made lately.
 #[derive(Debug, Default)]
-pub(crate) struct Pictures(Mutex<Kept>);
+pub(crate) struct Thumbnails(Mutex<Kept>);
 
 #[derive(Debug, Default)]
 struct Kept {
@@ -26,7 +26,7 @@ struct Kept {
     order: VecDeque<Id>,
 }
 
-impl Pictures {
+impl Thumbnails {
     fn get(&self, of: &PictureOf) -> Option<Arc<Picture>> {
         let kept = lock(&self.0);
         let (_, picture) = kept.made.get(&of.behaviour).filter(|(revision, _)| *revision >= of.revision)?;
@@ -47,20 +47,20 @@ impl Pictures {
 }
 
 /// The pictures of these behaviours, as far as they are there.
-pub(crate) async fn pictures(hub: &Arc<Hub>, of: Vec<PictureOf>) -> Result<Reply, SaidNo> {
-    let wanted = of.into_iter().take(PICTURES_MAX).map(|of| one(hub, of));
-    let made = futures_util::stream::iter(wanted).buffered(AT_ONCE).collect::<Vec<_>>().await;
-    let pictures = made.into_iter().flatten().map(|(id, picture)| (id, (*picture).clone())).collect();
+pub(crate) async fn pictures(store: &dyn Store, made: &Thumbnails, of: Vec<PictureOf>) -> Result<Reply, SaidNo> {
+    let wanted = of.into_iter().take(PICTURES_MAX).map(|of| one(store, made, of));
+    let drawn = futures_util::stream::iter(wanted).buffered(AT_ONCE).collect::<Vec<_>>().await;
+    let pictures = drawn.into_iter().flatten().map(|(id, picture)| (id, (*picture).clone())).collect();
     Ok(Reply::Pictures { pictures })
 }
 
-async fn one(hub: &Hub, of: PictureOf) -> Option<(Id, Arc<Picture>)> {
-    if let Some(picture) = hub.pictures.get(&of) {
+async fn one(store: &dyn Store, made: &Thumbnails, of: PictureOf) -> Option<(Id, Arc<Picture>)> {
+    if let Some(picture) = made.get(&of) {
         return Some((of.behaviour, picture));
     }
-    let loaded = bounded(hub.store.load(&of.behaviour)).await.ok()??;
+    let loaded = bounded(store.load(&of.behaviour)).await.ok()??;
     let picture = Arc::new(picture_of(&loaded.behaviour));
-    hub.pictures.keep(of.behaviour.clone(), loaded.revision, &picture);
+    made.keep(of.behaviour.clone(), loaded.revision, &picture);
     Some((of.behaviour, picture))
 }
 
@@ -100,7 +100,7 @@ fn rows<'a>(behaviour: &'a Behaviour, graph: &Graph<'a>) -> BTreeMap<&'a Id, [f6
 
 #[cfg(test)]
 mod tests {
-    use super::{KEPT_MAX, Pictures, picture_of};
+    use super::{KEPT_MAX, Thumbnails, picture_of};
     use crate::library::templates::templates;
     use behaviour::{Id, Kind};
     use protocol::{Picture, PictureOf};
@@ -123,7 +123,7 @@ mod tests {
 
     #[test]
     fn pictures_are_kept_by_revision_and_not_for_ever() {
-        let (pictures, picture) = (Pictures::default(), Arc::new(Picture::default()));
+        let (pictures, picture) = (Thumbnails::default(), Arc::new(Picture::default()));
         let id = |number: usize| Id::new(&format!("b{number}")).unwrap();
         pictures.keep(id(0), 3, &picture);
         let at = |number, revision| pictures.get(&PictureOf { behaviour: id(number), revision }).is_some();

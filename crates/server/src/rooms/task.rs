@@ -1,25 +1,22 @@
 //! The task of one open behaviour: it holds the pure room, which decides; it saves and then tells everyone there.
 //! One change is saved at a time; who only looks, comes or goes never waits for saving.
 
-use change_log::ChangeLog;
-use jobs::{Job, Waiting};
-use problems::Found;
-use saving::Saved;
 mod change_log;
 mod jobs;
 mod members;
 mod problems;
 mod saving;
 
-use crate::connection::outbox::Feed;
-use crate::rooms::{Look, Member, Note};
-use crate::state::{Hub, Shelf};
+use super::member::{Feed, Member};
+use super::snapshot::LibrarySnapshot;
+use super::{Look, Note, Rooms, Surroundings};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
-use crate::support::workers::NotDone;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Id, Room};
-use futures_util::future::BoxFuture;
+use change_log::ChangeLog;
+use jobs::{Job, Saving, Waiting};
+use problems::{Finding, Found};
 use protocol::SaidNo;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -38,7 +35,8 @@ enum Stay {
 
 /// One open behaviour, or the library.
 struct RoomTask {
-    hub: Arc<Hub>,
+    rooms: Rooms,
+    around: Arc<Surroundings>,
     id: Id,
     /// Shared with whoever looks at it or decides about it elsewhere just now.
     room: Arc<Room>,
@@ -46,27 +44,23 @@ struct RoomTask {
     members: BTreeMap<u64, Member>,
     /// What waits for saving.
     waiting: Waiting,
-    /// What is being saved.
-    saving: Option<BoxFuture<'static, Saved>>,
-    /// True when the store may have more than this room knows.
-    uncertain: bool,
+    saving: Saving,
     stay: Stay,
     log: ChangeLog,
-    shelf: watch::Receiver<Arc<Shelf>>,
+    snapshot: watch::Receiver<Arc<LibrarySnapshot>>,
     found: Found,
-    problems_due: bool,
-    finding: Option<BoxFuture<'static, Result<Found, NotDone>>>,
+    finding: Finding,
     revision: watch::Sender<u64>,
     people_text: watch::Sender<Utf8Bytes>,
     problems_text: watch::Sender<Utf8Bytes>,
 }
 
 /// Runs a room until nobody needs it.
-pub(crate) async fn run(hub: Arc<Hub>, id: Id, mut inbox: mpsc::Receiver<Note>) {
-    let loaded = bounded(hub.store.load(&id)).await;
+pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
+    let loaded = bounded(rooms.around.store.load(&id)).await;
     let no = match loaded {
         Ok(Some(loaded)) if loaded.removed_ms.is_none() => {
-            let mut task = RoomTask::new(hub.clone(), id.clone(), Room::open(loaded.behaviour, loaded.revision));
+            let mut task = RoomTask::new(rooms, id.clone(), Room::open(loaded.behaviour, loaded.revision));
             task.find_problems_at_first().await;
             return task.live(inbox).await;
         }
@@ -74,7 +68,7 @@ pub(crate) async fn run(hub: Arc<Hub>, id: Id, mut inbox: mpsc::Receiver<Note>) 
         Err(error) => store_no(&error),
     };
     tracing::info!(behaviour = %id, %no, "a room did not open");
-    while !hub.let_go(&id, &inbox) {
+    while !rooms.let_go(&id, &inbox) {
         if let Ok(note) = inbox.try_recv() {
             note.refuse(no.clone());
         }
@@ -82,23 +76,23 @@ pub(crate) async fn run(hub: Arc<Hub>, id: Id, mut inbox: mpsc::Receiver<Note>) 
 }
 
 impl RoomTask {
-    fn new(hub: Arc<Hub>, id: Id, room: Room) -> Self {
-        let shelf = hub.shelf.subscribe();
+    fn new(rooms: Rooms, id: Id, room: Room) -> Self {
+        let around = Arc::clone(&rooms.around);
+        let snapshot = around.snapshot.subscribe();
         let revision = watch::Sender::new(room.revision());
         Self {
-            hub,
+            rooms,
+            around,
             id,
             room: Arc::new(room),
             members: BTreeMap::new(),
             waiting: Waiting::default(),
-            saving: None,
-            uncertain: false,
+            saving: Saving::Idle,
             stay: Stay::Here,
             log: ChangeLog::default(),
-            shelf,
+            snapshot,
             found: Found::default(),
-            problems_due: false,
-            finding: None,
+            finding: Finding::Current,
             revision,
             people_text: watch::Sender::new(Utf8Bytes::default()),
             problems_text: watch::Sender::new(Utf8Bytes::default()),
@@ -106,20 +100,20 @@ impl RoomTask {
     }
 
     fn is_library(&self) -> bool {
-        self.id == self.hub.library
+        self.id == self.around.library
     }
 
     async fn live(mut self, mut inbox: mpsc::Receiver<Note>) {
-        let stopping = self.hub.stopping.clone();
+        let stopping = self.around.tasks.stopping.clone();
         tracing::debug!(behaviour = %self.id, revision = self.room.revision(), "a room opens");
-        while !self.may_go() || !self.hub.let_go(&self.id, &inbox) {
+        while !self.may_go() || !self.rooms.let_go(&self.id, &inbox) {
             self.start_saving();
             self.start_finding();
             tokio::select! {
-                saved = due(&mut self.saving) => self.saved(saved),
-                found = due(&mut self.finding) => self.found_problems(found),
+                saved = self.saving.answer() => self.saved(saved),
+                found = self.finding.answer() => self.found_problems(found),
                 Some(note) = inbox.recv() => self.take(note),
-                Ok(()) = self.shelf.changed(), if !self.is_library() => self.problems_due = true,
+                Ok(()) = self.snapshot.changed(), if !self.is_library() => self.finding.mark_due(),
                 () = stopping.cancelled(), if !stopping.is_cancelled() => {}
             }
         }
@@ -128,9 +122,9 @@ impl RoomTask {
 
     /// Never while saving; the library stays open until the server ends.
     fn may_go(&self) -> bool {
-        let busy = self.saving.is_some() || !self.waiting.is_empty();
+        let busy = self.saving.is_under_way() || !self.waiting.is_empty();
         let needed = !self.members.is_empty() || self.is_library();
-        !busy && (!needed || self.hub.ends())
+        !busy && (!needed || self.around.tasks.ends())
     }
 
     fn take(&mut self, note: Note) {
@@ -159,18 +153,22 @@ impl RoomTask {
         }
     }
 
-    /// Makes a saved change the truth and tells everyone; the copy of who asked carries the ask.
-    fn commit(&mut self, accepted: &Accepted, asked: Option<(u64, u32)>) {
-        Arc::make_mut(&mut self.room).commit(accepted);
+    /// Makes a saved change the truth, the room as it is `after` it if somebody made that already, and tells everyone; the
+    /// copy of who asked has their number.
+    fn commit(&mut self, accepted: &Accepted, after: Option<&Arc<Room>>, asked: Option<(u64, u32)>) {
+        match after.filter(|after| after.revision() == accepted.revision) {
+            Some(after) => self.room = Arc::clone(after),
+            None => Arc::make_mut(&mut self.room).commit(accepted),
+        }
         self.log.push(accepted);
         self.tell_accepted(accepted, asked);
         self.revision.send_replace(accepted.revision);
         if self.is_library() {
-            let shelf = Shelf { behaviour: self.room.behaviour().clone(), revision: accepted.revision };
-            self.hub.shelf.send_replace(Arc::new(shelf));
+            let (behaviour, revision) = (self.room.behaviour().clone(), accepted.revision);
+            self.around.snapshot.send_replace(Arc::new(LibrarySnapshot { behaviour, revision }));
         } else {
-            self.problems_due = true;
-            self.hub.programs.changed(accepted);
+            self.finding.mark_due();
+            self.around.news.changed(accepted);
         }
     }
 
@@ -179,21 +177,9 @@ impl RoomTask {
         let text = encode(None, reply());
         for (session, member) in &self.members {
             match asked {
-                Some((asking, ask)) if asking == *session => member.outbox.say(Some(ask), reply()),
-                _ => member.outbox.put(crate::connection::outbox::Out::Text(text.clone())),
+                Some((asking, ask)) if asking == *session => member.link.send(encode(Some(ask), reply())),
+                _ => member.link.send(text.clone()),
             }
         }
-    }
-}
-
-/// Waits for something that may be under way, else for ever.
-async fn due<F: Future + Unpin>(under_way: &mut Option<F>) -> F::Output {
-    match under_way {
-        Some(future) => {
-            let output = future.await;
-            *under_way = None;
-            output
-        }
-        None => std::future::pending().await,
     }
 }

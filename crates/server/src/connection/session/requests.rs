@@ -1,13 +1,14 @@
 //! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
 
 use super::Session;
-use crate::connection::outbox::{Answer, Out};
+use crate::connection::outbox::Out;
 use crate::connection::start;
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
-use crate::library::{insight, list, thumbnails};
+use crate::library::{bin, insight, list, thumbnails};
 use crate::rooms::Note;
-use crate::support::store_call::{bounded, store_no};
+use crate::rooms::member::Answer;
+use crate::state::ServerState;
 use crate::support::workers::{CancelFlag, Sender};
 use behaviour::{Change, Id};
 use protocol::{Reply, Request, SaidNo};
@@ -32,61 +33,65 @@ impl Session {
             Request::Propose { behaviour, change } => self.propose(ask, &behaviour, change),
             Request::Since { behaviour, revision } => {
                 let answer = self.answer(ask);
-                self.hub.tell(&behaviour, Note::Since(revision, answer));
+                self.state().rooms.tell(&behaviour, Note::Since(revision, answer));
             }
             Request::Check { arguments, body, inputs } => {
-                let (shelf, hub) = (self.hub.shelf(), Arc::clone(&self.hub));
+                let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
                 let sender = Sender::Link(self.outbox.session);
                 let check = move |_: &CancelFlag| {
-                    let helpers = helpers_of(&body, &shelf.helpers());
+                    let helpers = helpers_of(&body, &snapshot.helpers());
                     trial::check(&Trial { arguments, body, inputs, helpers })
                 };
-                self.later(ask, async move { Ok(hub.workers.run(sender, check).await?) });
+                self.later(ask, async move { Ok(workers.run(sender, check).await?) });
             }
             Request::Present { pointer, selected } => {
                 if let Some(open) = &self.open {
-                    self.hub.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
+                    self.state().rooms.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
                 }
             }
             Request::Start { behaviour, robot, record } => {
-                let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
-                self.later(ask, async move { start::start(&hub, behaviour, robot, record, by).await });
+                let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+                self.later(ask, async move { start::start(&state, behaviour, robot, record, by).await });
             }
             Request::Apply { behaviour, robot } => {
-                let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
-                self.later(ask, async move { start::apply(&hub, behaviour, robot, by).await });
+                let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+                self.later(ask, async move { start::apply(&state, behaviour, robot, by).await });
             }
             // Who reads the socket did it already, unless it was hidden in a large message.
             Request::Stop { behaviour, robot } => {
-                self.hub.robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
+                self.state().robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
                 self.outbox.say(Some(ask), Reply::Done);
             }
             Request::Stimulate { behaviour, robot, stream, value } => {
-                let done = self.hub.robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
+                let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
                 self.done(ask, done);
             }
             Request::Mark { behaviour, robot, note } => {
-                let done = self.hub.robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
+                let done = self.state().robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
                 self.done(ask, done);
             }
             Request::EndRecording { behaviour, robot } => {
-                let done = self.hub.robots.end_recording(&behaviour, robot.as_ref());
+                let done = self.state().robots.end_recording(&behaviour, robot.as_ref());
                 self.done(ask, done);
             }
             Request::Runs => {
-                let runs = self.hub.robots.runs().borrow().to_vec();
+                let runs = self.state().robots.runs().borrow().to_vec();
                 self.outbox.say(Some(ask), Reply::Runs { runs });
             }
             Request::Place { .. } | Request::AddRobot { .. } | Request::RemoveRobot { .. } => {
                 self.change_robots(ask, request)
             }
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
-            Request::Scene { robot, edit } => self.hub.robots.edit_scene(robot.as_ref(), edit),
+            Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
             Request::Watch { robot, scene, values } => {
                 self.outbox.put(Out::Watch { robot, scene, values });
                 self.outbox.say(Some(ask), Reply::Done);
             }
         }
+    }
+
+    fn state(&self) -> &Arc<ServerState> {
+        &self.connections.state
     }
 
     /// Answers what was done at once, or not.
@@ -95,7 +100,8 @@ impl Session {
     }
 
     fn answer(&mut self, ask: u32) -> Answer {
-        Answer::Client(self.outbox.clone(), ask, self.weight.take())
+        let held = self.weight.take().map(|weight| Box::new(weight) as Box<dyn Send>);
+        Answer::Client { to: Arc::new(self.outbox.clone()), ask, held }
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
@@ -104,7 +110,7 @@ impl Session {
             return self.outbox.no(ask, SaidNo::TooFast);
         };
         let outbox = self.outbox.clone();
-        self.hub.spawn(async move {
+        self.state().tasks.spawn(async move {
             let reply = work.await.unwrap_or_else(|no| Reply::No { no });
             outbox.say(Some(ask), reply);
             drop(place);
@@ -113,22 +119,22 @@ impl Session {
 
     /// What the store knows of all behaviours.
     fn look_up(&self, ask: u32, request: Request) {
-        let hub = Arc::clone(&self.hub);
+        let state = Arc::clone(self.state());
         self.later(ask, async move {
             match request {
-                Request::List { query } => list::list(&hub, query).await,
-                Request::Pictures { of } => thumbnails::pictures(&hub, of).await,
-                Request::WhereUsed { helper } => insight::where_used(&hub, &helper).await,
-                Request::Drivers { actuator } => insight::drivers(&hub, &actuator).await,
-                Request::Similar { behaviour } => insight::similar(&hub, &behaviour).await,
-                _ => insight::contested(&hub).await,
+                Request::List { query } => list::list(&*state.store, query).await,
+                Request::Pictures { of } => thumbnails::pictures(&*state.store, &state.thumbnails, of).await,
+                Request::WhereUsed { helper } => insight::where_used(&*state.store, &helper).await,
+                Request::Drivers { actuator } => insight::drivers(&*state.store, &actuator).await,
+                Request::Similar { behaviour } => insight::similar(&*state.store, &behaviour).await,
+                _ => insight::contested(&*state.store).await,
             }
         });
     }
 
     /// Which robots there are and who wins on them: kept before it counts, which may take its time.
     fn change_robots(&self, ask: u32, request: Request) {
-        let robots = self.hub.robots.clone();
+        let robots = self.state().robots.clone();
         let work = move || match request {
             Request::AddRobot { robot, name } => robots.add(&robot, &name),
             Request::RemoveRobot { robot } => robots.remove(&robot),
@@ -146,7 +152,7 @@ impl Session {
 
     /// The folder of the recordings, which may take its time.
     fn recordings(&self, ask: u32, request: Request) {
-        let recordings = self.hub.recordings.clone();
+        let recordings = self.state().recordings.clone();
         let work = move || match request {
             Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
             _ => Ok(Reply::Recordings { recordings: recordings.list() }),
@@ -156,18 +162,18 @@ impl Session {
     }
 
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
-        let (hub, by) = (Arc::clone(&self.hub), self.me.name.clone());
+        let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
         let wish = Wish { behaviour, name, template, by };
-        self.later(ask, async move { create::create(&hub, wish).await });
+        self.later(ask, async move { create::create(&state.library, wish).await });
     }
 
     fn open(&mut self, ask: u32, behaviour: Id) {
-        if behaviour == self.hub.library {
+        if behaviour == *self.state().rooms.library() {
             return self.outbox.no(ask, SaidNo::NoBehaviour);
         }
         self.leave_open();
         self.outbox.put(Out::Unfollow);
-        self.hub.tell(&behaviour, Note::Join(self.member(), ask, None));
+        self.state().rooms.tell(&behaviour, Note::Join(self.member(), ask, None));
         self.open = Some(behaviour);
     }
 
@@ -181,24 +187,20 @@ impl Session {
     fn propose(&mut self, ask: u32, behaviour: &Id, change: Change) {
         let change = Change { author: self.me.name.clone(), ..change };
         let answer = self.answer(ask);
-        self.hub.tell(behaviour, Note::Propose(change, answer));
+        self.state().rooms.tell(behaviour, Note::Propose(change, answer));
     }
 
     fn remove(&mut self, ask: u32, behaviour: &Id) {
-        if *behaviour == self.hub.library {
+        if *behaviour == *self.state().rooms.library() {
             self.outbox.no(ask, SaidNo::NoBehaviour);
         } else {
             let answer = self.answer(ask);
-            self.hub.tell(behaviour, Note::Remove(self.me.name.clone(), answer));
+            self.state().rooms.tell(behaviour, Note::Remove(self.me.name.clone(), answer));
         }
     }
 
     fn restore(&self, ask: u32, behaviour: Id) {
-        let hub = Arc::clone(&self.hub);
-        self.later(ask, async move {
-            let back = bounded(hub.store.restore(&behaviour)).await.map_err(|error| store_no(&error))?;
-            hub.programs.tell();
-            if back { Ok(Reply::Done) } else { Err(SaidNo::NoBehaviour) }
-        });
+        let state = Arc::clone(self.state());
+        self.later(ask, async move { bin::restore(&state.library, &behaviour).await });
     }
 }

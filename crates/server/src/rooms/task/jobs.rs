@@ -1,9 +1,10 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
-use super::saving::{self, Saved};
+use super::saving::{self, Outcome, Saved};
 use super::{RoomTask, Stay};
-use crate::connection::outbox::Answer;
+use crate::rooms::member::Answer;
 use behaviour::{Change, Kind, Refusal};
+use futures_util::future::BoxFuture;
 use protocol::{Reply, SaidNo};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
@@ -33,6 +34,31 @@ impl Job {
         match self {
             Self::Save(_, answer) | Self::Remove(_, answer) => answer.no(no),
         }
+    }
+}
+
+/// What a room has to do with the store just now.
+pub(super) enum Saving {
+    /// Nothing, and the room knows all that is saved.
+    Idle,
+    /// Nothing, but the store may have more than the room knows: it is asked before anything else is saved.
+    Uncertain,
+    /// The store works on something.
+    UnderWay(BoxFuture<'static, Saved>),
+}
+
+impl Saving {
+    /// Whether the store works on something.
+    pub(super) fn is_under_way(&self) -> bool {
+        matches!(self, Self::UnderWay(_))
+    }
+
+    /// Waits for what the store works on, else for ever.
+    pub(super) async fn answer(&mut self) -> Saved {
+        let Self::UnderWay(work) = self else { return std::future::pending().await };
+        let saved = work.await;
+        *self = Self::Idle;
+        saved
     }
 }
 
@@ -97,25 +123,28 @@ impl RoomTask {
 
     /// Begins the next job: one at a time.
     pub(super) fn start_saving(&mut self) {
-        if self.saving.is_some() || self.waiting.is_empty() {
+        if self.saving.is_under_way() || self.waiting.is_empty() {
             return;
         }
-        if let Some(no) = self.hub.health.away() {
+        if let Some(no) = self.around.health.away() {
             return self.waiting.take_all().into_iter().for_each(|job| job.no(no.clone()));
         }
-        let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
-        if self.uncertain {
-            self.saving = Some(Box::pin(saving::catch_up(hub, id, self.room.revision())));
+        let (around, id) = (Arc::clone(&self.around), self.id.clone());
+        if let Saving::Uncertain = self.saving {
+            self.saving = Saving::UnderWay(Box::pin(saving::catch_up(around, id, self.room.revision())));
             return;
         }
         match self.waiting.take() {
             Some(Job::Save(change, from)) => match self.stranger(&change) {
                 Some(stranger) => from.no(SaidNo::Change(Refusal::Malformed(stranger))),
-                None => self.saving = Some(Box::pin(saving::decide(hub, id, Arc::clone(&self.room), change, from))),
+                None => {
+                    let deciding = saving::decide(around, id, Arc::clone(&self.room), change, from);
+                    self.saving = Saving::UnderWay(Box::pin(deciding));
+                }
             },
             Some(Job::Remove(by, from)) => {
                 self.stay = Stay::Leaving;
-                self.saving = Some(Box::pin(saving::remove(hub, id, by, from)));
+                self.saving = Saving::UnderWay(Box::pin(saving::remove(around, id, by, from)));
             }
             None => {}
         }
@@ -131,15 +160,15 @@ impl RoomTask {
     /// The store answered.
     pub(super) fn saved(&mut self, saved: Saved) {
         match saved {
-            Saved::Change { news, answer, from, uncertain } => {
-                self.uncertain = uncertain;
-                self.conclude(&news, answer, from);
+            Saved::Change { outcome, from } => {
+                if outcome.is_uncertain {
+                    self.saving = Saving::Uncertain;
+                }
+                self.conclude(outcome, from);
             }
-            Saved::CaughtUp(Ok(news)) => {
-                self.uncertain = false;
-                news.iter().for_each(|news| self.commit(news, None));
-            }
+            Saved::CaughtUp(Ok(news)) => news.iter().for_each(|news| self.commit(news, None, None)),
             Saved::CaughtUp(Err(no)) => {
+                self.saving = Saving::Uncertain;
                 if let Some(job) = self.waiting.take() {
                     job.no(no);
                 }
@@ -153,15 +182,16 @@ impl RoomTask {
     }
 
     /// Tells the news; who asked gets the answer once: with the news if they are here and it is among them.
-    fn conclude(&mut self, news: &[behaviour::Committed], answer: Result<behaviour::Accepted, SaidNo>, from: Answer) {
+    fn conclude(&mut self, outcome: Outcome, from: Answer) {
+        let Outcome { news, after, answer, .. } = outcome;
         let here = from.session().filter(|session| self.members.contains_key(session));
         let asked =
-            if let (Some(session), Answer::Client(_, ask, _)) = (here, &from) { Some((session, *ask)) } else { None };
+            if let (Some(session), Answer::Client { ask, .. }) = (here, &from) { Some((session, *ask)) } else { None };
         let mut told = false;
-        for one in news {
+        for one in &news {
             let mine = asked.filter(|_| answer.as_ref().is_ok_and(|mine| mine.revision == one.revision));
             told |= mine.is_some();
-            self.commit(one, mine);
+            self.commit(one, after.as_ref(), mine);
         }
         match answer {
             Ok(_) if told => {}
@@ -174,7 +204,7 @@ impl RoomTask {
         tracing::info!(behaviour = %self.id, by, "a behaviour goes to the bin");
         self.stay = Stay::Gone;
         self.waiting.take_all().into_iter().for_each(|job| job.no(SaidNo::NoBehaviour));
-        self.hub.programs.tell();
+        self.around.news.tell();
         from.give(Reply::Done);
         self.tell_removed(by);
     }
@@ -183,13 +213,30 @@ impl RoomTask {
 #[cfg(test)]
 mod tests {
     use super::{Job, WAITING_PER_SENDER_MAX_JOBS, Waiting};
-    use crate::connection::outbox::{AllWaiting, Answer, Outbox};
+    use crate::rooms::member::{Answer, Feed, Recipient, Whole};
+    use axum::extract::ws::Utf8Bytes;
+    use std::sync::Arc;
+
+    /// A link that nobody reads.
+    struct Silent(u64);
+
+    impl Recipient for Silent {
+        fn session(&self) -> u64 {
+            self.0
+        }
+
+        fn send(&self, _: Utf8Bytes) {}
+
+        fn send_whole(&self, _: u32, _: Whole) {}
+
+        fn follow(&self, _: Option<Box<Feed>>) {}
+    }
 
     fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
-        let (outbox, ..) = Outbox::new(session, AllWaiting::default());
         let has_room = waiting.has_room(Some(session));
         if has_room {
-            waiting.put(Job::Remove(by.to_owned(), Answer::Client(outbox, 1, None)));
+            waiting
+                .put(Job::Remove(by.to_owned(), Answer::Client { to: Arc::new(Silent(session)), ask: 1, held: None }));
         }
         has_room
     }

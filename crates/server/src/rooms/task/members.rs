@@ -2,9 +2,7 @@
 
 use super::change_log::page;
 use super::{RoomTask, Stay};
-use crate::connection::outbox::{Answer, Out, Whole};
-use crate::library::templates::Template;
-use crate::rooms::Member;
+use crate::rooms::member::{Answer, Member, Whole};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
@@ -20,31 +18,30 @@ impl RoomTask {
     /// The answer goes into the member's queue here, so that no change can come before it.
     pub(super) fn join(&mut self, member: Member, ask: u32, secret: Option<Id>) {
         if self.stay == Stay::Gone {
-            return member.outbox.no(ask, SaidNo::NoBehaviour);
+            return member.link.send(encode(Some(ask), Reply::No { no: SaidNo::NoBehaviour }));
         }
         if let Some(secret) = secret {
-            member.outbox.show(ask, self.welcome(&member.person, secret));
+            member.link.send_whole(ask, self.welcome(&member.person, secret));
         }
-        let (session, outbox) = (member.outbox.session, member.outbox.clone());
+        let (session, link) = (member.link.session(), Arc::clone(&member.link));
         self.members.insert(session, member);
         if !self.is_library() {
-            outbox.show(ask, self.opened());
+            link.send_whole(ask, self.opened());
             self.tell_people();
-            outbox.put(Out::Follow(Box::new(self.feed())));
+            link.follow(Some(Box::new(self.feed())));
         }
     }
 
     fn welcome(&self, you: &Person, secret: Id) -> Whole {
-        let templates = crate::library::templates::templates().iter().map(Template::summary);
         let reply = Reply::Welcome {
             version: protocol::VERSION,
-            epoch: self.hub.epoch,
+            epoch: self.around.epoch,
             you: you.clone(),
             secret,
             library: Box::default(),
             more: false,
             library_revision: self.room.revision(),
-            templates: templates.collect(),
+            templates: self.around.templates.clone(),
         };
         Whole { reply, room: Arc::clone(&self.room) }
     }
@@ -93,14 +90,14 @@ impl RoomTask {
         if wanted > MISSED_MAX_CHANGES && !self.is_library() {
             return answer.show(self.opened());
         }
-        let (hub, id) = (Arc::clone(&self.hub), self.id.clone());
+        let (store, id) = (Arc::clone(&self.around.store), self.id.clone());
         let at_hand = if wanted == 0 { Some(Vec::new()) } else { self.log.since(revision) };
         if let Some(changes) = at_hand {
             return answer.give(missed(id, changes, here));
         }
-        self.hub.spawn(async move {
+        self.around.tasks.spawn(async move {
             let most = u32::try_from(wanted.min(FETCHED_MAX_CHANGES)).unwrap_or(u32::MAX);
-            match bounded(hub.store.history(&id, revision, most)).await {
+            match bounded(store.history(&id, revision, most)).await {
                 Ok(changes) => answer.give(missed(id, page(changes), here)),
                 Err(error) => answer.no(store_no(&error)),
             }
@@ -111,8 +108,8 @@ impl RoomTask {
     pub(super) fn tell_removed(&mut self, by: &str) {
         let text = encode(None, Reply::Removed { behaviour: self.id.clone(), by: by.to_owned() });
         for member in std::mem::take(&mut self.members).into_values() {
-            member.outbox.put(Out::Unfollow);
-            member.outbox.put(Out::Text(text.clone()));
+            member.link.follow(None);
+            member.link.send(text.clone());
         }
     }
 }

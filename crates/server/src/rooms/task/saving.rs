@@ -1,7 +1,7 @@
 //! Saving one change: what the store answers, and what that means for the room.
 
-use crate::connection::outbox::Answer;
-use crate::state::Hub;
+use crate::rooms::Surroundings;
+use crate::rooms::member::Answer;
 use crate::support::store_call::{bounded, reason, store_no};
 use crate::support::workers::Sender;
 use behaviour::{Accepted, Behaviour, Change, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
@@ -16,14 +16,10 @@ const MISSED_MAX_CHANGES: u32 = 10_000;
 pub(super) enum Saved {
     /// The store was asked to keep a change.
     Change {
-        /// Changes this room did not know, to be made its truth in order; the saved one is the last.
-        news: Vec<Committed>,
-        /// What who asked is told.
-        answer: Result<Accepted, SaidNo>,
+        /// What came of it.
+        outcome: Outcome,
         /// Who asked.
         from: Answer,
-        /// Whether the store may have more.
-        uncertain: bool,
     },
     /// The room asked what it does not know.
     CaughtUp(Result<Vec<Committed>, SaidNo>),
@@ -38,12 +34,36 @@ pub(super) enum Saved {
     },
 }
 
+/// What came of keeping a change.
+pub(super) struct Outcome {
+    /// Changes this room did not know, to be made its truth in order; the saved one is the last.
+    pub(super) news: Vec<Committed>,
+    /// The room with the saved change made.
+    pub(super) after: Option<Arc<Room>>,
+    /// What who asked is told.
+    pub(super) answer: Result<Accepted, SaidNo>,
+    /// Whether the store may have more than the room knows.
+    pub(super) is_uncertain: bool,
+}
+
+impl Outcome {
+    /// Nothing changed.
+    fn nothing(answer: Result<Accepted, SaidNo>) -> Self {
+        Self { news: Vec::new(), after: None, answer, is_uncertain: false }
+    }
+
+    /// Nobody knows whether something changed.
+    fn uncertain(answer: Result<Accepted, SaidNo>) -> Self {
+        Self { is_uncertain: true, ..Self::nothing(answer) }
+    }
+}
+
 /// What is to be kept, and what has to be so before.
 struct Keep {
     /// The change.
     committed: Committed,
-    /// The behaviour with the change made.
-    after: Behaviour,
+    /// The room with the change made.
+    after: Arc<Room>,
     /// Helpers that nobody may use.
     helpers: Vec<String>,
 }
@@ -58,27 +78,27 @@ enum Decided {
 }
 
 /// Decides about a change among the other work, then keeps it.
-pub(super) async fn decide(hub: Arc<Hub>, id: Id, room: Arc<Room>, change: Change, from: Answer) -> Saved {
+pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, change: Change, from: Answer) -> Saved {
     let sender = from.session().map_or(Sender::Server, Sender::Link);
-    let (knowing, now_ms) = (Arc::clone(&hub.knowing), crate::support::now_ms());
-    let decided = hub.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
-    let no = |no: SaidNo, from| Saved::Change { news: Vec::new(), answer: Err(no), from, uncertain: false };
-    match decided {
-        Ok(Decided::Save(keep)) => save(hub, id, *keep, from).await,
-        Ok(Decided::Duplicate(revision)) => repeat(hub, id, revision, from).await,
-        Ok(Decided::Stale(change, refusal)) => settle(hub, id, change, refusal, from).await,
-        Ok(Decided::Refuse(refusal)) => no(SaidNo::Change(refusal), from),
-        Err(why) => no(why.into(), from),
-    }
+    let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
+    let decided = around.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
+    let outcome = match decided {
+        Ok(Decided::Save(keep)) => save(&around, &id, *keep).await,
+        Ok(Decided::Duplicate(revision)) => Outcome::nothing(one(&around, &id, revision).await),
+        Ok(Decided::Stale(change, refusal)) => Outcome::nothing(settle(&around, &id, change, refusal).await),
+        Ok(Decided::Refuse(refusal)) => Outcome::nothing(Err(SaidNo::Change(refusal))),
+        Err(why) => Outcome::nothing(Err(why.into())),
+    };
+    Saved::Change { outcome, from }
 }
 
 fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) -> Decided {
     match room.propose(now_ms, change.clone(), knowledge) {
         Decision::Save(committed) => {
             let helpers = helpers_let_go(&committed.change);
-            let mut after = room.behaviour().clone();
-            after.apply(&committed.change);
-            Decided::Save(Box::new(Keep { committed, after, helpers }))
+            let mut after = room.clone();
+            after.commit(&committed);
+            Decided::Save(Box::new(Keep { committed, after: Arc::new(after), helpers }))
         }
         Decision::Duplicate(revision) => Decided::Duplicate(revision),
         Decision::Refuse(refusal @ Refusal::Stale(_)) => Decided::Stale(change, refusal),
@@ -97,89 +117,84 @@ fn helpers_let_go(change: &Change) -> Vec<String> {
 }
 
 /// Keeps a change.
-async fn save(hub: Arc<Hub>, id: Id, keep: Keep, from: Answer) -> Saved {
+async fn save(around: &Surroundings, id: &Id, keep: Keep) -> Outcome {
     let Keep { committed, after, helpers } = keep;
     let before = committed.revision.saturating_sub(1);
-    let no = |no, uncertain| (Vec::new(), Err(no), uncertain);
-    let (news, answer, uncertain) = match unused(&hub, helpers).await {
-        Err(refusal) => no(refusal, false),
-        Ok(()) => match append(&hub, &id, &committed, &after).await {
-            Ok(Append::Applied) => (vec![committed.clone()], Ok(committed), false),
-            Ok(Append::Duplicate { revision }) => {
-                let answer = one(&hub, &id, revision).await;
-                with_news(&hub, &id, before, answer).await
-            }
-            Ok(Append::Conflict { .. }) => {
-                let no = SaidNo::Change(Refusal::Stale("this behaviour".to_owned()));
-                with_news(&hub, &id, before, Err(no)).await
-            }
-            Err(StoreError::Gone) => no(SaidNo::Change(Refusal::Gone), false),
-            Err(error) if error.is_open() => no(store_no(&error), true),
-            Err(error @ StoreError::Full) => no(store_no(&error), false),
-            Err(error) => no(SaidNo::Change(Refusal::NotSaved(reason(&error))), false),
-        },
-    };
-    Saved::Change { news, answer, from, uncertain }
+    if let Err(used) = unused(around, helpers).await {
+        return Outcome::nothing(Err(used));
+    }
+    match append(around, id, &committed, after.behaviour()).await {
+        Ok(Append::Applied) => {
+            Outcome { news: vec![committed.clone()], after: Some(after), ..Outcome::nothing(Ok(committed)) }
+        }
+        Ok(Append::Duplicate { revision }) => {
+            let answer = one(around, id, revision).await;
+            with_news(around, id, before, answer).await
+        }
+        Ok(Append::Conflict { .. }) => {
+            let no = SaidNo::Change(Refusal::Stale("this behaviour".to_owned()));
+            with_news(around, id, before, Err(no)).await
+        }
+        Err(StoreError::Gone) => Outcome::nothing(Err(SaidNo::Change(Refusal::Gone))),
+        Err(error) if error.is_open() => Outcome::uncertain(Err(store_no(&error))),
+        Err(error @ StoreError::Full) => Outcome::nothing(Err(store_no(&error))),
+        Err(error) => Outcome::nothing(Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))),
+    }
 }
 
 /// Once more if the outcome is open: the store keeps an op once.
-async fn append(hub: &Hub, id: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError> {
-    let mut answer = bounded(hub.store.append(id, committed, after)).await;
+async fn append(
+    around: &Surroundings,
+    id: &Id,
+    committed: &Committed,
+    after: &Behaviour,
+) -> Result<Append, StoreError> {
+    let mut answer = bounded(around.store.append(id, committed, after)).await;
     if let Err(error) = answer.as_ref().map_err(Clone::clone)
         && error.is_open()
     {
         tracing::warn!(behaviour = %id, %error, "saving is tried once more");
-        answer = bounded(hub.store.append(id, committed, after)).await;
+        answer = bounded(around.store.append(id, committed, after)).await;
     }
-    answer.inspect_err(|error| hub.health.failed(error))
+    answer.inspect_err(|error| around.health.failed(error))
 }
 
-async fn with_news(
-    hub: &Hub,
-    id: &Id,
-    before: u64,
-    answer: Result<Accepted, SaidNo>,
-) -> (Vec<Committed>, Result<Accepted, SaidNo>, bool) {
-    match bounded(hub.store.history(id, before, MISSED_MAX_CHANGES)).await {
-        Ok(news) => (news, answer, false),
-        Err(_) => (Vec::new(), answer, true),
+/// The answer, with what the room does not know of the store.
+async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<Accepted, SaidNo>) -> Outcome {
+    match bounded(around.store.history(id, before, MISSED_MAX_CHANGES)).await {
+        Ok(news) => Outcome { news, ..Outcome::nothing(answer) },
+        Err(_) => Outcome::uncertain(answer),
     }
 }
 
 /// The change that made a revision.
-async fn one(hub: &Hub, id: &Id, revision: u64) -> Result<Accepted, SaidNo> {
-    let found = bounded(hub.store.history(id, revision.saturating_sub(1), 1)).await;
+async fn one(around: &Surroundings, id: &Id, revision: u64) -> Result<Accepted, SaidNo> {
+    let found = bounded(around.store.history(id, revision.saturating_sub(1), 1)).await;
     found.map_err(|error| store_no(&error))?.pop().ok_or(SaidNo::NoBehaviour)
 }
 
 /// A change that the rules refuse may be one that was made long ago and is sent again: the store knows every op. Asked
 /// under revision 0, which is never the next one, it keeps nothing.
-async fn settle(hub: Arc<Hub>, id: Id, change: Change, refusal: Refusal, from: Answer) -> Saved {
+async fn settle(around: &Surroundings, id: &Id, change: Change, refusal: Refusal) -> Result<Accepted, SaidNo> {
     let probe = Committed { revision: 0, change };
-    let answer = match bounded(hub.store.append(&id, &probe, &Behaviour::default())).await {
-        Ok(Append::Duplicate { revision }) => one(&hub, &id, revision).await,
+    match bounded(around.store.append(id, &probe, &Behaviour::default())).await {
+        Ok(Append::Duplicate { revision }) => one(around, id, revision).await,
         _ => Err(SaidNo::Change(refusal)),
-    };
-    Saved::Change { news: Vec::new(), answer, from, uncertain: false }
-}
-
-/// Answers a change that the room remembers.
-async fn repeat(hub: Arc<Hub>, id: Id, revision: u64, from: Answer) -> Saved {
-    Saved::Change { news: Vec::new(), answer: one(&hub, &id, revision).await, from, uncertain: false }
+    }
 }
 
 /// Asks for what the room does not know.
-pub(super) async fn catch_up(hub: Arc<Hub>, id: Id, revision: u64) -> Saved {
-    let news = bounded(hub.store.history(&id, revision, MISSED_MAX_CHANGES)).await;
+pub(super) async fn catch_up(around: Arc<Surroundings>, id: Id, revision: u64) -> Saved {
+    let news = bounded(around.store.history(&id, revision, MISSED_MAX_CHANGES)).await;
     Saved::CaughtUp(news.map_err(|error| store_no(&error)))
 }
 
 /// Moves the behaviour to the bin.
-pub(super) async fn remove(hub: Arc<Hub>, id: Id, by: String, from: Answer) -> Saved {
-    let outcome = if hub.robots.has(&id) {
+pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: Answer) -> Saved {
+    let outcome = if (around.is_running)(&id) {
         Err(SaidNo::Running)
     } else {
-        match bounded(hub.store.remove(&id, crate::support::now_ms(), &by)).await {
+        match bounded(around.store.remove(&id, crate::support::now_ms(), &by)).await {
             Ok(true) => Ok(()),
             Ok(false) => Err(SaidNo::NoBehaviour),
             Err(error) => Err(store_no(&error)),
@@ -189,9 +204,9 @@ pub(super) async fn remove(hub: Arc<Hub>, id: Id, by: String, from: Answer) -> S
 }
 
 /// Refuses to let go a helper that is used, with who uses it.
-async fn unused(hub: &Hub, helpers: Vec<String>) -> Result<(), SaidNo> {
+async fn unused(around: &Surroundings, helpers: Vec<String>) -> Result<(), SaidNo> {
     for helper in helpers {
-        let users = bounded(hub.store.users(&helper)).await.map_err(|error| store_no(&error))?;
+        let users = bounded(around.store.users(&helper)).await.map_err(|error| store_no(&error))?;
         let mut names: Vec<String> = users.into_iter().map(|user| format!("“{}”", user.name)).collect();
         names.sort();
         names.dedup();

@@ -1,12 +1,13 @@
 //! Whether the store can be reached: asked every second, told to everyone, and asked before anything is saved.
 
-use crate::state::Hub;
-use crate::support::message::encode;
+use super::message::encode;
+use super::store_call::reason;
+use super::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
 use protocol::{Reply, SaidNo};
 use std::sync::Arc;
 use std::time::Duration;
-use store::StoreError;
+use store::{Store, StoreError};
 use tokio::sync::watch;
 
 /// How often the store is asked.
@@ -14,13 +15,14 @@ const ASK_MS: u64 = 1_000;
 /// How long it may take to answer; with [`ASK_MS`], everyone knows within five seconds.
 const ANSWER_MS: u64 = 3_000;
 
-/// Whether the store can be reached.
-pub(crate) struct Health {
+/// Whether the store can be reached. A clone knows the same.
+#[derive(Clone)]
+pub(crate) struct StoreHealth {
     away: watch::Sender<Option<String>>,
     text: watch::Sender<Utf8Bytes>,
 }
 
-impl Health {
+impl StoreHealth {
     /// A store that answered just now.
     pub(crate) fn good() -> Self {
         Self { away: watch::Sender::new(None), text: watch::Sender::new(text(None)) }
@@ -39,7 +41,7 @@ impl Health {
     /// A change could not be saved; only what may pass by itself closes the rooms.
     pub(crate) fn failed(&self, error: &StoreError) {
         if error.is_open() || *error == StoreError::Full {
-            self.set(Some(crate::support::store_call::reason(error)));
+            self.set(Some(reason(error)));
         }
     }
 
@@ -64,14 +66,14 @@ fn text(away: Option<String>) -> Utf8Bytes {
 }
 
 /// Asks until the server ends.
-pub(crate) fn keep(hub: &Arc<Hub>) {
-    let hub = Arc::clone(hub);
-    hub.clone().tasks.spawn(async move {
+pub(crate) fn keep(health: StoreHealth, store: Arc<dyn Store>, tasks: &Tasks) {
+    let ending = tasks.clone();
+    tasks.tracker.spawn(async move {
         let mut beat = tokio::time::interval(Duration::from_millis(ASK_MS));
         beat.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
-        while hub.stopping.run_until_cancelled(beat.tick()).await.is_some() {
-            if let Some(answer) = hub.stopping.run_until_cancelled(ask(&hub)).await {
-                hub.health.set(answer.err().map(|error| crate::support::store_call::reason(&error)));
+        while ending.until_end(beat.tick()).await.is_some() {
+            if let Some(answer) = ending.until_end(ask(&health, &*store)).await {
+                health.set(answer.err().map(|error| reason(&error)));
             }
         }
     });
@@ -79,9 +81,9 @@ pub(crate) fn keep(hub: &Arc<Hub>) {
 
 /// While it seems well a cheap question is enough; to be well again it has to save, and after a full disk to have room
 /// for what was refused: else the next save would fail again, and everyone would be told now this, now that.
-async fn ask(hub: &Hub) -> Result<(), StoreError> {
-    let well = hub.health.away.borrow().is_none();
-    let answer = async { if well { hub.store.reachable().await } else { hub.store.healthy().await } };
+async fn ask(health: &StoreHealth, store: &dyn Store) -> Result<(), StoreError> {
+    let well = health.away.borrow().is_none();
+    let answer = async { if well { store.reachable().await } else { store.healthy().await } };
     let bound = Duration::from_millis(ANSWER_MS);
     tokio::time::timeout(bound, answer).await.unwrap_or(Err(StoreError::Timeout))
 }
