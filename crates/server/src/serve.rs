@@ -1,8 +1,8 @@
 //! Starting and ending the server, each step in its order.
 
 use crate::connection::Connections;
-use crate::http::address::Told;
-use crate::http::origin::Guard;
+use crate::http::address::AddressFile;
+use crate::http::origin::OriginGuard;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
 use crate::library::create::first_library;
@@ -16,7 +16,7 @@ use crate::rooms::list_news::ListNews;
 use crate::rooms::snapshot::LibrarySnapshot;
 use crate::rooms::{Rooms, Surroundings};
 use crate::state::ServerState;
-use crate::support::retry::patiently;
+use crate::support::retry::retry;
 use crate::support::store_call::bounded;
 use crate::support::store_health::{self, StoreHealth};
 use crate::support::tasks::Tasks;
@@ -109,13 +109,13 @@ pub async fn serve(
     let url = &config.store;
     let mut stop = std::pin::pin!(stop);
     let store = tokio::select! {
-        store = patiently(url, || Box::pin(store::open_url(url))) => store?,
+        store = retry(url, || Box::pin(store::open_url(url))) => store?,
         () = &mut stop => return Ok(()),
     };
     let (url, told) = (config.store.clone(), std::sync::OnceLock::new());
     let ready = |address| {
         // Before anybody is told, so that whoever waits for the server finds it.
-        let _first = told.set(Told::new(&url, address));
+        let _first = told.set(AddressFile::new(&url, address));
         ready(address);
     };
     serve_with(store, config, ready, stop).await
@@ -139,7 +139,7 @@ pub async fn serve_with(
     let state = open(store, &config).await?;
     let served = Connections::of(Arc::clone(&state));
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
-    let guard = Guard::of(address.port());
+    let guard = OriginGuard::of(address.port());
     let accepted = accept::start(listener, guard, state.robots.clone(), closing.clone());
     let (accepting, handed) = accepted.map_err(ServeError::Thread)?;
     let messages = Messages::start().map_err(ServeError::Thread)?;
@@ -188,7 +188,7 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>
     let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
     let health = StoreHealth::good();
-    let epoch = match patiently(url, || Box::pin(bounded(store.next_epoch()))).await {
+    let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {
         // Everything can be looked at and stopped; nothing can be saved, which everyone is told.
         Err(full @ StoreError::Full) => {
             health.failed(&full);
@@ -196,7 +196,7 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>
         }
         epoch => epoch?,
     };
-    let snapshot = patiently(url, || Box::pin(snapshot(&*store, &library))).await?;
+    let snapshot = retry(url, || Box::pin(snapshot(&*store, &library))).await?;
     let recordings = Recordings::within(config.data.as_deref());
     let robots = Robots::within(config.data.as_deref(), config.seed, recordings.clone()).map_err(ServeError::Thread)?;
     let surroundings = Surroundings {

@@ -1,6 +1,6 @@
 //! Who is connected: one link per client, a colour for each, and links that can be ended.
 
-use crate::connection::close_signal::{Cut, Why};
+use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::support::lock;
 use behaviour::{Id, without_unseen};
 use protocol::{Credential, Person};
@@ -35,7 +35,7 @@ struct Known {
 struct Link {
     session: u64,
     color: u8,
-    cut: Cut,
+    close: CloseSignal,
     secret: Id,
 }
 
@@ -56,7 +56,7 @@ impl Clients {
 
     /// Somebody came. Who proves to be the client of an older link ends that one and is who they were; anybody else is
     /// somebody new, whatever they say.
-    pub(crate) fn enter(&self, again: Option<&Credential>, name: &str, session: u64, cut: Cut) -> Entered {
+    pub(crate) fn enter(&self, again: Option<&Credential>, name: &str, session: u64, close: CloseSignal) -> Entered {
         let mut known = lock(&self.known);
         let new = || Credential { client: Id::from_uuid(Uuid::new_v4()), secret: Id::from_uuid(Uuid::new_v4()) };
         let Credential { client, secret } = again.filter(|again| known.proves(again)).cloned().unwrap_or_else(new);
@@ -64,9 +64,9 @@ impl Clients {
         let before = known.here.remove(&client);
         let color = before.as_ref().map_or_else(|| free_color(&known.here), |link| link.color);
         if let Some(before) = before {
-            before.cut.with(Why::Replaced);
+            before.close.with(CloseReason::Replaced);
         }
-        known.here.insert(client.clone(), Link { session, color, cut, secret: secret.clone() });
+        known.here.insert(client.clone(), Link { session, color, close, secret: secret.clone() });
         Entered { person: Person { client, name: tidy_name(name), color, pointer: None, selected: None }, secret }
     }
 
@@ -105,12 +105,12 @@ fn tidy_name(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Clients, Cut, Entered, Why, tidy_name};
+    use super::{Clients, CloseReason, CloseSignal, Entered, tidy_name};
     use protocol::Credential;
 
-    fn enter(clients: &Clients, again: Option<&Credential>) -> (u64, Entered, Cut) {
-        let (session, cut) = (clients.number(), Cut::new());
-        (session, clients.enter(again, "Aiko", session, cut.clone()), cut)
+    fn enter(clients: &Clients, again: Option<&Credential>) -> (u64, Entered, CloseSignal) {
+        let (session, close) = (clients.number(), CloseSignal::new());
+        (session, clients.enter(again, "Aiko", session, close.clone()), close)
     }
 
     fn of(entered: &Entered) -> Credential {
@@ -134,9 +134,9 @@ mod tests {
     #[tokio::test]
     async fn a_second_link_of_a_client_replaces_the_first() {
         let clients = Clients::default();
-        let (session, first, cut) = enter(&clients, None);
+        let (session, first, close) = enter(&clients, None);
         let (_, second, _) = enter(&clients, Some(&of(&first)));
-        assert_eq!((cut.wait().await, of(&second)), (Why::Replaced, of(&first)));
+        assert_eq!((close.wait().await, of(&second)), (CloseReason::Replaced, of(&first)));
         clients.leave(&first.person.client, session);
         let other = enter(&clients, None).1.person.color;
         assert_eq!((second.person.color, other), (0, 1), "the colour stays with the client");
@@ -145,13 +145,13 @@ mod tests {
     #[tokio::test]
     async fn nobody_becomes_somebody_else_without_their_secret() {
         let clients = Clients::default();
-        let (session, aiko, cut) = enter(&clients, None);
+        let (session, aiko, close) = enter(&clients, None);
         let guess = Credential { secret: of(&aiko).client, ..of(&aiko) };
         let (_, thief, _) = enter(&clients, Some(&guess));
         assert_ne!(thief.person.client, aiko.person.client);
         tokio::select! {
             biased;
-            why = cut.wait() => panic!("{why:?}"),
+            why = close.wait() => panic!("{why:?}"),
             () = std::future::ready(()) => {}
         }
         clients.leave(&aiko.person.client, session);

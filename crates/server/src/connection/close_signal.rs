@@ -3,9 +3,9 @@
 use std::sync::Arc;
 use tokio::sync::watch;
 
-/// Why a link ends.
+/// CloseReason a link ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Why {
+pub(crate) enum CloseReason {
     /// The client went.
     Left,
     /// A new link of the same client took over.
@@ -20,7 +20,7 @@ pub(crate) enum Why {
     Resync,
 }
 
-impl Why {
+impl CloseReason {
     /// The code and the word of the closing frame.
     pub(crate) fn words(self) -> (u16, &'static str) {
         match self {
@@ -36,16 +36,16 @@ impl Why {
 
 /// Ends a link; the first reason stays.
 #[derive(Clone, Debug)]
-pub(crate) struct Cut(Arc<watch::Sender<Option<Why>>>);
+pub(crate) struct CloseSignal(Arc<watch::Sender<Option<CloseReason>>>);
 
-impl Cut {
-    /// Not cut yet.
+impl CloseSignal {
+    /// The link is not closed yet.
     pub(crate) fn new() -> Self {
         Self(Arc::new(watch::Sender::new(None)))
     }
 
-    /// Cuts, unless it is cut already.
-    pub(crate) fn with(&self, why: Why) {
+    /// Closes the link, unless that was done already.
+    pub(crate) fn with(&self, why: CloseReason) {
         self.0.send_if_modified(|now| {
             let first = now.is_none();
             now.get_or_insert(why);
@@ -53,10 +53,10 @@ impl Cut {
         });
     }
 
-    /// Waits until it is cut.
-    pub(crate) async fn wait(&self) -> Why {
+    /// Waits until the link is closed.
+    pub(crate) async fn wait(&self) -> CloseReason {
         let mut seen = self.0.subscribe();
         let why = seen.wait_for(Option::is_some).await.ok().and_then(|why| *why);
-        why.unwrap_or(Why::Left)
+        why.unwrap_or(CloseReason::Left)
     }
 }

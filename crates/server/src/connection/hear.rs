@@ -1,6 +1,6 @@
 //! What one message of a socket is.
 
-use crate::connection::close_signal::Why;
+use crate::connection::close_signal::CloseReason;
 use axum::extract::ws::{Message, Utf8Bytes};
 use protocol::Ask;
 use serde::Deserialize;
@@ -22,7 +22,7 @@ pub(super) enum Heard {
     /// A sign of life.
     Nothing,
     /// The socket ends.
-    End(Why),
+    End(CloseReason),
 }
 
 /// Reads one message.
@@ -32,8 +32,8 @@ pub(super) fn hear(message: Option<Result<Message, axum::Error>>) -> Heard {
         Some(Ok(Message::Text(text))) => read(&text),
         Some(Ok(Message::Binary(_))) => Heard::Nonsense(None, "it is not text".to_owned()),
         Some(Ok(Message::Ping(_) | Message::Pong(_))) => Heard::Nothing,
-        Some(Ok(Message::Close(_))) | None => Heard::End(Why::Left),
-        Some(Err(error)) => Heard::End(if is_too_large(&error) { Why::TooLarge } else { Why::Left }),
+        Some(Ok(Message::Close(_))) | None => Heard::End(CloseReason::Left),
+        Some(Err(error)) => Heard::End(if is_too_large(&error) { CloseReason::TooLarge } else { CloseReason::Left }),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The reliable queue to one client: in order, bounded; who cannot keep up is cut off and fetches everything anew.
 
-use crate::connection::close_signal::{Cut, Why};
+use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::rooms::member::{Feed, Recipient, Whole};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
@@ -46,7 +46,7 @@ pub(crate) struct Outbox {
     /// The number of the link, never used twice.
     pub(crate) session: u64,
     /// Ends the link.
-    pub(crate) cut: Cut,
+    pub(crate) close: CloseSignal,
     queue: mpsc::Sender<Out>,
     waiting: Waiting,
 }
@@ -96,7 +96,7 @@ impl Outbox {
     pub(crate) fn new(session: u64, all: AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
         let (queue, inbox) = mpsc::channel(QUEUE_MAX_MESSAGES);
         let waiting = Waiting::of(all);
-        (Self { session, cut: Cut::new(), queue, waiting: waiting.clone() }, inbox, waiting)
+        (Self { session, close: CloseSignal::new(), queue, waiting: waiting.clone() }, inbox, waiting)
     }
 
     /// Says something, as the answer to `ask` if there is one.
@@ -114,10 +114,10 @@ impl Outbox {
         if let Out::Text(text) = &out
             && !self.waiting.put(text)
         {
-            self.cut.with(Why::Resync);
+            self.close.with(CloseReason::Resync);
         }
         if let Err(mpsc::error::TrySendError::Full(_)) = self.queue.try_send(out) {
-            self.cut.with(Why::Resync);
+            self.close.with(CloseReason::Resync);
         }
     }
 }
@@ -153,7 +153,7 @@ mod tests {
         for count in 0.. {
             tokio::select! {
                 biased;
-                _ = outbox.cut.wait() => return (count, outbox),
+                _ = outbox.close.wait() => return (count, outbox),
                 () = std::future::ready(()) => outbox.say(None, no.clone()),
             }
         }

@@ -7,15 +7,15 @@ const PER_SECOND: f64 = 50.0;
 /// Requests at once.
 const AT_ONCE: f64 = 200.0;
 
-/// A bucket of permissions that fills again by itself.
+/// Permissions to ask, which come back by themselves.
 #[derive(Debug)]
-pub(super) struct Bucket {
+pub(super) struct RateLimit {
     left: f64,
     at: Instant,
 }
 
-impl Bucket {
-    /// A full one.
+impl RateLimit {
+    /// None is taken yet.
     pub(super) fn full() -> Self {
         Self { left: AT_ONCE, at: Instant::now() }
     }
@@ -37,19 +37,19 @@ impl Bucket {
 
 #[cfg(test)]
 mod tests {
-    use super::Bucket;
+    use super::RateLimit;
     use std::time::Duration;
 
     #[test]
     fn two_hundred_at_once_then_fifty_a_second() {
-        let mut bucket = Bucket::full();
-        let start = bucket.at;
-        let takes = |bucket: &mut Bucket, ms: u64| {
+        let mut rate = RateLimit::full();
+        let start = rate.at;
+        let takes = |rate: &mut RateLimit, ms: u64| {
             let now = start + Duration::from_millis(ms);
-            (0..1_000).filter(|_| bucket.take_at(now)).count()
+            (0..1_000).filter(|_| rate.take_at(now)).count()
         };
-        assert_eq!(takes(&mut bucket, 0), 200);
-        assert_eq!(takes(&mut bucket, 1_000), 50);
-        assert_eq!(takes(&mut bucket, 60_000), 200);
+        assert_eq!(takes(&mut rate, 0), 200);
+        assert_eq!(takes(&mut rate, 1_000), 50);
+        assert_eq!(takes(&mut rate, 60_000), 200);
     }
 }

@@ -5,10 +5,10 @@ mod requests;
 
 use super::hear::{Heard, hear, read};
 use super::inbox::{Asked, Inbox, Weight, inbox};
-use super::rate_limit::Bucket;
+use super::rate_limit::RateLimit;
 use crate::connection::Connections;
 use crate::connection::clients::Entered;
-use crate::connection::close_signal::Why;
+use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
 use crate::rooms::Note;
 use crate::rooms::member::Member;
@@ -38,15 +38,15 @@ pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
         sink,
         told,
         waiting,
-        outbox.cut.clone(),
+        outbox.close.clone(),
     ));
     let greeted = tokio::select! {
-        () = connections.state.tasks.stopping.cancelled() => Err(Why::Restart),
+        () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
         greeted = half_open(&connections, &outbox, &mut stream) => greeted,
     };
     match greeted {
         Ok((entered, ask)) => serve(connections, outbox, entered, ask, &mut stream).await,
-        Err(why) => outbox.cut.with(why),
+        Err(why) => outbox.close.with(why),
     }
     let _ = writing.await;
 }
@@ -56,10 +56,10 @@ async fn half_open(
     connections: &Connections,
     outbox: &Outbox,
     stream: &mut SplitStream<WebSocket>,
-) -> Result<(Entered, u32), Why> {
+) -> Result<(Entered, u32), CloseReason> {
     let place = connections.half_open.take();
     let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(connections, outbox, stream));
-    place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(Why::Unwelcome))
+    place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(CloseReason::Unwelcome))
 }
 
 /// The greeting comes first and in our version.
@@ -67,27 +67,27 @@ async fn greet(
     connections: &Connections,
     outbox: &Outbox,
     stream: &mut SplitStream<WebSocket>,
-) -> Result<(Entered, u32), Why> {
+) -> Result<(Entered, u32), CloseReason> {
     let Ask { ask, request } = match hear(stream.next().await) {
         Heard::Ask(ask) => *ask,
         Heard::Nonsense(ask, reason) => {
             outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) });
-            return Err(Why::Unwelcome);
+            return Err(CloseReason::Unwelcome);
         }
-        Heard::Nothing | Heard::Large(_) => return Err(Why::Unwelcome),
+        Heard::Nothing | Heard::Large(_) => return Err(CloseReason::Unwelcome),
         Heard::End(why) => return Err(why),
     };
     match request {
         Request::Hello { version: VERSION, name, again } => {
-            Ok((connections.clients.enter(again.as_ref(), &name, outbox.session, outbox.cut.clone()), ask))
+            Ok((connections.clients.enter(again.as_ref(), &name, outbox.session, outbox.close.clone()), ask))
         }
         Request::Hello { .. } => {
             outbox.no(ask, SaidNo::Version(VERSION));
-            Err(Why::Unwelcome)
+            Err(CloseReason::Unwelcome)
         }
         _ => {
             outbox.no(ask, SaidNo::Greeting);
-            Err(Why::Unwelcome)
+            Err(CloseReason::Unwelcome)
         }
     }
 }
@@ -110,10 +110,10 @@ async fn serve(
     let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone());
     let working = connections.state.tasks.spawn(session.work(asked));
     let mut reader =
-        Reader { connections: &connections, outbox: &outbox, by: &me.name, bucket: Bucket::full(), asking };
+        Reader { connections: &connections, outbox: &outbox, by: &me.name, rate: RateLimit::full(), asking };
     let why = reader.read(stream).await;
     drop(reader);
-    outbox.cut.with(why);
+    outbox.close.with(why);
     let _ = working.await;
     connections.state.rooms.tell_open(connections.state.rooms.library(), Note::Leave(outbox.session));
     connections.clients.leave(&me.client, outbox.session);
@@ -125,24 +125,24 @@ struct Reader<'a> {
     connections: &'a Connections,
     outbox: &'a Outbox,
     by: &'a str,
-    bucket: Bucket,
+    rate: RateLimit,
     asking: Inbox,
 }
 
 impl Reader<'_> {
-    async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> Why {
-        let (stopping, cut) = (self.connections.state.tasks.stopping.clone(), self.outbox.cut.clone());
+    async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> CloseReason {
+        let (stopping, close) = (self.connections.state.tasks.stopping.clone(), self.outbox.close.clone());
         loop {
             let next = tokio::time::timeout(Duration::from_millis(SILENT_MS), stream.next());
             let message = tokio::select! {
-                () = stopping.cancelled() => return Why::Restart,
-                why = cut.wait() => return why,
+                () = stopping.cancelled() => return CloseReason::Restart,
+                why = close.wait() => return why,
                 message = next => message,
             };
-            let Ok(message) = message else { return Why::Left };
+            let Ok(message) = message else { return CloseReason::Left };
             match hear(message) {
                 Heard::Ask(ask) => self.hear(*ask),
-                Heard::Large(text) if self.bucket.take() => self.large(text),
+                Heard::Large(text) if self.rate.take() => self.large(text),
                 Heard::Large(_) => self.too_fast(None),
                 Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
                 Heard::Nothing => {}
@@ -159,7 +159,7 @@ impl Reader<'_> {
             return tracing::info!(by = self.by, "Stop");
         }
         let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. });
-        if (!self.bucket.take() || !self.asking.ask(Ask { ask, request })) && matters {
+        if (!self.rate.take() || !self.asking.ask(Ask { ask, request })) && matters {
             self.too_fast(Some(ask));
         }
     }

@@ -23,12 +23,12 @@ pub(crate) async fn start(
     let revision = look.revision();
     let file = ready(state, &behaviour, look).await?;
     let stopped = || SaidNo::CannotStart("Stop was pressed".to_owned());
-    if !announced.is_open() || state.tasks.ends() {
+    if announced.is_cancelled() || state.tasks.ends() {
         return Err(stopped());
     }
     let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
     let begun = host.start_announced(&announced, start).await;
-    if !announced.is_open() {
+    if announced.is_cancelled() {
         return Err(begun.err().map_or_else(stopped, SaidNo::CannotStart));
     }
     begun.map_err(SaidNo::CannotStart)?;

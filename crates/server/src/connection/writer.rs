@@ -3,12 +3,12 @@
 
 use super::values::Watching;
 use crate::connection::Connections;
-use crate::connection::close_signal::{Cut, Why};
+use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::connection::outbox::{Out, QUEUE_MAX_MESSAGES, Waiting};
 use crate::connection::topics::BEAT_MS;
 use crate::rooms::member::Feed;
 use crate::support::message::encode;
-use crate::support::workers::{CancelFlag, Sender};
+use crate::support::workers::Sender;
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
@@ -19,6 +19,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio::time::MissedTickBehavior;
+use tokio_util::sync::CancellationToken;
 
 /// How long one message, or some together, may take to be written.
 const WRITE_MS: u64 = 5_000;
@@ -45,14 +46,14 @@ struct Writer {
     welcomed: bool,
 }
 
-/// Writes until the link is cut.
+/// Writes until the link is closed.
 pub(super) async fn write(
     connections: Arc<Connections>,
     session: u64,
     sink: SplitSink<WebSocket, Message>,
     inbox: mpsc::Receiver<Out>,
     waiting: Waiting,
-    cut: Cut,
+    close: CloseSignal,
 ) {
     let mut topics = [
         connections.topics.runs.subscribe(),
@@ -79,15 +80,15 @@ pub(super) async fn write(
     let mut inbox = inbox;
     let why = tokio::select! {
         biased;
-        why = cut.wait() => why,
+        why = close.wait() => why,
         why = writer.run(&mut inbox) => why,
     };
-    cut.with(why);
+    close.with(why);
     writer.close(why, &mut inbox).await;
 }
 
 impl Writer {
-    async fn run(&mut self, inbox: &mut mpsc::Receiver<Out>) -> Why {
+    async fn run(&mut self, inbox: &mut mpsc::Receiver<Out>) -> CloseReason {
         let mut beat = tokio::time::interval(Duration::from_millis(BEAT_MS));
         let mut ping = tokio::time::interval(Duration::from_millis(PING_MS));
         beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
@@ -98,7 +99,7 @@ impl Writer {
                 biased;
                 count = inbox.recv_many(&mut batch, QUEUE_MAX_MESSAGES / 4) => {
                     if count == 0 {
-                        return Why::Left;
+                        return CloseReason::Left;
                     }
                     self.deliver(&mut batch).await
                 }
@@ -112,7 +113,7 @@ impl Writer {
     }
 
     /// Writes what must arrive.
-    async fn deliver(&mut self, batch: &mut Vec<Out>) -> Result<(), Why> {
+    async fn deliver(&mut self, batch: &mut Vec<Out>) -> Result<(), CloseReason> {
         let mut texts = Vec::with_capacity(batch.len());
         for out in batch.drain(..) {
             match out {
@@ -144,7 +145,7 @@ impl Writer {
     }
 
     /// Writes the newest of what changed.
-    async fn news(&mut self) -> Result<(), Why> {
+    async fn news(&mut self) -> Result<(), CloseReason> {
         let mut texts: Vec<Utf8Bytes> = self.topics.iter_mut().filter_map(newest).collect();
         if self.scene_wanted {
             texts.extend(self.scene.as_mut().and_then(newest));
@@ -159,28 +160,28 @@ impl Writer {
         if texts.is_empty() { Ok(()) } else { self.send(texts).await }
     }
 
-    async fn ping(&mut self) -> Result<(), Why> {
+    async fn ping(&mut self) -> Result<(), CloseReason> {
         let behaviour = self.feed.as_ref().map(|feed| (feed.behaviour.clone(), *feed.revision.borrow()));
         let library_revision = self.connections.state.rooms.snapshot().revision;
         let text = encode(None, Reply::Ping { behaviour, library_revision });
         self.write([Message::Text(text), Message::Ping(Bytes::new())]).await
     }
 
-    async fn send(&mut self, texts: Vec<Utf8Bytes>) -> Result<(), Why> {
+    async fn send(&mut self, texts: Vec<Utf8Bytes>) -> Result<(), CloseReason> {
         self.write(texts.into_iter().map(Message::Text)).await
     }
 
     /// Writes one part after the other, each made among the other work when it is its turn; the pings between them show
     /// on both sides that the link lives.
-    async fn parts(&mut self, texts: impl Iterator<Item = Utf8Bytes> + Send + 'static) -> Result<(), Why> {
+    async fn parts(&mut self, texts: impl Iterator<Item = Utf8Bytes> + Send + 'static) -> Result<(), CloseReason> {
         let mut texts = texts;
         loop {
-            let make = move |_: &CancelFlag| {
+            let make = move |_: &CancellationToken| {
                 let text = texts.next();
                 (text, texts)
             };
             let made = self.connections.state.workers.run(Sender::Writer(self.session), make).await;
-            let (text, rest) = made.map_err(|_| Why::Resync)?;
+            let (text, rest) = made.map_err(|_| CloseReason::Resync)?;
             let Some(text) = text else { return Ok(()) };
             self.write([Message::Text(text), Message::Ping(Bytes::new())]).await?;
             texts = rest;
@@ -188,7 +189,7 @@ impl Writer {
     }
 
     /// A client that takes too long is cut off; everything is still there when it comes back.
-    async fn write(&mut self, messages: impl IntoIterator<Item = Message>) -> Result<(), Why> {
+    async fn write(&mut self, messages: impl IntoIterator<Item = Message>) -> Result<(), CloseReason> {
         let sink = &mut self.sink;
         let all = async {
             for message in messages {
@@ -198,16 +199,16 @@ impl Writer {
         };
         match tokio::time::timeout(Duration::from_millis(WRITE_MS), all).await {
             Ok(Ok(())) => Ok(()),
-            Ok(Err(_)) => Err(Why::Left),
-            Err(_) => Err(Why::Resync),
+            Ok(Err(_)) => Err(CloseReason::Left),
+            Err(_) => Err(CloseReason::Resync),
         }
     }
 
     /// Says why it ends, after what was already said to somebody unwelcome.
-    async fn close(mut self, why: Why, inbox: &mut mpsc::Receiver<Out>) {
+    async fn close(mut self, why: CloseReason, inbox: &mut mpsc::Receiver<Out>) {
         let (code, reason) = why.words();
         let mut last = Vec::new();
-        while let (Why::Unwelcome | Why::Restart, Ok(out)) = (why, inbox.try_recv()) {
+        while let (CloseReason::Unwelcome | CloseReason::Restart, Ok(out)) = (why, inbox.try_recv()) {
             last.push(out);
         }
         let end = async {

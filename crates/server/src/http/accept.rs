@@ -3,7 +3,7 @@
 //! that those threads, the robots' or the store's do can keep Stop from being heard.
 
 use super::stop;
-use crate::http::origin::Guard;
+use crate::http::origin::OriginGuard;
 use crate::robots::Robots;
 use crate::support::places::Places;
 use std::io;
@@ -45,7 +45,7 @@ pub(crate) type Handed = mpsc::Receiver<std::net::TcpStream>;
 
 /// What the accepting thread needs.
 struct Acceptor {
-    guard: Guard,
+    guard: OriginGuard,
     robots: Robots,
     silent: Arc<Places>,
     stops: Arc<Places>,
@@ -58,7 +58,7 @@ struct Acceptor {
 /// If the thread cannot be made.
 pub(crate) fn start(
     listener: std::net::TcpListener,
-    guard: Guard,
+    guard: OriginGuard,
     robots: Robots,
     ending: CancellationToken,
 ) -> io::Result<(JoinHandle<()>, Handed)> {

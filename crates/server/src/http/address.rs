@@ -14,9 +14,9 @@ pub fn address_in(folder: &Path) -> Option<SocketAddr> {
 }
 
 /// The file, for as long as the server serves.
-pub(crate) struct Told(Option<(PathBuf, SocketAddr)>);
+pub(crate) struct AddressFile(Option<(PathBuf, SocketAddr)>);
 
-impl Told {
+impl AddressFile {
     /// Writes the address into the folder of the store, if it has one.
     pub(crate) fn new(store: &str, address: SocketAddr) -> Self {
         let Some(folder) = store::folder_of(store).filter(|folder| folder.is_dir()) else { return Self(None) };
@@ -30,7 +30,7 @@ impl Told {
     }
 }
 
-impl Drop for Told {
+impl Drop for AddressFile {
     fn drop(&mut self) {
         // The next server may have written its own by now.
         let ours = self.0.take().filter(|(file, address)| file.parent().and_then(address_in) == Some(*address));
@@ -43,27 +43,27 @@ impl Drop for Told {
 
 #[cfg(test)]
 mod tests {
-    use super::{Told, address_in};
+    use super::{AddressFile, address_in};
 
     #[test]
     fn the_address_is_there_while_the_server_serves() {
         let folder = tempfile::tempdir().unwrap();
         let (url, address) = (format!("sqlite:{}", folder.path().display()), "127.0.0.1:7130".parse().unwrap());
-        let told = Told::new(&url, address);
+        let told = AddressFile::new(&url, address);
         assert_eq!(address_in(folder.path()), Some(address));
         drop(told);
         assert_eq!(address_in(folder.path()), None);
-        assert!(Told::new("neo4j://somewhere", address).0.is_none());
+        assert!(AddressFile::new("neo4j://somewhere", address).0.is_none());
     }
 
     #[test]
     fn an_address_that_cannot_be_written_leaves_no_older_one() {
         let folder = tempfile::tempdir().unwrap();
         let (url, address) = (format!("sqlite:{}", folder.path().display()), "127.0.0.1:7130".parse().unwrap());
-        std::mem::forget(Told::new(&url, address));
+        std::mem::forget(AddressFile::new(&url, address));
         assert!(address_in(folder.path()).is_some(), "as a server that was killed leaves it");
         std::fs::create_dir(folder.path().join("server.new")).unwrap();
-        let told = Told::new(&url, "127.0.0.1:7131".parse().unwrap());
+        let told = AddressFile::new(&url, "127.0.0.1:7131".parse().unwrap());
         assert_eq!(address_in(folder.path()), None);
         drop(told);
     }

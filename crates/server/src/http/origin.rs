@@ -7,11 +7,11 @@ use std::net::IpAddr;
 
 /// Tells who may come in to the server on this port.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Guard {
+pub(crate) struct OriginGuard {
     port: u16,
 }
 
-impl Guard {
+impl OriginGuard {
     /// For a server that listens on `port`.
     pub(crate) fn of(port: u16) -> Self {
         Self { port }
@@ -99,7 +99,7 @@ fn is_loopback(name: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{Guard, Origin, check};
+    use super::{Origin, OriginGuard, check};
     use axum::body::Body;
     use axum::extract::Request;
 
@@ -121,7 +121,7 @@ mod tests {
                 request = request.header(*name, *value);
             }
             let request = request.body(Body::empty()).unwrap();
-            assert_eq!(Guard::of(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
+            assert_eq!(OriginGuard::of(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
         }
     }
 

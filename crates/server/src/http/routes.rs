@@ -2,8 +2,8 @@
 
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
-use super::origin::Guard;
-use super::stop::Which;
+use super::origin::OriginGuard;
+use super::stop::StopTarget;
 use super::{page, recordings, transfer, upload};
 use crate::connection::{Connections, session};
 use crate::state::ServerState;
@@ -39,7 +39,7 @@ const PIECE_MS: u64 = 5_000;
 #[derive(Clone)]
 struct AppState {
     connections: Arc<Connections>,
-    guard: Guard,
+    guard: OriginGuard,
     /// Files that are being sent to us.
     uploads: Arc<Places>,
     /// The threads that carry messages.
@@ -53,7 +53,7 @@ impl AppState {
 }
 
 /// All routes; sockets are served on `messages`.
-pub(crate) fn routes(connections: Arc<Connections>, guard: Guard, messages: Handle) -> Router {
+pub(crate) fn routes(connections: Arc<Connections>, guard: OriginGuard, messages: Handle) -> Router {
     let app = AppState { connections, guard, uploads: Places::of(UPLOADS_MAX), messages };
     let router = Router::new()
         .route(protocol::PATH, any(socket))
@@ -114,7 +114,7 @@ async fn socket(State(app): State<AppState>, upgrade: WebSocketUpgrade) -> Respo
 }
 
 /// The accepting thread answers almost every Stop; this one is for requests that are written in another way.
-async fn stop(State(app): State<AppState>, which: Result<Query<Which>, QueryRejection>) -> Response {
+async fn stop(State(app): State<AppState>, which: Result<Query<StopTarget>, QueryRejection>) -> Response {
     let which = which.map(|Query(which)| which).unwrap_or_default();
     app.state().robots.stop_now(which.behaviour.as_ref(), which.robot.as_ref(), "the Stop button");
     Json(serde_json::json!({ "stopped": true })).into_response()

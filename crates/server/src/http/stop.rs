@@ -1,7 +1,7 @@
 //! Answers one Stop: reads its head, lets the robots hold, says so, and only then has anything else done.
 
 use super::headers::HEADERS;
-use crate::http::origin::Guard;
+use crate::http::origin::OriginGuard;
 use crate::robots::Robots;
 use axum::extract::Query;
 use axum::http::Uri;
@@ -16,13 +16,13 @@ const HEAD_MAX_BYTES: usize = 8 << 10;
 /// Header lines in it.
 const LINES_MAX: usize = 64;
 /// How long each side may take.
-const PATIENCE_MS: u64 = 1_000;
+const SIDE_MAX_MS: u64 = 1_000;
 /// What may follow the head and is thrown away, in bytes.
 const REST_MAX_BYTES: usize = 16 << 10;
 
 /// What is to stop: everything on all robots if nothing is named.
 #[derive(Debug, Default, Deserialize)]
-pub(crate) struct Which {
+pub(crate) struct StopTarget {
     /// Only this behaviour.
     pub(crate) behaviour: Option<Id>,
     /// Only on this robot.
@@ -30,7 +30,7 @@ pub(crate) struct Which {
 }
 
 /// Reads the Stop, does it and answers; the connection ends with that.
-pub(super) async fn answer(mut stream: TcpStream, guard: &Guard, robots: &Robots) {
+pub(super) async fn answer(mut stream: TcpStream, guard: &OriginGuard, robots: &Robots) {
     drop(stream.set_nodelay(true));
     let Some(head) = within(head(&mut stream)).await.flatten() else { return };
     let said = match asked(&head, guard) {
@@ -46,7 +46,7 @@ pub(super) async fn answer(mut stream: TcpStream, guard: &Guard, robots: &Robots
 }
 
 async fn within<T>(work: impl Future<Output = T>) -> Option<T> {
-    tokio::time::timeout(Duration::from_millis(PATIENCE_MS), work).await.ok()
+    tokio::time::timeout(Duration::from_millis(SIDE_MAX_MS), work).await.ok()
 }
 
 /// The request up to the empty line; none if it ends before that or is too long.
@@ -64,7 +64,7 @@ async fn head(stream: &mut TcpStream) -> Option<Vec<u8>> {
 
 /// What is to stop, unless somebody asks who may not. An id that is none stops everything: better too much than too
 /// little.
-fn asked(head: &[u8], guard: &Guard) -> Result<Which, &'static str> {
+fn asked(head: &[u8], guard: &OriginGuard) -> Result<StopTarget, &'static str> {
     let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
     let mut request = httparse::Request::new(&mut lines);
     request.parse(head).map_err(|_| "the request cannot be read")?;

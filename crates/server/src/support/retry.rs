@@ -13,14 +13,14 @@ const SILENT: Duration = Duration::from_millis(1_500);
 const PAUSE: Duration = Duration::from_secs(1);
 
 /// Does it again while the database is away, but not for ever. What is on this computer's disk is asked once.
-pub(crate) async fn patiently<'a, T>(
+pub(crate) async fn retry<'a, T>(
     url: &str,
     attempt: impl Fn() -> BoxFuture<'a, Result<T, StoreError>>,
 ) -> Result<T, StoreError> {
-    patiently_within(WAIT, PAUSE, url, attempt).await
+    retry_within(WAIT, PAUSE, url, attempt).await
 }
 
-async fn patiently_within<'a, T>(
+async fn retry_within<'a, T>(
     wait: Duration,
     pause: Duration,
     url: &str,
@@ -53,7 +53,7 @@ async fn told_while_silent<T>(attempt: BoxFuture<'_, T>) -> T {
 
 #[cfg(test)]
 mod tests {
-    use super::{Duration, WAIT, patiently_within};
+    use super::{Duration, WAIT, retry_within};
     use futures_util::FutureExt;
     use std::sync::atomic::{AtomicU32, Ordering};
     use store::StoreError;
@@ -65,12 +65,12 @@ mod tests {
             || async { if asked.fetch_add(1, Ordering::SeqCst) < 2 { Err(StoreError::Timeout) } else { Ok(()) } };
         let url = "bolt://127.0.0.1:7687";
         let (now, never) = (Duration::ZERO, Duration::ZERO);
-        assert_eq!(patiently_within(WAIT, now, url, || third().boxed()).await, Ok(()));
+        assert_eq!(retry_within(WAIT, now, url, || third().boxed()).await, Ok(()));
         assert_eq!(asked.load(Ordering::SeqCst), 3);
         let away = |error: StoreError| move || std::future::ready(Err::<(), _>(error.clone())).boxed();
         let late = away(StoreError::Timeout);
-        assert_eq!(patiently_within(never, now, url, &late).await, Err(StoreError::Timeout));
-        assert_eq!(patiently_within(WAIT, now, "/data", &late).await, Err(StoreError::Timeout));
-        assert_eq!(patiently_within(WAIT, now, url, away(StoreError::Gone)).await, Err(StoreError::Gone));
+        assert_eq!(retry_within(never, now, url, &late).await, Err(StoreError::Timeout));
+        assert_eq!(retry_within(WAIT, now, "/data", &late).await, Err(StoreError::Timeout));
+        assert_eq!(retry_within(WAIT, now, url, away(StoreError::Gone)).await, Err(StoreError::Gone));
     }
 }

@@ -7,9 +7,9 @@ use behaviour::Id;
 use protocol::SaidNo;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use tokio::sync::oneshot;
+use tokio_util::sync::CancellationToken;
 
 /// Threads that work.
 const THREADS: usize = 2;
@@ -50,26 +50,6 @@ impl From<NotDone> for SaidNo {
             NotDone::TooMuch => Self::TooFast,
             NotDone::Failed => Self::Unreadable("it makes the server fail; please tell the people who make rrp".into()),
         }
-    }
-}
-
-/// Tells work that nobody waits for it any more.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct CancelFlag(Arc<AtomicBool>);
-
-impl CancelFlag {
-    /// Whether whoever asked has gone; work in loops asks this and ends.
-    pub(crate) fn is_cancelled(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
-    }
-}
-
-/// Cancels with its end.
-struct CancelOnDrop(CancelFlag);
-
-impl Drop for CancelOnDrop {
-    fn drop(&mut self) {
-        self.0.0.store(true, Ordering::Relaxed);
     }
 }
 
@@ -114,20 +94,20 @@ impl Workers {
     }
 
     /// Works on something and waits for it. If the returned future is dropped, what waits is not begun, and what is
-    /// under way is told by its flag.
+    /// under way is told by its token, which work in loops asks.
     ///
     /// # Errors
     /// If too much waits already, or the work panics.
     pub(crate) async fn run<T: Send + 'static>(
         &self,
         sender: Sender,
-        work: impl FnOnce(&CancelFlag) -> T + Send + 'static,
+        work: impl FnOnce(&CancellationToken) -> T + Send + 'static,
     ) -> Result<T, NotDone> {
-        let (flag, (done, waiting)) = (CancelFlag::default(), oneshot::channel());
-        let _leaving = CancelOnDrop(flag.clone());
+        let (token, (done, waiting)) = (CancellationToken::new(), oneshot::channel());
+        let _leaving = token.clone().drop_guard();
         let task = move || {
-            if !flag.is_cancelled() {
-                let worked = catch_unwind(AssertUnwindSafe(|| work(&flag)));
+            if !token.is_cancelled() {
+                let worked = catch_unwind(AssertUnwindSafe(|| work(&token)));
                 drop(done.send(worked.map_err(|_| NotDone::Failed)));
             }
         };

@@ -9,11 +9,12 @@ use crate::library::{bin, insight, list, thumbnails};
 use crate::rooms::Note;
 use crate::rooms::member::Answer;
 use crate::state::ServerState;
-use crate::support::workers::{CancelFlag, Sender};
+use crate::support::workers::Sender;
 use behaviour::{Change, Id};
 use protocol::{Reply, Request, SaidNo};
 use std::future::Future;
 use std::sync::Arc;
+use tokio_util::sync::CancellationToken;
 
 impl Session {
     pub(super) fn request(&mut self, ask: u32, request: Request) {
@@ -38,7 +39,7 @@ impl Session {
             Request::Check { arguments, body, inputs } => {
                 let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
                 let sender = Sender::Link(self.outbox.session);
-                let check = move |_: &CancelFlag| {
+                let check = move |_: &CancellationToken| {
                     let helpers = helpers_of(&body, &snapshot.helpers());
                     trial::check(&Trial { arguments, body, inputs, helpers })
                 };

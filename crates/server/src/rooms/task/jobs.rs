@@ -1,6 +1,6 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
-use super::saving::{self, Outcome, Saved};
+use super::saving::{self, SaveOutcome, Saved};
 use super::{RoomTask, Stay};
 use crate::rooms::member::Answer;
 use behaviour::{Change, Kind, Refusal};
@@ -182,8 +182,8 @@ impl RoomTask {
     }
 
     /// Tells the news; who asked gets the answer once: with the news if they are here and it is among them.
-    fn conclude(&mut self, outcome: Outcome, from: Answer) {
-        let Outcome { news, after, answer, .. } = outcome;
+    fn conclude(&mut self, outcome: SaveOutcome, from: Answer) {
+        let SaveOutcome { news, after, answer, .. } = outcome;
         let here = from.session().filter(|session| self.members.contains_key(session));
         let asked =
             if let (Some(session), Answer::Client { ask, .. }) = (here, &from) { Some((session, *ask)) } else { None };

@@ -3,11 +3,12 @@
 
 use super::RoomTask;
 use crate::support::message::encode;
-use crate::support::workers::{CancelFlag, NotDone, Sender};
+use crate::support::workers::{NotDone, Sender};
 use behaviour::{BehaviourFile, Problem};
 use futures_util::future::BoxFuture;
 use protocol::Reply;
 use std::sync::Arc;
+use tokio_util::sync::CancellationToken;
 
 /// What was found out about one revision.
 #[derive(Clone, Debug, Default)]
@@ -68,7 +69,7 @@ impl RoomTask {
         let Finding::Due = self.finding else { return };
         let (knowing, snapshot) = (Arc::clone(&self.around.knowing), self.snapshot.borrow_and_update().clone());
         let room = Arc::clone(&self.room);
-        let find = move |_: &CancelFlag| {
+        let find = move |_: &CancellationToken| {
             let (behaviour, helpers) = (room.behaviour(), snapshot.helpers());
             let problems = behaviour::problems(behaviour, &helpers, &*knowing);
             let fingerprint = BehaviourFile::of(behaviour, &helpers).fingerprint();

@@ -17,7 +17,7 @@ pub(super) enum Saved {
     /// The store was asked to keep a change.
     Change {
         /// What came of it.
-        outcome: Outcome,
+        outcome: SaveOutcome,
         /// Who asked.
         from: Answer,
     },
@@ -35,7 +35,7 @@ pub(super) enum Saved {
 }
 
 /// What came of keeping a change.
-pub(super) struct Outcome {
+pub(super) struct SaveOutcome {
     /// Changes this room did not know, to be made its truth in order; the saved one is the last.
     pub(super) news: Vec<Committed>,
     /// The room with the saved change made.
@@ -46,7 +46,7 @@ pub(super) struct Outcome {
     pub(super) is_uncertain: bool,
 }
 
-impl Outcome {
+impl SaveOutcome {
     /// Nothing changed.
     fn nothing(answer: Result<Accepted, SaidNo>) -> Self {
         Self { news: Vec::new(), after: None, answer, is_uncertain: false }
@@ -84,10 +84,10 @@ pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, c
     let decided = around.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
     let outcome = match decided {
         Ok(Decided::Save(keep)) => save(&around, &id, *keep).await,
-        Ok(Decided::Duplicate(revision)) => Outcome::nothing(one(&around, &id, revision).await),
-        Ok(Decided::Stale(change, refusal)) => Outcome::nothing(settle(&around, &id, change, refusal).await),
-        Ok(Decided::Refuse(refusal)) => Outcome::nothing(Err(SaidNo::Change(refusal))),
-        Err(why) => Outcome::nothing(Err(why.into())),
+        Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(&around, &id, revision).await),
+        Ok(Decided::Stale(change, refusal)) => SaveOutcome::nothing(settle(&around, &id, change, refusal).await),
+        Ok(Decided::Refuse(refusal)) => SaveOutcome::nothing(Err(SaidNo::Change(refusal))),
+        Err(why) => SaveOutcome::nothing(Err(why.into())),
     };
     Saved::Change { outcome, from }
 }
@@ -117,15 +117,15 @@ fn helpers_let_go(change: &Change) -> Vec<String> {
 }
 
 /// Keeps a change.
-async fn save(around: &Surroundings, id: &Id, keep: Keep) -> Outcome {
+async fn save(around: &Surroundings, id: &Id, keep: Keep) -> SaveOutcome {
     let Keep { committed, after, helpers } = keep;
     let before = committed.revision.saturating_sub(1);
     if let Err(used) = unused(around, helpers).await {
-        return Outcome::nothing(Err(used));
+        return SaveOutcome::nothing(Err(used));
     }
     match append(around, id, &committed, after.behaviour()).await {
         Ok(Append::Applied) => {
-            Outcome { news: vec![committed.clone()], after: Some(after), ..Outcome::nothing(Ok(committed)) }
+            SaveOutcome { news: vec![committed.clone()], after: Some(after), ..SaveOutcome::nothing(Ok(committed)) }
         }
         Ok(Append::Duplicate { revision }) => {
             let answer = one(around, id, revision).await;
@@ -135,10 +135,10 @@ async fn save(around: &Surroundings, id: &Id, keep: Keep) -> Outcome {
             let no = SaidNo::Change(Refusal::Stale("this behaviour".to_owned()));
             with_news(around, id, before, Err(no)).await
         }
-        Err(StoreError::Gone) => Outcome::nothing(Err(SaidNo::Change(Refusal::Gone))),
-        Err(error) if error.is_open() => Outcome::uncertain(Err(store_no(&error))),
-        Err(error @ StoreError::Full) => Outcome::nothing(Err(store_no(&error))),
-        Err(error) => Outcome::nothing(Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))),
+        Err(StoreError::Gone) => SaveOutcome::nothing(Err(SaidNo::Change(Refusal::Gone))),
+        Err(error) if error.is_open() => SaveOutcome::uncertain(Err(store_no(&error))),
+        Err(error @ StoreError::Full) => SaveOutcome::nothing(Err(store_no(&error))),
+        Err(error) => SaveOutcome::nothing(Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))),
     }
 }
 
@@ -160,10 +160,10 @@ async fn append(
 }
 
 /// The answer, with what the room does not know of the store.
-async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<Accepted, SaidNo>) -> Outcome {
+async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<Accepted, SaidNo>) -> SaveOutcome {
     match bounded(around.store.history(id, before, MISSED_MAX_CHANGES)).await {
-        Ok(news) => Outcome { news, ..Outcome::nothing(answer) },
-        Err(_) => Outcome::uncertain(answer),
+        Ok(news) => SaveOutcome { news, ..SaveOutcome::nothing(answer) },
+        Err(_) => SaveOutcome::uncertain(answer),
     }
 }
 

@@ -1,8 +1,8 @@
 //! What waits for the robot's thread: Stop first, then what to open and close, what people do in the room, and what
 //! runs command. Whoever puts something here rings, so that it does not wait for the next step.
 
+use super::cancel_flag::CancelFlag;
 use super::fair::Fair;
-use super::gate::Gate;
 use super::mailbox::Mailbox;
 use crate::support::lock;
 use behaviour::{Id, Params, Value};
@@ -20,22 +20,22 @@ const EDITS_MAX: usize = 256;
 /// Texts of one action that may wait to be spoken or shown.
 const TEXTS_MAX: usize = 8;
 
-/// The desk.
+/// The queue.
 #[derive(Debug, Default)]
-pub(super) struct Desk {
+pub(super) struct CommandQueue {
     stop: AtomicBool,
     end: AtomicBool,
     rung: AtomicBool,
     /// Whether runs ended whose devices are not given back yet.
     closing: AtomicBool,
     /// The robot's thread.
-    keeper: OnceLock<Thread>,
-    papers: Mutex<Papers>,
+    thread: OnceLock<Thread>,
+    pending: Mutex<Pending>,
 }
 
 /// What waits, in the order in which the robot's thread does it.
 #[derive(Debug, Default)]
-pub(super) struct Papers {
+pub(super) struct Pending {
     /// Runs that ended.
     closes: Vec<u64>,
     /// Runs that want their devices.
@@ -52,8 +52,8 @@ pub(super) struct Opening {
     pub(super) run: u64,
     /// Its behaviour, and how people call it.
     pub(super) behaviour: (Id, String),
-    /// Its gate.
-    pub(super) gate: Arc<Gate>,
+    /// What cancels it.
+    pub(super) cancel: Arc<CancelFlag>,
     /// Where its readings go.
     pub(super) mailbox: Arc<Mailbox>,
     /// Its devices, actions before senses.
@@ -88,19 +88,19 @@ impl Wanted {
     }
 }
 
-/// A value for an action. Void once the gate is closed.
+/// A value for an action. Void once its run is cancelled.
 #[derive(Debug)]
 pub(super) struct Command {
-    /// The gate of the run.
-    pub(super) gate: Arc<Gate>,
+    /// What cancels the run.
+    pub(super) cancel: Arc<CancelFlag>,
     /// The value.
     pub(super) value: Value,
 }
 
-impl Desk {
-    /// From now on this thread is the robot's, and the one that [`Desk::wait`]s.
+impl CommandQueue {
+    /// From now on this thread is the robot's, and the one that [`CommandQueue::wait`]s.
     pub(super) fn attend(&self) {
-        drop(self.keeper.set(std::thread::current()));
+        drop(self.thread.set(std::thread::current()));
     }
 
     /// Wants the robot to hold safely, before anything else. Takes no lock and waits for nothing.
@@ -127,7 +127,7 @@ impl Desk {
 
     /// Gives back the devices of a run. Bounded by the number of runs.
     pub(super) fn close(&self, run: u64) {
-        lock(&self.papers).closes.push(run);
+        lock(&self.pending).closes.push(run);
         self.closing.store(true, Ordering::SeqCst);
         self.ring();
     }
@@ -135,7 +135,7 @@ impl Desk {
     /// The runs that ended since the last question.
     pub(super) fn take_closes(&self) -> Vec<u64> {
         if self.closing.swap(false, Ordering::SeqCst) {
-            std::mem::take(&mut lock(&self.papers).closes)
+            std::mem::take(&mut lock(&self.pending).closes)
         } else {
             Vec::new()
         }
@@ -143,25 +143,25 @@ impl Desk {
 
     /// Asks for devices. Bounded by the number of runs.
     pub(super) fn open(&self, opening: Opening) {
-        lock(&self.papers).opens.push(opening);
+        lock(&self.pending).opens.push(opening);
         self.ring();
     }
 
     /// Hands on what somebody did in the room; the oldest gives way.
     pub(super) fn edit(&self, edit: SceneEdit) {
-        let mut papers = lock(&self.papers);
-        if papers.edits.len() >= EDITS_MAX {
-            papers.edits.pop_front();
+        let mut pending = lock(&self.pending);
+        if pending.edits.len() >= EDITS_MAX {
+            pending.edits.pop_front();
         }
-        papers.edits.push_back(edit);
-        drop(papers);
+        pending.edits.push_back(edit);
+        drop(pending);
         self.ring();
     }
 
     /// Hands on a value for an action; an older one of the same stream gives way.
     pub(super) fn command(&self, user: Use, device: &str, command: Command) {
         let waiting_max = if matches!(device, "SayInput" | "SayParameter" | "Print") { TEXTS_MAX } else { 1 };
-        lock(&self.papers).commands.push(user, waiting_max, command);
+        lock(&self.pending).commands.push(user, waiting_max, command);
         self.ring();
     }
 
@@ -177,22 +177,22 @@ impl Desk {
         }
     }
 
-    /// Always after what it rings for is there. A condition variable would need the lock of the papers here.
+    /// Always after what it rings for is there. A condition variable would need the lock of what waits here.
     pub(super) fn ring(&self) {
         self.rung.store(true, Ordering::SeqCst);
-        if let Some(keeper) = self.keeper.get() {
-            keeper.unpark();
+        if let Some(thread) = self.thread.get() {
+            thread.unpark();
         }
     }
 
     /// Everything that waits; commands in the order in which they were given.
-    pub(super) fn take(&self) -> (Papers, Vec<(Use, Command)>) {
-        let mut papers = lock(&self.papers);
-        let commands = papers.commands.take().collect();
-        let taken = Papers {
+    pub(super) fn take(&self) -> (Pending, Vec<(Use, Command)>) {
+        let mut pending = lock(&self.pending);
+        let commands = pending.commands.take().collect();
+        let taken = Pending {
             closes: Vec::new(),
-            opens: std::mem::take(&mut papers.opens),
-            edits: std::mem::take(&mut papers.edits),
+            opens: std::mem::take(&mut pending.opens),
+            edits: std::mem::take(&mut pending.edits),
             commands: Fair::default(),
         };
         (taken, commands)

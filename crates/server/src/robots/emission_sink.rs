@@ -1,6 +1,6 @@
-//! Where what a run emits goes: values for actions to the robot's desk, counts to the tally.
+//! Where what a run emits goes: values for actions to the robot's queue, counts to the tally.
 
-use super::desk::{Command, Wanted};
+use super::command_queue::{Command, Wanted};
 use super::runner::{Job, devices};
 use super::tally::Tally;
 use crate::recordings::{Recorder, Step};
@@ -13,7 +13,7 @@ use std::rc::Rc;
 use std::time::Instant;
 
 /// Where what a run emits goes.
-pub(super) struct Outcome<'a> {
+pub(super) struct EmissionSink<'a> {
     /// The run.
     pub(super) job: &'a Job,
     /// What it counted.
@@ -35,7 +35,7 @@ pub(super) struct Outcome<'a> {
     cut: bool,
 }
 
-impl<'a> Outcome<'a> {
+impl<'a> EmissionSink<'a> {
     /// For a run that commands these devices.
     pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
         let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
@@ -55,8 +55,8 @@ impl<'a> Outcome<'a> {
                     self.step.value(at.0, stream, value);
                 }
                 if let Some((user, device)) = self.uses.get(&stream) {
-                    let command = Command { gate: self.job.gate.clone(), value: value.clone() };
-                    self.job.house.desk.command(user.clone(), device, command);
+                    let command = Command { cancel: self.job.cancel.clone(), value: value.clone() };
+                    self.job.shared.queue.command(user.clone(), device, command);
                 }
             }
             Emission::Fault { at, connector, error, deadline } => {
@@ -67,7 +67,7 @@ impl<'a> Outcome<'a> {
                 if deadline {
                     self.too_long = Some(connector);
                     self.late += 1;
-                    self.cut |= !self.job.gate.is_open();
+                    self.cut |= self.job.cancel.is_cancelled();
                 }
             }
         }
@@ -106,11 +106,11 @@ impl<'a> Outcome<'a> {
         let Some(recorder) = &mut self.recorder else { return };
         recorder.flush();
         if let Some(news) = recorder.news() {
-            self.job.house.recorded(self.job.run, Some(news));
+            self.job.shared.recorded(self.job.run, Some(news));
         }
         if ends {
             self.end_recording("the recording was ended");
-            self.job.house.recorded(self.job.run, None);
+            self.job.shared.recorded(self.job.run, None);
         }
     }
 

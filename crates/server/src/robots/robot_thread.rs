@@ -1,10 +1,10 @@
-//! The robot's thread: the only one that touches the robot. It makes a step when one is due, empties the desk when
+//! The robot's thread: the only one that touches the robot. It makes a step when one is due, empties the command queue when
 //! somebody rings, and looks at Stop first either way.
 
-use super::desk::{Command, Desk, Opening, Wanted};
-use super::gate::Gate;
-use super::house::House;
+use super::cancel_flag::CancelFlag;
+use super::command_queue::{Command, CommandQueue, Opening, Wanted};
 use super::mailbox::{Keep, Mailbox};
+use super::shared::RobotShared;
 use behaviour::Id;
 use engine::{HeldBy, Precedence};
 use protocol::HeldPart;
@@ -34,23 +34,23 @@ pub(super) trait RoomRobot: Robot {
 /// Makes the robot on its own thread.
 pub(super) type Make = Box<dyn Fn() -> Box<dyn RoomRobot> + Send>;
 
-/// Keeps a robot going until the desk says end; one that fails is made anew.
-pub(super) fn keep(house: &House, make: &Make) {
-    house.desk.attend();
-    while !house.desk.is_ended() {
-        let kept = catch_unwind(AssertUnwindSafe(|| Keeper::new(house, make(), Instant::now()).work()));
+/// Keeps a robot going until its queue says end; one that fails is made anew.
+pub(super) fn keep(shared: &RobotShared, make: &Make) {
+    shared.queue.attend();
+    while !shared.queue.is_ended() {
+        let kept = catch_unwind(AssertUnwindSafe(|| RobotThread::new(shared, make(), Instant::now()).work()));
         if kept.is_err() {
-            house.fault_all("the robot failed and is started again");
+            shared.fault_all("the robot failed and is started again");
             let reason = "it failed and is started again".to_owned();
-            house.board.edit(&house.robot, |state| state.health = Health::Lost(reason));
+            shared.feed.edit(&shared.robot, |state| state.health = Health::Lost(reason));
             std::thread::sleep(Duration::from_millis(AGAIN_AFTER_MS));
         }
     }
 }
 
 /// The robot, its clock, and who uses it.
-pub(super) struct Keeper<'a> {
-    house: &'a House,
+pub(super) struct RobotThread<'a> {
+    shared: &'a RobotShared,
     robot: Box<dyn RoomRobot>,
     steps: u64,
     /// When its first step was due.
@@ -68,7 +68,7 @@ pub(super) struct Keeper<'a> {
 struct User {
     /// Its behaviour, and how people call it.
     behaviour: (Id, String),
-    gate: Arc<Gate>,
+    cancel: Arc<CancelFlag>,
     mailbox: Arc<Mailbox>,
     streams: BTreeMap<Id, (usize, Keep)>,
     devices: Vec<Wanted>,
@@ -77,11 +77,11 @@ struct User {
 /// A part that a stream of a run wanted and did not get: from whom, and when.
 type Blocked = BTreeMap<(u64, Id, String), (u64, Millis)>;
 
-impl<'a> Keeper<'a> {
+impl<'a> RobotThread<'a> {
     /// A robot whose first step is due at `began`.
-    pub(super) fn new(house: &'a House, robot: Box<dyn RoomRobot>, began: Instant) -> Self {
+    pub(super) fn new(shared: &'a RobotShared, robot: Box<dyn RoomRobot>, began: Instant) -> Self {
         Self {
-            house,
+            shared,
             robot,
             steps: 0,
             began,
@@ -93,10 +93,10 @@ impl<'a> Keeper<'a> {
         }
     }
 
-    /// Works until the desk says end.
+    /// Works until the queue says end.
     pub(super) fn work(mut self) {
-        while !self.desk().is_ended() {
-            // The desk holds a bounded number of things: however often somebody rings, a step that is due comes next.
+        while !self.queue().is_ended() {
+            // The queue holds a bounded number of things: however often somebody rings, a step that is due comes next.
             self.serve();
             if self.is_due() {
                 self.step();
@@ -109,7 +109,7 @@ impl<'a> Keeper<'a> {
     /// Does what waits, at the robot time of the coming step.
     fn serve(&mut self) {
         self.end_what_ended();
-        self.empty_the_desk();
+        self.empty_the_queue();
         self.end_what_ended();
     }
 
@@ -130,27 +130,27 @@ impl<'a> Keeper<'a> {
     /// Holds if that is wanted, and ends what runs did that ended. Asked again before everything that may take a moment
     /// or moves the robot.
     fn end_what_ended(&mut self) {
-        if self.desk().take_stop() {
+        if self.queue().take_stop() {
             self.robot.stop(self.now());
         }
-        for run in self.desk().take_closes() {
+        for run in self.queue().take_closes() {
             self.close(run);
         }
-        // A Stop closes the gate first; what is written down of it may come later.
-        let stopped = self.users.iter().find(|(_, user)| !user.gate.is_open()).map(|(run, _)| *run);
+        // A Stop cancels first; what is written down of it may come later.
+        let stopped = self.users.iter().find(|(_, user)| user.cancel.is_cancelled()).map(|(run, _)| *run);
         if let Some(run) = stopped {
             self.close(run);
             self.end_what_ended();
         }
     }
 
-    fn empty_the_desk(&mut self) {
-        let (papers, commands) = self.desk().take();
-        for opening in papers.opens {
+    fn empty_the_queue(&mut self) {
+        let (pending, commands) = self.queue().take();
+        for opening in pending.opens {
             self.end_what_ended();
             self.open(opening);
         }
-        for edit in papers.edits {
+        for edit in pending.edits {
             self.robot.edit(&edit);
         }
         for (user, command) in commands {
@@ -161,7 +161,7 @@ impl<'a> Keeper<'a> {
 
     /// What was told before its run was stopped is void.
     fn command(&mut self, user: &Use, command: &Command) {
-        if !command.gate.is_open() {
+        if command.cancel.is_cancelled() {
             return;
         }
         if let Err(held) = self.may_move(user) {
@@ -175,7 +175,7 @@ impl<'a> Keeper<'a> {
 
     /// Whether nobody above holds what the stream uses; then it is its own.
     fn may_move(&mut self, user: &Use) -> Result<(), HeldBy> {
-        let (now, users, order) = (self.now(), &self.users, &self.house.order);
+        let (now, users, order) = (self.now(), &self.users, &self.shared.order);
         let wanted = users.get(&user.run).and_then(|known| known.devices.iter().find(|one| one.stream == user.stream));
         let Some(wanted) = wanted else { return Ok(()) };
         let behaviour = |run: u64| users.get(&run).map(|known| &known.behaviour.0);
@@ -207,21 +207,21 @@ impl<'a> Keeper<'a> {
         }
         if held != self.shown {
             self.shown.clone_from(&held);
-            self.house.held(held);
+            self.shared.held(held);
         }
     }
 
     fn open(&mut self, opening: Opening) {
-        if !opening.gate.is_open() {
+        if opening.cancel.is_cancelled() {
             return;
         }
-        let Opening { run, behaviour, gate, mailbox, devices, answer, follows } = opening;
+        let Opening { run, behaviour, cancel, mailbox, devices, answer, follows } = opening;
         let opened = if follows { self.exchange(run, &devices) } else { self.open_all(run, &devices) };
         if opened.is_ok() {
             let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
-            self.users.insert(run, User { behaviour, gate, mailbox, streams, devices });
+            self.users.insert(run, User { behaviour, cancel, mailbox, streams, devices });
         }
-        // Who gave up waiting has closed the gate and asked to close.
+        // Who gave up waiting has cancelled it and asked to close.
         drop(answer.try_send(opened));
     }
 
@@ -269,7 +269,7 @@ impl<'a> Keeper<'a> {
     }
 
     fn hand_out(&self, reading: Reading) {
-        let Some(user) = self.users.get(&reading.to.run).filter(|user| user.gate.is_open()) else { return };
+        let Some(user) = self.users.get(&reading.to.run).filter(|user| !user.cancel.is_cancelled()) else { return };
         if let Some(&(stream, keep)) = user.streams.get(&reading.to.stream) {
             user.mailbox.put(stream, keep, reading.value);
         }
@@ -279,17 +279,17 @@ impl<'a> Keeper<'a> {
     fn show(&self) {
         let mut scene = self.robot.scene();
         let at_ms = scene.at_ms;
-        scene.at_ms = self.house.scene.borrow().at_ms;
-        if scene != **self.house.scene.borrow() {
+        scene.at_ms = self.shared.scene.borrow().at_ms;
+        if scene != **self.shared.scene.borrow() {
             scene.at_ms = at_ms;
-            self.house.scene.send_replace(Arc::new(scene));
+            self.shared.scene.send_replace(Arc::new(scene));
         }
         let health = match self.robot.health() {
             Health::Safe => Health::Ready,
             other => other,
         };
         let devices = self.robot.devices();
-        self.house.board.edit(&self.house.robot, |state| {
+        self.shared.feed.edit(&self.shared.robot, |state| {
             state.health = health;
             if state.devices != devices {
                 state.devices = devices.into_iter().map(str::to_owned).collect();
@@ -320,10 +320,10 @@ impl<'a> Keeper<'a> {
         if late > Duration::from_millis(GAP_MAX_MS) {
             self.began += late;
         }
-        self.desk().wait(self.due());
+        self.queue().wait(self.due());
     }
 
-    fn desk(&self) -> &'a Desk {
-        &self.house.desk
+    fn queue(&self) -> &'a CommandQueue {
+        &self.shared.queue
     }
 }

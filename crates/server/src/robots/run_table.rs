@@ -1,6 +1,6 @@
-//! The book of runs: which behaviours run, and the last ones that ended.
+//! The table of runs: which behaviours run, and the last ones that ended.
 
-use super::gate::Gate;
+use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
 use super::mailbox::{Keep, Mailbox};
 use behaviour::{BehaviourFile, Id};
@@ -14,9 +14,9 @@ const ENDED_MAX_RUNS: usize = 16;
 /// Behaviours that may run or prepare at once.
 pub(super) const RUNNING_MAX_RUNS: usize = 16;
 
-/// The book; every use of it is short.
+/// The runs by their numbers; every use of it is short.
 #[derive(Debug, Default)]
-pub(super) struct Book {
+pub(super) struct RunTable {
     preparing: BTreeMap<u64, Preparing>,
     runs: BTreeMap<u64, Entry>,
 }
@@ -25,7 +25,7 @@ pub(super) struct Book {
 #[derive(Debug)]
 struct Preparing {
     behaviour: Id,
-    gate: Arc<Gate>,
+    cancel: Arc<CancelFlag>,
 }
 
 /// The sensor streams of a run by id: their index, and which readings wait.
@@ -52,8 +52,8 @@ impl Applying {
 pub(super) struct Entry {
     /// What people see.
     pub(super) state: RunState,
-    /// Its gate.
-    pub(super) gate: Arc<Gate>,
+    /// What cancels it.
+    pub(super) cancel: Arc<CancelFlag>,
     /// Its mailbox.
     pub(super) mailbox: Arc<Mailbox>,
     /// Its values.
@@ -68,12 +68,12 @@ pub(super) struct Entry {
     pub(super) acts: bool,
 }
 
-impl Book {
+impl RunTable {
     /// Announces a new run; false if too many run already.
-    pub(super) fn announce(&mut self, run: u64, behaviour: &Id, gate: &Arc<Gate>) -> bool {
+    pub(super) fn announce(&mut self, run: u64, behaviour: &Id, cancel: &Arc<CancelFlag>) -> bool {
         let has_room = self.preparing.len() + self.running().count() < RUNNING_MAX_RUNS;
         if has_room {
-            self.preparing.insert(run, Preparing { behaviour: behaviour.clone(), gate: gate.clone() });
+            self.preparing.insert(run, Preparing { behaviour: behaviour.clone(), cancel: cancel.clone() });
         }
         has_room
     }
@@ -96,7 +96,7 @@ impl Book {
     /// From now on it runs, unless it was stopped meanwhile. What ran of the same behaviour is returned, ended.
     pub(super) fn enter(&mut self, entry: Entry) -> Option<Vec<Entry>> {
         self.preparing.remove(&entry.state.run)?;
-        if !entry.gate.is_open() {
+        if entry.cancel.is_cancelled() {
             return None;
         }
         let by = entry.state.by.clone();
@@ -105,7 +105,7 @@ impl Book {
         Some(replaced)
     }
 
-    /// Closes the gates of a behaviour's runs, or of all, and returns what ran.
+    /// Cancels a behaviour's runs, or all, and returns what ran.
     pub(super) fn end(&mut self, behaviour: Option<&Id>, phase: &RunPhase) -> Vec<Entry> {
         let is_meant = |entry: &Entry| behaviour.is_none_or(|id| entry.state.behaviour == *id);
         let meant: Vec<u64> = self.running().filter(|entry| is_meant(entry)).map(|entry| entry.state.run).collect();
@@ -115,30 +115,30 @@ impl Book {
     /// Ends one run; none if it had ended already.
     pub(super) fn end_run(&mut self, run: u64, phase: RunPhase) -> Option<Entry> {
         let entry = self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)?;
-        entry.gate.close();
+        entry.cancel.cancel();
         entry.state.phase = phase;
         let ended = entry.clone();
         self.forget_old();
         Some(ended)
     }
 
-    /// Ends what Stop ended already by closing its gate, and returns what ran.
+    /// Ends what Stop cancelled already, and returns what ran.
     pub(super) fn end_stopped(&mut self) -> Vec<Entry> {
-        let by = |entry: &Entry| entry.gate.stopped_by().filter(|_| !entry.gate.is_open()).map(str::to_owned);
+        let by = |entry: &Entry| entry.cancel.stopped_by().filter(|_| entry.cancel.is_cancelled()).map(str::to_owned);
         let stopped: Vec<_> = self.running().filter_map(|entry| Some((entry.state.run, by(entry)?))).collect();
         stopped.into_iter().filter_map(|(run, by)| self.end_run(run, RunPhase::Stopped(by))).collect()
     }
 
-    /// Closes the gates of all that is only being prepared.
+    /// Cancels all that is only being prepared.
     pub(super) fn cancel_all(&mut self) {
         for waiting in self.preparing.values() {
-            waiting.gate.close();
+            waiting.cancel.cancel();
         }
     }
 
     /// Whether a behaviour runs or is about to.
     pub(super) fn has(&self, behaviour: &Id) -> bool {
-        let prepares = |waiting: &Preparing| waiting.behaviour == *behaviour && waiting.gate.is_open();
+        let prepares = |waiting: &Preparing| waiting.behaviour == *behaviour && !waiting.cancel.is_cancelled();
         self.running_of(behaviour).is_some() || self.preparing.values().any(prepares)
     }
 

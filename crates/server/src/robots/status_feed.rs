@@ -6,15 +6,15 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tokio::sync::watch;
 
-/// The board; every robot writes its own lines.
+/// The robots and the runs as everyone is shown them; every robot writes its own lines.
 #[derive(Debug, Default)]
-pub(super) struct Board {
+pub(super) struct StatusFeed {
     robots: watch::Sender<Arc<Vec<RobotState>>>,
     runs: watch::Sender<Arc<Vec<RunState>>>,
     last_run: AtomicU64,
 }
 
-impl Board {
+impl StatusFeed {
     /// A number that no run has had.
     pub(super) fn next_run(&self) -> u64 {
         self.last_run.fetch_add(1, Ordering::SeqCst) + 1
@@ -77,7 +77,7 @@ impl Board {
 
 #[cfg(test)]
 mod tests {
-    use super::Board;
+    use super::StatusFeed;
     use behaviour::Id;
     use protocol::RobotState;
     use robot::Health;
@@ -89,25 +89,25 @@ mod tests {
 
     #[test]
     fn only_what_changes_is_told() {
-        let board = Board::default();
-        board.add(state("a"));
-        board.add(state("b"));
-        let (a, mut told) = (state("a").robot, board.robots());
+        let feed = StatusFeed::default();
+        feed.add(state("a"));
+        feed.add(state("b"));
+        let (a, mut told) = (state("a").robot, feed.robots());
         told.borrow_and_update();
-        board.edit(&a, |state| state.health = Health::Connecting);
+        feed.edit(&a, |state| state.health = Health::Connecting);
         assert!(!told.has_changed().unwrap());
-        board.edit(&a, |state| state.health = Health::Ready);
+        feed.edit(&a, |state| state.health = Health::Ready);
         assert!(told.has_changed().unwrap());
         assert_eq!(told.borrow_and_update()[0].health, Health::Ready);
-        board.remove(&a);
-        board.edit(&a, |state| state.health = Health::Safe);
+        feed.remove(&a);
+        feed.edit(&a, |state| state.health = Health::Safe);
         let left: Vec<_> = told.borrow().iter().map(|state| state.robot.clone()).collect();
         assert_eq!(left, [state("b").robot]);
     }
 
     #[test]
     fn runs_are_numbered_over_all_robots() {
-        let board = Board::default();
-        assert_eq!([board.next_run(), board.next_run()], [1, 2]);
+        let feed = StatusFeed::default();
+        assert_eq!([feed.next_run(), feed.next_run()], [1, 2]);
     }
 }
