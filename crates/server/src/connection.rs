@@ -1,95 +1,71 @@
-//! Serves connections that want something else than Stop: HTTP with a limit on everything that a client could draw out.
-//! Only bytes are moved here; what the requests ask for is done on the server's other threads.
+//! Sockets: who is connected, what they ask, and what they are told.
 
-use crate::accept::Handed;
-use crate::places::Places;
-use axum::Router;
-use axum::body::Body;
-use axum::http::{HeaderValue, Request, Response, StatusCode, header};
-use hyper::body::Incoming;
-use hyper::server::conn::http1;
-use hyper::service::service_fn;
-use hyper_util::rt::{TokioIo, TokioTimer};
-use std::convert::Infallible;
-use std::time::Duration;
-use tokio::net::TcpStream;
-use tokio::runtime::Handle;
-use tokio_io_timeout::TimeoutStream;
-use tokio_util::sync::CancellationToken;
-use tokio_util::task::{AbortOnDropHandle, TaskTracker};
-use tower::ServiceExt;
+mod clients;
+mod close_signal;
+mod hear;
+mod inbox;
+mod outbox;
+mod rate_limit;
+pub(crate) mod session;
+mod start;
+mod topics;
+mod values;
+mod writer;
 
-/// Connections that are served at once, sockets apart; the oldest gives way.
-const SERVED_MAX: usize = 256;
-/// How long the header of a request may take.
-const HEADER_MS: u64 = 5_000;
-/// The longest header, in bytes.
-const HEADER_MAX_BYTES: usize = 16 << 10;
-/// How long a client may take nothing of what is written to it.
-const WRITE_MS: u64 = 10_000;
+use crate::state::ServerState;
+use crate::support::places::Places;
+use clients::Clients;
+use inbox::Weights;
+use outbox::AllWaiting;
+use std::sync::Arc;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+use topics::Topics;
 
-/// Where requests are answered, and where the routes are.
-#[derive(Clone)]
-pub(crate) struct Routed {
-    /// All routes.
-    pub(crate) router: Router,
-    /// The threads on which they work.
-    pub(crate) on: Handle,
+/// WebSockets that may be open. Other requests get through beyond that.
+const SOCKETS_MAX: usize = 512;
+/// WebSockets among them that have not greeted yet.
+const HALF_OPEN_MAX: usize = 64;
+
+/// Everyone who is connected, and the server behind them.
+pub(crate) struct Connections {
+    /// The server.
+    pub(crate) state: Arc<ServerState>,
+    clients: Clients,
+    /// What everyone is told.
+    topics: Topics,
+    /// Places for sockets that have not greeted yet.
+    half_open: Arc<Places>,
+    /// Room for large messages.
+    weights: Weights,
+    /// What waits to be written to all clients.
+    waiting: AllWaiting,
+    /// Places for sockets.
+    sockets: Arc<Semaphore>,
 }
 
-/// Serves what is handed over until `stopping`; what is under way goes on in `tasks`.
-pub(crate) async fn serve(mut handed: Handed, routed: Routed, tasks: TaskTracker, stopping: CancellationToken) {
-    let places = Places::of(SERVED_MAX);
-    while let Some(Some(stream)) = stopping.run_until_cancelled(handed.recv()).await {
-        let (place, routed, stopping) = (places.take(), routed.clone(), stopping.clone());
-        tasks.spawn(async move {
-            match TcpStream::from_std(stream) {
-                Ok(stream) => drop(place.hold(one(stream, routed, stopping)).await),
-                Err(error) => tracing::debug!(%error, "a connection was lost on the way"),
-            }
-        });
+impl Connections {
+    /// Nobody is connected yet; what everyone will be told is kept new from now on.
+    pub(crate) fn of(state: Arc<ServerState>) -> Arc<Self> {
+        let topics = Topics::of(&state.robots);
+        topics.keep(&state.robots, state.rooms.news(), &state.tasks);
+        Arc::new(Self {
+            state,
+            clients: Clients::default(),
+            topics,
+            half_open: Places::of(HALF_OPEN_MAX),
+            weights: Weights::default(),
+            waiting: AllWaiting::default(),
+            sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),
+        })
     }
-}
 
-/// One request: every next one comes on a connection of its own, so that a Stop is always seen by the accepting thread.
-async fn one(stream: TcpStream, routed: Routed, stopping: CancellationToken) {
-    if let Err(error) = stream.set_nodelay(true) {
-        tracing::debug!(%error, "no quick answers on this connection");
+    /// A place for a socket, if there is one.
+    pub(crate) fn place(&self) -> Option<OwnedSemaphorePermit> {
+        Arc::clone(&self.sockets).try_acquire_owned().ok()
     }
-    let mut stream = TimeoutStream::new(stream);
-    stream.set_write_timeout(Some(Duration::from_millis(WRITE_MS)));
-    let service = service_fn(move |request| answer(routed.clone(), request));
-    let mut http = http1::Builder::new();
-    http.timer(TokioTimer::new()).header_read_timeout(Duration::from_millis(HEADER_MS));
-    http.max_buf_size(HEADER_MAX_BYTES);
-    let connection = http.serve_connection(TokioIo::new(Box::pin(stream)), service).with_upgrades();
-    let mut connection = std::pin::pin!(connection);
-    let ended = tokio::select! {
-        ended = &mut connection => ended,
-        () = stopping.cancelled() => {
-            connection.as_mut().graceful_shutdown();
-            connection.await
-        }
-    };
-    if let Err(error) = ended {
-        tracing::debug!(%error, "a connection ended early");
-    }
-}
 
-/// Answers on the server's other threads; if the client goes, the work is dropped.
-async fn answer(routed: Routed, request: Request<Incoming>) -> Result<Response<Body>, Infallible> {
-    let work = routed.router.oneshot(request.map(Body::new));
-    let answered = AbortOnDropHandle::new(routed.on.spawn(work)).await;
-    let Ok(mut response) = answered.unwrap_or_else(|error| Ok(failed(&error)));
-    if response.status() != StatusCode::SWITCHING_PROTOCOLS {
-        response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
+    /// A number that no link and no request has had.
+    pub(crate) fn number(&self) -> u64 {
+        self.clients.number()
     }
-    Ok(response)
-}
-
-fn failed(error: &tokio::task::JoinError) -> Response<Body> {
-    tracing::error!(%error, "a request failed inside");
-    let mut response = Response::new(Body::from("This failed inside. Please tell the people who make rrp.\n"));
-    *response.status_mut() = StatusCode::INTERNAL_SERVER_ERROR;
-    response
 }

@@ -1,14 +1,12 @@
 //! Recordings of runs: files of JSON lines in the data folder, each written by a thread of its own.
 
 mod clock;
-mod give;
 mod lines;
 mod recorder;
 mod writer;
 
-use crate::lock;
+use crate::support::lock;
 use behaviour::Id;
-pub(crate) use give::{download, list};
 use lines::Header;
 pub(crate) use lines::Note;
 use protocol::{Recording, SaidNo};

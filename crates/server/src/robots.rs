@@ -1,44 +1,44 @@
 //! The robots of this server and what runs on them. People add simulated ones, each in a room of its own, and remove
 //! them again; who is there is kept in the data folder.
 
+mod backup;
 mod beats;
-mod board;
-mod book;
-mod desk;
+mod cancel_flag;
+mod command_queue;
+mod emission_sink;
 mod fair;
-mod gate;
 mod host;
-mod house;
-mod keeper;
-mod kept;
 mod live;
 mod mailbox;
 mod order;
-mod outcome;
 mod register;
+mod robot_thread;
+mod run_table;
 mod runner;
 mod settling;
+mod shared;
 mod simulated;
+mod status_feed;
 mod successor;
 mod tally;
 #[cfg(test)]
 mod tests;
 
+pub use backup::{check_robots, put_robots, robots_in};
 pub(crate) use host::{Host, Start};
-pub use kept::{check_robots, put_robots, robots_in};
 pub(crate) use live::{LiveValues, Seen};
 
-use crate::lock;
 use crate::recordings::Recordings;
+use crate::support::lock;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
-use board::Board;
 use engine::Limits;
 use order::Order;
 use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RobotState, RunState, SaidNo};
 use register::{Known, Register};
 use robot::{Health, SceneEdit};
 use settling::Settling;
+use status_feed::StatusFeed;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
@@ -53,7 +53,7 @@ pub(crate) struct Robots {
 struct Fleet {
     /// Oldest first, never empty; locked only for moments.
     hosts: Mutex<Vec<Host>>,
-    board: Arc<Board>,
+    feed: Arc<StatusFeed>,
     recordings: Recordings,
     data: Option<PathBuf>,
     /// Who is there after a restart; one change at a time.
@@ -67,10 +67,10 @@ impl Robots {
     /// # Errors
     /// If a thread cannot be made.
     pub(crate) fn within(data: Option<&Path>, seed: u64, recordings: Recordings) -> std::io::Result<Self> {
-        let (register, board) = (Register::within(data, seed), Arc::new(Board::default()));
+        let (register, feed) = (Register::within(data, seed), Arc::new(StatusFeed::default()));
         let known = register.known().to_vec();
         let (data, register) = (data.map(Path::to_owned), Mutex::new(register));
-        let fleet = Fleet { hosts: Mutex::default(), board, recordings, data, register };
+        let fleet = Fleet { hosts: Mutex::default(), feed, recordings, data, register };
         let hosts: std::io::Result<_> = known.iter().map(|known| fleet.host(known)).collect();
         *lock(&fleet.hosts) = hosts?;
         let fleet = Arc::new(fleet);
@@ -212,12 +212,12 @@ impl Robots {
 
     /// What runs and what ended lately, oldest first.
     pub(crate) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
-        self.fleet.board.runs()
+        self.fleet.feed.runs()
     }
 
     /// The robots, oldest first.
     pub(crate) fn states(&self) -> watch::Receiver<Arc<Vec<RobotState>>> {
-        self.fleet.board.robots()
+        self.fleet.feed.robots()
     }
 
     /// The live values of a run, also of one that ended lately.
@@ -254,7 +254,7 @@ impl Fleet {
         let (robot, name, kind) = (known.robot.clone(), known.name.clone(), "nao".to_owned());
         let state = RobotState { robot, name, kind, health: Health::Connecting, devices: Vec::new() };
         let (order, seed) = (Order::within(self.data.as_deref(), &known.robot), known.seed);
-        let make: keeper::Make = Box::new(move || Box::new(simulated::nao(seed)));
-        Host::new(state, self.board.clone(), make, Limits::default, self.recordings.clone(), order)
+        let make: robot_thread::Make = Box::new(move || Box::new(simulated::nao(seed)));
+        Host::new(state, self.feed.clone(), make, Limits::default, self.recordings.clone(), order)
     }
 }

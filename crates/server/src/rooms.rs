@@ -1,15 +1,27 @@
-//! Which rooms are open, and how a note reaches one. A room exists at most once, because notes are put into a mailbox
-//! and rooms are let go under the same lock.
+//! The rooms of open behaviours: which are open, and how a note reaches one. A room exists at most once, because notes
+//! are put into a mailbox and rooms are let go under the same lock.
 
-use crate::hub::Hub;
-use crate::lock;
-use crate::outbox::{Answer, Outbox};
-use crate::room;
+pub(crate) mod knowledge;
+pub(crate) mod list_news;
+pub(crate) mod member;
+pub(crate) mod snapshot;
+mod task;
+
+use crate::support::lock;
+use crate::support::message::encode;
+use crate::support::store_health::StoreHealth;
+use crate::support::tasks::Tasks;
+use crate::support::workers::Workers;
 use behaviour::{Behaviour, Change, Id, Room};
-use protocol::{LIBRARY, Person, Pointer, SaidNo};
+use knowledge::Knowing;
+use list_news::ListNews;
+use member::{Answer, Member};
+use protocol::{LIBRARY, Pointer, Reply, SaidNo, Summary};
+use snapshot::LibrarySnapshot;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
-use tokio::sync::{mpsc, oneshot};
+use store::Store;
+use tokio::sync::{mpsc, oneshot, watch};
 
 /// Notes that may wait for one room.
 const MAILBOX_MAX_NOTES: usize = 1_024;
@@ -17,7 +29,6 @@ const MAILBOX_MAX_NOTES: usize = 1_024;
 const ROOMS_MAX: usize = 1_024;
 
 /// What a room is told.
-#[derive(Debug)]
 pub(crate) enum Note {
     /// Somebody comes in, asking with this number; who enters the library hears their secret.
     Join(Member, u32, Option<Id>),
@@ -35,18 +46,9 @@ pub(crate) enum Note {
     Look(oneshot::Sender<Result<Look, SaidNo>>),
 }
 
-/// Somebody in a room.
-#[derive(Debug)]
-pub(crate) struct Member {
-    /// Who.
-    pub(crate) person: Person,
-    /// The way to them.
-    pub(crate) outbox: Outbox,
-}
-
 /// A behaviour as it is saved.
 #[derive(Clone, Debug)]
-pub(crate) struct Look(pub(crate) Arc<Room>);
+pub(crate) struct Look(Arc<Room>);
 
 impl Look {
     /// Its records.
@@ -62,9 +64,9 @@ impl Look {
 
 impl Note {
     /// Answers who waits that it cannot be.
-    pub(crate) fn refuse(self, no: SaidNo) {
+    fn refuse(self, no: SaidNo) {
         match self {
-            Self::Join(member, ask, _) => member.outbox.no(ask, no),
+            Self::Join(member, ask, _) => member.link.send(encode(Some(ask), Reply::No { no })),
             Self::Propose(_, answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
             Self::Leave(_) | Self::Present(..) => {}
@@ -72,21 +74,70 @@ impl Note {
     }
 }
 
-/// The open rooms.
-#[derive(Debug, Default)]
-pub(crate) struct Rooms(Mutex<BTreeMap<Id, mpsc::Sender<Note>>>);
+/// What rooms work with.
+pub(crate) struct Surroundings {
+    /// Where behaviours are kept.
+    pub(crate) store: Arc<dyn Store>,
+    /// Whether the store can be reached.
+    pub(crate) health: StoreHealth,
+    /// Devices and procedures.
+    pub(crate) knowing: Arc<Knowing>,
+    /// Work on what people send.
+    pub(crate) workers: Workers,
+    /// Where rooms run, and how they learn that the server ends.
+    pub(crate) tasks: Tasks,
+    /// The id of the helper library.
+    pub(crate) library: Id,
+    /// The helper library as it is saved; its room keeps it new.
+    pub(crate) snapshot: watch::Sender<Arc<LibrarySnapshot>>,
+    /// Tells when the list of behaviours changed.
+    pub(crate) news: ListNews,
+    /// Grows with every start of the server.
+    pub(crate) epoch: u64,
+    /// The templates, for who comes in.
+    pub(crate) templates: Vec<Summary>,
+    /// Whether a behaviour runs on a robot, or is about to.
+    pub(crate) is_running: Box<dyn Fn(&Id) -> bool + Send + Sync>,
+}
 
-impl Hub {
+/// The open rooms. A clone is the same rooms.
+#[derive(Clone)]
+pub(crate) struct Rooms {
+    open: Arc<Mutex<BTreeMap<Id, mpsc::Sender<Note>>>>,
+    around: Arc<Surroundings>,
+}
+
+impl Rooms {
+    /// No room is open yet.
+    pub(crate) fn within(around: Surroundings) -> Self {
+        Self { open: Arc::default(), around: Arc::new(around) }
+    }
+
+    /// The id of the helper library.
+    pub(crate) fn library(&self) -> &Id {
+        &self.around.library
+    }
+
+    /// The helper library as it is saved now.
+    pub(crate) fn snapshot(&self) -> Arc<LibrarySnapshot> {
+        self.around.snapshot.borrow().clone()
+    }
+
+    /// Tells when the list of behaviours changed.
+    pub(crate) fn news(&self) -> &ListNews {
+        &self.around.news
+    }
+
     /// Tells a room something and opens it if need be. Never waits.
-    pub(crate) fn tell(self: &Arc<Self>, behaviour: &Id, note: Note) {
-        let mut open = lock(&self.rooms.0);
+    pub(crate) fn tell(&self, behaviour: &Id, note: Note) {
+        let mut open = lock(&self.open);
         if !open.contains_key(behaviour) {
-            if open.len() >= ROOMS_MAX || self.ends() {
+            if open.len() >= ROOMS_MAX || self.around.tasks.ends() {
                 return note.refuse(SaidNo::TooFast);
             }
             let (mailbox, inbox) = mpsc::channel(MAILBOX_MAX_NOTES);
             open.insert(behaviour.clone(), mailbox);
-            self.spawn(room::run(Arc::clone(self), behaviour.clone(), inbox));
+            self.around.tasks.spawn(task::run(self.clone(), behaviour.clone(), inbox));
         }
         let Some(mailbox) = open.get(behaviour) else { return };
         let sent = mailbox.try_send(note);
@@ -98,14 +149,14 @@ impl Hub {
 
     /// Tells a room something if it is open.
     pub(crate) fn tell_open(&self, behaviour: &Id, note: Note) {
-        if let Some(mailbox) = lock(&self.rooms.0).get(behaviour) {
+        if let Some(mailbox) = lock(&self.open).get(behaviour) {
             let _ = mailbox.try_send(note);
         }
     }
 
     /// Lets a room go, unless somebody wrote to it just now.
-    pub(crate) fn let_go(&self, behaviour: &Id, inbox: &mpsc::Receiver<Note>) -> bool {
-        let mut open = lock(&self.rooms.0);
+    fn let_go(&self, behaviour: &Id, inbox: &mpsc::Receiver<Note>) -> bool {
+        let mut open = lock(&self.open);
         let gone = inbox.is_empty();
         if gone {
             open.remove(behaviour);
@@ -114,18 +165,18 @@ impl Hub {
     }
 
     /// A behaviour as it is saved now.
-    pub(crate) async fn look(self: &Arc<Self>, behaviour: &Id) -> Result<Look, SaidNo> {
+    pub(crate) async fn look(&self, behaviour: &Id) -> Result<Look, SaidNo> {
         let (waiting, answer) = oneshot::channel();
         self.tell(behaviour, Note::Look(waiting));
         answer.await.unwrap_or(Err(SaidNo::NoBehaviour))
     }
 
     /// Proposes a change to the library in the server's own name.
-    pub(crate) async fn propose_to_library(self: &Arc<Self>, change: Change) -> Result<(), SaidNo> {
+    pub(crate) async fn propose_to_library(&self, change: Change) -> Result<(), SaidNo> {
         let (waiting, answer) = oneshot::channel();
-        self.tell(&self.library, Note::Propose(change, Answer::Server(waiting)));
+        self.tell(self.library(), Note::Propose(change, Answer::Server(waiting)));
         match answer.await {
-            Ok(protocol::Reply::No { no }) => Err(no),
+            Ok(Reply::No { no }) => Err(no),
             Ok(_) => Ok(()),
             Err(_) => Err(SaidNo::Store(format!("the {LIBRARY} is closed"))),
         }

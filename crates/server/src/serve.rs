@@ -1,25 +1,27 @@
 //! Starting and ending the server, each step in its order.
 
-use crate::address::Told;
-use crate::clients::Clients;
-use crate::connection::{self, Routed};
-use crate::create::first_library;
-use crate::health::{self, Health};
-use crate::hub::{HALF_OPEN_MAX, Hub, SOCKETS_MAX, Shelf, bounded};
-use crate::knowledge::Knowing;
-use crate::origin::Guard;
-use crate::outbox::AllWaiting;
-use crate::patience::patiently;
-use crate::pictures::Pictures;
-use crate::places::Places;
-use crate::programs::Programs;
+use crate::connection::Connections;
+use crate::http::address::AddressFile;
+use crate::http::origin::OriginGuard;
+use crate::http::serving::{self, Routed};
+use crate::http::{accept, routes};
+use crate::library::create::first_library;
+use crate::library::templates::{Template, templates};
+use crate::library::thumbnails::Thumbnails;
+use crate::library::{Library, bin};
 use crate::recordings::Recordings;
 use crate::robots::Robots;
-use crate::rooms::Rooms;
-use crate::session::Weights;
-use crate::topics::{self, Topics};
-use crate::workers::Workers;
-use crate::{accept, bin, data_folder, routes};
+use crate::rooms::knowledge::Knowing;
+use crate::rooms::list_news::ListNews;
+use crate::rooms::snapshot::LibrarySnapshot;
+use crate::rooms::{Rooms, Surroundings};
+use crate::state::ServerState;
+use crate::support::retry::retry;
+use crate::support::store_call::bounded;
+use crate::support::store_health::{self, StoreHealth};
+use crate::support::tasks::Tasks;
+use crate::support::workers::Workers;
+use crate::support::{data_folder, now_ms};
 use behaviour::{Behaviour, Id};
 use std::fmt;
 use std::future::Future;
@@ -29,7 +31,7 @@ use std::sync::Arc;
 use std::time::Duration;
 use store::{Append, Store, StoreError};
 use tokio::runtime::{Handle, Runtime};
-use tokio::sync::{Semaphore, watch};
+use tokio::sync::watch;
 use tokio_util::sync::CancellationToken;
 use tokio_util::task::TaskTracker;
 
@@ -107,13 +109,13 @@ pub async fn serve(
     let url = &config.store;
     let mut stop = std::pin::pin!(stop);
     let store = tokio::select! {
-        store = patiently(url, || Box::pin(store::open_url(url))) => store?,
+        store = retry(url, || Box::pin(store::open_url(url))) => store?,
         () = &mut stop => return Ok(()),
     };
     let (url, told) = (config.store.clone(), std::sync::OnceLock::new());
     let ready = |address| {
         // Before anybody is told, so that whoever waits for the server finds it.
-        let _first = told.set(Told::new(&url, address));
+        let _first = told.set(AddressFile::new(&url, address));
         ready(address);
     };
     serve_with(store, config, ready, stop).await
@@ -133,23 +135,23 @@ pub async fn serve_with(
     let listening = |error| ServeError::Listen(config.listen, error);
     let listener = accept::listen(config.listen).map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
-    let _data = data_folder::take(&config)?;
-    let hub = open(store, &config).await?;
+    let _data = data_folder::take(&config.store, config.data.as_deref())?;
+    let state = open(store, &config).await?;
+    let served = Connections::of(Arc::clone(&state));
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
-    let guard = Guard::of(address.port());
-    let accepted = accept::start(listener, guard, hub.robots.clone(), closing.clone());
+    let guard = OriginGuard::of(address.port());
+    let accepted = accept::start(listener, guard, state.robots.clone(), closing.clone());
     let (accepting, handed) = accepted.map_err(ServeError::Thread)?;
     let messages = Messages::start().map_err(ServeError::Thread)?;
-    let router = routes::routes(Arc::clone(&hub), guard, messages.handle().clone());
-    let routed = Routed { router, on: hub.runtime.clone() };
-    messages.handle().spawn(connection::serve(handed, routed, connections.clone(), closing.clone()));
-    topics::keep(&hub);
-    health::keep(&hub);
-    bin::keep(&hub, config.data.as_deref());
-    tracing::info!(%address, epoch = hub.epoch, "the server is ready");
+    let router = routes::routes(served, guard, messages.handle().clone());
+    let routed = Routed { router, on: state.tasks.runtime.clone() };
+    messages.handle().spawn(serving::serve(handed, routed, connections.clone(), closing.clone()));
+    store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
+    bin::keep(&state.library, config.data.as_deref());
+    tracing::info!(%address, epoch = state.epoch, "the server is ready");
     ready(address);
     stop.await;
-    end(&hub, &closing, &connections).await;
+    end(&state, &closing, &connections).await;
     drop(tokio::task::spawn_blocking(move || accepting.join()).await);
     Ok(())
 }
@@ -182,49 +184,61 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
     if listen.ip().is_loopback() { Ok(()) } else { Err(ServeError::NotLoopback(listen)) }
 }
 
-async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<Hub>, ServeError> {
+async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
-    let health = Health::good();
-    let epoch = match patiently(url, || Box::pin(bounded(store.next_epoch()))).await {
+    let health = StoreHealth::good();
+    let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {
         // Everything can be looked at and stopped; nothing can be saved, which everyone is told.
         Err(full @ StoreError::Full) => {
             health.failed(&full);
-            crate::now_ms()
+            now_ms()
         }
         epoch => epoch?,
     };
-    let shelf = patiently(url, || Box::pin(shelf(&*store, &library))).await?;
+    let snapshot = retry(url, || Box::pin(snapshot(&*store, &library))).await?;
     let recordings = Recordings::within(config.data.as_deref());
     let robots = Robots::within(config.data.as_deref(), config.seed, recordings.clone()).map_err(ServeError::Thread)?;
-    Ok(Arc::new(Hub {
-        topics: Topics::of(&robots),
+    let surroundings = Surroundings {
         store,
         health,
-        robots,
-        recordings,
         knowing: Arc::new(Knowing::default()),
         workers: Workers::start().map_err(ServeError::Thread)?,
-        epoch,
+        tasks: Tasks::here(),
         library,
-        shelf: watch::Sender::new(Arc::new(shelf)),
-        rooms: Rooms::default(),
-        clients: Clients::default(),
-        programs: Programs::default(),
-        pictures: Pictures::default(),
-        creating: tokio::sync::Mutex::new(()),
-        half_open: Places::of(HALF_OPEN_MAX),
-        weights: Weights::default(),
-        waiting: AllWaiting::default(),
-        sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),
-        tasks: TaskTracker::new(),
-        runtime: Handle::current(),
-        stopping: CancellationToken::new(),
-    }))
+        snapshot: watch::Sender::new(Arc::new(snapshot)),
+        news: ListNews::default(),
+        epoch,
+        templates: templates().iter().map(Template::summary).collect(),
+        is_running: Box::new({
+            let robots = robots.clone();
+            move |behaviour| robots.has(behaviour)
+        }),
+    };
+    Ok(Arc::new(put_together(surroundings, robots, recordings)))
+}
+
+/// Everything, once its parts are there.
+fn put_together(surroundings: Surroundings, robots: Robots, recordings: Recordings) -> ServerState {
+    let Surroundings { store, health, knowing, workers, tasks, epoch, .. } = &surroundings;
+    let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
+    let (workers, tasks, epoch) = (workers.clone(), tasks.clone(), *epoch);
+    let rooms = Rooms::within(surroundings);
+    let library = Arc::new(Library {
+        store: Arc::clone(&store),
+        health: health.clone(),
+        knowing: Arc::clone(&knowing),
+        workers: workers.clone(),
+        rooms: rooms.clone(),
+        tasks: tasks.clone(),
+        creating: tokio::sync::Mutex::default(),
+    });
+    let thumbnails = Thumbnails::default();
+    ServerState { store, health, robots, recordings, knowing, workers, rooms, library, thumbnails, epoch, tasks }
 }
 
 /// The library; a fresh store gets the helpers that come with the robot.
-async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, StoreError> {
+async fn snapshot(store: &dyn Store, library: &Id) -> Result<LibrarySnapshot, StoreError> {
     if bounded(store.load(library)).await?.is_none() {
         let (first, mut after) = (first_library(), Behaviour::default());
         after.apply(&first.change);
@@ -233,20 +247,22 @@ async fn shelf(store: &dyn Store, library: &Id) -> Result<Shelf, StoreError> {
         }
     }
     let loaded = bounded(store.load(library)).await?;
-    Ok(loaded.map(|loaded| Shelf { behaviour: loaded.behaviour, revision: loaded.revision }).unwrap_or_default())
+    Ok(loaded
+        .map(|loaded| LibrarySnapshot { behaviour: loaded.behaviour, revision: loaded.revision })
+        .unwrap_or_default())
 }
 
 /// The robots first, then writing, then the connections.
-async fn end(hub: &Arc<Hub>, closing: &CancellationToken, connections: &TaskTracker) {
+async fn end(state: &ServerState, closing: &CancellationToken, connections: &TaskTracker) {
     tracing::info!("the server ends: the robots stop first");
-    hub.robots.stop_now(None, None, "the server's end");
-    let robots = hub.robots.clone();
+    state.robots.stop_now(None, None, "the server's end");
+    let robots = state.robots.clone();
     if let Err(error) = tokio::task::spawn_blocking(move || robots.shut_down()).await {
         tracing::error!(%error, "the robots did not end in order");
     }
-    hub.stopping.cancel();
-    hub.tasks.close();
-    if tokio::time::timeout(Duration::from_millis(WRITING_MS), hub.tasks.wait()).await.is_err() {
+    state.tasks.stopping.cancel();
+    state.tasks.tracker.close();
+    if tokio::time::timeout(Duration::from_millis(WRITING_MS), state.tasks.tracker.wait()).await.is_err() {
         tracing::error!("some changes were not saved in time; nobody was told that they were");
     }
     closing.cancel();

@@ -5,7 +5,7 @@ const DAY_MS: u64 = 86_400_000;
 
 /// Now.
 pub(super) fn now() -> String {
-    words(crate::now_ms())
+    words(crate::support::now_ms())
 }
 
 /// Milliseconds since 1970 in words.

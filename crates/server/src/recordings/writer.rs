@@ -2,7 +2,7 @@
 
 use super::RECORDING_MAX_BYTES;
 use super::lines::{Line, Names};
-use crate::lock;
+use crate::support::lock;
 use std::fs::File;
 use std::io::Write;
 use std::sync::atomic::{AtomicU64, Ordering};

@@ -1,19 +1,19 @@
 //! One robot and what runs on it: a thread for the robot, one for every running behaviour, and a Stop that waits for
 //! none of them.
 
-use super::board::Board;
-use super::book;
-use super::gate::Gate;
-use super::house::House;
-use super::keeper::{self, Make};
+use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
 use super::mailbox::Keep;
 use super::order::Order;
+use super::robot_thread::{self, Make};
+use super::run_table;
 use super::runner::{self, Job};
+use super::shared::RobotShared;
+use super::status_feed::StatusFeed;
 use super::successor;
-use crate::lock;
-use crate::priority::{self, Priority};
 use crate::recordings::Recordings;
+use crate::support::lock;
+use crate::support::priority::{self, Priority};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
@@ -32,7 +32,7 @@ const START_MAX_MS: u64 = 10_000;
 /// The longest that ending waits for the threads, in milliseconds.
 const SHUT_DOWN_MAX_MS: u64 = 2_000;
 /// Threads of runs that may live, those included that have not noticed Stop yet.
-const THREADS_MAX: usize = 2 * book::RUNNING_MAX_RUNS;
+const THREADS_MAX: usize = 2 * run_table::RUNNING_MAX_RUNS;
 
 /// A robot and the behaviours that run on it. A clone is the same robot.
 #[derive(Clone)]
@@ -57,20 +57,20 @@ pub(crate) struct Start {
 /// A run that is about to be; forgotten with its end if it did not come to be.
 pub(crate) struct Announced {
     run: u64,
-    gate: Arc<Gate>,
-    house: Arc<House>,
+    cancel: Arc<CancelFlag>,
+    shared: Arc<RobotShared>,
 }
 
 impl Announced {
-    /// Whether nobody pressed Stop yet.
-    pub(crate) fn is_open(&self) -> bool {
-        self.gate.is_open()
+    /// Whether somebody pressed Stop meanwhile.
+    pub(crate) fn is_cancelled(&self) -> bool {
+        self.cancel.is_cancelled()
     }
 }
 
 impl Drop for Announced {
     fn drop(&mut self) {
-        lock(&self.house.book).withdraw(self.run);
+        lock(&self.shared.table).withdraw(self.run);
     }
 }
 
@@ -79,7 +79,7 @@ type Begun = Result<RunState, String>;
 
 /// Ends the robot's thread with the last clone.
 pub(super) struct Owner {
-    house: Arc<House>,
+    shared: Arc<RobotShared>,
     pub(super) thread: Mutex<Option<JoinHandle<()>>>,
     limits: fn() -> Limits,
     recordings: Recordings,
@@ -94,28 +94,29 @@ impl Host {
     /// If the thread cannot be made.
     pub(super) fn new(
         state: RobotState,
-        board: Arc<Board>,
+        feed: Arc<StatusFeed>,
         make: Make,
         limits: fn() -> Limits,
         recordings: Recordings,
         order: Order,
     ) -> std::io::Result<Self> {
-        let house = Arc::new(House::new(state.robot.clone(), board, order));
-        let shared = house.clone();
-        let thread = std::thread::Builder::new().name("robot".into()).spawn(move || keeper::keep(&shared, &make))?;
-        house.board.add(state);
+        let shared = Arc::new(RobotShared::new(state.robot.clone(), feed, order));
+        let mine = Arc::clone(&shared);
+        let thread =
+            std::thread::Builder::new().name("robot".into()).spawn(move || robot_thread::keep(&mine, &make))?;
+        shared.feed.add(state);
         let pictures = watch::Sender::new(Utf8Bytes::default());
-        Ok(Self { owner: Arc::new(Owner { house, thread: Mutex::new(Some(thread)), limits, recordings, pictures }) })
+        Ok(Self { owner: Arc::new(Owner { shared, thread: Mutex::new(Some(thread)), limits, recordings, pictures }) })
     }
 
     /// Which robot.
     pub(crate) fn id(&self) -> &Id {
-        &self.house().robot
+        &self.shared().robot
     }
 
     /// Whether nothing runs on it, and nothing is about to.
     pub(super) fn is_idle(&self) -> bool {
-        lock(&self.house().book).is_idle()
+        lock(&self.shared().table).is_idle()
     }
 
     /// Announces that a behaviour is about to start: from now on a Stop of it counts, and it may not be removed.
@@ -123,14 +124,14 @@ impl Host {
     /// # Errors
     /// If too many run already.
     pub(crate) fn announce(&self, behaviour: &Id) -> Result<Announced, String> {
-        let house = self.house().clone();
+        let shared = self.shared().clone();
         let busy = || "too many behaviours run already; stop one first".to_owned();
-        if house.threads() >= THREADS_MAX {
+        if shared.threads() >= THREADS_MAX {
             return Err(busy());
         }
-        let (run, gate) = (house.board.next_run(), house.gates.open(behaviour));
-        let announced = Announced { run, gate, house };
-        let has_room = lock(&announced.house.book).announce(run, behaviour, &announced.gate);
+        let (run, cancel) = (shared.feed.next_run(), shared.cancel_flags.add(behaviour));
+        let announced = Announced { run, cancel, shared };
+        let has_room = lock(&announced.shared.table).announce(run, behaviour, &announced.cancel);
         if has_room { Ok(announced) } else { Err(busy()) }
     }
 
@@ -139,13 +140,13 @@ impl Host {
     /// # Errors
     /// Why it cannot start.
     pub(crate) async fn start_announced(&self, announced: &Announced, start: Start) -> Result<RunState, String> {
-        let job = self.job(announced.run, start, announced.gate.clone());
+        let job = self.job(announced.run, start, announced.cancel.clone());
         let (answer, answered) = oneshot::channel();
         self.thread(job, move |job| runner::run(job, answer))?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
             Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
             Err(_) => {
-                announced.gate.close();
+                announced.cancel.cancel();
                 Err("it took too long to prepare".to_owned())
             }
         }
@@ -158,23 +159,23 @@ impl Host {
         self.start_announced(&announced, start).await
     }
 
-    fn job(&self, run: u64, start: Start, gate: Arc<Gate>) -> Job {
-        let (house, recordings) = (self.house().clone(), self.owner.recordings.clone());
-        Job { run, start, gate, house, recordings, limits: self.owner.limits }
+    fn job(&self, run: u64, start: Start, cancel: Arc<CancelFlag>) -> Job {
+        let (shared, recordings) = (self.shared().clone(), self.owner.recordings.clone());
+        Job { run, start, cancel, shared, recordings, limits: self.owner.limits }
     }
 
     /// A thread for a run.
     fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), String> {
-        let house = self.house().clone();
-        house.threads.fetch_add(1, Ordering::SeqCst);
+        let shared = self.shared().clone();
+        shared.threads.fetch_add(1, Ordering::SeqCst);
         let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
         let spawned = thread.spawn(move || {
             priority::of_this_thread(Priority::Run);
             work(&job);
-            job.house.threads.fetch_sub(1, Ordering::SeqCst);
+            job.shared.threads.fetch_sub(1, Ordering::SeqCst);
         });
         spawned.map(drop).map_err(|error| {
-            house.threads.fetch_sub(1, Ordering::SeqCst);
+            shared.threads.fetch_sub(1, Ordering::SeqCst);
             format!("there is no room for another run ({error})")
         })
     }
@@ -193,15 +194,15 @@ impl Host {
     }
 
     fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, String> {
-        let before = lock(&self.house().book).running_of(&start.behaviour).cloned();
+        let before = lock(&self.shared().table).running_of(&start.behaviour).cloned();
         let before = before.ok_or("it does not run any more")?;
-        if self.house().threads() >= THREADS_MAX {
+        if self.shared().threads() >= THREADS_MAX {
             return Err("too many behaviours run already; stop one first".to_owned());
         }
         if !before.applying.begin() {
             return Err("somebody applies a change just now; try again in a moment".to_owned());
         }
-        let job = self.job(before.state.run, start, before.gate.clone());
+        let job = self.job(before.state.run, start, before.cancel.clone());
         let (answer, answered) = oneshot::channel();
         let applying = before.applying.clone();
         let thread = self.thread(job, move |job| successor::follow(job, &before, answer));
@@ -212,12 +213,12 @@ impl Host {
     /// Stops a behaviour, or everything, and lets the robot hold safely: nothing passes any more. Waits for nobody,
     /// whatever the procedures do; true if something ran. [`Host::settle`] has to follow.
     pub(super) fn stop_now(&self, behaviour: Option<&Id>, by: &str) -> bool {
-        self.house().stop_now(behaviour, by)
+        self.shared().stop_now(behaviour, by)
     }
 
     /// Writes down what was stopped and shows it.
     pub(super) fn settle(&self) {
-        self.house().settle();
+        self.shared().settle();
     }
 
     /// Stops a behaviour, or everything, with all that follows; true if something ran.
@@ -232,8 +233,8 @@ impl Host {
     /// # Errors
     /// If the behaviour does not run, or has no such sensor stream.
     pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), SaidNo> {
-        let book = lock(&self.house().book);
-        let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
+        let table = lock(&self.shared().table);
+        let entry = table.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
         let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
         entry.mailbox.put(index, Keep::All, value);
         Ok(())
@@ -244,10 +245,10 @@ impl Host {
     /// # Errors
     /// If it never ran here, or if that could not be kept.
     pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), SaidNo> {
-        if !self.house().order.has(behaviour) {
+        if !self.shared().order.has(behaviour) {
             return Err(SaidNo::NotRunning);
         }
-        self.house().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
+        self.shared().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
     }
 
     /// Marks this moment in the recording of a running behaviour.
@@ -255,8 +256,8 @@ impl Host {
     /// # Errors
     /// If the behaviour does not run or is not recorded, or if that was too much at once.
     pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str) -> Result<(), SaidNo> {
-        let book = lock(&self.house().book);
-        let entry = book.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
+        let table = lock(&self.shared().table);
+        let entry = table.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
         if entry.state.recording.is_none() {
             return Err(SaidNo::CannotRecord("this run is not recorded; tick it before Start".to_owned()));
         }
@@ -268,25 +269,25 @@ impl Host {
     /// # Errors
     /// If the behaviour does not run.
     pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), SaidNo> {
-        let book = lock(&self.house().book);
-        book.running_of(behaviour).ok_or(SaidNo::NotRunning)?.mailbox.end_recording();
+        let table = lock(&self.shared().table);
+        table.running_of(behaviour).ok_or(SaidNo::NotRunning)?.mailbox.end_recording();
         Ok(())
     }
 
     /// Moves something in the room.
     pub(crate) fn edit_scene(&self, edit: SceneEdit) {
-        self.house().desk.edit(edit);
+        self.shared().queue.edit(edit);
     }
 
     /// The robot in its room: the newest picture, about 30 a second while anything changes.
     pub(crate) fn scene(&self) -> watch::Receiver<Arc<Scene>> {
-        self.house().scene.subscribe()
+        self.shared().scene.subscribe()
     }
 
     /// What runs and what ended lately, oldest first.
     #[cfg(test)]
     pub(super) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
-        self.house().board.runs()
+        self.shared().feed.runs()
     }
 
     /// The same as a message, made elsewhere.
@@ -296,30 +297,30 @@ impl Host {
 
     /// The live values of a run, also of one that ended lately.
     pub(crate) fn values(&self, run: u64) -> Option<LiveValues> {
-        lock(&self.house().book).get(run).map(|entry| entry.live.clone())
+        lock(&self.shared().table).get(run).map(|entry| entry.live.clone())
     }
 
     /// Whether a behaviour runs.
     pub(crate) fn is_running(&self, behaviour: &Id) -> bool {
-        lock(&self.house().book).running_of(behaviour).is_some()
+        lock(&self.shared().table).running_of(behaviour).is_some()
     }
 
     /// Whether a behaviour runs or is about to.
     pub(super) fn has(&self, behaviour: &Id) -> bool {
-        lock(&self.house().book).has(behaviour)
+        lock(&self.shared().table).has(behaviour)
     }
 
     /// Stops everything and wants the threads to end.
     pub(super) fn end(&self) {
         self.stop(None, "the server");
-        self.house().desk.end();
+        self.shared().queue.end();
     }
 
     /// Is gone for good: with its order, and from what people are shown.
     pub(super) fn leave(&self) {
         self.end();
-        self.house().order.forget();
-        self.house().board.remove(self.id());
+        self.shared().order.forget();
+        self.shared().feed.remove(self.id());
     }
 
     /// Stops everything and ends the threads; waits at most two seconds.
@@ -327,7 +328,7 @@ impl Host {
         self.end();
         let until = Instant::now() + Duration::from_millis(SHUT_DOWN_MAX_MS);
         let thread = lock(&self.owner.thread).take();
-        let is_working = || self.house().threads() > 0 || thread.as_ref().is_some_and(|thread| !thread.is_finished());
+        let is_working = || self.shared().threads() > 0 || thread.as_ref().is_some_and(|thread| !thread.is_finished());
         while is_working() && Instant::now() < until {
             std::thread::sleep(Duration::from_millis(5));
         }
@@ -337,15 +338,15 @@ impl Host {
         }
     }
 
-    pub(super) fn house(&self) -> &Arc<House> {
-        &self.owner.house
+    pub(super) fn shared(&self) -> &Arc<RobotShared> {
+        &self.owner.shared
     }
 }
 
 impl Drop for Owner {
     fn drop(&mut self) {
-        self.house.stop_now(None, "the server");
-        self.house.settle();
-        self.house.desk.end();
+        self.shared.stop_now(None, "the server");
+        self.shared.settle();
+        self.shared.queue.end();
     }
 }

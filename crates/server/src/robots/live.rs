@@ -1,6 +1,6 @@
 //! The live values of a run: written now and then by its thread, read by whoever watches, newest wins.
 
-use crate::lock;
+use crate::support::lock;
 use protocol::{ConnectorSample, StreamSample, Values};
 use std::sync::{Arc, Mutex};
 

@@ -2,7 +2,7 @@
 
 use super::fair::Fair;
 use super::successor::Successor;
-use crate::lock;
+use crate::support::lock;
 use behaviour::{Id, StreamKind, Value};
 use engine::StreamIx;
 use robot::Waiting;

@@ -1,7 +1,8 @@
 //! The order of the behaviours on a robot: if they disagree, the upper one wins. Kept in the data folder, so that it is
 //! the same tomorrow.
 
-use crate::{lock, whole};
+use crate::support::atomic_file;
+use crate::support::lock;
 use behaviour::Id;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -23,7 +24,7 @@ impl Order {
     /// The order on a robot that is kept in a data folder; without a folder it lasts as long as the server.
     pub(crate) fn within(data: Option<&Path>, robot: &Id) -> Self {
         let path = data.map(|data| data.join(FOLDER).join(format!("{robot}.json")));
-        let list = path.as_deref().and_then(whole::read);
+        let list = path.as_deref().and_then(atomic_file::read);
         Self { path, list: Mutex::new(list.unwrap_or_default()), saving: Mutex::default() }
     }
 
@@ -101,7 +102,7 @@ impl Order {
         change(&mut after);
         if after != before {
             if let Some(path) = &self.path {
-                whole::put(path, &serde_json::to_string(&after).map_err(std::io::Error::other)?)?;
+                atomic_file::put(path, &serde_json::to_string(&after).map_err(std::io::Error::other)?)?;
             }
             *lock(&self.list) = after;
         }

@@ -1,6 +1,6 @@
 //! Which robots there are, kept in the data folder before it counts.
 
-use crate::whole;
+use crate::support::atomic_file;
 use behaviour::{Id, has_unseen};
 use protocol::ROBOT_NAME_MAX_CHARS;
 use serde::{Deserialize, Serialize};
@@ -34,7 +34,7 @@ impl Register {
     /// What is kept in a data folder, at first one robot with this seed.
     pub(super) fn within(data: Option<&Path>, seed: u64) -> Self {
         let path = data.map(|data| data.join(FILE));
-        let known: Vec<Known> = path.as_deref().and_then(whole::read).unwrap_or_default();
+        let known: Vec<Known> = path.as_deref().and_then(atomic_file::read).unwrap_or_default();
         let mut this = Self { path, known, seed };
         if let (true, Ok(robot)) = (this.known.is_empty(), Id::new(FIRST.0)) {
             this.known.push(Known { robot, name: FIRST.1.to_owned(), seed });
@@ -92,7 +92,7 @@ impl Register {
 
     fn keep(&mut self, after: Vec<Known>) -> std::io::Result<()> {
         if let Some(path) = &self.path {
-            whole::put(path, &serde_json::to_string(&after).map_err(std::io::Error::other)?)?;
+            atomic_file::put(path, &serde_json::to_string(&after).map_err(std::io::Error::other)?)?;
         }
         self.known = after;
         Ok(())

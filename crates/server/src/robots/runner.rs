@@ -1,17 +1,17 @@
 //! The thread of one run: builds the behaviour, opens its devices, and moves it through logical time until it ends.
 
-use super::book::{Applying, Entry, Senses};
-use super::desk::{Opening, Wanted};
-use super::gate::Gate;
+use super::cancel_flag::CancelFlag;
+use super::command_queue::{Opening, Wanted};
+use super::emission_sink::EmissionSink;
 use super::host::Start;
-use super::house::House;
 use super::live::LiveValues;
 use super::mailbox::{Arrived, Keep, Mailbox, Mark};
-use super::outcome::Outcome;
-use super::successor::{Baton, Successor};
+use super::run_table::{Applying, Entry, Senses};
+use super::shared::RobotShared;
+use super::successor::{RunHandover, Successor};
 use super::tally::Tally;
-use crate::lock;
 use crate::recordings::{About, Note, Recorder, Recordings};
+use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Run};
 use protocol::{RunPhase, RunState};
@@ -37,10 +37,10 @@ pub(super) struct Job {
     pub(super) run: u64,
     /// What to run.
     pub(super) start: Start,
-    /// Its gate.
-    pub(super) gate: Arc<Gate>,
-    /// The rest of the world.
-    pub(super) house: Arc<House>,
+    /// What cancels it.
+    pub(super) cancel: Arc<CancelFlag>,
+    /// What it shares with the robot's thread and the server.
+    pub(super) shared: Arc<RobotShared>,
     /// Where it is recorded, if it is.
     pub(super) recordings: Recordings,
     /// Limits of procedures; the hook comes on top.
@@ -78,7 +78,7 @@ pub(super) fn work(job: &Job, runner: Runner) {
 }
 
 fn clear_away(job: &Job, end: Option<End>) {
-    let house = &job.house;
+    let shared = &job.shared;
     let reason = match end {
         Some(End::Followed) => return,
         Some(End::Fault(reason)) => reason,
@@ -86,10 +86,10 @@ fn clear_away(job: &Job, end: Option<End>) {
         Some(End::Stopped) => "it took too long to prepare".to_owned(),
         None => "it failed inside; please tell the people who make rrp".to_owned(),
     };
-    lock(&house.book).withdraw(job.run);
-    house.fault(job.run, reason);
-    job.gate.close();
-    house.desk.close(job.run);
+    lock(&shared.table).withdraw(job.run);
+    shared.fault(job.run, reason);
+    job.cancel.cancel();
+    shared.queue.close(job.run);
 }
 
 fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
@@ -102,37 +102,37 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     let tally = Tally::new(entry.live.clone(), &run);
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
     let unkept = |error: std::io::Error| format!("its place in the order could not be kept ({error})");
-    job.house.order.add(&job.start.behaviour).map_err(unkept)?;
-    runner.outcome.recorder = recorder(job)?;
-    entry.state.recording = runner.outcome.recorder.as_mut().and_then(Recorder::news);
+    job.shared.order.add(&job.start.behaviour).map_err(unkept)?;
+    runner.sink.recorder = recorder(job)?;
+    entry.state.recording = runner.sink.recorder.as_mut().and_then(Recorder::news);
     runner.began = Instant::now();
     let state = entry.state.clone();
-    if job.house.begin(entry) {
+    if job.shared.begin(entry) {
         return Ok((runner, state));
     }
     let why = "it was stopped before it began";
-    runner.outcome.end_recording(why);
+    runner.sink.end_recording(why);
     Err(why.to_owned())
 }
 
 fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
     let Start { behaviour, revision, file, record, by } = &job.start;
-    let robot = &job.house.board.name(&job.house.robot);
+    let robot = &job.shared.feed.name(&job.shared.robot);
     let about = About { run: job.run, robot, behaviour, revision: *revision, by, file };
     record.then(|| job.recordings.begin(&about)).transpose()
 }
 
 /// Compiles what is to run. `clock` says when the procedure that runs began.
 pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, String> {
-    let gate = job.gate.clone();
-    let limits = (job.limits)().interrupted_by(interrupt(job.gate.clone(), clock.clone()));
-    let limits = limits.stopped_by(move || !gate.is_open());
+    let cancel = job.cancel.clone();
+    let limits = (job.limits)().interrupted_by(interrupt(job.cancel.clone(), clock.clone()));
+    let limits = limits.stopped_by(move || cancel.is_cancelled());
     Run::build(&job.start.file, limits).map_err(|faults| in_one_sentence(&faults))
 }
 
 /// Ends a procedure at its deadline, or at once when the run is stopped.
-fn interrupt(gate: Arc<Gate>, clock: Rc<Cell<Instant>>) -> impl Fn() -> bool {
-    move || !gate.is_open() || clock.get().elapsed() > Duration::from_millis(PROCEDURE_MAX_MS)
+fn interrupt(cancel: Arc<CancelFlag>, clock: Rc<Cell<Instant>>) -> impl Fn() -> bool {
+    move || cancel.is_cancelled() || clock.get().elapsed() > Duration::from_millis(PROCEDURE_MAX_MS)
 }
 
 fn in_one_sentence(faults: &[engine::Fault]) -> String {
@@ -156,8 +156,8 @@ pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<Wanted> {
 pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, follows: bool) -> Result<(), String> {
     let (answer, opened) = sync_channel(1);
     let behaviour = (job.start.behaviour.clone(), job.start.file.name.clone());
-    let (gate, mailbox) = (job.gate.clone(), mailbox.clone());
-    job.house.desk.open(Opening { run: job.run, behaviour, gate, mailbox, devices, follows, answer });
+    let (cancel, mailbox) = (job.cancel.clone(), mailbox.clone());
+    job.shared.queue.open(Opening { run: job.run, behaviour, cancel, mailbox, devices, follows, answer });
     let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
     waited.unwrap_or_else(|_| Err("the robot does not answer".to_owned()))
 }
@@ -179,7 +179,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
     Entry {
         state: RunState {
             run: job.run,
-            robot: job.house.robot.clone(),
+            robot: job.shared.robot.clone(),
             behaviour: start.behaviour.clone(),
             name: start.file.name.clone(),
             revision: start.revision,
@@ -190,7 +190,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
             place: 0,
             held: Vec::new(),
         },
-        gate: job.gate.clone(),
+        cancel: job.cancel.clone(),
         mailbox: mailbox.clone(),
         live: LiveValues::new(job.run, run.streams().len(), run.connectors().len()),
         acts: acts(run, devices),
@@ -204,7 +204,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
 pub(super) struct Runner<'a> {
     run: Run,
     mailbox: Arc<Mailbox>,
-    outcome: Outcome<'a>,
+    sink: EmissionSink<'a>,
     began: Instant,
     /// The next instant that still takes readings; everything before is closed.
     open_ms: u64,
@@ -215,89 +215,92 @@ pub(super) struct Runner<'a> {
 impl<'a> Runner<'a> {
     /// A run whose logical time begins now.
     pub(super) fn new(job: &'a Job, run: Run, mailbox: Arc<Mailbox>, tally: Tally, clock: Rc<Cell<Instant>>) -> Self {
-        let outcome = Outcome::new(job, tally, &run, clock);
-        Self { run, mailbox, outcome, began: Instant::now(), open_ms: 0, successor: None }
+        let sink = EmissionSink::new(job, tally, &run, clock);
+        Self { run, mailbox, sink, began: Instant::now(), open_ms: 0, successor: None }
     }
 
     /// The same with the time and the recording of the run that it follows.
     pub(super) fn since(mut self, began: Instant, open_ms: u64, recorder: Option<Recorder>) -> Self {
         (self.began, self.open_ms) = (began, open_ms);
         if let Some(mut recorder) = recorder {
-            let start = &self.outcome.job.start;
+            let start = &self.sink.job.start;
             recorder.follow(&start.file);
             recorder.applied(open_ms.saturating_sub(1), start.revision);
-            self.outcome.recorder = Some(recorder);
+            self.sink.recorder = Some(recorder);
         }
         self
     }
 
-    /// Works until its gate is closed, it ends by itself or another one follows.
+    /// Works until it is cancelled, it ends by itself or another one follows.
     fn work(mut self) -> End {
         let mut reason = None;
-        while reason.is_none() && self.outcome.job.gate.is_open() {
+        while reason.is_none() && !self.sink.job.cancel.is_cancelled() {
             let post = self.mailbox.take(self.next_wake());
             for reading in post.readings {
                 self.feed(reading);
             }
-            self.outcome.tally.refused(post.refused);
+            self.sink.tally.refused(post.refused);
             self.successor = self.successor.or(post.successor);
             self.close_instants();
             self.mark(post.marks);
-            self.outcome.record(post.end_recording);
+            self.sink.record(post.end_recording);
             reason = self.run.fault().or_else(|| self.took_too_long());
             if self.may_follow()
                 && let Some(successor) = self.successor.take_if(|_| reason.is_none())
             {
                 return self.hand_over(successor);
             }
-            self.outcome.tally.tell(&self.run, self.now_ms(), false);
+            self.sink.tally.tell(&self.run, self.now_ms(), false);
         }
-        self.outcome.tally.tell(&self.run, self.now_ms(), true);
-        let (run, dropped) = (self.outcome.job.run, self.mailbox.dropped());
+        // A mark that was answered just before the end counts.
+        let last = self.mailbox.take(Some(Instant::now()));
+        self.mark(last.marks);
+        self.sink.tally.tell(&self.run, self.now_ms(), true);
+        let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
-        self.outcome.end_recording(reason.as_deref().unwrap_or("it was stopped"));
+        self.sink.end_recording(reason.as_deref().unwrap_or("it was stopped"));
         reason.map_or(End::Stopped, End::Fault)
     }
 
     /// Whether another run may follow just now.
     fn may_follow(&self) -> bool {
-        self.successor.is_some() && self.run.is_between() && self.outcome.job.gate.is_open()
+        self.successor.is_some() && self.run.is_between() && !self.sink.job.cancel.is_cancelled()
     }
 
     fn hand_over(self, to: Successor) -> End {
-        let baton = Baton {
-            handover: self.run.handover(),
-            tally: self.outcome.tally,
-            recorder: self.outcome.recorder,
+        let handover = RunHandover {
+            memory: self.run.handover(),
+            tally: self.sink.tally,
+            recorder: self.sink.recorder,
             began: self.began,
             open_ms: self.open_ms,
         };
         let why = "it could not go on with what was applied; start it again";
-        if to.take(baton) { End::Followed } else { End::Fault(why.to_owned()) }
+        if to.take(handover) { End::Followed } else { End::Fault(why.to_owned()) }
     }
 
     /// The live rule: a reading counts when it arrived, but never in an instant that is closed.
     fn feed(&mut self, reading: Arrived) {
-        if !self.outcome.job.gate.is_open() || self.run.ended().is_some() {
+        if self.sink.job.cancel.is_cancelled() || self.run.ended().is_some() {
             return;
         }
         let arrived_ms = self.ms_at(reading.at);
         self.open_ms = self.open_ms.max(arrived_ms);
         self.close_before_reading();
-        let (outcome, at) = (&mut self.outcome, Millis(self.open_ms));
-        outcome.clock.set(Instant::now());
-        outcome.reading(at, reading.stream, &reading.value);
-        self.run.feed(at, reading.stream, reading.value, &mut |emission| outcome.note(emission));
-        outcome.settle(&self.run);
+        let (sink, at) = (&mut self.sink, Millis(self.open_ms));
+        sink.clock.set(Instant::now());
+        sink.reading(at, reading.stream, &reading.value);
+        self.run.feed(at, reading.stream, reading.value, &mut |emission| sink.note(emission));
+        sink.settle(&self.run);
     }
 
     /// What is due before a reading comes before it in the recording too.
     fn close_before_reading(&mut self) {
-        let outcome = &mut self.outcome;
-        if let (Some(_), Some(before)) = (&outcome.recorder, self.open_ms.checked_sub(1)) {
-            outcome.clock.set(Instant::now());
-            self.run.until(Millis(before), &mut |emission| outcome.note(emission));
-            outcome.settle_until(&self.run, before);
+        let sink = &mut self.sink;
+        if let (Some(_), Some(before)) = (&sink.recorder, self.open_ms.checked_sub(1)) {
+            sink.clock.set(Instant::now());
+            self.run.until(Millis(before), &mut |emission| sink.note(emission));
+            sink.settle_until(&self.run, before);
         }
     }
 
@@ -305,20 +308,20 @@ impl<'a> Runner<'a> {
     /// readings it takes, so that logical time does not run away; only another run that goes on here closes it.
     fn close_instants(&mut self) {
         let until_ms = if self.successor.is_some() { self.now_ms().max(self.open_ms) } else { self.now_ms() };
-        if until_ms < self.open_ms || !self.outcome.job.gate.is_open() {
+        if until_ms < self.open_ms || self.sink.job.cancel.is_cancelled() {
             return;
         }
-        let outcome = &mut self.outcome;
-        outcome.clock.set(Instant::now());
-        self.run.until(Millis(until_ms), &mut |emission| outcome.note(emission));
-        outcome.settle_until(&self.run, until_ms);
+        let sink = &mut self.sink;
+        sink.clock.set(Instant::now());
+        self.run.until(Millis(until_ms), &mut |emission| sink.note(emission));
+        sink.settle_until(&self.run, until_ms);
         self.open_ms = until_ms + 1;
     }
 
     fn mark(&mut self, marks: Vec<Mark>) {
         for Mark { at, by, note } in marks {
             let at_ms = self.ms_at(at);
-            if let Some(recorder) = &mut self.outcome.recorder {
+            if let Some(recorder) = &mut self.sink.recorder {
                 recorder.note(Note { at_ms, by, note });
             }
         }
@@ -326,12 +329,12 @@ impl<'a> Runner<'a> {
 
     fn next_wake(&self) -> Option<Instant> {
         let due = self.run.next_due().map(|due| self.began + Duration::from_millis(due.0));
-        let recorded = self.outcome.recorder.as_ref().and_then(Recorder::next_look).map(|look| Instant::now() + look);
-        [due, self.outcome.tally.next_telling(), recorded].into_iter().flatten().min()
+        let recorded = self.sink.recorder.as_ref().and_then(Recorder::next_look).map(|look| Instant::now() + look);
+        [due, self.sink.tally.next_telling(), recorded].into_iter().flatten().min()
     }
 
     fn took_too_long(&mut self) -> Option<String> {
-        let connector = self.outcome.too_long.take()?;
+        let connector = self.sink.too_long.take()?;
         let in_a_row = self.run.stats().connectors.get(connector)?.deadlines_in_a_row;
         let info = self.run.connectors().get(connector)?;
         let name = &self.run.streams().get(info.output)?.name;

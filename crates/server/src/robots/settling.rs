@@ -2,7 +2,7 @@
 //! its own, which looks at all robots when it is rung; so no Stop waits for it, and none is missed.
 
 use super::Fleet;
-use crate::lock;
+use crate::support::lock;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::sync::{Arc, Weak};
 

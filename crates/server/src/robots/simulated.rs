@@ -1,6 +1,6 @@
 //! The simulated NAO as the robot's thread sees it.
 
-use super::keeper::RoomRobot;
+use super::robot_thread::RoomRobot;
 use robot::SceneEdit;
 use simulation::SimulatedNao;
 

@@ -1,13 +1,13 @@
 //! Applying an edited behaviour to the robot that runs it: the new graph is compiled beside the old one on a thread of
 //! its own, then takes over between two instants. Until then, and if it is refused, the old one goes on.
 
-use super::book::{Entry, Senses};
-use super::house::House;
 use super::mailbox::Mailbox;
+use super::run_table::{Entry, Senses};
 use super::runner::{self, Job, Runner, devices, open, senses};
+use super::shared::RobotShared;
 use super::tally::Tally;
-use crate::lock;
 use crate::recordings::Recorder;
+use crate::support::lock;
 use engine::{Handover, Matching, Run};
 use protocol::RunState;
 use std::cell::Cell;
@@ -20,12 +20,12 @@ use tokio::sync::oneshot;
 
 /// Where a run hands over to the one that follows it.
 #[derive(Debug)]
-pub(super) struct Successor(SyncSender<Baton>);
+pub(super) struct Successor(SyncSender<RunHandover>);
 
 /// What one run hands over to the next.
-pub(super) struct Baton {
-    /// What the run remembers.
-    pub(super) handover: Handover,
+pub(super) struct RunHandover {
+    /// What its connectors remember.
+    pub(super) memory: Handover,
     /// What it counted.
     pub(super) tally: Tally,
     /// What is recorded, if it is.
@@ -38,8 +38,8 @@ pub(super) struct Baton {
 
 impl Successor {
     /// Hands over; false if nobody is there to take it.
-    pub(super) fn take(self, baton: Baton) -> bool {
-        self.0.send(baton).is_ok()
+    pub(super) fn take(self, handover: RunHandover) -> bool {
+        self.0.send(handover).is_ok()
     }
 }
 
@@ -65,17 +65,17 @@ fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState),
     let matching = Matching::between(&before.file, &job.start.file);
     let mailbox = Arc::new(Mailbox::default());
     open(job, &mailbox, devices(&run, &job.start.file), true)?;
-    let baton = baton(job, &run, &mailbox)?;
-    let state = job.house.applied(job.run, &job.start).ok_or_else(stopped)?;
-    Ok((go_on(job, run, baton, &matching, mailbox, clock), state))
+    let handover = handover(job, &run, &mailbox)?;
+    let state = job.shared.applied(job.run, &job.start).ok_or_else(stopped)?;
+    Ok((go_on(job, run, handover, &matching, mailbox, clock), state))
 }
 
 /// From now on readings go to the new run, where they wait; the old one hands over after its last ones.
-fn baton(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<Baton, String> {
+fn handover(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<RunHandover, String> {
     let (hand, handed) = sync_channel(1);
     let devices = devices(run, &job.start.file);
     let (senses, acts) = (senses(run, &devices), runner::acts(run, &devices));
-    let old = job.house.redirect(job.run, mailbox, senses, acts).ok_or_else(stopped)?;
+    let old = job.shared.redirect(job.run, mailbox, senses, acts).ok_or_else(stopped)?;
     old.succeed(Successor(hand));
     handed.recv().map_err(|_| stopped())
 }
@@ -83,13 +83,13 @@ fn baton(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<Baton, String> 
 fn go_on<'a>(
     job: &'a Job,
     mut run: Run,
-    baton: Baton,
+    handover: RunHandover,
     matching: &Matching,
     mailbox: Arc<Mailbox>,
     clock: Rc<Cell<Instant>>,
 ) -> Runner<'a> {
-    let Baton { handover, tally, recorder, began, open_ms } = baton;
-    run.resume_from(handover, matching);
+    let RunHandover { memory, tally, recorder, began, open_ms } = handover;
+    run.resume_from(memory, matching);
     let tally = tally.succeeded(&run, matching);
     Runner::new(job, run, mailbox, tally, clock).since(began, open_ms, recorder)
 }
@@ -98,11 +98,11 @@ fn stopped() -> String {
     "it was stopped meanwhile".to_owned()
 }
 
-impl House {
+impl RobotShared {
     /// Sends what comes for a run to another mailbox; answers with the one before, or none if it does not run.
     fn redirect(&self, run: u64, to: &Arc<Mailbox>, senses: Senses, acts: bool) -> Option<Arc<Mailbox>> {
-        let mut book = lock(&self.book);
-        let entry = book.running_mut(run)?;
+        let mut table = lock(&self.table);
+        let entry = table.running_mut(run)?;
         (entry.senses, entry.acts) = (senses, acts);
         Some(std::mem::replace(&mut entry.mailbox, to.clone()))
     }

@@ -36,10 +36,10 @@ async fn the_edited_behaviour_takes_over_with_the_same_run_and_the_same_devices(
     shows_until_told(&puppet, &run, 1).await;
     assert_eq!(state(&robots, &run), next);
     assert_eq!((puppet.stops(), puppet.opened()), (stops, opened), "the robot was not disturbed");
-    until("the thread of the one before ends", || robots.house().threads() == 1).await;
+    until("the thread of the one before ends", || robots.shared().threads() == 1).await;
     assert!(robots.stop(None, "Ben"));
     assert_eq!(phase(&robots, &run), stopped_by("Ben"));
-    until("nothing is left", || puppet.users().is_empty() && robots.house().threads() == 0).await;
+    until("nothing is left", || puppet.users().is_empty() && robots.shared().threads() == 0).await;
 }
 
 #[tokio::test]
@@ -130,6 +130,6 @@ async fn stop_wins_over_an_edit_that_is_being_applied() {
         assert!(robots.stop(None, "Ben"));
         drop(applying.await.unwrap());
         assert_eq!(phase(&robots, &run), stopped_by("Ben"));
-        until("nothing is left", || puppet.users().is_empty() && robots.house().threads() == 0).await;
+        until("nothing is left", || puppet.users().is_empty() && robots.shared().threads() == 0).await;
     }
 }

@@ -2,13 +2,13 @@
 
 use super::puppet::Puppet;
 use super::{id, until};
-use crate::robots::board::Board;
-use crate::robots::desk::{Command, Opening, Wanted};
-use crate::robots::gate::Gate;
-use crate::robots::house::House;
-use crate::robots::keeper::{Keeper, Make, RoomRobot, keep};
+use crate::robots::cancel_flag::CancelFlag;
+use crate::robots::command_queue::{Command, Opening, Wanted};
 use crate::robots::mailbox::Mailbox;
 use crate::robots::order::Order;
+use crate::robots::robot_thread::{Make, RobotThread, RoomRobot, keep};
+use crate::robots::shared::RobotShared;
+use crate::robots::status_feed::StatusFeed;
 use behaviour::{Params, Value};
 use engine::{Claim, StreamIx};
 use robot::Use;
@@ -23,27 +23,27 @@ const NEVER_S: u64 = 86_400;
 /// A robot that makes no step, since its first is never due.
 struct Still {
     puppet: Puppet,
-    house: Arc<House>,
-    gate: Arc<Gate>,
+    shared: Arc<RobotShared>,
+    cancel: Arc<CancelFlag>,
     thread: Option<JoinHandle<()>>,
 }
 
-fn house() -> Arc<House> {
-    Arc::new(House::new(id("puppet"), Arc::new(Board::default()), Order::default()))
+fn shared() -> Arc<RobotShared> {
+    Arc::new(RobotShared::new(id("puppet"), Arc::new(StatusFeed::default()), Order::default()))
 }
 
 impl Still {
     fn new() -> Self {
-        let house = house();
-        Self { puppet: Puppet::default(), house, gate: Arc::default(), thread: None }
+        let shared = shared();
+        Self { puppet: Puppet::default(), shared, cancel: Arc::default(), thread: None }
     }
 
-    /// From now on somebody looks at the desk.
+    /// From now on somebody looks at the queue.
     fn begin(&mut self) {
-        let (house, puppet) = (self.house.clone(), self.puppet.clone());
+        let (shared, puppet) = (self.shared.clone(), self.puppet.clone());
         self.thread = Some(std::thread::spawn(move || {
-            house.desk.attend();
-            Keeper::new(&house, Box::new(puppet), Instant::now() + Duration::from_secs(NEVER_S)).work();
+            shared.queue.attend();
+            RobotThread::new(&shared, Box::new(puppet), Instant::now() + Duration::from_secs(NEVER_S)).work();
         }));
     }
 
@@ -52,17 +52,18 @@ impl Still {
         let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
         let devices = vec![Wanted { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
         let (answer, opened) = sync_channel(1);
-        let (behaviour, gate, mailbox) = ((id("one"), String::new()), self.gate.clone(), Arc::new(Mailbox::default()));
-        self.house.desk.open(Opening { run: 1, behaviour, gate, mailbox, devices, follows: false, answer });
+        let (behaviour, cancel, mailbox) =
+            ((id("one"), String::new()), self.cancel.clone(), Arc::new(Mailbox::default()));
+        self.shared.queue.open(Opening { run: 1, behaviour, cancel, mailbox, devices, follows: false, answer });
         opened
     }
 
     fn command(&self, value: i64) {
-        command(&self.house, &self.gate, value);
+        command(&self.shared, &self.cancel, value);
     }
 
     async fn ends(mut self) {
-        self.house.desk.end();
+        self.shared.queue.end();
         let thread = self.thread.take().unwrap();
         until("the thread ends", || thread.is_finished()).await;
         thread.join().unwrap();
@@ -70,13 +71,13 @@ impl Still {
     }
 }
 
-fn command(house: &House, gate: &Arc<Gate>, value: i64) {
+fn command(shared: &RobotShared, cancel: &Arc<CancelFlag>, value: i64) {
     let user = Use { run: 1, stream: id("page") };
-    house.desk.command(user, "Print", Command { gate: gate.clone(), value: Value::Int(value) });
+    shared.queue.command(user, "Print", Command { cancel: cancel.clone(), value: Value::Int(value) });
 }
 
 #[tokio::test]
-async fn whoever_puts_something_on_the_desk_waits_for_no_step() {
+async fn whoever_puts_something_in_the_queue_waits_for_no_step() {
     let mut still = Still::new();
     still.begin();
     let opened = still.open();
@@ -85,9 +86,9 @@ async fn whoever_puts_something_on_the_desk_waits_for_no_step() {
         still.command(value);
         until("the robot is told", || still.puppet.told(1).last() == Some(&Value::Int(value))).await;
     }
-    still.house.desk.stop();
+    still.shared.queue.stop();
     until("the robot holds", || still.puppet.log() == ["told 5", "told 6", "held"]).await;
-    still.house.desk.close(1);
+    still.shared.queue.close(1);
     until("the devices are given back", || still.puppet.users().is_empty()).await;
     still.ends().await;
 }
@@ -97,12 +98,12 @@ async fn stop_comes_before_everything_that_waits() {
     let mut still = Still::new();
     still.command(1);
     still.command(2);
-    still.house.desk.stop();
+    still.shared.queue.stop();
     // Somebody wants it once more between the two.
-    let house = still.house.clone();
+    let shared = still.shared.clone();
     still.puppet.when_told(move |value| {
         if *value == Value::Int(1) {
-            house.desk.stop();
+            shared.queue.stop();
         }
     });
     still.begin();
@@ -115,10 +116,10 @@ async fn what_a_run_told_before_it_was_stopped_is_void() {
     let mut still = Still::new();
     still.command(1);
     still.command(2);
-    let (house, gate) = (still.house.clone(), still.gate.clone());
+    let (shared, cancel) = (still.shared.clone(), still.cancel.clone());
     still.puppet.when_told(move |_| {
-        gate.close();
-        house.desk.stop();
+        cancel.cancel();
+        shared.queue.stop();
     });
     still.begin();
     until("the robot holds", || still.puppet.log() == ["told 1", "held"]).await;
@@ -131,13 +132,13 @@ async fn what_a_run_does_ends_before_anything_else_that_waits() {
     still.begin();
     let opened = still.open();
     until("the devices are open", || opened.try_recv() == Ok(Ok(()))).await;
-    let (house, gate, puppet) = (still.house.clone(), still.gate.clone(), still.puppet.clone());
+    let (shared, cancel, puppet) = (still.shared.clone(), still.cancel.clone(), still.puppet.clone());
     let seen = Arc::new(Mutex::new(None));
     let at_last = seen.clone();
     still.puppet.when_told(move |value| match value {
         // Both wait together, and the run ends while the first of them is done.
-        Value::Int(0) => [1, 2].into_iter().for_each(|value| command(&house, &gate, value)),
-        Value::Int(1) => house.desk.close(1),
+        Value::Int(0) => [1, 2].into_iter().for_each(|value| command(&shared, &cancel, value)),
+        Value::Int(1) => shared.queue.close(1),
         _ => *at_last.lock().unwrap() = Some(puppet.users().is_empty()),
     });
     still.command(0);
@@ -147,17 +148,17 @@ async fn what_a_run_does_ends_before_anything_else_that_waits() {
 }
 
 #[tokio::test]
-async fn a_desk_that_is_never_empty_delays_no_step() {
-    let (puppet, house) = (Puppet::default(), house());
-    let (gate, desk) = (Arc::new(Gate::default()), house.clone());
-    command(&house, &gate, 1);
+async fn a_queue_that_is_never_empty_delays_no_step() {
+    let (puppet, shared) = (Puppet::default(), shared());
+    let (cancel, queue) = (Arc::new(CancelFlag::default()), shared.clone());
+    command(&shared, &cancel, 1);
     // Whenever one command was done the next one is there.
-    puppet.when_told(move |_| command(&desk, &gate, 1));
-    let (kept, robot) = (house.clone(), puppet.clone());
+    puppet.when_told(move |_| command(&queue, &cancel, 1));
+    let (kept, robot) = (shared.clone(), puppet.clone());
     let make = move || -> Box<dyn RoomRobot> { Box::new(robot.clone()) };
     let thread = std::thread::spawn(move || keep(&kept, &(Box::new(make) as Make)));
     until("the steps go on", || puppet.steps() >= 20).await;
-    house.desk.end();
+    shared.queue.end();
     until("the thread ends", || thread.is_finished()).await;
     assert!(puppet.told(1).len() > 20);
     assert_eq!(puppet.strays(), 0, "all came at the time of the coming step");

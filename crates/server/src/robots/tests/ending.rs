@@ -65,7 +65,7 @@ async fn a_behaviour_speaks_on_while_its_neighbour_is_stopped() {
     nao.stimulate(&id("story"), &id("ball"), Value::Int(1)).unwrap();
     until("it speaks", || saying().starts_with("story")).await;
     assert!(nao.stop(Some(&id("other")), "Ben"));
-    // The robot has done what is on its desk before it shows a ball that moves afterwards.
+    // The robot has done what is in its queue before it shows a ball that moves afterwards.
     let at = [0.9, 0.4, 0.3];
     nao.edit_scene(robot::SceneEdit::MoveBall { id: "red".to_owned(), at });
     let is_there = |ball: &robot::Ball| (ball.at[0] - at[0]).abs() < 0.01;

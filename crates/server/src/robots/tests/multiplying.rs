@@ -52,7 +52,7 @@ async fn it_ends_with_its_reason_and_its_recording_replays_to_the_same_values() 
     until("it ends by itself", || phase(&robots, &run) != RunPhase::Running).await;
     let RunPhase::Faulted(why) = phase(&robots, &run) else { panic!("{:?}", phase(&robots, &run)) };
     assert!(why.starts_with("values multiply at “m"), "{why}");
-    until("devices and thread are given back", || puppet.users().is_empty() && robots.house().threads() == 0).await;
+    until("devices and thread are given back", || puppet.users().is_empty() && robots.shared().threads() == 0).await;
     let lines = lines(&recordings).await;
     assert_eq!(text(lines.last().unwrap(), "why"), Some(why.as_str()));
     let told = outputs(&lines);
@@ -72,7 +72,7 @@ async fn nothing_of_it_outlives_stop() {
         robots.stimulate(&id("one"), &id("ball"), Value::Int(1)).unwrap();
         until("values are on their way", || !puppet.told(run.run).is_empty()).await;
         assert!(robots.stop(None, "Ben"), "pass {pass}");
-        until("its thread ends", || robots.house().threads() == 0).await;
+        until("its thread ends", || robots.shared().threads() == 0).await;
         let told = puppet.told(run.run).len();
         until("its devices are given back", || puppet.users().is_empty()).await;
         assert_eq!(puppet.told(run.run).len(), told, "nothing reaches the robot after Stop");

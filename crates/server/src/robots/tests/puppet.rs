@@ -1,11 +1,11 @@
 //! A robot whose strings the test holds.
 
-use crate::lock;
 use crate::recordings::Recordings;
 use crate::robots::Host;
-use crate::robots::board::Board;
-use crate::robots::keeper::{RoomRobot, STEP_MS};
 use crate::robots::order::Order;
+use crate::robots::robot_thread::{RoomRobot, STEP_MS};
+use crate::robots::status_feed::StatusFeed;
+use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
@@ -54,7 +54,7 @@ impl Puppet {
         };
         let (robot, name) = (Id::new("puppet").unwrap(), "Puppet".to_owned());
         let state = RobotState { robot, name, kind: String::new(), health: Health::Connecting, devices: Vec::new() };
-        Host::new(state, Arc::new(Board::default()), Box::new(make), limits, recordings, Order::default()).unwrap()
+        Host::new(state, Arc::new(StatusFeed::default()), Box::new(make), limits, recordings, Order::default()).unwrap()
     }
 
     /// Every open ball sees this in the next step.

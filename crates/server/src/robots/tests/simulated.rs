@@ -1,9 +1,9 @@
 //! The same with the simulated NAO.
 
 use super::until;
+use crate::library::templates::templates;
 use crate::recordings::Recordings;
 use crate::robots::{Robots, Start};
-use crate::templates::templates;
 use behaviour::Id;
 use robot::{Health, SceneEdit};
 

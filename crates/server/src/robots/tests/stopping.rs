@@ -29,7 +29,7 @@ async fn stop_holds_the_robot_gives_back_its_devices_and_ends_the_thread() {
     let told = puppet.told(run.run).len();
     until("the devices and the thread are given back", || {
         puppet.show_ball(Value::Int(6));
-        puppet.users().is_empty() && robots.house().threads() == 0
+        puppet.users().is_empty() && robots.shared().threads() == 0
     })
     .await;
     assert_eq!(puppet.told(run.run).len(), told, "nothing moves after Stop");
@@ -47,7 +47,7 @@ async fn an_endless_loop_delays_neither_stop_nor_another_behaviour() {
     robots.stimulate(&id("bad"), &id("ball"), Value::Int(1)).unwrap();
     assert!(robots.stop(Some(&id("bad")), "Ben"));
     assert_eq!((phase(&robots, &bad), phase(&robots, &good)), (stopped_by("Ben"), RunPhase::Running));
-    until("the thread of the bad one ends", || robots.house().threads() == 1).await;
+    until("the thread of the bad one ends", || robots.shared().threads() == 1).await;
 }
 
 #[tokio::test]
@@ -85,9 +85,9 @@ async fn a_robot_that_breaks_ends_its_runs_and_is_made_anew() {
     let run = robots.start(filtered("one", "true")).await.unwrap();
     puppet.fail();
     until("the run ends", || matches!(phase(&robots, &run), RunPhase::Faulted(_))).await;
-    until("it is lost", || matches!(robots.house().board.robots().borrow()[0].health, Health::Lost(_))).await;
+    until("it is lost", || matches!(robots.shared().feed.robots().borrow()[0].health, Health::Lost(_))).await;
     until("it is there again", || {
-        puppet.made() == 2 && robots.house().board.robots().borrow()[0].health == Health::Ready
+        puppet.made() == 2 && robots.shared().feed.robots().borrow()[0].health == Health::Ready
     })
     .await;
     let run = robots.start(filtered("one", "true")).await.unwrap();
@@ -114,7 +114,7 @@ async fn shutting_down_ends_every_thread() {
     let ended = robots.clone();
     tokio::task::spawn_blocking(move || ended.shut_down()).await.unwrap();
     assert_eq!(phase(&robots, &run), stopped_by("the server"));
-    until("no thread lives", || robots.house().threads() == 0).await;
+    until("no thread lives", || robots.shared().threads() == 0).await;
     assert!(robots.owner.thread.lock().unwrap().is_none());
     robots.shut_down();
 }

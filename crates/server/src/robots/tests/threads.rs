@@ -1,7 +1,7 @@
 //! How long the hand-overs between the threads take. A measurement and no check: `cargo xtask bench engine threads`
 //! runs it in release, everybody else leaves it out.
 //!
-//! The robot's thread, the run's thread, desk, mailbox and book are the real ones; only the robot is one that notes
+//! The robot's thread, the run's thread, command queue, mailbox and run table are the real ones; only the robot is one that notes
 //! when, and steps like the simulated one. Its sense has read when the reading exists, after the step's computing; its
 //! action is told when `Robot::command` is called. What a link to a real robot adds before and after that is not in
 //! here, nor that what a robot is only asked for in its steps waits for the next one.
@@ -148,7 +148,7 @@ fn stop(probe: &Probe, robots: &Host) -> f64 {
     robots.stop(None, "Ben");
     let held = loop {
         match probe.held_after(moment) {
-            Some(held) if robots.house().threads() == 0 => break held,
+            Some(held) if robots.shared().threads() == 0 => break held,
             _ => std::thread::sleep(Duration::from_millis(1)),
         }
     };

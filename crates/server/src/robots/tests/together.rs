@@ -75,7 +75,7 @@ async fn who_never_ran_here_gets_no_place() {
         let stranger = id(&format!("stranger{number}"));
         assert_eq!(robots.place(&stranger, Some(&id("one"))), Err(SaidNo::NotRunning));
     }
-    assert_eq!(robots.house().order.place(&id("one")), 0, "nobody stands above it");
+    assert_eq!(robots.shared().order.place(&id("one")), 0, "nobody stands above it");
 }
 
 #[tokio::test]

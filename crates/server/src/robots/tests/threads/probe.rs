@@ -1,12 +1,12 @@
 //! A robot that notes when: when its sense read something, when its action was told, when it was to hold. Its body is
 //! the simulated NAO's, so that its steps and pictures take as long as those.
 
-use crate::lock;
 use crate::recordings::Recordings;
 use crate::robots::Host;
-use crate::robots::board::Board;
-use crate::robots::keeper::RoomRobot;
 use crate::robots::order::Order;
+use crate::robots::robot_thread::RoomRobot;
+use crate::robots::status_feed::StatusFeed;
+use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
@@ -49,8 +49,8 @@ impl Probe {
         };
         let (robot, name) = (Id::new("probe").unwrap(), "Probe".to_owned());
         let state = RobotState { robot, name, kind: String::new(), health: Health::Connecting, devices: Vec::new() };
-        let (board, recordings) = (Arc::new(Board::default()), Recordings::default());
-        Host::new(state, board, Box::new(make), Limits::default, recordings, Order::default()).unwrap()
+        let (feed, recordings) = (Arc::new(StatusFeed::default()), Recordings::default());
+        Host::new(state, feed, Box::new(make), Limits::default, recordings, Order::default()).unwrap()
     }
 
     /// Whether the ball is read in every step.

@@ -1,0 +1,64 @@
+//! What one message of a socket is.
+
+use crate::connection::close_signal::CloseReason;
+use axum::extract::ws::{Message, Utf8Bytes};
+use protocol::Ask;
+use serde::Deserialize;
+
+/// The longest reason that is told, in characters.
+const REASON_MAX_CHARS: usize = 200;
+
+/// What is read at once, in bytes; every Stop is smaller.
+const SMALL_MAX_BYTES: usize = 4 << 10;
+
+/// What one message is.
+pub(super) enum Heard {
+    /// A request.
+    Ask(Box<Ask>),
+    /// Too large to be read here.
+    Large(Utf8Bytes),
+    /// None of ours; with its number if it has one, and the reason.
+    Nonsense(Option<u32>, String),
+    /// A sign of life.
+    Nothing,
+    /// The socket ends.
+    End(CloseReason),
+}
+
+/// Reads one message.
+pub(super) fn hear(message: Option<Result<Message, axum::Error>>) -> Heard {
+    match message {
+        Some(Ok(Message::Text(text))) if text.len() > SMALL_MAX_BYTES => Heard::Large(text),
+        Some(Ok(Message::Text(text))) => read(&text),
+        Some(Ok(Message::Binary(_))) => Heard::Nonsense(None, "it is not text".to_owned()),
+        Some(Ok(Message::Ping(_) | Message::Pong(_))) => Heard::Nothing,
+        Some(Ok(Message::Close(_))) | None => Heard::End(CloseReason::Left),
+        Some(Err(error)) => Heard::End(if is_too_large(&error) { CloseReason::TooLarge } else { CloseReason::Left }),
+    }
+}
+
+/// Reads a text.
+pub(super) fn read(text: &str) -> Heard {
+    match serde_json::from_str(text) {
+        Ok(ask) => Heard::Ask(Box::new(ask)),
+        Err(error) => {
+            let reason = error.to_string().chars().take(REASON_MAX_CHARS).collect();
+            Heard::Nonsense(number(text), reason)
+        }
+    }
+}
+
+/// The number of a request that cannot be read otherwise, so that its sender need not wait.
+fn number(text: &str) -> Option<u32> {
+    #[derive(Deserialize)]
+    struct Numbered {
+        ask: u32,
+    }
+    serde_json::from_str::<Numbered>(text).ok().map(|numbered| numbered.ask)
+}
+
+/// tungstenite's own error is behind axum's; its words are the only way to it.
+fn is_too_large(error: &axum::Error) -> bool {
+    let text = error.to_string();
+    text.contains("too long") || text.contains("too large") || text.contains("too big")
+}

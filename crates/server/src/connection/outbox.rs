@@ -1,0 +1,179 @@
+//! The reliable queue to one client: in order, bounded; who cannot keep up is cut off and fetches everything anew.
+
+use crate::connection::close_signal::{CloseReason, CloseSignal};
+use crate::rooms::member::{Feed, Recipient, Whole};
+use crate::support::message::encode;
+use axum::extract::ws::Utf8Bytes;
+use protocol::{Reply, SaidNo};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tokio::sync::mpsc;
+
+/// Messages that may wait for one client.
+pub(crate) const QUEUE_MAX_MESSAGES: usize = 256;
+/// What may wait for one client before another message is put behind it, in bytes.
+const QUEUE_MAX_BYTES: usize = 2 << 20;
+/// What may wait for all clients together before each is left its share only, in bytes.
+const ALL_MAX_BYTES: usize = 48 << 20;
+/// The share, in bytes.
+const SHARE_BYTES: usize = 64 << 10;
+
+/// What the writing task of a client is told.
+#[derive(Debug)]
+pub(crate) enum Out {
+    /// Send this.
+    Text(Utf8Bytes),
+    /// Send this in parts.
+    Whole(u32, Box<Whole>),
+    /// From now on tell what goes on in this room.
+    Follow(Box<Feed>),
+    /// No longer.
+    Unfollow,
+    /// Which pictures are wanted.
+    Watch {
+        /// Of which robot; none means the first one.
+        robot: Option<behaviour::Id>,
+        /// Pictures of the scene.
+        scene: bool,
+        /// Live values.
+        values: bool,
+    },
+}
+
+/// The way to one client.
+#[derive(Clone, Debug)]
+pub(crate) struct Outbox {
+    /// The number of the link, never used twice.
+    pub(crate) session: u64,
+    /// Ends the link.
+    pub(crate) close: CloseSignal,
+    queue: mpsc::Sender<Out>,
+    waiting: Waiting,
+}
+
+/// How many bytes wait for one client, and for all together.
+#[derive(Clone, Debug)]
+pub(crate) struct Waiting(Arc<Bytes>);
+
+/// How many bytes wait for all clients together. A clone counts the same.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct AllWaiting(Arc<AtomicUsize>);
+
+#[derive(Debug)]
+struct Bytes {
+    own: AtomicUsize,
+    all: AllWaiting,
+}
+
+impl Waiting {
+    fn of(all: AllWaiting) -> Self {
+        Self(Arc::new(Bytes { own: AtomicUsize::new(0), all }))
+    }
+
+    /// A message was put into the queue; false if what waited before was too much.
+    fn put(&self, text: &Utf8Bytes) -> bool {
+        let own = self.0.own.fetch_add(text.len(), Ordering::Relaxed);
+        let all = self.0.all.0.fetch_add(text.len(), Ordering::Relaxed);
+        own <= if all > ALL_MAX_BYTES { SHARE_BYTES } else { QUEUE_MAX_BYTES }
+    }
+
+    /// A message was taken out of the queue.
+    pub(crate) fn taken(&self, text: &Utf8Bytes) {
+        self.0.own.fetch_sub(text.len(), Ordering::Relaxed);
+        self.0.all.0.fetch_sub(text.len(), Ordering::Relaxed);
+    }
+}
+
+impl Drop for Bytes {
+    /// What was never taken waits no more.
+    fn drop(&mut self) {
+        self.all.0.fetch_sub(*self.own.get_mut(), Ordering::Relaxed);
+    }
+}
+
+impl Outbox {
+    /// A way, its other end, and what waits between them.
+    pub(crate) fn new(session: u64, all: AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
+        let (queue, inbox) = mpsc::channel(QUEUE_MAX_MESSAGES);
+        let waiting = Waiting::of(all);
+        (Self { session, close: CloseSignal::new(), queue, waiting: waiting.clone() }, inbox, waiting)
+    }
+
+    /// Says something, as the answer to `ask` if there is one.
+    pub(crate) fn say(&self, ask: Option<u32>, reply: Reply) {
+        self.put(Out::Text(encode(ask, reply)));
+    }
+
+    /// Says why not.
+    pub(crate) fn no(&self, ask: u32, no: SaidNo) {
+        self.say(Some(ask), Reply::No { no });
+    }
+
+    /// Never waits. A single message may be larger than what may wait: who reads gets it.
+    pub(crate) fn put(&self, out: Out) {
+        if let Out::Text(text) = &out
+            && !self.waiting.put(text)
+        {
+            self.close.with(CloseReason::Resync);
+        }
+        if let Err(mpsc::error::TrySendError::Full(_)) = self.queue.try_send(out) {
+            self.close.with(CloseReason::Resync);
+        }
+    }
+}
+
+impl Recipient for Outbox {
+    fn session(&self) -> u64 {
+        self.session
+    }
+
+    fn send(&self, text: Utf8Bytes) {
+        self.put(Out::Text(text));
+    }
+
+    fn send_whole(&self, ask: u32, whole: Whole) {
+        self.put(Out::Whole(ask, Box::new(whole)));
+    }
+
+    fn follow(&self, feed: Option<Box<Feed>>) {
+        self.put(feed.map_or(Out::Unfollow, Out::Follow));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ALL_MAX_BYTES, AllWaiting, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES};
+    use protocol::{Reply, SaidNo};
+    use std::sync::atomic::Ordering;
+
+    /// How many large replies are queued for a client that reads nothing before its link is cut.
+    async fn queued(all: &AllWaiting) -> (usize, Outbox) {
+        let (outbox, _inbox, _) = Outbox::new(1, all.clone());
+        let no = Reply::No { no: SaidNo::Unreadable("x".repeat(32 << 10)) };
+        for count in 0.. {
+            tokio::select! {
+                biased;
+                _ = outbox.close.wait() => return (count, outbox),
+                () = std::future::ready(()) => outbox.say(None, no.clone()),
+            }
+        }
+        unreachable!("it is cut")
+    }
+
+    #[tokio::test]
+    async fn who_reads_nothing_is_cut_off_and_gives_everything_back() {
+        let all = AllWaiting::default();
+        let (count, outbox) = queued(&all).await;
+        assert!((QUEUE_MAX_BYTES >> 15..=(QUEUE_MAX_BYTES >> 15) + 2).contains(&count), "{count}");
+        drop(outbox);
+        assert_eq!(all.0.load(Ordering::Relaxed), 0);
+    }
+
+    #[tokio::test]
+    async fn when_much_waits_for_all_each_has_a_share() {
+        let all = AllWaiting::default();
+        all.0.store(ALL_MAX_BYTES, Ordering::Relaxed);
+        let (count, _) = queued(&all).await;
+        assert!(count <= (SHARE_BYTES >> 15) + 2, "{count}");
+    }
+}

@@ -1,0 +1,231 @@
+//! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
+//! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
+
+mod requests;
+
+use super::hear::{Heard, hear, read};
+use super::inbox::{Asked, Inbox, Weight, inbox};
+use super::rate_limit::RateLimit;
+use crate::connection::Connections;
+use crate::connection::clients::Entered;
+use crate::connection::close_signal::CloseReason;
+use crate::connection::outbox::Outbox;
+use crate::rooms::Note;
+use crate::rooms::member::Member;
+use crate::support::workers::Sender;
+use axum::extract::ws::{Utf8Bytes, WebSocket};
+use futures_util::StreamExt;
+use futures_util::stream::SplitStream;
+use protocol::{Ask, Person, Reply, Request, SaidNo, VERSION};
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::sync::{Semaphore, mpsc};
+
+/// How long the greeting may take.
+const GREETING_MS: u64 = 2_000;
+/// How long a client may be silent, though it is pinged all the while.
+const SILENT_MS: u64 = 12_000;
+/// Requests of one client that may be under way.
+const UNDER_WAY_MAX: usize = 8;
+
+/// Serves one socket.
+pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
+    let (sink, mut stream) = socket.split();
+    let (outbox, told, waiting) = Outbox::new(connections.number(), connections.waiting.clone());
+    let writing = connections.state.tasks.tracker.spawn(super::writer::write(
+        Arc::clone(&connections),
+        outbox.session,
+        sink,
+        told,
+        waiting,
+        outbox.close.clone(),
+    ));
+    let greeted = tokio::select! {
+        () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
+        greeted = half_open(&connections, &outbox, &mut stream) => greeted,
+    };
+    match greeted {
+        Ok((entered, ask)) => serve(connections, outbox, entered, ask, &mut stream).await,
+        Err(why) => outbox.close.with(why),
+    }
+    let _ = writing.await;
+}
+
+/// Waits for the greeting in one of few places, whose oldest gives way.
+async fn half_open(
+    connections: &Connections,
+    outbox: &Outbox,
+    stream: &mut SplitStream<WebSocket>,
+) -> Result<(Entered, u32), CloseReason> {
+    let place = connections.half_open.take();
+    let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(connections, outbox, stream));
+    place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(CloseReason::Unwelcome))
+}
+
+/// The greeting comes first and in our version.
+async fn greet(
+    connections: &Connections,
+    outbox: &Outbox,
+    stream: &mut SplitStream<WebSocket>,
+) -> Result<(Entered, u32), CloseReason> {
+    let Ask { ask, request } = match hear(stream.next().await) {
+        Heard::Ask(ask) => *ask,
+        Heard::Nonsense(ask, reason) => {
+            outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) });
+            return Err(CloseReason::Unwelcome);
+        }
+        Heard::Nothing | Heard::Large(_) => return Err(CloseReason::Unwelcome),
+        Heard::End(why) => return Err(why),
+    };
+    match request {
+        Request::Hello { version: VERSION, name, again } => {
+            Ok((connections.clients.enter(again.as_ref(), &name, outbox.session, outbox.close.clone()), ask))
+        }
+        Request::Hello { .. } => {
+            outbox.no(ask, SaidNo::Version(VERSION));
+            Err(CloseReason::Unwelcome)
+        }
+        _ => {
+            outbox.no(ask, SaidNo::Greeting);
+            Err(CloseReason::Unwelcome)
+        }
+    }
+}
+
+/// Reads until the link ends, while another task does what is asked.
+async fn serve(
+    connections: Arc<Connections>,
+    outbox: Outbox,
+    entered: Entered,
+    ask: u32,
+    stream: &mut SplitStream<WebSocket>,
+) {
+    let Entered { person: me, secret } = entered;
+    tracing::info!(name = me.name, session = outbox.session, "somebody comes");
+    connections.state.rooms.tell(
+        connections.state.rooms.library(),
+        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(secret)),
+    );
+    let (asking, asked) = inbox();
+    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone());
+    let working = connections.state.tasks.spawn(session.work(asked));
+    let mut reader =
+        Reader { connections: &connections, outbox: &outbox, by: &me.name, rate: RateLimit::full(), asking };
+    let why = reader.read(stream).await;
+    drop(reader);
+    outbox.close.with(why);
+    let _ = working.await;
+    connections.state.rooms.tell_open(connections.state.rooms.library(), Note::Leave(outbox.session));
+    connections.clients.leave(&me.client, outbox.session);
+    tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+}
+
+/// Hears one client.
+struct Reader<'a> {
+    connections: &'a Connections,
+    outbox: &'a Outbox,
+    by: &'a str,
+    rate: RateLimit,
+    asking: Inbox,
+}
+
+impl Reader<'_> {
+    async fn read(&mut self, stream: &mut SplitStream<WebSocket>) -> CloseReason {
+        let (stopping, close) = (self.connections.state.tasks.stopping.clone(), self.outbox.close.clone());
+        loop {
+            let next = tokio::time::timeout(Duration::from_millis(SILENT_MS), stream.next());
+            let message = tokio::select! {
+                () = stopping.cancelled() => return CloseReason::Restart,
+                why = close.wait() => return why,
+                message = next => message,
+            };
+            let Ok(message) = message else { return CloseReason::Left };
+            match hear(message) {
+                Heard::Ask(ask) => self.hear(*ask),
+                Heard::Large(text) if self.rate.take() => self.large(text),
+                Heard::Large(_) => self.too_fast(None),
+                Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
+                Heard::Nothing => {}
+                Heard::End(why) => return why,
+            }
+        }
+    }
+
+    /// Stop always gets through, before all that waits; anything else has to keep to its share.
+    fn hear(&mut self, Ask { ask, request }: Ask) {
+        if let Request::Stop { behaviour, robot } = request {
+            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
+            self.outbox.say(Some(ask), Reply::Done);
+            return tracing::info!(by = self.by, "Stop");
+        }
+        let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. });
+        if (!self.rate.take() || !self.asking.ask(Ask { ask, request })) && matters {
+            self.too_fast(Some(ask));
+        }
+    }
+
+    fn large(&mut self, text: Utf8Bytes) {
+        if !self.asking.large(text, &self.connections.weights) {
+            self.too_fast(None);
+        }
+    }
+
+    fn too_fast(&self, ask: Option<u32>) {
+        self.outbox.say(ask, Reply::No { no: SaidNo::TooFast });
+    }
+}
+
+/// Does what one client asks.
+struct Session {
+    connections: Arc<Connections>,
+    outbox: Outbox,
+    me: Person,
+    /// The behaviour that is open.
+    open: Option<behaviour::Id>,
+    under_way: Arc<Semaphore>,
+    /// The room that the request at hand takes, if it is a large one.
+    weight: Option<Weight>,
+}
+
+impl Session {
+    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person) -> Self {
+        let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
+        Self { connections, outbox, me, open: None, under_way, weight: None }
+    }
+
+    fn member(&self) -> Member {
+        Member { person: self.me.clone(), link: Arc::new(self.outbox.clone()) }
+    }
+
+    /// One request after the other, until the link ended and all are done.
+    async fn work(mut self, mut asked: mpsc::Receiver<Asked>) {
+        while let Some(asked) = asked.recv().await {
+            match asked {
+                Asked::Small(ask) => self.request(ask.ask, ask.request),
+                Asked::Large(text, weight) => self.large(text, weight).await,
+            }
+        }
+        self.leave_open();
+    }
+
+    /// Reads a large message among the other work, then does what it asks.
+    async fn large(&mut self, text: Utf8Bytes, weight: Weight) {
+        let sender = Sender::Link(self.outbox.session);
+        match self.connections.state.workers.run(sender, move |_| read(&text)).await {
+            Ok(Heard::Ask(ask)) => {
+                self.weight = Some(weight);
+                self.request(ask.ask, ask.request);
+                self.weight = None;
+            }
+            Ok(Heard::Nonsense(ask, reason)) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
+            Ok(Heard::Large(_) | Heard::Nothing | Heard::End(_)) => {}
+            Err(why) => self.outbox.say(None, Reply::No { no: why.into() }),
+        }
+    }
+
+    fn leave_open(&mut self) {
+        if let Some(open) = self.open.take() {
+            self.connections.state.rooms.tell_open(&open, Note::Leave(self.outbox.session));
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
+
+use super::Session;
+use crate::connection::outbox::Out;
+use crate::connection::start;
+use crate::library::create::{self, Wish};
+use crate::library::trial::{self, Trial, helpers_of};
+use crate::library::{bin, insight, list, thumbnails};
+use crate::rooms::Note;
+use crate::rooms::member::Answer;
+use crate::state::ServerState;
+use crate::support::workers::Sender;
+use behaviour::{Change, Id};
+use protocol::{Reply, Request, SaidNo};
+use std::future::Future;
+use std::sync::Arc;
+use tokio_util::sync::CancellationToken;
+
+impl Session {
+    pub(super) fn request(&mut self, ask: u32, request: Request) {
+        match request {
+            Request::Hello { .. } => self.outbox.no(ask, SaidNo::Unreadable("the greeting came already".to_owned())),
+            Request::List { .. }
+            | Request::Pictures { .. }
+            | Request::WhereUsed { .. }
+            | Request::Drivers { .. }
+            | Request::Contested
+            | Request::Similar { .. } => self.look_up(ask, request),
+            Request::Create { behaviour, name, template } => self.create(ask, behaviour, name, template),
+            Request::Open { behaviour } => self.open(ask, behaviour),
+            Request::Leave => self.leave(ask),
+            Request::Remove { behaviour } => self.remove(ask, &behaviour),
+            Request::Restore { behaviour } => self.restore(ask, behaviour),
+            Request::Propose { behaviour, change } => self.propose(ask, &behaviour, change),
+            Request::Since { behaviour, revision } => {
+                let answer = self.answer(ask);
+                self.state().rooms.tell(&behaviour, Note::Since(revision, answer));
+            }
+            Request::Check { arguments, body, inputs } => {
+                let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
+                let sender = Sender::Link(self.outbox.session);
+                let check = move |_: &CancellationToken| {
+                    let helpers = helpers_of(&body, &snapshot.helpers());
+                    trial::check(&Trial { arguments, body, inputs, helpers })
+                };
+                self.later(ask, async move { Ok(workers.run(sender, check).await?) });
+            }
+            Request::Present { pointer, selected } => {
+                if let Some(open) = &self.open {
+                    self.state().rooms.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
+                }
+            }
+            Request::Start { behaviour, robot, record } => {
+                let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+                self.later(ask, async move { start::start(&state, behaviour, robot, record, by).await });
+            }
+            Request::Apply { behaviour, robot } => {
+                let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+                self.later(ask, async move { start::apply(&state, behaviour, robot, by).await });
+            }
+            // Who reads the socket did it already, unless it was hidden in a large message.
+            Request::Stop { behaviour, robot } => {
+                self.state().robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.me.name);
+                self.outbox.say(Some(ask), Reply::Done);
+            }
+            Request::Stimulate { behaviour, robot, stream, value } => {
+                let done = self.state().robots.stimulate(&behaviour, robot.as_ref(), &stream, &value);
+                self.done(ask, done);
+            }
+            Request::Mark { behaviour, robot, note } => {
+                let done = self.state().robots.mark(&behaviour, robot.as_ref(), &self.me.name, &note);
+                self.done(ask, done);
+            }
+            Request::EndRecording { behaviour, robot } => {
+                let done = self.state().robots.end_recording(&behaviour, robot.as_ref());
+                self.done(ask, done);
+            }
+            Request::Runs => {
+                let runs = self.state().robots.runs().borrow().to_vec();
+                self.outbox.say(Some(ask), Reply::Runs { runs });
+            }
+            Request::Place { .. } | Request::AddRobot { .. } | Request::RemoveRobot { .. } => {
+                self.change_robots(ask, request)
+            }
+            Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
+            Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
+            Request::Watch { robot, scene, values } => {
+                self.outbox.put(Out::Watch { robot, scene, values });
+                self.outbox.say(Some(ask), Reply::Done);
+            }
+        }
+    }
+
+    fn state(&self) -> &Arc<ServerState> {
+        &self.connections.state
+    }
+
+    /// Answers what was done at once, or not.
+    fn done(&self, ask: u32, done: Result<(), SaidNo>) {
+        self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
+    }
+
+    fn answer(&mut self, ask: u32) -> Answer {
+        let held = self.weight.take().map(|weight| Box::new(weight) as Box<dyn Send>);
+        Answer::Client { to: Arc::new(self.outbox.clone()), ask, held }
+    }
+
+    /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
+    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, SaidNo>> + Send + 'static) {
+        let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
+            return self.outbox.no(ask, SaidNo::TooFast);
+        };
+        let outbox = self.outbox.clone();
+        self.state().tasks.spawn(async move {
+            let reply = work.await.unwrap_or_else(|no| Reply::No { no });
+            outbox.say(Some(ask), reply);
+            drop(place);
+        });
+    }
+
+    /// What the store knows of all behaviours.
+    fn look_up(&self, ask: u32, request: Request) {
+        let state = Arc::clone(self.state());
+        self.later(ask, async move {
+            match request {
+                Request::List { query } => list::list(&*state.store, query).await,
+                Request::Pictures { of } => thumbnails::pictures(&*state.store, &state.thumbnails, of).await,
+                Request::WhereUsed { helper } => insight::where_used(&*state.store, &helper).await,
+                Request::Drivers { actuator } => insight::drivers(&*state.store, &actuator).await,
+                Request::Similar { behaviour } => insight::similar(&*state.store, &behaviour).await,
+                _ => insight::contested(&*state.store).await,
+            }
+        });
+    }
+
+    /// Which robots there are and who wins on them: kept before it counts, which may take its time.
+    fn change_robots(&self, ask: u32, request: Request) {
+        let robots = self.state().robots.clone();
+        let work = move || match request {
+            Request::AddRobot { robot, name } => robots.add(&robot, &name),
+            Request::RemoveRobot { robot } => robots.remove(&robot),
+            Request::Place { behaviour, robot, above } => {
+                robots.meant(robot.as_ref())?.place(&behaviour, above.as_ref())
+            }
+            _ => Ok(()),
+        };
+        let failed = |error: tokio::task::JoinError| Err(SaidNo::NotKept(error.to_string()));
+        self.later(
+            ask,
+            async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed).map(|()| Reply::Done) },
+        );
+    }
+
+    /// The folder of the recordings, which may take its time.
+    fn recordings(&self, ask: u32, request: Request) {
+        let recordings = self.state().recordings.clone();
+        let work = move || match request {
+            Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
+            _ => Ok(Reply::Recordings { recordings: recordings.list() }),
+        };
+        let failed = |error: tokio::task::JoinError| Err(SaidNo::CannotRecord(error.to_string()));
+        self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+    }
+
+    fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
+        let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+        let wish = Wish { behaviour, name, template, by };
+        self.later(ask, async move { create::create(&state.library, wish).await });
+    }
+
+    fn open(&mut self, ask: u32, behaviour: Id) {
+        if behaviour == *self.state().rooms.library() {
+            return self.outbox.no(ask, SaidNo::NoBehaviour);
+        }
+        self.leave_open();
+        self.outbox.put(Out::Unfollow);
+        self.state().rooms.tell(&behaviour, Note::Join(self.member(), ask, None));
+        self.open = Some(behaviour);
+    }
+
+    fn leave(&mut self, ask: u32) {
+        self.leave_open();
+        self.outbox.put(Out::Unfollow);
+        self.outbox.say(Some(ask), Reply::Done);
+    }
+
+    /// The author is who sends it, whatever the change says.
+    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change) {
+        let change = Change { author: self.me.name.clone(), ..change };
+        let answer = self.answer(ask);
+        self.state().rooms.tell(behaviour, Note::Propose(change, answer));
+    }
+
+    fn remove(&mut self, ask: u32, behaviour: &Id) {
+        if *behaviour == *self.state().rooms.library() {
+            self.outbox.no(ask, SaidNo::NoBehaviour);
+        } else {
+            let answer = self.answer(ask);
+            self.state().rooms.tell(behaviour, Note::Remove(self.me.name.clone(), answer));
+        }
+    }
+
+    fn restore(&self, ask: u32, behaviour: Id) {
+        let state = Arc::clone(self.state());
+        self.later(ask, async move { bin::restore(&state.library, &behaviour).await });
+    }
+}

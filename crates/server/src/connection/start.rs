@@ -1,0 +1,71 @@
+//! Starting a behaviour: its problems first, then the robot gets the file of the revision that is saved.
+
+use crate::robots::Start;
+use crate::rooms::Look;
+use crate::state::ServerState;
+use crate::support::workers::Sender;
+use behaviour::{BehaviourFile, Id, Problem};
+use protocol::{Reply, SaidNo};
+use std::sync::Arc;
+
+/// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
+pub(crate) async fn start(
+    state: &ServerState,
+    behaviour: Id,
+    robot: Option<Id>,
+    record: bool,
+    by: String,
+) -> Result<Reply, SaidNo> {
+    let host = state.robots.meant(robot.as_ref())?;
+    // Before anything is looked at, so that neither a Stop nor a removal can come between.
+    let announced = host.announce(&behaviour).map_err(SaidNo::CannotStart)?;
+    let look = state.rooms.look(&behaviour).await?;
+    let revision = look.revision();
+    let file = ready(state, &behaviour, look).await?;
+    let stopped = || SaidNo::CannotStart("Stop was pressed".to_owned());
+    if announced.is_cancelled() || state.tasks.ends() {
+        return Err(stopped());
+    }
+    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
+    let begun = host.start_announced(&announced, start).await;
+    if announced.is_cancelled() {
+        return Err(begun.err().map_or_else(stopped, SaidNo::CannotStart));
+    }
+    begun.map_err(SaidNo::CannotStart)?;
+    tracing::info!(%behaviour, robot = %host.id(), revision, by, "a behaviour starts");
+    Ok(Reply::Done)
+}
+
+/// Lets the running behaviour go on with the revision that is saved. If it is refused, what runs goes on as it is.
+pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>, by: String) -> Result<Reply, SaidNo> {
+    let hosts = state.robots.running(&behaviour, robot.as_ref())?;
+    let look = state.rooms.look(&behaviour).await?;
+    let revision = look.revision();
+    let file = ready(state, &behaviour, look).await.map_err(|no| match no {
+        SaidNo::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
+        other => other,
+    })?;
+    let file = Arc::new(file);
+    for host in hosts {
+        let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
+        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(not_applied)?;
+    }
+    tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
+    Ok(Reply::Done)
+}
+
+fn not_applied(reason: String) -> SaidNo {
+    SaidNo::NotApplied(reason.trim_end_matches('.').to_owned())
+}
+
+/// The file to run, if no problem stops it.
+async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<BehaviourFile, SaidNo> {
+    let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
+    let judge = move || {
+        let helpers = snapshot.helpers();
+        let mut problems = ::behaviour::problems(look.behaviour(), &helpers, &*knowing);
+        problems.retain(|problem: &Problem| problem.blocks);
+        if problems.is_empty() { Ok(BehaviourFile::of(look.behaviour(), &helpers)) } else { Err(problems) }
+    };
+    state.workers.run(Sender::Room(behaviour.clone()), move |_| judge()).await?.map_err(SaidNo::Problems)
+}

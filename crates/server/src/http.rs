@@ -1,0 +1,14 @@
+//! HTTP: accepting connections, Stop, the routes and what they answer with.
+
+pub(crate) mod accept;
+pub(crate) mod address;
+mod downloads;
+mod headers;
+pub(crate) mod origin;
+mod page;
+mod recordings;
+pub(crate) mod routes;
+pub(crate) mod serving;
+mod stop;
+mod transfer;
+mod upload;

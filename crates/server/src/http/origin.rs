@@ -1,0 +1,164 @@
+//! Who may come in: pages that this server served, on this computer. Another page in the same browser may not, even
+//! if a name was bent to point here.
+
+use axum::extract::Request;
+use axum::http::{HeaderMap, HeaderName, header};
+use std::net::IpAddr;
+
+/// Tells who may come in to the server on this port.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct OriginGuard {
+    port: u16,
+}
+
+impl OriginGuard {
+    /// For a server that listens on `port`.
+    pub(crate) fn of(port: u16) -> Self {
+        Self { port }
+    }
+
+    /// Whether a Stop is taken from there: never refused to somebody without a browser.
+    ///
+    /// # Errors
+    /// Why not.
+    pub(crate) fn may_stop(self, host: Option<&str>, origin: Option<&str>) -> Result<(), &'static str> {
+        check(self.port, host, origin, Origin::Optional)
+    }
+
+    /// Whether a request is answered. What changes something must say where it comes from; another page gets nothing,
+    /// neither to change nor to read.
+    ///
+    /// # Errors
+    /// Why not.
+    pub(crate) fn may_enter(self, request: &Request) -> Result<(), &'static str> {
+        let of = |name: HeaderName| request.headers().get(name).map(|value| value.to_str().unwrap_or("?"));
+        let path = request.uri().path();
+        let free = request.method().is_safe() || path == protocol::STOP_PATH;
+        let need = if free { Origin::Optional } else { Origin::Required };
+        check(self.port, of(header::HOST), of(header::ORIGIN), need)?;
+        if is_from_another_page(request.headers(), path) { Err("another page may not use this server") } else { Ok(()) }
+    }
+}
+
+/// What browsers say of requests without an Origin. Following a link to the page itself is fine.
+fn is_from_another_page(headers: &HeaderMap, path: &str) -> bool {
+    let is = |name: &str, words: &[&str]| {
+        let said = headers.get(name).and_then(|value| value.to_str().ok());
+        said.is_some_and(|said| words.contains(&said))
+    };
+    let follows_link = is("sec-fetch-mode", &["navigate"]) && !path.starts_with("/api/");
+    is("sec-fetch-site", &["cross-site", "same-site"]) && !follows_link
+}
+
+/// Whether a missing Origin is fine: browsers always send one where it matters, other programs never do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Origin {
+    /// It may be missing.
+    Optional,
+    /// It must be there.
+    Required,
+}
+
+/// Whether the Host is this computer and this port, and the Origin the same.
+fn check(port: u16, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), &'static str> {
+    let host = host.ok_or("the request does not say for which host it is")?;
+    if !is_here(host, port) {
+        return Err("this server answers under localhost only");
+    }
+    match origin {
+        Some(origin) if origin.strip_prefix("http://") == Some(host) => Ok(()),
+        Some(_) => Err("another page may not use this server"),
+        None if need == Origin::Optional => Ok(()),
+        None => Err("the request does not say from which page it is"),
+    }
+}
+
+/// A loopback name or address with our port, or without one.
+fn is_here(host: &str, port: u16) -> bool {
+    let (name, said) = split_port(host);
+    let fits = said.is_none_or(|said| said.parse() == Ok(port) && said.bytes().all(|byte| byte.is_ascii_digit()));
+    fits && is_loopback(name)
+}
+
+/// `[::1]:80` and `localhost:80` into name and port.
+fn split_port(host: &str) -> (&str, Option<&str>) {
+    match host.rsplit_once(':') {
+        Some((name, port)) if !port.contains(']') => (name, Some(port)),
+        _ => (host, None),
+    }
+}
+
+fn is_loopback(name: &str) -> bool {
+    let bare = name.strip_prefix('[').and_then(|rest| rest.strip_suffix(']'));
+    let address = match bare {
+        Some(v6) => v6.parse().map(IpAddr::V6).ok(),
+        None => name.parse().map(IpAddr::V4).ok(),
+    };
+    name.eq_ignore_ascii_case("localhost") || address.is_some_and(|address| address.is_loopback())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Origin, OriginGuard, check};
+    use axum::body::Body;
+    use axum::extract::Request;
+
+    #[test]
+    fn another_page_gets_nothing_and_may_only_link_to_the_page() {
+        let table = [
+            ("/api/backup", vec![("origin", "http://evil.example")], false),
+            ("/api/backup", vec![("sec-fetch-site", "cross-site"), ("sec-fetch-mode", "no-cors")], false),
+            ("/api/backup", vec![("sec-fetch-site", "cross-site"), ("sec-fetch-mode", "navigate")], false),
+            ("/app.js", vec![("sec-fetch-site", "same-site"), ("sec-fetch-mode", "no-cors")], false),
+            ("/", vec![("sec-fetch-site", "cross-site"), ("sec-fetch-mode", "navigate")], true),
+            ("/api/backup", vec![("sec-fetch-site", "same-origin")], true),
+            ("/api/backup", vec![("sec-fetch-site", "none"), ("sec-fetch-mode", "navigate")], true),
+            ("/api/backup", vec![], true),
+        ];
+        for (path, headers, may) in table {
+            let mut request = Request::builder().uri(path).header("host", "localhost:7130");
+            for (name, value) in &headers {
+                request = request.header(*name, *value);
+            }
+            let request = request.body(Body::empty()).unwrap();
+            assert_eq!(OriginGuard::of(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
+        }
+    }
+
+    #[test]
+    fn only_our_own_pages_come_in() {
+        let table = [
+            (Some("localhost:7130"), Some("http://localhost:7130"), true),
+            (Some("LOCALHOST:7130"), Some("http://LOCALHOST:7130"), true),
+            (Some("127.0.0.1:7130"), Some("http://127.0.0.1:7130"), true),
+            (Some("127.9.9.9:7130"), Some("http://127.9.9.9:7130"), true),
+            (Some("[::1]:7130"), Some("http://[::1]:7130"), true),
+            (Some("localhost"), Some("http://localhost"), true),
+            (Some("[::1]"), Some("http://[::1]"), true),
+            (Some("localhost:7130"), None, true),
+            (None, None, false),
+            (None, Some("http://localhost:7130"), false),
+            (Some("localhost:7131"), Some("http://localhost:7131"), false),
+            (Some("localhost:07130x"), None, false),
+            (Some("localhost:+7130"), None, false),
+            (Some("localhost:7130"), Some("https://localhost:7130"), false),
+            (Some("localhost:7130"), Some("http://127.0.0.1:7130"), false),
+            (Some("localhost:7130"), Some("http://localhost:7131"), false),
+            (Some("localhost:7130"), Some("http://localhost:7130.evil.example"), false),
+            (Some("localhost:7130"), Some("http://evil.example"), false),
+            (Some("localhost:7130"), Some("null"), false),
+            (Some("localhost:7130"), Some(""), false),
+            (Some("evil.example:7130"), Some("http://evil.example:7130"), false),
+            (Some("localhost.evil.example"), None, false),
+            (Some("127.0.0.1.nip.io:7130"), None, false),
+            (Some("192.168.1.5:7130"), Some("http://192.168.1.5:7130"), false),
+            (Some("[::2]:7130"), None, false),
+            (Some("user@localhost:7130"), None, false),
+        ];
+        for (host, origin, may) in table {
+            let answer = check(7130, host, origin, Origin::Optional);
+            assert_eq!(answer.is_ok(), may, "{host:?} {origin:?}: {answer:?}");
+        }
+        assert!(check(7130, Some("localhost:7130"), None, Origin::Required).is_err());
+    }
+}

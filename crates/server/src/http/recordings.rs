@@ -1,0 +1,48 @@
+//! Recordings over HTTP: the list, and a file as it is so far.
+
+use crate::recordings::Recordings;
+use axum::Json;
+use axum::body::{Body, Bytes};
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use protocol::SaidNo;
+use std::fs::File;
+use std::io::Read;
+
+/// Size of a piece, in bytes.
+const PIECE_BYTES: usize = 64 << 10;
+
+/// All recordings, newest first.
+pub(crate) async fn list(recordings: Recordings) -> Response {
+    match tokio::task::spawn_blocking(move || recordings.list()).await {
+        Ok(list) => Json(list).into_response(),
+        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
+    }
+}
+
+/// One recording, read piece by piece as it is taken.
+pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
+    let wanted = name.clone();
+    let open = move || recordings.find(&wanted).map(File::open);
+    let file = match tokio::task::spawn_blocking(open).await {
+        Ok(Some(Ok(file))) => file,
+        Ok(Some(Err(error))) => return (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
+        _ => return (StatusCode::NOT_FOUND, format!("{}\n", SaidNo::NoRecording)).into_response(),
+    };
+    let headers = [
+        (header::CONTENT_TYPE, "application/jsonl".to_owned()),
+        (header::CONTENT_DISPOSITION, format!("attachment; filename=\"{name}\"")),
+    ];
+    (headers, Body::from_stream(futures_util::stream::try_unfold(file, next_piece))).into_response()
+}
+
+/// The next piece of a file. Nothing waits for the reader: it is read only when it is wanted.
+async fn next_piece(file: File) -> std::io::Result<Option<(Bytes, File)>> {
+    let read = tokio::task::spawn_blocking(move || {
+        let mut piece = Vec::with_capacity(PIECE_BYTES);
+        (&file).take(PIECE_BYTES as u64).read_to_end(&mut piece)?;
+        Ok::<_, std::io::Error>((Bytes::from(piece), file))
+    });
+    let (piece, file) = read.await.map_err(std::io::Error::other)??;
+    Ok((!piece.is_empty()).then_some((piece, file)))
+}

@@ -1,0 +1,158 @@
+//! The routes.
+
+use super::downloads::{Downloads, few_at_once};
+use super::headers::HEADERS;
+use super::origin::OriginGuard;
+use super::stop::StopTarget;
+use super::{page, recordings, transfer, upload};
+use crate::connection::{Connections, session};
+use crate::state::ServerState;
+use crate::support::places::Places;
+use crate::support::store_call::bounded;
+use crate::support::workers::Sender;
+use axum::extract::rejection::QueryRejection;
+use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
+use axum::middleware::{self, Next};
+use axum::response::{IntoResponse, Response};
+use axum::routing::{any, get, post};
+use axum::{Json, Router};
+use protocol::MESSAGE_MAX_BYTES;
+use std::sync::Arc;
+use std::time::Duration;
+use store::files::FILE_MAX_BYTES;
+use tokio::runtime::Handle;
+use tower_http::set_header::SetResponseHeaderLayer;
+use tower_http::timeout::{RequestBodyTimeoutLayer, TimeoutLayer};
+
+/// What may wait to be written to one socket, in bytes: some large messages; then its writer waits.
+const WRITE_MAX_BYTES: usize = 16 << 20;
+
+/// How long a request may take to be answered; a download may take longer once it began.
+const REQUEST_MS: u64 = 60_000;
+/// Files that may be on their way to us; the oldest gives way.
+const UPLOADS_MAX: usize = 8;
+/// How long the next piece of a request may take to come.
+const PIECE_MS: u64 = 5_000;
+
+/// What the routes work with.
+#[derive(Clone)]
+struct AppState {
+    connections: Arc<Connections>,
+    guard: OriginGuard,
+    /// Files that are being sent to us.
+    uploads: Arc<Places>,
+    /// The threads that carry messages.
+    messages: Handle,
+}
+
+impl AppState {
+    fn state(&self) -> &Arc<ServerState> {
+        &self.connections.state
+    }
+}
+
+/// All routes; sockets are served on `messages`.
+pub(crate) fn routes(connections: Arc<Connections>, guard: OriginGuard, messages: Handle) -> Router {
+    let app = AppState { connections, guard, uploads: Places::of(UPLOADS_MAX), messages };
+    let router = Router::new()
+        .route(protocol::PATH, any(socket))
+        .route(protocol::STOP_PATH, post(stop))
+        .route("/healthz", get(|| async { "ok\n" }))
+        .route("/readyz", get(readyz))
+        .merge(files_to_keep())
+        .route("/api/import", post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)))
+        .fallback(get(files))
+        .layer(RequestBodyTimeoutLayer::new(Duration::from_millis(PIECE_MS)))
+        .layer(TimeoutLayer::with_status_code(StatusCode::REQUEST_TIMEOUT, Duration::from_millis(REQUEST_MS)))
+        .layer(middleware::from_fn_with_state(app.clone(), guard_all))
+        .with_state(app);
+    with_headers(router)
+}
+
+/// What people download.
+fn files_to_keep() -> Router<AppState> {
+    Router::new()
+        .route("/api/behaviours", get(list))
+        .route("/api/behaviours/{file}", get(download))
+        .route("/api/backup", get(backup))
+        .route(protocol::RECORDINGS_PATH, get(list_recordings))
+        .route(&format!("{}/{{file}}", protocol::RECORDINGS_PATH), get(recording))
+        .layer(middleware::from_fn_with_state(Downloads::default(), few_at_once))
+}
+
+/// Puts the headers on every answer, whoever gives it.
+fn with_headers(router: Router) -> Router {
+    HEADERS.into_iter().fold(router, |router, (name, value)| {
+        let (name, value) = (HeaderName::from_static(name), HeaderValue::from_static(value));
+        router.layer(SetResponseHeaderLayer::overriding(name, value))
+    })
+}
+
+/// Lets in only whom the guard lets in.
+async fn guard_all(State(app): State<AppState>, request: Request, next: Next) -> Response {
+    match app.guard.may_enter(&request) {
+        Ok(()) => next.run(request).await,
+        Err(why) => {
+            tracing::warn!(why, "a request was turned away");
+            (StatusCode::FORBIDDEN, format!("Refused: {why}.\n")).into_response()
+        }
+    }
+}
+
+async fn socket(State(app): State<AppState>, upgrade: WebSocketUpgrade) -> Response {
+    let Some(place) = app.connections.place() else {
+        return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages are open. Close some.\n").into_response();
+    };
+    let upgrade = upgrade.max_message_size(MESSAGE_MAX_BYTES).max_frame_size(MESSAGE_MAX_BYTES);
+    let upgrade = upgrade.write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
+    upgrade.on_upgrade(move |socket| async move {
+        let tracker = app.connections.state.tasks.tracker.clone();
+        let _ = tracker.spawn_on(session::run(app.connections, socket), &app.messages).await;
+        drop(place);
+    })
+}
+
+/// The accepting thread answers almost every Stop; this one is for requests that are written in another way.
+async fn stop(State(app): State<AppState>, which: Result<Query<StopTarget>, QueryRejection>) -> Response {
+    let which = which.map(|Query(which)| which).unwrap_or_default();
+    app.state().robots.stop_now(which.behaviour.as_ref(), which.robot.as_ref(), "the Stop button");
+    Json(serde_json::json!({ "stopped": true })).into_response()
+}
+
+async fn readyz(State(app): State<AppState>) -> Response {
+    match bounded(app.state().store.healthy()).await {
+        Ok(()) => "ready\n".into_response(),
+        Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
+    }
+}
+
+async fn list(State(app): State<AppState>) -> Response {
+    transfer::list(&*app.state().store).await
+}
+
+async fn backup(State(app): State<AppState>) -> Response {
+    transfer::backup(app.state())
+}
+
+async fn list_recordings(State(app): State<AppState>) -> Response {
+    recordings::list(app.state().recordings.clone()).await
+}
+
+async fn recording(State(app): State<AppState>, Path(file): Path<String>) -> Response {
+    recordings::download(app.state().recordings.clone(), file).await
+}
+
+async fn download(State(app): State<AppState>, Path(file): Path<String>) -> Response {
+    transfer::download(&app.state().rooms, &file).await
+}
+
+async fn import(State(app): State<AppState>, Query(how): Query<upload::How>, request: Request) -> Response {
+    let sender = Sender::Request(app.connections.number());
+    upload::upload(&app.state().library, &app.uploads, sender, how, request).await
+}
+
+async fn files(method: Method, uri: Uri, asked: HeaderMap) -> Response {
+    debug_assert!(method.is_safe());
+    page::answer(uri.path(), &asked)
+}

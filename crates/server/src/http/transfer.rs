@@ -1,0 +1,85 @@
+//! Behaviours as files, out of the server.
+
+use crate::library::list::names;
+use crate::rooms::Rooms;
+use crate::state::ServerState;
+use axum::Json;
+use axum::body::Body;
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use behaviour::{BehaviourFile, Id};
+use protocol::SaidNo;
+use std::sync::Arc;
+use store::Store;
+
+/// Lines of a backup that wait to be sent.
+const LINES_MAX: usize = 1;
+
+/// A behaviour as a file to keep: `ID.json`, `ID.xml` or `ID.svg`.
+pub(crate) async fn download(rooms: &Rooms, file: &str) -> Response {
+    let gone = |no: SaidNo| (StatusCode::NOT_FOUND, format!("{no}\n")).into_response();
+    let (id, format) = file.rsplit_once('.').unwrap_or((file, ""));
+    let (Ok(id), "json" | "xml" | "svg") = (Id::new(id), format) else { return gone(SaidNo::NoBehaviour) };
+    let look = match rooms.look(&id).await {
+        Ok(look) if look.behaviour().settings().is_some() => look,
+        Ok(_) | Err(SaidNo::NoBehaviour) => return gone(SaidNo::NoBehaviour),
+        Err(no) => return (StatusCode::SERVICE_UNAVAILABLE, format!("{no}\n")).into_response(),
+    };
+    let mut file = BehaviourFile::of(look.behaviour(), &rooms.snapshot().helpers());
+    file.id = Some(id.to_string());
+    match format {
+        "json" => attached(&file.name, format, "application/json", store::files::write_json(&file)),
+        "svg" => attached(&file.name, format, "image/svg+xml", store::files::write_svg(&file)),
+        _ => match store::files::write_xml(&file) {
+            Ok(text) => attached(&file.name, format, "application/xml", text),
+            Err(reason) => (StatusCode::UNPROCESSABLE_ENTITY, format!("{reason}\n")).into_response(),
+        },
+    }
+}
+
+/// Id and name of every behaviour that is not in the bin, by name.
+pub(crate) async fn list(store: &dyn Store) -> Response {
+    let line = |(id, name): &(Id, String)| serde_json::json!({"id": id, "name": name});
+    match names(store).await {
+        Ok(names) => Json(names.iter().map(line).collect::<Vec<_>>()).into_response(),
+        Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
+    }
+}
+
+/// Everything that is kept, line by line as it is read; the last line tells that nothing is missing.
+pub(crate) fn backup(state: &Arc<ServerState>) -> Response {
+    let (tell, told) = tokio::sync::mpsc::channel::<String>(LINES_MAX);
+    let writing = Arc::clone(state);
+    state.tasks.tracker.spawn(async move {
+        let put = |line: String| {
+            let tell = tell.clone();
+            async move { tell.send(line).await.map_err(std::io::Error::other) }
+        };
+        let kept = writing.robots.clone();
+        let Ok(robots) = tokio::task::spawn_blocking(move || kept.kept()).await else { return };
+        let taken = store::backup::backup(&*writing.store, writing.epoch, &robots, put, &|_, _| {});
+        match writing.tasks.until_end(taken).await {
+            Some(Ok(done)) => tracing::info!(?done, "a backup was taken"),
+            Some(Err(error)) => tracing::warn!(%error, "a backup did not come to its end"),
+            None => {}
+        }
+    });
+    let lines = futures_util::stream::unfold(told, async |mut told| {
+        let line = told.recv().await?;
+        Some((Ok::<_, std::io::Error>(line), told))
+    });
+    let headers = [
+        (header::CONTENT_TYPE, "application/jsonl"),
+        (header::CONTENT_DISPOSITION, "attachment; filename=\"rrp.rrpbackup\""),
+    ];
+    (headers, Body::from_stream(lines)).into_response()
+}
+
+/// As a file to keep, named after the behaviour as far as letters of file names go.
+fn attached(name: &str, ending: &str, kind: &str, text: String) -> Response {
+    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
+    let name: String = name.chars().take(60).map(plain).collect();
+    let disposition = format!("attachment; filename=\"{name}.{ending}\"");
+    let headers = [(header::CONTENT_TYPE, kind.to_owned()), (header::CONTENT_DISPOSITION, disposition)];
+    (headers, text).into_response()
+}

@@ -1,0 +1,90 @@
+//! Behaviours as files, into the server: a file is taken whole, in one of few places and within a time.
+
+use crate::library::Library;
+use crate::library::import::{NotImported, import};
+use crate::support::places::Places;
+use crate::support::workers::Sender;
+use axum::Json;
+use axum::body::Bytes;
+use axum::extract::{FromRequest, Request};
+use axum::http::StatusCode;
+use axum::response::{IntoResponse, Response};
+use protocol::SaidNo;
+use serde::Deserialize;
+use std::sync::Arc;
+use std::time::Duration;
+use store::files::{FILE_MAX_BYTES, Import, Mode};
+
+/// How long a file may take to come.
+const UPLOAD_MS: u64 = 20_000;
+
+/// How a file is to be imported.
+#[derive(Debug, Default, Deserialize)]
+pub(super) struct How {
+    #[serde(default)]
+    mode: Wanted,
+    /// Who imports it.
+    #[serde(default)]
+    by: String,
+}
+
+#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Wanted {
+    #[default]
+    Copy,
+    Restore,
+}
+
+/// Takes a file in one of these places, imports it for this sender and says what became of it.
+pub(super) async fn upload(
+    library: &Arc<Library>,
+    places: &Arc<Places>,
+    sender: Sender,
+    how: How,
+    request: Request,
+) -> Response {
+    let place = places.take();
+    let taken = tokio::time::timeout(Duration::from_millis(UPLOAD_MS), Bytes::from_request(request, &()));
+    match place.hold(taken).await {
+        Some(Ok(Ok(body))) => answer(bring(library, sender, how, body).await),
+        Some(Ok(Err(error))) if error.status() == StatusCode::PAYLOAD_TOO_LARGE => {
+            let sentence = format!("The file is larger than {FILE_MAX_BYTES} bytes. Split it into several.");
+            refusal(StatusCode::PAYLOAD_TOO_LARGE, &sentence)
+        }
+        Some(Ok(Err(_)) | Err(_)) | None => {
+            refusal(StatusCode::REQUEST_TIMEOUT, "The file did not come whole, or took too long. Try again.")
+        }
+    }
+}
+
+async fn bring(library: &Arc<Library>, sender: Sender, how: How, body: Bytes) -> Result<Import, NotImported> {
+    let mode = match how.mode {
+        Wanted::Copy => Mode::Copy,
+        Wanted::Restore => Mode::Restore,
+    };
+    import(library, sender, mode, &how.by, body).await
+}
+
+fn answer(imported: Result<Import, NotImported>) -> Response {
+    match imported {
+        Ok(Import { behaviour, name, renamed, .. }) => {
+            tracing::info!(%behaviour, "a behaviour was imported");
+            Json(serde_json::json!({"id": behaviour, "name": name, "renamedHelpers": renamed})).into_response()
+        }
+        Err(why) => refusal(status(&why), &why.to_string()),
+    }
+}
+
+fn status(why: &NotImported) -> StatusCode {
+    match why {
+        NotImported::Fault(_) => StatusCode::BAD_REQUEST,
+        NotImported::Present => StatusCode::CONFLICT,
+        NotImported::Refused(SaidNo::Store(_) | SaidNo::TooFast) => StatusCode::SERVICE_UNAVAILABLE,
+        NotImported::Refused(_) => StatusCode::UNPROCESSABLE_ENTITY,
+    }
+}
+
+fn refusal(status: StatusCode, sentence: &str) -> Response {
+    (status, Json(serde_json::json!({ "error": sentence }))).into_response()
+}

@@ -1,0 +1,137 @@
+//! Making a behaviour: empty or from a template, whose helpers join the library.
+
+use super::Library;
+use super::import::{TRIES, is_overtaken, judge, shelve};
+use super::list::free_name;
+use super::templates::{Template, templates};
+use crate::support::store_call::{bounded, reason, store_no};
+use crate::support::workers::Sender;
+use behaviour::{
+    Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
+};
+use protocol::{Reply, SaidNo};
+use std::sync::Arc;
+use store::files::Mode;
+use store::{Append, StoreError};
+use uuid::Uuid;
+
+/// What a client wants made.
+pub(crate) struct Wish {
+    /// Its id.
+    pub(crate) behaviour: Id,
+    /// Its name.
+    pub(crate) name: String,
+    /// The template's name.
+    pub(crate) template: Option<String>,
+    /// Who wants it.
+    pub(crate) by: String,
+}
+
+/// Makes the behaviour; asked twice with the same id, it makes one.
+pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, SaidNo> {
+    let template = wish.template.as_deref().map(find).transpose()?;
+    if wish.behaviour == *library.rooms.library() {
+        return Err(SaidNo::NoBehaviour);
+    }
+    check_name(&wish.name)?;
+    if is_there(library, &wish).await? {
+        return Ok(Reply::Created { behaviour: wish.behaviour });
+    }
+    let records = match template {
+        Some(template) => from_template(library, template, &wish).await?,
+        None => Behaviour::default(),
+    };
+    let _one_at_a_time = library.creating.lock().await;
+    if !is_there(library, &wish).await? {
+        save(library, &wish, records).await?;
+    }
+    Ok(Reply::Created { behaviour: wish.behaviour })
+}
+
+async fn is_there(library: &Library, wish: &Wish) -> Result<bool, SaidNo> {
+    let there = bounded(library.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
+    Ok(there.is_some())
+}
+
+fn find(name: &str) -> Result<&'static Template, SaidNo> {
+    let shown = || SaidNo::NoTemplate(name.chars().take(40).collect());
+    templates().iter().find(|template| template.name == name).ok_or_else(shown)
+}
+
+pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
+    let no = |refusal| Err(SaidNo::Change(refusal));
+    let shown = || without_unseen(name).chars().take(40).collect();
+    if name.trim().is_empty() {
+        return no(Refusal::Name(shown()));
+    }
+    if has_unseen(name) {
+        return no(Refusal::Unseen(shown()));
+    }
+    // Room for the number that a taken name gets.
+    let most = behaviour::NAME_MAX_CHARS - 10;
+    if name.chars().count() > most { no(Refusal::TooLong("This name".to_owned(), most)) } else { Ok(()) }
+}
+
+async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Result<(), SaidNo> {
+    let name = free_name(&*library.store, wish.name.trim()).await.map_err(|error| store_no(&error))?;
+    let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
+    let settings = Settings { name: name.clone(), ..settings };
+    records.records.insert(RecordId::settings(), Record::Settings(settings));
+    let mut change = Change::of(wish.behaviour.clone(), &wish.by, &format!("Add {name}"));
+    change.label = change.label.chars().take(behaviour::NAME_MAX_CHARS).collect();
+    change.at_ms = crate::support::now_ms();
+    for (id, record) in &records.records {
+        change = change.put(&Behaviour::default(), id.clone(), record.clone());
+    }
+    let first = Accepted { revision: 1, change };
+    append(library, &wish.behaviour, &first, &records).await?;
+    library.rooms.news().changed(&first);
+    Ok(())
+}
+
+/// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
+pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
+    let mut answer = bounded(library.store.append(id, made, after)).await;
+    if answer.as_ref().is_err_and(StoreError::is_open) {
+        answer = bounded(library.store.append(id, made, after)).await;
+    }
+    match answer {
+        Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
+        Ok(Append::Conflict { .. }) => Err(SaidNo::Change(Refusal::Stale("this behaviour".to_owned()))),
+        Err(error) => {
+            library.health.failed(&error);
+            Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))
+        }
+    }
+}
+
+/// The records of a template under new ids, its helpers in the library.
+async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish) -> Result<Behaviour, SaidNo> {
+    let (file, sender) = (Arc::new(template.file()), Sender::Room(wish.behaviour.clone()));
+    let mut last = SaidNo::TooFast;
+    for _ in 0..TRIES {
+        let brought = judge(library, &sender, &file, Mode::Copy, &wish.by).await?;
+        match shelve(library, &brought).await {
+            Err(no) if is_overtaken(&no) => last = no,
+            Err(no) => return Err(no),
+            Ok(()) => {
+                let mut records = Behaviour::default();
+                brought.changes.iter().for_each(|change| records.apply(change));
+                return Ok(records);
+            }
+        }
+    }
+    Err(last)
+}
+
+/// The library of a fresh store: the helpers that come with the robot, as one change.
+#[must_use]
+pub fn first_library() -> Committed {
+    let mut change = Change::of(Id::from_uuid(Uuid::new_v4()), "rrp", "Add the helpers that come with rrp");
+    change.at_ms = crate::support::now_ms();
+    for helper in robot::shipped_helpers() {
+        let id = RecordId::new(Kind::Helper, &Id::from_uuid(Uuid::new_v4()));
+        change = change.put(&Behaviour::default(), id, Record::Helper(helper));
+    }
+    Committed { revision: 1, change }
+}

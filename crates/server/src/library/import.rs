@@ -1,0 +1,229 @@
+//! Behaviours out of files. Reading and judging a file is done by the workers and ends when its sender goes; then the
+//! helpers and the behaviour are saved in one step that goes through whatever becomes of the sender.
+
+use super::Library;
+use super::create::{append, check_name};
+use super::list::free_name;
+use crate::rooms::knowledge::Knowing;
+use crate::support::store_call::{bounded, store_no};
+use crate::support::workers::Sender;
+use axum::body::Bytes;
+use behaviour::{
+    Behaviour, BehaviourFile, Change, Committed, Id, Knowledge, NAME_MAX_CHARS, Params, Refusal, Room, StreamKind,
+    without_unseen,
+};
+use protocol::SaidNo;
+use std::fmt;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use store::files::{FileFault, Import, Looked, Mode};
+use uuid::Uuid;
+
+/// How often a file is tried when others change the library at the same moment.
+pub(crate) const TRIES: usize = 5;
+/// How long the procedures of a file may take to be checked.
+const CHECK_MS: u64 = 2_000;
+
+/// Why a file was not imported.
+#[derive(Debug)]
+pub(crate) enum NotImported {
+    /// The file cannot be read.
+    Fault(FileFault),
+    /// The behaviour is here already.
+    Present,
+    /// What the file asks for is refused.
+    Refused(SaidNo),
+}
+
+impl NotImported {
+    /// Whether somebody else was quicker, so that it may go well another time.
+    fn is_overtaken(&self) -> bool {
+        matches!(self, Self::Refused(no) if is_overtaken(no))
+    }
+}
+
+impl fmt::Display for NotImported {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Fault(fault) => write!(to, "{fault}"),
+            Self::Present => to.write_str(
+                "This behaviour is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
+            ),
+            Self::Refused(no) => write!(to, "{no}"),
+        }
+    }
+}
+
+impl From<SaidNo> for NotImported {
+    fn from(no: SaidNo) -> Self {
+        Self::Refused(no)
+    }
+}
+
+impl From<FileFault> for NotImported {
+    fn from(fault: FileFault) -> Self {
+        Self::Fault(fault)
+    }
+}
+
+/// Imports a file in somebody's name.
+pub(crate) async fn import(
+    library: &Arc<Library>,
+    sender: Sender,
+    mode: Mode,
+    by: &str,
+    body: Bytes,
+) -> Result<Import, NotImported> {
+    let file = Arc::new(library.workers.run(sender.clone(), move |_| read(&body)).await.map_err(SaidNo::from)??);
+    let by: String = without_unseen(by).chars().take(NAME_MAX_CHARS).collect();
+    if mode == Mode::Restore {
+        check_absent(library, &file).await?;
+    }
+    let mut last = NotImported::Refused(SaidNo::TooFast);
+    for _ in 0..TRIES {
+        let brought = judge(library, &sender, &file, mode, &by).await?;
+        let finishing = finish(Arc::clone(library), Arc::clone(&file), mode, brought);
+        match library.tasks.spawn(finishing).await.map_err(|error| SaidNo::Unreadable(error.to_string()))? {
+            Err(no) if no.is_overtaken() => last = no,
+            done => return done,
+        }
+    }
+    Err(last)
+}
+
+/// The file, if its form and its records are as they should be.
+fn read(body: &[u8]) -> Result<BehaviourFile, NotImported> {
+    let mut looked = store::files::look(body);
+    let Some(file) = looked.file.take() else {
+        return Err(looked.faults.into_iter().next().map_or_else(|| SaidNo::NoBehaviour.into(), NotImported::from));
+    };
+    check_records(&file, &looked)?;
+    check_name(&file.name)?;
+    Ok(file)
+}
+
+/// What the records say of themselves, with the line.
+fn check_records(file: &BehaviourFile, looked: &Looked) -> Result<(), NotImported> {
+    let faults = file.records(|_| None).err().unwrap_or_default();
+    looked.place(&faults).into_iter().next().map_or(Ok(()), |fault| Err(fault.into()))
+}
+
+async fn check_absent(library: &Arc<Library>, file: &BehaviourFile) -> Result<(), NotImported> {
+    let Some(id) = file.id.as_deref().and_then(|id| Id::new(id).ok()) else { return Ok(()) };
+    let there = bounded(library.store.load(&id)).await.map_err(|error| store_no(&error))?;
+    if there.is_none() && id != *library.rooms.library() {
+        return Ok(());
+    }
+    Err(NotImported::Present)
+}
+
+/// What an import changes, if that keeps the rules. Nothing is saved.
+pub(crate) async fn judge(
+    library: &Arc<Library>,
+    sender: &Sender,
+    file: &Arc<BehaviourFile>,
+    mode: Mode,
+    by: &str,
+) -> Result<Import, SaidNo> {
+    let (file, helpers, by) = (Arc::clone(file), library.rooms.snapshot(), by.to_owned());
+    let knowing = Arc::clone(&library.knowing);
+    let judged = library.workers.run(sender.clone(), move |cancel| {
+        let new_id = || Id::from_uuid(Uuid::new_v4());
+        let brought = store::files::import(&file, mode, &helpers.behaviour, &by, new_id);
+        let brought = brought.map_err(|faults| SaidNo::Unreadable(faults.join("; ")))?;
+        let until = Instant::now() + Duration::from_millis(CHECK_MS);
+        let judge = Judge { knowing: &knowing, is_cancelled: || cancel.is_cancelled(), until };
+        Room::rehearse(&brought.changes, &judge).map_err(SaidNo::Change)?;
+        // The library's room asks the same again: its answers come last, so that they are still known there.
+        Room::rehearse(brought.library.as_slice(), &judge).map_err(SaidNo::Change)?;
+        Ok(brought)
+    });
+    judged.await?
+}
+
+/// Saves what was judged. Whoever makes something else meanwhile waits only for this.
+async fn finish(
+    library: Arc<Library>,
+    file: Arc<BehaviourFile>,
+    mode: Mode,
+    brought: Import,
+) -> Result<Import, NotImported> {
+    shelve(&library, &brought).await?;
+    let _one_at_a_time = library.creating.lock().await;
+    if mode == Mode::Restore {
+        check_absent(&library, &file).await?;
+    }
+    let name = free_name(&*library.store, file.name.trim()).await.map_err(|error| store_no(&error))?;
+    let brought = brought.named(&name);
+    save(&library, &brought).await?;
+    Ok(brought)
+}
+
+/// Puts the helpers of an import into the library.
+pub(crate) async fn shelve(library: &Arc<Library>, brought: &Import) -> Result<(), SaidNo> {
+    match brought.library.clone() {
+        Some(change) => library.rooms.propose_to_library(change).await,
+        None => Ok(()),
+    }
+}
+
+/// Whether somebody changed the library between judging and saving.
+pub(crate) fn is_overtaken(no: &SaidNo) -> bool {
+    matches!(no, SaidNo::Change(Refusal::Stale(_) | Refusal::NameTaken(_)))
+}
+
+async fn save(library: &Arc<Library>, brought: &Import) -> Result<(), NotImported> {
+    let (mut after, now_ms) = (Behaviour::default(), crate::support::now_ms());
+    for (revision, change) in (1..).zip(&brought.changes) {
+        after.apply(change);
+        let made = Committed { revision, change: Change { at_ms: now_ms, ..change.clone() } };
+        append(library, &brought.behaviour, &made, &after).await?;
+        library.rooms.news().changed(&made);
+    }
+    Ok(())
+}
+
+/// What the rules ask about a file, for as long as its sender waits and a time. Answers are kept: a second try goes on
+/// where the first one ended.
+struct Judge<'a, C> {
+    knowing: &'a Knowing,
+    is_cancelled: C,
+    until: Instant,
+}
+
+impl<C: Fn() -> bool> Knowledge for Judge<'_, C> {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
+        self.knowing.device(kind, device, params)
+    }
+
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
+        if (self.is_cancelled)() {
+            return Err("nobody waits for it any more".to_owned());
+        }
+        if Instant::now() >= self.until {
+            return Err("checking all procedures of the file takes too long; try again, or split the file".to_owned());
+        }
+        self.knowing.body(arguments, body)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Judge, Knowing};
+    use behaviour::Knowledge;
+    use std::cell::Cell;
+    use std::time::{Duration, Instant};
+
+    #[test]
+    fn judging_ends_with_its_sender_and_with_its_time() {
+        let (knowing, gone) = (Knowing::default(), Cell::new(false));
+        let judge = |ms: u64| {
+            let until = Instant::now() + Duration::from_millis(ms);
+            Judge { knowing: &knowing, is_cancelled: || gone.get(), until }
+        };
+        assert_eq!(judge(60_000).body(&[], "1"), Ok(()));
+        assert!(judge(0).body(&[], "1").unwrap_err().contains("takes too long"));
+        gone.set(true);
+        assert!(judge(60_000).body(&[], "1").unwrap_err().contains("nobody waits"));
+    }
+}

@@ -1,0 +1,124 @@
+//! Where what a run emits goes: values for actions to the robot's queue, counts to the tally.
+
+use super::command_queue::{Command, Wanted};
+use super::runner::{Job, devices};
+use super::tally::Tally;
+use crate::recordings::{Recorder, Step};
+use behaviour::{StreamKind, Value};
+use engine::{ConnectorIx, Emission, End, IndexVec, Run, StreamIx};
+use robot::{Millis, Use};
+use std::cell::Cell;
+use std::collections::BTreeMap;
+use std::rc::Rc;
+use std::time::Instant;
+
+/// Where what a run emits goes.
+pub(super) struct EmissionSink<'a> {
+    /// The run.
+    pub(super) job: &'a Job,
+    /// What it counted.
+    pub(super) tally: Tally,
+    /// For every actuator stream its use and device.
+    uses: BTreeMap<StreamIx, (Use, String)>,
+    /// When the procedure that runs now began, or a little before.
+    pub(super) clock: Rc<Cell<Instant>>,
+    /// The connector that took too long last.
+    pub(super) too_long: Option<ConnectorIx>,
+    /// What is recorded, if it is.
+    pub(super) recorder: Option<Recorder>,
+    /// By stream whether it is an action's.
+    acts: IndexVec<StreamIx, bool>,
+    step: Step,
+    /// Values that took too long in this step.
+    late: u64,
+    /// Whether Stop ended a procedure in this step.
+    cut: bool,
+}
+
+impl<'a> EmissionSink<'a> {
+    /// For a run that commands these devices.
+    pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
+        let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
+        let acts: IndexVec<StreamIx, bool> =
+            run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
+        let uses = devices(run, &job.start.file).into_iter().filter(|wanted| acts[wanted.index]).map(of).collect();
+        let (recorder, step) = (None, Step::default());
+        Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
+    }
+
+    /// Takes what the run emits.
+    pub(super) fn note(&mut self, emission: Emission) {
+        self.clock.set(Instant::now());
+        match emission {
+            Emission::Value { at, stream, value } => {
+                self.tally.carried(stream, at.0);
+                if self.recorder.is_some() && self.acts[stream] {
+                    self.step.value(at.0, stream, value);
+                }
+                if let Some((user, device)) = self.uses.get(&stream) {
+                    let command = Command { cancel: self.job.cancel.clone(), value: value.clone() };
+                    self.job.shared.queue.command(user.clone(), device, command);
+                }
+            }
+            Emission::Fault { at, connector, error, deadline } => {
+                self.tally.failed();
+                if self.recorder.is_some() {
+                    self.step.fault(at.0, connector, error);
+                }
+                if deadline {
+                    self.too_long = Some(connector);
+                    self.late += 1;
+                    self.cut |= self.job.cancel.is_cancelled();
+                }
+            }
+        }
+    }
+
+    /// A reading is about to be fed.
+    pub(super) fn reading(&mut self, at: Millis, stream: StreamIx, value: &Value) {
+        if self.recorder.is_some() && value.is_finite() {
+            self.step.value(at.0, stream, value);
+        }
+    }
+
+    /// What was fed last was carried to its end, unless Stop cut it short; then nobody knows what it would have done.
+    pub(super) fn settle(&mut self, run: &Run) -> bool {
+        let cut = std::mem::take(&mut self.cut) || run.ended() == Some(End::Stopped);
+        let late = std::mem::take(&mut self.late);
+        match &mut self.recorder {
+            Some(recorder) if cut => recorder.forget(&mut self.step),
+            Some(recorder) => recorder.take(&mut self.step, late),
+            None => {}
+        }
+        !cut
+    }
+
+    /// The same for closing all instants up to one.
+    pub(super) fn settle_until(&mut self, run: &Run, closed_ms: u64) {
+        if self.settle(run)
+            && let Some(recorder) = &mut self.recorder
+        {
+            recorder.closed(closed_ms);
+        }
+    }
+
+    /// Hands on what was recorded, and ends the recording if that is wanted.
+    pub(super) fn record(&mut self, ends: bool) {
+        let Some(recorder) = &mut self.recorder else { return };
+        recorder.flush();
+        if let Some(news) = recorder.news() {
+            self.job.shared.recorded(self.job.run, Some(news));
+        }
+        if ends {
+            self.end_recording("the recording was ended");
+            self.job.shared.recorded(self.job.run, None);
+        }
+    }
+
+    /// Writes the last line.
+    pub(super) fn end_recording(&mut self, why: &str) {
+        if let Some(recorder) = self.recorder.take() {
+            recorder.end(why);
+        }
+    }
+}

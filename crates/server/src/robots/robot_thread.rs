@@ -1,0 +1,329 @@
+//! The robot's thread: the only one that touches the robot. It makes a step when one is due, empties the command queue when
+//! somebody rings, and looks at Stop first either way.
+
+use super::cancel_flag::CancelFlag;
+use super::command_queue::{Command, CommandQueue, Opening, Wanted};
+use super::mailbox::{Keep, Mailbox};
+use super::shared::RobotShared;
+use behaviour::Id;
+use engine::{HeldBy, Precedence, StreamIx};
+use protocol::HeldPart;
+use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+/// Length of a step of the robot's thread, in milliseconds.
+pub(super) const STEP_MS: u64 = 10;
+/// Steps between two pictures of the room: about 30 a second.
+const STEPS_PER_PICTURE: u64 = 3;
+/// After a longer gap than this robot time goes on where it was instead of catching up, in milliseconds.
+const GAP_MAX_MS: u64 = 500;
+/// For how long it is shown that a part was held, in milliseconds.
+const HELD_SHOWN_MS: u64 = 1_000;
+/// Pause before a robot that failed is made anew, in milliseconds.
+const AGAIN_AFTER_MS: u64 = 1_000;
+
+/// A robot in a room in which people can move things.
+pub(super) trait RoomRobot: Robot {
+    /// Does what a person did in the room.
+    fn edit(&mut self, edit: &SceneEdit);
+}
+
+/// Makes the robot on its own thread.
+pub(super) type Make = Box<dyn Fn() -> Box<dyn RoomRobot> + Send>;
+
+/// Keeps a robot going until its queue says end; one that fails is made anew.
+pub(super) fn keep(shared: &RobotShared, make: &Make) {
+    shared.queue.attend();
+    while !shared.queue.is_ended() {
+        let kept = catch_unwind(AssertUnwindSafe(|| RobotThread::new(shared, make(), Instant::now()).work()));
+        if kept.is_err() {
+            shared.fault_all("the robot failed and is started again");
+            let reason = "it failed and is started again".to_owned();
+            shared.feed.edit(&shared.robot, |state| state.health = Health::Lost(reason));
+            std::thread::sleep(Duration::from_millis(AGAIN_AFTER_MS));
+        }
+    }
+}
+
+/// The robot, its clock, and who uses it.
+pub(super) struct RobotThread<'a> {
+    shared: &'a RobotShared,
+    robot: Box<dyn RoomRobot>,
+    steps: u64,
+    /// When its first step was due.
+    began: Instant,
+    users: BTreeMap<u64, User>,
+    readings: Vec<Reading>,
+    /// Who holds which part of the robot.
+    parts: Precedence,
+    blocked: Blocked,
+    /// What was shown of that last.
+    shown: BTreeMap<u64, Vec<HeldPart>>,
+}
+
+/// A run that uses the robot.
+struct User {
+    /// Its behaviour, and how people call it.
+    behaviour: (Id, String),
+    cancel: Arc<CancelFlag>,
+    mailbox: Arc<Mailbox>,
+    streams: BTreeMap<Id, (StreamIx, Keep)>,
+    devices: Vec<Wanted>,
+}
+
+/// A part that a stream of a run wanted and did not get: from whom, and when.
+type Blocked = BTreeMap<(u64, Id, String), (u64, Millis)>;
+
+impl<'a> RobotThread<'a> {
+    /// A robot whose first step is due at `began`.
+    pub(super) fn new(shared: &'a RobotShared, robot: Box<dyn RoomRobot>, began: Instant) -> Self {
+        Self {
+            shared,
+            robot,
+            steps: 0,
+            began,
+            users: BTreeMap::new(),
+            readings: Vec::new(),
+            parts: Precedence::default(),
+            blocked: Blocked::new(),
+            shown: BTreeMap::new(),
+        }
+    }
+
+    /// Works until the queue says end.
+    pub(super) fn work(mut self) {
+        while !self.queue().is_ended() {
+            // The queue holds a bounded number of things: however often somebody rings, a step that is due comes next.
+            self.serve();
+            if self.is_due() {
+                self.step();
+            }
+            self.pause();
+        }
+        self.robot.stop(self.now());
+    }
+
+    /// Does what waits, at the robot time of the coming step.
+    fn serve(&mut self) {
+        self.end_what_ended();
+        self.empty_the_queue();
+        self.end_what_ended();
+    }
+
+    fn step(&mut self) {
+        let mut readings = std::mem::take(&mut self.readings);
+        self.robot.poll(self.now(), &mut readings);
+        for reading in readings.drain(..) {
+            self.hand_out(reading);
+        }
+        self.readings = readings;
+        if self.steps.is_multiple_of(STEPS_PER_PICTURE) {
+            self.show();
+            self.show_held();
+        }
+        self.steps += 1;
+    }
+
+    /// Holds if that is wanted, and ends what runs did that ended. Asked again before everything that may take a moment
+    /// or moves the robot.
+    fn end_what_ended(&mut self) {
+        if self.queue().take_stop() {
+            self.robot.stop(self.now());
+        }
+        for run in self.queue().take_closes() {
+            self.close(run);
+        }
+        // A Stop cancels first; what is written down of it may come later.
+        let stopped = self.users.iter().find(|(_, user)| user.cancel.is_cancelled()).map(|(run, _)| *run);
+        if let Some(run) = stopped {
+            self.close(run);
+            self.end_what_ended();
+        }
+    }
+
+    fn empty_the_queue(&mut self) {
+        let (pending, commands) = self.queue().take();
+        for opening in pending.opens {
+            self.end_what_ended();
+            self.open(opening);
+        }
+        for edit in pending.edits {
+            self.robot.edit(&edit);
+        }
+        for (user, command) in commands {
+            self.end_what_ended();
+            self.command(&user, &command);
+        }
+    }
+
+    /// What was told before its run was stopped is void.
+    fn command(&mut self, user: &Use, command: &Command) {
+        if command.cancel.is_cancelled() {
+            return;
+        }
+        if let Err(held) = self.may_move(user) {
+            self.hold_back(user, held);
+        } else if let Err(reason) = self.robot.command(user, &command.value, self.now())
+            && let Some(known) = self.users.get(&user.run)
+        {
+            known.mailbox.refuse(&user.stream, reason);
+        }
+    }
+
+    /// Whether nobody above holds what the stream uses; then it is its own.
+    fn may_move(&mut self, user: &Use) -> Result<(), HeldBy> {
+        let (now, users, order) = (self.now(), &self.users, &self.shared.order);
+        let wanted = users.get(&user.run).and_then(|known| known.devices.iter().find(|one| one.stream == user.stream));
+        let Some(wanted) = wanted else { return Ok(()) };
+        let behaviour = |run: u64| users.get(&run).map(|known| &known.behaviour.0);
+        let is_above = |one, other| match (behaviour(one), behaviour(other)) {
+            (Some(one), Some(other)) => order.is_above(one, other),
+            _ => false,
+        };
+        self.parts.command(now, user, &wanted.claim, is_above)?;
+        let got = |run: u64, part: &String| run == user.run && wanted.claim.resources.contains(part);
+        self.blocked.retain(|(run, _, part), _| !got(*run, part));
+        Ok(())
+    }
+
+    /// Remembers who kept a part from whom. That is no fault of a connector, and passes.
+    fn hold_back(&mut self, user: &Use, held: HeldBy) {
+        self.blocked.insert((user.run, user.stream.clone(), held.part), (held.by.run, self.now()));
+    }
+
+    /// Shows who keeps what from whom, if that changed.
+    fn show_held(&mut self) {
+        let (now, users) = (self.now(), &self.users);
+        let is_new = |at: Millis| now.0.saturating_sub(at.0) < HELD_SHOWN_MS;
+        self.blocked.retain(|(run, ..), (by, at)| is_new(*at) && users.contains_key(run) && users.contains_key(by));
+        let mut held: BTreeMap<u64, Vec<HeldPart>> = BTreeMap::new();
+        for ((run, stream, part), (by, _)) in &self.blocked {
+            if let Some((by, name)) = users.get(by).map(|holder| holder.behaviour.clone()) {
+                held.entry(*run).or_default().push(HeldPart { part: part.clone(), stream: stream.clone(), by, name });
+            }
+        }
+        if held != self.shown {
+            self.shown.clone_from(&held);
+            self.shared.held(held);
+        }
+    }
+
+    fn open(&mut self, opening: Opening) {
+        if opening.cancel.is_cancelled() {
+            return;
+        }
+        let Opening { run, behaviour, cancel, mailbox, devices, answer, follows } = opening;
+        let opened = if follows { self.exchange(run, &devices) } else { self.open_all(run, &devices) };
+        if opened.is_ok() {
+            let streams = devices.iter().map(|d| (d.stream.clone(), (d.index, Keep::of(&d.device)))).collect();
+            self.users.insert(run, User { behaviour, cancel, mailbox, streams, devices });
+        }
+        // Who gave up waiting has cancelled it and asked to close.
+        drop(answer.try_send(opened));
+    }
+
+    /// Opens devices; if one cannot be opened, none stays open.
+    fn open_all(&mut self, run: u64, devices: &[Wanted]) -> Result<(), String> {
+        for (at, wanted) in devices.iter().enumerate() {
+            let user = Use { run, stream: wanted.stream.clone() };
+            if let Err(reason) = self.robot.open(&user, &wanted.device, &wanted.params) {
+                self.close_all(run, &devices[..at]);
+                return Err(format!("“{}”: {reason}", wanted.name));
+            }
+        }
+        Ok(())
+    }
+
+    /// Opens what an edited behaviour uses beyond the one before it, and closes what it does not use any more. What
+    /// stays the same is not touched; if something cannot be opened, everything stays as it was.
+    fn exchange(&mut self, run: u64, wanted: &[Wanted]) -> Result<(), String> {
+        let before = self.users.get(&run).ok_or("it was stopped meanwhile")?.devices.clone();
+        let not_in = |these: &[Wanted], those: &[Wanted]| -> Vec<Wanted> {
+            these.iter().filter(|this| !those.iter().any(|that| that.is_same_use(this))).cloned().collect()
+        };
+        let (goes, comes) = (not_in(&before, wanted), not_in(wanted, &before));
+        self.close_all(run, &goes);
+        let opened = self.open_all(run, &comes);
+        if opened.is_err() {
+            // They were open a moment ago.
+            self.open_all(run, &goes)?;
+        }
+        opened
+    }
+
+    fn close_all(&mut self, run: u64, devices: &[Wanted]) {
+        for wanted in devices {
+            self.robot.close(&Use { run, stream: wanted.stream.clone() });
+        }
+    }
+
+    fn close(&mut self, run: u64) {
+        self.parts.let_go(run);
+        let Some(user) = self.users.remove(&run) else { return };
+        for stream in user.streams.into_keys() {
+            self.robot.close(&Use { run, stream });
+        }
+    }
+
+    fn hand_out(&self, reading: Reading) {
+        let Some(user) = self.users.get(&reading.to.run).filter(|user| !user.cancel.is_cancelled()) else { return };
+        if let Some(&(stream, keep)) = user.streams.get(&reading.to.stream) {
+            user.mailbox.put(stream, keep, reading.value);
+        }
+    }
+
+    /// Shows the room and the robot's state, each only if it changed.
+    fn show(&self) {
+        let mut scene = self.robot.scene();
+        let at_ms = scene.at_ms;
+        scene.at_ms = self.shared.scene.borrow().at_ms;
+        if scene != **self.shared.scene.borrow() {
+            scene.at_ms = at_ms;
+            self.shared.scene.send_replace(Arc::new(scene));
+        }
+        let health = match self.robot.health() {
+            Health::Safe => Health::Ready,
+            other => other,
+        };
+        let devices = self.robot.devices();
+        self.shared.feed.edit(&self.shared.robot, |state| {
+            state.health = health;
+            if state.devices != devices {
+                state.devices = devices.into_iter().map(str::to_owned).collect();
+            }
+            if state.kind != self.robot.kind() {
+                self.robot.kind().clone_into(&mut state.kind);
+            }
+        });
+    }
+
+    /// Robot time: whole steps, so that every run of the program computes alike. Between two steps it is the time of
+    /// the coming one, whatever the clock says.
+    fn now(&self) -> Millis {
+        Millis(self.steps * STEP_MS)
+    }
+
+    fn due(&self) -> Instant {
+        self.began + Duration::from_millis(self.steps * STEP_MS)
+    }
+
+    fn is_due(&self) -> bool {
+        self.due() <= Instant::now()
+    }
+
+    /// Waits until the next step is due or somebody rings; a gap (a sleeping computer) is left out.
+    fn pause(&mut self) {
+        let late = Instant::now().saturating_duration_since(self.due());
+        if late > Duration::from_millis(GAP_MAX_MS) {
+            self.began += late;
+        }
+        self.queue().wait(self.due());
+    }
+
+    fn queue(&self) -> &'a CommandQueue {
+        &self.shared.queue
+    }
+}

@@ -1,0 +1,182 @@
+//! The table of runs: which behaviours run, and the last ones that ended.
+
+use super::cancel_flag::CancelFlag;
+use super::live::LiveValues;
+use super::mailbox::{Keep, Mailbox};
+use behaviour::{BehaviourFile, Id};
+use engine::StreamIx;
+use protocol::{RunPhase, RunState};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Ended runs that are remembered.
+const ENDED_MAX_RUNS: usize = 16;
+/// Behaviours that may run or prepare at once.
+pub(super) const RUNNING_MAX_RUNS: usize = 16;
+
+/// The runs by their numbers; every use of it is short.
+#[derive(Debug, Default)]
+pub(super) struct RunTable {
+    preparing: BTreeMap<u64, Preparing>,
+    runs: BTreeMap<u64, Entry>,
+}
+
+/// A run that is not there yet.
+#[derive(Debug)]
+struct Preparing {
+    behaviour: Id,
+    cancel: Arc<CancelFlag>,
+}
+
+/// The sensor streams of a run by id: their index, and which readings wait.
+pub(super) type Senses = BTreeMap<Id, (StreamIx, Keep)>;
+
+/// Taken while somebody applies an edited behaviour to a run.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Applying(Arc<AtomicBool>);
+
+impl Applying {
+    /// True if nobody else does it.
+    pub(super) fn begin(&self) -> bool {
+        !self.0.swap(true, Ordering::SeqCst)
+    }
+
+    /// The next one may.
+    pub(super) fn end(&self) {
+        self.0.store(false, Ordering::SeqCst);
+    }
+}
+
+/// A run.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// What people see.
+    pub(super) state: RunState,
+    /// What cancels it.
+    pub(super) cancel: Arc<CancelFlag>,
+    /// Its mailbox.
+    pub(super) mailbox: Arc<Mailbox>,
+    /// Its values.
+    pub(super) live: LiveValues,
+    /// Its sensor streams by id.
+    pub(super) senses: Senses,
+    /// What runs.
+    pub(super) file: Arc<BehaviourFile>,
+    /// Whether an edited behaviour is about to follow.
+    pub(super) applying: Applying,
+    /// Whether it can move the robot.
+    pub(super) acts: bool,
+}
+
+impl RunTable {
+    /// Announces a new run; false if too many run already.
+    pub(super) fn announce(&mut self, run: u64, behaviour: &Id, cancel: &Arc<CancelFlag>) -> bool {
+        let has_room = self.preparing.len() + self.running().count() < RUNNING_MAX_RUNS;
+        if has_room {
+            self.preparing.insert(run, Preparing { behaviour: behaviour.clone(), cancel: cancel.clone() });
+        }
+        has_room
+    }
+
+    /// Whether nothing runs, and nothing is about to.
+    pub(super) fn is_idle(&self) -> bool {
+        self.preparing.is_empty() && self.running().next().is_none()
+    }
+
+    /// Whether anything runs.
+    pub(super) fn runs_any(&self) -> bool {
+        self.running().next().is_some()
+    }
+
+    /// Forgets a run that did not come to be.
+    pub(super) fn withdraw(&mut self, run: u64) {
+        self.preparing.remove(&run);
+    }
+
+    /// From now on it runs, unless it was stopped meanwhile. What ran of the same behaviour is returned, ended.
+    pub(super) fn enter(&mut self, entry: Entry) -> Option<Vec<Entry>> {
+        self.preparing.remove(&entry.state.run)?;
+        if entry.cancel.is_cancelled() {
+            return None;
+        }
+        let by = entry.state.by.clone();
+        let replaced = self.end(Some(&entry.state.behaviour), &RunPhase::Stopped(by));
+        self.runs.insert(entry.state.run, entry);
+        Some(replaced)
+    }
+
+    /// Cancels a behaviour's runs, or all, and returns what ran.
+    pub(super) fn end(&mut self, behaviour: Option<&Id>, phase: &RunPhase) -> Vec<Entry> {
+        let is_meant = |entry: &Entry| behaviour.is_none_or(|id| entry.state.behaviour == *id);
+        let meant: Vec<u64> = self.running().filter(|entry| is_meant(entry)).map(|entry| entry.state.run).collect();
+        meant.into_iter().filter_map(|run| self.end_run(run, phase.clone())).collect()
+    }
+
+    /// Ends one run; none if it had ended already.
+    pub(super) fn end_run(&mut self, run: u64, phase: RunPhase) -> Option<Entry> {
+        let entry = self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)?;
+        entry.cancel.cancel();
+        entry.state.phase = phase;
+        let ended = entry.clone();
+        self.forget_old();
+        Some(ended)
+    }
+
+    /// Ends what Stop cancelled already, and returns what ran.
+    pub(super) fn end_stopped(&mut self) -> Vec<Entry> {
+        let by = |entry: &Entry| entry.cancel.stopped_by().filter(|_| entry.cancel.is_cancelled()).map(str::to_owned);
+        let stopped: Vec<_> = self.running().filter_map(|entry| Some((entry.state.run, by(entry)?))).collect();
+        stopped.into_iter().filter_map(|(run, by)| self.end_run(run, RunPhase::Stopped(by))).collect()
+    }
+
+    /// Cancels all that is only being prepared.
+    pub(super) fn cancel_all(&mut self) {
+        for waiting in self.preparing.values() {
+            waiting.cancel.cancel();
+        }
+    }
+
+    /// Whether a behaviour runs or is about to.
+    pub(super) fn has(&self, behaviour: &Id) -> bool {
+        let prepares = |waiting: &Preparing| waiting.behaviour == *behaviour && !waiting.cancel.is_cancelled();
+        self.running_of(behaviour).is_some() || self.preparing.values().any(prepares)
+    }
+
+    /// The running one of a behaviour.
+    pub(super) fn running_of(&self, behaviour: &Id) -> Option<&Entry> {
+        self.running().find(|entry| entry.state.behaviour == *behaviour)
+    }
+
+    /// One run, if it runs.
+    pub(super) fn running_mut(&mut self, run: u64) -> Option<&mut Entry> {
+        self.runs.get_mut(&run).filter(|entry| entry.state.phase == RunPhase::Running)
+    }
+
+    /// All runs.
+    pub(super) fn entries_mut(&mut self) -> impl Iterator<Item = &mut Entry> {
+        self.runs.values_mut()
+    }
+
+    /// One run, running or ended.
+    pub(super) fn get(&self, run: u64) -> Option<&Entry> {
+        self.runs.get(&run)
+    }
+
+    /// All that people see, oldest first.
+    pub(super) fn states(&self) -> Vec<RunState> {
+        self.runs.values().map(|entry| entry.state.clone()).collect()
+    }
+
+    fn running(&self) -> impl Iterator<Item = &Entry> {
+        self.runs.values().filter(|entry| entry.state.phase == RunPhase::Running)
+    }
+
+    fn forget_old(&mut self) {
+        let ended = self.runs.values().filter(|entry| entry.state.phase != RunPhase::Running);
+        let ended: Vec<u64> = ended.map(|entry| entry.state.run).collect();
+        for run in ended.iter().take(ended.len().saturating_sub(ENDED_MAX_RUNS)) {
+            self.runs.remove(run);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! What the rules ask: the catalogue of devices, and whether a procedure can run. Answers about procedures are kept.
+
+use crate::support::lock;
+use behaviour::{Knowledge, Params, StreamKind};
+use std::cell::Cell;
+use std::collections::{BTreeMap, VecDeque};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+/// Answers that are kept.
+const ANSWERS_MAX: usize = 4_096;
+/// The texts of all kept answers, in bytes.
+const ANSWERS_MAX_BYTES: usize = 4 << 20;
+/// Procedures that one change may bring to be checked, in bytes.
+const NEW_MAX_BYTES: usize = 128 << 10;
+/// How long checking one change may take; what fits [`NEW_MAX_BYTES`] takes less, unless the computer is very busy.
+const CHECK_MS: u64 = 2_000;
+
+type Question = (Vec<String>, String);
+
+/// Devices and procedures, as this rrp knows them.
+#[derive(Debug, Default)]
+pub struct Knowing(Mutex<Answers>);
+
+#[derive(Debug, Default)]
+struct Answers {
+    known: BTreeMap<Arc<Question>, Result<(), String>>,
+    order: VecDeque<Arc<Question>>,
+    bytes: usize,
+}
+
+impl Knowing {
+    /// The same knowledge for one change, which may not keep anybody busy for long.
+    pub(crate) fn within_budget(&self) -> Budgeted<'_> {
+        let until = Instant::now() + Duration::from_millis(CHECK_MS);
+        Budgeted { knowing: self, bytes: Cell::new(NEW_MAX_BYTES), until }
+    }
+
+    fn known(&self, question: &Question) -> Option<Result<(), String>> {
+        lock(&self.0).known.get(question).cloned()
+    }
+
+    fn find_out(&self, question: Question) -> Result<(), String> {
+        let answer = engine::check_body(&question.0, &question.1);
+        lock(&self.0).keep(Arc::new(question), answer.clone());
+        answer
+    }
+}
+
+impl Knowledge for Knowing {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
+        robot::device(kind, device)?.check(params)
+    }
+
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
+        let question = (arguments.to_vec(), body.to_owned());
+        self.known(&question).unwrap_or_else(|| self.find_out(question))
+    }
+}
+
+/// What one change may ask.
+pub(crate) struct Budgeted<'a> {
+    knowing: &'a Knowing,
+    bytes: Cell<usize>,
+    until: Instant,
+}
+
+impl Knowledge for Budgeted<'_> {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
+        self.knowing.device(kind, device, params)
+    }
+
+    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
+        let question = (arguments.to_vec(), body.to_owned());
+        if let Some(answer) = self.knowing.known(&question) {
+            return answer;
+        }
+        let too_much = || "there is too much to check at once; do it in smaller steps".to_owned();
+        self.bytes.set(self.bytes.get().checked_sub(body.len()).ok_or_else(too_much)?);
+        if Instant::now() >= self.until { Err(too_much()) } else { self.knowing.find_out(question) }
+    }
+}
+
+impl Answers {
+    fn keep(&mut self, question: Arc<Question>, answer: Result<(), String>) {
+        let bytes = size(&question);
+        if self.known.insert(Arc::clone(&question), answer).is_none() {
+            self.order.push_back(question);
+            self.bytes += bytes;
+        }
+        while self.order.len() > ANSWERS_MAX || self.bytes > ANSWERS_MAX_BYTES {
+            let Some(oldest) = self.order.pop_front() else { return };
+            self.known.remove(&oldest);
+            self.bytes -= size(&oldest);
+        }
+    }
+}
+
+fn size(question: &Question) -> usize {
+    question.1.len() + question.0.iter().map(String::len).sum::<usize>()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ANSWERS_MAX_BYTES, Knowing, NEW_MAX_BYTES};
+    use crate::support::lock;
+    use behaviour::Knowledge;
+
+    fn body(number: usize) -> String {
+        format!("{number} + {}", " ".repeat(4_000)) + "1"
+    }
+
+    #[test]
+    fn one_change_may_bring_so_much_and_what_is_known_is_free() {
+        let (knowing, most) = (Knowing::default(), NEW_MAX_BYTES / 4_000);
+        let passed = (0..2 * most).filter(|number| knowing.within_budget().body(&[], &body(*number)).is_ok()).count();
+        assert_eq!(passed, 2 * most, "each with a budget of its own");
+        let change = knowing.within_budget();
+        let again = (0..2 * most).filter(|number| change.body(&[], &body(*number)).is_ok()).count();
+        assert_eq!(again, 2 * most, "all of them are known");
+        let new = (0..2 * most).map(|number| change.body(&[], &body(1_000 + number))).filter(Result::is_ok).count();
+        assert!(new < most + 1 && new > most / 2, "{new}");
+    }
+
+    #[test]
+    fn what_is_kept_is_bounded_in_bytes() {
+        let knowing = Knowing::default();
+        for number in 0..ANSWERS_MAX_BYTES / 4_000 + 100 {
+            knowing.body(&[], &body(number)).unwrap();
+        }
+        let answers = lock(&knowing.0);
+        assert!(answers.bytes <= ANSWERS_MAX_BYTES && answers.known.len() == answers.order.len());
+    }
+}

@@ -1,0 +1,114 @@
+//! Who is in a room and who waits for its answers, as far as a room has to know.
+
+use crate::support::message::encode;
+use axum::extract::ws::Utf8Bytes;
+use behaviour::{Id, Room};
+use protocol::{Parts, Person, Reply, SaidNo};
+use std::sync::Arc;
+use tokio::sync::{oneshot, watch};
+
+/// The way to one client. What is put in arrives in order; nothing here waits.
+pub(crate) trait Recipient: Send + Sync {
+    /// The number of the link, never used twice.
+    fn session(&self) -> u64;
+    /// Sends a message.
+    fn send(&self, text: Utf8Bytes);
+    /// Sends all of a behaviour, as the answer to `ask`.
+    fn send_whole(&self, ask: u32, whole: Whole);
+    /// From now on tells what goes on in a room, or in none.
+    fn follow(&self, feed: Option<Box<Feed>>);
+}
+
+/// Somebody in a room.
+pub(crate) struct Member {
+    /// Who.
+    pub(crate) person: Person,
+    /// The way to them.
+    pub(crate) link: Arc<dyn Recipient>,
+}
+
+/// A welcome or an opened behaviour with all its records, shared by all who get it until they are written.
+#[derive(Debug)]
+pub(crate) struct Whole {
+    /// The reply without records.
+    pub(crate) reply: Reply,
+    /// The room as it was, with the records.
+    pub(crate) room: Arc<Room>,
+}
+
+impl Whole {
+    /// The messages, each made when it is its turn.
+    pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Utf8Bytes> + Send {
+        let (mut first, room, mut parts) = (Some(self.reply), self.room, Parts::default());
+        let parts = (0..).zip(std::iter::from_fn(move || parts.next(room.behaviour())));
+        parts.map(move |(number, part)| match first.take() {
+            Some(reply) => encode(Some(ask), reply.with(part)),
+            None => {
+                let (records, more) = (Box::new(part.records), part.more);
+                encode(None, Reply::Records { part: number, records, more })
+            }
+        })
+    }
+}
+
+/// What a room shows besides its changes; only the newest counts.
+#[derive(Clone, Debug)]
+pub(crate) struct Feed {
+    /// Which room.
+    pub(crate) behaviour: Id,
+    /// Its revision.
+    pub(crate) revision: watch::Receiver<u64>,
+    /// Who is there.
+    pub(crate) people: watch::Receiver<Utf8Bytes>,
+    /// Its problems.
+    pub(crate) problems: watch::Receiver<Utf8Bytes>,
+}
+
+/// Who waits for an answer: a client, or this server itself.
+pub(crate) enum Answer {
+    /// A client that asked.
+    Client {
+        /// The way to it.
+        to: Arc<dyn Recipient>,
+        /// The number of its request.
+        ask: u32,
+        /// The memory that its message takes until it is answered.
+        held: Option<Box<dyn Send>>,
+    },
+    /// The server.
+    Server(oneshot::Sender<Reply>),
+}
+
+impl Answer {
+    /// Gives the answer.
+    pub(crate) fn give(self, reply: Reply) {
+        match self {
+            Self::Client { to, ask, held } => {
+                to.send(encode(Some(ask), reply));
+                drop(held);
+            }
+            Self::Server(waiting) => drop(waiting.send(reply)),
+        }
+    }
+
+    /// Shows all of a behaviour.
+    pub(crate) fn show(self, whole: Whole) {
+        match self {
+            Self::Client { to, ask, held } => {
+                to.send_whole(ask, whole);
+                drop(held);
+            }
+            Self::Server(waiting) => drop(waiting.send(whole.reply)),
+        }
+    }
+
+    /// Says why not.
+    pub(crate) fn no(self, no: SaidNo) {
+        self.give(Reply::No { no });
+    }
+
+    /// The link that asked.
+    pub(crate) fn session(&self) -> Option<u64> {
+        if let Self::Client { to, .. } = self { Some(to.session()) } else { None }
+    }
+}

@@ -1,0 +1,185 @@
+//! The task of one open behaviour: it holds the pure room, which decides; it saves and then tells everyone there.
+//! One change is saved at a time; who only looks, comes or goes never waits for saving.
+
+mod change_log;
+mod jobs;
+mod members;
+mod problems;
+mod saving;
+
+use super::member::{Feed, Member};
+use super::snapshot::LibrarySnapshot;
+use super::{Look, Note, Rooms, Surroundings};
+use crate::support::message::encode;
+use crate::support::store_call::{bounded, store_no};
+use axum::extract::ws::Utf8Bytes;
+use behaviour::{Accepted, Id, Room};
+use change_log::ChangeLog;
+use jobs::{Job, Saving, Waiting};
+use problems::{Finding, Found};
+use protocol::SaidNo;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use tokio::sync::{mpsc, oneshot, watch};
+
+/// Whether a behaviour is there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stay {
+    /// It is.
+    Here,
+    /// It is about to go to the bin: it cannot be started any more.
+    Leaving,
+    /// It went to the bin.
+    Gone,
+}
+
+/// One open behaviour, or the library.
+struct RoomTask {
+    rooms: Rooms,
+    around: Arc<Surroundings>,
+    id: Id,
+    /// Shared with whoever looks at it or decides about it elsewhere just now.
+    room: Arc<Room>,
+    /// By the number of their link.
+    members: BTreeMap<u64, Member>,
+    /// What waits for saving.
+    waiting: Waiting,
+    saving: Saving,
+    stay: Stay,
+    log: ChangeLog,
+    snapshot: watch::Receiver<Arc<LibrarySnapshot>>,
+    found: Found,
+    finding: Finding,
+    revision: watch::Sender<u64>,
+    people_text: watch::Sender<Utf8Bytes>,
+    problems_text: watch::Sender<Utf8Bytes>,
+}
+
+/// Runs a room until nobody needs it.
+pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
+    let loaded = bounded(rooms.around.store.load(&id)).await;
+    let no = match loaded {
+        Ok(Some(loaded)) if loaded.removed_ms.is_none() => {
+            let mut task = RoomTask::new(rooms, id.clone(), Room::open(loaded.behaviour, loaded.revision));
+            task.find_problems_at_first().await;
+            return task.live(inbox).await;
+        }
+        Ok(_) => SaidNo::NoBehaviour,
+        Err(error) => store_no(&error),
+    };
+    tracing::info!(behaviour = %id, %no, "a room did not open");
+    while !rooms.let_go(&id, &inbox) {
+        if let Ok(note) = inbox.try_recv() {
+            note.refuse(no.clone());
+        }
+    }
+}
+
+impl RoomTask {
+    fn new(rooms: Rooms, id: Id, room: Room) -> Self {
+        let around = Arc::clone(&rooms.around);
+        let snapshot = around.snapshot.subscribe();
+        let revision = watch::Sender::new(room.revision());
+        Self {
+            rooms,
+            around,
+            id,
+            room: Arc::new(room),
+            members: BTreeMap::new(),
+            waiting: Waiting::default(),
+            saving: Saving::Idle,
+            stay: Stay::Here,
+            log: ChangeLog::default(),
+            snapshot,
+            found: Found::default(),
+            finding: Finding::Current,
+            revision,
+            people_text: watch::Sender::new(Utf8Bytes::default()),
+            problems_text: watch::Sender::new(Utf8Bytes::default()),
+        }
+    }
+
+    fn is_library(&self) -> bool {
+        self.id == self.around.library
+    }
+
+    async fn live(mut self, mut inbox: mpsc::Receiver<Note>) {
+        let stopping = self.around.tasks.stopping.clone();
+        tracing::debug!(behaviour = %self.id, revision = self.room.revision(), "a room opens");
+        while !self.may_go() || !self.rooms.let_go(&self.id, &inbox) {
+            self.start_saving();
+            self.start_finding();
+            tokio::select! {
+                saved = self.saving.answer() => self.saved(saved),
+                found = self.finding.answer() => self.found_problems(found),
+                Some(note) = inbox.recv() => self.take(note),
+                Ok(()) = self.snapshot.changed(), if !self.is_library() => self.finding.mark_due(),
+                () = stopping.cancelled(), if !stopping.is_cancelled() => {}
+            }
+        }
+        tracing::debug!(behaviour = %self.id, "a room closes");
+    }
+
+    /// Never while saving; the library stays open until the server ends.
+    fn may_go(&self) -> bool {
+        let busy = self.saving.is_under_way() || !self.waiting.is_empty();
+        let needed = !self.members.is_empty() || self.is_library();
+        !busy && (!needed || self.around.tasks.ends())
+    }
+
+    fn take(&mut self, note: Note) {
+        match note {
+            Note::Join(member, ask, secret) => self.join(member, ask, secret),
+            Note::Leave(session) => self.leave(session),
+            Note::Propose(change, answer) => self.wait(Job::Save(change, answer)),
+            Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
+            Note::Since(revision, answer) => self.since(revision, answer),
+            Note::Present(session, pointer, selected) => self.present(session, pointer, selected),
+            Note::Look(waiting) => self.look(waiting),
+        }
+    }
+
+    fn look(&self, waiting: oneshot::Sender<Result<Look, SaidNo>>) {
+        let look = Look(Arc::clone(&self.room));
+        let _ = waiting.send(if self.stay == Stay::Here { Ok(look) } else { Err(SaidNo::NoBehaviour) });
+    }
+
+    fn feed(&self) -> Feed {
+        Feed {
+            behaviour: self.id.clone(),
+            revision: self.revision.subscribe(),
+            people: self.people_text.subscribe(),
+            problems: self.problems_text.subscribe(),
+        }
+    }
+
+    /// Makes a saved change the truth, the room as it is `after` it if somebody made that already, and tells everyone; the
+    /// copy of who asked has their number.
+    fn commit(&mut self, accepted: &Accepted, after: Option<&Arc<Room>>, asked: Option<(u64, u32)>) {
+        match after.filter(|after| after.revision() == accepted.revision) {
+            Some(after) => self.room = Arc::clone(after),
+            None => Arc::make_mut(&mut self.room).commit(accepted),
+        }
+        self.log.push(accepted);
+        self.tell_accepted(accepted, asked);
+        self.revision.send_replace(accepted.revision);
+        if self.is_library() {
+            let (behaviour, revision) = (self.room.behaviour().clone(), accepted.revision);
+            self.around.snapshot.send_replace(Arc::new(LibrarySnapshot { behaviour, revision }));
+        } else {
+            self.finding.mark_due();
+            self.around.news.changed(accepted);
+        }
+    }
+
+    fn tell_accepted(&self, accepted: &Accepted, asked: Option<(u64, u32)>) {
+        let reply = || protocol::Reply::Accepted { behaviour: self.id.clone(), accepted: accepted.clone() };
+        let text = encode(None, reply());
+        for (session, member) in &self.members {
+            match asked {
+                Some((asking, ask)) if asking == *session => member.link.send(encode(Some(ask), reply())),
+                _ => member.link.send(text.clone()),
+            }
+        }
+    }
+}

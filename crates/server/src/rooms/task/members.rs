@@ -1,0 +1,121 @@
+//! Who is in a room: coming, going, pointing, and catching up.
+
+use super::change_log::page;
+use super::{RoomTask, Stay};
+use crate::rooms::member::{Answer, Member, Whole};
+use crate::support::message::encode;
+use crate::support::store_call::{bounded, store_no};
+use behaviour::{Accepted, Id};
+use protocol::{Person, Pointer, Reply, SaidNo};
+use std::sync::Arc;
+
+/// Who missed more changes than this opens again.
+const MISSED_MAX_CHANGES: u64 = 256;
+/// Changes that are fetched from the store at once for who missed some.
+const FETCHED_MAX_CHANGES: u64 = 32;
+
+impl RoomTask {
+    /// The answer goes into the member's queue here, so that no change can come before it.
+    pub(super) fn join(&mut self, member: Member, ask: u32, secret: Option<Id>) {
+        if self.stay == Stay::Gone {
+            return member.link.send(encode(Some(ask), Reply::No { no: SaidNo::NoBehaviour }));
+        }
+        if let Some(secret) = secret {
+            member.link.send_whole(ask, self.welcome(&member.person, secret));
+        }
+        let (session, link) = (member.link.session(), Arc::clone(&member.link));
+        self.members.insert(session, member);
+        if !self.is_library() {
+            link.send_whole(ask, self.opened());
+            self.tell_people();
+            link.follow(Some(Box::new(self.feed())));
+        }
+    }
+
+    fn welcome(&self, you: &Person, secret: Id) -> Whole {
+        let reply = Reply::Welcome {
+            version: protocol::VERSION,
+            epoch: self.around.epoch,
+            you: you.clone(),
+            secret,
+            library: Box::default(),
+            more: false,
+            library_revision: self.room.revision(),
+            templates: self.around.templates.clone(),
+        };
+        Whole { reply, room: Arc::clone(&self.room) }
+    }
+
+    fn opened(&self) -> Whole {
+        let reply = Reply::Opened {
+            behaviour: self.id.clone(),
+            revision: self.room.revision(),
+            records: Box::default(),
+            more: false,
+            problems: self.found.problems.clone(),
+            fingerprint: self.found.fingerprint,
+            people: self.people(),
+        };
+        Whole { reply, room: Arc::clone(&self.room) }
+    }
+
+    pub(super) fn leave(&mut self, session: u64) {
+        if self.members.remove(&session).is_some() && !self.is_library() {
+            self.tell_people();
+        }
+    }
+
+    pub(super) fn present(&mut self, session: u64, pointer: Option<Pointer>, selected: Option<Id>) {
+        let pointer = pointer.filter(|at| at.x.is_finite() && at.y.is_finite());
+        if let Some(member) = self.members.get_mut(&session) {
+            member.person.pointer = pointer;
+            member.person.selected = selected;
+            self.tell_people();
+        }
+    }
+
+    fn people(&self) -> Vec<Person> {
+        self.members.values().map(|member| member.person.clone()).collect()
+    }
+
+    fn tell_people(&self) {
+        let reply = Reply::People { behaviour: self.id.clone(), people: self.people() };
+        self.people_text.send_replace(encode(None, reply));
+    }
+
+    /// The first of the changes that somebody missed: from memory, else from the store.
+    pub(super) fn since(&self, revision: u64, answer: Answer) {
+        let here = self.room.revision();
+        let wanted = here.saturating_sub(revision);
+        if wanted > MISSED_MAX_CHANGES && !self.is_library() {
+            return answer.show(self.opened());
+        }
+        let (store, id) = (Arc::clone(&self.around.store), self.id.clone());
+        let at_hand = if wanted == 0 { Some(Vec::new()) } else { self.log.since(revision) };
+        if let Some(changes) = at_hand {
+            return answer.give(missed(id, changes, here));
+        }
+        self.around.tasks.spawn(async move {
+            let most = u32::try_from(wanted.min(FETCHED_MAX_CHANGES)).unwrap_or(u32::MAX);
+            match bounded(store.history(&id, revision, most)).await {
+                Ok(changes) => answer.give(missed(id, page(changes), here)),
+                Err(error) => answer.no(store_no(&error)),
+            }
+        });
+    }
+
+    /// Everyone is told that it is gone, and leaves.
+    pub(super) fn tell_removed(&mut self, by: &str) {
+        let text = encode(None, Reply::Removed { behaviour: self.id.clone(), by: by.to_owned() });
+        for member in std::mem::take(&mut self.members).into_values() {
+            member.link.follow(None);
+            member.link.send(text.clone());
+        }
+    }
+}
+
+/// The answer to who missed some changes, when the newest revision is `here`.
+fn missed(behaviour: Id, changes: Vec<Accepted>, here: u64) -> Reply {
+    let more = changes.last().is_some_and(|last| last.revision < here);
+    Reply::Missed { behaviour, changes, more }
+}

@@ -1,0 +1,218 @@
+//! Saving one change: what the store answers, and what that means for the room.
+
+use crate::rooms::Surroundings;
+use crate::rooms::member::Answer;
+use crate::support::store_call::{bounded, reason, store_no};
+use crate::support::workers::Sender;
+use behaviour::{Accepted, Behaviour, Change, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
+use protocol::SaidNo;
+use std::sync::Arc;
+use store::{Append, StoreError};
+
+/// Changes fetched at once when another server wrote.
+const MISSED_MAX_CHANGES: u32 = 10_000;
+
+/// What came of a job.
+pub(super) enum Saved {
+    /// The store was asked to keep a change.
+    Change {
+        /// What came of it.
+        outcome: SaveOutcome,
+        /// Who asked.
+        from: Answer,
+    },
+    /// The room asked what it does not know.
+    CaughtUp(Result<Vec<Committed>, SaidNo>),
+    /// The store was asked to put the behaviour into the bin.
+    Removed {
+        /// Whether it did.
+        outcome: Result<(), SaidNo>,
+        /// Who asked.
+        from: Answer,
+        /// Who said so.
+        by: String,
+    },
+}
+
+/// What came of keeping a change.
+pub(super) struct SaveOutcome {
+    /// Changes this room did not know, to be made its truth in order; the saved one is the last.
+    pub(super) news: Vec<Committed>,
+    /// The room with the saved change made.
+    pub(super) after: Option<Arc<Room>>,
+    /// What who asked is told.
+    pub(super) answer: Result<Accepted, SaidNo>,
+    /// Whether the store may have more than the room knows.
+    pub(super) is_uncertain: bool,
+}
+
+impl SaveOutcome {
+    /// Nothing changed.
+    fn nothing(answer: Result<Accepted, SaidNo>) -> Self {
+        Self { news: Vec::new(), after: None, answer, is_uncertain: false }
+    }
+
+    /// Nobody knows whether something changed.
+    fn uncertain(answer: Result<Accepted, SaidNo>) -> Self {
+        Self { is_uncertain: true, ..Self::nothing(answer) }
+    }
+}
+
+/// What is to be kept, and what has to be so before.
+struct Keep {
+    /// The change.
+    committed: Committed,
+    /// The room with the change made.
+    after: Arc<Room>,
+    /// Helpers that nobody may use.
+    helpers: Vec<String>,
+}
+
+/// What the room decided about a change.
+enum Decided {
+    Save(Box<Keep>),
+    Duplicate(u64),
+    /// Not as its sender saw it; it may be one that was made long ago.
+    Stale(Change, Refusal),
+    Refuse(Refusal),
+}
+
+/// Decides about a change among the other work, then keeps it.
+pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, change: Change, from: Answer) -> Saved {
+    let sender = from.session().map_or(Sender::Server, Sender::Link);
+    let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
+    let decided = around.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
+    let outcome = match decided {
+        Ok(Decided::Save(keep)) => save(&around, &id, *keep).await,
+        Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(&around, &id, revision).await),
+        Ok(Decided::Stale(change, refusal)) => SaveOutcome::nothing(settle(&around, &id, change, refusal).await),
+        Ok(Decided::Refuse(refusal)) => SaveOutcome::nothing(Err(SaidNo::Change(refusal))),
+        Err(why) => SaveOutcome::nothing(Err(why.into())),
+    };
+    Saved::Change { outcome, from }
+}
+
+fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) -> Decided {
+    match room.propose(now_ms, change.clone(), knowledge) {
+        Decision::Save(committed) => {
+            let helpers = helpers_let_go(&committed.change);
+            let mut after = room.clone();
+            after.commit(&committed);
+            Decided::Save(Box::new(Keep { committed, after: Arc::new(after), helpers }))
+        }
+        Decision::Duplicate(revision) => Decided::Duplicate(revision),
+        Decision::Refuse(refusal @ Refusal::Stale(_)) => Decided::Stale(change, refusal),
+        Decision::Refuse(refusal) => Decided::Refuse(refusal),
+    }
+}
+
+/// The helpers that would no longer be there under their name.
+fn helpers_let_go(change: &Change) -> Vec<String> {
+    let gone = change.edits.iter().filter_map(|edit| match (&edit.before, &edit.after) {
+        (Some(Record::Helper(before)), Some(Record::Helper(after))) if before.name == after.name => None,
+        (Some(Record::Helper(before)), _) => Some(before.name.clone()),
+        _ => None,
+    });
+    gone.collect()
+}
+
+/// Keeps a change.
+async fn save(around: &Surroundings, id: &Id, keep: Keep) -> SaveOutcome {
+    let Keep { committed, after, helpers } = keep;
+    let before = committed.revision.saturating_sub(1);
+    if let Err(used) = unused(around, helpers).await {
+        return SaveOutcome::nothing(Err(used));
+    }
+    match append(around, id, &committed, after.behaviour()).await {
+        Ok(Append::Applied) => {
+            SaveOutcome { news: vec![committed.clone()], after: Some(after), ..SaveOutcome::nothing(Ok(committed)) }
+        }
+        Ok(Append::Duplicate { revision }) => {
+            let answer = one(around, id, revision).await;
+            with_news(around, id, before, answer).await
+        }
+        Ok(Append::Conflict { .. }) => {
+            let no = SaidNo::Change(Refusal::Stale("this behaviour".to_owned()));
+            with_news(around, id, before, Err(no)).await
+        }
+        Err(StoreError::Gone) => SaveOutcome::nothing(Err(SaidNo::Change(Refusal::Gone))),
+        Err(error) if error.is_open() => SaveOutcome::uncertain(Err(store_no(&error))),
+        Err(error @ StoreError::Full) => SaveOutcome::nothing(Err(store_no(&error))),
+        Err(error) => SaveOutcome::nothing(Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))),
+    }
+}
+
+/// Once more if the outcome is open: the store keeps an op once.
+async fn append(
+    around: &Surroundings,
+    id: &Id,
+    committed: &Committed,
+    after: &Behaviour,
+) -> Result<Append, StoreError> {
+    let mut answer = bounded(around.store.append(id, committed, after)).await;
+    if let Err(error) = answer.as_ref().map_err(Clone::clone)
+        && error.is_open()
+    {
+        tracing::warn!(behaviour = %id, %error, "saving is tried once more");
+        answer = bounded(around.store.append(id, committed, after)).await;
+    }
+    answer.inspect_err(|error| around.health.failed(error))
+}
+
+/// The answer, with what the room does not know of the store.
+async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<Accepted, SaidNo>) -> SaveOutcome {
+    match bounded(around.store.history(id, before, MISSED_MAX_CHANGES)).await {
+        Ok(news) => SaveOutcome { news, ..SaveOutcome::nothing(answer) },
+        Err(_) => SaveOutcome::uncertain(answer),
+    }
+}
+
+/// The change that made a revision.
+async fn one(around: &Surroundings, id: &Id, revision: u64) -> Result<Accepted, SaidNo> {
+    let found = bounded(around.store.history(id, revision.saturating_sub(1), 1)).await;
+    found.map_err(|error| store_no(&error))?.pop().ok_or(SaidNo::NoBehaviour)
+}
+
+/// A change that the rules refuse may be one that was made long ago and is sent again: the store knows every op. Asked
+/// under revision 0, which is never the next one, it keeps nothing.
+async fn settle(around: &Surroundings, id: &Id, change: Change, refusal: Refusal) -> Result<Accepted, SaidNo> {
+    let probe = Committed { revision: 0, change };
+    match bounded(around.store.append(id, &probe, &Behaviour::default())).await {
+        Ok(Append::Duplicate { revision }) => one(around, id, revision).await,
+        _ => Err(SaidNo::Change(refusal)),
+    }
+}
+
+/// Asks for what the room does not know.
+pub(super) async fn catch_up(around: Arc<Surroundings>, id: Id, revision: u64) -> Saved {
+    let news = bounded(around.store.history(&id, revision, MISSED_MAX_CHANGES)).await;
+    Saved::CaughtUp(news.map_err(|error| store_no(&error)))
+}
+
+/// Moves the behaviour to the bin.
+pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: Answer) -> Saved {
+    let outcome = if (around.is_running)(&id) {
+        Err(SaidNo::Running)
+    } else {
+        match bounded(around.store.remove(&id, crate::support::now_ms(), &by)).await {
+            Ok(true) => Ok(()),
+            Ok(false) => Err(SaidNo::NoBehaviour),
+            Err(error) => Err(store_no(&error)),
+        }
+    };
+    Saved::Removed { outcome, from, by }
+}
+
+/// Refuses to let go a helper that is used, with who uses it.
+async fn unused(around: &Surroundings, helpers: Vec<String>) -> Result<(), SaidNo> {
+    for helper in helpers {
+        let users = bounded(around.store.users(&helper)).await.map_err(|error| store_no(&error))?;
+        let mut names: Vec<String> = users.into_iter().map(|user| format!("“{}”", user.name)).collect();
+        names.sort();
+        names.dedup();
+        if !names.is_empty() {
+            return Err(SaidNo::Change(Refusal::HelperUsed(helper, names)));
+        }
+    }
+    Ok(())
+}
