@@ -25,8 +25,10 @@ use leptos::prelude::*;
 #[component]
 pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static str) -> impl IntoView {
     let desk = hold();
-    let record =
-        connector.as_ref().and_then(|id| desk.desk().connector(id)).map(|signals| signals.record.get_untracked());
+    let record = connector
+        .as_ref()
+        .and_then(|id| desk.desk().document.connector(id))
+        .map(|signals| signals.record.get_untracked());
     match record {
         Some(record) if record.operation.word() == "subscribe" => view! { <EditStream id=record.output /> }.into_any(),
         record => {
@@ -48,8 +50,11 @@ fn OperationForm(form: Form) -> impl IntoView {
     });
     let written = move || if *form.way.read() == "body" { form.body.get() } else { String::new() };
     let from = move || {
-        let names =
-            form.inputs.get().into_iter().filter_map(|id| Some(desk.desk().stream(&id)?.record.read().name.clone()));
+        let names = form
+            .inputs
+            .get()
+            .into_iter()
+            .filter_map(|id| Some(desk.desk().document.stream(&id)?.record.read().name.clone()));
         names.collect::<Vec<_>>().join(", ")
     };
     let has_procedure = move || matches!(form.kind.get(), "map" | "filter" | "combineLatest");

@@ -12,7 +12,7 @@ pub(super) fn name_base(form: Form) -> String {
     let desk = form.desk.desk();
     let inputs = form.inputs.get();
     let names: Vec<String> =
-        inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.trim().to_owned())).collect();
+        inputs.iter().filter_map(|id| Some(desk.document.stream(id)?.record.read().name.trim().to_owned())).collect();
     let first = names.first().cloned().unwrap_or_default();
     let kind = form.kind.get();
     let name = match kind {

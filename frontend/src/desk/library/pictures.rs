@@ -1,27 +1,17 @@
-//! What the library knows: pages of programs, pictures of graphs, and what programs have to do with each other.
+//! Pictures of graphs, asked for together as they come into sight.
 
-use super::{Desk, set_if_new};
-use crate::{browser, link};
+use super::Library;
+use crate::browser;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Cursor, ListQuery, PICTURES_MAX, Picture, PictureOf, Reply, Request, Summary};
+use protocol::{PICTURES_MAX, Picture, PictureOf, Reply, Request};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::Arc;
 
-/// How many of the newest programs the menu and the first screen show.
-const NEWEST_MAX: u32 = 12;
 /// Pictures kept in the page.
 const PICTURES_KEPT_MAX: usize = 600;
 /// How soon pictures are asked for, together.
 const PICTURES_SOON_MS: i32 = 40;
-
-/// A page of programs.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct Shelf {
-    pub(crate) lines: Vec<Summary>,
-    pub(crate) next: Option<Cursor>,
-    pub(crate) total: u64,
-}
 
 /// Pictures by program, with the revision they show.
 pub(crate) type Pictures = BTreeMap<String, (u64, Arc<Picture>)>;
@@ -36,54 +26,7 @@ pub(super) struct WantedPictures {
     planned: bool,
 }
 
-impl Desk {
-    /// Asks for the newest programs afresh.
-    pub(crate) fn list_programs(&self) {
-        let desk = self.clone();
-        let query = ListQuery { most: NEWEST_MAX, ..ListQuery::default() };
-        self.ask_page(query, move |page| {
-            if let Ok(page) = page {
-                set_if_new(&desk.programs_total, page.total);
-                set_if_new(&desk.programs, page.lines);
-            }
-        });
-    }
-
-    /// The list of programs changed somewhere.
-    pub(super) fn programs_changed(&self) {
-        self.library_news.update(|news| *news = news.wrapping_add(1));
-        if self.open.with_untracked(Option::is_none) {
-            self.list_programs();
-        }
-    }
-
-    /// Asks for a page of the list; with a sentence if none comes.
-    pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<Shelf, String>) + 'static) {
-        self.look_up(Request::List { query }, move |answer| match answer {
-            Ok(Reply::Programs { programs, next, total }) => {
-                then(Ok(Shelf { lines: programs.clone(), next: next.clone(), total: *total }));
-            }
-            Ok(_) => {}
-            Err(sentence) => then(Err(sentence)),
-        });
-    }
-
-    /// Asks something that changes nothing; a no or a missing link is answered with a sentence.
-    pub(crate) fn look_up(&self, request: Request, then: impl FnOnce(Result<&Reply, String>) + 'static) {
-        link::ask_even_down(request, move |reply| match reply {
-            Some(Reply::No { no }) => then(Err(no.to_string())),
-            Some(reply) => then(Ok(reply)),
-            None => then(Err(crate::words::unreachable().to_owned())),
-        });
-    }
-
-    /// Takes a program out of the bin.
-    pub(crate) fn restore_program(&self, program: &Summary) {
-        let (desk, name) = (self.clone(), program.name.clone());
-        let Ok(behaviour) = Id::new(&program.id) else { return };
-        self.ask_or_say(Request::Restore { behaviour }, move |_| desk.say(&crate::words::is_back(&name), false));
-    }
-
+impl Library {
     /// Sees to it that the picture of a program comes.
     pub(crate) fn want_picture(&self, id: &str, revision: u64) {
         let there = self.pictures.with_untracked(|pictures| pictures.get(id).is_some_and(|(at, _)| *at >= revision));
@@ -91,16 +34,16 @@ impl Desk {
         if there || !self.state().wanted_pictures.want(PictureOf { behaviour, revision }) {
             return;
         }
-        let desk = self.clone();
-        browser::after(PICTURES_SOON_MS, move || desk.ask_pictures());
+        let library = self.clone();
+        browser::after(PICTURES_SOON_MS, move || library.ask_pictures());
     }
 
     fn ask_pictures(&self) {
         let of = self.state().wanted_pictures.take();
-        let (desk, asked) = (self.clone(), of.clone());
-        self.look_up(Request::Pictures { of }, move |answer| match answer {
-            Ok(Reply::Pictures { pictures }) => desk.got_pictures(&asked, pictures),
-            Ok(_) | Err(_) => desk.state().wanted_pictures.forget(&asked),
+        let (library, asked) = (self.clone(), of.clone());
+        self.tab.look_up(Request::Pictures { of }, move |answer| match answer {
+            Ok(Reply::Pictures { pictures }) => library.got_pictures(&asked, pictures),
+            Ok(_) | Err(_) => library.state().wanted_pictures.forget(&asked),
         });
     }
 

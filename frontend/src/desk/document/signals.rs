@@ -1,12 +1,12 @@
 //! From accepted changes to signals: the one signal of every touched record, and nothing else.
 
-use super::{ConnectorSignals, Desk, Selected, State, StreamSignals, set_if_new};
+use super::{ConnectorSignals, Document, DocumentEvent, Selected, State, StreamSignals};
+use crate::desk::tab::set_if_new;
 use crate::layout;
-use crate::live::LiveConnector;
 use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream};
 use leptos::prelude::*;
 
-impl Desk {
+impl Document {
     /// Shows a whole behaviour in place of what was shown.
     pub(super) fn show_whole(&self, records: Behaviour) {
         let touched = {
@@ -77,8 +77,8 @@ impl Desk {
                 let (moved, other) = signals
                     .record
                     .with_untracked(|old| (old.order != connector.order, old.operation != connector.operation));
-                if other && self.run_of_open().is_none() {
-                    set_if_new(&signals.live, LiveConnector::default());
+                if other {
+                    self.happened(DocumentEvent::Rewritten(signals.clone()));
                 }
                 set_if_new(&signals.record, connector);
                 moved
@@ -123,20 +123,13 @@ impl Desk {
             self.selected.set(None);
         }
     }
-
-    pub(super) fn refresh_library(&self) {
-        let mut helpers: Vec<_> =
-            self.state().library.helpers().map(|(id, helper)| (id.clone(), helper.clone())).collect();
-        helpers.sort_by(|one, other| one.1.name.cmp(&other.1.name));
-        set_if_new(&self.helpers, helpers);
-    }
 }
 
 impl State {
     /// A record as it is to be shown.
     fn record(&self, key: &RecordId) -> Option<Record> {
         let waiting = match &self.wanted {
-            Some(open) if self.show_waiting => self.queue.record(open, key),
+            Some(open) if self.saves.shows_waiting() => self.queue.record(open, key),
             _ => None,
         };
         waiting.unwrap_or_else(|| self.confirmed.records.get(key).cloned())

@@ -1,9 +1,11 @@
 //! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
 
-use super::{Desk, LinkState, Saving, set_if_new};
+use super::save_state::SaveEvent;
+use super::{Document, DocumentEvent};
 use crate::browser::Keep;
+use crate::desk::tab::set_if_new;
 use crate::link;
-use behaviour::{Change, Id, Refusal};
+use behaviour::{Change, Id, RecordId, Refusal};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Reply, Request, SaidNo};
 use std::cell::RefCell;
@@ -26,11 +28,11 @@ thread_local! {
     static ON_ANSWER: RefCell<BTreeMap<Id, OnAnswer>> = RefCell::default();
 }
 
-impl Desk {
+impl Document {
     /// Proposes a change to the open behaviour; a refusal is shown as a notice.
     pub(super) fn propose(&self, change: Change) {
-        let desk = self.clone();
-        self.propose_and(change, move |answer| desk.say_refusal(answer));
+        let tab = self.tab.clone();
+        self.propose_and(change, move |answer| tab.say_refusal(answer));
     }
 
     /// Proposes a change to the open behaviour and tells what became of it.
@@ -42,8 +44,12 @@ impl Desk {
         }
     }
 
-    /// Proposes a change to the helper library.
-    pub(super) fn propose_to_library(&self, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    /// Proposes a change to the helper library: it waits in the queue of all changes.
+    pub(in crate::desk) fn propose_to_library(
+        &self,
+        change: Change,
+        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+    ) {
         match Id::new(LIBRARY) {
             Ok(library) => self.propose_to(library, change, on_answer),
             Err(reason) => on_answer(Err(SaidNo::Unreadable(reason))),
@@ -57,8 +63,7 @@ impl Desk {
         if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
             return on_answer(Err(SaidNo::Change(Refusal::Edits(change.edits.len()))));
         }
-        let op = change.op.clone();
-        let touched: Vec<_> = change.edits.iter().map(|edit| edit.id.clone()).collect();
+        let (op, touched) = (change.op.clone(), touched(&change));
         let room = {
             let mut state = self.state();
             if to.as_str() != LIBRARY {
@@ -73,44 +78,46 @@ impl Desk {
             return on_answer(Err(SaidNo::TooFast));
         }
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
-        if self.state().show_waiting {
+        let shows = self.state().saves.shows_waiting();
+        if shows {
             self.refresh(&touched);
         }
         self.pump();
     }
 
     /// Sends the next change if none is under way, and shows how saving goes.
-    pub(super) fn pump(&self) {
-        if self.can_save()
-            && let Some(next) = self.next_to_send()
-        {
-            let (desk, op) = (self.clone(), next.change.op.clone());
-            let sent = link::ask(Request::Propose { behaviour: next.behaviour, change: next.change }, move |reply| {
-                if let Some(Reply::No { no }) = reply {
-                    desk.answered(&op, Err(no.clone()));
-                }
-            });
-            if !sent {
-                self.state().queue.link_lost();
-            }
+    pub(in crate::desk) fn pump(&self) {
+        self.send_next();
+        let is_saved = self.is_saved();
+        if is_saved {
+            self.note(SaveEvent::AllSaved);
         }
-        let state = self.state();
-        let waits = state.queue.len() > 0;
-        drop(state);
-        let shows = waits || !self.can_save();
-        self.state().show_waiting &= shows;
         self.keep_queue();
         self.show_saving();
-        self.start_if_saved();
+        if is_saved {
+            self.happened(DocumentEvent::Saved);
+        }
     }
 
-    fn next_to_send(&self) -> Option<super::queue::Waiting> {
-        let mut state = self.state();
-        if state.slowed { None } else { state.queue.send_next() }
+    fn send_next(&self) {
+        let next = {
+            let mut state = self.state();
+            if state.saves.can_save() { state.queue.send_next() } else { None }
+        };
+        let Some(next) = next else { return };
+        let (document, op) = (self.clone(), next.change.op.clone());
+        let sent = link::ask(Request::Propose { behaviour: next.behaviour, change: next.change }, move |reply| {
+            if let Some(Reply::No { no }) = reply {
+                document.answered(&op, Err(no.clone()));
+            }
+        });
+        if !sent {
+            self.state().queue.link_lost();
+        }
     }
 
     /// The server said yes or no to a change of this tab.
-    pub(super) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
+    pub(in crate::desk) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
         match &answer {
             Err(SaidNo::Store(_)) => return self.stall(),
             Err(SaidNo::TooFast) => return self.slow_down(),
@@ -118,71 +125,68 @@ impl Desk {
         }
         let waiting = self.state().queue.answered(op);
         let Some(waiting) = waiting else { return };
-        if answer.is_ok() {
-            self.sent();
-        }
-        if answer.is_err() {
-            let mut state = self.state();
-            state.history.refused(op);
-            state.when_saved = None;
-            drop(state);
-            let touched: Vec<_> = waiting.change.edits.iter().map(|edit| edit.id.clone()).collect();
-            self.refresh(&touched);
+        match &answer {
+            Ok(()) => {
+                let silence = &mut self.state().silence;
+                *silence = silence.after_sending();
+            }
+            Err(_) => self.take_back(&waiting.change),
         }
         self.show_history();
         let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(op));
         match on_answer {
             Some(on_answer) => on_answer(answer),
-            None => self.say_refusal(answer),
+            None => self.tab.say_refusal(answer),
         }
         self.say_back();
         self.pump();
     }
 
+    /// A change was refused: what it touched is shown as it is without it.
+    fn take_back(&self, change: &Change) {
+        self.state().history.refused(&change.op);
+        self.happened(DocumentEvent::NotSaved);
+        self.refresh(&touched(change));
+    }
+
     /// Whether what is proposed can be saved now.
     pub(crate) fn can_save(&self) -> bool {
-        link::is_up() && self.away.with_untracked(Option::is_none) && !self.state().stalled
+        self.state().saves.can_save()
+    }
+
+    /// Whether nothing waits to be saved.
+    pub(in crate::desk) fn is_saved(&self) -> bool {
+        self.state().queue.len() == 0
     }
 
     /// The server could not save: everything waits here and is sent again, under its old names.
     fn stall(&self) {
-        self.state().stalled = true;
-        self.link_lost();
-        let desk = self.clone();
+        self.hold_back(SaveEvent::NotSaved);
+        let document = self.clone();
         crate::browser::after(STALLED_MS, move || {
-            desk.state().stalled = false;
-            desk.pump();
+            document.note(SaveEvent::Waited);
+            document.pump();
         });
     }
 
     /// The server had too much to do: the change waits in its place and is sent again in a moment.
     fn slow_down(&self) {
-        self.state().slowed = true;
-        let desk = self.clone();
+        self.state().queue.rest();
+        let document = self.clone();
         crate::browser::after(TOO_FAST_MS, move || {
-            let mut state = desk.state();
-            state.slowed = false;
-            state.queue.link_lost();
-            drop(state);
-            desk.pump();
+            document.state().queue.rested();
+            document.pump();
         });
     }
 
     /// The server says whether it can save.
-    pub(super) fn hear_store(&self, away: Option<String>) {
-        let lost = away.is_some();
-        set_if_new(&self.away, away);
-        if lost {
-            self.link_lost();
-        } else {
-            self.pump();
-        }
-    }
-
-    /// Shows a refusal as a notice.
-    pub(crate) fn say_refusal(&self, answer: Result<(), SaidNo>) {
-        if let Err(no) = answer {
-            self.say_no(&no);
+    pub(in crate::desk) fn hear_store(&self, away: Option<String>) {
+        match away {
+            Some(why) => self.hold_back(SaveEvent::StoreAway(why)),
+            None => {
+                self.note(SaveEvent::StoreBack);
+                self.pump();
+            }
         }
     }
 
@@ -191,42 +195,43 @@ impl Desk {
         let lost = self.state().queue.touched(behaviour).len();
         self.state().queue.forget(behaviour);
         if lost > 0 {
-            self.say_no(&SaidNo::Change(Refusal::Gone));
+            self.tab.say_no(&SaidNo::Change(Refusal::Gone));
         }
         self.pump();
     }
 
+    /// The server greeted back; what waits is sent once it is clear what is open.
+    pub(in crate::desk) fn link_up(&self) {
+        self.note(SaveEvent::LinkUp);
+    }
+
     /// The link broke; what waits is shown until it is back.
-    pub(crate) fn link_lost(&self) {
-        {
+    pub(in crate::desk) fn link_lost(&self) {
+        self.hold_back(SaveEvent::LinkLost);
+    }
+
+    /// Nothing can be saved now: what was under way waits again, and what waits is shown.
+    fn hold_back(&self, why: SaveEvent) {
+        self.note(why);
+        let waiting = {
             let mut state = self.state();
             state.queue.link_lost();
-            state.when_saved = None;
-        }
-        self.show_waiting(true);
+            state.wanted.clone().map_or_else(Vec::new, |open| state.queue.touched(&open))
+        };
+        self.happened(DocumentEvent::NotSaved);
+        self.refresh(&waiting);
         self.show_saving();
     }
 
-    pub(super) fn show_waiting(&self, show: bool) {
-        let touched = {
-            let mut state = self.state();
-            state.show_waiting = show;
-            state.wanted.clone().map_or_else(Vec::new, |open| state.queue.touched(&open))
-        };
-        self.refresh(&touched);
+    fn note(&self, event: SaveEvent) {
+        let saves = &mut self.state().saves;
+        *saves = std::mem::take(saves).after(event);
     }
 
     fn show_saving(&self) {
-        let (waiting, stalled) = {
+        let saving = {
             let state = self.state();
-            (state.queue.len(), state.stalled)
-        };
-        let away = stalled || self.away.with_untracked(Option::is_some);
-        let saving = match self.online.get_untracked() {
-            LinkState::Offline => Saving::Offline(waiting),
-            LinkState::Connecting | LinkState::Online if away => Saving::Away(waiting),
-            LinkState::Connecting | LinkState::Online if waiting > 0 => Saving::Saving,
-            LinkState::Connecting | LinkState::Online => Saving::Saved,
+            state.saves.told(state.queue.len())
         };
         set_if_new(&self.saving, saving);
     }
@@ -242,10 +247,15 @@ impl Desk {
         }
     }
 
-    pub(super) fn restore_queue(&self) {
+    /// Takes up what waited before the page was loaded again.
+    pub(in crate::desk) fn restore_queue(&self) {
         let kept = Keep::Tab.get(QUEUE_KEY).and_then(|text| serde_json::from_str(&text).ok());
         if let Some(queue) = kept {
             self.state().queue = queue;
         }
     }
+}
+
+fn touched(change: &Change) -> Vec<RecordId> {
+    change.edits.iter().map(|edit| edit.id.clone()).collect()
 }

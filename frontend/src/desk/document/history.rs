@@ -1,6 +1,7 @@
 //! One's own undo and redo: the last changes of this tab, taken back by their opposite.
 
-use super::{Desk, new_id};
+use super::Document;
+use crate::desk::tab::new_id;
 use behaviour::{Change, Id};
 use leptos::prelude::Set;
 use std::collections::BTreeMap;
@@ -93,7 +94,7 @@ fn label(word: &str, of: &str) -> String {
     format!("{word}: {short}")
 }
 
-impl Desk {
+impl Document {
     /// Takes back this person's last change.
     pub(crate) fn undo(&self) {
         let change = self.state().history.undo(new_id());

@@ -1,12 +1,12 @@
 //! What runs beside the open program: its order, and stopping one of it.
 
-use super::Desk;
+use super::Robots;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Request, RunPhase, RunState};
 
-impl Desk {
+impl Robots {
     /// Everything that runs on the robot that this tab looks at, from the top of the order. Reactive.
     pub(crate) fn all_running(&self) -> Vec<RunState> {
         let mut running = self.runs_here();
@@ -17,7 +17,7 @@ impl Desk {
 
     /// Whether what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
     pub(crate) fn runs_older(&self, run: &RunState) -> bool {
-        self.fingerprint.get() != run.fingerprint
+        self.document.fingerprint.get() != run.fingerprint
     }
 
     /// Who keeps a part of the robot from this action of the open program, in a sentence. Reactive.
@@ -28,8 +28,8 @@ impl Desk {
 
     /// Puts a running behaviour just above another one, or at the end.
     pub(crate) fn place(&self, behaviour: &Id, above: Option<Id>) {
-        let robot = self.robot_id();
-        self.ask_or_say(Request::Place { behaviour: behaviour.clone(), robot, above }, |_| {});
+        let robot = self.chosen_id();
+        self.tab.ask_or_say(Request::Place { behaviour: behaviour.clone(), robot, above }, |_| {});
     }
 
     /// Puts one in the place of another one of the list: from above it comes to stand below that one.
@@ -44,7 +44,7 @@ impl Desk {
 
     /// Stops one behaviour; the others run on.
     pub(crate) fn stop_one(&self, behaviour: &Id) {
-        let robot = self.robot_id();
-        self.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()), robot }, |_| {});
+        let robot = self.chosen_id();
+        self.tab.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()), robot }, |_| {});
     }
 }

@@ -18,9 +18,20 @@ pub(super) struct Waiting {
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub(super) struct Queue {
     waiting: VecDeque<Waiting>,
-    /// Whether the oldest is under way.
     #[serde(skip)]
-    under_way: bool,
+    oldest: Oldest,
+}
+
+/// What the oldest change does; all others wait behind it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Oldest {
+    /// It is sent as soon as somebody asks for it.
+    #[default]
+    Ready,
+    /// It was sent and is not answered yet.
+    UnderWay,
+    /// It came too fast: it rests before it is sent again.
+    Rests,
 }
 
 impl Queue {
@@ -37,26 +48,42 @@ impl Queue {
         room
     }
 
-    /// The next to send, which is then under way; none while one is.
+    /// The next to send, which is then under way; none while one is, or rests.
     pub(super) fn send_next(&mut self) -> Option<Waiting> {
-        if self.under_way {
-            return None;
+        match self.oldest {
+            Oldest::UnderWay | Oldest::Rests => None,
+            Oldest::Ready => {
+                let next = self.waiting.front().cloned()?;
+                self.oldest = Oldest::UnderWay;
+                Some(next)
+            }
         }
-        let next = self.waiting.front().cloned();
-        self.under_way = next.is_some();
-        next
+    }
+
+    /// The server had too much to do: what is under way rests until [`Queue::rested`].
+    pub(super) fn rest(&mut self) {
+        if self.oldest == Oldest::UnderWay {
+            self.oldest = Oldest::Rests;
+        }
+    }
+
+    /// What rested may be sent again.
+    pub(super) fn rested(&mut self) {
+        if self.oldest == Oldest::Rests {
+            self.oldest = Oldest::Ready;
+        }
     }
 
     /// The link broke: what was under way is sent again, under its old name.
     pub(super) fn link_lost(&mut self) {
-        self.under_way = false;
+        self.oldest = Oldest::Ready;
     }
 
     /// Takes out the change that was answered.
     pub(super) fn answered(&mut self, op: &Id) -> Option<Waiting> {
         let at = self.waiting.iter().position(|waiting| waiting.change.op == *op)?;
         if at == 0 {
-            self.under_way = false;
+            self.oldest = Oldest::Ready;
         }
         self.waiting.remove(at)
     }
@@ -64,7 +91,7 @@ impl Queue {
     /// Forgets what waits for a behaviour that is gone.
     pub(super) fn forget(&mut self, behaviour: &Id) {
         if self.waiting.front().is_some_and(|first| first.behaviour == *behaviour) {
-            self.under_way = false;
+            self.oldest = Oldest::Ready;
         }
         self.waiting.retain(|waiting| waiting.behaviour != *behaviour);
     }
@@ -116,6 +143,29 @@ mod tests {
         assert_eq!(queue.send_next().unwrap().change.op, id("one"));
         assert!(queue.answered(&id("one")).is_some());
         assert_eq!(queue.send_next().unwrap().change.op, id("two"));
+    }
+
+    #[test]
+    fn what_came_too_fast_rests_before_it_is_sent_again() {
+        let mut queue = Queue::default();
+        queue.push(id("b"), change("one", "1"));
+        queue.send_next();
+        queue.rest();
+        assert_eq!(queue.send_next(), None);
+        queue.rested();
+        assert_eq!(queue.send_next().unwrap().change.op, id("one"));
+        queue.rested();
+        assert_eq!(queue.send_next(), None, "what is under way does not rest");
+    }
+
+    #[test]
+    fn a_link_that_breaks_ends_the_rest() {
+        let mut queue = Queue::default();
+        queue.push(id("b"), change("one", "1"));
+        queue.send_next();
+        queue.rest();
+        queue.link_lost();
+        assert!(queue.send_next().is_some());
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! Programs as files: opening one that a person chose or dropped on the page.
 
-use super::Desk;
+use super::Library;
+use crate::desk::tab::set_if_new;
 use crate::{browser, words};
 use behaviour::Id;
 use js_sys::Reflect;
-use leptos::prelude::*;
 use serde::Deserialize;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
@@ -38,45 +38,45 @@ pub(crate) fn first_file(of: &JsValue) -> Option<JsValue> {
     Reflect::get_u32(&files, 0).ok().filter(|file| !file.is_undefined())
 }
 
-impl Desk {
+impl Library {
     /// Makes a program out of a file and opens it, or says why not.
     pub(crate) fn open_file(&self, file: JsValue) {
-        let (desk, me) = (self.clone(), self.me.with_untracked(|me| me.as_ref().map(|me| me.name.clone())));
+        let (library, me) = (self.clone(), self.tab.my_name());
         wasm_bindgen_futures::spawn_local(async move {
-            match bring(&file, &me.unwrap_or_default()).await {
+            match bring(&file, &me).await {
                 Ok(brought) => {
-                    desk.open_program(&brought.id);
-                    desk.say(&words::file_opened(&brought.name, &brought.renamed_helpers), false);
+                    library.document.open_program(&brought.id);
+                    library.tab.say(&words::file_opened(&brought.name, &brought.renamed_helpers), false);
                 }
-                Err(sentence) => desk.say(&sentence, true),
+                Err(sentence) => library.tab.say(&sentence, true),
             }
         });
     }
 
     /// Files that are dropped anywhere on the page are opened.
-    pub(super) fn hear_drops(&self) {
+    pub(in crate::desk) fn hear_drops(&self) {
         let Some(window) = browser::window() else { return };
-        let desk = self.clone();
+        let library = self.clone();
         browser::hear(&window, "dragover", move |event| {
             if carries_file(&event) {
                 prevent(&event);
-                super::set_if_new(&desk.dropping, true);
+                set_if_new(&library.dropping, true);
             }
         });
-        let desk = self.clone();
+        let library = self.clone();
         browser::hear(&window, "dragleave", move |event| {
             let outside = Reflect::get(&event, &"relatedTarget".into()).is_ok_and(|to| to.is_null());
             if outside {
-                super::set_if_new(&desk.dropping, false);
+                set_if_new(&library.dropping, false);
             }
         });
-        let desk = self.clone();
+        let library = self.clone();
         browser::hear(&window, "drop", move |event| {
-            super::set_if_new(&desk.dropping, false);
+            set_if_new(&library.dropping, false);
             let file = Reflect::get(&event, &"dataTransfer".into()).ok().and_then(|dropped| first_file(&dropped));
             if let Some(file) = file {
                 prevent(&event);
-                desk.open_file(file);
+                library.open_file(file);
             }
         });
     }

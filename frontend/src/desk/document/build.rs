@@ -159,13 +159,13 @@ pub(super) fn renamed(behaviour: &Behaviour, change: Change, name: &str) -> Chan
 }
 
 /// A helper of the library, new or edited.
-pub(super) fn helper_put(library: &Behaviour, change: Change, id: &Id, helper: Helper) -> Change {
+pub(in crate::desk) fn helper_put(library: &Behaviour, change: Change, id: &Id, helper: Helper) -> Change {
     change.put(library, key(Kind::Helper, id), Record::Helper(helper))
 }
 
-/// The same change of a record that its author saw as `seen`: if it is not that any more, the server refuses, and nothing
-/// that somebody else saved meanwhile is lost.
-pub(super) fn as_seen(mut change: Change, kind: Kind, id: &Id, seen: Record) -> Change {
+/// The change of a record that its author saw as `seen`: if it is not that any more, the server refuses, and nothing that
+/// somebody else saved meanwhile is lost.
+pub(in crate::desk) fn as_seen(mut change: Change, kind: Kind, id: &Id, seen: Record) -> Change {
     if let Some(edit) = change.edits.iter_mut().find(|edit| edit.id == key(kind, id)) {
         edit.before = Some(seen);
     }
@@ -173,7 +173,7 @@ pub(super) fn as_seen(mut change: Change, kind: Kind, id: &Id, seen: Record) -> 
 }
 
 /// The library without a helper.
-pub(super) fn helper_gone(library: &Behaviour, change: Change, id: &Id) -> Change {
+pub(in crate::desk) fn helper_gone(library: &Behaviour, change: Change, id: &Id) -> Change {
     change.take(library, key(Kind::Helper, id))
 }
 

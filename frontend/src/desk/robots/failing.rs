@@ -1,6 +1,9 @@
 //! Which connectors of the run fail, and how often.
 
-use super::{ConnectorSignals, Desk, State, set_if_new};
+use super::Robots;
+use super::unused::Before;
+use crate::desk::document::ConnectorSignals;
+use crate::desk::tab::set_if_new;
 use crate::layout::chip_words;
 use behaviour::{Connector, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
@@ -16,7 +19,7 @@ pub(crate) struct Failing {
     pub(crate) why: String,
 }
 
-impl Desk {
+impl Robots {
     /// What fails on the robot now. Reactive.
     pub(crate) fn fails_now(&self) -> usize {
         if self.running().is_some() { self.failing.read().len() } else { 0 }
@@ -24,25 +27,25 @@ impl Desk {
 
     /// Counts afresh what fails, what began last first.
     pub(super) fn renew_failing(&self) {
-        let state = self.state();
-        let mut found: Vec<_> =
-            state.connectors.iter().filter_map(|(id, signals)| state.failing(id, signals)).collect();
-        drop(state);
+        let connectors = self.document.connectors();
+        let mut found: Vec<_> = {
+            let before = &self.state().before;
+            connectors.iter().filter_map(|(id, signals)| failing(before, id, signals)).collect()
+        };
         found.sort_by(|one, other| other.0.total_cmp(&one.0));
         set_if_new(&self.failing, found.into_iter().map(|(_, failing)| failing).collect());
     }
 }
 
-impl State {
-    fn failing(&self, id: &Id, signals: &ConnectorSignals) -> Option<(f64, Failing)> {
-        let live = signals.live.read_untracked();
-        let why = live.error.clone().filter(|_| live.faults > 0)?;
-        let name = match self.ran.get(&RecordId::new(Kind::Connector, id)) {
-            Some(Some(Record::Connector(ran))) => whole(ran),
-            _ => signals.record.with_untracked(whole),
-        };
-        Some((live.failed_at, Failing { connector: id.clone(), name, count: live.faults, why }))
-    }
+/// A connector that fails, and since when; it is called what it was called in the version that runs.
+fn failing(before: &Before, id: &Id, signals: &ConnectorSignals) -> Option<(f64, Failing)> {
+    let live = signals.live.read_untracked();
+    let why = live.error.clone().filter(|_| live.faults > 0)?;
+    let name = match before.get(&RecordId::new(Kind::Connector, id)) {
+        Some(Some(Record::Connector(ran))) => whole(ran),
+        _ => signals.record.with_untracked(whole),
+    };
+    Some((live.failed_at, Failing { connector: id.clone(), name, count: live.faults, why }))
 }
 
 fn whole(connector: &Connector) -> String {

@@ -1,14 +1,16 @@
 //! Live values and runs, put into the signals of their streams and connectors.
 
-use super::{Desk, set_if_new};
+use super::Robots;
 use crate::browser;
+use crate::desk::document::ConnectorSignals;
+use crate::desk::tab::set_if_new;
 use crate::live::{LIT_MS, LiveConnector, LiveStream};
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{ConnectorSample, RunState, StreamSample, Values};
 
-impl Desk {
-    pub(super) fn hear_runs(&self, runs: Vec<RunState>) {
+impl Robots {
+    pub(in crate::desk) fn hear_runs(&self, runs: Vec<RunState>) {
         set_if_new(&self.runs, runs);
         self.clock.set(browser::now_ms());
         if let Some(run) = self.run_of_open() {
@@ -19,8 +21,8 @@ impl Desk {
     }
 
     /// Values still under way from a robot that this tab does not look at any more are dropped.
-    pub(super) fn hear_values(&self, values: Values) {
-        let here = self.robot_id();
+    pub(in crate::desk) fn hear_values(&self, values: Values) {
+        let here = self.chosen_id();
         let elsewhere = |run: &RunState| run.run == values.run && Some(&run.robot) != here.as_ref();
         if self.runs.with_untracked(|runs| runs.iter().any(elsewhere)) {
             return;
@@ -31,8 +33,8 @@ impl Desk {
         let fired: Vec<Id> =
             values.connectors.into_iter().filter_map(|sample| self.hear_connector(sample, now)).collect();
         if !fired.is_empty() {
-            let desk = self.clone();
-            browser::after(LIT_MS + 10, move || desk.dim(&fired));
+            let robots = self.clone();
+            browser::after(LIT_MS + 10, move || robots.dim(&fired));
         }
     }
 
@@ -47,27 +49,28 @@ impl Desk {
         if std::mem::replace(&mut self.state().run, run) == run {
             return;
         }
-        let (streams, connectors) = {
-            let state = self.state();
-            let streams: Vec<_> = state.streams.values().map(|signals| signals.live.clone()).collect();
-            let connectors: Vec<_> = state.connectors.values().map(|signals| signals.live.clone()).collect();
-            (streams, connectors)
-        };
-        streams.iter().for_each(|live| set_if_new(live, LiveStream::default()));
-        connectors.iter().for_each(|live| set_if_new(live, LiveConnector::default()));
+        self.document.streams().iter().for_each(|signals| set_if_new(&signals.live, LiveStream::default()));
+        self.document.connectors().iter().for_each(|(_, signals)| set_if_new(&signals.live, LiveConnector::default()));
         set_if_new(&self.has_values, run != 0);
         self.renew_failing();
     }
 
+    /// A connector does something else than before: what it did is forgotten, unless a run may still tell of it.
+    pub(in crate::desk) fn rewritten(&self, connector: &ConnectorSignals) {
+        if self.run_of_open().is_none() {
+            set_if_new(&connector.live, LiveConnector::default());
+        }
+    }
+
     fn hear_stream(&self, sample: StreamSample, now: f64) {
-        if let Some(signals) = self.stream(&sample.stream) {
+        if let Some(signals) = self.document.stream(&sample.stream) {
             signals.live.update(|live| live.hear(sample, now));
         }
     }
 
     /// The connector's id if it has just passed something on.
     fn hear_connector(&self, sample: ConnectorSample, now: f64) -> Option<Id> {
-        let signals = self.connector(&sample.connector)?;
+        let signals = self.document.connector(&sample.connector)?;
         let id = sample.connector.clone();
         let (fired, begins_to_fail) =
             signals.live.with_untracked(|live| (sample.fired > live.fired, sample.faults > 0 && live.faults == 0));
@@ -81,7 +84,7 @@ impl Desk {
     /// Ends the light of connectors that have not fired again.
     fn dim(&self, fired: &[Id]) {
         let now = browser::now_ms();
-        for signals in fired.iter().filter_map(|id| self.connector(id)) {
+        for signals in fired.iter().filter_map(|id| self.document.connector(id)) {
             let old = signals.live.with_untracked(|live| live.lit && now - live.fired_at >= f64::from(LIT_MS));
             if old {
                 signals.live.update(|live| live.lit = false);

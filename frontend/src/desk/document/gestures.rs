@@ -1,8 +1,9 @@
 //! Gestures: each builds one change with a label and proposes it.
 
-use super::{ConnectPlan, Desk, Output, Selected, build, new_id};
+use super::{ConnectPlan, Document, Output, Selected, build};
+use crate::desk::tab::new_id;
 use crate::layout;
-use behaviour::{Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Record, Stream};
+use behaviour::{Behaviour, Change, Connector, Id, Kind, Operation, Params, Place, Record, RecordId, Stream};
 use leptos::prelude::*;
 use protocol::SaidNo;
 use std::collections::BTreeMap;
@@ -10,7 +11,7 @@ use std::collections::BTreeMap;
 /// So many places fit in one change and its message.
 const MOVES_MAX: usize = 800;
 
-impl Desk {
+impl Document {
     /// The first free stream name: "Tracker", then "Tracker 2".
     pub(crate) fn name_for(&self, base: &str) -> String {
         build::free_name(&self.behaviour(), base)
@@ -21,8 +22,8 @@ impl Desk {
         let (behaviour, places) = self.behaviour_and_places();
         let id = new_id();
         let change = build::sensor(&behaviour, &places, self.change(&format!("Add {device}")), (&id, device, params));
-        let desk = self.clone();
-        self.propose_and(change, self.select_on_yes(id, move |answer| desk.say_refusal(answer)));
+        let tab = self.tab.clone();
+        self.propose_and(change, self.select_on_yes(id, move |answer| tab.say_refusal(answer)));
     }
 
     /// A new connector; the stream it leads to is selected once it is there.
@@ -43,10 +44,10 @@ impl Desk {
         id: Id,
         on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
     ) -> impl FnOnce(Result<(), SaidNo>) + 'static {
-        let desk = self.clone();
+        let document = self.clone();
         move |answer| {
-            if answer.is_ok() && desk.stream(&id).is_some() {
-                desk.selected.set(Some(Selected::Stream(id)));
+            if answer.is_ok() && document.stream(&id).is_some() {
+                document.selected.set(Some(Selected::Stream(id)));
             }
             on_answer(answer);
         }
@@ -107,19 +108,19 @@ impl Desk {
         let behaviour = self.behaviour();
         for some in places.chunks(MOVES_MAX) {
             let change = build::moved(&behaviour, self.change(label), some);
-            let (desk, back) = (self.clone(), some.iter().map(|(id, _)| id.clone()).collect::<Vec<_>>());
+            let (document, back) = (self.clone(), some.iter().map(|(id, _)| id.clone()).collect::<Vec<_>>());
             self.propose_and(change, move |answer| {
                 if answer.is_err() {
-                    desk.put_back(&back);
+                    document.put_back(&back);
                 }
-                desk.say_refusal(answer);
+                document.tab.say_refusal(answer);
             });
         }
     }
 
     /// Shows streams where the server has them, after a drag that came to nothing.
     pub(crate) fn put_back(&self, ids: &[Id]) {
-        let keys: Vec<_> = ids.iter().map(|id| behaviour::RecordId::new(behaviour::Kind::Place, id)).collect();
+        let keys: Vec<_> = ids.iter().map(|id| RecordId::new(Kind::Place, id)).collect();
         self.refresh(&keys);
     }
 
@@ -135,32 +136,9 @@ impl Desk {
         self.propose(change);
     }
 
-    /// A helper of the library, new without an id.
-    pub(crate) fn put_helper(
-        &self,
-        seen: Option<(Id, Helper)>,
-        helper: Helper,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
-    ) {
-        let change = self.change(&format!("Helper {}", short(&helper.name)));
-        let library = self.state().library.clone();
-        let (id, seen) = seen.map_or_else(|| (new_id(), None), |(id, seen)| (id, Some(seen)));
-        let mut change = build::helper_put(&library, change, &id, helper);
-        if let Some(seen) = seen {
-            change = build::as_seen(change, Kind::Helper, &id, Record::Helper(seen));
-        }
-        self.propose_to_library(change, on_answer);
-    }
-
-    /// The library without a helper; refused while programs use it.
-    pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
-        let library = self.state().library.clone();
-        self.propose_to_library(build::helper_gone(&library, self.change("Remove helper"), id), on_answer);
-    }
-
-    fn change(&self, label: &str) -> Change {
-        let author = self.me.with_untracked(|me| me.as_ref().map_or_else(String::new, |me| me.name.clone()));
-        Change::of(new_id(), &author, label)
+    /// A change of who sits here, still empty.
+    pub(in crate::desk) fn change(&self, label: &str) -> Change {
+        Change::of(new_id(), &self.tab.my_name(), label)
     }
 
     /// The open behaviour, and where its streams stand on this page, placed by people or not.
@@ -178,6 +156,6 @@ impl Desk {
     }
 }
 
-fn short(name: &str) -> String {
+pub(in crate::desk) fn short(name: &str) -> String {
     name.chars().take(60).collect()
 }

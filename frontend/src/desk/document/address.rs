@@ -1,22 +1,22 @@
 //! The address of the page holds which behaviour is open: `#/b/<id>`.
 
-use super::Desk;
+use super::Document;
 use crate::browser::{self, Keep};
 use behaviour::Id;
 
 const LAST_KEY: &str = "rrp.last";
 
-impl Desk {
+impl Document {
     /// Takes what is to be open from the address, else what was open last, and follows the address from now on.
-    pub(super) fn follow_address(&self) {
+    pub(in crate::desk) fn follow_address(&self) {
         let wanted = in_hash(&browser::hash()).or_else(|| Keep::Browser.get(LAST_KEY).and_then(|id| Id::new(&id).ok()));
         if let Some(id) = &wanted {
             browser::set_hash(&hash_of(id));
         }
         self.state().wanted = wanted;
-        let desk = self.clone();
+        let document = self.clone();
         if let Some(window) = browser::window() {
-            browser::hear(&window, "hashchange", move |_| desk.address_changed());
+            browser::hear(&window, "hashchange", move |_| document.address_changed());
         }
     }
 
