@@ -7,7 +7,7 @@ mod making;
 mod pictures;
 
 pub(crate) use files::{file_address, first_file};
-pub(crate) use lists::Shelf;
+pub(crate) use lists::ProgramPage;
 
 use super::document::Document;
 use super::tab::Tab;

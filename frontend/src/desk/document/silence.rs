@@ -67,7 +67,7 @@ impl Document {
 
     /// Says once that the server speaks again, as soon as what waited was sent.
     pub(super) fn say_back(&self) {
-        let Some(sent) = self.state().take_back() else { return };
+        let Some(sent) = self.state().end_of_silence() else { return };
         let refused = self.tab.notice.with_untracked(|notice| notice.as_ref().is_some_and(|notice| notice.bad));
         if !refused {
             self.tab.say(&words::connected(sent), false);
@@ -77,7 +77,7 @@ impl Document {
 
 impl State {
     /// How many changes were sent since the server speaks again, once, when none waits any more.
-    fn take_back(&mut self) -> Option<usize> {
+    fn end_of_silence(&mut self) -> Option<usize> {
         match self.silence {
             Silence::Over { sent } if self.queue.len() == 0 => {
                 self.silence = Silence::No;
@@ -122,8 +122,8 @@ mod tests {
         let mut state = State { silence: Silence::Over { sent: 1 }, ..State::default() };
         let (behaviour, op) = (Id::new("b").unwrap(), Id::new("op").unwrap());
         state.queue.push(behaviour, Change::of(op.clone(), "Aiko", "Edit"));
-        assert_eq!(state.take_back(), None);
+        assert_eq!(state.end_of_silence(), None);
         state.queue.answered(&op);
-        assert_eq!([state.take_back(), state.take_back()], [Some(1), None]);
+        assert_eq!([state.end_of_silence(), state.end_of_silence()], [Some(1), None]);
     }
 }

@@ -11,7 +11,7 @@ const NEWEST_MAX: u32 = 12;
 
 /// A page of programs.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Shelf {
+pub(crate) struct ProgramPage {
     pub(crate) lines: Vec<Summary>,
     pub(crate) next: Option<Cursor>,
     pub(crate) total: u64,
@@ -44,10 +44,10 @@ impl Library {
     }
 
     /// Asks for a page of the list; with a sentence if none comes.
-    pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<Shelf, String>) + 'static) {
+    pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<ProgramPage, String>) + 'static) {
         self.tab.look_up(Request::List { query }, move |answer| match answer {
             Ok(Reply::Programs { programs, next, total }) => {
-                then(Ok(Shelf { lines: programs.clone(), next: next.clone(), total: *total }));
+                then(Ok(ProgramPage { lines: programs.clone(), next: next.clone(), total: *total }));
             }
             Ok(_) => {}
             Err(sentence) => then(Err(sentence)),

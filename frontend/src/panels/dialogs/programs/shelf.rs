@@ -1,6 +1,6 @@
 //! What the dialog shows of the list: what is looked for, the lines that came so far, and how loading goes.
 
-use crate::desk::Shelf;
+use crate::desk::ProgramPage;
 use crate::panels::hold::{Hold, Soon};
 use crate::words;
 use leptos::html::Div;
@@ -157,9 +157,9 @@ impl Shown {
         });
     }
 
-    fn take(self, page: Result<Shelf, String>, below: bool) {
+    fn take(self, page: Result<ProgramPage, String>, below: bool) {
         match page {
-            Ok(Shelf { lines, next, total }) => {
+            Ok(ProgramPage { lines, next, total }) => {
                 self.next.set(next);
                 self.total.set(total);
                 self.loading.set(Loading::Done);
