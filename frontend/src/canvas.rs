@@ -93,7 +93,7 @@ pub(crate) fn Canvas() -> impl IntoView {
 #[component]
 pub(crate) fn ToGraph() -> impl IntoView {
     let desk = use_desk();
-    let ids = desk.stream_ids.clone();
+    let ids = desk.document.stream_ids.clone();
     let go = move |_| {
         let stop = document().query_selector("#stage .stream[tabindex='0']").ok().flatten();
         if let Some(stop) = stop.and_then(|stop| stop.dyn_into::<web_sys::HtmlElement>().ok()) {

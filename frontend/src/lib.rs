@@ -42,7 +42,7 @@ fn tell_page(text: &str) {
 
 #[component]
 fn App() -> impl IntoView {
-    let desk = Desk::default();
+    let desk = Desk::new();
     desk.start_up();
     undo_keys(&desk);
     provide_context(desk);
@@ -75,8 +75,8 @@ fn undo_keys(desk: &Desk) {
             return;
         }
         match (event.key().to_lowercase().as_str(), event.shift_key()) {
-            ("z", false) => desk.undo(),
-            ("z", true) | ("y", false) => desk.redo(),
+            ("z", false) => desk.document.undo(),
+            ("z", true) | ("y", false) => desk.document.redo(),
             _ => return,
         }
         event.prevent_default();

@@ -3,8 +3,7 @@
 mod socket;
 
 use crate::browser;
-use crate::desk::{Desk, LinkState};
-use leptos::prelude::Set;
+use crate::desk::Desk;
 use protocol::{Ask, Assembly, Message, Reply, Request};
 use socket::Socket;
 use std::cell::RefCell;
@@ -163,7 +162,7 @@ fn hear(generation: u32, text: &str) {
     };
     if matches!(message.reply, Reply::Welcome { .. }) {
         with(|link| (link.greeted, link.tries) = (true, 0));
-        desk.online.set(LinkState::Online);
+        desk.link_up();
     }
     desk.listen(0.0);
     let answer = message.ask.and_then(|number| with(|link| link.answers.remove(&number)));
@@ -191,7 +190,6 @@ fn lose(generation: u32) {
         (std::mem::take(&mut link.answers), link.desk.clone(), link.tries)
     });
     if let Some(desk) = desk {
-        desk.online.set(LinkState::Offline);
         desk.link_lost();
     }
     answers.into_values().for_each(|answer| answer(None));

@@ -7,6 +7,7 @@ mod dist;
 mod neo4j;
 mod page;
 mod serve;
+mod styles;
 mod supply;
 mod test;
 mod tools;

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::dist::{self, Files};
+use crate::styles;
 use crate::tools::{self, Outcome, WASM, Workspace};
 
 /// The package that becomes the page.
@@ -15,7 +16,7 @@ const PACKAGE: &str = "frontend";
 /// The page's module is `app.js`, its code `app_bg.wasm`.
 const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// How much work goes into the page.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
@@ -70,6 +71,7 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<(
     let code = fs::read(wasm).map_err(|error| format!("{} cannot be read: {error}.", wasm.display()))?;
     let mut statics = dist::read(statics)?;
     statics.retain(|name, _| !name.split('/').any(|part| part.starts_with('.')));
+    let statics = styles::join(statics)?;
     let stamp = Stamp { file: target.join("page-build/page.stamp"), input: fingerprint(&code, &statics, mode) };
     let page = target.join("page");
     if stamp.holds(&page) {

@@ -21,9 +21,10 @@ struct Way {
 
 /// Reactive: follows the connector and the places of its streams.
 fn way(desk: &Desk, connector: &Connector) -> Option<Way> {
-    let output = desk.stream(&connector.output)?;
+    let output = desk.document.stream(&connector.output)?;
     let kind = output.record.with(|stream| stream.kind);
-    let inputs: Vec<Place> = connector.inputs.iter().filter_map(|id| Some(desk.stream(id)?.place.get())).collect();
+    let inputs: Vec<Place> =
+        connector.inputs.iter().filter_map(|id| Some(desk.document.stream(id)?.place.get())).collect();
     let output = output.place.get();
     Some(Way { chip: chip_place(&inputs, output, kind), inputs, output })
 }
@@ -36,7 +37,7 @@ fn way_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<Option<Way>> {
 fn chosen_memo(desk: &Desk, id: &Id) -> ArcMemo<bool> {
     let (desk, id) = (desk.clone(), id.clone());
     ArcMemo::new(move |_| {
-        desk.selected.with(|selected| matches!(selected, Some(Selected::Connector(chosen)) if *chosen == id))
+        desk.document.selected.with(|selected| matches!(selected, Some(Selected::Connector(chosen)) if *chosen == id))
     })
 }
 
@@ -50,7 +51,7 @@ fn lit_memo(stage: &Stage, signals: &ConnectorSignals) -> ArcMemo<bool> {
 pub(super) fn Edge(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
-    let Some(signals) = desk.connector(&id) else { return ().into_any() };
+    let Some(signals) = desk.document.connector(&id) else { return ().into_any() };
     let way = way_memo(&desk, &signals);
     let lit = lit_memo(&stage, &signals);
     let chosen = chosen_memo(&desk, &id);
@@ -66,7 +67,7 @@ pub(super) fn Edge(id: Id) -> impl IntoView {
 pub(super) fn Chip(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
-    let Some(signals) = desk.connector(&id) else { return ().into_any() };
+    let Some(signals) = desk.document.connector(&id) else { return ().into_any() };
     let way = way_memo(&desk, &signals);
     let lit = lit_memo(&stage, &signals);
     let chosen = chosen_memo(&desk, &id);
@@ -81,7 +82,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     let reached = near_selection(&desk, &signals);
     let unused = {
         let (desk, id) = (desk.clone(), id.clone());
-        ArcMemo::new(move |_| desk.unused.with(|unused| unused.contains(&id)))
+        ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)))
     };
     let ring = unused.clone();
     let said = said_memo(&desk, &id, &signals, &unused);
@@ -133,7 +134,7 @@ fn placed(chip: Place) -> String {
 fn ends_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<(Vec<String>, String)> {
     let (desk, record) = (desk.clone(), signals.record.clone());
     ArcMemo::new(move |_| {
-        let name = |id: &Id| desk.stream(id).map(|stream| stream.record.with(|stream| stream.name.clone()));
+        let name = |id: &Id| desk.document.stream(id).map(|stream| stream.record.with(|stream| stream.name.clone()));
         record.with(|connector| {
             (connector.inputs.iter().filter_map(name).collect(), name(&connector.output).unwrap_or_default())
         })
@@ -142,7 +143,7 @@ fn ends_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<(Vec<String>, S
 
 /// Tab reaches the chips at the selected stream, and the selected chip itself.
 fn near_selection(desk: &Desk, signals: &ConnectorSignals) -> impl Fn() -> bool + Send + Sync + use<> {
-    let (selected, record) = (desk.selected.clone(), signals.record.clone());
+    let (selected, record) = (desk.document.selected.clone(), signals.record.clone());
     move || {
         let Some(selected) = selected.get() else { return false };
         record.with(|connector| match &selected {
@@ -165,16 +166,16 @@ struct Said {
 fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<bool>) -> ArcMemo<Option<Said>> {
     let (desk, id, record, unused) = (desk.clone(), id.clone(), signals.record.clone(), unused.clone());
     ArcMemo::new(move |_| {
-        if unused.get() || desk.running().is_none() {
+        if unused.get() || desk.robots.running().is_none() {
             return None;
         }
-        let failed = desk.failing.with(|failing| {
+        let failed = desk.robots.failing.with(|failing| {
             let failing = failing.iter().find(|failing| failing.connector == id)?;
             Some(Said { text: words::failed(failing.count, &failing.why), faults: Some(failing.count) })
         });
         failed.or_else(|| {
             let output = record.with(|connector| connector.operation.spec().acts().then(|| connector.output.clone()));
-            Some(Said { text: desk.held(&output?)?, faults: None })
+            Some(Said { text: desk.robots.held(&output?)?, faults: None })
         })
     })
 }
@@ -187,7 +188,9 @@ fn Bubble(id: Id, said: ArcMemo<Option<Said>>) -> impl IntoView {
     let chosen = chosen_memo(&desk, &id);
     let newest = {
         let id = id.clone();
-        ArcMemo::new(move |_| desk.failing.with(|failing| failing.first().is_some_and(|first| first.connector == id)))
+        ArcMemo::new(move |_| {
+            desk.robots.failing.with(|failing| failing.first().is_some_and(|first| first.connector == id))
+        })
     };
     let room = stage.side_of_chip(&id);
     let badge = said.clone();

@@ -16,12 +16,12 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     if own || event.ctrl_key() || event.meta_key() || event.alt_key() {
         return;
     }
-    let here = selected_at(&target).or_else(|| desk.selected.get_untracked());
+    let here = selected_at(&target).or_else(|| desk.document.selected.get_untracked());
     let on_button = target.closest("button").ok().flatten().is_some();
     let done = match event.key().as_str() {
         "Escape" => deselect(desk, stage),
         "Enter" if !on_button => with(here, |here| edit(desk, &here)),
-        " " if !on_button => with(here, |here| desk.selected.set(Some(here))),
+        " " if !on_button => with(here, |here| desk.document.selected.set(Some(here))),
         "Delete" | "Backspace" if !on_button => with(here, |here| remove(desk, stage, &here)),
         "ArrowDown" => step(desk, stage, here, Way::Down),
         "ArrowUp" => step(desk, stage, here, Way::Up),
@@ -52,8 +52,8 @@ fn selected_at(target: &Element) -> Option<Selected> {
 }
 
 fn deselect(desk: &Desk, stage: &Stage) -> bool {
-    let Some(selected) = desk.selected.get_untracked() else { return false };
-    desk.selected.set(None);
+    let Some(selected) = desk.document.selected.get_untracked() else { return false };
+    desk.document.selected.set(None);
     if let Selected::Stream(id) = selected {
         stage.focus(&id);
     }
@@ -63,33 +63,34 @@ fn deselect(desk: &Desk, stage: &Stage) -> bool {
 /// Removes something; the keyboard goes on to what it came from.
 fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
     let next = match what {
-        Selected::Stream(id) => walk(&desk.behaviour(), id, Way::Up, |_| None),
+        Selected::Stream(id) => walk(&desk.document.behaviour(), id, Way::Up, |_| None),
         Selected::Connector(id) => desk
+            .document
             .connector(id)
             .and_then(|signals| signals.record.with_untracked(|connector| connector.inputs.first().cloned())),
     };
-    desk.remove(what);
+    desk.document.remove(what);
     if let Some(next) = next {
-        desk.selected.set(Some(Selected::Stream(next.clone())));
+        desk.document.selected.set(Some(Selected::Stream(next.clone())));
         stage.focus(&next);
     }
 }
 
 fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
-    let place = |id: &Id| desk.stream(id).map(|signals| signals.place.get_untracked());
+    let place = |id: &Id| desk.document.stream(id).map(|signals| signals.place.get_untracked());
     let next = match here {
-        Some(Selected::Stream(id)) => walk(&desk.behaviour(), &id, way, place),
-        Some(Selected::Connector(id)) => desk.connector(&id).and_then(|signals| {
+        Some(Selected::Stream(id)) => walk(&desk.document.behaviour(), &id, way, place),
+        Some(Selected::Connector(id)) => desk.document.connector(&id).and_then(|signals| {
             signals.record.with_untracked(|connector| match way {
                 Way::Down => Some(connector.output.clone()),
                 Way::Up => connector.inputs.first().cloned(),
                 Way::Left | Way::Right => None,
             })
         }),
-        None => desk.stream_ids.with_untracked(|ids| ids.first().cloned()),
+        None => desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()),
     };
     if let Some(next) = next {
-        desk.selected.set(Some(Selected::Stream(next.clone())));
+        desk.document.selected.set(Some(Selected::Stream(next.clone())));
         stage.focus(&next);
     }
     true

@@ -19,19 +19,19 @@ const ROOM_MIN: f64 = 24.0;
 pub(super) fn StreamNode(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
-    let Some(signals) = desk.stream(&id) else { return ().into_any() };
+    let Some(signals) = desk.document.stream(&id) else { return ().into_any() };
     let StreamSignals { record, place, .. } = signals.clone();
     let chosen = {
         let (desk, id) = (desk.clone(), id.clone());
         ArcMemo::new(move |_| {
-            desk.selected.with(|selected| matches!(selected, Some(Selected::Stream(chosen)) if *chosen == id))
+            desk.document.selected.with(|selected| matches!(selected, Some(Selected::Stream(chosen)) if *chosen == id))
         })
     };
     let is_stop = {
         let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
         move || match stage.stop.get() {
             Some(stop) => stop == id,
-            None => desk.stream_ids.with(|ids| ids.first() == Some(&id)),
+            None => desk.document.stream_ids.with(|ids| ids.first() == Some(&id)),
         }
     };
     let is_dragged = {
@@ -116,7 +116,7 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
             (false, _) => Some(words::last_was(&value())),
             (true, Some(seconds)) => Some(words::value_ago(&value(), seconds)),
             (true, None) => {
-                let now = desk.clock.get();
+                let now = desk.robots.clock.get();
                 quiet.with(|live| live.quiet_for(now)).map(|seconds| words::quiet_for(u64::from(seconds)))
             }
         }
@@ -165,7 +165,7 @@ fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>, width: String) -> imp
 pub(super) fn problem_memo(desk: &Desk, at: RecordId) -> ArcMemo<Option<(String, bool)>> {
     let desk = desk.clone();
     ArcMemo::new(move |_| {
-        desk.problems.with(|problems| {
+        desk.document.problems.with(|problems| {
             let known = |problem: &&Problem| problem.at == at && problem.kind != ProblemKind::Unused;
             let first = problems.iter().find(known)?;
             Some((first.to_string(), first.blocks))

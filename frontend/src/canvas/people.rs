@@ -13,7 +13,7 @@ pub(super) fn Pointers() -> impl IntoView {
         let desk = desk.clone();
         ArcMemo::new(move |_| {
             let me = desk.me.with(|me| me.as_ref().map(|me| me.client.clone()));
-            let others = desk.people.get().into_iter().filter(|person| person.pointer.is_some());
+            let others = desk.document.people.get().into_iter().filter(|person| person.pointer.is_some());
             others.map(|person| person.client).filter(|client| Some(client) != me.as_ref()).collect::<Vec<Id>>()
         })
     };
@@ -28,8 +28,9 @@ pub(super) fn Pointers() -> impl IntoView {
 fn OnePointer(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
-    let person =
-        ArcMemo::new(move |_| desk.people.with(|people| people.iter().find(|person| person.client == id).cloned()));
+    let person = ArcMemo::new(move |_| {
+        desk.document.people.with(|people| people.iter().find(|person| person.client == id).cloned())
+    });
     let (at, color, name) = (person.clone(), person.clone(), person);
     let transform = move || {
         let pointer = at.with(|person| person.as_ref().and_then(|person| person.pointer));

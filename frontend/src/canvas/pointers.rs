@@ -50,7 +50,7 @@ impl Pointers {
         let acts = self.hand.borrow_mut().moved(event.pointer_id(), at(event));
         acts.into_iter().for_each(|act| self.act(act, event));
         let place = self.stage.view.get_untracked().to_canvas(at(event));
-        self.desk.present(Some(Pointer { x: place.x.round(), y: place.y.round() }));
+        self.desk.document.present(Some(Pointer { x: place.x.round(), y: place.y.round() }));
     }
 
     pub(super) fn up(&self, event: &PointerEvent) {
@@ -72,7 +72,7 @@ impl Pointers {
     }
 
     pub(super) fn leave(&self, event: &PointerEvent) {
-        self.desk.present(None);
+        self.desk.document.present(None);
         if event.buttons() == 0 {
             self.cancel(event);
         }
@@ -86,7 +86,7 @@ impl Pointers {
             Act::Drop(id) => self.drop(id),
             Act::PutBack(id) => {
                 self.end_drag();
-                self.desk.put_back(&[id]);
+                self.desk.document.put_back(&[id]);
             }
             Act::Pan((dx, dy)) => self.stage.look_by_hand(self.stage.view.get_untracked().panned(dx, dy)),
             Act::Pinch(from, to, factor) => {
@@ -98,7 +98,7 @@ impl Pointers {
     }
 
     fn drag(&self, id: &Id, by: Point) {
-        let Some(signals) = self.desk.stream(id) else { return };
+        let Some(signals) = self.desk.document.stream(id) else { return };
         let from = *self.start.borrow_mut().get_or_insert_with(|| signals.place.get_untracked());
         let zoom = self.stage.view.with_untracked(|view| view.zoom);
         let place = snapped(Place { x: from.x + by.0 / zoom, y: from.y + by.1 / zoom });
@@ -113,10 +113,10 @@ impl Pointers {
     fn drop(&self, id: Id) {
         let from = *self.start.borrow();
         self.end_drag();
-        if let Some(signals) = self.desk.stream(&id) {
+        if let Some(signals) = self.desk.document.stream(&id) {
             let place = signals.place.get_untracked();
             if from != Some(place) {
-                self.desk.move_streams(vec![(id, place)]);
+                self.desk.document.move_streams(vec![(id, place)]);
             }
         }
     }
@@ -135,7 +135,7 @@ impl Pointers {
             return;
         }
         if let Some(hit) = hit(event) {
-            self.desk.selected.set(hit);
+            self.desk.document.selected.set(hit);
         }
     }
 
@@ -169,7 +169,7 @@ impl Pointers {
 pub(super) fn edit(desk: &Desk, what: &Selected) {
     let dialog = match what {
         Selected::Stream(id) => Some(Dialog::EditStream(id.clone())),
-        Selected::Connector(id) => desk.connector(id).map(|signals| {
+        Selected::Connector(id) => desk.document.connector(id).map(|signals| {
             signals.record.with_untracked(|connector| Dialog::Operation {
                 input: connector.inputs.first().unwrap_or(&connector.output).clone(),
                 connector: Some(id.clone()),
@@ -177,7 +177,7 @@ pub(super) fn edit(desk: &Desk, what: &Selected) {
             })
         }),
     };
-    desk.selected.set(Some(what.clone()));
+    desk.document.selected.set(Some(what.clone()));
     if dialog.is_some() {
         desk.dialog.set(dialog);
     }

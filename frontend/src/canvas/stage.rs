@@ -62,7 +62,7 @@ impl Stage {
         let rests = ArcRwSignal::new(true);
         let running = {
             let desk = desk.clone();
-            ArcMemo::new(move |_| desk.running().is_some())
+            ArcMemo::new(move |_| desk.robots.running().is_some())
         };
         let dragged = ArcRwSignal::default();
         let shapes = shapes_memo(desk.clone(), dragged.clone());
@@ -162,7 +162,7 @@ impl Stage {
     /// The first stream, and what surrounds all of them with their values and the chips.
     fn everything(&self) -> Option<(Bounds, Bounds)> {
         let desk = &self.desk;
-        let (streams, chips) = (desk.stream_ids.get_untracked(), desk.connector_ids.get_untracked());
+        let (streams, chips) = (desk.document.stream_ids.get_untracked(), desk.document.connector_ids.get_untracked());
         let first = streams.first().and_then(|id| bounds(desk, id))?;
         let values = |bounds: Bounds| Bounds { right: bounds.right + VALUE_ROOM, ..bounds };
         let streams = streams.iter().filter_map(|id| bounds(desk, id)).map(values);
@@ -197,13 +197,13 @@ impl Stage {
     pub(super) fn chips_at(&self, id: &Id, into: bool) -> Vec<Bounds> {
         let desk = &self.desk;
         let touches = |chip: &Id| {
-            desk.connector(chip).is_some_and(|signals| {
+            desk.document.connector(chip).is_some_and(|signals| {
                 signals
                     .record
                     .with_untracked(|connector| connector.output == *id || (!into && connector.inputs.contains(id)))
             })
         };
-        let chips = desk.connector_ids.get_untracked();
+        let chips = desk.document.connector_ids.get_untracked();
         chips.iter().filter(|chip| touches(chip)).filter_map(|chip| chip_bounds(desk, chip)).collect()
     }
 
@@ -217,9 +217,9 @@ impl Stage {
     pub(super) fn side_of_chip(&self, id: &Id) -> ArcMemo<Option<(Side, f64)>> {
         let (desk, shapes, id) = (self.desk.clone(), self.shapes.clone(), id.clone());
         ArcMemo::new(move |_| {
-            desk.revision.track();
+            desk.document.revision.track();
             let chip = chip_bounds(&desk, &id)?;
-            let chips = desk.connector_ids.get().into_iter().filter(|other| *other != id);
+            let chips = desk.document.connector_ids.get().into_iter().filter(|other| *other != id);
             let mut others: Vec<Bounds> = chips.filter_map(|other| chip_bounds(&desk, &other)).collect();
             shapes.with(|shapes| others.extend(shapes.iter().map(|(_, bounds)| *bounds)));
             room::beside_chip(&chip, &others)
@@ -275,10 +275,10 @@ impl Stage {
     /// What is opened is shown whole if it can be read then; so is what was empty or became empty.
     pub(super) fn follow_open(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
-        let ids = desk.stream_ids.clone();
+        let ids = desk.document.stream_ids.clone();
         let empty = ArcMemo::new(move |_| ids.with(Vec::is_empty));
         Effect::new(move |before: Option<Option<Id>>| {
-            let (open, _) = (desk.open.get(), empty.get());
+            let (open, _) = (desk.document.open.get(), empty.get());
             if open.is_some() {
                 if before.is_some_and(|before| before != open) {
                     stage.stop.set(None);
@@ -294,8 +294,8 @@ impl Stage {
     pub(super) fn follow_selection(&self, desk: &Desk) {
         let (stage, desk) = (self.clone(), desk.clone());
         Effect::new(move |_| {
-            let selected = desk.selected.get();
-            desk.present_selection();
+            let selected = desk.document.selected.get();
+            desk.document.present_selection();
             let Some(Selected::Stream(id)) = selected else { return };
             stage.stop.set(Some(id.clone()));
             let (stage, desk) = (stage.clone(), desk.clone());
@@ -304,7 +304,7 @@ impl Stage {
     }
 
     fn arrive(&self, desk: &Desk, id: &Id) {
-        let still = desk.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id));
+        let still = desk.document.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id));
         if !still || self.dragged.with_untracked(Option::is_some) {
             return;
         }
@@ -319,7 +319,7 @@ impl Stage {
 
 /// Where a stream is, without its live value.
 fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
-    let signals = desk.stream(id)?;
+    let signals = desk.document.stream(id)?;
     let width = signals.record.with_untracked(stream_width);
     Some(around(signals.place.get_untracked(), width))
 }
@@ -336,15 +336,15 @@ fn drawn_memo(
 ) -> ArcMemo<Drawn> {
     let cells = ArcMemo::new(move |_| Cells::in_view(view.get(), size.get()));
     ArcMemo::new(move |before: Option<&Drawn>| {
-        desk.revision.track();
+        desk.document.revision.track();
         let (cells, rests) = (cells.get(), rests.get());
         let none = Drawn::default();
         let before = before.unwrap_or(&none);
         let stream_seen = |id: &Id| bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
         let connector_seen = |id: &Id| connector_bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
         Drawn {
-            streams: drawn(&desk.stream_ids.get(), stream_seen, &before.streams, rests),
-            connectors: drawn(&desk.connector_ids.get(), connector_seen, &before.connectors, rests),
+            streams: drawn(&desk.document.stream_ids.get(), stream_seen, &before.streams, rests),
+            connectors: drawn(&desk.document.connector_ids.get(), connector_seen, &before.connectors, rests),
         }
     })
 }
@@ -352,46 +352,46 @@ fn drawn_memo(
 /// Where streams stand, as of the last drop; nothing moves along with the hand.
 fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id, Bounds)>> {
     ArcMemo::new(move |before: Option<&Vec<(Id, Bounds)>>| {
-        desk.revision.track();
+        desk.document.revision.track();
         if let (Some(before), true) = (before, dragged.with(Option::is_some)) {
             return before.clone();
         }
-        let ids = desk.stream_ids.get();
+        let ids = desk.document.stream_ids.get();
         ids.iter().filter_map(|id| Some((id.clone(), bounds(&desk, id)?))).collect()
     })
 }
 
 fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<BTreeMap<Id, f64>> {
     ArcMemo::new(move |_| {
-        if !desk.has_values.get() {
+        if !desk.robots.has_values.get() {
             return BTreeMap::new();
         }
-        let connectors = desk.connector_ids.get();
+        let connectors = desk.document.connector_ids.get();
         let chips: Vec<Bounds> = connectors.iter().filter_map(|id| chip_bounds(&desk, id)).collect();
         shapes.with(|shapes| room::rooms(shapes, &chips))
     })
 }
 
 fn chip_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
-    let record = desk.connector(id)?.record.get_untracked();
+    let record = desk.document.connector(id)?.record.get_untracked();
     let chip = untrack(|| chip_of(desk, &record))?;
     Some(Bounds { bottom: chip.y + CHIP_HEIGHT, ..around(chip, chip_width(&chip_words(&record))) })
 }
 
 fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
-    let ends = desk.connector(id)?.record.with_untracked(|connector| {
+    let ends = desk.document.connector(id)?.record.with_untracked(|connector| {
         let mut ends = connector.inputs.clone();
         ends.push(connector.output.clone());
         ends
     });
-    let places = ends.iter().filter_map(|end| Some(desk.stream(end)?.place.get_untracked()));
+    let places = ends.iter().filter_map(|end| Some(desk.document.stream(end)?.place.get_untracked()));
     Bounds::around(places.map(|place| around(place, LEVEL)))
 }
 
 fn others_memo(desk: Desk) -> ArcMemo<Vec<(Id, u8, String)>> {
     ArcMemo::new(move |_| {
         let me = desk.me.with(|me| me.as_ref().map(|me| me.client.clone()));
-        let others = desk.people.get().into_iter().filter(|person| Some(&person.client) != me.as_ref());
+        let others = desk.document.people.get().into_iter().filter(|person| Some(&person.client) != me.as_ref());
         others.filter_map(|person| Some((person.selected?, person.color, person.name))).collect()
     })
 }

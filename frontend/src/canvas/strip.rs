@@ -40,7 +40,7 @@ pub(super) fn Strip() -> impl IntoView {
         if hidden.with(Option::is_some) {
             return ().into_any();
         }
-        match desk.selected.get() {
+        match desk.document.selected.get() {
             Some(Selected::Stream(id)) => view! { <StreamStrip id=id /> }.into_any(),
             Some(Selected::Connector(id)) => view! { <ConnectorStrip id=id /> }.into_any(),
             None => ().into_any(),
@@ -52,7 +52,7 @@ pub(super) fn Strip() -> impl IntoView {
 fn StreamStrip(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
-    let Some(signals) = desk.stream(&id) else { return ().into_any() };
+    let Some(signals) = desk.document.stream(&id) else { return ().into_any() };
     let offers = offers_memo(&desk, &id);
     let glides = stage.glides.clone();
     let [size, shown_size, tall] = [(); 3].map(|()| stage.size.clone());
@@ -100,7 +100,7 @@ fn StreamStrip(id: Id) -> impl IntoView {
 fn ConnectorStrip(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
-    let Some(signals) = desk.connector(&id) else { return ().into_any() };
+    let Some(signals) = desk.document.connector(&id) else { return ().into_any() };
     let word = signals.record.with_untracked(|connector| connector.operation.word());
     let glides = stage.glides.clone();
     let others = others_memo(&stage, &desk, &id);
@@ -108,7 +108,7 @@ fn ConnectorStrip(id: Id) -> impl IntoView {
     let spot = {
         let (desk, record) = (desk.clone(), signals.record.clone());
         move || {
-            let fails = desk.failing.with(|failing| failing.iter().any(|failing| failing.connector == mine));
+            let fails = desk.robots.failing.with(|failing| failing.iter().any(|failing| failing.connector == mine));
             // What it says at its right is not covered.
             let said = match bubble.get() {
                 Some((Side::Right, width)) if fails => width + 20.0,
@@ -146,7 +146,7 @@ fn EditAndRemove(what: Selected) -> impl IntoView {
             <Icon name="pencil" />
         </button>
         <button type="button" class="tool-button" aria-label=words::remove() title=words::remove()
-            on:click=move |_| remove_desk.remove(&removed)>
+            on:click=move |_| remove_desk.document.remove(&removed)>
             <Icon name="trash" />
         </button>
     }
@@ -175,10 +175,11 @@ fn title(step: &Step) -> String {
 fn offers_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Offer>> {
     let (desk, id) = (desk.clone(), id.clone());
     ArcMemo::new(move |_| {
-        desk.revision.track();
-        let helpers: Vec<Helper> = desk.helpers.get().into_iter().map(|(_, helper)| helper).collect();
-        let value = desk.stream(&id).and_then(|signals| signals.live.with_untracked(|live| live.value.clone()));
-        let steps = suggest(&desk.behaviour(), &id, &helpers, value.as_ref());
+        desk.document.revision.track();
+        let helpers: Vec<Helper> = desk.library.helpers.get().into_iter().map(|(_, helper)| helper).collect();
+        let value =
+            desk.document.stream(&id).and_then(|signals| signals.live.with_untracked(|live| live.value.clone()));
+        let steps = suggest(&desk.document.behaviour(), &id, &helpers, value.as_ref());
         steps.into_iter().take(SUGGESTIONS_MAX).map(offer).collect()
     })
 }
@@ -224,14 +225,14 @@ fn spoken(name: &str) -> String {
 }
 
 fn new_output(desk: &Desk, base: &str, device: Option<&str>, params: Params) -> Output {
-    Output::New { name: desk.name_for(base), device: device.map(str::to_owned), params }
+    Output::New { name: desk.document.name_for(base), device: device.map(str::to_owned), params }
 }
 
 fn connect(desk: &Desk, input: &Id, operation: Operation, output: Output, then_edit: bool) {
     let plan = ConnectPlan { operation, inputs: vec![input.clone()], output };
     let after = desk.clone();
-    desk.connect(plan, move |answer| {
-        let made = if answer.is_ok() && then_edit { after.selected.get_untracked() } else { None };
+    desk.document.connect(plan, move |answer| {
+        let made = if answer.is_ok() && then_edit { after.document.selected.get_untracked() } else { None };
         if let Some(Selected::Stream(made)) = made {
             after.dialog.set(Some(Dialog::EditStream(made)));
         }
@@ -306,7 +307,7 @@ fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
         let others = |shapes: &Vec<(Id, Bounds)>| {
             shapes.iter().filter(|(other, _)| *other != id).map(|(_, bounds)| *bounds).collect()
         };
-        desk.revision.track();
+        desk.document.revision.track();
         let streams = stage.shapes.with(others);
         let message = desk.notice.with(Option::is_some);
         Others { streams, chips: stage.chips_at(&id, false), message }

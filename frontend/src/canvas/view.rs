@@ -10,7 +10,7 @@ const READABLE: f64 = 0.4;
 const KEPT: f64 = 48.0;
 /// Room above and below everything when it is fitted into view, in pixels.
 const FIT_MARGIN: f64 = 48.0;
-/// The same at the sides.
+/// Room left and right of everything when it is fitted into view, in pixels.
 const FIT_SIDE: f64 = 24.0;
 /// What fits easily hangs at most so much lower.
 const FIT_LOWER: f64 = 32.0;

@@ -16,12 +16,12 @@ pub(super) fn Zoom() -> impl IntoView {
     let [smaller, real, shown, larger, whole] = [(); 5].map(|()| stage.clone());
     let drawing = {
         let desk = desk.clone();
-        ArcMemo::new(move |_| desk.open.with(Option::is_some) && !desk.stream_ids.with(Vec::is_empty))
+        ArcMemo::new(move |_| desk.document.open.with(Option::is_some) && !desk.document.stream_ids.with(Vec::is_empty))
     };
     let to_real = move |_| real.zoom_by(1.0 / real.view.with_untracked(|view| view.zoom));
     view! {
         <div class="zoom" role="group" hidden=move || !drawing.get() aria-label=words::zoom_group()>
-            <button type="button" class="plain" title=words::tidy() on:click=move |_| { desk.tidy(); refit(&stage) }>
+            <button type="button" class="plain" title=words::tidy() on:click=move |_| { desk.document.tidy(); refit(&stage) }>
                 {words::tidy()}
             </button>
             <button type="button" aria-label=words::zoom_out() title=words::zoom_out()

@@ -1,120 +1,101 @@
-//! The robots, and the one that this tab looks at: its Start, its Stop, its room and its live values.
+//! The robots: the one that this tab looks at, what runs on it, what it tells, and what is asked of it.
 
-use super::{Desk, set_if_new};
-use crate::browser::{self, Keep};
-use crate::{link, words};
+mod choice;
+mod failing;
+mod order;
+mod recordings;
+mod runs;
+mod starting;
+mod unused;
+mod values;
+
+use super::document::Document;
+use super::library::Library;
+use super::tab::Tab;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Request, RobotState, RunPhase, RunState, STOP_PATH};
-use robot::{Health, Scene};
+use protocol::{Recording, RobotState, RunState};
+use robot::Scene;
+use std::collections::BTreeSet;
+use std::ops::Deref;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-const ROBOT_KEY: &str = "rrp.robot";
+/// The robots. A clone is the same robots.
+#[derive(Clone)]
+pub(crate) struct Robots(Arc<Fields>);
 
-impl Desk {
-    pub(super) fn hear_robots(&self, robots: Vec<RobotState>) {
-        set_if_new(&self.robots, robots);
-        self.look();
+/// What the page shows of the robots.
+pub(crate) struct Fields {
+    tab: Tab,
+    document: Document,
+    library: Library,
+    /// Every robot, oldest first.
+    pub(crate) all: ArcRwSignal<Vec<RobotState>>,
+    /// The one that this tab looks at.
+    pub(crate) chosen: ArcRwSignal<Option<RobotState>>,
+    /// What runs on all robots and what ended lately.
+    pub(crate) runs: ArcRwSignal<Vec<RunState>>,
+    /// Whether the next Start is recorded.
+    pub(crate) records: ArcRwSignal<bool>,
+    /// The recordings that are kept, as they were when somebody looked.
+    pub(crate) recordings: ArcRwSignal<Vec<Recording>>,
+    pub(crate) scene: ArcRwSignal<Scene>,
+    /// What fails in the run of the open behaviour, or failed in its last one; what began last first.
+    pub(crate) failing: ArcRwSignal<Vec<failing::Failing>>,
+    /// The connectors that the robot does not use yet as they are now.
+    pub(crate) unused: ArcRwSignal<BTreeSet<Id>>,
+    /// Whether there are values of a run, be it over or not.
+    pub(crate) has_values: ArcRwSignal<bool>,
+    /// `performance.now()`, renewed twice a second while the open behaviour runs; for "quiet for 3 s".
+    pub(crate) clock: ArcRwSignal<f64>,
+    state: Mutex<State>,
+}
+
+/// What is not shown itself.
+#[derive(Default)]
+struct State {
+    /// Which robot this tab wants to look at, if somebody chose.
+    wanted: Option<Id>,
+    /// The robot whose room and values the server tells.
+    watched: Option<Id>,
+    /// What the robot is asked as soon as everything is saved.
+    when_saved: Option<starting::Wish>,
+    /// The run the live values belong to.
+    run: u64,
+    /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
+    version: Option<unused::Version>,
+    before: unused::Before,
+}
+
+impl Deref for Robots {
+    type Target = Fields;
+    fn deref(&self) -> &Fields {
+        &self.0
+    }
+}
+
+impl Robots {
+    /// No robot yet.
+    pub(super) fn new(tab: Tab, document: Document, library: Library) -> Self {
+        Self(Arc::new(Fields {
+            tab,
+            document,
+            library,
+            all: ArcRwSignal::default(),
+            chosen: ArcRwSignal::default(),
+            runs: ArcRwSignal::default(),
+            records: ArcRwSignal::default(),
+            recordings: ArcRwSignal::default(),
+            scene: ArcRwSignal::default(),
+            failing: ArcRwSignal::default(),
+            unused: ArcRwSignal::default(),
+            has_values: ArcRwSignal::default(),
+            clock: ArcRwSignal::default(),
+            state: Mutex::default(),
+        }))
     }
 
-    /// Looks at another robot; this tab goes on with it, and the next tab begins with it.
-    pub(crate) fn choose_robot(&self, robot: &Id) {
-        for drawer in [Keep::Tab, Keep::Browser] {
-            drawer.put(ROBOT_KEY, robot.as_str());
-        }
-        self.state().wanted_robot = Some(robot.clone());
-        self.look();
-    }
-
-    /// Adds a simulated robot and looks at it.
-    pub(crate) fn add_robot(&self, name: &str) {
-        let (desk, robot) = (self.clone(), super::new_id());
-        self.ask_or_say(Request::AddRobot { robot: robot.clone(), name: name.to_owned() }, move |_| {
-            desk.choose_robot(&robot);
-        });
-    }
-
-    /// Removes a robot.
-    pub(crate) fn remove_robot(&self, robot: &Id) {
-        self.ask_or_say(Request::RemoveRobot { robot: robot.clone() }, |_| {});
-    }
-
-    /// Stops everything on all robots.
-    pub(crate) fn stop_all(&self) {
-        self.ask_or_say(Request::Stop { behaviour: None, robot: None }, |_| {});
-    }
-
-    /// The robot that this tab looks at; not reactive.
-    pub(crate) fn robot_id(&self) -> Option<Id> {
-        self.robot.with_untracked(|robot| robot.as_ref().map(|robot| robot.robot.clone()))
-    }
-
-    /// How it is. Reactive.
-    pub(crate) fn health(&self) -> Health {
-        self.robot.read().as_ref().map_or(Health::Connecting, |robot| robot.health.clone())
-    }
-
-    /// What people call it. Reactive.
-    pub(crate) fn robot_name(&self) -> String {
-        self.robot.read().as_ref().map(|robot| robot.name.clone()).unwrap_or_default()
-    }
-
-    /// What runs on it and what ended there lately, oldest first. Reactive.
-    pub(crate) fn runs_here(&self) -> Vec<RunState> {
-        let robot = self.robot.read().as_ref().map(|robot| robot.robot.clone());
-        let mut runs = self.runs.get();
-        runs.retain(|run| robot.as_ref() == Some(&run.robot));
-        runs
-    }
-
-    /// The name of a robot on which the open program runs, if there is one. Reactive.
-    pub(crate) fn runs_on(&self) -> Option<String> {
-        let open = self.open.get()?;
-        let is_it = |run: &&RunState| run.behaviour == open && run.phase == RunPhase::Running;
-        let on = self.runs.read().iter().find(is_it).map(|run| run.robot.clone())?;
-        self.robots.read().iter().find(|robot| robot.robot == on).map(|robot| robot.name.clone())
-    }
-
-    /// The wanted robot if it is there, else the first one.
-    fn look(&self) {
-        let wanted = self.wanted_robot();
-        let found = self.robots.with_untracked(|robots| {
-            let is_it = |known: &&RobotState| wanted.as_ref() == Some(&known.robot);
-            robots.iter().find(is_it).or_else(|| robots.first()).cloned()
-        });
-        let Some(found) = found else { return };
-        self.say_if_gone(&found);
-        let watched = self.state().watched.replace(found.robot.clone());
-        let id = found.robot.clone();
-        set_if_new(&self.robot, Some(found));
-        self.aim_stop();
-        if watched.as_ref() != Some(&id) {
-            set_if_new(&self.scene, Scene::default());
-            link::tell(Request::Watch { robot: Some(id), scene: true, values: true });
-            self.values_of_open();
-        }
-    }
-
-    fn wanted_robot(&self) -> Option<Id> {
-        let kept = || Keep::Tab.get(ROBOT_KEY).or_else(|| Keep::Browser.get(ROBOT_KEY));
-        let chosen = self.state().wanted_robot.clone();
-        chosen.or_else(|| kept().and_then(|text| Id::new(&text).ok()))
-    }
-
-    fn say_if_gone(&self, now: &RobotState) {
-        let Some(before) = self.robot.get_untracked() else { return };
-        let is_gone = self.robots.with_untracked(|robots| robots.iter().all(|known| known.robot != before.robot));
-        if is_gone {
-            self.say(&words::robot_gone(&before.name, &now.name), false);
-        }
-    }
-
-    /// The plain Stop button stops the robot that this tab looks at.
-    fn aim_stop(&self) {
-        let several = self.robots.with_untracked(|robots| robots.len() > 1);
-        let robot = self.robot.get_untracked().filter(|_| several);
-        let address = robot.as_ref().map_or(STOP_PATH.to_owned(), |robot| format!("{STOP_PATH}?robot={}", robot.robot));
-        browser::set_attribute("stop-form", "action", &address);
-        let name = robot.map_or(words::the_robot().to_owned(), |robot| robot.name);
-        browser::set_attribute("stop", "title", &words::stop_title(&name));
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -57,12 +57,12 @@ fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
     }
 }
 
-/// How wide a semibold text is at a size in pixels, outside of a browser about; only sizes of boxes depend on it.
+/// How wide a semibold text is at a size in pixels; outside of a browser a guess, since only sizes of boxes depend on it.
 pub(crate) fn name_width(text: &str, size: u32) -> f64 {
     crate::browser::text_width(text, 600, size).unwrap_or_else(|| about(text, size))
 }
 
-/// The same for plain letters.
+/// How wide a text in plain letters is at a size in pixels; outside of a browser a guess.
 pub(crate) fn text_width(text: &str, size: u32) -> f64 {
     crate::browser::text_width(text, 400, size).unwrap_or_else(|| about(text, size))
 }

@@ -31,8 +31,8 @@ pub(crate) fn just_made() {
 #[component]
 pub(crate) fn EmptyStage() -> impl IntoView {
     let desk = hold();
-    let none_open = Memo::new(move |_| desk.desk().open.read().is_none());
-    let is_empty = Memo::new(move |_| desk.desk().stream_ids.read().is_empty());
+    let none_open = Memo::new(move |_| desk.desk().document.open.read().is_none());
+    let is_empty = Memo::new(move |_| desk.desk().document.stream_ids.read().is_empty());
     view! {
         <Show when=move || none_open.get()><Library /></Show>
         <Show when=move || !none_open.get() && is_empty.get()><FirstSenses /></Show>
@@ -43,13 +43,14 @@ pub(crate) fn EmptyStage() -> impl IntoView {
 #[component]
 fn Library() -> impl IntoView {
     let desk = hold();
-    let programs =
-        move || desk.desk().programs.get().into_iter().map(|summary| view! { <Program summary /> }).collect_view();
-    let templates = move || {
-        desk.desk().templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
+    let programs = move || {
+        desk.desk().library.programs.get().into_iter().map(|summary| view! { <Program summary /> }).collect_view()
     };
-    let none = move || desk.desk().programs.read().is_empty();
-    let has_more = move || desk.desk().programs_total.get() > desk.desk().programs.read().len() as u64;
+    let templates = move || {
+        desk.desk().library.templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
+    };
+    let none = move || desk.desk().library.programs.read().is_empty();
+    let has_more = move || desk.desk().library.programs_total.get() > desk.desk().library.programs.read().len() as u64;
     view! {
         <div class="library" data-library="">
             <h1>{words::library_title()}</h1>
@@ -102,10 +103,11 @@ fn Program(summary: Summary) -> impl IntoView {
 pub(crate) fn ProgramPicture(id: String, revision: u64) -> impl IntoView {
     let desk = hold();
     let wanted = id.clone();
-    let picture = Memo::new(move |_| desk.desk().pictures.with(|all| all.get(&id).map(|(_, picture)| picture.clone())));
+    let picture =
+        Memo::new(move |_| desk.desk().library.pictures.with(|all| all.get(&id).map(|(_, picture)| picture.clone())));
     Effect::new(move |_| {
         picture.get();
-        desk.desk().want_picture(&wanted, revision);
+        desk.desk().library.want_picture(&wanted, revision);
     });
     move || match picture.get() {
         Some(picture) => view! { <Sketch picture=(*picture).clone() /> }.into_any(),
@@ -121,7 +123,7 @@ pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
     view! {
         <li>
             <button class="template" type="button" title=title
-                on:click=move |_| desk.desk().create_program(&name, Some(&summary.id))>
+                on:click=move |_| desk.desk().library.create_program(&name, Some(&summary.id))>
                 {summary.picture.map(|picture| view! { <Sketch picture /> })}
                 <b>{summary.name}</b>
                 <span class="second">{summary.by}</span>
@@ -142,7 +144,7 @@ fn FirstSenses() -> impl IntoView {
         }
     });
     let sense = move |device: &'static robot::Device| {
-        let add = move |_| desk.desk().add_sensor(device.name, Params::new());
+        let add = move |_| desk.desk().document.add_sensor(device.name, Params::new());
         view! {
             <button class="sense-card" type="button" title=device.says aria-label=words::add_named(device.name) on:click=add>
                 <Icon name=device.icon />

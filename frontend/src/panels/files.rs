@@ -15,7 +15,7 @@ pub(crate) fn Files() -> impl IntoView {
     let chosen = move |event: web_sys::Event| {
         let input: web_sys::HtmlInputElement = event_target(&event);
         if let Some(file) = first_file(&input) {
-            desk.desk().open_file(file);
+            desk.desk().library.open_file(file);
         }
         // The same file may be chosen again.
         input.set_value("");
@@ -23,7 +23,7 @@ pub(crate) fn Files() -> impl IntoView {
     view! {
         <input id=PICKER_ID type="file" hidden=true accept=".json,.xml,application/json,application/xml,text/xml"
             aria-label=words::open_file() on:change=chosen />
-        <Show when=move || desk.desk().dropping.get()>
+        <Show when=move || desk.desk().library.dropping.get()>
             <div class="drop-hint" role="status"><span>{words::drop_here()}</span></div>
         </Show>
     }

@@ -19,16 +19,16 @@ pub(crate) fn Below(id: Id) -> impl IntoView {
     let desk = hold();
     let below = Memo::new(move |_| {
         let desk = desk.desk();
-        desk.revision.track();
-        desk.stream_ids.track();
-        desk.connector_ids.track();
-        let behaviour = desk.behaviour();
+        desk.document.revision.track();
+        desk.document.stream_ids.track();
+        desk.document.connector_ids.track();
+        let behaviour = desk.document.behaviour();
         let found = Graph::of(&behaviour).below(&id);
         let in_order = behaviour.streams_in_order().into_iter().filter(|(id, _)| found.contains(id));
         in_order.map(|(id, stream)| (id.clone(), stream.name.clone())).collect::<Vec<_>>()
     });
     let link = move |(id, name): (Id, String)| {
-        let select = move |_| desk.desk().selected.set(Some(Selected::Stream(id.clone())));
+        let select = move |_| desk.desk().document.selected.set(Some(Selected::Stream(id.clone())));
         view! { <li><button class="link" type="button" on:click=select>{name}</button></li> }
     };
     let links = move || below.get().into_iter().take(BELOW_MAX).map(link).collect_view();
@@ -58,7 +58,7 @@ pub(crate) fn AlsoUsed(record: Memo<Stream>) -> impl IntoView {
 fn OtherPrograms(action: String) -> impl IntoView {
     let desk = hold();
     let found: RwSignal<(Vec<Driver>, u64)> = RwSignal::new((Vec::new(), 0));
-    let open = desk.desk().open.get_untracked();
+    let open = desk.desk().document.open.get_untracked();
     desk.desk().look_up(Request::Drivers { actuator: action.clone() }, move |answer| {
         if let Ok(Reply::Drivers { drivers, total }) = answer {
             let others: Vec<_> =
@@ -69,7 +69,7 @@ fn OtherPrograms(action: String) -> impl IntoView {
     });
     let line = move |driver: Driver| {
         let from = (!driver.sensors.is_empty()).then(|| words::from_senses(&driver.sensors.join(", ")));
-        let open = move |_| desk.desk().open_program(&driver.behaviour);
+        let open = move |_| desk.desk().document.open_program(&driver.behaviour);
         view! {
             <li>
                 <button class="link" type="button" on:click=open>{driver.name}</button>
@@ -97,16 +97,16 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
     let desk = hold();
     let missing = Memo::new(move |_| {
         let desk = desk.desk();
-        desk.revision.track();
-        desk.stream_ids.track();
-        let robot = desk.robot.get()?;
-        let is_known = !robot.devices.is_empty() && !desk.stream_ids.read().is_empty();
-        is_known.then(|| robot::missing(&desk.behaviour(), &robot.devices))
+        desk.document.revision.track();
+        desk.document.stream_ids.track();
+        let robot = desk.robots.chosen.get()?;
+        let is_known = !robot.devices.is_empty() && !desk.document.stream_ids.read().is_empty();
+        is_known.then(|| robot::missing(&desk.document.behaviour(), &robot.devices))
     });
     let line = move |missing: Missing| {
         let (text, id) = (missing.to_string(), missing.stream);
         let label = format!("{}: {text}", words::select());
-        let select = move |_| desk.desk().selected.set(Some(Selected::Stream(id.clone())));
+        let select = move |_| desk.desk().document.selected.set(Some(Selected::Stream(id.clone())));
         view! {
             <li class="problem" data-blocks="true">
                 <Icon name="warn" />
@@ -120,7 +120,7 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
     let said = move || {
         let missing = missing.get()?;
         if missing.is_empty() {
-            let name = desk.desk().robot_name();
+            let name = desk.desk().robots.name();
             return Some(view! { <p class="faint">{words::has_all(&name)}</p> }.into_any());
         }
         Some(view! { <ul class="big-list">{missing.into_iter().map(line).collect_view()}</ul> }.into_any())

@@ -16,13 +16,13 @@ use leptos::prelude::*;
 #[component]
 pub(crate) fn Inspector() -> impl IntoView {
     let desk = hold();
-    let chosen = Memo::new(move |_| desk.desk().selected.get());
+    let chosen = Memo::new(move |_| desk.desk().document.selected.get());
     let shown = move || match chosen.get() {
         Some(Selected::Stream(id)) => {
-            desk.desk().stream(&id).map(|signals| view! { <StreamPanel id signals /> }.into_any())
+            desk.desk().document.stream(&id).map(|signals| view! { <StreamPanel id signals /> }.into_any())
         }
         Some(Selected::Connector(id)) => {
-            desk.desk().connector(&id).map(|signals| view! { <ConnectorPanel id signals /> }.into_any())
+            desk.desk().document.connector(&id).map(|signals| view! { <ConnectorPanel id signals /> }.into_any())
         }
         None => None,
     };
@@ -95,7 +95,7 @@ fn StreamLive(signals: StreamSignals) -> impl IntoView {
     let value =
         move || live.read().value.as_ref().map(|value| (short_value(value), live.read().rate, live.read().count));
     let rows = move || match value() {
-        Some((value, _, _)) if desk.desk().running().is_none() => {
+        Some((value, _, _)) if desk.desk().robots.running().is_none() => {
             view! { <p class="faint cut" title=value.clone()>{words::last_was(&value)}</p> }.into_any()
         }
         Some((value, rate, count)) => view! {
@@ -107,7 +107,7 @@ fn StreamLive(signals: StreamSignals) -> impl IntoView {
         }
         .into_any(),
         None => {
-            let runs = desk.desk().running().is_some();
+            let runs = desk.desk().robots.running().is_some();
             let text = if runs { words::no_value_yet() } else { words::starts_to_see() };
             view! { <p class="faint">{text}</p> }.into_any()
         }
@@ -168,14 +168,14 @@ fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
     let before: Vec<Value> = connector.operation.start().cloned().into_iter().collect();
     match connector.operation.procedure()? {
         Procedure::Body { body, args } => {
-            let names = inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.clone()));
+            let names = inputs.iter().filter_map(|id| Some(desk.document.stream(id)?.record.read().name.clone()));
             let names: Vec<String> = names.collect();
             let derived = || spec.argument_names(names.iter().map(String::as_str));
             let arguments = args.clone().unwrap_or_else(derived);
             Some(Question { arguments, body: body.clone(), inputs, before, is_test })
         }
         Procedure::Helper(name) => {
-            let helpers = desk.helpers.get();
+            let helpers = desk.library.helpers.get();
             let (_, helper) = helpers.into_iter().find(|(_, helper)| helper.name == *name)?;
             let fits = helper.params.len() == spec.argument_count(inputs.len());
             fits.then_some(Question { arguments: helper.params, body: helper.body, inputs, before, is_test })
@@ -186,12 +186,12 @@ fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
 #[component]
 fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
     let (desk, live, record) = (hold(), signals.live, signals.record);
-    let unused = Memo::new(move |_| desk.desk().unused.read().contains(&id));
+    let unused = Memo::new(move |_| desk.desk().robots.unused.read().contains(&id));
     let counts = {
         let live = live.clone();
         move || {
             let (fired, faults) = (words::count(live.read().fired), words::count(live.read().faults));
-            let over = desk.desk().running().is_none().then(words::last_run);
+            let over = desk.desk().robots.running().is_none().then(words::last_run);
             view! { <p class="faint">{over}{words::fired()}" "{fired}" · "{words::faults()}" "{faults}</p> }
         }
     };
@@ -201,7 +201,7 @@ fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
     };
     let counts = move || any.get().then(|| counts.clone());
     let error = move || live.read().error.clone().map(|text| view! { <p class="refusal">{text}</p> });
-    let held = move || record.with(|connector| desk.desk().held(&connector.output));
+    let held = move || record.with(|connector| desk.desk().robots.held(&connector.output));
     let held = move || held().map(|text| view! { <p class="second">{text}</p> });
     // The counts are those of the version that runs, not of what is written here.
     move || {
@@ -229,7 +229,7 @@ fn Edit(dialog: Dialog) -> impl IntoView {
 fn Remove(what: Selected) -> impl IntoView {
     let desk = hold();
     view! {
-        <button class="button small" type="button" on:click=move |_| desk.desk().remove(&what)>
+        <button class="button small" type="button" on:click=move |_| desk.desk().document.remove(&what)>
             <Icon name="trash" />
             {words::remove()}
         </button>

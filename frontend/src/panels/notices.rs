@@ -60,10 +60,10 @@ fn Offline() -> impl IntoView {
     let desk = hold();
     let line = move || {
         let desk = desk.desk();
-        match (desk.online.get(), desk.saving.get()) {
-            (_, Saving::Offline(waiting)) => Some(words::no_connection(waiting, !desk.all_running().is_empty())),
-            (LinkState::Offline, _) => Some(words::no_connection(0, !desk.all_running().is_empty())),
-            (_, Saving::Away(waiting)) => Some(words::away_banner(desk.away.get(), waiting)),
+        match (desk.online.get(), desk.document.saving.get()) {
+            (_, Saving::Offline(waiting)) => Some(words::no_connection(waiting, !desk.robots.all_running().is_empty())),
+            (LinkState::Offline, _) => Some(words::no_connection(0, !desk.robots.all_running().is_empty())),
+            (_, Saving::Away(waiting, why)) => Some(words::away_banner(why, waiting)),
             (_, Saving::Saved | Saving::Saving) => None,
         }
     };

@@ -18,10 +18,10 @@ pub(crate) fn Outline() -> impl IntoView {
     let desk = hold();
     let nodes = Memo::new(move |_| {
         let desk = desk.desk();
-        desk.revision.track();
-        desk.stream_ids.track();
-        desk.connector_ids.track();
-        tree::nodes(&desk.behaviour())
+        desk.document.revision.track();
+        desk.document.stream_ids.track();
+        desk.document.connector_ids.track();
+        tree::nodes(&desk.document.behaviour())
     });
     let tick = RwSignal::new(0_u32);
     if let Ok(handle) = set_interval(move || tick.update(|tick| *tick += 1), Duration::from_secs(1)) {

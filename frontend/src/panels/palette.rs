@@ -52,10 +52,10 @@ fn matches(search: &str, names: &[&str]) -> bool {
 fn Senses(search: RwSignal<String>) -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static Device| {
-        let closed = move || desk.desk().open.read().is_none().to_string();
+        let closed = move || desk.desk().document.open.read().is_none().to_string();
         let add = move |_| {
-            if desk.desk().open.read_untracked().is_some() {
-                desk.desk().add_sensor(device.name, Params::new());
+            if desk.desk().document.open.read_untracked().is_some() {
+                desk.desk().document.add_sensor(device.name, Params::new());
             }
         };
         let label = words::add_named(device.name);
@@ -95,7 +95,7 @@ fn Helpers(search: RwSignal<String>) -> impl IntoView {
     };
     let found = move || {
         let wanted = search.get();
-        let helpers = desk.desk().helpers.get();
+        let helpers = desk.desk().library.helpers.get();
         helpers.into_iter().filter(|(_, helper)| matches(&wanted, &[&helper.name])).map(item).collect_view()
     };
     view! { <h2>{words::helpers()}</h2> {found} }
@@ -109,9 +109,9 @@ pub(crate) fn uses_of(desk: Hold, helper: &str) -> usize {
 /// The connectors of the open program that use a helper. Reactive.
 pub(crate) fn users_of(desk: Hold, helper: &str) -> Vec<Id> {
     let desk = desk.desk();
-    let ids = desk.connector_ids.get();
+    let ids = desk.document.connector_ids.get();
     let uses = |id: &Id| {
-        let record = desk.connector(id).map(|signals| signals.record);
+        let record = desk.document.connector(id).map(|signals| signals.record);
         record.is_some_and(|record| match record.read().operation.procedure() {
             Some(Procedure::Helper(name)) => name == helper,
             Some(Procedure::Body { .. }) | None => false,
@@ -151,8 +151,8 @@ fn Actions(search: RwSignal<String>) -> impl IntoView {
 /// The selected stream, if something can come out of it. Reactive.
 fn selected_source(desk: Hold) -> Option<Id> {
     let desk = desk.desk();
-    let Some(Selected::Stream(id)) = desk.selected.get() else { return None };
-    let record = desk.stream(&id)?.record;
+    let Some(Selected::Stream(id)) = desk.document.selected.get() else { return None };
+    let record = desk.document.stream(&id)?.record;
     (record.read().kind != StreamKind::Actuator).then_some(id)
 }
 
@@ -160,10 +160,10 @@ fn selected_source(desk: Hold) -> Option<Id> {
 pub(crate) fn subscribe(desk: Hold, source: Option<Id>, device: &'static Device) {
     let Some(input) = source else { return };
     let desk = desk.desk();
-    let name = desk.name_for(device.name);
+    let name = desk.document.name_for(device.name);
     let output = Output::New { name, device: Some(device.name.to_owned()), params: Params::new() };
     let plan = ConnectPlan { operation: connectors::to_action().with(()), inputs: vec![input], output };
-    desk.connect(plan, |_| {});
+    desk.document.connect(plan, |_| {});
 }
 
 #[cfg(test)]

@@ -9,7 +9,7 @@ use leptos::prelude::*;
 #[component]
 pub(super) fn People() -> impl IntoView {
     let desk = use_desk();
-    let (people, me) = (desk.people.clone(), desk.me.clone());
+    let (people, me) = (desk.document.people.clone(), desk.me.clone());
     let shown = move || {
         let mine = me.get().map(|me| me.client);
         let everyone = if people.read().is_empty() { me.get().into_iter().collect() } else { people.get() };

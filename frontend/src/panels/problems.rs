@@ -15,10 +15,10 @@ const SHOWN_MAX: usize = 30;
 #[component]
 pub(crate) fn Problems() -> impl IntoView {
     let desk = hold();
-    let is_open = move || desk.desk().open.read().is_some();
-    let none = move || desk.desk().problems.read().is_empty() && desk.desk().failing.read().is_empty();
-    let empty = move || desk.desk().stream_ids.read().is_empty();
-    let runs = move || desk.desk().running().is_some();
+    let is_open = move || desk.desk().document.open.read().is_some();
+    let none = move || desk.desk().document.problems.read().is_empty() && desk.desk().robots.failing.read().is_empty();
+    let empty = move || desk.desk().document.stream_ids.read().is_empty();
+    let runs = move || desk.desk().robots.running().is_some();
     view! {
         <Show when=is_open>
             <section class="panel" aria-label=words::problems()>
@@ -40,10 +40,10 @@ pub(crate) fn Problems() -> impl IntoView {
 pub(crate) fn FailingList() -> impl IntoView {
     let desk = hold();
     let ids = Memo::new(move |_| {
-        let failing = desk.desk().failing.get();
+        let failing = desk.desk().robots.failing.get();
         failing.into_iter().map(|failing| failing.connector).take(SHOWN_MAX).collect::<Vec<_>>()
     });
-    let over = move || desk.desk().running().is_none();
+    let over = move || desk.desk().robots.running().is_none();
     view! {
         <Show when=move || !ids.read().is_empty()>
             <Show when=over><p class="second">{words::last_run_failed()}</p></Show>
@@ -61,7 +61,7 @@ fn FailingLine(id: Id) -> impl IntoView {
     let known = id.clone();
     let text = Memo::new(move |_| {
         let desk = desk.desk();
-        let failing = desk.failing.read();
+        let failing = desk.robots.failing.read();
         let failing = failing.iter().find(|failing| failing.connector == known);
         failing.map(|failing| words::named_failed(&failing.name, failing.count, &failing.why)).unwrap_or_default()
     });
@@ -79,14 +79,14 @@ fn FailingLine(id: Id) -> impl IntoView {
 fn SelectIt(selected: Option<Selected>, #[prop(into)] text: Signal<String>) -> impl IntoView {
     let desk = hold();
     let selected = StoredValue::new(selected);
-    let leads = move || selected.with_value(|it| it.is_none() || *desk.desk().selected.read() != *it);
+    let leads = move || selected.with_value(|it| it.is_none() || *desk.desk().document.selected.read() != *it);
     view! {
         <Show when=leads>
             <button
                 class="link"
                 type="button"
                 aria-label=move || format!("{}: {}", words::select(), text.get())
-                on:click=move |_| desk.desk().selected.set(selected.get_value())
+                on:click=move |_| desk.desk().document.selected.set(selected.get_value())
             >
                 {words::select()}
             </button>
@@ -99,7 +99,7 @@ fn SelectIt(selected: Option<Selected>, #[prop(into)] text: Signal<String>) -> i
 pub(crate) fn ProblemList(of: Option<Id>) -> impl IntoView {
     let desk = hold();
     let found = Memo::new(move |_| {
-        let all = desk.desk().problems.get();
+        let all = desk.desk().document.problems.get();
         all.into_iter().filter(|problem| of.as_ref().is_none_or(|id| problem.at.id == *id)).collect::<Vec<_>>()
     });
     let shown = move || {

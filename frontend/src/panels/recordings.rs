@@ -10,21 +10,21 @@ use web_sys::SubmitEvent;
 #[component]
 pub(crate) fn RecordRow() -> impl IntoView {
     let desk = hold();
-    let runs = Memo::new(move |_| desk.desk().running().is_some());
-    let recorded = Memo::new(move |_| desk.desk().running().and_then(|run| run.recording));
+    let runs = Memo::new(move |_| desk.desk().robots.running().is_some());
+    let recorded = Memo::new(move |_| desk.desk().robots.running().and_then(|run| run.recording));
     let note = RwSignal::new(String::new());
     let choice = move || {
         view! {
             <label class="record">
                 <input
                     type="checkbox"
-                    prop:checked=move || desk.desk().records.get()
-                    on:change=move |event| desk.desk().records.set(event_target_checked(&event))
+                    prop:checked=move || desk.desk().robots.records.get()
+                    on:change=move |event| desk.desk().robots.records.set(event_target_checked(&event))
                 />
                 {words::record()}
             </label>
             // Where it will stand once the run is recorded, so that nothing moves then.
-            <Show when=move || desk.desk().records.get()><Mark note idle=true /></Show>
+            <Show when=move || desk.desk().robots.records.get()><Mark note idle=true /></Show>
         }
     };
     let going = move |recorded: Recorded| {
@@ -33,7 +33,7 @@ pub(crate) fn RecordRow() -> impl IntoView {
             <p class="record" class:bad=bad role="status">
                 <span class="dot" aria-hidden="true"></span>
                 {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
-                <button class="link" type="button" on:click=move |_| desk.desk().end_recording()>
+                <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
                     {words::end_recording()}
                 </button>
             </p>
@@ -54,7 +54,7 @@ fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
     let desk = hold();
     let mark = move |event: SubmitEvent| {
         event.prevent_default();
-        desk.desk().mark(&note.get_untracked());
+        desk.desk().robots.mark(&note.get_untracked());
         note.set(String::new());
     };
     view! {
@@ -79,10 +79,10 @@ fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
 #[component]
 pub(crate) fn Recordings() -> impl IntoView {
     let desk = hold();
-    let list = move || desk.desk().recordings.get();
+    let list = move || desk.desk().robots.recordings.get();
     let rows = move || list().into_iter().map(|recording| view! { <Row recording /> }).collect_view();
     view! {
-        <details class="recordings" on:toggle=move |_| desk.desk().list_recordings()>
+        <details class="recordings" on:toggle=move |_| desk.desk().robots.list_recordings()>
             <summary>{words::recordings()}</summary>
             <p class="faint" hidden=move || !list().is_empty()>{words::no_recordings()}</p>
             <ul>{rows}</ul>

@@ -44,14 +44,15 @@ fn Head() -> impl IntoView {
 #[component]
 fn Fails() -> impl IntoView {
     let desk = hold();
-    let count = Memo::new(move |_| if desk.desk().unheard.read().is_some() { 0 } else { desk.desk().fails_now() });
+    let count =
+        Memo::new(move |_| if desk.desk().unheard.read().is_some() { 0 } else { desk.desk().robots.fails_now() });
     let newest = Memo::new(move |_| {
-        let newest = desk.desk().failing.read().first().map(|failing| failing.connector.clone());
+        let newest = desk.desk().robots.failing.read().first().map(|failing| failing.connector.clone());
         newest.filter(|_| count.get() > 0)
     });
     let said = move || {
         newest.track();
-        let newest = desk.desk().failing.with_untracked(|failing| failing.first().cloned());
+        let newest = desk.desk().robots.failing.with_untracked(|failing| failing.first().cloned());
         newest.filter(|_| count.get() > 0).map(|newest| words::begins_to_fail(&newest.name, &newest.why))
     };
     view! {
@@ -70,8 +71,8 @@ fn lamp_now(desk: Hold) -> (&'static str, String) {
     if let Some(seconds) = desk.unheard.get() {
         return ("unheard", words::last_heard(seconds));
     }
-    let health = desk.health();
-    match (&health, desk.fails_now()) {
+    let health = desk.robots.health();
+    match (&health, desk.robots.fails_now()) {
         (Health::Ready | Health::Degraded(_), fails @ 1..) => ("fails", words::parts_fail(fails)),
         _ => lamp_words(&health),
     }
@@ -91,7 +92,7 @@ pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
 #[component]
 fn Start() -> impl IntoView {
     let desk = hold();
-    let runs = Memo::new(move |_| desk.desk().running().is_some());
+    let runs = Memo::new(move |_| desk.desk().robots.running().is_some());
     let unheard = Memo::new(move |_| desk.desk().unheard.read().is_some());
     let blocked = Memo::new(move |_| unheard.get() || (!runs.get() && why_not(desk).is_some()));
     let word = move || match (runs.get(), unheard.get()) {
@@ -99,9 +100,9 @@ fn Start() -> impl IntoView {
         (true, false) => words::running(),
         (false, _) => words::start(),
     };
-    let press = move |_| match desk.desk().running() {
-        None => desk.desk().start(),
-        Some(run) if untrack(|| desk.desk().runs_older(&run)) => desk.desk().apply(),
+    let press = move |_| match desk.desk().robots.running() {
+        None => desk.desk().robots.start(),
+        Some(run) if untrack(|| desk.desk().robots.runs_older(&run)) => desk.desk().robots.apply(),
         Some(_) => {}
     };
     view! {
@@ -122,28 +123,28 @@ fn Start() -> impl IntoView {
 /// Why Start has to wait. Reactive.
 fn why_not(desk: Hold) -> Option<String> {
     let desk = desk.desk();
-    if desk.open.read().is_none() {
+    if desk.document.open.read().is_none() {
         return Some(words::open_first().to_owned());
     }
     if desk.online.get() != LinkState::Online {
         return Some(words::starts_when_online().to_owned());
     }
-    if let Health::Lost(why) = &desk.health() {
+    if let Health::Lost(why) = &desk.robots.health() {
         return Some(words::robot_lost(why.trim_end_matches('.')));
     }
-    let problems = desk.problems.get();
+    let problems = desk.document.problems.get();
     problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(&problem.to_string()))
 }
 
 #[component]
 fn Line() -> impl IntoView {
     let desk = hold();
-    let run = Memo::new(move |_| desk.desk().running());
+    let run = Memo::new(move |_| desk.desk().robots.running());
     let running = Memo::new(move |_| run.read().as_ref().map(|run| run.revision));
-    let older = Memo::new(move |_| run.get().filter(|run| desk.desk().runs_older(run)).map(|run| run.revision));
+    let older = Memo::new(move |_| run.get().filter(|run| desk.desk().robots.runs_older(run)).map(|run| run.revision));
     let blocked = Memo::new(move |_| why_not(desk));
     let text = move || match (running.get(), older.get()) {
-        (Some(_), Some(runs)) => words::running_older(runs, desk.desk().revision.get()),
+        (Some(_), Some(runs)) => words::running_older(runs, desk.desk().document.revision.get()),
         (Some(revision), None) => words::running_here(revision),
         (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_default(),
     };
@@ -160,7 +161,7 @@ fn Line() -> impl IntoView {
             {move || if heard.get() { text() } else { may_move() }}
             <Show when=can_apply>
                 " · "
-                <button class="link" type="button" on:click=move |_| desk.desk().apply()>{words::apply()}</button>
+                <button class="link" type="button" on:click=move |_| desk.desk().robots.apply()>{words::apply()}</button>
             </Show>
         </p>
     }
@@ -171,14 +172,14 @@ fn last_words(desk: Hold) -> Option<String> {
     if let Some(why) = faulted(desk) {
         return Some(words::ended(&why));
     }
-    let runs = desk.desk().runs_here();
+    let runs = desk.desk().robots.runs_here();
     let other = runs.into_iter().rfind(|run| run.phase == RunPhase::Running);
     other.map(|run| words::other_runs(&run.name))
 }
 
 fn faulted(desk: Hold) -> Option<String> {
     let desk = desk.desk();
-    let open = desk.open.get()?;
-    let last: RunState = desk.runs_here().into_iter().rfind(|run| run.behaviour == open)?;
+    let open = desk.document.open.get()?;
+    let last: RunState = desk.robots.runs_here().into_iter().rfind(|run| run.behaviour == open)?;
     if let RunPhase::Faulted(why) = last.phase { Some(why.trim_end_matches('.').to_owned()) } else { None }
 }

@@ -12,8 +12,8 @@ use protocol::{ROBOTS_MAX, RobotState, RunPhase};
 #[component]
 pub(crate) fn RobotPicker() -> impl IntoView {
     let desk = hold();
-    let name = Signal::derive(move || desk.desk().robot_name());
-    let label = Signal::derive(move || words::robot_named(&desk.desk().robot_name()));
+    let name = Signal::derive(move || desk.desk().robots.name());
+    let label = Signal::derive(move || words::robot_named(&desk.desk().robots.name()));
     view! {
         <Menu label word=name icon="chevron" class="robot-picker" alone=true>
             <Items />
@@ -24,16 +24,16 @@ pub(crate) fn RobotPicker() -> impl IntoView {
 #[component]
 fn Items() -> impl IntoView {
     let desk = hold();
-    let rows = move || desk.desk().robots.get().into_iter().map(|robot| item(desk, robot)).collect_view();
-    let count = move || desk.desk().robots.read().len();
+    let rows = move || desk.desk().robots.all.get().into_iter().map(|robot| item(desk, robot)).collect_view();
+    let count = move || desk.desk().robots.all.read().len();
     let opens = move |dialog: Dialog| Callback::new(move |()| desk.desk().dialog.set(Some(dialog.clone())));
     let others = move || {
-        let name = desk.desk().robot_name();
+        let name = desk.desk().robots.name();
         (count() > 1).then(|| {
             view! {
                 <MenuItem label=words::remove_robot(&name) icon="trash" choose=opens(Dialog::RemoveRobot) />
                 <div class="menu-rule" role="separator"></div>
-                <MenuItem label=words::stop_all_robots() icon="stop" choose=Callback::new(move |()| desk.desk().stop_all()) />
+                <MenuItem label=words::stop_all_robots() icon="stop" choose=Callback::new(move |()| desk.desk().robots.stop_all()) />
             }
         })
     };
@@ -49,13 +49,13 @@ fn Items() -> impl IntoView {
 }
 
 fn item(desk: Hold, robot: RobotState) -> impl IntoView {
-    let runs = desk.desk().runs.get_untracked();
+    let runs = desk.desk().robots.runs.get_untracked();
     let runs = runs.iter().filter(|run| run.robot == robot.robot && run.phase == RunPhase::Running);
     let runs: Vec<_> = runs.map(|run| run.name.clone()).collect();
     let (lamp, how) = lamp_words(&robot.health);
     let note = if runs.is_empty() { how } else { words::runs_names(&runs.join(", ")) };
-    let here = desk.desk().robot_id().as_ref() == Some(&robot.robot);
+    let here = desk.desk().robots.chosen_id().as_ref() == Some(&robot.robot);
     let id = robot.robot;
-    let choose = Callback::new(move |()| desk.desk().choose_robot(&id));
+    let choose = Callback::new(move |()| desk.desk().robots.choose(&id));
     view! { <MenuItem label=robot.name icon="" lamp=lamp note chosen=here choose /> }
 }

@@ -24,7 +24,7 @@ pub(crate) fn Room() -> impl IntoView {
     let held = RwSignal::new(None);
     let map = Memo::new(move |old: Option<&Map>| match (held.read().is_some(), old) {
         (true, Some(old)) => *old,
-        _ => Map::of(&desk.desk().scene.read()),
+        _ => Map::of(&desk.desk().robots.scene.read()),
     });
     let svg = NodeRef::<leptos::svg::Svg>::new();
     view! {
@@ -60,16 +60,16 @@ fn Balls(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl Int
     let desk = hold();
     let ids = Memo::new(move |_| {
         let desk = desk.desk();
-        let scene = desk.scene.read();
+        let scene = desk.robots.scene.read();
         scene.balls.iter().map(|ball| (ball.id.clone(), ball.color.clone())).collect::<Vec<_>>()
     });
     let ball = move |(id, color): (String, String)| {
         let wanted = id.clone();
-        let found = move || desk.desk().scene.read().balls.iter().find(|ball| ball.id == wanted).cloned();
+        let found = move || desk.desk().robots.scene.read().balls.iter().find(|ball| ball.id == wanted).cloned();
         let ball = Memo::new(move |_| found());
         let at = Signal::derive(move || ball.get().map_or([0.0; 3], |ball| ball.at));
         let edit = Callback::new(move |at| {
-            desk.desk().scene_edit(SceneEdit::MoveBall { id: id.clone(), at });
+            desk.desk().robots.scene_edit(SceneEdit::MoveBall { id: id.clone(), at });
             id.clone()
         });
         let radius = move || map.get().length(ball.get().map_or(0.03, |ball| ball.radius)).max(BALL_MIN);
@@ -90,17 +90,18 @@ fn People(map: Memo<Map>, held: Held, svg: NodeRef<leptos::svg::Svg>) -> impl In
     let desk = hold();
     let ids = Memo::new(move |_| {
         let desk = desk.desk();
-        let scene = desk.scene.read();
+        let scene = desk.robots.scene.read();
         let here = scene.people.iter().filter(|person| person.present);
         here.map(|person| (person.id.clone(), person.known)).collect::<Vec<_>>()
     });
     let person = move |(id, known): (String, bool)| {
         let wanted = id.clone();
-        let person =
-            Memo::new(move |_| desk.desk().scene.read().people.iter().find(|person| person.id == wanted).cloned());
+        let person = Memo::new(move |_| {
+            desk.desk().robots.scene.read().people.iter().find(|person| person.id == wanted).cloned()
+        });
         let at = Signal::derive(move || person.get().map_or([0.0; 3], |person| [person.at[0], person.at[1], 0.0]));
         let edit = Callback::new(move |at: [f32; 3]| {
-            desk.desk().scene_edit(SceneEdit::MovePerson { id: id.clone(), at: [at[0], at[1]] });
+            desk.desk().robots.scene_edit(SceneEdit::MovePerson { id: id.clone(), at: [at[0], at[1]] });
             id.clone()
         });
         let label = if known { words::person_known() } else { words::person() };

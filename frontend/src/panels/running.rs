@@ -17,10 +17,10 @@ pub(crate) fn Running() -> impl IntoView {
     // Nothing moves under the hand.
     let running = Memo::new(move |before: Option<&Vec<RunState>>| match before {
         Some(before) if dragged.read().is_some() => before.clone(),
-        _ => desk.desk().all_running(),
+        _ => desk.desk().robots.all_running(),
     });
     let other = Memo::new(move |_| {
-        let open = desk.desk().open.get();
+        let open = desk.desk().document.open.get();
         running.read().iter().any(|run| Some(&run.behaviour) != open.as_ref())
     });
     let rows = move || {
@@ -71,7 +71,7 @@ fn Row(dragged: RwSignal<Option<Drag>>, all: Vec<RunState>, at: usize, run: RunS
     let put = move |_| {
         if let Some(Drag { moved, over }) = dragged.get_untracked() {
             dragged.set(None);
-            desk.desk().place_at(&order, &moved, &over);
+            desk.desk().robots.place_at(&order, &moved, &over);
         }
     };
     let (held, target) = (id.clone(), id.clone());
@@ -111,7 +111,7 @@ fn row_at(event: &PointerEvent) -> Option<Id> {
     Id::new(&row.get_attribute("data-behaviour")?).ok()
 }
 
-/// The same for keys and for who prefers to press: a place up or down, and Stop.
+/// What dragging does, for keys and for who prefers to press: a place up or down, and Stop.
 #[component]
 fn Buttons(all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
     let desk = hold();
@@ -120,11 +120,11 @@ fn Buttons(all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
     let (up, down) = (at.checked_sub(1).and_then(id_of), id_of(at + 1));
     let (no_up, no_down) = (up.is_none(), down.is_none());
     let (moved, stopped) = (id.clone(), id.clone());
-    let move_up = move |_| desk.desk().place(&moved, up.clone());
+    let move_up = move |_| desk.desk().robots.place(&moved, up.clone());
     // A place down is the next one a place up.
     let move_down = move |_| {
         if let Some(down) = &down {
-            desk.desk().place(down, Some(id.clone()))
+            desk.desk().robots.place(down, Some(id.clone()))
         }
     };
     view! {
@@ -138,7 +138,7 @@ fn Buttons(all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
             class="link"
             type="button"
             aria-label=words::stop_one(&name)
-            on:click=move |_| desk.desk().stop_one(&stopped)
+            on:click=move |_| desk.desk().robots.stop_one(&stopped)
         >
             {words::stop()}
         </button>

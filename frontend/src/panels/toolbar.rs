@@ -15,7 +15,7 @@ use leptos::prelude::*;
 #[component]
 pub(crate) fn Toolbar() -> impl IntoView {
     let desk = hold();
-    let none_open = Signal::derive(move || desk.desk().open.read().is_none());
+    let none_open = Signal::derive(move || desk.desk().document.open.read().is_none());
     mark_usable(desk);
     view! {
         <header class="bar">
@@ -59,8 +59,9 @@ fn mark_usable(desk: Hold) {
     let told = StoredValue::new(false);
     Effect::new(move |_| {
         let desk = desk.desk();
-        let usable =
-            desk.open.read().is_some() || !desk.programs.read().is_empty() || !desk.templates.read().is_empty();
+        let usable = desk.document.open.read().is_some()
+            || !desk.library.programs.read().is_empty()
+            || !desk.library.templates.read().is_empty();
         if usable && !told.get_value() {
             told.set_value(true);
             if let Some(clock) = browser::window().and_then(|window| window.performance()) {
@@ -89,7 +90,7 @@ fn ProgramName() -> impl IntoView {
     let desk = hold();
     let name = move || {
         let desk = desk.desk();
-        if desk.open.read().is_some() { desk.name.get() } else { words::untitled().to_owned() }
+        if desk.document.open.read().is_some() { desk.document.name.get() } else { words::untitled().to_owned() }
     };
     view! {
         <div class="program">
@@ -100,7 +101,7 @@ fn ProgramName() -> impl IntoView {
                 data-stop=""
                 tabindex="0"
                 title=move || format!("{} · {}", name(), words::rename_program())
-                disabled=move || desk.desk().open.read().is_none()
+                disabled=move || desk.desk().document.open.read().is_none()
                 on:click=move |_| desk.desk().dialog.set(Some(Dialog::RenameProgram))
             >
                 {name}
@@ -117,19 +118,19 @@ fn is_offline(desk: Hold) -> bool {
     let desk = desk.desk();
     desk.unheard.read().is_some()
         || desk.online.get() == LinkState::Offline
-        || matches!(desk.saving.get(), Saving::Offline(_) | Saving::Away(_))
+        || matches!(desk.document.saving.get(), Saving::Offline(_) | Saving::Away(..))
 }
 
 fn saving_line(desk: Hold) -> String {
     let desk = desk.desk();
-    match (desk.online.get(), desk.saving.get()) {
+    match (desk.online.get(), desk.document.saving.get()) {
         (_, Saving::Offline(waiting)) => words::offline(waiting),
-        (_, Saving::Away(waiting)) => words::not_saved(waiting),
+        (_, Saving::Away(waiting, _)) => words::not_saved(waiting),
         (LinkState::Offline, Saving::Saved | Saving::Saving) => words::offline(0),
         (LinkState::Connecting, Saving::Saved | Saving::Saving) => words::connecting().to_owned(),
         (LinkState::Online, _) if desk.unheard.read().is_some() => words::no_answer().to_owned(),
         (LinkState::Online, Saving::Saving) => words::saving().to_owned(),
-        (LinkState::Online, Saving::Saved) if desk.open.read().is_some() => words::all_saved().to_owned(),
+        (LinkState::Online, Saving::Saved) if desk.document.open.read().is_some() => words::all_saved().to_owned(),
         (LinkState::Online, Saving::Saved) => String::new(),
     }
 }
@@ -164,15 +165,15 @@ fn Tool(
 #[component]
 fn Back() -> impl IntoView {
     let desk = hold();
-    let cannot_undo = move || !desk.desk().can_undo.get();
-    let cannot_redo = move || !desk.desk().can_redo.get();
+    let cannot_undo = move || !desk.desk().document.can_undo.get();
+    let cannot_redo = move || !desk.desk().document.can_redo.get();
     view! {
         <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::undo()
-            aria-label=words::undo() disabled=cannot_undo on:click=move |_| desk.desk().undo()>
+            aria-label=words::undo() disabled=cannot_undo on:click=move |_| desk.desk().document.undo()>
             <Icon name="undo" />
         </button>
         <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::redo()
-            aria-label=words::redo() disabled=cannot_redo on:click=move |_| desk.desk().redo()>
+            aria-label=words::redo() disabled=cannot_redo on:click=move |_| desk.desk().document.redo()>
             <Icon name="redo" />
         </button>
     }
@@ -228,10 +229,10 @@ fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
             <MenuItem label=words::edit_helper() icon="fx" choose=opens(desk, Dialog::Helpers) />
             <MenuItem label=words::add_helper() icon="plus" choose=opens(desk, Dialog::Helper(None)) />
             <div class="menu-rule" role="separator"></div>
-            <MenuItem label=words::undo() icon="undo" disabled=!desk.desk().can_undo.get_untracked()
-                choose=Callback::new(move |()| desk.desk().undo()) />
-            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().can_redo.get_untracked()
-                choose=Callback::new(move |()| desk.desk().redo()) />
+            <MenuItem label=words::undo() icon="undo" disabled=!desk.desk().document.can_undo.get_untracked()
+                choose=Callback::new(move |()| desk.desk().document.undo()) />
+            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().document.can_redo.get_untracked()
+                choose=Callback::new(move |()| desk.desk().document.redo()) />
             <div class="menu-rule" role="separator"></div>
             <MenuItem label=words::problems() icon="warn" choose=opens(desk, Dialog::Problems) />
             <MenuItem label=words::keys_and_gestures() icon="help" choose=opens(desk, Dialog::Help) />

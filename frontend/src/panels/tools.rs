@@ -16,7 +16,7 @@ const PROGRAMS_MAX: usize = 6;
 #[component]
 pub(crate) fn LoadMenu() -> impl IntoView {
     let desk = hold();
-    let list = Callback::new(move |()| desk.desk().list_programs());
+    let list = Callback::new(move |()| desk.desk().library.list_programs());
     view! {
         <Menu label=words::load_program() icon="folder" class="not-tablet" on_open=list>
             <ProgramItems />
@@ -33,14 +33,14 @@ fn ProgramItems() -> impl IntoView {
     };
     let template = move |template: Summary| {
         let (id, name) = (template.id, template.name.clone());
-        let make = Callback::new(move |()| desk.desk().create_program(&name, Some(&id)));
+        let make = Callback::new(move |()| desk.desk().library.create_program(&name, Some(&id)));
         view! { <MenuItem label=template.name icon="plus" note=template.by choose=make /> }
     };
     let programs = move || {
-        let programs = desk.desk().programs.get();
+        let programs = desk.desk().library.programs.get();
         programs.into_iter().take(PROGRAMS_MAX).map(program).collect_view()
     };
-    let templates = move || desk.desk().templates.get().into_iter().map(template).collect_view();
+    let templates = move || desk.desk().library.templates.get().into_iter().map(template).collect_view();
     let all = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::Programs)));
     view! {
         {programs}
@@ -55,7 +55,7 @@ fn ProgramItems() -> impl IntoView {
 #[component]
 pub(crate) fn FileItems() -> impl IntoView {
     let desk = hold();
-    let none_open = desk.desk().open.with_untracked(Option::is_none);
+    let none_open = desk.desk().document.open.with_untracked(Option::is_none);
     let save = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::SaveFile)));
     view! {
         <MenuItem label=words::open_file() icon="open" choose=Callback::new(|()| choose_file()) />
@@ -66,7 +66,7 @@ pub(crate) fn FileItems() -> impl IntoView {
 /// Opens a program of the list.
 pub(crate) fn open_program(desk: &Desk, id: &str) {
     if let Ok(id) = Id::new(id) {
-        desk.open_program(&id);
+        desk.document.open_program(&id);
     }
 }
 
@@ -84,7 +84,7 @@ pub(crate) fn AddSensorMenu(none_open: Signal<bool>) -> impl IntoView {
 fn SensorItems() -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static robot::Device| {
-        let add = Callback::new(move |()| desk.desk().add_sensor(device.name, Params::new()));
+        let add = Callback::new(move |()| desk.desk().document.add_sensor(device.name, Params::new()));
         view! { <MenuItem label=device.name icon=device.icon kind="sensor" choose=add /> }
     };
     robot::sensors().map(item).collect_view()
@@ -108,7 +108,7 @@ fn HelperItems() -> impl IntoView {
         view! { <MenuItem label=words::helper_item(&helper.name, &helper.params.join(", ")) icon="fx" choose=edit /> }
     };
     move || {
-        let helpers = desk.desk().helpers.get();
+        let helpers = desk.desk().library.helpers.get();
         if helpers.is_empty() {
             view! { <p class="menu-head">{words::no_helpers()}</p> }.into_any()
         } else {

@@ -87,10 +87,10 @@ pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
     });
     Effect::new(move |_| {
         // What flows now is only the last value once it stops.
-        desk.desk().runs.track();
+        desk.desk().robots.runs.track();
         if let Some(question) = question.get() {
             for input in &question.inputs {
-                if let Some(signals) = desk.desk().stream(input) {
+                if let Some(signals) = desk.desk().document.stream(input) {
                     signals.live.track();
                 }
             }
@@ -113,7 +113,7 @@ impl Answers {
         let me = self.clone();
         let whole = |set: &Vec<Value>| question.before.iter().chain(set).cloned().collect();
         let asked = (question.arguments.clone(), question.body.clone(), sets.iter().map(whole).collect());
-        desk.desk().check_body(asked.0, asked.1, asked.2, move |(error, results)| {
+        desk.desk().document.check_body(asked.0, asked.1, asked.2, move |(error, results)| {
             if me.number.get_untracked() == number {
                 let given = froms.into_iter().zip(&sets).zip(results);
                 let trials = given.map(|((from, set), result)| trial(from, set, result, question.is_test));
@@ -139,7 +139,7 @@ fn trial(from: Origin, set: &[Value], result: Result<Value, String>, is_test: bo
 fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
     let newest: Option<Vec<(bool, Value)>> = inputs.iter().map(|id| newest(desk, id)).collect();
     let Some(newest) = newest.filter(|set| !set.is_empty()) else { return Vec::new() };
-    let runs = untrack(|| desk.desk().running().is_some() && desk.desk().unheard.read().is_none());
+    let runs = untrack(|| desk.desk().robots.running().is_some() && desk.desk().unheard.read().is_none());
     let from = match (newest.iter().any(|(example, _)| *example), runs) {
         (true, _) => Origin::Example,
         (false, true) => Origin::Now,
@@ -148,7 +148,7 @@ fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
     let newest: Vec<Value> = newest.into_iter().map(|(_, value)| value).collect();
     let mut sets = vec![(from, newest)];
     if let [input] = inputs
-        && let Some(signals) = desk.desk().stream(input)
+        && let Some(signals) = desk.desk().document.stream(input)
     {
         for number in signals.live.read_untracked().recent.iter().rev() {
             let set = vec![Value::Float(*number)];
@@ -162,7 +162,7 @@ fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
 
 /// The newest value of a stream, or an example, which the first part tells.
 fn newest(desk: Hold, id: &Id) -> Option<(bool, Value)> {
-    let signals = desk.desk().stream(id)?;
+    let signals = desk.desk().document.stream(id)?;
     if let Some(value) = signals.live.read_untracked().value.clone() {
         return Some((false, value));
     }

@@ -323,7 +323,7 @@ pub(crate) fn failed(faults: u64, why: &str) -> String {
     format!("Failed {}: {}", times(faults), sentence(why))
 }
 
-/// The same with its name, for the list.
+/// How often something failed and why, with its name, for the list: `“map” failed 3 times: there is no field y.`
 pub(crate) fn named_failed(name: &str, faults: u64, why: &str) -> String {
     format!("“{name}” failed {}: {}", times(faults), sentence(why))
 }
@@ -533,7 +533,7 @@ pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> Str
     format!("{owner}{} · {changed}", streams(count))
 }
 
-/// The same in the bin.
+/// What a line of the bin says below the name: `removed 2 hours ago by Aiko · stays 27 more days`.
 pub(crate) fn removed_line(when: &str, by: &str, days_left: u64) -> String {
     let left = match days_left {
         0 => "goes today".to_owned(),

@@ -4,17 +4,10 @@
 use super::cancel_flag::CancelFlag;
 use super::fair::Fair;
 use super::mailbox::Mailbox;
-<<<<<<< HEAD:crates/server/src/robots/desk.rs
-use crate::lock;
+use crate::support::lock;
 use behaviour::{Id, Params, StreamKind, Value};
 use engine::{Claim, StreamIx};
 use robot::{SceneEdit, Use, Waiting};
-=======
-use crate::support::lock;
-use behaviour::{Id, Params, Value};
-use engine::Claim;
-use robot::{SceneEdit, Use};
->>>>>>> room-b:crates/server/src/robots/command_queue.rs
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::SyncSender;
@@ -167,14 +160,9 @@ impl CommandQueue {
 
     /// Hands on a value for an action; an older one of the same stream gives way.
     pub(super) fn command(&self, user: Use, device: &str, command: Command) {
-<<<<<<< HEAD:crates/server/src/robots/desk.rs
         let waiting = robot::device(StreamKind::Actuator, device).map_or(Waiting::Newest, |device| device.waiting);
         let waiting_max = if waiting == Waiting::Every { TEXTS_MAX } else { 1 };
-        lock(&self.papers).commands.push(user, waiting_max, command);
-=======
-        let waiting_max = if matches!(device, "SayInput" | "SayParameter" | "Print") { TEXTS_MAX } else { 1 };
         lock(&self.pending).commands.push(user, waiting_max, command);
->>>>>>> room-b:crates/server/src/robots/command_queue.rs
         self.ring();
     }
 

@@ -14,7 +14,7 @@ pub(super) fn gone(desk: Hold, id: Id, is_there: impl Fn() -> bool + Send + Sync
             return None;
         }
         let me = desk.me.read().as_ref().map(|me| me.name.clone());
-        let by = desk.removed_by.read().get(&id).cloned();
+        let by = desk.document.removed_by.read().get(&id).cloned();
         Some(match by {
             Some(by) if Some(&by) == me.as_ref() => words::you_removed().to_owned(),
             Some(by) => words::removed_by(&by),
@@ -25,12 +25,12 @@ pub(super) fn gone(desk: Hold, id: Id, is_there: impl Fn() -> bool + Send + Sync
 
 /// Whether the open behaviour has this stream. Reactive.
 pub(super) fn has_stream(desk: Hold, id: &Id) -> bool {
-    desk.desk().stream_ids.read().contains(id)
+    desk.desk().document.stream_ids.read().contains(id)
 }
 
 /// Whether the open behaviour has this connector. Reactive.
 pub(super) fn has_connector(desk: Hold, id: &Id) -> bool {
-    desk.desk().connector_ids.read().contains(id)
+    desk.desk().document.connector_ids.read().contains(id)
 }
 
 /// The sentence, and a button that copies what was written.

@@ -32,7 +32,7 @@ struct Fields {
 #[component]
 pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     let desk = hold();
-    let all = desk.desk().helpers.get_untracked();
+    let all = desk.desk().library.helpers.get_untracked();
     let found = all.into_iter().find(|(other, _)| Some(other) == id.as_ref()).map(|(_, helper)| helper);
     let is_there = found.is_some();
     let fields = Fields::of(id.zip(found));
@@ -104,13 +104,13 @@ fn save(desk: Hold, fields: Fields) {
         }
         answered(answer);
     };
-    desk.desk().put_helper(fields.seen.get_value(), helper, look_again);
+    desk.desk().library.put_helper(fields.seen.get_value(), helper, look_again);
 }
 
 /// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
 fn look_again(desk: Hold, fields: Fields) {
     let Some(Some((id, _))) = fields.seen.try_get_value() else { return };
-    let now = desk.desk().helpers.get_untracked().into_iter().find(|(other, _)| *other == id);
+    let now = desk.desk().library.helpers.get_untracked().into_iter().find(|(other, _)| *other == id);
     fields.seen.try_set_value(now);
 }
 
@@ -128,7 +128,7 @@ fn Lint(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
         if body.trim().is_empty() {
             said.set(None);
         } else {
-            desk.desk().check_body(arguments, body, Vec::new(), move |(error, _)| said.set(error));
+            desk.desk().document.check_body(arguments, body, Vec::new(), move |(error, _)| said.set(error));
         }
     });
     Effect::new(move |_| {
@@ -148,7 +148,7 @@ fn Lint(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
 fn Removed(fields: Fields, id: Id) -> impl IntoView {
     let desk = hold();
     let known = id.clone();
-    let who = gone(desk, id, move || desk.desk().helpers.read().iter().any(|(other, _)| *other == known));
+    let who = gone(desk, id, move || desk.desk().library.helpers.read().iter().any(|(other, _)| *other == known));
     view! { <Gone who written=fields.body /> }
 }
 
@@ -158,7 +158,7 @@ fn Remove(fields: Fields) -> impl IntoView {
     let remove = move |_| {
         let Some(id) = fields.seen.with_value(|seen| seen.as_ref().map(|(id, _)| id.clone())) else { return };
         let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-        desk.desk().remove_helper(&id, answered);
+        desk.desk().library.remove_helper(&id, answered);
     };
     view! {
         <button class="button danger apart" type="button" disabled=move || fields.busy.get() on:click=remove>

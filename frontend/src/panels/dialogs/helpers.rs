@@ -27,7 +27,7 @@ pub(super) fn Helpers() -> impl IntoView {
             </li>
         }
     };
-    let items = move || desk.desk().helpers.get().into_iter().map(item).collect_view();
+    let items = move || desk.desk().library.helpers.get().into_iter().map(item).collect_view();
     view! {
         <Frame title=words::edit_helper() narrow=true save=new>
             <ul class="dialog-body big-list">{items}</ul>

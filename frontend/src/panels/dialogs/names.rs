@@ -63,7 +63,7 @@ pub(super) fn AddProgram() -> impl IntoView {
     let desk = hold();
     let done = Callback::new(move |name: String| {
         just_made();
-        desk.desk().create_program(&name, None);
+        desk.desk().library.create_program(&name, None);
     });
     view! { <OneName title=words::add_program() now=words::new_behaviour() save=words::create() done /> }
 }
@@ -72,12 +72,12 @@ pub(super) fn AddProgram() -> impl IntoView {
 #[component]
 pub(super) fn RemoveProgram() -> impl IntoView {
     let desk = hold();
-    let name = desk.desk().name.get_untracked();
-    let runs = move || desk.desk().runs_on();
+    let name = desk.desk().document.name.get_untracked();
+    let runs = move || desk.desk().robots.runs_on();
     let done = Callback::new(move |()| {
-        let open = desk.desk().open.get_untracked();
+        let open = desk.desk().document.open.get_untracked();
         if let Some(id) = open.filter(|_| untrack(runs).is_none()) {
-            desk.desk().remove_program(&id);
+            desk.desk().library.remove_program(&id);
             close(desk);
         }
     });
@@ -92,8 +92,8 @@ pub(super) fn RemoveProgram() -> impl IntoView {
 #[component]
 pub(super) fn RenameProgram() -> impl IntoView {
     let desk = hold();
-    let now = desk.desk().name.get_untracked();
-    let done = Callback::new(move |name: String| desk.desk().rename_program(&name));
+    let now = desk.desk().document.name.get_untracked();
+    let done = Callback::new(move |name: String| desk.desk().document.rename_program(&name));
     view! { <OneName title=words::rename_program() now done /> }
 }
 
@@ -101,7 +101,7 @@ pub(super) fn RenameProgram() -> impl IntoView {
 #[component]
 pub(super) fn AddRobot() -> impl IntoView {
     let desk = hold();
-    let done = Callback::new(move |name: String| desk.desk().add_robot(&name));
+    let done = Callback::new(move |name: String| desk.desk().robots.add(&name));
     view! {
         <OneName
             title=words::add_robot()
@@ -118,11 +118,11 @@ pub(super) fn AddRobot() -> impl IntoView {
 #[component]
 pub(super) fn RemoveRobot() -> impl IntoView {
     let desk = hold();
-    let name = untrack(|| desk.desk().robot_name());
-    let robot = desk.desk().robot_id();
+    let name = untrack(|| desk.desk().robots.name());
+    let robot = desk.desk().robots.chosen_id();
     let done = Callback::new(move |()| {
         if let Some(robot) = &robot {
-            desk.desk().remove_robot(robot);
+            desk.desk().robots.remove(robot);
         }
         close(desk);
     });

@@ -26,8 +26,10 @@ use leptos::prelude::*;
 #[component]
 pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec) -> impl IntoView {
     let desk = hold();
-    let record =
-        connector.as_ref().and_then(|id| desk.desk().connector(id)).map(|signals| signals.record.get_untracked());
+    let record = connector
+        .as_ref()
+        .and_then(|id| desk.desk().document.connector(id))
+        .map(|signals| signals.record.get_untracked());
     match record {
         Some(record) if record.operation.spec().acts() => view! { <EditStream id=record.output /> }.into_any(),
         record => {
@@ -49,8 +51,11 @@ fn OperationForm(form: Form) -> impl IntoView {
     });
     let written = move || if *form.way.read() == "body" { form.body.get() } else { String::new() };
     let from = move || {
-        let names =
-            form.inputs.get().into_iter().filter_map(|id| Some(desk.desk().stream(&id)?.record.read().name.clone()));
+        let names = form
+            .inputs
+            .get()
+            .into_iter()
+            .filter_map(|id| Some(desk.desk().document.stream(&id)?.record.read().name.clone()));
         names.collect::<Vec<_>>().join(", ")
     };
     let acts = move || form.kind.get().acts();

@@ -12,7 +12,7 @@ use leptos::prelude::*;
 #[component]
 pub(super) fn Stimulate(id: Id) -> impl IntoView {
     let desk = hold();
-    let stream = desk.desk().stream(&id).map(|signals| signals.record.get_untracked());
+    let stream = desk.desk().document.stream(&id).map(|signals| signals.record.get_untracked());
     let device = stream.as_ref().and_then(|stream| robot::device(stream.kind, stream.device.as_deref()?).ok());
     let example = device.map_or("1", |device| device.example);
     let text = RwSignal::new(example.to_owned());
@@ -20,7 +20,7 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
     let save = Callback::new(move |()| match serde_json::from_str::<Value>(&text.get_untracked()) {
         Ok(value) => {
             refusal.set(None);
-            desk.desk().stimulate(&id, value);
+            desk.desk().robots.stimulate(&id, value);
         }
         Err(_) => refusal.set(Some(words::value_unreadable().to_owned())),
     });
@@ -45,10 +45,10 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
 #[component]
 pub(super) fn AllProblems() -> impl IntoView {
     let desk = hold();
-    let none = move || desk.desk().problems.read().is_empty() && desk.desk().failing.read().is_empty();
-    let first = desk.desk().selected.get_untracked();
+    let none = move || desk.desk().document.problems.read().is_empty() && desk.desk().robots.failing.read().is_empty();
+    let first = desk.desk().document.selected.get_untracked();
     Effect::new(move |_| {
-        if desk.desk().selected.get() != first {
+        if desk.desk().document.selected.get() != first {
             close(desk);
         }
     });

@@ -47,7 +47,7 @@ pub(super) fn Programs() -> impl IntoView {
 fn Templates() -> impl IntoView {
     let desk = hold();
     let cards = move || {
-        desk.desk().templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
+        desk.desk().library.templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
     };
     view! { <div class="shelf templates" tabindex="-1"><ul class="gallery">{cards}</ul></div> }
 }

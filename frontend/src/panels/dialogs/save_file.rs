@@ -11,7 +11,7 @@ use leptos::prelude::*;
 #[component]
 pub(super) fn SaveFile() -> impl IntoView {
     let desk = hold();
-    let open = desk.desk().open.get_untracked();
+    let open = desk.desk().document.open.get_untracked();
     let kinds = [
         ("json", words::file_json(), words::file_json_says()),
         ("xml", words::file_xml(), words::file_xml_says()),

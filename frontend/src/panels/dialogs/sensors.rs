@@ -13,7 +13,7 @@ pub(super) fn AddSensor() -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static robot::Device| {
         let add = move |_| {
-            desk.desk().add_sensor(device.name, Params::new());
+            desk.desk().document.add_sensor(device.name, Params::new());
             close(desk);
         };
         view! {

@@ -14,7 +14,7 @@ use protocol::SaidNo;
 #[component]
 pub(super) fn EditStream(id: Id) -> impl IntoView {
     let desk = hold();
-    let record = desk.desk().stream(&id).map(|signals| signals.record.get_untracked());
+    let record = desk.desk().document.stream(&id).map(|signals| signals.record.get_untracked());
     match record {
         Some(stream) => view! { <StreamForm id stream /> }.into_any(),
         None => {
@@ -128,7 +128,7 @@ fn save(desk: Hold, fields: Fields) {
                 }
                 answered(answer);
             };
-            desk.desk().edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, look_again);
+            desk.desk().document.edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, look_again);
         }
         Err(why) => fields.refusal.set(Some(why)),
     }
@@ -136,7 +136,7 @@ fn save(desk: Hold, fields: Fields) {
 
 /// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
 fn look_again(desk: Hold, fields: Fields) {
-    let now = fields.id.try_get_value().and_then(|id| desk.desk().stream(&id));
+    let now = fields.id.try_get_value().and_then(|id| desk.desk().document.stream(&id));
     if let Some(now) = now {
         fields.stream.try_set_value(now.record.get_untracked());
     }
@@ -149,7 +149,7 @@ pub(super) fn answered(
     busy: RwSignal<bool>,
 ) -> impl FnOnce(Result<(), SaidNo>) + 'static {
     let (desk, mine) = (desk.clone(), desk.dialog.get_untracked());
-    if desk.can_save() {
+    if desk.document.can_save() {
         busy.set(true);
     } else {
         desk.dialog.set(None);

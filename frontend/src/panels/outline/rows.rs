@@ -18,7 +18,7 @@ const QUIET_MS: f64 = 3_000.0;
 #[component]
 pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoView {
     let desk = hold();
-    let Some(signals) = desk.desk().stream(&id) else { return ().into_any() };
+    let Some(signals) = desk.desk().document.stream(&id) else { return ().into_any() };
     let record = Memo::new(move |_| signals.record.get());
     let live = signals.live;
     let value = Memo::new(move |_| {
@@ -54,7 +54,7 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
 #[component]
 pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
     let desk = hold();
-    let Some(signals) = desk.desk().connector(&id) else { return ().into_any() };
+    let Some(signals) = desk.desk().document.connector(&id) else { return ().into_any() };
     let record = signals.record.clone();
     let words = Memo::new(move |_| chip_words(&record.read()));
     let icon = Memo::new(move |_| signals.record.read().operation.spec().icon.name);
@@ -77,10 +77,10 @@ pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
 fn Row(what: Selected, children: Children) -> impl IntoView {
     let desk = hold();
     let (chosen, people, problem) = (what.clone(), what.clone(), what.clone());
-    let is_chosen = move || (desk.desk().selected.read().as_ref() == Some(&chosen)).then_some("true");
+    let is_chosen = move || (desk.desk().document.selected.read().as_ref() == Some(&chosen)).then_some("true");
     view! {
         <button class="twig" type="button" aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
-            on:click=move |_| desk.desk().selected.set(Some(what.clone()))>
+            on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))>
             {children()}
             {move || other_person(desk, &people).map(|(name, color)| view! {
                 <span class="who-tag" style=("--person", format!("var(--people-{color})"))>
@@ -96,7 +96,7 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
 fn other_person(desk: Hold, what: &Selected) -> Option<(String, u8)> {
     let desk = desk.desk();
     let me = desk.me.get().map(|me| me.client);
-    let people = desk.people.get();
+    let people = desk.document.people.get();
     let other = people
         .into_iter()
         .find(|person| Some(&person.client) != me.as_ref() && person.selected.as_ref() == Some(what.id()));
@@ -105,12 +105,12 @@ fn other_person(desk: Hold, what: &Selected) -> Option<(String, u8)> {
 
 fn problem_of(desk: Hold, what: &Selected) -> Option<String> {
     let desk = desk.desk();
-    if desk.fails_now() > 0
-        && let Some(failing) = desk.failing.read().iter().find(|failing| failing.connector == *what.id())
+    if desk.robots.fails_now() > 0
+        && let Some(failing) = desk.robots.failing.read().iter().find(|failing| failing.connector == *what.id())
     {
         return Some(words::failed(failing.count, &failing.why));
     }
-    let problems = desk.problems.get();
+    let problems = desk.document.problems.get();
     problems
         .into_iter()
         .find(|problem| problem.blocks && problem.at.id == *what.id())

@@ -15,7 +15,7 @@ use leptos::prelude::*;
 pub(super) fn Strip(what: Selected) -> impl IntoView {
     let desk = hold();
     let mine = what.clone();
-    let is_chosen = Memo::new(move |_| desk.desk().selected.read().as_ref() == Some(&mine));
+    let is_chosen = Memo::new(move |_| desk.desk().document.selected.read().as_ref() == Some(&mine));
     move || is_chosen.get().then(|| view! { <Buttons what=what.clone() /> })
 }
 
@@ -29,7 +29,7 @@ fn Buttons(what: Selected) -> impl IntoView {
     let edited = what.clone();
     let edit = move |_| match dialog_of(desk, &edited) {
         Some(dialog) => desk.desk().dialog.set(Some(dialog)),
-        None => desk.desk().selected.set(None),
+        None => desk.desk().document.selected.set(None),
     };
     view! {
         <div class="strip-inline">
@@ -38,7 +38,7 @@ fn Buttons(what: Selected) -> impl IntoView {
                 <Icon name="pencil" />
             </button>
             <button class="tool icon" type="button" title=words::remove() aria-label=words::remove()
-                on:click=move |_| desk.desk().remove(&what)>
+                on:click=move |_| desk.desk().document.remove(&what)>
                 <Icon name="trash" />
             </button>
         </div>
@@ -47,14 +47,14 @@ fn Buttons(what: Selected) -> impl IntoView {
 
 /// Whether something can come out of a stream.
 fn gives(desk: Hold, id: &Id) -> bool {
-    desk.desk().stream(id).is_some_and(|signals| signals.record.read_untracked().kind != StreamKind::Actuator)
+    desk.desk().document.stream(id).is_some_and(|signals| signals.record.read_untracked().kind != StreamKind::Actuator)
 }
 
 fn dialog_of(desk: Hold, what: &Selected) -> Option<Dialog> {
     match what {
         Selected::Stream(id) => Some(Dialog::EditStream(id.clone())),
         Selected::Connector(id) => {
-            let connector = desk.desk().connector(id)?.record.get_untracked();
+            let connector = desk.desk().document.connector(id)?.record.get_untracked();
             Some(edit_dialog(id, &connector))
         }
     }

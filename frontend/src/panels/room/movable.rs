@@ -165,7 +165,7 @@ fn step(event: &KeyboardEvent, grip: &Grip, [x, y, z]: [f32; 3]) {
 /// How far it is from the robot's camera.
 fn distance(desk: Hold, [x, y, z]: [f32; 3]) -> String {
     let desk = desk.desk();
-    let body = &desk.scene.read().body;
+    let body = &desk.robots.scene.read().body;
     let [from_x, from_y, from_z, _, _] = body.gaze;
     let up = if z == 0.0 { 0.0 } else { z - from_z };
     let squares = (x - from_x).powi(2) + (y - from_y).powi(2) + up.powi(2);

@@ -33,9 +33,10 @@ pub(super) fn Floor(map: Memo<Map>) -> impl IntoView {
 pub(super) fn Robot(map: Memo<Map>) -> impl IntoView {
     let desk = hold();
     let length = move |metres| move || map.get().length(metres);
-    let touched = move || desk.desk().scene.read().body.head_touched;
+    let touched = move || desk.desk().robots.scene.read().body.head_touched;
     let eyes = Memo::new(move |_| {
-        let [red, green, blue] = desk.desk().scene.read().body.eyes.map(|part| (part.clamp(0.0, 1.0) * 255.0) as u8);
+        let [red, green, blue] =
+            desk.desk().robots.scene.read().body.eyes.map(|part| (part.clamp(0.0, 1.0) * 255.0) as u8);
         format!("rgb({red} {green} {blue})")
     });
     let eye = move |side: f32| {
@@ -62,7 +63,7 @@ pub(super) fn Robot(map: Memo<Map>) -> impl IntoView {
 }
 
 fn stands(desk: Hold, map: Map) -> String {
-    let [x, y, heading] = desk.desk().scene.read().body.base;
+    let [x, y, heading] = desk.desk().robots.scene.read().body.base;
     let (right, down) = map.at(x, y);
     format!("translate({right:.1} {down:.1}) rotate({:.1})", -heading.to_degrees())
 }
@@ -70,7 +71,7 @@ fn stands(desk: Hold, map: Map) -> String {
 /// Where the head is and where it looks: x, y and direction.
 fn head(desk: Hold) -> [f32; 3] {
     let desk = desk.desk();
-    let body = &desk.scene.read().body;
+    let body = &desk.robots.scene.read().body;
     let [x, y, _, yaw, _] = body.gaze;
     if body.gaze == [0.0; 5] { body.base } else { [x, y, yaw] }
 }
@@ -83,7 +84,7 @@ fn looks(desk: Hold, map: Map) -> String {
 
 fn cone(desk: Hold, map: Map) -> String {
     let [x, y, yaw] = head(desk);
-    let half = match desk.desk().scene.read().body.gaze_half {
+    let half = match desk.desk().robots.scene.read().body.gaze_half {
         0.0 => 0.49,
         half => half,
     };
@@ -102,7 +103,7 @@ fn arm(desk: Hold, map: Memo<Map>, side: usize) -> impl IntoView {
     let sign = if side == 0 { 1.0 } else { -1.0 };
     let ends = Memo::new(move |_| {
         let desk = desk.desk();
-        let body = &desk.scene.read().body;
+        let body = &desk.robots.scene.read().body;
         let ([x, y, heading], [hand_x, hand_y, _]) = (body.base, body.hands[side]);
         let shoulder = (x - sign * heading.sin() * SHOULDERS * 0.85, y + sign * heading.cos() * SHOULDERS * 0.85);
         let hand = if body.hands[side] == [0.0; 3] { shoulder } else { (hand_x, hand_y) };

@@ -14,10 +14,10 @@ const PERSON: &str = "person";
 #[component]
 pub(super) fn Tools() -> impl IntoView {
     let desk = hold();
-    let present = Memo::new(move |_| desk.desk().scene.read().people.iter().any(|person| person.present));
+    let present = Memo::new(move |_| desk.desk().robots.scene.read().people.iter().any(|person| person.present));
     let walk = move |_| {
         let edit = SceneEdit::SetPresent { id: PERSON.to_owned(), present: !present.get_untracked() };
-        desk.desk().scene_edit(edit);
+        desk.desk().robots.scene_edit(edit);
     };
     view! {
         <div class="room-tools">
@@ -27,7 +27,7 @@ pub(super) fn Tools() -> impl IntoView {
                 {move || if present.get() { words::person_out() } else { words::person_in() }}
             </button>
             <button class="button small" type="button" title=words::reset_room() aria-label=words::reset_room()
-                on:click=move |_| desk.desk().scene_edit(SceneEdit::Reset)>
+                on:click=move |_| desk.desk().robots.scene_edit(SceneEdit::Reset)>
                 <Icon name="reset" />
                 {words::reset()}
             </button>
@@ -43,7 +43,7 @@ fn TouchHead() -> impl IntoView {
     let press = move |now: bool| {
         if down.get_untracked() != now {
             down.set(now);
-            desk.desk().scene_edit(SceneEdit::TouchHead { down: now });
+            desk.desk().robots.scene_edit(SceneEdit::TouchHead { down: now });
         }
     };
     let is_press = |event: &KeyboardEvent| matches!(event.key().as_str(), " " | "Enter");
@@ -75,7 +75,7 @@ pub(super) fn Bubble() -> impl IntoView {
     let desk = hold();
     let text = Memo::new(move |_| {
         let desk = desk.desk();
-        let body = &desk.scene.read().body;
+        let body = &desk.robots.scene.read().body;
         let tracking = (!body.tracking.is_empty()).then(|| words::follows(&body.tracking));
         if body.saying.is_empty() { tracking } else { Some(words::saying(&body.saying)) }
     });
@@ -93,7 +93,7 @@ pub(super) fn Bubble() -> impl IntoView {
 #[component]
 pub(super) fn Printed() -> impl IntoView {
     let desk = hold();
-    let lines = Memo::new(move |_| desk.desk().scene.read().body.printed.clone());
+    let lines = Memo::new(move |_| desk.desk().robots.scene.read().body.printed.clone());
     let shown = move || lines.get().into_iter().rev().map(|line| view! { <li>{line}</li> }).collect_view();
     view! {
         <Show when=move || !lines.read().is_empty()>

@@ -23,7 +23,7 @@ pub(super) fn UsedIn(name: String) -> impl IntoView {
     });
     let here = Memo::new(move |_| connectors_here(desk, &name));
     let elsewhere = move || {
-        let open = desk.desk().open.get();
+        let open = desk.desk().document.open.get();
         let all = others.get().unwrap_or_default();
         all.into_iter().filter(|used| Some(&used.behaviour) != open.as_ref()).collect::<Vec<_>>()
     };
@@ -54,7 +54,7 @@ fn Link(used: Used) -> impl IntoView {
             desk.desk().dialog.set(Some(Dialog::Helper(Some(used.record.id.clone()))));
         } else {
             close(desk);
-            desk.desk().open_program(&used.behaviour);
+            desk.desk().document.open_program(&used.behaviour);
         }
     };
     view! {
@@ -84,8 +84,8 @@ fn once_each(uses: &[Used]) -> Vec<Used> {
 fn connectors_here(desk: Hold, helper: &str) -> Vec<String> {
     let now = desk.desk();
     let label = |id: Id| {
-        let connector = now.connector(&id)?.record.get();
-        let output = now.stream(&connector.output)?.record.get().name;
+        let connector = now.document.connector(&id)?.record.get();
+        let output = now.document.stream(&connector.output)?.record.get().name;
         Some(format!("{} → {output}", connector.operation.spec().name))
     };
     users_of(desk, helper).into_iter().filter_map(label).collect()

@@ -54,7 +54,7 @@ impl Form {
         let period = operation.as_ref().and_then(Operation::period_ms).unwrap_or(PERIOD_MS);
         let start = operation.as_ref().and_then(Operation::start).unwrap_or(&Value::Null);
         let start = serde_json::to_string(start).unwrap_or_default();
-        let name = connector.as_ref().and_then(|connector| desk.desk().stream(&connector.output));
+        let name = connector.as_ref().and_then(|connector| desk.desk().document.stream(&connector.output));
         let name = name.map(|signals| signals.record.get_untracked().name).unwrap_or_default();
         let inputs = connector.map_or_else(|| vec![source.clone()], |connector| connector.inputs);
         let form = Self {
@@ -115,7 +115,7 @@ impl Form {
             return given;
         }
         let desk = self.desk.desk();
-        let names = inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.clone()));
+        let names = inputs.iter().filter_map(|id| Some(desk.document.stream(id)?.record.read().name.clone()));
         let names: Vec<String> = names.collect();
         self.kind.get().argument_names(names.iter().map(String::as_str))
     }
@@ -138,7 +138,7 @@ impl Form {
         }
         Effect::new(move |_| {
             let base = super::naming::name_base(self);
-            let name = self.desk.desk().name_for(&base);
+            let name = self.desk.desk().document.name_for(&base);
             let typed = self.name.get_untracked();
             if typed.is_empty() || typed == self.offered.get_untracked() {
                 self.name.set(name.clone());

@@ -28,7 +28,7 @@ pub(super) fn Inputs(form: Form) -> impl IntoView {
 
 /// Sensor and ordinary streams that do not take from the output.
 fn candidates(form: Form) -> Vec<(Id, Stream)> {
-    let behaviour = form.desk.desk().behaviour();
+    let behaviour = form.desk.desk().document.behaviour();
     let graph = Graph::of(&behaviour);
     let output = form.edits.with_value(|edits| edits.as_ref().map(|(_, connector)| connector.output.clone()));
     let below = output.as_ref().map(|output| graph.below(output)).unwrap_or_default();

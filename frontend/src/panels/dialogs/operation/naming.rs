@@ -12,7 +12,7 @@ pub(super) fn name_base(form: Form) -> String {
     let desk = form.desk.desk();
     let inputs = form.inputs.get();
     let names: Vec<String> =
-        inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.trim().to_owned())).collect();
+        inputs.iter().filter_map(|id| Some(desk.document.stream(id)?.record.read().name.trim().to_owned())).collect();
     let period_ms = form.period.get().trim().parse::<u64>().ok();
     let by_helper = form.way.get() == "helper";
     let kind = form.kind.get();

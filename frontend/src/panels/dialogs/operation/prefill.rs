@@ -15,7 +15,7 @@ pub(super) fn beginning(desk: Hold, input: &Id, kind: &Spec) -> String {
         return String::new();
     }
     let desk = desk.desk();
-    let name = desk.stream(input).map(|signals| signals.record.get_untracked().name).unwrap_or_default();
+    let name = desk.document.stream(input).map(|signals| signals.record.get_untracked().name).unwrap_or_default();
     let argument = behaviour::argument_names([name.as_str()]).pop().unwrap_or_default();
     format!("{argument} < ")
 }
@@ -32,12 +32,13 @@ pub(super) fn typed_whole(begun: &str, body: &str) -> Option<String> {
 /// What it carries now decides; before the first Start it is guessed from what makes it.
 fn is_number(desk: Hold, id: &Id) -> bool {
     let desk = desk.desk();
-    let newest = desk.stream(id).and_then(|signals| signals.live.read_untracked().value.clone());
+    let newest = desk.document.stream(id).and_then(|signals| signals.live.read_untracked().value.clone());
     match newest {
         Some(value) => matches!(value, Value::Int(_) | Value::Float(_)),
         None => {
-            let helpers: Vec<Helper> = desk.helpers.get_untracked().into_iter().map(|(_, helper)| helper).collect();
-            carries_number(&desk.behaviour(), &helpers, id)
+            let helpers: Vec<Helper> =
+                desk.library.helpers.get_untracked().into_iter().map(|(_, helper)| helper).collect();
+            carries_number(&desk.document.behaviour(), &helpers, id)
         }
     }
 }

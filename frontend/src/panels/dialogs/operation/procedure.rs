@@ -92,7 +92,7 @@ fn FieldNames(form: Form) -> impl IntoView {
         let desk = form.desk.desk();
         let inputs = form.inputs.get();
         let shape = |id: &behaviour::Id| {
-            let record = desk.stream(id)?.record.get();
+            let record = desk.document.stream(id)?.record.get();
             robot::device(StreamKind::Sensor, record.device.as_deref()?).ok().map(|device| device.shape)
         };
         let skipped = form.arguments().len().saturating_sub(inputs.len());
@@ -118,7 +118,7 @@ fn names(shape: Option<robot::Shape>, argument: &str) -> Vec<(String, String)> {
 /// Helpers with as many parameters as the procedure has arguments. Reactive.
 fn fitting(form: Form) -> Vec<Helper> {
     let count = form.kind.get().argument_count(form.inputs.read().len());
-    let helpers = form.desk.desk().helpers.get();
+    let helpers = form.desk.desk().library.helpers.get();
     helpers.into_iter().map(|(_, helper)| helper).filter(|helper| helper.params.len() == count).collect()
 }
 

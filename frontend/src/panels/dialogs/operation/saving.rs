@@ -24,7 +24,7 @@ pub(super) fn save(form: Form) {
 fn connect(form: Form) -> Result<(), String> {
     let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)? };
     let answered = answered(form);
-    form.desk.desk().connect(plan, answered);
+    form.desk.desk().document.connect(plan, answered);
     Ok(())
 }
 
@@ -34,7 +34,7 @@ fn edit(form: Form) -> Result<(), String> {
     let name = named(form)?;
     let renamed = Some(name.as_str()).filter(|name| form.name_at_first.with_value(|first| first != name));
     let answered = answered(form);
-    form.desk.desk().edit_connector((&id, connector), operation, form.inputs.get(), renamed, answered);
+    form.desk.desk().document.edit_connector((&id, connector), operation, form.inputs.get(), renamed, answered);
     Ok(())
 }
 
@@ -48,7 +48,7 @@ fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
             desk.dialog.set(None);
         }
     };
-    if desk.can_save() {
+    if desk.document.can_save() {
         form.busy.set(true);
     } else {
         close(&desk, &mine);
@@ -79,7 +79,7 @@ fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
 fn look_again(form: Form) {
     form.edits.update_value(|edits| {
         let Some((id, seen)) = edits else { return };
-        if let Some(now) = form.desk.desk().connector(id) {
+        if let Some(now) = form.desk.desk().document.connector(id) {
             *seen = now.record.get_untracked();
         }
     });
@@ -134,7 +134,7 @@ fn output(form: Form) -> Result<Output, String> {
         Some(Chosen::There(id)) => Ok(Output::Existing(id)),
         Some(Chosen::New(device)) => {
             let params = form.params.get().map_or_else(|| Ok(Params::new()), |params| params.read())?;
-            let name = form.desk.desk().name_for(device.name);
+            let name = form.desk.desk().document.name_for(device.name);
             Ok(Output::New { name, device: Some(device.name.to_owned()), params })
         }
         None => Err(words::stream_gone().to_owned()),

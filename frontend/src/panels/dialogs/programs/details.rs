@@ -64,7 +64,7 @@ fn SimilarPrograms(id: String) -> impl IntoView {
         let (id, title) = (similar.behaviour, similar.name.clone());
         let open = move |_| {
             close(desk);
-            desk.desk().open_program(&id);
+            desk.desk().document.open_program(&id);
         };
         view! {
             <li>

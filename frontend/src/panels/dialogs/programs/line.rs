@@ -76,7 +76,7 @@ fn Removed(shown: Shown, summary: Summary, place: usize) -> impl IntoView {
     let title = format!("{}\n{note}", summary.name);
     let label = words::restore_named(&summary.name);
     let (id, revision, name) = (summary.id.clone(), summary.revision, summary.name.clone());
-    let restore = move |_| desk.desk().restore_program(&summary);
+    let restore = move |_| desk.desk().library.restore_program(&summary);
     let stop = move || if shown.active.get() == place { "0" } else { "-1" };
     view! {
         <div class="program-open" title=title>

@@ -1,6 +1,6 @@
 //! What the dialog shows of the list: what is looked for, the lines that came so far, and how loading goes.
 
-use crate::desk::Shelf;
+use crate::desk::ProgramPage;
 use crate::panels::hold::{Hold, Soon};
 use crate::words;
 use leptos::html::Div;
@@ -105,7 +105,7 @@ impl Shown {
         });
         let (desk, first) = (self.desk.desk(), StoredValue::new(true));
         Effect::new(move |_| {
-            desk.library_news.track();
+            desk.library.news.track();
             if first.get_value() {
                 first.set_value(false);
             } else if self.drawn_to.get_value() <= NEAR_TOP_LINES {
@@ -134,7 +134,7 @@ impl Shown {
         self.stale.set_value(false);
         let query = self.query(None);
         let words = query.words.clone();
-        self.desk.desk().ask_page(query, move |page| {
+        self.desk.desk().library.ask_page(query, move |page| {
             if self.asked.try_get_value() == Some(asked) {
                 self.searched.set(words);
                 self.take(page, false);
@@ -150,16 +150,16 @@ impl Shown {
         }
         self.asking_more.set_value(true);
         let asked = self.asked.get_value();
-        self.desk.desk().ask_page(self.query(Some(after)), move |page| {
+        self.desk.desk().library.ask_page(self.query(Some(after)), move |page| {
             if self.asking_more.try_set_value(false).is_none() && self.asked.get_value() == asked {
                 self.take(page, true);
             }
         });
     }
 
-    fn take(self, page: Result<Shelf, String>, below: bool) {
+    fn take(self, page: Result<ProgramPage, String>, below: bool) {
         match page {
-            Ok(Shelf { lines, next, total }) => {
+            Ok(ProgramPage { lines, next, total }) => {
                 self.next.set(next);
                 self.total.set(total);
                 self.loading.set(Loading::Done);

@@ -1,0 +1,130 @@
+//! The stylesheet of the page: small files, each named after what it dresses, joined into one in a fixed order.
+
+use crate::dist::Files;
+use crate::tools::Outcome;
+
+/// Where the small files are, below the static files.
+const FOLDER: &str = "styles/";
+/// What they become: one file, so that the first load is one request for all of them.
+const SHEET: &str = "page.css";
+/// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
+/// small screens after it, and the canvas last.
+const ORDER: [&str; 37] = [
+    "tokens",
+    "base",
+    "frame",
+    "bar",
+    "menus",
+    "palette",
+    "robot",
+    "running",
+    "recordings",
+    "panels",
+    "room",
+    "controls",
+    "code",
+    "dialogs",
+    "dialog_parts",
+    "library",
+    "empty_stage",
+    "programs",
+    "marbles",
+    "insight",
+    "files",
+    "outline",
+    "notices",
+    "stop",
+    "tablet",
+    "phone",
+    "motion",
+    "stage",
+    "edges",
+    "streams",
+    "live_values",
+    "chips",
+    "people",
+    "far",
+    "strip",
+    "zoom",
+    "adapted",
+];
+
+/// The static files with one stylesheet in place of the small ones.
+pub(crate) fn join(mut statics: Files) -> Outcome<Files> {
+    let mut sheet = Vec::new();
+    for name in ORDER {
+        let part = statics.remove(&path(name));
+        sheet.extend(part.ok_or_else(|| format!("static/{} is missing; styles.rs names it.", path(name)))?);
+    }
+    if let Some(other) = statics.keys().find(|name| name.starts_with(FOLDER)) {
+        return Err(format!("static/{other} has no place in the order of styles.rs; give it one."));
+    }
+    if statics.insert(SHEET.to_owned(), sheet).is_some() {
+        return Err(format!("static/{SHEET} has the name of what the stylesheets are joined into; rename it."));
+    }
+    Ok(statics)
+}
+
+fn path(name: &str) -> String {
+    format!("{FOLDER}{name}.css")
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+    use crate::dist;
+
+    type Tested = Result<(), Box<dyn std::error::Error>>;
+
+    fn all() -> Files {
+        ORDER.iter().map(|name| (path(name), format!("{name};").into_bytes())).collect()
+    }
+
+    fn at(name: &str) -> Option<usize> {
+        ORDER.iter().position(|known| *known == name)
+    }
+
+    #[test]
+    fn they_are_joined_in_their_order() -> Tested {
+        let joined = join(all())?;
+        assert_eq!(joined.len(), 1);
+        let text = std::str::from_utf8(&joined[SHEET])?;
+        assert!(text.starts_with("tokens;base;frame;") && text.ends_with("strip;zoom;adapted;"));
+        Ok(())
+    }
+
+    #[test]
+    fn what_adapts_the_page_comes_after_it() {
+        assert_eq!(at("tokens"), Some(0));
+        for adapted in ["frame", "bar", "robot", "dialogs", "library", "notices", "stop"] {
+            assert!(at(adapted) < at("tablet") && at(adapted) < at("phone") && at(adapted) < at("motion"));
+        }
+        assert!(at("menus") < at("strip") && at("frame") < at("stage"), "the canvas has its own menus and stage");
+        assert_eq!(at("adapted"), Some(ORDER.len() - 1));
+    }
+
+    #[test]
+    fn a_stylesheet_that_is_missing_or_has_no_place_stops_the_build() {
+        let mut missing = all();
+        missing.remove("styles/room.css");
+        assert!(join(missing).is_err_and(|sentence| sentence.contains("static/styles/room.css is missing")));
+        let mut other = all();
+        other.insert("styles/new.css".to_owned(), Vec::new());
+        assert!(join(other).is_err_and(|sentence| sentence.contains("static/styles/new.css has no place")));
+    }
+
+    #[test]
+    fn the_page_asks_for_one_stylesheet_made_of_all_that_there_are() -> Tested {
+        let small = dist::read(&Path::new(env!("CARGO_MANIFEST_DIR")).join("../../static"))?;
+        let silent = small.iter().find(|(name, text)| name.starts_with(FOLDER) && !text.starts_with(b"/* "));
+        assert!(silent.is_none(), "each opens with a sentence about what it dresses");
+        let statics = join(small)?;
+        let page = std::str::from_utf8(&statics["index.html"])?;
+        assert_eq!(page.matches("rel=\"stylesheet\"").count(), 1);
+        assert!(page.contains(&format!("href=\"./{SHEET}\"")));
+        assert!(!statics.keys().any(|name| name.ends_with(".css") && name != SHEET));
+        Ok(())
+    }
+}

@@ -1,0 +1,177 @@
+//! The open behaviour as signals, and the only writer: gestures propose changes, answers of the server change signals.
+
+mod address;
+mod build;
+mod gestures;
+mod history;
+mod kinds;
+mod opening;
+mod presence;
+mod procedures;
+mod propose;
+mod queue;
+mod save_state;
+mod server;
+mod signals;
+mod silence;
+
+pub(super) use build::{as_seen, helper_gone, helper_put};
+pub(super) use gestures::short;
+pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
+
+use super::tab::Tab;
+use behaviour::{Behaviour, Id, Place, Problem};
+use leptos::prelude::*;
+use protocol::{Person, Pointer};
+use std::collections::BTreeMap;
+use std::ops::Deref;
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+
+/// The open behaviour. A clone is the same document.
+#[derive(Clone)]
+pub(crate) struct Document(Arc<Fields>);
+
+/// What the page shows of the open behaviour.
+pub(crate) struct Fields {
+    tab: Tab,
+    pub(crate) open: ArcRwSignal<Option<Id>>,
+    pub(crate) name: ArcRwSignal<String>,
+    pub(crate) revision: ArcRwSignal<u64>,
+    /// Everyone in the open behaviour, this tab included.
+    pub(crate) people: ArcRwSignal<Vec<Person>>,
+    /// In file order; changes only when one is added, removed or moved in order.
+    pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,
+    pub(crate) connector_ids: ArcRwSignal<Vec<Id>>,
+    pub(crate) problems: ArcRwSignal<Vec<Problem>>,
+    /// Tells whether what runs would run differently if it were started now.
+    pub(crate) fingerprint: ArcRwSignal<u32>,
+    /// Who removed what of the open behaviour and of the library, by its id.
+    pub(crate) removed_by: ArcRwSignal<BTreeMap<Id, String>>,
+    pub(crate) selected: ArcRwSignal<Option<Selected>>,
+    pub(crate) saving: ArcRwSignal<Saving>,
+    pub(crate) can_undo: ArcRwSignal<bool>,
+    pub(crate) can_redo: ArcRwSignal<bool>,
+    state: Mutex<State>,
+    listener: OnceLock<Listener>,
+}
+
+/// What is not shown itself.
+#[derive(Default)]
+struct State {
+    /// The open behaviour as the server has it.
+    confirmed: Behaviour,
+    streams: BTreeMap<Id, StreamSignals>,
+    connectors: BTreeMap<Id, ConnectorSignals>,
+    /// Where streams stand that nobody placed.
+    fallback: BTreeMap<Id, Place>,
+    queue: queue::Queue,
+    saves: save_state::SaveState,
+    silence: silence::Silence,
+    history: history::History,
+    /// Which behaviour this tab wants to have open.
+    wanted: Option<Id>,
+    pointer: Option<Pointer>,
+    presence_planned: bool,
+}
+
+/// What others on the desk follow.
+pub(super) enum DocumentEvent {
+    /// Somebody here chose what is to be open.
+    Chosen,
+    /// What was open is not shown any more.
+    Left,
+    /// Nothing waits to be saved.
+    Saved,
+    /// Something could not be saved, or not now.
+    NotSaved,
+    /// A connector does something else than before.
+    Rewritten(ConnectorSignals),
+}
+
+type Listener = Box<dyn Fn(DocumentEvent) + Send + Sync>;
+
+impl Deref for Document {
+    type Target = Fields;
+    fn deref(&self) -> &Fields {
+        &self.0
+    }
+}
+
+impl Document {
+    /// Nothing open yet.
+    pub(super) fn new(tab: Tab) -> Self {
+        Self(Arc::new(Fields {
+            tab,
+            open: ArcRwSignal::default(),
+            name: ArcRwSignal::default(),
+            revision: ArcRwSignal::default(),
+            people: ArcRwSignal::default(),
+            stream_ids: ArcRwSignal::default(),
+            connector_ids: ArcRwSignal::default(),
+            problems: ArcRwSignal::default(),
+            fingerprint: ArcRwSignal::default(),
+            removed_by: ArcRwSignal::default(),
+            selected: ArcRwSignal::default(),
+            saving: ArcRwSignal::default(),
+            can_undo: ArcRwSignal::default(),
+            can_redo: ArcRwSignal::default(),
+            state: Mutex::default(),
+            listener: OnceLock::new(),
+        }))
+    }
+
+    /// Names the one whom the document tells what happens, once for each page.
+    pub(super) fn tell(&self, listener: impl Fn(DocumentEvent) + Send + Sync + 'static) {
+        let _ = self.listener.set(Box::new(listener));
+    }
+
+    /// Tells what happened; nobody may hold the state meanwhile.
+    fn happened(&self, event: DocumentEvent) {
+        if let Some(listener) = self.listener.get() {
+            listener(event);
+        }
+    }
+
+    /// The signals of one stream, none when it is gone.
+    pub(crate) fn stream(&self, id: &Id) -> Option<StreamSignals> {
+        self.state().streams.get(id).cloned()
+    }
+
+    /// The signals of one connector, none when it is gone.
+    pub(crate) fn connector(&self, id: &Id) -> Option<ConnectorSignals> {
+        self.state().connectors.get(id).cloned()
+    }
+
+    /// The signals of every stream.
+    pub(super) fn streams(&self) -> Vec<StreamSignals> {
+        self.state().streams.values().cloned().collect()
+    }
+
+    /// The signals of every connector.
+    pub(super) fn connectors(&self) -> Vec<(Id, ConnectorSignals)> {
+        self.state().connectors.iter().map(|(id, signals)| (id.clone(), signals.clone())).collect()
+    }
+
+    /// The open behaviour with what waits to be sent; not reactive (read `revision` for that).
+    pub(crate) fn behaviour(&self) -> Behaviour {
+        let state = self.state();
+        match &state.wanted {
+            Some(open) => state.queue.on_top_of(open, &state.confirmed),
+            None => Behaviour::default(),
+        }
+    }
+
+    /// Looks at the open behaviour as the server has it; `look` asks the document for nothing.
+    pub(super) fn with_confirmed<T>(&self, look: impl FnOnce(&Behaviour) -> T) -> T {
+        look(&self.state().confirmed)
+    }
+
+    /// Whether this behaviour is the open one.
+    pub(super) fn is_open(&self, id: &Id) -> bool {
+        self.open.with_untracked(|open| open.as_ref() == Some(id))
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

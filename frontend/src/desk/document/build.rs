@@ -1,0 +1,176 @@
+//! From gestures to changes, as pure functions of the behaviour as it is.
+
+use super::{ConnectPlan, Output};
+use crate::layout;
+use behaviour::{
+    Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
+    Stream, StreamKind, rename_identifier,
+};
+use std::collections::BTreeMap;
+
+/// The first free name: "Tracker", then "Tracker 2".
+pub(super) fn free_name(behaviour: &Behaviour, base: &str) -> String {
+    let base = base.trim();
+    let taken = |name: &str| behaviour.streams().any(|(_, stream)| stream.name.trim() == name);
+    let numbered = (2..).map(|number| format!("{base} {number}"));
+    let mut names = std::iter::once(base.to_owned()).chain(numbered);
+    names.find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
+}
+
+fn new_stream(kind: StreamKind, name: &str, device: Option<String>, params: Params, order: i64) -> Stream {
+    Stream { kind, name: name.trim().to_owned(), device, params, order, resources: None, priority: None, hold_ms: None }
+}
+
+fn key(kind: Kind, id: &Id) -> RecordId {
+    RecordId::new(kind, id)
+}
+
+/// A new sensor stream in the top row.
+pub(super) fn sensor(
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    change: Change,
+    (id, device, params): (&Id, &str, Params),
+) -> Change {
+    let name = free_name(behaviour, device);
+    let stream = new_stream(StreamKind::Sensor, &name, Some(device.to_owned()), params, behaviour.next_order());
+    let place = layout::free_sensor_spot(behaviour, places, &stream);
+    change.put(behaviour, key(Kind::Place, id), Record::Place(place)).put(
+        behaviour,
+        key(Kind::Stream, id),
+        Record::Stream(stream),
+    )
+}
+
+/// A new connector and, if it leads to a new stream, that stream under its sources.
+pub(super) fn connected(
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    change: Change,
+    (stream_id, connector_id): (&Id, &Id),
+    plan: ConnectPlan,
+) -> Change {
+    let order = behaviour.next_order();
+    match plan.output {
+        Output::Existing(output) => {
+            let connector = Connector { operation: plan.operation, inputs: plan.inputs, output, order };
+            change.put(behaviour, key(Kind::Connector, connector_id), Record::Connector(connector))
+        }
+        Output::New { name, device, params } => {
+            let kind = if device.is_some() { StreamKind::Actuator } else { StreamKind::Ordinary };
+            let stream = new_stream(kind, &name, device, params, order);
+            let output = stream_id.clone();
+            let connector = Connector { operation: plan.operation, inputs: plan.inputs, output, order: order + 1 };
+            let place = layout::free_spot(behaviour, places, &stream, &connector);
+            change
+                .put(behaviour, key(Kind::Stream, stream_id), Record::Stream(stream))
+                .put(behaviour, key(Kind::Connector, connector_id), Record::Connector(connector))
+                .put(behaviour, key(Kind::Place, stream_id), Record::Place(place))
+        }
+    }
+}
+
+/// Another operation or other inputs of a connector, and perhaps another name of the stream it leads to.
+pub(super) fn connector_edited(
+    behaviour: &Behaviour,
+    change: Change,
+    id: &Id,
+    (operation, inputs): (Operation, Vec<Id>),
+    output_name: Option<&str>,
+) -> Change {
+    let Some(connector) = behaviour.connector(id) else { return change };
+    let edited = Connector { operation, inputs, ..connector.clone() };
+    let change = change.put(behaviour, key(Kind::Connector, id), Record::Connector(edited));
+    match (output_name, behaviour.stream(&connector.output)) {
+        (Some(name), Some(stream)) if stream.name != name.trim() => {
+            let renamed = Stream { name: name.trim().to_owned(), ..stream.clone() };
+            stream_edited(behaviour, change, &connector.output, renamed)
+        }
+        _ => change,
+    }
+}
+
+/// Another name or other settings of a stream; bodies that use its old argument name follow.
+pub(super) fn stream_edited(behaviour: &Behaviour, change: Change, id: &Id, stream: Stream) -> Change {
+    let mut after = behaviour.clone();
+    after.apply(&change);
+    after.records.insert(key(Kind::Stream, id), Record::Stream(stream.clone()));
+    let mut change = change.put(behaviour, key(Kind::Stream, id), Record::Stream(stream));
+    for (connector_id, connector) in after.connectors().filter(|(_, connector)| connector.inputs.contains(id)) {
+        if let Some(renamed) = follow_rename(behaviour, &after, connector) {
+            change = change.put(behaviour, key(Kind::Connector, connector_id), Record::Connector(renamed));
+        }
+    }
+    change
+}
+
+fn follow_rename(before: &Behaviour, after: &Behaviour, connector: &Connector) -> Option<Connector> {
+    let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() else { return None };
+    let old = before.arguments(connector);
+    let new = after.arguments(connector);
+    let renamed = renamed_all(body, &old, &new);
+    if renamed == *body {
+        return None;
+    }
+    let mut connector = connector.clone();
+    if let Some(procedure) = connector.operation.procedure_mut() {
+        *procedure = Procedure::body(&renamed);
+    }
+    Some(connector)
+}
+
+/// All arguments at once, by way of names that nobody uses, so that two may also be exchanged.
+fn renamed_all(body: &str, old: &[String], new: &[String]) -> String {
+    let pairs: Vec<_> = old.iter().zip(new).filter(|(old, new)| old != new).enumerate().collect();
+    let between = |at: usize| format!("rrp_renamed_{at}");
+    let away = pairs.iter().fold(body.to_owned(), |body, (at, (old, _))| rename_identifier(&body, old, &between(*at)));
+    pairs.iter().fold(away, |body, (at, (_, new))| rename_identifier(&body, &between(*at), new))
+}
+
+/// Without a stream, the connectors at it, and their places.
+pub(super) fn without_stream(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
+    let touches = |connector: &Connector| connector.output == *id || connector.inputs.contains(id);
+    let gone = behaviour.connectors().filter(|(_, connector)| touches(connector));
+    let change = gone.fold(change, |change, (gone, _)| without_connector(behaviour, change, gone));
+    change.take(behaviour, key(Kind::Stream, id)).take(behaviour, key(Kind::Place, id))
+}
+
+/// Without a connector and its place.
+pub(super) fn without_connector(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
+    change.take(behaviour, key(Kind::Connector, id)).take(behaviour, key(Kind::Place, id))
+}
+
+/// Streams somewhere else.
+pub(super) fn moved(behaviour: &Behaviour, change: Change, places: &[(Id, Place)]) -> Change {
+    places.iter().fold(change, |change, (id, place)| change.put(behaviour, key(Kind::Place, id), Record::Place(*place)))
+}
+
+/// Another name of the program.
+pub(super) fn renamed(behaviour: &Behaviour, change: Change, name: &str) -> Change {
+    let now = behaviour.settings().cloned().unwrap_or_else(|| Settings::named(""));
+    let settings = Settings { name: name.trim().to_owned(), ..now };
+    change.put(behaviour, RecordId::settings(), Record::Settings(settings))
+}
+
+/// A helper of the library, new or edited.
+pub(in crate::desk) fn helper_put(library: &Behaviour, change: Change, id: &Id, helper: Helper) -> Change {
+    change.put(library, key(Kind::Helper, id), Record::Helper(helper))
+}
+
+/// The change of a record that its author saw as `seen`: if it is not that any more, the server refuses, and nothing that
+/// somebody else saved meanwhile is lost.
+pub(in crate::desk) fn as_seen(mut change: Change, kind: Kind, id: &Id, seen: Record) -> Change {
+    if let Some(edit) = change.edits.iter_mut().find(|edit| edit.id == key(kind, id)) {
+        edit.before = Some(seen);
+    }
+    change
+}
+
+/// The library without a helper.
+pub(in crate::desk) fn helper_gone(library: &Behaviour, change: Change, id: &Id) -> Change {
+    change.take(library, key(Kind::Helper, id))
+}
+
+#[cfg(test)]
+#[path = "build_tests.rs"]
+mod tests;

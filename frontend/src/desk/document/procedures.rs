@@ -1,0 +1,26 @@
+//! Trying procedures while they are written.
+
+use super::Document;
+use crate::link;
+use behaviour::Value;
+use protocol::{Reply, Request};
+
+/// What a procedure makes of given values: why it cannot run at all, and one result per set of values.
+pub(crate) type Checked = (Option<String>, Vec<Result<Value, String>>);
+
+impl Document {
+    /// Whether a procedure can run, and what it makes of at most 8 sets of values. Not answered while offline.
+    pub(crate) fn check_body(
+        &self,
+        arguments: Vec<String>,
+        body: String,
+        inputs: Vec<Vec<Value>>,
+        on_answer: impl FnOnce(Checked) + 'static,
+    ) {
+        link::ask(Request::Check { arguments, body, inputs }, move |reply| {
+            if let Some(Reply::Checked { error, results }) = reply {
+                on_answer((error.clone(), results.clone()));
+            }
+        });
+    }
+}

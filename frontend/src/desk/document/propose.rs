@@ -1,0 +1,261 @@
+//! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
+
+use super::save_state::SaveEvent;
+use super::{Document, DocumentEvent};
+use crate::browser::Keep;
+use crate::desk::tab::set_if_new;
+use crate::link;
+use behaviour::{Change, Id, RecordId, Refusal};
+use leptos::prelude::*;
+use protocol::{LIBRARY, Reply, Request, SaidNo};
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+const QUEUE_KEY: &str = "rrp.waiting";
+
+/// The largest change, so that it fits in a message with what surrounds it.
+const CHANGE_MAX_BYTES: usize = protocol::MESSAGE_MAX_BYTES - 1_024;
+
+/// When a change that could not be saved is sent again.
+const STALLED_MS: i32 = 2_000;
+/// When a change that came too fast is sent again.
+const TOO_FAST_MS: i32 = 400;
+
+type OnAnswer = Box<dyn FnOnce(Result<(), SaidNo>)>;
+
+thread_local! {
+    /// Who wants to know what became of a change; nobody after a reload.
+    static ON_ANSWER: RefCell<BTreeMap<Id, OnAnswer>> = RefCell::default();
+}
+
+impl Document {
+    /// Proposes a change to the open behaviour; a refusal is shown as a notice.
+    pub(super) fn propose(&self, change: Change) {
+        let tab = self.tab.clone();
+        self.propose_and(change, move |answer| tab.say_refusal(answer));
+    }
+
+    /// Proposes a change to the open behaviour and tells what became of it.
+    pub(super) fn propose_and(&self, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+        let open = self.open.get_untracked();
+        match open {
+            Some(open) => self.propose_to(open, change, on_answer),
+            None => on_answer(Err(SaidNo::NothingOpen)),
+        }
+    }
+
+    /// Proposes a change to the helper library: it waits in the queue of all changes.
+    pub(in crate::desk) fn propose_to_library(
+        &self,
+        change: Change,
+        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+    ) {
+        match Id::new(LIBRARY) {
+            Ok(library) => self.propose_to(library, change, on_answer),
+            Err(reason) => on_answer(Err(SaidNo::Unreadable(reason))),
+        }
+    }
+
+    fn propose_to(&self, to: Id, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+        if change.edits.is_empty() {
+            return on_answer(Ok(()));
+        }
+        if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
+            return on_answer(Err(SaidNo::Change(Refusal::Edits(change.edits.len()))));
+        }
+        let (op, touched) = (change.op.clone(), touched(&change));
+        let room = {
+            let mut state = self.state();
+            if to.as_str() != LIBRARY {
+                state.history.proposed(&change);
+            }
+            state.queue.push(to, change)
+        };
+        self.show_history();
+        if !room {
+            self.state().history.not_queued(&op);
+            self.show_history();
+            return on_answer(Err(SaidNo::TooFast));
+        }
+        ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
+        let shows = self.state().saves.shows_waiting();
+        if shows {
+            self.refresh(&touched);
+        }
+        self.pump();
+    }
+
+    /// Sends the next change if none is under way, and shows how saving goes.
+    pub(in crate::desk) fn pump(&self) {
+        self.send_next();
+        let is_saved = self.is_saved();
+        if is_saved {
+            self.note(SaveEvent::AllSaved);
+        }
+        self.keep_queue();
+        self.show_saving();
+        if is_saved {
+            self.happened(DocumentEvent::Saved);
+        }
+    }
+
+    fn send_next(&self) {
+        let next = {
+            let mut state = self.state();
+            if state.saves.can_save() { state.queue.send_next() } else { None }
+        };
+        let Some(next) = next else { return };
+        let (document, op) = (self.clone(), next.change.op.clone());
+        let sent = link::ask(Request::Propose { behaviour: next.behaviour, change: next.change }, move |reply| {
+            if let Some(Reply::No { no }) = reply {
+                document.answered(&op, Err(no.clone()));
+            }
+        });
+        if !sent {
+            self.state().queue.link_lost();
+        }
+    }
+
+    /// The server said yes or no to a change of this tab.
+    pub(in crate::desk) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
+        match &answer {
+            Err(SaidNo::Store(_)) => return self.stall(),
+            Err(SaidNo::TooFast) => return self.slow_down(),
+            Err(_) | Ok(()) => {}
+        }
+        let waiting = self.state().queue.answered(op);
+        let Some(waiting) = waiting else { return };
+        match &answer {
+            Ok(()) => {
+                let silence = &mut self.state().silence;
+                *silence = silence.after_sending();
+            }
+            Err(_) => self.take_back(&waiting.change),
+        }
+        self.show_history();
+        let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(op));
+        match on_answer {
+            Some(on_answer) => on_answer(answer),
+            None => self.tab.say_refusal(answer),
+        }
+        self.say_back();
+        self.pump();
+    }
+
+    /// A change was refused: what it touched is shown as it is without it.
+    fn take_back(&self, change: &Change) {
+        self.state().history.refused(&change.op);
+        self.happened(DocumentEvent::NotSaved);
+        self.refresh(&touched(change));
+    }
+
+    /// Whether what is proposed can be saved now.
+    pub(crate) fn can_save(&self) -> bool {
+        self.state().saves.can_save()
+    }
+
+    /// Whether nothing waits to be saved.
+    pub(in crate::desk) fn is_saved(&self) -> bool {
+        self.state().queue.len() == 0
+    }
+
+    /// The server could not save: everything waits here and is sent again, under its old names.
+    fn stall(&self) {
+        self.hold_back(SaveEvent::NotSaved);
+        let document = self.clone();
+        crate::browser::after(STALLED_MS, move || {
+            document.note(SaveEvent::Waited);
+            document.pump();
+        });
+    }
+
+    /// The server had too much to do: the change waits in its place and is sent again in a moment.
+    fn slow_down(&self) {
+        self.state().queue.rest();
+        let document = self.clone();
+        crate::browser::after(TOO_FAST_MS, move || {
+            document.state().queue.rested();
+            document.pump();
+        });
+    }
+
+    /// The server says whether it can save.
+    pub(in crate::desk) fn hear_store(&self, away: Option<String>) {
+        match away {
+            Some(why) => self.hold_back(SaveEvent::StoreAway(why)),
+            None => {
+                self.note(SaveEvent::StoreBack);
+                self.pump();
+            }
+        }
+    }
+
+    /// What waits for a behaviour that is gone is answered with that.
+    pub(super) fn forget_waiting(&self, behaviour: &Id) {
+        let lost = self.state().queue.touched(behaviour).len();
+        self.state().queue.forget(behaviour);
+        if lost > 0 {
+            self.tab.say_no(&SaidNo::Change(Refusal::Gone));
+        }
+        self.pump();
+    }
+
+    /// The server greeted back; what waits is sent once it is clear what is open.
+    pub(in crate::desk) fn link_up(&self) {
+        self.note(SaveEvent::LinkUp);
+    }
+
+    /// The link broke; what waits is shown until it is back.
+    pub(in crate::desk) fn link_lost(&self) {
+        self.hold_back(SaveEvent::LinkLost);
+    }
+
+    /// Nothing can be saved now: what was under way waits again, and what waits is shown.
+    fn hold_back(&self, why: SaveEvent) {
+        self.note(why);
+        let waiting = {
+            let mut state = self.state();
+            state.queue.link_lost();
+            state.wanted.clone().map_or_else(Vec::new, |open| state.queue.touched(&open))
+        };
+        self.happened(DocumentEvent::NotSaved);
+        self.refresh(&waiting);
+        self.show_saving();
+    }
+
+    fn note(&self, event: SaveEvent) {
+        let saves = &mut self.state().saves;
+        *saves = std::mem::take(saves).after(event);
+    }
+
+    fn show_saving(&self) {
+        let saving = {
+            let state = self.state();
+            state.saves.told(state.queue.len())
+        };
+        set_if_new(&self.saving, saving);
+    }
+
+    fn keep_queue(&self) {
+        let kept = {
+            let queue = &self.state().queue;
+            if queue.len() == 0 { None } else { serde_json::to_string(queue).ok() }
+        };
+        match kept {
+            Some(text) => Keep::Tab.put(QUEUE_KEY, &text),
+            None => Keep::Tab.drop(QUEUE_KEY),
+        }
+    }
+
+    /// Takes up what waited before the page was loaded again.
+    pub(in crate::desk) fn restore_queue(&self) {
+        let kept = Keep::Tab.get(QUEUE_KEY).and_then(|text| serde_json::from_str(&text).ok());
+        if let Some(queue) = kept {
+            self.state().queue = queue;
+        }
+    }
+}
+
+fn touched(change: &Change) -> Vec<RecordId> {
+    change.edits.iter().map(|edit| edit.id.clone()).collect()
+}

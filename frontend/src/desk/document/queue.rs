@@ -1,0 +1,190 @@
+//! Changes that wait to be saved: one is under way, the others queue behind it.
+
+use behaviour::{Behaviour, Change, Id, Record, RecordId};
+use serde::{Deserialize, Serialize};
+use std::collections::VecDeque;
+
+/// How many changes may wait.
+pub(super) const WAITING_MAX: usize = 200;
+
+/// A change and what it is for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(super) struct Waiting {
+    pub(super) behaviour: Id,
+    pub(super) change: Change,
+}
+
+/// Oldest first.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(super) struct Queue {
+    waiting: VecDeque<Waiting>,
+    #[serde(skip)]
+    oldest: Oldest,
+}
+
+/// What the oldest change does; all others wait behind it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Oldest {
+    /// It is sent as soon as somebody asks for it.
+    #[default]
+    Ready,
+    /// It was sent and is not answered yet.
+    UnderWay,
+    /// It came too fast: it rests before it is sent again.
+    Rests,
+}
+
+impl Queue {
+    pub(super) fn len(&self) -> usize {
+        self.waiting.len()
+    }
+
+    /// Whether there was room.
+    pub(super) fn push(&mut self, behaviour: Id, change: Change) -> bool {
+        let room = self.waiting.len() < WAITING_MAX;
+        if room {
+            self.waiting.push_back(Waiting { behaviour, change });
+        }
+        room
+    }
+
+    /// The next to send, which is then under way; none while one is, or rests.
+    pub(super) fn send_next(&mut self) -> Option<Waiting> {
+        match self.oldest {
+            Oldest::UnderWay | Oldest::Rests => None,
+            Oldest::Ready => {
+                let next = self.waiting.front().cloned()?;
+                self.oldest = Oldest::UnderWay;
+                Some(next)
+            }
+        }
+    }
+
+    /// The server had too much to do: what is under way rests until [`Queue::rested`].
+    pub(super) fn rest(&mut self) {
+        if self.oldest == Oldest::UnderWay {
+            self.oldest = Oldest::Rests;
+        }
+    }
+
+    /// What rested may be sent again.
+    pub(super) fn rested(&mut self) {
+        if self.oldest == Oldest::Rests {
+            self.oldest = Oldest::Ready;
+        }
+    }
+
+    /// The link broke: what was under way is sent again, under its old name.
+    pub(super) fn link_lost(&mut self) {
+        self.oldest = Oldest::Ready;
+    }
+
+    /// Takes out the change that was answered.
+    pub(super) fn answered(&mut self, op: &Id) -> Option<Waiting> {
+        let at = self.waiting.iter().position(|waiting| waiting.change.op == *op)?;
+        if at == 0 {
+            self.oldest = Oldest::Ready;
+        }
+        self.waiting.remove(at)
+    }
+
+    /// Forgets what waits for a behaviour that is gone.
+    pub(super) fn forget(&mut self, behaviour: &Id) {
+        if self.waiting.front().is_some_and(|first| first.behaviour == *behaviour) {
+            self.oldest = Oldest::Ready;
+        }
+        self.waiting.retain(|waiting| waiting.behaviour != *behaviour);
+    }
+
+    fn of<'a>(&'a self, behaviour: &'a Id) -> impl DoubleEndedIterator<Item = &'a Change> {
+        self.waiting.iter().filter(move |waiting| waiting.behaviour == *behaviour).map(|waiting| &waiting.change)
+    }
+
+    /// A behaviour with what waits for it.
+    pub(super) fn on_top_of(&self, id: &Id, behaviour: &Behaviour) -> Behaviour {
+        let mut whole = behaviour.clone();
+        self.of(id).for_each(|change| whole.apply(change));
+        whole
+    }
+
+    /// What the waiting changes make of one record; the outer none says that they do not touch it.
+    pub(super) fn record(&self, behaviour: &Id, id: &RecordId) -> Option<Option<Record>> {
+        let edits = self.of(behaviour).rev().flat_map(|change| &change.edits);
+        edits.into_iter().find(|edit| edit.id == *id).map(|edit| edit.after.clone())
+    }
+
+    /// Every record of a behaviour that waiting changes touch.
+    pub(super) fn touched(&self, behaviour: &Id) -> Vec<RecordId> {
+        self.of(behaviour).flat_map(|change| change.edits.iter().map(|edit| edit.id.clone())).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Queue, WAITING_MAX};
+    use behaviour::{Behaviour, Change, Id, Kind, Note, Record, RecordId};
+
+    fn id(text: &str) -> Id {
+        Id::new(text).unwrap()
+    }
+
+    fn change(op: &str, text: &str) -> Change {
+        let note = Record::Note(Note { text: text.into() });
+        Change::of(id(op), "Aiko", "Note").put(&Behaviour::default(), RecordId::new(Kind::Note, &id("n")), note)
+    }
+
+    #[test]
+    fn one_is_under_way_and_a_broken_link_sends_it_again() {
+        let mut queue = Queue::default();
+        assert!(queue.push(id("b"), change("one", "1")) && queue.push(id("b"), change("two", "2")));
+        assert_eq!(queue.send_next().unwrap().change.op, id("one"));
+        assert_eq!(queue.send_next(), None);
+        queue.link_lost();
+        assert_eq!(queue.send_next().unwrap().change.op, id("one"));
+        assert!(queue.answered(&id("one")).is_some());
+        assert_eq!(queue.send_next().unwrap().change.op, id("two"));
+    }
+
+    #[test]
+    fn what_came_too_fast_rests_before_it_is_sent_again() {
+        let mut queue = Queue::default();
+        queue.push(id("b"), change("one", "1"));
+        queue.send_next();
+        queue.rest();
+        assert_eq!(queue.send_next(), None);
+        queue.rested();
+        assert_eq!(queue.send_next().unwrap().change.op, id("one"));
+        queue.rested();
+        assert_eq!(queue.send_next(), None, "what is under way does not rest");
+    }
+
+    #[test]
+    fn a_link_that_breaks_ends_the_rest() {
+        let mut queue = Queue::default();
+        queue.push(id("b"), change("one", "1"));
+        queue.send_next();
+        queue.rest();
+        queue.link_lost();
+        assert!(queue.send_next().is_some());
+    }
+
+    #[test]
+    fn the_newest_waiting_change_says_what_a_record_will_be() {
+        let mut queue = Queue::default();
+        queue.push(id("b"), change("one", "1"));
+        queue.push(id("b"), change("two", "2"));
+        let key = RecordId::new(Kind::Note, &id("n"));
+        assert_eq!(queue.record(&id("b"), &key), Some(Some(Record::Note(Note { text: "2".into() }))));
+        assert_eq!(queue.record(&id("other"), &key), None);
+        assert_eq!(queue.on_top_of(&id("b"), &Behaviour::default()).records.len(), 1);
+    }
+
+    #[test]
+    fn the_queue_is_bounded_and_survives_a_reload() {
+        let mut queue = Queue::default();
+        (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""))));
+        assert!(!queue.push(id("b"), change("more", "")));
+        let kept = serde_json::to_string(&queue).unwrap();
+        assert_eq!(serde_json::from_str::<Queue>(&kept).unwrap().len(), WAITING_MAX);
+    }
+}

@@ -1,0 +1,114 @@
+//! What the server says of the open behaviour.
+
+use super::Document;
+use crate::desk::tab::set_if_new;
+use crate::link;
+use behaviour::{Accepted, Behaviour, Id, Kind, Problem};
+use leptos::prelude::*;
+use protocol::{Person, Request};
+
+/// Of so many removed things it is remembered who removed them.
+const REMOVED_MAX: usize = 2_000;
+
+impl Document {
+    /// Shows what was opened, at its revision; false if something else is wanted by now.
+    pub(in crate::desk) fn opened(
+        &self,
+        id: &Id,
+        (revision, records): (u64, Behaviour),
+        problems: Vec<Problem>,
+        people: Vec<Person>,
+    ) -> bool {
+        let is_wanted = self.is_wanted(id);
+        if is_wanted {
+            self.show_whole(records);
+            self.revision.set(revision);
+            set_if_new(&self.problems, problems);
+            set_if_new(&self.people, people);
+            set_if_new(&self.open, Some(id.clone()));
+        }
+        is_wanted
+    }
+
+    /// Takes in a change that was saved; true if it is the next one, and so was made here too.
+    pub(in crate::desk) fn accepted(&self, to: &Id, accepted: &Accepted) -> bool {
+        let known = self.revision.get_untracked();
+        if !self.is_open(to) || accepted.revision <= known {
+            return false;
+        }
+        if accepted.revision > known + 1 {
+            self.ask_newer(to.clone());
+            return false;
+        }
+        {
+            let mut state = self.state();
+            state.confirmed.apply(&accepted.change);
+            state.history.accepted(&accepted.change.op);
+        }
+        let touched: Vec<_> = accepted.change.edits.iter().map(|edit| edit.id.clone()).collect();
+        self.note_removed(accepted);
+        self.refresh(&touched);
+        self.revision.set(accepted.revision);
+        true
+    }
+
+    /// Remembers who removed what, for whoever has it open in a dialog.
+    pub(in crate::desk) fn note_removed(&self, accepted: &Accepted) {
+        let gone = accepted.change.edits.iter().filter(|edit| edit.after.is_none());
+        let gone: Vec<Id> = gone.filter(|edit| edit.id.kind != Kind::Place).map(|edit| edit.id.id.clone()).collect();
+        if !gone.is_empty() {
+            self.removed_by.update(|by| {
+                if by.len() > REMOVED_MAX {
+                    by.clear();
+                }
+                by.extend(gone.into_iter().map(|id| (id, accepted.change.author.clone())));
+            });
+        }
+    }
+
+    pub(in crate::desk) fn hear_ping(&self, open: Option<(Id, u64)>) {
+        if let Some((id, revision)) = open
+            && self.is_open(&id)
+            && revision > self.revision.get_untracked()
+        {
+            self.ask_newer(id);
+        }
+    }
+
+    /// Asks for what is newer than what is known.
+    pub(in crate::desk) fn ask_newer(&self, behaviour: Id) {
+        link::tell(Request::Since { behaviour, revision: self.revision.get_untracked() });
+    }
+
+    pub(in crate::desk) fn hear_fingerprint(&self, of: &Id, fingerprint: u32) {
+        if self.is_open(of) {
+            set_if_new(&self.fingerprint, fingerprint);
+        }
+    }
+
+    pub(in crate::desk) fn hear_problems(&self, of: &Id, problems: Vec<Problem>) {
+        if self.is_open(of) {
+            set_if_new(&self.problems, problems);
+        }
+    }
+
+    pub(in crate::desk) fn hear_people(&self, of: &Id, people: Vec<Person>) {
+        if self.is_open(of) {
+            set_if_new(&self.people, people);
+        }
+    }
+
+    /// A program was moved to the bin.
+    pub(in crate::desk) fn removed(&self, id: &Id, by: &str) {
+        if !self.is_wanted(id) {
+            return;
+        }
+        let name = self.name.get_untracked();
+        let mine = self.tab.me.with_untracked(|me| me.as_ref().is_some_and(|me| me.name == by));
+        self.close_program();
+        self.forget_waiting(id);
+        if !mine {
+            self.tab.say(&format!("{by} removed “{name}”. Choose another program."), false);
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! What there is beside the open program: programs, templates and their pictures, and the helpers that programs share.
+
+mod files;
+mod helpers;
+mod lists;
+mod making;
+mod pictures;
+
+pub(crate) use files::{file_address, first_file};
+pub(crate) use lists::ProgramPage;
+
+use super::document::Document;
+use super::tab::Tab;
+use behaviour::{Behaviour, Helper, Id};
+use leptos::prelude::*;
+use protocol::Summary;
+use std::ops::Deref;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// The library. A clone is the same library.
+#[derive(Clone)]
+pub(crate) struct Library(Arc<Fields>);
+
+/// What the page shows of the library.
+pub(crate) struct Fields {
+    tab: Tab,
+    document: Document,
+    /// The newest programs.
+    pub(crate) programs: ArcRwSignal<Vec<Summary>>,
+    /// How many programs there are.
+    pub(crate) programs_total: ArcRwSignal<u64>,
+    /// Grows when the list of programs changed somewhere.
+    pub(crate) news: ArcRwSignal<u32>,
+    pub(crate) pictures: ArcRwSignal<pictures::Pictures>,
+    pub(crate) templates: ArcRwSignal<Vec<Summary>>,
+    /// The helpers, by name.
+    pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
+    /// True while a file is dragged over the page.
+    pub(crate) dropping: ArcRwSignal<bool>,
+    state: Mutex<State>,
+}
+
+/// What is not shown itself.
+#[derive(Default)]
+struct State {
+    /// The helpers as the server has them.
+    records: Behaviour,
+    revision: u64,
+    /// The program that is to be made, until the server has answered.
+    making: Option<making::Making>,
+    wanted_pictures: pictures::WantedPictures,
+}
+
+impl Deref for Library {
+    type Target = Fields;
+    fn deref(&self) -> &Fields {
+        &self.0
+    }
+}
+
+impl Library {
+    /// Nothing known yet.
+    pub(super) fn new(tab: Tab, document: Document) -> Self {
+        Self(Arc::new(Fields {
+            tab,
+            document,
+            programs: ArcRwSignal::default(),
+            programs_total: ArcRwSignal::default(),
+            news: ArcRwSignal::default(),
+            pictures: ArcRwSignal::default(),
+            templates: ArcRwSignal::default(),
+            helpers: ArcRwSignal::default(),
+            dropping: ArcRwSignal::default(),
+            state: Mutex::default(),
+        }))
+    }
+
+    fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}

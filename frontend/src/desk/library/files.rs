@@ -1,0 +1,133 @@
+//! Programs as files: opening one that a person chose or dropped on the page.
+
+use super::Library;
+use crate::desk::tab::set_if_new;
+use crate::{browser, words};
+use behaviour::Id;
+use js_sys::Reflect;
+use serde::Deserialize;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::JsFuture;
+
+/// The largest file that the server takes, in bytes.
+const FILE_MAX_BYTES: f64 = (behaviour::BEHAVIOUR_MAX_BYTES + behaviour::LIBRARY_MAX_BYTES) as f64;
+
+/// What the server says of a file that it took.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+struct Brought {
+    id: Id,
+    name: String,
+    /// Helpers that were there already in another form: as they were called, as they are called here.
+    renamed_helpers: Vec<(String, String)>,
+}
+
+#[derive(Deserialize)]
+struct Refused {
+    error: String,
+}
+
+/// Where a behaviour is to be had as a file.
+pub(crate) fn file_address(id: &Id, ending: &str) -> String {
+    format!("/api/behaviours/{id}.{ending}")
+}
+
+/// The first file out of an input or of something dropped; `of` has `files`.
+pub(crate) fn first_file(of: &JsValue) -> Option<JsValue> {
+    let files = Reflect::get(of, &"files".into()).ok().filter(|files| !files.is_undefined() && !files.is_null())?;
+    Reflect::get_u32(&files, 0).ok().filter(|file| !file.is_undefined())
+}
+
+impl Library {
+    /// Makes a program out of a file and opens it, or says why not.
+    pub(crate) fn open_file(&self, file: JsValue) {
+        let (library, me) = (self.clone(), self.tab.my_name());
+        wasm_bindgen_futures::spawn_local(async move {
+            match bring(&file, &me).await {
+                Ok(brought) => {
+                    library.document.open_program(&brought.id);
+                    library.tab.say(&words::file_opened(&brought.name, &brought.renamed_helpers), false);
+                }
+                Err(sentence) => library.tab.say(&sentence, true),
+            }
+        });
+    }
+
+    /// Files that are dropped anywhere on the page are opened.
+    pub(in crate::desk) fn hear_drops(&self) {
+        let Some(window) = browser::window() else { return };
+        let library = self.clone();
+        browser::hear(&window, "dragover", move |event| {
+            if carries_file(&event) {
+                prevent(&event);
+                set_if_new(&library.dropping, true);
+            }
+        });
+        let library = self.clone();
+        browser::hear(&window, "dragleave", move |event| {
+            let outside = Reflect::get(&event, &"relatedTarget".into()).is_ok_and(|to| to.is_null());
+            if outside {
+                set_if_new(&library.dropping, false);
+            }
+        });
+        let library = self.clone();
+        browser::hear(&window, "drop", move |event| {
+            set_if_new(&library.dropping, false);
+            let file = Reflect::get(&event, &"dataTransfer".into()).ok().and_then(|dropped| first_file(&dropped));
+            if let Some(file) = file {
+                prevent(&event);
+                library.open_file(file);
+            }
+        });
+    }
+}
+
+fn prevent(event: &JsValue) {
+    if let Some(event) = event.dyn_ref::<web_sys::Event>() {
+        event.prevent_default();
+    }
+}
+
+fn carries_file(event: &JsValue) -> bool {
+    let types = Reflect::get(event, &"dataTransfer".into()).and_then(|dropped| Reflect::get(&dropped, &"types".into()));
+    types.is_ok_and(|types| js_sys::Array::from(&types).includes(&"Files".into(), 0))
+}
+
+/// Sends the file to the server.
+async fn bring(file: &JsValue, by: &str) -> Result<Brought, String> {
+    let size = Reflect::get(file, &"size".into()).ok().and_then(|size| size.as_f64()).unwrap_or(0.0);
+    if size > FILE_MAX_BYTES {
+        return Err(words::file_too_large().to_owned());
+    }
+    let (good, text) = post(file, by).await.ok_or_else(|| words::unreachable().to_owned())?;
+    if good {
+        return serde_json::from_str(&text).map_err(|_| words::file_unclear().to_owned());
+    }
+    let refused = serde_json::from_str::<Refused>(&text).map(|refused| refused.error);
+    Err(refused.unwrap_or_else(|_| words::file_unclear().to_owned()))
+}
+
+async fn post(file: &JsValue, by: &str) -> Option<(bool, String)> {
+    let how = web_sys::RequestInit::new();
+    how.set_method("POST");
+    how.set_body(file);
+    let address = format!("/api/import?mode=copy&by={}", js_sys::encode_uri_component(by));
+    let answer = JsFuture::from(browser::window()?.fetch_with_str_and_init(&address, &how)).await.ok()?;
+    let answer: web_sys::Response = answer.dyn_into().ok()?;
+    let text = JsFuture::from(answer.text().ok()?).await.ok()?.as_string()?;
+    Some((answer.ok(), text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Brought, file_address};
+    use behaviour::Id;
+
+    #[test]
+    fn the_answer_of_the_server_is_read() {
+        let text = r#"{"id":"b-1","name":"Play","renamedHelpers":[["far","far2"]]}"#;
+        let brought: Brought = serde_json::from_str(text).unwrap();
+        assert_eq!((brought.name.as_str(), brought.renamed_helpers.len()), ("Play", 1));
+        assert_eq!(file_address(&Id::new("b-1").unwrap(), "svg"), "/api/behaviours/b-1.svg");
+    }
+}

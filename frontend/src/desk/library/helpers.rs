@@ -1,0 +1,91 @@
+//! The helpers: as the server has them, and the changes that people make to them.
+
+use super::Library;
+use crate::desk::document::{as_seen, helper_gone, helper_put, short};
+use crate::desk::tab::{new_id, set_if_new};
+use crate::link;
+use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record};
+use protocol::{LIBRARY, Request, SaidNo, Summary};
+
+impl Library {
+    /// After a greeting: takes the helpers and templates as they are now.
+    pub(in crate::desk) fn welcome(&self, records: Behaviour, revision: u64, templates: Vec<Summary>) {
+        set_if_new(&self.templates, templates);
+        {
+            let mut state = self.state();
+            state.records = records;
+            state.revision = revision;
+        }
+        self.refresh();
+        self.list_programs();
+    }
+
+    /// A helper of the library, new without an id.
+    pub(crate) fn put_helper(
+        &self,
+        seen: Option<(Id, Helper)>,
+        helper: Helper,
+        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+    ) {
+        let change = self.document.change(&format!("Helper {}", short(&helper.name)));
+        let (id, seen) = seen.map_or_else(|| (new_id(), None), |(id, seen)| (id, Some(seen)));
+        let mut change = self.with_records(|records| helper_put(records, change, &id, helper));
+        if let Some(seen) = seen {
+            change = as_seen(change, Kind::Helper, &id, Record::Helper(seen));
+        }
+        self.document.propose_to_library(change, on_answer);
+    }
+
+    /// The library without a helper; refused while programs use it.
+    pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+        let change = self.document.change("Remove helper");
+        let change = self.with_records(|records| helper_gone(records, change, id));
+        self.document.propose_to_library(change, on_answer);
+    }
+
+    /// Takes in a change that was saved; true if it is the next one, and so was made here too.
+    pub(in crate::desk) fn accepted(&self, accepted: &Accepted) -> bool {
+        let known = self.state().revision;
+        if accepted.revision > known + 1 {
+            self.ask_newer();
+        }
+        if accepted.revision != known + 1 {
+            return false;
+        }
+        {
+            let mut state = self.state();
+            state.records.apply(&accepted.change);
+            state.revision = accepted.revision;
+        }
+        self.document.note_removed(accepted);
+        self.refresh();
+        true
+    }
+
+    pub(in crate::desk) fn hear_ping(&self, revision: u64) {
+        let known = self.state().revision;
+        if revision > known {
+            self.ask_newer();
+        }
+    }
+
+    /// Asks for what is newer than what is known.
+    pub(in crate::desk) fn ask_newer(&self) {
+        let revision = self.state().revision;
+        if let Ok(behaviour) = Id::new(LIBRARY) {
+            link::tell(Request::Since { behaviour, revision });
+        }
+    }
+
+    /// Looks at the helpers as the server has them; `look` asks the library for nothing.
+    pub(in crate::desk) fn with_records<T>(&self, look: impl FnOnce(&Behaviour) -> T) -> T {
+        look(&self.state().records)
+    }
+
+    fn refresh(&self) {
+        let mut helpers: Vec<_> =
+            self.with_records(|records| records.helpers().map(|(id, helper)| (id.clone(), helper.clone())).collect());
+        helpers.sort_by(|one, other| one.1.name.cmp(&other.1.name));
+        set_if_new(&self.helpers, helpers);
+    }
+}

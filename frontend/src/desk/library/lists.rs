@@ -1,0 +1,56 @@
+//! Lists of programs: the newest ones, and page after page of all of them.
+
+use super::Library;
+use crate::desk::tab::set_if_new;
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{Cursor, ListQuery, Reply, Request, Summary};
+
+/// How many of the newest programs the menu and the first screen show.
+const NEWEST_MAX: u32 = 12;
+
+/// A page of programs.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct ProgramPage {
+    pub(crate) lines: Vec<Summary>,
+    pub(crate) next: Option<Cursor>,
+    pub(crate) total: u64,
+}
+
+impl Library {
+    /// Asks for the newest programs afresh.
+    pub(crate) fn list_programs(&self) {
+        let library = self.clone();
+        let query = ListQuery { most: NEWEST_MAX, ..ListQuery::default() };
+        self.ask_page(query, move |page| {
+            if let Ok(page) = page {
+                set_if_new(&library.programs_total, page.total);
+                set_if_new(&library.programs, page.lines);
+            }
+        });
+    }
+
+    /// The list of programs changed somewhere.
+    pub(in crate::desk) fn programs_changed(&self) {
+        self.news.update(|news| *news = news.wrapping_add(1));
+        if self.document.open.with_untracked(Option::is_none) {
+            self.list_programs();
+        }
+    }
+
+    /// A program was moved to the bin.
+    pub(in crate::desk) fn removed(&self, id: &Id) {
+        self.programs.update(|programs| programs.retain(|program| program.id != id.as_str()));
+    }
+
+    /// Asks for a page of the list; with a sentence if none comes.
+    pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<ProgramPage, String>) + 'static) {
+        self.tab.look_up(Request::List { query }, move |answer| match answer {
+            Ok(Reply::Programs { programs, next, total }) => {
+                then(Ok(ProgramPage { lines: programs.clone(), next: next.clone(), total: *total }));
+            }
+            Ok(_) => {}
+            Err(sentence) => then(Err(sentence)),
+        });
+    }
+}

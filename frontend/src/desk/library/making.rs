@@ -1,0 +1,85 @@
+//! Making and removing programs, and taking them out of the bin. What only the moment stands against is asked again.
+
+use super::Library;
+use crate::desk::tab::{AGAIN_MS, may_pass, new_id};
+use crate::{browser, link, words};
+use behaviour::Id;
+use protocol::{Reply, Request, Summary};
+
+/// A program that is to be made; asked twice with one id, the server makes one.
+#[derive(Clone)]
+pub(super) struct Making {
+    behaviour: Id,
+    name: String,
+    template: Option<String>,
+    /// Whether it was said that it takes longer.
+    said: bool,
+}
+
+impl Library {
+    /// Makes a program, from a template's id or empty, and opens it.
+    pub(crate) fn create_program(&self, name: &str, template: Option<&str>) {
+        if !link::is_up() {
+            return self.tab.say_unreachable();
+        }
+        let behaviour = new_id();
+        let (name, template) = (name.to_owned(), template.map(str::to_owned));
+        self.state().making = Some(Making { behaviour: behaviour.clone(), name, template, said: false });
+        self.make(behaviour);
+    }
+
+    /// Somebody chose something else: what is to be made is not opened any more.
+    pub(in crate::desk) fn forget_making(&self) {
+        self.state().making = None;
+    }
+
+    /// Asks for what is to be made, if nobody wished for something else since.
+    fn make(&self, behaviour: Id) {
+        let making = self.state().making.clone().filter(|making| making.behaviour == behaviour);
+        let Some(Making { behaviour, name, template, .. }) = making else { return };
+        let (library, made) = (self.clone(), behaviour.clone());
+        link::ask_even_down(Request::Create { behaviour, name, template }, move |reply| match reply {
+            Some(Reply::No { no }) if !may_pass(no) => {
+                library.forget_making();
+                library.tab.say_no(no);
+            }
+            Some(Reply::Created { .. }) if library.is_making(&made) => library.document.open_program(&made),
+            Some(Reply::No { .. }) | None => library.make_again(made),
+            Some(_) => {}
+        });
+    }
+
+    fn is_making(&self, behaviour: &Id) -> bool {
+        self.state().making.as_ref().is_some_and(|making| making.behaviour == *behaviour)
+    }
+
+    fn make_again(&self, behaviour: Id) {
+        let mut state = self.state();
+        let Some(making) = state.making.as_mut().filter(|making| making.behaviour == behaviour) else { return };
+        let says = (!std::mem::replace(&mut making.said, true)).then(|| words::not_made_yet(&making.name));
+        drop(state);
+        if let Some(says) = says {
+            self.tab.say(&says, true);
+        }
+        let library = self.clone();
+        browser::after(AGAIN_MS, move || library.make(behaviour));
+    }
+
+    /// Moves a program to the bin.
+    pub(crate) fn remove_program(&self, id: &Id) {
+        let (library, gone) = (self.clone(), id.clone());
+        self.tab.ask_or_say(Request::Remove { behaviour: id.clone() }, move |_| {
+            if library.document.is_wanted(&gone) {
+                library.document.close_program();
+            }
+            library.list_programs();
+        });
+    }
+
+    /// Takes a program out of the bin.
+    pub(crate) fn restore_program(&self, program: &Summary) {
+        let (tab, name) = (self.tab.clone(), program.name.clone());
+        let Ok(behaviour) = Id::new(&program.id) else { return };
+        self.tab.ask_or_say(Request::Restore { behaviour }, move |_| tab.say(&words::is_back(&name), false));
+    }
+}

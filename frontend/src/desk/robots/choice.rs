@@ -1,0 +1,128 @@
+//! The robots, and the one that this tab looks at: its Start, its Stop, its room and its live values.
+
+use super::Robots;
+use crate::browser::{self, Keep};
+use crate::desk::tab::{new_id, set_if_new};
+use crate::{link, words};
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{Request, RobotState, RunPhase, RunState, STOP_PATH};
+use robot::{Health, Scene};
+
+const ROBOT_KEY: &str = "rrp.robot";
+
+impl Robots {
+    pub(in crate::desk) fn hear_robots(&self, robots: Vec<RobotState>) {
+        set_if_new(&self.all, robots);
+        self.look();
+    }
+
+    /// Looks at another robot; this tab goes on with it, and the next tab begins with it.
+    pub(crate) fn choose(&self, robot: &Id) {
+        for drawer in [Keep::Tab, Keep::Browser] {
+            drawer.put(ROBOT_KEY, robot.as_str());
+        }
+        self.state().wanted = Some(robot.clone());
+        self.look();
+    }
+
+    /// Adds a simulated robot and looks at it.
+    pub(crate) fn add(&self, name: &str) {
+        let (robots, robot) = (self.clone(), new_id());
+        self.tab.ask_or_say(Request::AddRobot { robot: robot.clone(), name: name.to_owned() }, move |_| {
+            robots.choose(&robot);
+        });
+    }
+
+    /// Removes a robot.
+    pub(crate) fn remove(&self, robot: &Id) {
+        self.tab.ask_or_say(Request::RemoveRobot { robot: robot.clone() }, |_| {});
+    }
+
+    /// Stops everything on all robots.
+    pub(crate) fn stop_all(&self) {
+        self.tab.ask_or_say(Request::Stop { behaviour: None, robot: None }, |_| {});
+    }
+
+    /// The robot that this tab looks at; not reactive.
+    pub(crate) fn chosen_id(&self) -> Option<Id> {
+        self.chosen.with_untracked(|robot| robot.as_ref().map(|robot| robot.robot.clone()))
+    }
+
+    /// How it is. Reactive.
+    pub(crate) fn health(&self) -> Health {
+        self.chosen.read().as_ref().map_or(Health::Connecting, |robot| robot.health.clone())
+    }
+
+    /// What people call it. Reactive.
+    pub(crate) fn name(&self) -> String {
+        self.chosen.read().as_ref().map(|robot| robot.name.clone()).unwrap_or_default()
+    }
+
+    /// What runs on it and what ended there lately, oldest first. Reactive.
+    pub(crate) fn runs_here(&self) -> Vec<RunState> {
+        let robot = self.chosen.read().as_ref().map(|robot| robot.robot.clone());
+        let mut runs = self.runs.get();
+        runs.retain(|run| robot.as_ref() == Some(&run.robot));
+        runs
+    }
+
+    /// The name of a robot on which the open program runs, if there is one. Reactive.
+    pub(crate) fn runs_on(&self) -> Option<String> {
+        let open = self.document.open.get()?;
+        let is_it = |run: &&RunState| run.behaviour == open && run.phase == RunPhase::Running;
+        let on = self.runs.read().iter().find(is_it).map(|run| run.robot.clone())?;
+        self.all.read().iter().find(|robot| robot.robot == on).map(|robot| robot.name.clone())
+    }
+
+    /// What the room of a robot looks like now; of another one than this tab looks at it is dropped.
+    pub(in crate::desk) fn hear_scene(&self, robot: &Id, scene: Scene) {
+        if self.chosen_id().as_ref() == Some(robot) {
+            set_if_new(&self.scene, scene);
+        }
+    }
+
+    /// The wanted robot if it is there, else the first one.
+    fn look(&self) {
+        let wanted = self.wanted();
+        let found = self.all.with_untracked(|robots| {
+            let is_it = |known: &&RobotState| wanted.as_ref() == Some(&known.robot);
+            robots.iter().find(is_it).or_else(|| robots.first()).cloned()
+        });
+        let Some(found) = found else { return };
+        self.say_if_gone(&found);
+        let watched = self.state().watched.replace(found.robot.clone());
+        let id = found.robot.clone();
+        set_if_new(&self.chosen, Some(found));
+        self.aim_stop();
+        if watched.as_ref() != Some(&id) {
+            set_if_new(&self.scene, Scene::default());
+            link::tell(Request::Watch { robot: Some(id), scene: true, values: true });
+            self.values_of_open();
+        }
+    }
+
+    fn wanted(&self) -> Option<Id> {
+        let kept = || Keep::Tab.get(ROBOT_KEY).or_else(|| Keep::Browser.get(ROBOT_KEY));
+        let chosen = self.state().wanted.clone();
+        chosen.or_else(|| kept().and_then(|text| Id::new(&text).ok()))
+    }
+
+    fn say_if_gone(&self, now: &RobotState) {
+        let Some(before) = self.chosen.get_untracked() else { return };
+        let is_gone = self.all.with_untracked(|robots| robots.iter().all(|known| known.robot != before.robot));
+        if is_gone {
+            self.tab.say(&words::robot_gone(&before.name, &now.name), false);
+        }
+    }
+
+    /// The plain Stop button stops the robot that this tab looks at.
+    fn aim_stop(&self) {
+        let several = self.all.with_untracked(|robots| robots.len() > 1);
+        let robot = self.chosen.get_untracked().filter(|_| several);
+        let address = robot.as_ref().map_or(STOP_PATH.to_owned(), |robot| format!("{STOP_PATH}?robot={}", robot.robot));
+        browser::set_attribute("stop-form", "action", &address);
+        let name = robot.map_or(words::the_robot().to_owned(), |robot| robot.name);
+        browser::set_attribute("stop", "title", &words::stop_title(&name));
+    }
+}

@@ -1,0 +1,53 @@
+//! Which connectors of the run fail, and how often.
+
+use super::Robots;
+use super::unused::Before;
+use crate::desk::document::ConnectorSignals;
+use crate::desk::tab::set_if_new;
+use crate::layout::chip_words;
+use behaviour::{Connector, Id, Kind, Record, RecordId};
+use leptos::prelude::*;
+
+/// A connector whose procedure failed since Start.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Failing {
+    pub(crate) connector: Id,
+    /// What it says on its chip, in the version that runs.
+    pub(crate) name: String,
+    pub(crate) count: u64,
+    /// Why it failed last, in a sentence.
+    pub(crate) why: String,
+}
+
+impl Robots {
+    /// What fails on the robot now. Reactive.
+    pub(crate) fn fails_now(&self) -> usize {
+        if self.running().is_some() { self.failing.read().len() } else { 0 }
+    }
+
+    /// Counts afresh what fails, what began last first.
+    pub(super) fn renew_failing(&self) {
+        let connectors = self.document.connectors();
+        let mut found: Vec<_> = {
+            let before = &self.state().before;
+            connectors.iter().filter_map(|(id, signals)| failing(before, id, signals)).collect()
+        };
+        found.sort_by(|one, other| other.0.total_cmp(&one.0));
+        set_if_new(&self.failing, found.into_iter().map(|(_, failing)| failing).collect());
+    }
+}
+
+/// A connector that fails, and since when; it is called what it was called in the version that runs.
+fn failing(before: &Before, id: &Id, signals: &ConnectorSignals) -> Option<(f64, Failing)> {
+    let live = signals.live.read_untracked();
+    let why = live.error.clone().filter(|_| live.faults > 0)?;
+    let name = match before.get(&RecordId::new(Kind::Connector, id)) {
+        Some(Some(Record::Connector(ran))) => whole(ran),
+        _ => signals.record.with_untracked(whole),
+    };
+    Some((live.failed_at, Failing { connector: id.clone(), name, count: live.faults, why }))
+}
+
+fn whole(connector: &Connector) -> String {
+    chip_words(connector).whole()
+}

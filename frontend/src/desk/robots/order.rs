@@ -1,0 +1,50 @@
+//! What runs beside the open program: its order, and stopping one of it.
+
+use super::Robots;
+use crate::words;
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{Request, RunPhase, RunState};
+
+impl Robots {
+    /// Everything that runs on the robot that this tab looks at, from the top of the order. Reactive.
+    pub(crate) fn all_running(&self) -> Vec<RunState> {
+        let mut running = self.runs_here();
+        running.retain(|run| run.phase == RunPhase::Running);
+        running.sort_by_key(|run| run.place);
+        running
+    }
+
+    /// Whether what is edited would run differently: the open program or a helper that it uses was changed. Reactive.
+    pub(crate) fn runs_older(&self, run: &RunState) -> bool {
+        self.document.fingerprint.get() != run.fingerprint
+    }
+
+    /// Who keeps a part of the robot from this action of the open program, in a sentence. Reactive.
+    pub(crate) fn held(&self, stream: &Id) -> Option<String> {
+        let run = self.running()?;
+        run.held.iter().find(|held| held.stream == *stream).map(|held| words::held_by(&held.part, &held.name))
+    }
+
+    /// Puts a running behaviour just above another one, or at the end.
+    pub(crate) fn place(&self, behaviour: &Id, above: Option<Id>) {
+        let robot = self.chosen_id();
+        self.tab.ask_or_say(Request::Place { behaviour: behaviour.clone(), robot, above }, |_| {});
+    }
+
+    /// Puts one in the place of another one of the list: from above it comes to stand below that one.
+    pub(crate) fn place_at(&self, order: &[Id], moved: &Id, target: &Id) {
+        let at = |id: &Id| order.iter().position(|known| known == id);
+        match (at(moved), at(target)) {
+            (Some(from), Some(to)) if from < to => self.place(moved, order.get(to + 1).cloned()),
+            (Some(from), Some(to)) if from > to => self.place(moved, Some(target.clone())),
+            _ => {}
+        }
+    }
+
+    /// Stops one behaviour; the others run on.
+    pub(crate) fn stop_one(&self, behaviour: &Id) {
+        let robot = self.chosen_id();
+        self.tab.ask_or_say(Request::Stop { behaviour: Some(behaviour.clone()), robot }, |_| {});
+    }
+}

@@ -1,0 +1,35 @@
+//! The recordings that are kept, and the one under way.
+
+use super::Robots;
+use crate::desk::tab::set_if_new;
+use crate::words;
+use leptos::prelude::*;
+use protocol::{Reply, Request};
+
+impl Robots {
+    /// Ends the recording of the open behaviour, which runs on.
+    pub(crate) fn end_recording(&self) {
+        if let Some(behaviour) = self.document.open.get_untracked() {
+            let robot = self.chosen_id();
+            self.tab.ask_or_say(Request::EndRecording { behaviour, robot }, |_| {});
+        }
+    }
+
+    /// Marks this moment in the recording of the open behaviour.
+    pub(crate) fn mark(&self, note: &str) {
+        if let Some(behaviour) = self.document.open.get_untracked() {
+            let (tab, robot, note) = (self.tab.clone(), self.chosen_id(), note.to_owned());
+            self.tab.ask_or_say(Request::Mark { behaviour, robot, note }, move |_| tab.say(words::marked(), false));
+        }
+    }
+
+    /// Looks which recordings there are.
+    pub(crate) fn list_recordings(&self) {
+        let robots = self.clone();
+        self.tab.ask_or_say(Request::Recordings, move |reply| {
+            if let Reply::Recordings { recordings } = reply {
+                set_if_new(&robots.recordings, recordings.clone());
+            }
+        });
+    }
+}

@@ -1,0 +1,80 @@
+//! Start, applying edits, stimulating and the room: what is asked of a robot but never saved. Stop is plain HTML and needs
+//! nothing of this.
+
+use super::Robots;
+use crate::{link, words};
+use behaviour::{Id, Value};
+use leptos::prelude::*;
+use protocol::{Reply, Request};
+use robot::SceneEdit;
+
+/// What the robot is to do with the open behaviour once it is saved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wish {
+    /// Run it from the beginning.
+    Start,
+    /// Go on with it where the run is.
+    Apply,
+}
+
+impl Robots {
+    /// Runs the open behaviour as soon as what was changed is saved.
+    pub(crate) fn start(&self) {
+        self.wish(Wish::Start);
+    }
+
+    /// Lets the run of the open behaviour go on with what was changed, as soon as that is saved.
+    pub(crate) fn apply(&self) {
+        self.wish(Wish::Apply);
+    }
+
+    fn wish(&self, wish: Wish) {
+        // Never later than now: a robot must not begin to move when a lost link comes back.
+        self.state().when_saved = link::is_up().then_some(wish);
+        if link::is_up() {
+            self.start_if_saved();
+        } else {
+            self.tab.say_unreachable();
+        }
+    }
+
+    /// A wish does not outlive what could not be saved.
+    pub(in crate::desk) fn forget_wish(&self) {
+        self.state().when_saved = None;
+    }
+
+    /// Asks what was wished for, if nothing waits to be saved.
+    pub(in crate::desk) fn start_if_saved(&self) {
+        let is_saved = self.document.is_saved();
+        let now = self.state().when_saved.take_if(|_| is_saved);
+        let Some(behaviour) = self.document.open.get_untracked() else { return };
+        match now {
+            Some(Wish::Start) => {
+                let (robot, record) = (self.chosen_id(), self.records.get_untracked());
+                self.tab.ask_or_say(Request::Start { behaviour, robot, record }, |_| {})
+            }
+            Some(Wish::Apply) => self.ask_to_apply(behaviour),
+            None => {}
+        }
+    }
+
+    fn ask_to_apply(&self, behaviour: Id) {
+        let (tab, revision) = (self.tab.clone(), self.document.revision.get_untracked());
+        let on_yes = move |_: &Reply| tab.say(&words::applied(revision), false);
+        let robot = self.chosen_id();
+        self.tab.ask_or_say(Request::Apply { behaviour, robot }, on_yes);
+    }
+
+    /// Sends a value to a sensor stream of the running behaviour as if the robot had sensed it.
+    pub(crate) fn stimulate(&self, stream: &Id, value: Value) {
+        if let Some(behaviour) = self.document.open.get_untracked() {
+            let robot = self.chosen_id();
+            self.tab.ask_or_say(Request::Stimulate { behaviour, robot, stream: stream.clone(), value }, |_| {});
+        }
+    }
+
+    /// Moves something in the simulated room.
+    pub(crate) fn scene_edit(&self, edit: SceneEdit) {
+        link::tell(Request::Scene { robot: self.chosen_id(), edit });
+    }
+}

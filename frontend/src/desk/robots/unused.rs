@@ -1,0 +1,195 @@
+//! What the run has of what was changed since it began, so that the page can tell what the robot does not use yet.
+
+use super::Robots;
+use crate::desk::tab::set_if_new;
+use crate::link;
+use crate::live::LiveConnector;
+use behaviour::{Accepted, Behaviour, Connector, Helper, Id, Kind, Procedure, Record, RecordId};
+use leptos::prelude::*;
+use protocol::{Reply, Request};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Records as they were at some revision; none for one that was not there.
+pub(super) type Before = BTreeMap<RecordId, Option<Record>>;
+
+/// What tells one version on the robot from another: the run, its revision and its fingerprint.
+pub(super) type Version = (u64, u64, u32);
+
+impl Robots {
+    /// Begins anew when the robot runs another version of the open program, or none.
+    pub(super) fn follow_version(&self) {
+        let run = self.run_of_open();
+        let version = run.as_ref().map(|run| (run.run, run.revision, run.fingerprint));
+        if std::mem::replace(&mut self.state().version, version) == version {
+            return;
+        }
+        if version.is_none() {
+            self.forget_unused();
+        }
+        self.state().before.clear();
+        self.renew_unused();
+        let known = self.document.revision.get_untracked();
+        if let Some(run) = run.filter(|run| run.revision < known) {
+            self.ask_before(run.behaviour, run.revision);
+        }
+    }
+
+    /// The counts of a version that is gone do not stand beside what was written since.
+    fn forget_unused(&self) {
+        let unused = self.unused.get_untracked();
+        unused
+            .iter()
+            .filter_map(|id| self.document.connector(id))
+            .for_each(|signals| signals.live.set(LiveConnector::default()));
+    }
+
+    fn ask_before(&self, behaviour: Id, revision: u64) {
+        let (robots, version) = (self.clone(), self.state().version);
+        link::ask(Request::Since { behaviour, revision }, move |reply| {
+            if let Some(Reply::Missed { changes, .. }) = reply
+                && robots.state().version == version
+            {
+                robots.state().before.extend(before(changes));
+                robots.renew_unused();
+            }
+        });
+    }
+
+    /// Another program was opened: whatever runs of it is looked at afresh.
+    pub(in crate::desk) fn follow_opened(&self) {
+        self.state().version = None;
+        self.follow_version();
+    }
+
+    /// A change was made; the run has what was before it.
+    pub(in crate::desk) fn note_before(&self, accepted: &Accepted) {
+        if self.state().version.is_none() {
+            return;
+        }
+        for (id, was) in before(std::slice::from_ref(accepted)) {
+            self.state().before.entry(id).or_insert(was);
+        }
+        self.renew_unused();
+    }
+
+    fn renew_unused(&self) {
+        let unused = {
+            let before = &self.state().before;
+            self.document.with_confirmed(|open| self.library.with_records(|library| unused(before, open, library)))
+        };
+        set_if_new(&self.unused, unused);
+        self.renew_failing();
+    }
+}
+
+/// What was there before these changes.
+fn before(changes: &[Accepted]) -> Before {
+    let mut before = Before::new();
+    for edit in changes.iter().flat_map(|accepted| &accepted.change.edits) {
+        if matches!(edit.id.kind, Kind::Connector | Kind::Helper) {
+            before.entry(edit.id.clone()).or_insert_with(|| edit.before.clone());
+        }
+    }
+    before
+}
+
+/// The connectors of the open behaviour that the run does not have as they are now, or whose helper it has otherwise.
+fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id> {
+    let helpers = unused_helpers(before, library);
+    let differs = |id: &Id, now: &Connector| match before.get(&RecordId::new(Kind::Connector, id)) {
+        Some(Some(Record::Connector(ran))) => !runs_alike(ran, now),
+        Some(_) => true,
+        None => helper_of(now).is_some_and(|helper| helpers.contains(helper)),
+    };
+    open.connectors().filter(|(id, now)| differs(id, now)).map(|(id, _)| id.clone()).collect()
+}
+
+fn unused_helpers<'a>(before: &'a Before, library: &Behaviour) -> BTreeSet<&'a str> {
+    let changed = before.iter().filter_map(|(id, was)| match was {
+        Some(Record::Helper(was)) => {
+            let alike = matches!(library.records.get(id), Some(Record::Helper(now)) if works_alike(was, now));
+            (!alike).then_some(was.name.as_str())
+        }
+        _ => None,
+    });
+    changed.collect()
+}
+
+fn runs_alike(one: &Connector, other: &Connector) -> bool {
+    (&one.operation, &one.inputs, &one.output) == (&other.operation, &other.inputs, &other.output)
+}
+
+fn works_alike(one: &Helper, other: &Helper) -> bool {
+    (&one.name, &one.params, &one.body) == (&other.name, &other.params, &other.body)
+}
+
+fn helper_of(connector: &Connector) -> Option<&str> {
+    match connector.operation.procedure()? {
+        Procedure::Helper(name) => Some(name),
+        Procedure::Body { .. } => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{before, unused};
+    use behaviour::{
+        Accepted, Behaviour, Change, Connector, Helper, Id, Kind, Procedure, Record, RecordId, connectors,
+    };
+
+    fn id(text: &str) -> Id {
+        Id::new(text).unwrap()
+    }
+
+    fn map(procedure: Procedure) -> Record {
+        let operation = connectors::map::SPEC.with(procedure);
+        Record::Connector(Connector { operation, inputs: vec![id("in")], output: id("out"), order: 0 })
+    }
+
+    fn wrote(to: &mut Behaviour, kind: Kind, record: Record) -> Accepted {
+        let key = RecordId::new(kind, &id("c"));
+        let change = Change::of(id("op"), "Aiko", "Edit").put(to, key, record);
+        to.apply(&change);
+        Accepted { revision: 1, change }
+    }
+
+    fn wrote_body(to: &mut Behaviour, body: &str) -> Accepted {
+        wrote(to, Kind::Connector, map(Procedure::body(body)))
+    }
+
+    #[test]
+    fn a_connector_is_unused_until_it_is_as_the_run_has_it() {
+        let (mut open, library) = (Behaviour::default(), Behaviour::default());
+        wrote_body(&mut open, "1");
+        let was = before(&[wrote_body(&mut open, "2")]);
+        assert_eq!(unused(&was, &open, &library).into_iter().collect::<Vec<_>>(), [id("c")]);
+        wrote_body(&mut open, "1");
+        assert!(unused(&was, &open, &library).is_empty());
+    }
+
+    #[test]
+    fn a_connector_is_unused_while_its_helper_works_otherwise_than_the_run_has_it() {
+        let helper = |body: &str| {
+            Record::Helper(Helper {
+                name: "far".into(),
+                params: vec!["x".into()],
+                body: body.into(),
+                says: String::new(),
+            })
+        };
+        let (mut open, mut library) = (Behaviour::default(), Behaviour::default());
+        wrote(&mut open, Kind::Connector, map(Procedure::Helper("far".into())));
+        wrote(&mut library, Kind::Helper, helper("x > 1"));
+        let was = before(&[wrote(&mut library, Kind::Helper, helper("x > 2"))]);
+        assert_eq!(unused(&was, &open, &library).len(), 1);
+        wrote(&mut library, Kind::Helper, helper("x > 1"));
+        assert!(unused(&was, &open, &library).is_empty());
+    }
+
+    #[test]
+    fn a_new_connector_is_unused() {
+        let mut open = Behaviour::default();
+        let made = wrote_body(&mut open, "1");
+        assert_eq!(unused(&before(&[made]), &open, &Behaviour::default()).len(), 1);
+    }
+}

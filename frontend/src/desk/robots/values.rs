@@ -1,0 +1,94 @@
+//! Live values and runs, put into the signals of their streams and connectors.
+
+use super::Robots;
+use crate::browser;
+use crate::desk::document::ConnectorSignals;
+use crate::desk::tab::set_if_new;
+use crate::live::{LIT_MS, LiveConnector, LiveStream};
+use behaviour::Id;
+use leptos::prelude::*;
+use protocol::{ConnectorSample, RunState, StreamSample, Values};
+
+impl Robots {
+    pub(in crate::desk) fn hear_runs(&self, runs: Vec<RunState>) {
+        set_if_new(&self.runs, runs);
+        self.clock.set(browser::now_ms());
+        if let Some(run) = self.run_of_open() {
+            self.belong_to(run.run);
+        }
+        self.follow_version();
+        self.renew_failing();
+    }
+
+    /// Values still under way from a robot that this tab does not look at any more are dropped.
+    pub(in crate::desk) fn hear_values(&self, values: Values) {
+        let here = self.chosen_id();
+        let elsewhere = |run: &RunState| run.run == values.run && Some(&run.robot) != here.as_ref();
+        if self.runs.with_untracked(|runs| runs.iter().any(elsewhere)) {
+            return;
+        }
+        self.belong_to(values.run);
+        let now = browser::now_ms();
+        values.streams.into_iter().for_each(|sample| self.hear_stream(sample, now));
+        let fired: Vec<Id> =
+            values.connectors.into_iter().filter_map(|sample| self.hear_connector(sample, now)).collect();
+        if !fired.is_empty() {
+            let robots = self.clone();
+            browser::after(LIT_MS + 10, move || robots.dim(&fired));
+        }
+    }
+
+    /// Begins anew with the run of the open program on the robot that this tab looks at.
+    pub(super) fn values_of_open(&self) {
+        self.belong_to(self.run_of_open().map_or(0, |run| run.run));
+        self.follow_version();
+    }
+
+    /// Values of an earlier run are forgotten when another one begins.
+    fn belong_to(&self, run: u64) {
+        if std::mem::replace(&mut self.state().run, run) == run {
+            return;
+        }
+        self.document.streams().iter().for_each(|signals| set_if_new(&signals.live, LiveStream::default()));
+        self.document.connectors().iter().for_each(|(_, signals)| set_if_new(&signals.live, LiveConnector::default()));
+        set_if_new(&self.has_values, run != 0);
+        self.renew_failing();
+    }
+
+    /// A connector does something else than before: what it did is forgotten, unless a run may still tell of it.
+    pub(in crate::desk) fn rewritten(&self, connector: &ConnectorSignals) {
+        if self.run_of_open().is_none() {
+            set_if_new(&connector.live, LiveConnector::default());
+        }
+    }
+
+    fn hear_stream(&self, sample: StreamSample, now: f64) {
+        if let Some(signals) = self.document.stream(&sample.stream) {
+            signals.live.update(|live| live.hear(sample, now));
+        }
+    }
+
+    /// The connector's id if it has just passed something on.
+    fn hear_connector(&self, sample: ConnectorSample, now: f64) -> Option<Id> {
+        let signals = self.document.connector(&sample.connector)?;
+        let id = sample.connector.clone();
+        let (fired, begins_to_fail) =
+            signals.live.with_untracked(|live| (sample.fired > live.fired, sample.faults > 0 && live.faults == 0));
+        signals.live.update(|live| live.hear(sample, now));
+        if begins_to_fail {
+            self.renew_failing();
+        }
+        fired.then_some(id)
+    }
+
+    /// Ends the light of connectors that have not fired again.
+    fn dim(&self, fired: &[Id]) {
+        let now = browser::now_ms();
+        for signals in fired.iter().filter_map(|id| self.document.connector(id)) {
+            let old = signals.live.with_untracked(|live| live.lit && now - live.fired_at >= f64::from(LIT_MS));
+            if old {
+                signals.live.update(|live| live.lit = false);
+            }
+        }
+    }
+}

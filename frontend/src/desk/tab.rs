@@ -1,0 +1,155 @@
+//! What belongs to this tab alone: how the link is, who sits here, the open dialog and the last sentence.
+
+use crate::{link, words};
+use behaviour::connectors::Spec;
+use behaviour::{Id, Refusal};
+use leptos::prelude::*;
+use protocol::{Person, Reply, Request, SaidNo};
+use std::ops::Deref;
+use std::sync::Arc;
+
+/// When something that could not be done just now is asked again.
+pub(super) const AGAIN_MS: i32 = 1_000;
+
+/// How the link to the server is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum LinkState {
+    #[default]
+    Connecting,
+    Online,
+    Offline,
+}
+
+/// The open dialog.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Dialog {
+    /// The thesis's Operation dialog: a new connector out of `input`, or the existing `connector`. `kind` is the one
+    /// that is chosen at first.
+    Operation { input: Id, connector: Option<Id>, kind: &'static Spec },
+    /// Name and parameters of a stream.
+    EditStream(Id),
+    /// Choosing a sense.
+    AddSensor,
+    /// A helper of the library, or a new one.
+    Helper(Option<Id>),
+    /// Choosing which helper to edit.
+    Helpers,
+    /// Load program.
+    Programs,
+    /// Save as file.
+    SaveFile,
+    /// Add a program.
+    AddProgram,
+    /// Remove the open program.
+    RemoveProgram,
+    /// Rename the open program.
+    RenameProgram,
+    /// Sending a value to a sensor stream by hand.
+    Stimulate(Id),
+    /// All problems.
+    Problems,
+    /// Adding a simulated robot.
+    AddRobot,
+    /// Removing the robot that this tab looks at.
+    RemoveRobot,
+    /// What others see as one's name.
+    MyName,
+    /// Keys and gestures.
+    Help,
+}
+
+/// One sentence for the person.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Notice {
+    /// Grows with every notice, so that the same sentence twice is two notices.
+    pub(crate) number: u32,
+    pub(crate) text: String,
+    /// True for refusals and faults.
+    pub(crate) bad: bool,
+}
+
+/// This tab. A clone is the same tab.
+#[derive(Clone, Default)]
+pub(crate) struct Tab(Arc<Fields>);
+
+/// What the page shows of the tab.
+#[derive(Default)]
+pub(crate) struct Fields {
+    pub(crate) online: ArcRwSignal<LinkState>,
+    /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
+    pub(crate) unheard: ArcRwSignal<Option<u32>>,
+    pub(crate) me: ArcRwSignal<Option<Person>>,
+    pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
+    pub(crate) notice: ArcRwSignal<Option<Notice>>,
+}
+
+impl Deref for Tab {
+    type Target = Fields;
+    fn deref(&self) -> &Fields {
+        &self.0
+    }
+}
+
+impl Tab {
+    /// Shows one sentence; `bad` for refusals and faults.
+    pub(crate) fn say(&self, text: &str, bad: bool) {
+        let number = self.notice.with_untracked(|now| now.as_ref().map_or(0, |notice| notice.number)) + 1;
+        self.notice.set(Some(Notice { number, text: text.to_owned(), bad }));
+    }
+
+    /// Shows why something was not done.
+    pub(crate) fn say_no(&self, no: &SaidNo) {
+        self.say(&no.to_string(), true);
+    }
+
+    /// Shows a refusal as a notice.
+    pub(crate) fn say_refusal(&self, answer: Result<(), SaidNo>) {
+        if let Err(no) = answer {
+            self.say_no(&no);
+        }
+    }
+
+    pub(super) fn say_unreachable(&self) {
+        self.say(words::unreachable(), true);
+    }
+
+    /// Asks something; a no, or a missing link, is shown as a notice.
+    pub(super) fn ask_or_say(&self, request: Request, on_yes: impl FnOnce(&Reply) + 'static) {
+        let tab = self.clone();
+        link::ask_even_down(request, move |reply| match reply {
+            Some(Reply::No { no }) => tab.say_no(no),
+            Some(reply) => on_yes(reply),
+            None => tab.say_unreachable(),
+        });
+    }
+
+    /// Asks something that changes nothing; a no or a missing link is answered with a sentence.
+    pub(crate) fn look_up(&self, request: Request, then: impl FnOnce(Result<&Reply, String>) + 'static) {
+        link::ask_even_down(request, move |reply| match reply {
+            Some(Reply::No { no }) => then(Err(no.to_string())),
+            Some(reply) => then(Ok(reply)),
+            None => then(Err(words::unreachable().to_owned())),
+        });
+    }
+
+    /// The name of who sits here, empty before the server has greeted back.
+    pub(super) fn my_name(&self) -> String {
+        self.me.with_untracked(|me| me.as_ref().map_or_else(String::new, |me| me.name.clone()))
+    }
+}
+
+/// Whether what was refused may work in a moment.
+pub(super) fn may_pass(no: &SaidNo) -> bool {
+    matches!(no, SaidNo::Store(_) | SaidNo::TooFast | SaidNo::Change(Refusal::NotSaved(_)))
+}
+
+/// Sets a signal only if that changes something, so that nothing is drawn twice.
+pub(super) fn set_if_new<T: PartialEq + Send + Sync + 'static>(signal: &ArcRwSignal<T>, value: T) {
+    if signal.with_untracked(|now| *now != value) {
+        signal.set(value);
+    }
+}
+
+pub(super) fn new_id() -> Id {
+    Id::from_uuid(uuid::Uuid::new_v4())
+}
