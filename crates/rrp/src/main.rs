@@ -8,6 +8,7 @@ mod import;
 mod keep;
 mod link;
 mod log;
+mod page;
 mod replay;
 mod serve;
 mod store_at;

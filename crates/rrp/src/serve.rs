@@ -2,6 +2,7 @@
 
 use crate::data_folder::data_folder;
 use crate::log::{self, Log};
+use crate::page::page;
 use clap::Args;
 use server::{Config, ServeError};
 use std::io::Write;
@@ -69,7 +70,7 @@ fn more_files() {}
 fn run(args: ServeArgs, log: &Log) -> Result<(), String> {
     let data = data_folder(args.store.as_deref(), args.data.as_deref(), usual_data().as_deref());
     let store = store_url(args.store, args.data)?;
-    let config = Config { listen: args.listen, store, data, seed: args.seed };
+    let config = Config { listen: args.listen, store, data, seed: args.seed, page };
     let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("The server could not start: {error}."))?;
     let served: Result<(), ServeError> = runtime.block_on(async {
         tokio::select! {

@@ -5,7 +5,7 @@ pub(crate) mod address;
 mod downloads;
 mod headers;
 pub(crate) mod origin;
-mod page;
+pub(crate) mod page;
 mod recordings;
 pub(crate) mod routes;
 pub(crate) mod serving;

@@ -15,6 +15,7 @@ mod state;
 mod support;
 
 pub use http::address::address_in;
+pub use http::page::{Page, PageFile};
 pub use library::create::first_library;
 pub use library::list::{free_name, names};
 pub use robots::{check_robots, put_robots, robots_in};

@@ -3,6 +3,7 @@
 use crate::connection::Connections;
 use crate::http::address::AddressFile;
 use crate::http::origin::OriginGuard;
+use crate::http::page::Page;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
 use crate::library::create::first_library;
@@ -54,6 +55,8 @@ pub struct Config {
     pub data: Option<PathBuf>,
     /// The seed of the first simulated robot's noise.
     pub seed: u64,
+    /// The page that it shows.
+    pub page: Page,
 }
 
 /// Why the server did not start, or ended.
@@ -143,7 +146,7 @@ pub async fn serve_with(
     let accepted = accept::start(listener, guard, state.robots.clone(), closing.clone());
     let (accepting, handed) = accepted.map_err(ServeError::Thread)?;
     let messages = Messages::start().map_err(ServeError::Thread)?;
-    let router = routes::routes(served, guard, messages.handle().clone());
+    let router = routes::routes(served, guard, messages.handle().clone(), config.page);
     let routed = Routed { router, on: state.tasks.runtime.clone() };
     messages.handle().spawn(serving::serve(handed, routed, connections.clone(), closing.clone()));
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);

@@ -20,7 +20,8 @@ const HELP: &str = "\
 cargo xtask COMMAND
 
   page [--dev]              build the page into target/page (--dev: quicker to build, not compressed)
-  serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground
+  serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground (--dev: quicker
+                            to build after an edit, slower to use)
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the

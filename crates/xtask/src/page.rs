@@ -1,9 +1,11 @@
 //! Builds the page: Rust to wasm, wasm to a browser module, static files beside it, all compressed.
 
 use std::collections::BTreeMap;
+use std::env;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 use wasm_bindgen_cli_support::Bindgen;
 
@@ -50,6 +52,14 @@ pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
     println!("Building the page with the profile `{}`.", mode.profile());
     let wasm = compile(workspace, PACKAGE, mode)?;
     assemble(&workspace.target, &workspace.root.join("static"), &wasm, mode)
+}
+
+/// A command that builds the page as people get it.
+pub(crate) fn builder() -> Outcome<Command> {
+    let this = env::current_exe().map_err(|error| format!("This program is not found: {error}."))?;
+    let mut command = Command::new(this);
+    command.arg("page");
+    Ok(command)
 }
 
 /// Compiles `package` for the browser and answers with its wasm file. Its target folder is its own:

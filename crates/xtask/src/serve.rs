@@ -1,22 +1,54 @@
 //! Builds the page and the server, and runs the server in the foreground.
 
+use std::path::PathBuf;
 use std::process::Command;
+use std::time::Instant;
 
+use crate::beside::Beside;
 use crate::page::{self, Mode};
 use crate::tools::{self, Outcome, Workspace};
 
+/// The packages that are selected together, so that all of the server but the page in it can be built before the page is.
+const SERVER: [&str; 6] = ["build", "--release", "--package", "rrp", "--package", "server"];
+
 /// `words` are `[--dev] [--] ARGS`; ARGS go to `rrp serve` as they are.
 pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
-    let (mode, rest) = match words {
-        ["--dev", rest @ ..] => (Mode::Quick, rest),
-        rest => (Mode::Small, rest),
+    let (dev, rest) = match words {
+        ["--dev", rest @ ..] => (true, rest),
+        rest => (false, rest),
     };
     let arguments = rest.strip_prefix(&["--"]).unwrap_or(rest);
-    page::build(workspace, mode)?;
-    println!("Building the server.");
+    let server = if dev { develop(workspace)? } else { optimise(workspace)? };
+    println!("Starting {} serve {}", server.display(), arguments.join(" "));
+    become_server(Command::new(server).arg("serve").args(arguments))
+}
+
+/// Builds what is quick to build, for trying an edit.
+fn develop(workspace: &Workspace) -> Outcome<PathBuf> {
+    page::build(workspace, Mode::Quick)?;
+    println!("Building the server, not optimised.");
     tools::run(&mut workspace.cargo(&["build", "--package", "rrp"]), "Building the server")?;
-    println!("Starting {} serve {}", workspace.server().display(), arguments.join(" "));
-    become_server(Command::new(workspace.server()).arg("serve").args(arguments))
+    Ok(workspace.server())
+}
+
+/// Builds what people use: the page beside the server, then the program with both in it.
+fn optimise(workspace: &Workspace) -> Outcome<PathBuf> {
+    let began = Instant::now();
+    let server = workspace.optimised_server();
+    if server.is_file() {
+        println!("Building what has changed of the page and the server.");
+    } else {
+        println!("Building the page and the server for the first time: about six minutes on two cores.");
+    }
+    tools::ensure_wasm(workspace)?;
+    let page = Beside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
+    let cargo = |what: &[&str]| workspace.cargo(&[SERVER.as_slice(), what].concat());
+    tools::run(&mut cargo(&["--lib"]), "Building the server")?;
+    println!("The server is built; {} s so far. The page follows.", began.elapsed().as_secs());
+    page.wait()?;
+    tools::run(&mut cargo(&["--bin", "rrp"]), "Building the server")?;
+    println!("Built in {} s.", began.elapsed().as_secs());
+    Ok(server)
 }
 
 /// Turns this process into the server, so that Ctrl-C, other signals and the exit code are the server's own.

@@ -8,8 +8,9 @@ use std::time::{Duration, Instant};
 
 use crate::beside::Beside;
 use crate::neo4j;
+use crate::page;
 use crate::supply;
-use crate::tools::{self, Outcome, WASM, Workspace};
+use crate::tools::{self, Outcome, Workspace};
 
 /// What is optimised: the server, which is attacked, and the hostile corpus, as stacks, overflows and comparisons differ
 /// between debug and release. Selected together, so that what both use is compiled once.
@@ -109,11 +110,8 @@ impl Run<'_> {
 /// The page is built beside the other checks, and after it the server that carries it.
 fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
     find_tools(run)?;
-    let this = env::current_exe().map_err(|error| format!("This program is not found: {error}."))?;
-    let mut page = Command::new(this);
-    page.arg("page");
     let optimised = run.workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
-    run.beside = Some(Beside::begin(vec![page, optimised], run.workspace.target.join("beside.txt"))?);
+    run.beside = Some(Beside::begin(vec![page::builder()?, optimised], run.workspace.target.join("beside.txt"))?);
     Ok(())
 }
 

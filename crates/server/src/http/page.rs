@@ -1,15 +1,23 @@
-//! The page's files: part of the program, or read from disk in debug builds; compressed ones where the browser takes
-//! them; always asked for again, answered with "not modified" while they are the same.
+//! The page's files: compressed ones where the browser takes them; always asked for again, answered with "not modified"
+//! while they are the same.
 
 use axum::http::{HeaderMap, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;
-use rust_embed::{EmbeddedFile, RustEmbed};
+use std::borrow::Cow;
 
-#[derive(RustEmbed)]
-#[folder = "$RRP_PAGE_DIR"]
-struct Files;
+/// A file of the page.
+#[derive(Clone, Debug)]
+pub struct PageFile {
+    /// What is in it.
+    pub data: Cow<'static, [u8]>,
+    /// The SHA-256 of that.
+    pub hash: [u8; 32],
+}
+
+/// The page: gives the file of a name (`index.html`, `app.js.br`), if there is one.
+pub type Page = fn(name: &str) -> Option<PageFile>;
 
 /// Where there is no page yet.
 const NOT_BUILT: &str = "The page was not built. Run `cargo xtask serve` in the project's folder, then reload.\n";
@@ -35,14 +43,14 @@ const TYPES: [(&str, &str); 13] = [
 ];
 
 /// The file at a path.
-pub(crate) fn answer(path: &str, asked: &HeaderMap) -> Response {
+pub(crate) fn answer(page: Page, path: &str, asked: &HeaderMap) -> Response {
     let name = path.trim_start_matches('/');
     let name = if name.is_empty() { "index.html" } else { name };
     let coded = name.ends_with(".br") || name.ends_with(".gz");
     if coded || name.split('/').any(|part| part.starts_with('.')) {
         return missing(name);
     }
-    match best(name, asked) {
+    match best(page, name, asked) {
         Some((file, coding)) => send(name, file, coding, asked),
         None => missing(name),
     }
@@ -56,16 +64,16 @@ fn missing(name: &str) -> Response {
 }
 
 /// The best compressed sibling that the browser takes, else the plain file.
-fn best(name: &str, asked: &HeaderMap) -> Option<(EmbeddedFile, Option<&'static str>)> {
+fn best(page: Page, name: &str, asked: &HeaderMap) -> Option<(PageFile, Option<&'static str>)> {
     let takes = asked.get(header::ACCEPT_ENCODING).and_then(|value| value.to_str().ok()).unwrap_or_default();
     for (coding, end) in CODINGS {
         if accepts(takes, coding)
-            && let Some(file) = Files::get(&format!("{name}{end}"))
+            && let Some(file) = page(&format!("{name}{end}"))
         {
             return Some((file, Some(coding)));
         }
     }
-    Files::get(name).map(|file| (file, None))
+    page(name).map(|file| (file, None))
 }
 
 /// Whether a list like `gzip, br;q=0.9` takes a coding.
@@ -78,8 +86,8 @@ fn accepts(list: &str, coding: &str) -> bool {
     })
 }
 
-fn send(name: &str, file: EmbeddedFile, coding: Option<&'static str>, asked: &HeaderMap) -> Response {
-    let tag = format!("\"{}\"", URL_SAFE_NO_PAD.encode(&file.metadata.sha256_hash()[..18]));
+fn send(name: &str, file: PageFile, coding: Option<&'static str>, asked: &HeaderMap) -> Response {
+    let tag = format!("\"{}\"", URL_SAFE_NO_PAD.encode(&file.hash[..18]));
     let known = asked.get(header::IF_NONE_MATCH).and_then(|value| value.to_str().ok());
     let same = known.is_some_and(|known| known.split(',').any(|one| one.trim().trim_start_matches("W/") == tag));
     let mut response =

@@ -3,6 +3,7 @@
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::origin::OriginGuard;
+use super::page::Page;
 use super::stop::StopTarget;
 use super::{page, recordings, transfer, upload};
 use crate::connection::{Connections, session};
@@ -44,6 +45,7 @@ struct AppState {
     uploads: Arc<Places>,
     /// The threads that carry messages.
     messages: Handle,
+    page: Page,
 }
 
 impl AppState {
@@ -53,8 +55,8 @@ impl AppState {
 }
 
 /// All routes; sockets are served on `messages`.
-pub(crate) fn routes(connections: Arc<Connections>, guard: OriginGuard, messages: Handle) -> Router {
-    let app = AppState { connections, guard, uploads: Places::of(UPLOADS_MAX), messages };
+pub(crate) fn routes(connections: Arc<Connections>, guard: OriginGuard, messages: Handle, page: Page) -> Router {
+    let app = AppState { connections, guard, uploads: Places::of(UPLOADS_MAX), messages, page };
     let router = Router::new()
         .route(protocol::PATH, any(socket))
         .route(protocol::STOP_PATH, post(stop))
@@ -152,7 +154,7 @@ async fn import(State(app): State<AppState>, Query(how): Query<upload::How>, req
     upload::upload(&app.state().library, &app.uploads, sender, how, request).await
 }
 
-async fn files(method: Method, uri: Uri, asked: HeaderMap) -> Response {
+async fn files(State(app): State<AppState>, method: Method, uri: Uri, asked: HeaderMap) -> Response {
     debug_assert!(method.is_safe());
-    page::answer(uri.path(), &asked)
+    page::answer(app.page, uri.path(), &asked)
 }

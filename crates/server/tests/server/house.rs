@@ -32,7 +32,8 @@ impl House {
     pub(crate) async fn on(store: Arc<dyn Store>) -> Self {
         let (stop, stopped) = oneshot::channel::<()>();
         let (tell, ready) = oneshot::channel();
-        let config = Config { listen: "127.0.0.1:0".parse().unwrap(), store: "unused".into(), data: None, seed: 1 };
+        let listen = "127.0.0.1:0".parse().unwrap();
+        let config = Config { listen, store: "unused".into(), data: None, seed: 1, page: |_| None };
         let serving = tokio::spawn(async move {
             let stopped = async { drop(stopped.await) };
             serve_with(store, config, |address| tell.send(address).unwrap(), stopped).await.unwrap();

@@ -1,4 +1,4 @@
-//! Finds the folder of the built page, so that the server can carry it: `target/page`, or `RRP_PAGE_DIR`.
+//! Finds the folder of the built page, so that the program can carry it: `target/page`, or `RRP_PAGE_DIR`.
 
 use std::path::{Path, PathBuf};
 
@@ -17,7 +17,7 @@ fn main() -> std::io::Result<()> {
 
 /// The target folder: the one that cargo marked as a cache, above this script's own folder.
 fn target() -> PathBuf {
-    let out = PathBuf::from(std::env::var_os("OUT_DIR").unwrap_or_else(|| "target/debug/build/server/out".into()));
+    let out = PathBuf::from(std::env::var_os("OUT_DIR").unwrap_or_else(|| "target/debug/build/rrp/out".into()));
     let marked = |folder: &&Path| folder.join("CACHEDIR.TAG").is_file();
     let found = out.ancestors().find(marked).or_else(|| out.ancestors().nth(4));
     found.map_or_else(|| PathBuf::from("target"), Path::to_path_buf)
