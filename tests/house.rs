@@ -69,7 +69,8 @@ const CONNECTOR_ROOMS: [&str; 2] = ["crates/behaviour/src/connectors", "crates/e
 /// Where devices may be named: their own files, and the robots that have them.
 const DEVICE_ROOMS: [&str; 2] = ["crates/robot/src/devices", "crates/simulation/src/"];
 /// Files or folders in which one of them (none: any of them) is named all the same, and why.
-const NAMED_ELSEWHERE: [(&str, &str, &str); 2] = [
+const NAMED_ELSEWHERE: [(&str, &str, &str); 3] = [
+    ("crates/behaviour/src/connectors/", "Tracker", "a stream of an example, as people call it"),
     ("crates/store/src/contract/", "", "what every store is tried with"),
     ("frontend/src/panels/room.rs", "sample", "a class of the stylesheet: a spot of colour"),
 ];
