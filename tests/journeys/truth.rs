@@ -275,8 +275,7 @@ async fn what_is_old_or_an_example_is_called_so() -> Outcome<()> {
     aiko.within("dialog", "Operation").fill("textbox", "Body", "redBall.size * 2").await?;
     says(&aiko, "now x").await?;
     save(&aiko, "Operation").await?;
-    let ring =
-        "function () { return this.querySelector('.unused') !== null && this.ariaDescription === 'not used yet'; }";
+    let ring = "function () { return this.querySelector('.unused') !== null && this.ariaDescription.includes('not used yet'); }";
     let edited = "map (redBall.size * 2), connector*";
     aiko.until_on("button", edited, ring, "the chip says that it is not used yet").await?;
     let ben = stage.beside(&aiko, "ben").await?;

@@ -50,10 +50,11 @@ fn Fails() -> impl IntoView {
         let newest = desk.desk().robots.failing.read().first().map(|failing| failing.connector.clone());
         newest.filter(|_| count.get() > 0)
     });
+    // Read, not only tracked: what nobody reads is never computed, and so never changes. The counts go on unsaid.
     let said = move || {
-        newest.track();
-        let newest = desk.desk().robots.failing.with_untracked(|failing| failing.first().cloned());
-        newest.filter(|_| count.get() > 0).map(|newest| words::begins_to_fail(&newest.name, &newest.why))
+        newest.get()?;
+        let newest = desk.desk().robots.failing.with_untracked(|failing| failing.first().cloned())?;
+        Some(words::begins_to_fail(&newest.name, &newest.why))
     };
     view! {
         <Show when=move || { count.get() > 0 }>

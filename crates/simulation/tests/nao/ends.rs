@@ -88,7 +88,7 @@ fn an_arm_that_points_holds_when_its_tracker_ends_and_another_tracker_stays() {
 
 #[test]
 fn a_head_follows_on_when_an_arm_that_points_ends() {
-    let moved = [0.6, -0.15, 0.45];
+    let moved = [0.6, 0.0, 0.45];
     let follows_on = |with_arm: bool| {
         let mut bench = Bench::new();
         bench.open("head", "Tracker", &[]);
