@@ -14,6 +14,7 @@ mod ids;
 pub mod library;
 pub mod marbles;
 mod names;
+mod numbered;
 mod problems;
 mod record;
 mod room;
@@ -28,10 +29,11 @@ pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 pub use graph::Graph;
 pub use history::History;
-pub use ids::{Id, Kind, RecordId};
+pub use ids::{Id, Kind, LIBRARY, RecordId};
 pub use names::{
     argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
 };
+pub use numbered::numbered;
 pub use problems::{Problem, ProblemKind, problems};
 pub use record::{
     Behaviour, Connector, Engine, Helper, Note, Operation, Params, Place, Procedure, Record, Settings, Stream,
