@@ -5,6 +5,10 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::Arc;
 
+/// The id of the behaviour that holds the helper library. It is edited like any other, but has no settings record, is
+/// never listed and never goes to the bin.
+pub const LIBRARY: &str = "library";
+
 /// The longest id, in characters.
 pub(crate) const ID_MAX_CHARS: usize = 64;
 

@@ -15,6 +15,7 @@ mod ids;
 pub mod library;
 pub mod marbles;
 mod names;
+mod numbered;
 mod operation;
 mod problems;
 mod record;
@@ -32,10 +33,11 @@ pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 pub use graph::Graph;
 pub use history::History;
-pub use ids::{Id, Kind, RecordId};
+pub use ids::{Id, Kind, LIBRARY, RecordId};
 pub use names::{
     argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
 };
+pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
 pub use problems::{Problem, ProblemKind, problems};
 pub use record::{

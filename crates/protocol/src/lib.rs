@@ -11,6 +11,7 @@ mod recording;
 mod reply;
 mod request;
 
+pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
 pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
@@ -41,8 +42,6 @@ pub const MARK_MAX_CHARS: usize = 200;
 pub const ROBOTS_MAX: usize = 8;
 /// The longest name of a robot, in characters.
 pub const ROBOT_NAME_MAX_CHARS: usize = 40;
-/// The id of the shared helper library, which is edited like a behaviour.
-pub const LIBRARY: &str = "library";
 
 #[cfg(test)]
 mod tests {

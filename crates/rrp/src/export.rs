@@ -34,7 +34,7 @@ pub(crate) struct ExportArgs {
 enum Format {
     /// rrp-behaviour/1, what rrp replay reads.
     Json,
-    /// The same as XML.
+    /// All that the JSON says, as XML.
     Xml,
     /// The drawing.
     Svg,
@@ -48,7 +48,7 @@ pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
                 let id = find(&listed(&*store).await?, &args.behaviour)?;
                 written(&file(&*store, &id).await?, args.format)
             }
-            Way::Server(link) => through(&link, args),
+            Way::Server(link) => through(&link, args).await,
         }
     })?;
     let named = |error: std::io::Error| match &args.out {
@@ -69,19 +69,20 @@ fn written(file: &BehaviourFile, format: Format) -> Result<String, String> {
     }
 }
 
-/// The same from the server that has the store.
-fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
-    let listed: Vec<Named> = serde_json::from_str(&link.get("/api/behaviours")?.text()?).map_err(|error| {
-        format!("The rrp server gave a list that cannot be read ({error}). Is it of another version?")
-    })?;
+/// The file as the server gives it that has the store.
+async fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
+    let listed: Vec<Named> =
+        serde_json::from_str(&link.get("/api/behaviours").await?.text().await?).map_err(|error| {
+            format!("The rrp server gave a list that cannot be read ({error}). Is it of another version?")
+        })?;
     let ending = match args.format {
         Format::Json => "json",
         Format::Xml => "xml",
         Format::Svg => "svg",
     };
-    let answer = link.get(&format!("/api/behaviours/{}.{ending}", find(&listed, &args.behaviour)?))?;
+    let answer = link.get(&format!("/api/behaviours/{}.{ending}", find(&listed, &args.behaviour)?)).await?;
     let fine = answer.fine;
-    let text = answer.text()?;
+    let text = answer.text().await?;
     if fine { Ok(text) } else { Err(text.trim().to_owned()) }
 }
 

@@ -42,7 +42,7 @@ pub(crate) fn import(args: &ImportArgs) -> ExitCode {
         for (file, bytes) in given(args).await? {
             let brought = match &way {
                 Way::Store(store) => import_one(&**store, &file, &bytes, args.restore).await?.into(),
-                Way::Server(link) => through(link, &file, &bytes, args.restore)?,
+                Way::Server(link) => through(link, &file, bytes, args.restore).await?,
             };
             tell(&file, &brought);
         }
@@ -76,8 +76,8 @@ impl From<Import> for Brought {
     }
 }
 
-/// The same through the server that has the store.
-fn through(link: &Link, path: &Path, bytes: &[u8], restore: bool) -> Result<Brought, String> {
+/// Imports a file through the server that has the store.
+async fn through(link: &Link, path: &Path, bytes: Vec<u8>, restore: bool) -> Result<Brought, String> {
     #[derive(serde::Deserialize)]
     struct No {
         error: String,
@@ -86,9 +86,9 @@ fn through(link: &Link, path: &Path, bytes: &[u8], restore: bool) -> Result<Brou
     if bytes.len() > FILE_MAX_BYTES {
         return Err(format!("{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display()));
     }
-    let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), bytes)?;
+    let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), bytes).await?;
     let fine = answer.fine;
-    let text = answer.text()?;
+    let text = answer.text().await?;
     let unread =
         |error| format!("The rrp server gave an answer that cannot be read ({error}). Is it of another version?");
     if fine {

@@ -65,7 +65,7 @@ pub(crate) fn backup(args: &BackupArgs) -> Result<(), String> {
                 let robots = args.at.folder().map(|folder| server::robots_in(&folder)).unwrap_or_default();
                 write(&*store, &robots, &part, &bar).await.map_err(|error| error.to_string())
             }
-            Way::Server(link) => fetch(&link, &part),
+            Way::Server(link) => fetch(&link, &part).await,
         }
     });
     let done = done.and_then(|done| {
@@ -106,11 +106,11 @@ async fn write(store: &dyn Store, robots: &[Robot], part: &Path, bar: &Bar) -> R
     Ok(done)
 }
 
-/// The same from the server that has the store.
-fn fetch(link: &Link, part: &Path) -> Result<Counted, String> {
+/// Has a backup written by the server that has the store.
+async fn fetch(link: &Link, part: &Path) -> Result<Counted, String> {
     let unwritten = |error| format!("{} could not be written: {error}.", part.display());
     let mut file = BufWriter::new(store::disk::create(part).map_err(unwritten)?);
-    link.get("/api/backup")?.copy(&mut file)?;
+    link.get("/api/backup").await?.copy(&mut file).await?;
     let file = file.into_inner().map_err(|error| unwritten(error.into_error()))?;
     file.sync_all().map_err(unwritten)?;
     let mut written = BufReader::new(File::open(part).map_err(unwritten)?);

@@ -1,15 +1,21 @@
 //! The way to a store through the running server that uses it.
 
-use std::io::{BufRead, BufReader, Read, Write};
-use std::net::{SocketAddr, TcpStream};
+use http_body_util::{BodyExt, Full};
+use hyper::body::{Bytes, Incoming};
+use hyper::client::conn::http1;
+use hyper::header::{HOST, ORIGIN};
+use hyper::{Method, Request, StatusCode};
+use hyper_util::rt::TokioIo;
+use std::fmt::Display;
+use std::io::Write;
+use std::net::SocketAddr;
 use std::time::Duration;
+use tokio::net::TcpStream;
 
 /// How long to wait for the server to take the call.
 const CONNECT_MS: u64 = 3_000;
 /// How long the server may be silent.
 const SILENT_MS: u64 = 60_000;
-/// The longest head of an answer, in bytes.
-const HEAD_MAX_BYTES: u64 = 64 << 10;
 
 /// A running server on this computer.
 pub(crate) struct Link {
@@ -20,59 +26,68 @@ pub(crate) struct Link {
 pub(crate) struct Answer {
     /// True if it did what was asked.
     pub(crate) fine: bool,
-    body: BufReader<TcpStream>,
+    body: Incoming,
 }
 
 impl Answer {
     /// All of the text.
-    pub(crate) fn text(mut self) -> Result<String, String> {
-        let mut text = String::new();
-        self.body.read_to_string(&mut text).map_err(|error| broken(&error))?;
-        Ok(text)
+    pub(crate) async fn text(self) -> Result<String, String> {
+        let mut text = Vec::new();
+        self.copy(&mut text).await?;
+        String::from_utf8(text).map_err(|error| broken(&error))
     }
 
     /// All of it into a file.
-    pub(crate) fn copy(mut self, to: &mut impl Write) -> Result<(), String> {
-        std::io::copy(&mut self.body, to).map(drop).map_err(|error| broken(&error))
+    pub(crate) async fn copy(mut self, to: &mut impl Write) -> Result<(), String> {
+        while let Some(frame) = within(SILENT_MS, self.body.frame()).await.map_err(|error| broken(&error))? {
+            let frame = frame.map_err(|error| broken(&error))?;
+            let piece = frame.into_data().unwrap_or_default();
+            to.write_all(&piece).map_err(|error| broken(&error))?;
+        }
+        Ok(())
     }
 }
 
 impl Link {
     /// Asks for something.
-    pub(crate) fn get(&self, path: &str) -> Result<Answer, String> {
-        self.ask("GET", path, &[])
+    pub(crate) async fn get(&self, path: &str) -> Result<Answer, String> {
+        self.ask(Method::GET, path, Bytes::new()).await
     }
 
     /// Sends something.
-    pub(crate) fn post(&self, path: &str, body: &[u8]) -> Result<Answer, String> {
-        self.ask("POST", path, body)
+    pub(crate) async fn post(&self, path: &str, body: Vec<u8>) -> Result<Answer, String> {
+        self.ask(Method::POST, path, body.into()).await
     }
 
-    /// HTTP 1.0: the answer ends with the connection.
-    fn ask(&self, method: &str, path: &str, body: &[u8]) -> Result<Answer, String> {
-        let address = self.address;
-        let gone =
-            |error| format!("The rrp server at http://{address}/ does not answer ({error}). Look whether it runs.");
-        let mut stream = TcpStream::connect_timeout(&address, Duration::from_millis(CONNECT_MS)).map_err(gone)?;
-        stream.set_read_timeout(Some(Duration::from_millis(SILENT_MS))).map_err(gone)?;
-        let length = body.len();
-        let head = format!(
-            "{method} {path} HTTP/1.0\r\nHost: {address}\r\nOrigin: http://{address}\r\nContent-Length: {length}\r\n\r\n"
-        );
-        stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(body)).map_err(gone)?;
-        let mut body = BufReader::new(stream);
-        let status = line(&mut body).map_err(gone)?;
-        while !line(&mut body).map_err(gone)?.trim().is_empty() {}
-        Ok(Answer { fine: status.split(' ').nth(1) == Some("200"), body })
+    async fn ask(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, String> {
+        let answer = self.exchange(method, path, body).await;
+        answer.map_err(|error| {
+            let address = self.address;
+            format!("The rrp server at http://{address}/ does not answer ({error}). Look whether it runs.")
+        })
+    }
+
+    async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, ExchangeError> {
+        let (address, origin) = (self.address, format!("http://{}", self.address));
+        let request = Request::builder().method(method).uri(path);
+        let request = request.header(HOST, address.to_string()).header(ORIGIN, origin).body(Full::new(body))?;
+        let stream = within(CONNECT_MS, TcpStream::connect(address)).await??;
+        let (mut server, connection) = http1::handshake(TokioIo::new(stream)).await?;
+        // Ends with the answer; what is wrong with it is told there.
+        drop(tokio::spawn(connection));
+        let answer = within(SILENT_MS, server.send_request(request)).await??;
+        Ok(Answer { fine: answer.status() == StatusCode::OK, body: answer.into_body() })
     }
 }
 
-fn line(from: &mut BufReader<TcpStream>) -> std::io::Result<String> {
-    let mut line = String::new();
-    from.by_ref().take(HEAD_MAX_BYTES).read_line(&mut line)?;
-    Ok(line)
+/// What can be wrong with an exchange; only its sentence is told.
+type ExchangeError = Box<dyn std::error::Error + Send + Sync>;
+
+/// Waits, but not for ever.
+async fn within<T>(ms: u64, work: impl Future<Output = T>) -> Result<T, tokio::time::error::Elapsed> {
+    tokio::time::timeout(Duration::from_millis(ms), work).await
 }
 
-fn broken(error: &std::io::Error) -> String {
+fn broken(error: &impl Display) -> String {
     format!("The rrp server stopped in the middle of its answer ({error}). Try again.")
 }

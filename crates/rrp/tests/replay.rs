@@ -162,7 +162,7 @@ fn values_that_multiply_end_a_replay_with_a_sentence_and_a_code() {
     assert_eq!((frames.0, frames.1.len()), (Some(0), 1), "a frame carries one value a stream");
 }
 
-/// The same behaviour with its streams and helpers in another order. Connectors stay: their order has a meaning.
+/// A behaviour with its streams and helpers in another order. Connectors stay: their order has a meaning.
 fn another_order(file: &Value, seed: u64) -> Value {
     let mut file = file.clone();
     for name in ["streams", "helpers"] {

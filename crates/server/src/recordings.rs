@@ -6,7 +6,7 @@ mod recorder;
 mod writer;
 
 use crate::support::lock;
-use behaviour::Id;
+use behaviour::{Id, numbered};
 use lines::Header;
 pub(crate) use lines::Note;
 use protocol::{Recording, SaidNo};
@@ -152,9 +152,8 @@ fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File),
     let words: String = behaviour.chars().take(40).map(plain).collect();
     let words = words.split('-').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-");
     let time = began.replace(':', "-");
-    for number in 1..=KEPT_MAX {
-        let more = if number == 1 { String::new() } else { format!("-{number}") };
-        let name = format!("{time}-{words}{more}{ENDING}");
+    for name in numbered(&format!("{time}-{words}"), "-").take(KEPT_MAX) {
+        let name = format!("{name}{ENDING}");
         match store::disk::private().create_new(true).open(folder.join(&name)) {
             Ok(file) => return Ok((name, file)),
             Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}

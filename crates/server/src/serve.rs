@@ -124,7 +124,7 @@ pub async fn serve(
     serve_with(store, config, ready, stop).await
 }
 
-/// The same with a store that is open already.
+/// Serves a store that is open already until `stop`; `ready` is told the address once connections are accepted.
 ///
 /// # Errors
 /// A sentence, if the server cannot start.

@@ -71,7 +71,7 @@ impl Client {
         Self::connect_again(url, None, name).await
     }
 
-    /// The same as who one was on an earlier link, which this one replaces: see [`Client::credential`].
+    /// Connects as who one was on an earlier link, which this one replaces: see [`Client::credential`].
     ///
     /// # Errors
     /// If there is no server, or it refuses the greeting.

@@ -1,4 +1,4 @@
-//! Changes and records as the JSON that is kept, and the door that lets in only what reads back the same.
+//! Changes and records as the JSON that is kept, and the check that lets in only what reads back the same.
 
 use crate::StoreError;
 use behaviour::{Change, Committed};

@@ -10,10 +10,10 @@ pub mod backup;
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
 pub mod disk;
-mod door;
 mod error;
 pub mod files;
 mod folder;
+mod folder_lock;
 mod insight;
 mod json;
 mod memory;
@@ -23,10 +23,11 @@ mod query;
 mod sqlite;
 mod usage;
 
+pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
-pub use door::{FolderLock, lock_folder};
 pub use error::StoreError;
 pub use folder::FolderStore;
+pub use folder_lock::{FolderLock, lock_folder};
 pub use memory::MemoryStore;
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
 pub use open::{folder_of, is_same_folder, open_url};
@@ -35,10 +36,6 @@ pub use sqlite::{SqliteStore, open};
 
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
-
-/// The id of the behaviour that holds the helper library. It has no settings record, is never listed and never
-/// goes to the bin.
-pub const LIBRARY: &str = "library";
 
 /// A place that keeps behaviours with their whole history.
 #[async_trait]

@@ -80,7 +80,7 @@ impl MemoryStore {
         self.kept().epoch
     }
 
-    /// The same, set.
+    /// Says which was the number of the last server start.
     pub(crate) fn set_epoch(&self, epoch: u64) {
         self.kept().epoch = epoch;
     }

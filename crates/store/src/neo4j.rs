@@ -48,7 +48,7 @@ pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
     open_neo4j_within(url, ANSWER_MAX).await
 }
 
-/// The same with another time within which every call answers: for work on much data, where nobody waits.
+/// Opens a Neo4j database of which every call answers within `answer_max`: for work on much data, where nobody waits.
 ///
 /// # Errors
 /// As [`open_neo4j`].

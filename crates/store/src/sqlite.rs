@@ -1,6 +1,6 @@
 //! The embedded store: one SQLite database in the data directory.
 
-mod door;
+mod connect;
 mod fault;
 mod insight;
 mod list;
@@ -59,9 +59,9 @@ pub async fn open(data_dir: &Path) -> Result<SqliteStore, StoreError> {
 
 fn open_now(data_dir: &Path) -> Result<SqliteStore, StoreError> {
     let lock = Arc::new(lock_folder(data_dir)?);
-    let file = door::database(data_dir);
+    let file = connect::database(data_dir);
     let told = |fault: Fault| fault.told(&file);
-    let (readers, writer, wants_bytes) = match door::writer(&file).map_err(told) {
+    let (readers, writer, wants_bytes) = match connect::writer(&file).map_err(told) {
         Ok(at) => {
             let readers = Readers::open(file.clone()).map_err(told)?;
             (readers, Writer::start(at, file.clone(), Arc::clone(&lock))?.into(), 0)

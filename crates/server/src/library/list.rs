@@ -1,7 +1,7 @@
 //! The list of behaviours as the store has it, and names that are free in it.
 
 use crate::support::store_call::{bounded, store_no};
-use behaviour::Id;
+use behaviour::{Id, numbered};
 use protocol::{LIST_MAX_LINES, ListQuery, Reply, SaidNo, Summary, WORDS_MAX_CHARS};
 use std::collections::BTreeSet;
 use store::{Listed, Listing, Query, Store, StoreError};
@@ -60,8 +60,7 @@ fn summary_of(listed: Listed) -> Summary {
 /// What the store fails with.
 pub async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreError> {
     let taken = names_from(store, wanted).await?;
-    let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
-    let free = std::iter::once(wanted.to_owned()).chain(numbered).find(|name| !taken.contains(name));
+    let free = numbered(wanted, " ").find(|name| !taken.contains(name));
     Ok(free.unwrap_or_else(|| wanted.to_owned()))
 }
 

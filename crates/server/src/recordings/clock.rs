@@ -1,30 +1,19 @@
 //! The time of day in words that sort: `2026-11-21T18:34:06Z`.
 
-/// Milliseconds of a day.
-const DAY_MS: u64 = 86_400_000;
+use crate::support::now_ms;
+use time::OffsetDateTime;
+use time::format_description::well_known::Rfc3339;
 
 /// Now.
 pub(super) fn now() -> String {
-    words(crate::support::now_ms())
+    words(now_ms())
 }
 
-/// Milliseconds since 1970 in words.
+/// Milliseconds since 1970 in words; whole seconds are enough for a name.
 fn words(ms: u64) -> String {
-    let (year, month, day) = date(ms / DAY_MS);
-    let seconds = ms % DAY_MS / 1_000;
-    let (hour, minute, second) = (seconds / 3_600, seconds / 60 % 60, seconds % 60);
-    format!("{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z")
-}
-
-/// The date of a day since 1970, by counting from March so that the leap day is the last of its year.
-fn date(days: u64) -> (u64, u64, u64) {
-    let days = days + 719_468;
-    let (era, of_era) = (days / 146_097, days % 146_097);
-    let year_of_era = (of_era - of_era / 1_460 + of_era / 36_524 - of_era / 146_096) / 365;
-    let of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let from_march = (5 * of_year + 2) / 153;
-    let (day, month) = (of_year - (153 * from_march + 2) / 5 + 1, (from_march + 2) % 12 + 1);
-    (era * 400 + year_of_era + u64::from(month <= 2), month, day)
+    let seconds = i64::try_from(ms / 1_000).unwrap_or(i64::MAX);
+    let moment = OffsetDateTime::from_unix_timestamp(seconds).unwrap_or(OffsetDateTime::UNIX_EPOCH);
+    moment.format(&Rfc3339).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -93,7 +93,7 @@ impl<'a> EmissionSink<'a> {
         !cut
     }
 
-    /// The same for closing all instants up to one.
+    /// All instants up to one are closed: what that emitted was carried to its end, unless Stop cut it short.
     pub(super) fn settle_until(&mut self, run: &Run, closed_ms: u64) {
         if self.settle(run)
             && let Some(recorder) = &mut self.recorder

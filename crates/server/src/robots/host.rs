@@ -290,7 +290,7 @@ impl Host {
         self.shared().feed.runs()
     }
 
-    /// The same as a message, made elsewhere.
+    /// The newest picture of the robot in its room as a message, made elsewhere.
     pub(crate) fn pictures(&self) -> &watch::Sender<Utf8Bytes> {
         &self.owner.pictures
     }

@@ -1,7 +1,7 @@
 //! Which robots there are, kept in the data folder before it counts.
 
 use crate::support::atomic_file;
-use behaviour::{Id, has_unseen};
+use behaviour::{Id, has_unseen, numbered};
 use protocol::ROBOT_NAME_MAX_CHARS;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -70,8 +70,7 @@ impl Register {
             return Err(format!("its name may have {ROBOT_NAME_MAX_CHARS} characters"));
         }
         let is_free = |wanted: &String| self.known.iter().all(|known| known.name != *wanted);
-        let numbered = (2..).map(|number| format!("{name} {number}"));
-        let name = std::iter::once(name.to_owned()).chain(numbered).find(is_free).unwrap_or_default();
+        let name = numbered(name, " ").find(is_free).unwrap_or_default();
         let seed = self.known.iter().map(|known| known.seed).fold(self.seed, u64::max).wrapping_add(1);
         Ok(Known { robot: robot.clone(), name, seed })
     }

@@ -219,7 +219,7 @@ impl<'a> Runner<'a> {
         Self { run, mailbox, sink, began: Instant::now(), open_ms: 0, successor: None }
     }
 
-    /// The same with the time and the recording of the run that it follows.
+    /// This run with the time and the recording of the run that it follows.
     pub(super) fn since(mut self, began: Instant, open_ms: u64, recorder: Option<Recorder>) -> Self {
         (self.began, self.open_ms) = (began, open_ms);
         if let Some(mut recorder) = recorder {

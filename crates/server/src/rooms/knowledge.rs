@@ -30,7 +30,7 @@ struct Answers {
 }
 
 impl Knowing {
-    /// The same knowledge for one change, which may not keep anybody busy for long.
+    /// What this knows, for one change, which may not keep anybody busy for long.
     pub(crate) fn within_budget(&self) -> Budgeted<'_> {
         let until = Instant::now() + Duration::from_millis(CHECK_MS);
         Budgeted { knowing: self, bytes: Cell::new(NEW_MAX_BYTES), until }

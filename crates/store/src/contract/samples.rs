@@ -60,7 +60,7 @@ pub(super) async fn append(store: &dyn Store, to: &str, revision: u64, change: C
     try_append(store, to, revision, change).await.expect("the store answers")
 }
 
-/// The same, with the error if there is one.
+/// Hands over a change under a revision, or says why the store fails.
 pub(super) async fn try_append(
     store: &dyn Store,
     to: &str,

@@ -30,7 +30,7 @@ pub struct Import {
 }
 
 impl Import {
-    /// The same under a name that is free where it goes.
+    /// This import under a name that is free where it goes.
     #[must_use]
     pub fn named(mut self, name: &str) -> Self {
         for change in &mut self.changes {

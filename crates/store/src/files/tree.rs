@@ -42,7 +42,7 @@ impl Node {
         Self { at, what: What::Object(fields) }
     }
 
-    /// The same without places; of a name that is there twice the last one.
+    /// What is written there, without its places; of a name that is there twice the last one.
     pub(super) fn value(&self) -> Value {
         match &self.what {
             What::Plain(value) => value.clone(),

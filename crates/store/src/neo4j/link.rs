@@ -99,7 +99,7 @@ impl Link {
         self.ask_for(self.answer_max, text, params, broken).await
     }
 
-    /// The same within another time.
+    /// Reads or writes within a time.
     pub(super) async fn ask_for<T: DeserializeOwned>(
         &self,
         at_most: Duration,

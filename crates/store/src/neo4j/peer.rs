@@ -11,7 +11,7 @@ use tokio::net::{TcpListener, TcpStream};
 pub(super) enum Answer {
     /// One row of these names and values.
     Row(Vec<(&'static str, Value)>),
-    /// The same after a while.
+    /// One row of these names and values, after a while.
     Late(Duration, Vec<(&'static str, Value)>),
     /// It is refused at once, with this code.
     Refused(&'static str),

@@ -7,7 +7,7 @@ use super::address::Address;
 use super::link::{Link, Params};
 use crate::StoreError;
 use behaviour::{
-    BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream, StreamKind, connectors, shown_spellings,
+    BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream, StreamKind, connectors, numbered, shown_spellings,
 };
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -100,8 +100,7 @@ fn free_names(streams: &[Found]) -> BTreeMap<i64, String> {
     let (mut names, mut used) = (BTreeMap::new(), BTreeSet::new());
     for stream in streams {
         let wanted = text(&stream.props, &["name", "title"]).unwrap_or_else(|| "Stream".to_owned());
-        let numbered = (2_u64..).map(|number| format!("{wanted} {number}"));
-        let name = std::iter::once(wanted.clone()).chain(numbered).find(|name| !used.contains(name));
+        let name = numbered(&wanted, " ").find(|name| !used.contains(name));
         let name = name.unwrap_or(wanted);
         used.insert(name.clone());
         names.insert(stream.id, name);

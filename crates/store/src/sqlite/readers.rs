@@ -1,6 +1,6 @@
 //! A few connections that read, each in a thread that may block.
 
-use super::door;
+use super::connect;
 use super::fault::Fault;
 use crate::StoreError;
 use rusqlite::Connection;
@@ -30,7 +30,7 @@ struct Free {
 impl Free {
     /// All connections, beside one that writes.
     fn beside_a_writer(file: &Path) -> Result<Self, Fault> {
-        let connections = (0..READERS).map(|_| door::reader(file)).collect::<Result<_, _>>()?;
+        let connections = (0..READERS).map(|_| connect::reader(file)).collect::<Result<_, _>>()?;
         Ok(Self { alone: false, connections })
     }
 }
@@ -44,7 +44,7 @@ impl Readers {
 
     /// Opens the one that can read on a full disk.
     pub(super) fn alone(file: PathBuf) -> Result<Self, Fault> {
-        let free = Mutex::new(Free { alone: true, connections: vec![door::alone(&file)?] });
+        let free = Mutex::new(Free { alone: true, connections: vec![connect::alone(&file)?] });
         Ok(Self { file, free, places: Arc::new(Semaphore::new(1)) })
     }
 
@@ -68,7 +68,7 @@ impl Readers {
             return Ok(());
         }
         self.free().connections.clear();
-        let both = door::writer(&self.file).and_then(|at| Ok((at, Free::beside_a_writer(&self.file)?)));
+        let both = connect::writer(&self.file).and_then(|at| Ok((at, Free::beside_a_writer(&self.file)?)));
         let both = both.map_err(|fault| fault.told(&self.file));
         match both.and_then(|(at, free)| start(at).map(|()| free)) {
             Ok(free) => {
@@ -78,7 +78,7 @@ impl Readers {
             }
             Err(error) => {
                 // If this one does not open now, the next read tries again.
-                self.free().connections.extend(door::alone(&self.file));
+                self.free().connections.extend(connect::alone(&self.file));
                 Err(error)
             }
         }
@@ -119,7 +119,7 @@ impl Readers {
             let mut free = self.free();
             (free.alone, free.connections.pop())
         };
-        let open = if alone { door::alone } else { door::reader };
+        let open = if alone { connect::alone } else { connect::reader };
         free.map_or_else(|| open(&self.file), Ok)
     }
 

@@ -2,7 +2,7 @@
 
 use super::write::{self, Ready};
 use super::writer::Writer;
-use super::{SqliteStore, door, open, read};
+use super::{SqliteStore, connect, open, read};
 use crate::{Append, MemoryStore, Query, Store, StoreError, contract, json};
 use behaviour::{Behaviour, Change, Committed, Id, Kind, Note, Record, RecordId};
 use rusqlite::Connection;
@@ -104,7 +104,7 @@ async fn purging_leaves_no_row_behind() {
 async fn a_newer_schema_is_refused_and_left_alone() {
     let dir = tempfile::tempdir().expect("a directory");
     drop(open(dir.path()).await.expect("a store"));
-    let file = door::database(dir.path());
+    let file = connect::database(dir.path());
     Connection::open(&file).expect("open").execute("UPDATE meta SET schema_version = 99", []).expect("an update");
     let refusal = open(dir.path()).await.err().expect("a refusal");
     assert_eq!(refusal, StoreError::Newer { found: 99, known: 2 });
@@ -133,7 +133,7 @@ async fn filled() -> tempfile::TempDir {
 async fn a_damaged_file_is_an_error_with_its_path() {
     for (cut, fill) in [(0, 4_096), (4_096, 8_192), (20_000, 60_000), (0, 200_000)] {
         let dir = filled().await;
-        let file = door::database(dir.path());
+        let file = connect::database(dir.path());
         let mut bytes = std::fs::read(&file).expect("the file");
         assert!(bytes.len() > fill, "{} bytes", bytes.len());
         bytes[cut..fill].fill(0xA5);
@@ -147,21 +147,21 @@ async fn a_damaged_file_is_an_error_with_its_path() {
 async fn a_file_cut_off_or_of_another_kind_is_an_error() {
     for length in [1, 100, 5_000, 40_000] {
         let dir = filled().await;
-        let file = door::database(dir.path());
+        let file = connect::database(dir.path());
         std::fs::File::options().write(true).open(&file).expect("open").set_len(length).expect("to cut it off");
         let error = error_in(dir.path()).await;
         assert!(matches!(&error, Some(StoreError::Damaged(_))), "{length}: {error:?}");
     }
     let dir = filled().await;
-    std::fs::write(door::database(dir.path()).with_extension("sqlite-wal"), "log").expect("a log");
-    std::fs::write(door::database(dir.path()), "").expect("an empty file");
+    std::fs::write(connect::database(dir.path()).with_extension("sqlite-wal"), "log").expect("a log");
+    std::fs::write(connect::database(dir.path()), "").expect("an empty file");
     assert!(matches!(error_in(dir.path()).await, Some(StoreError::Damaged(_))));
 }
 
 #[tokio::test]
 async fn a_record_that_cannot_be_read_is_damage() {
     let dir = filled().await;
-    let at = Connection::open(door::database(dir.path())).expect("open");
+    let at = Connection::open(connect::database(dir.path())).expect("open");
     at.execute("UPDATE record SET json = '{' WHERE id = 'note/n7'", []).expect("an update");
     drop(at);
     let error = error_in(dir.path()).await.expect("damage is noticed");
@@ -256,7 +256,7 @@ async fn a_reader_sees_one_moment_while_others_write() {
 
 /// A database as the first version wrote it, with one behaviour of Aiko's that Ben changed.
 async fn of_the_first_version(dir: &Path) {
-    let at = Connection::open(door::database(dir)).expect("open");
+    let at = Connection::open(connect::database(dir)).expect("open");
     at.execute_batch(include_str!("../../../../migrations/sqlite/0001-start.sql")).expect("its tables");
     let change = Change::of(id("op1"), "Aiko", "Add").put(
         &Behaviour::default(),

@@ -38,7 +38,7 @@ pub(super) fn kept(number: u64) -> i64 {
     i64::try_from(number).unwrap_or(i64::MAX)
 }
 
-/// The same, read again.
+/// A number of the database, which has none that are larger than an `i64`.
 pub(super) fn read(number: i64) -> u64 {
     u64::try_from(number).unwrap_or(0)
 }

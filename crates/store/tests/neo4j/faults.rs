@@ -41,7 +41,7 @@ async fn started(part: &str) -> Option<(Neo4j, Arc<Neo4jStore>)> {
     Some((neo4j, Arc::new(store)))
 }
 
-/// The same server, started again.
+/// Starts a server again on what it holds.
 async fn again(mut neo4j: Neo4j) -> Neo4j {
     let started = spawn_blocking(move || {
         neo4j.start_again();

@@ -8,7 +8,7 @@ use engine::Limits;
 use protocol::{RunPhase, RunState};
 use std::sync::Arc;
 
-/// The same behaviour at a later revision, changed.
+/// What starts, at a later revision and changed.
 fn edited(start: Start, change: impl FnOnce(&mut BehaviourFile)) -> Start {
     let mut file = (*start.file).clone();
     change(&mut file);

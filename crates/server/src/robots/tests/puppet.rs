@@ -44,7 +44,7 @@ impl Puppet {
         self.robots_with(limits, Recordings::default())
     }
 
-    /// The same, with a place to record.
+    /// A host for this robot, with a place to record.
     pub(super) fn robots_with(&self, limits: fn() -> Limits, recordings: Recordings) -> Host {
         let puppet = self.clone();
         let make = move || -> Box<dyn RoomRobot> {

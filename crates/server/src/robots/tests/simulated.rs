@@ -1,4 +1,4 @@
-//! The same with the simulated NAO.
+//! The robots of the server as people have them: the simulated NAO.
 
 use super::until;
 use crate::library::templates::templates;

@@ -1,7 +1,8 @@
 //! The helpers of a file in a library that may have others of the same name.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, called_names, rename_helpers,
+    Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, called_names, numbered,
+    rename_helpers,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -51,8 +52,7 @@ fn name_for(wanted: &Helper, there: &BTreeMap<String, Helper>, in_file: &BTreeSe
         Some(other) => same(other),
         None => *name == wanted.name || !in_file.contains(name.as_str()),
     };
-    let numbered = (2_u32..).map(|number| format!("{}{number}", wanted.name));
-    std::iter::once(wanted.name.clone()).chain(numbered).find(fits).unwrap_or_default()
+    numbered(&wanted.name, "").find(fits).unwrap_or_default()
 }
 
 /// Every helper after those that it calls; each body is read once.

@@ -1,0 +1,196 @@
+//! The arrows between the folders of a crate: each uses only what stands in the table, and no circle comes about.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use house::sources::{self, Source};
+use house::{Outcome, Trouble};
+
+/// A folder or file at the top of a crate, and what of the crate it may use.
+type Arrows<'a> = &'a [(&'a str, &'a [&'a str])];
+
+/// Every crate whose folders are held to this, with all that is at its top.
+const CRATES: &[(&str, Arrows)] = &[(
+    "crates/server/src",
+    &[
+        ("serve", &["connection", "http", "library", "recordings", "robots", "rooms", "state", "support"]),
+        ("http", &["connection", "library", "recordings", "robots", "rooms", "state", "support"]),
+        ("connection", &["library", "robots", "rooms", "state", "support"]),
+        ("state", &["library", "recordings", "robots", "rooms", "support"]),
+        ("library", &["rooms", "support"]),
+        ("rooms", &["support"]),
+        ("robots", &["recordings", "support"]),
+        ("recordings", &["support"]),
+        ("support", &[]),
+    ],
+)];
+
+#[test]
+fn folders_use_only_the_folders_below_them() -> Outcome<()> {
+    for (root, table) in CRATES {
+        let (allowed, found) = (BTreeMap::from_iter(table.iter().copied()), arrows(&Source::below(root)?, root));
+        let mut wrong = Vec::new();
+        for (from, uses) in &found {
+            match allowed.get(from.as_str()) {
+                None => wrong.push(format!("{from} is new; say in CRATES what it may use")),
+                Some(may) => wrong.extend(
+                    uses.iter().filter(|(used, _)| !may.contains(&used.as_str())).map(|(_, place)| place.clone()),
+                ),
+            }
+        }
+        let gone = allowed.keys().filter(|name| !found.contains_key(**name));
+        wrong.extend(gone.map(|name| format!("{name} stands in CRATES and is not there")));
+        none(&format!("arrows of {root} that nobody allowed"), &wrong)?;
+    }
+    Ok(())
+}
+
+#[test]
+fn no_circle_is_between_folders() -> Outcome<()> {
+    for (root, _) in CRATES {
+        let found = arrows(&Source::below(root)?, root);
+        let graph: Graph = found.into_iter().map(|(from, uses)| (from, uses.into_keys().collect())).collect();
+        none(&format!("folders of {root} that use each other"), &in_circles(&graph))?;
+    }
+    Ok(())
+}
+
+#[test]
+fn every_folder_says_what_it_is_for() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for (root, table) in CRATES {
+        for (name, _) in *table {
+            let path = house::root().join(root).join(format!("{name}.rs"));
+            let text = std::fs::read_to_string(&path)?;
+            if !text.starts_with("//! ") {
+                wrong.push(format!("{root}/{name}.rs"));
+            }
+        }
+    }
+    none("folders without a first sentence", &wrong)
+}
+
+/// What uses what.
+type Graph = BTreeMap<String, BTreeSet<String>>;
+
+/// For each folder or file at the top of a crate what else of the crate its product code names, and where first.
+fn arrows(files: &[Source], root: &str) -> BTreeMap<String, BTreeMap<String, String>> {
+    let tops: BTreeSet<&str> = files.iter().filter_map(|file| top(&file.path, root)).collect();
+    let mut found: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
+    for file in files.iter().filter(|file| !file.is_test()) {
+        let Some(from) = top(&file.path, root) else { continue };
+        let uses = found.entry(from.to_owned()).or_default();
+        let code = file.code();
+        // From a file at the top, the crate is just above.
+        let above = format!("{root}/{from}.rs") == file.path;
+        let words: &[&str] = if above { &["crate::", "super::"] } else { &["crate::"] };
+        for (at, name) in words.iter().flat_map(|word| named(&code, word)) {
+            if name != from && tops.contains(name) {
+                let line = code[..at].matches('\n').count() + 1;
+                uses.entry(name.to_owned()).or_insert_with(|| format!("{}:{line}: {from} uses {name}", file.path));
+            }
+        }
+    }
+    found
+}
+
+/// The folder or file at the top of the crate to which a file belongs; none for the crate's own root.
+fn top<'a>(path: &'a str, root: &str) -> Option<&'a str> {
+    let below = path.strip_prefix(root)?.trim_start_matches('/');
+    let name = below.split('/').next()?.trim_end_matches(".rs");
+    (!matches!(name, "lib" | "main")).then_some(name)
+}
+
+/// Every first name after `start`, such as `crate::`, in `code`, also within braces, and where.
+fn named<'a>(code: &'a str, start: &'a str) -> Vec<(usize, &'a str)> {
+    let mut found = Vec::new();
+    for at in sources::words(code, start) {
+        let rest = &code[at + start.len()..];
+        match rest.strip_prefix('{') {
+            Some(list) => found.extend(first_names(list).into_iter().map(|name| (at, name))),
+            None => found.push((at, word(rest))),
+        }
+    }
+    found
+}
+
+/// The first name of each item of a list of paths, up to its closing brace.
+fn first_names(list: &str) -> Vec<&str> {
+    let (mut names, mut depth, mut start) = (Vec::new(), 0_usize, 0);
+    for (at, letter) in list.char_indices() {
+        match (letter, depth) {
+            ('{', _) => depth += 1,
+            (',' | '}', 0) => {
+                names.push(word(list[start..at].trim_start()));
+                start = at + 1;
+                if letter == '}' {
+                    break;
+                }
+            }
+            ('}', _) => depth -= 1,
+            _ => {}
+        }
+    }
+    names
+}
+
+fn word(text: &str) -> &str {
+    let end = text.find(|letter: char| !letter.is_alphanumeric() && letter != '_').unwrap_or(text.len());
+    &text[..end]
+}
+
+/// The folders that reach themselves, each with its way.
+fn in_circles(graph: &Graph) -> Vec<String> {
+    graph.keys().filter_map(|start| way(graph, start, start)).map(|way| way.join(" -> ")).collect()
+}
+
+/// A shortest way of at least one arrow from one folder to another.
+fn way(graph: &Graph, from: &str, to: &str) -> Option<Vec<String>> {
+    let mut ways = std::collections::VecDeque::from([vec![from.to_owned()]]);
+    let mut seen = BTreeSet::new();
+    while let Some(way) = ways.pop_front() {
+        for next in way.last().and_then(|last| graph.get(last)).into_iter().flatten() {
+            let longer: Vec<String> = way.iter().cloned().chain([next.clone()]).collect();
+            if next == to {
+                return Some(longer);
+            }
+            if seen.insert(next.clone()) {
+                ways.push_back(longer);
+            }
+        }
+    }
+    None
+}
+
+/// Fails with one line for each of `wrong`.
+fn none<T: AsRef<str>>(what: &str, wrong: &[T]) -> Outcome<()> {
+    let lines: Vec<&str> = wrong.iter().map(AsRef::as_ref).collect();
+    if lines.is_empty() { Ok(()) } else { Err(Trouble(format!("{} {what}:\n  {}", lines.len(), lines.join("\n  ")))) }
+}
+
+/// A file of an imagined crate.
+fn file(path: &str, text: &str) -> Source {
+    Source { path: format!("x/src/{path}"), text: text.to_owned() }
+}
+
+#[test]
+fn arrows_are_read_from_the_sources() {
+    let files = [
+        file("a.rs", "//! A.\nmod b;\nuse crate::b::C;\n#[cfg(test)]\nuse crate::d::E;\n"),
+        file("a/inner.rs", "use super::d::Z;\nuse crate::{b::{self, X}, d, a::Y};\nfn f() { crate::lock() }"),
+        file("b.rs", "// crate::a\nuse super::d;\n"),
+        file("d/tests.rs", "use crate::a;"),
+        file("lib.rs", "use crate::a;"),
+    ];
+    let found = arrows(&files, "x/src");
+    let uses = |from: &str| found[from].keys().map(String::as_str).collect::<Vec<_>>();
+    assert_eq!((uses("a"), uses("b")), (vec!["b", "d"], vec!["d"]));
+    assert_eq!(found["a"]["b"], "x/src/a.rs:3: a uses b");
+}
+
+#[test]
+fn a_circle_is_found_with_its_way() {
+    let graph: Graph = [("a", vec!["b"]), ("b", vec!["c"]), ("c", vec!["b"]), ("d", vec![])]
+        .map(|(from, uses)| (from.to_owned(), uses.into_iter().map(str::to_owned).collect()))
+        .into();
+    assert_eq!(in_circles(&graph), ["b -> c -> b", "c -> b -> c"]);
+}
