@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
+use behaviour::connectors;
 use house::sources::{self, Source};
 use house::{Outcome, Trouble};
 use serde_json::Value;
@@ -62,6 +63,18 @@ const TOP: [&str; 13] = [
 ];
 /// Where cargo and the tests put what they make; never in a commit.
 const MADE: &str = "target";
+
+/// Where connectors may be named: their own files, and the engine that runs them.
+const CONNECTOR_ROOMS: [&str; 2] = ["crates/behaviour/src/connectors", "crates/engine/src/"];
+/// Where devices may be named: their own files, and the robots that have them.
+const DEVICE_ROOMS: [&str; 2] = ["crates/robot/src/devices", "crates/simulation/src/"];
+/// What is named elsewhere all the same, and why.
+const NAMED_ELSEWHERE: [(&str, &str, &str); 2] = [
+    ("crates/store/src/contract/samples.rs", "connectors::", "what stores are tried with"),
+    ("frontend/src/panels/room.rs", "sample", "a class of the stylesheet: a spot of colour"),
+];
+/// Labels of connectors that are also words of Rust: `Value::Map`.
+const COMMON_LABELS: [&str; 1] = ["Map"];
 
 /// The longest function, in lines. A ratchet: it may only go down.
 const FUNCTION_MAX: usize = 90;
@@ -158,6 +171,55 @@ fn functions_stay_short() -> Outcome<()> {
         wrong.extend(long.map(|long| format!("{}:{}: {} has {} lines", file.path, long.line, long.name, long.lines)));
     }
     none(&format!("functions are longer than {FUNCTION_MAX} lines"), &wrong)
+}
+
+#[test]
+fn connectors_are_named_in_their_rooms_only() -> Outcome<()> {
+    let words: Vec<String> = connectors::ALL.iter().map(|spec| spec.word.to_owned()).collect();
+    let labels = connectors::ALL.iter().map(|spec| spec.graph.label).filter(|label| !COMMON_LABELS.contains(label));
+    let labels: Vec<String> = labels.map(str::to_owned).collect();
+    let files = Source::below("crates/behaviour/src/connectors")?;
+    let modules = files.iter().map(|file| format!("connectors::{}::", file.name().trim_end_matches(".rs")));
+    let names: Vec<String> = labels.into_iter().chain(modules).collect();
+    none("connectors are named outside their rooms", &named(&CONNECTOR_ROOMS, &words, &names)?)
+}
+
+#[test]
+fn devices_are_named_in_their_rooms_only() -> Outcome<()> {
+    let names: Vec<String> = robot::sensors().chain(robot::actuators()).map(|device| device.name.to_owned()).collect();
+    none("senses and actions are named outside their rooms", &named(&DEVICE_ROOMS, &names, &names)?)
+}
+
+#[test]
+fn every_exception_of_names_is_needed() -> Outcome<()> {
+    let mut wrong = Vec::new();
+    for (path, name, _) in NAMED_ELSEWHERE {
+        let source = Source { path: path.to_owned(), text: std::fs::read_to_string(house::root().join(path))? };
+        let says = source.code().contains(name) || source.literals().iter().any(|(_, text)| text == name);
+        wrong.extend((!says).then(|| format!("{path}: {name}")));
+    }
+    none("exceptions of names are no longer needed", &wrong)
+}
+
+/// Where the product writes one of `words` out as a whole text, or one of `names` as a name, outside of these rooms.
+fn named(rooms: &[&str], words: &[String], names: &[String]) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    for file in product()? {
+        if rooms.iter().any(|room| file.path.starts_with(room)) {
+            continue;
+        }
+        let texts = file.literals().into_iter().filter(|(_, text)| words.contains(text));
+        let mut said: Vec<(usize, String)> = texts.collect();
+        for (number, line) in file.code().lines().enumerate() {
+            let here = names.iter().filter(|name| sources::words(line, name).next().is_some());
+            said.extend(here.map(|name| (number + 1, name.clone())));
+        }
+        let is_exception =
+            |name: &str| NAMED_ELSEWHERE.iter().any(|(path, known, _)| *path == file.path && name.starts_with(known));
+        let said = said.into_iter().filter(|(_, name)| !is_exception(name));
+        found.extend(said.map(|(line, name)| format!("{}:{line}: {name}", file.path)));
+    }
+    Ok(found)
 }
 
 /// Every Rust file of the house.

@@ -1,5 +1,6 @@
 //! The icon set: simple strokes on a field of 24, drawn in the colour of the text around them.
 
+use behaviour::connectors;
 use leptos::prelude::*;
 
 /// One icon by name; an unknown name draws a small ring, so that nothing is ever empty.
@@ -24,19 +25,6 @@ pub(crate) fn Icon(name: &'static str) -> impl IntoView {
     }
 }
 
-/// The icon of a connector, by its word.
-pub(crate) fn connector_icon(word: &str) -> &'static str {
-    match word {
-        "filter" => "filter",
-        "sample" => "sample",
-        "subscribe" => "subscribe",
-        "combineLatest" => "combine",
-        "merge" => "merge",
-        "timestamp" => "timestamp",
-        _ => "map",
-    }
-}
-
 const RING: &str = "M12 4a8 8 0 1 0 0 16a8 8 0 1 0 0-16";
 
 fn paths(name: &str) -> &'static [&'static str] {
@@ -55,7 +43,7 @@ fn device_paths(name: &str) -> Option<&'static [&'static str]> {
         "joint" => {
             &["M7 14.5a2.5 2.5 0 1 0 0 5a2.5 2.5 0 1 0 0-5", "M17 4.5a2.5 2.5 0 1 0 0 5a2.5 2.5 0 1 0 0-5", "M9 15l6-6"]
         }
-        "clock" | "timestamp" => &[RING, "M12 7.5V12l3 2"],
+        "clock" => &[RING, "M12 7.5V12l3 2"],
         "target" => &[RING, "M12 9a3 3 0 1 0 0 6a3 3 0 1 0 0-6", "M12 2v4", "M12 18v4", "M2 12h4", "M18 12h4"],
         "speech" => &["M4 5h16v11H9l-5 4z"],
         "light" => &["M12 3a6 6 0 0 1 3.5 10.9V17h-7v-3.1A6 6 0 0 1 12 3", "M10 20.5h4"],
@@ -71,20 +59,12 @@ fn device_paths(name: &str) -> Option<&'static [&'static str]> {
 }
 
 fn connector_paths(name: &str) -> Option<&'static [&'static str]> {
-    Some(match name {
-        "map" => &["M3 12h5", "M11 9a3 3 0 1 0 0 6a3 3 0 1 0 0-6", "M14 12h6", "M17.5 9l3 3l-3 3"],
-        "filter" => &["M4 5h16l-6 7.5V19l-4-2.2v-4.3z"],
-        "sample" => &["M4 19h16", "M7 19v-6", "M12 19V6", "M17 19v-9"],
-        "subscribe" => &["M12 4v11", "M7.5 11L12 15.5L16.5 11", "M5 20h14"],
-        "combine" => &["M9 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11", "M15 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11"],
-        "merge" => &["M6 4c0 5 6 4 6 9v7", "M18 4c0 5-6 4-6 9"],
-        "fx" => &["M5 19c3 0 3-3 3.6-6.5S9.5 5 13 5", "M5.5 11h6", "M14 12.5l5.5 6.5", "M19.5 12.5L14 19"],
-        _ => return None,
-    })
+    connectors::ALL.iter().map(|spec| spec.icon).find(|icon| icon.name == name).map(|icon| icon.strokes)
 }
 
 fn tool_paths(name: &str) -> Option<&'static [&'static str]> {
     Some(match name {
+        "fx" => &["M5 19c3 0 3-3 3.6-6.5S9.5 5 13 5", "M5.5 11h6", "M14 12.5l5.5 6.5", "M19.5 12.5L14 19"],
         "folder" => &["M3.5 6.5h6l2 2.5h9v9.5h-17z"],
         "plus" => &["M12 5v14", "M5 12h14"],
         "minus" => &["M5 12h14"],
@@ -116,4 +96,22 @@ fn tool_paths(name: &str) -> Option<&'static [&'static str]> {
         "up" => &["M12 19V6", "M6.5 11L12 5.5L17.5 11"],
         _ => return None,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{connector_paths, device_paths, paths, tool_paths};
+    use behaviour::connectors;
+
+    #[test]
+    fn every_connector_and_device_has_an_icon_of_its_own_kind() {
+        for spec in connectors::ALL {
+            let name = spec.icon.name;
+            assert!(paths(name) == spec.icon.strokes && connector_paths(name).is_some(), "{name}");
+            assert!(device_paths(name).is_none() && tool_paths(name).is_none(), "{name}");
+        }
+        for device in robot::sensors().chain(robot::actuators()) {
+            assert!(device_paths(device.icon).is_some(), "{}", device.name);
+        }
+    }
 }

@@ -2,7 +2,7 @@
 
 use crate::stops::{greeted, said};
 use crate::target::{Target, fresh, made, note, note_id, nothing};
-use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind};
+use behaviour::{Connector, Id, Kind, Procedure, Record, RecordId, Stream, StreamKind, connectors};
 use futures_util::future::join_all;
 use futures_util::{SinkExt, StreamExt};
 use house::Outcome;
@@ -71,7 +71,7 @@ fn slow_map() -> [(RecordId, Option<Record>); 3] {
     };
     let number = map.as_str().rsplit('-').next().unwrap_or_default();
     let body = format!("{}{number}", "{1}".repeat(BLOCKS));
-    let operation = Operation::Map(Procedure::body(&body));
+    let operation = connectors::map::SPEC.with(Procedure::body(&body));
     let connector = Connector { operation, inputs: vec![sense.clone()], output: out.clone(), order: 0 };
     [
         (RecordId::new(Kind::Stream, &sense), Some(stream(StreamKind::Sensor, &sense, Some("RedBall")))),

@@ -1,6 +1,6 @@
 //! Bad edits: each is answered by one clear sentence and changes nothing.
 
-use behaviour::{Behaviour, Change, Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind};
+use behaviour::{Behaviour, Change, Connector, Id, Kind, Procedure, Record, RecordId, Stream, StreamKind, connectors};
 use house::{Outcome, Page, Trouble, skip};
 
 use crate::steps::*;
@@ -127,7 +127,7 @@ fn with_stream(change: Change, records: &Behaviour, id: &Id, sense: Option<&str>
 }
 
 fn with_way(change: Change, records: &Behaviour, id: &Id, (from, to): (&Id, &Id)) -> Change {
-    let operation = Operation::Map(Procedure::body("1"));
+    let operation = connectors::map::SPEC.with(Procedure::body("1"));
     let way = Connector { operation, inputs: vec![from.clone()], output: to.clone(), order: 99 };
     change.put(records, RecordId::new(Kind::Connector, id), Record::Connector(way))
 }

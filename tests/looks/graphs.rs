@@ -1,7 +1,7 @@
 //! Makes programs of any size over a socket, without the page.
 
 use behaviour::{
-    Behaviour, Change, Connector, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Stream, StreamKind,
+    Behaviour, Change, Connector, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
 };
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
@@ -76,7 +76,7 @@ fn records(names: Names, count: usize) -> Outcome<Vec<(RecordId, Record)>> {
         records.push((RecordId::new(Kind::Place, &stream), Record::Place(place)));
         if at > 0 {
             let above = at.saturating_sub(ROW);
-            let operation = Operation::Filter(Procedure::body("true"));
+            let operation = connectors::filter::SPEC.with(Procedure::body("true"));
             let connector =
                 Connector { operation, inputs: vec![id(&format!("s{above}"))?], output: stream, order: order + 1 };
             records.push((RecordId::new(Kind::Connector, &id(&format!("c{at}"))?), Record::Connector(connector)));

@@ -57,6 +57,31 @@ impl Source {
     pub fn code(&self) -> String {
         without_tests(code(&self.text))
     }
+
+    /// The texts that the product's code writes out, each with its line.
+    pub fn literals(&self) -> Vec<(usize, String)> {
+        let marked = without_tests(masked(&self.text, LITERAL));
+        let (mut found, mut line, mut text) = (Vec::new(), 1, String::new());
+        for (mark, letter) in marked.chars().zip(self.text.chars()) {
+            if mark == LITERAL {
+                text.push(letter);
+            } else if !text.is_empty() {
+                found.push((line, content(&std::mem::take(&mut text))));
+            }
+            line += usize::from(letter == '\n');
+        }
+        found
+    }
+}
+
+/// What stands for every letter of a literal; no source has it.
+const LITERAL: char = '\u{e000}';
+
+/// What is between the marks of a literal.
+fn content(literal: &str) -> String {
+    let inside =
+        |end: char| literal.split_once(end).and_then(|(_, rest)| rest.rsplit_once(end)).map(|(inside, _)| inside);
+    inside('"').or_else(|| inside('\'')).unwrap_or(literal).to_owned()
 }
 
 fn entries(folder: &Path) -> Outcome<Vec<PathBuf>> {
@@ -71,6 +96,11 @@ fn relative(root: &Path, path: &Path) -> String {
 
 /// `text` with comments and literals blanked out.
 pub fn code(text: &str) -> String {
+    masked(text, ' ')
+}
+
+/// `text` with comments blanked out, and `literal` for every letter of a literal.
+fn masked(text: &str, literal: char) -> String {
     let mut out = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
@@ -80,7 +110,8 @@ pub fn code(text: &str) -> String {
             length => (false, length),
         };
         let (now, later) = rest.split_at(length);
-        out.extend(now.chars().map(|letter| if keep || letter == '\n' { letter } else { ' ' }));
+        let instead = if now.starts_with("//") || now.starts_with("/*") { ' ' } else { literal };
+        out.extend(now.chars().map(|letter| if keep || letter == '\n' { letter } else { instead }));
         rest = later;
     }
     out
@@ -157,13 +188,13 @@ fn character(rest: &str) -> usize {
     }
 }
 
-/// `code` with every item after `#[cfg(test)]` blanked out.
+/// `code` with every item after `#[cfg(test)]` blanked out, letter by letter.
 fn without_tests(mut code: String) -> String {
     const MARK: &str = "#[cfg(test)]";
     while let Some(start) = code.find(MARK) {
         let end = start + MARK.len();
         let end = end + item(&code[end..]).unwrap_or(code.len() - end);
-        let empty: String = code[start..end].chars().filter(|letter| *letter == '\n').collect();
+        let empty: String = code[start..end].chars().map(|letter| if letter == '\n' { letter } else { ' ' }).collect();
         code.replace_range(start..end, &empty);
     }
     code
@@ -247,6 +278,16 @@ mod tests {
         let names: Vec<String> = functions(&source.code()).into_iter().map(|function| function.name).collect();
         assert_eq!(names, ["a", "c"]);
         assert_eq!(source.code().lines().count(), text.lines().count());
+    }
+
+    #[test]
+    fn literals_of_the_product_have_their_lines() {
+        let text =
+            "const A: &str = \"a\"; // \"b\"\n#[cfg(test)]\nconst B: &str = \"é\";\nx(r#\"c\"#, 'd', \"\", b\"e\");";
+        let source = Source { path: "x.rs".to_owned(), text: text.to_owned() };
+        let found: Vec<(usize, String)> =
+            [(1, "a"), (4, "c"), (4, "d"), (4, ""), (4, "e")].map(|(line, text)| (line, text.to_owned())).into();
+        assert_eq!(source.literals(), found);
     }
 
     #[test]

@@ -4,7 +4,7 @@ mod fingerprint;
 mod of;
 mod records;
 
-use crate::{Engine, Params, Place, StreamKind};
+use crate::{Engine, Params, Place, StreamKind, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -93,7 +93,7 @@ pub struct FileStream {
 pub struct FileConnector {
     /// Its id.
     pub id: String,
-    /// `map`, `filter`, `timestamp`, `sample`, `combineLatest`, `merge` or `subscribe`.
+    /// The connector's word.
     #[serde(rename = "type")]
     pub operation: String,
     /// The streams it takes from.
@@ -109,9 +109,12 @@ pub struct FileConnector {
     /// The helper used instead of a body.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub helper: Option<String>,
-    /// The beat of a sample, in milliseconds.
+    /// A duration, in milliseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub period_ms: Option<u64>,
+    /// A value to start from.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub start: Option<Value>,
 }
 
 /// A note in a file.

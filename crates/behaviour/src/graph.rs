@@ -120,7 +120,7 @@ impl Wires<'_> {
 #[cfg(test)]
 mod tests {
     use super::Graph;
-    use crate::{Behaviour, Connector, Id, Kind, Operation, Record, RecordId, Stream, StreamKind};
+    use crate::{Behaviour, Connector, Id, Kind, Record, RecordId, Stream, StreamKind, connectors};
 
     fn id(text: &str) -> Id {
         Id::new(text).unwrap()
@@ -143,7 +143,7 @@ mod tests {
         }
         for (order, (from, to)) in (100..).zip(connectors) {
             let inputs = from.iter().map(|from| id(from)).collect();
-            let connector = Connector { operation: Operation::Merge, inputs, output: id(to), order };
+            let connector = Connector { operation: connectors::merge::SPEC.with(()), inputs, output: id(to), order };
             behaviour
                 .records
                 .insert(RecordId::new(Kind::Connector, &id(&format!("c{order}"))), Record::Connector(connector));

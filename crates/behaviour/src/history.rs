@@ -1,9 +1,7 @@
 //! Whether a history that comes from elsewhere, such as a backup, hangs together.
 
 use crate::rules::{check_graph, check_helper_names, check_names};
-use crate::{
-    Behaviour, Change, Edit, Engine, Id, Kind, Operation, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind,
-};
+use crate::{Behaviour, Change, Edit, Engine, Id, Kind, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind};
 use std::collections::BTreeSet;
 
 /// A behaviour as its changes make it from nothing, one after the other.
@@ -75,9 +73,9 @@ fn check_record(record: &Record) -> Result<(), Refusal> {
             Engine::Frame { .. } | Engine::Event => Ok(()),
         },
         Record::Stream(stream) => check_stream(stream),
-        Record::Connector(connector) => match connector.operation {
-            Operation::Sample { period_ms } if !RATE_MS.contains(&period_ms) => Err(Refusal::Rate(period_ms)),
-            _ => Ok(()),
+        Record::Connector(connector) => match connector.operation.period_ms() {
+            Some(period_ms) if !RATE_MS.contains(&period_ms) => Err(Refusal::Rate(period_ms)),
+            Some(_) | None => Ok(()),
         },
         Record::Helper(helper) => {
             let names = std::iter::once(&helper.name).chain(&helper.params);
@@ -105,8 +103,8 @@ fn check_stream(stream: &Stream) -> Result<(), Refusal> {
 mod tests {
     use super::History;
     use crate::{
-        Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Procedure, Record, RecordId, Refusal,
-        Settings, Stream, StreamKind,
+        Behaviour, Change, Connector, Helper, Id, Kind, Operation, Parameters, Params, Procedure, Record, RecordId,
+        Refusal, Settings, Stream, StreamKind, connectors,
     };
 
     fn id(text: &str) -> Id {
@@ -148,12 +146,12 @@ mod tests {
     }
 
     fn map() -> Operation {
-        Operation::Map(Procedure::body("value"))
+        connectors::map::SPEC.with(Procedure::body("value"))
     }
 
     #[test]
     fn what_was_right_and_is_too_large_or_unknown_today_is_taken() {
-        let long = Operation::Map(Procedure::body(&"no_such_function(value) + ".repeat(10_000)));
+        let long = connectors::map::SPEC.with(Procedure::body(&"no_such_function(value) + ".repeat(10_000)));
         let helper = Helper { name: "near".into(), params: vec![], body: "?".into(), says: String::new() };
         let helper = (RecordId::new(Kind::Helper, &id("h")), Record::Helper(helper));
         assert_eq!(with(vec![connector("a", "b", long), helper, stream(&"x".repeat(60))]), Ok(()));
@@ -164,7 +162,10 @@ mod tests {
         let circle = vec![connector("a", "b", map()), connector("b", "a", map())];
         assert!(matches!(with(circle), Err(Refusal::Cycle(_))));
         assert_eq!(with(vec![connector("a", "nowhere", map())]), Err(Refusal::MissingStream));
-        assert_eq!(with(vec![connector("a", "b", Operation::Sample { period_ms: 0 })]), Err(Refusal::Rate(0)));
+        assert_eq!(
+            with(vec![connector("a", "b", connectors::sample::SPEC.with(Parameters::period(0)))]),
+            Err(Refusal::Rate(0))
+        );
         let (_, twin) = stream("a");
         let twin = with(vec![(RecordId::new(Kind::Stream, &id("c")), twin)]);
         assert_eq!(twin, Err(Refusal::NameTaken("a".into())));

@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod change;
+pub mod connectors;
 mod fields;
 mod file;
 pub mod flow;
@@ -14,11 +15,13 @@ mod ids;
 pub mod library;
 pub mod marbles;
 mod names;
+mod operation;
 mod problems;
 mod record;
 mod room;
 mod rules;
 mod size;
+mod spec;
 mod unseen;
 mod value;
 pub mod walk;
@@ -33,10 +36,10 @@ pub use ids::{Id, Kind, RecordId};
 pub use names::{
     argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
 };
+pub use operation::{Operation, Parameters};
 pub use problems::{Problem, ProblemKind, problems};
 pub use record::{
-    Behaviour, Connector, Engine, Helper, Note, Operation, Params, Place, Procedure, Record, Settings, Stream,
-    StreamKind,
+    Behaviour, Connector, Engine, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,
 };
 pub use room::{Accepted, Committed, Decision, Room};
 pub use rules::{BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX};

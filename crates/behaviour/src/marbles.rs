@@ -1,25 +1,4 @@
-//! What every connector does, in words and marbles: the help that people read and the test that holds it true.
-
-mod combine_latest;
-mod filter;
-mod map;
-mod merge;
-mod sample;
-mod subscribe;
-mod timestamp;
-
-/// The help of one connector.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Page {
-    /// The connector's word, as in files.
-    pub connector: &'static str,
-    /// What it does.
-    pub does: &'static str,
-    /// When to use it.
-    pub when: &'static str,
-    /// Two or three examples.
-    pub examples: &'static [Example],
-}
+//! Marble examples: streams with values at times, shown in the help of connectors and held true by the engine's tests.
 
 /// One example. The lanes are all as long as the example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,14 +7,40 @@ pub struct Example {
     pub title: &'static str,
     /// The input streams, in order.
     pub given: &'static [Lane],
-    /// What the connector is given: a procedure, or nothing.
-    pub body: &'static str,
-    /// The beat of a sample, in milliseconds; 0 for the others.
-    pub every_ms: u64,
+    /// What is chosen for the connector.
+    pub setting: Setting,
     /// The output stream.
     pub then: Lane,
     /// How long it takes, in milliseconds.
     pub until_ms: u64,
+}
+
+/// What is chosen for a connector in an example.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// A procedure, or an empty text.
+    pub body: &'static str,
+    /// A duration in milliseconds, or 0.
+    pub period_ms: u64,
+    /// A value to start from as JSON, or an empty text.
+    pub start: &'static str,
+}
+
+impl Setting {
+    /// Nothing.
+    pub const NOTHING: Self = Self { body: "", period_ms: 0, start: "" };
+
+    /// A procedure.
+    #[must_use]
+    pub const fn body(body: &'static str) -> Self {
+        Self { body, ..Self::NOTHING }
+    }
+
+    /// A duration in milliseconds.
+    #[must_use]
+    pub const fn period(period_ms: u64) -> Self {
+        Self { period_ms, ..Self::NOTHING }
+    }
 }
 
 /// A stream with its values: its name, and marbles such as `0:5 300:30`, each a time in milliseconds and a value.
@@ -50,16 +55,6 @@ pub struct Marble {
     pub at_ms: u64,
     /// The value as it is written.
     pub text: &'static str,
-}
-
-/// The help of all connectors, in the order of the thesis.
-pub const PAGES: [Page; 7] =
-    [sample::PAGE, subscribe::PAGE, filter::PAGE, map::PAGE, combine_latest::PAGE, merge::PAGE, timestamp::PAGE];
-
-/// The help of a connector by its word.
-#[must_use]
-pub fn page(connector: &str) -> Option<&'static Page> {
-    PAGES.iter().find(|page| page.connector == connector)
 }
 
 impl Lane {
@@ -81,66 +76,12 @@ impl Marble {
 }
 
 impl Example {
-    /// The connector as the canvas labels it: `filter (distance < 20)`.
+    /// The connector with what is chosen: `filter (distance < 20)`.
     #[must_use]
     pub fn label(&self, connector: &str) -> String {
-        match (self.body, self.every_ms) {
-            ("", 0) => connector.to_owned(),
-            ("", every) => format!("{connector} ({every} ms)"),
-            (body, _) => format!("{connector} ({body})"),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Lane, PAGES, page};
-    use crate::{Operation, Procedure, is_identifier};
-
-    #[test]
-    fn every_connector_has_a_page() {
-        let procedure = || Procedure::body("");
-        let all = [
-            Operation::Map(procedure()),
-            Operation::Filter(procedure()),
-            Operation::Timestamp,
-            Operation::Sample { period_ms: 1 },
-            Operation::CombineLatest(procedure()),
-            Operation::Merge,
-            Operation::Subscribe,
-        ];
-        // A new connector does not compile here until it stands above.
-        let known = |operation: &Operation| match operation {
-            Operation::Map(_) | Operation::Filter(_) | Operation::CombineLatest(_) | Operation::Timestamp => {}
-            Operation::Sample { .. } | Operation::Merge | Operation::Subscribe => {}
-        };
-        all.iter().for_each(known);
-        for operation in &all {
-            let page = page(operation.word()).unwrap();
-            assert!(page.examples.len() >= 2 && page.does.ends_with('.') && page.when.ends_with('.'), "{page:?}");
-        }
-        assert_eq!(PAGES.len(), all.len());
-    }
-
-    #[test]
-    fn every_marble_is_one_and_in_time() {
-        for example in PAGES.iter().flat_map(|page| page.examples) {
-            for lane in example.given.iter().chain([&example.then]) {
-                let times: Vec<u64> = lane.marbles().map(|marble| marble.at_ms).collect();
-                assert_eq!(times.len(), lane.1.split_whitespace().count(), "{lane:?}");
-                assert!(times.is_sorted() && times.iter().all(|at| *at <= example.until_ms), "{lane:?}");
-            }
-            assert!(example.title.ends_with('.') && !example.given.is_empty(), "{example:?}");
-        }
-    }
-
-    #[test]
-    fn names_in_examples_are_those_of_the_arguments() {
-        for example in PAGES.iter().flat_map(|page| page.examples).filter(|example| !example.body.is_empty()) {
-            for Lane(name, _) in example.given {
-                let argument = crate::argument_names([*name]).remove(0);
-                assert!(is_identifier(&argument) && example.body.contains(&argument), "{}", example.title);
-            }
-        }
+        let Setting { body, period_ms, start } = self.setting;
+        let period = if period_ms > 0 { format!("{period_ms} ms") } else { String::new() };
+        let chosen: Vec<&str> = [start, body, &period].into_iter().filter(|one| !one.is_empty()).collect();
+        if chosen.is_empty() { connector.to_owned() } else { format!("{connector} ({})", chosen.join(", ")) }
     }
 }

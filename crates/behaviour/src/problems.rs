@@ -25,13 +25,15 @@ pub struct Problem {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum ProblemKind {
-    /// A combineLatest or merge without inputs.
+    /// A connector without inputs.
     NoInputs,
+    /// A connector with fewer inputs than it needs; with how many those are.
+    FewInputs(usize),
     /// A procedure that is not written yet.
     EmptyBody,
     /// A helper that is not in the library.
     MissingHelper(String),
-    /// A helper with another number of parameters than the connector has inputs.
+    /// A helper with another number of parameters than the connector has arguments.
     HelperInputs {
         /// The helper.
         helper: String,
@@ -102,7 +104,7 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
     let places: BTreeMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).collect();
     let ends = |connector: &Connector| {
         let inputs = connector.inputs.iter().map(|id| places.get(id).copied()).collect::<Option<Vec<_>>>()?;
-        Some((inputs, *places.get(&connector.output)?, connector.operation.gives()))
+        Some((inputs, *places.get(&connector.output)?, connector.operation.spec().gives))
     };
     let ends: Vec<_> = behaviour.connectors_in_order().iter().filter_map(|(_, connector)| ends(connector)).collect();
     let links: Vec<_> =
@@ -129,15 +131,19 @@ fn connector_problems(
     library: &BTreeMap<&str, &Helper>,
     knowledge: &dyn Knowledge,
 ) -> Option<ProblemKind> {
-    if connector.inputs.is_empty() {
+    let (spec, inputs) = (connector.operation.spec(), connector.inputs.len());
+    if inputs == 0 {
         return Some(ProblemKind::NoInputs);
+    }
+    if inputs < spec.inputs.least() {
+        return Some(ProblemKind::FewInputs(spec.inputs.least()));
     }
     match connector.operation.procedure()? {
         Procedure::Body { body, .. } if body.trim().is_empty() => Some(ProblemKind::EmptyBody),
         Procedure::Body { body, .. } => {
             knowledge.body(&behaviour.arguments(connector), body).err().map(ProblemKind::Body)
         }
-        Procedure::Helper(name) => helper_problem(name, connector.inputs.len(), library, knowledge),
+        Procedure::Helper(name) => helper_problem(name, spec.argument_count(inputs), library, knowledge),
     }
 }
 

@@ -1,7 +1,6 @@
 //! The records a behaviour is made of.
 
-use crate::flow::Gives;
-use crate::{Id, Kind, RecordId, Value};
+use crate::{Id, Kind, Operation, RecordId, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -68,99 +67,6 @@ impl Procedure {
     #[must_use]
     pub fn body(body: &str) -> Self {
         Self::Body { body: body.to_owned(), args: None }
-    }
-}
-
-/// What a connector does.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
-pub enum Operation {
-    /// Passes on what the procedure makes of each value.
-    Map(Procedure),
-    /// Passes on the values for which the procedure says exactly `true`.
-    Filter(Procedure),
-    /// Pairs each value with its time.
-    Timestamp,
-    /// Passes on the newest value at each beat, if one came since the last.
-    #[serde(rename_all = "camelCase")]
-    Sample {
-        /// The beat, in milliseconds, 1 to 3,600,000.
-        period_ms: u64,
-    },
-    /// Passes on what the procedure makes of the newest values of all inputs.
-    CombineLatest(Procedure),
-    /// Passes on the values of all inputs as they come.
-    Merge,
-    /// Hands each value to an actuator.
-    Subscribe,
-}
-
-impl Operation {
-    /// The connector's word, as the thesis and the files write it.
-    #[must_use]
-    pub fn word(&self) -> &'static str {
-        match self {
-            Self::Map(_) => "map",
-            Self::Filter(_) => "filter",
-            Self::Timestamp => "timestamp",
-            Self::Sample { .. } => "sample",
-            Self::CombineLatest(_) => "combineLatest",
-            Self::Merge => "merge",
-            Self::Subscribe => "subscribe",
-        }
-    }
-
-    /// The procedural parameter, if it takes one.
-    #[must_use]
-    pub fn procedure(&self) -> Option<&Procedure> {
-        match self {
-            Self::Map(procedure) | Self::Filter(procedure) | Self::CombineLatest(procedure) => Some(procedure),
-            Self::Timestamp | Self::Sample { .. } | Self::Merge | Self::Subscribe => None,
-        }
-    }
-
-    /// The procedural parameter, if it takes one, to change it.
-    pub fn procedure_mut(&mut self) -> Option<&mut Procedure> {
-        match self {
-            Self::Map(procedure) | Self::Filter(procedure) | Self::CombineLatest(procedure) => Some(procedure),
-            Self::Timestamp | Self::Sample { .. } | Self::Merge | Self::Subscribe => None,
-        }
-    }
-
-    /// True if it takes several inputs.
-    #[must_use]
-    pub fn takes_many(&self) -> bool {
-        matches!(self, Self::CombineLatest(_) | Self::Merge)
-    }
-
-    /// The duration in milliseconds, if it takes one.
-    #[must_use]
-    pub fn period_ms(&self) -> Option<u64> {
-        if let Self::Sample { period_ms } = self { Some(*period_ms) } else { None }
-    }
-
-    /// The kind of stream in which it ends.
-    #[must_use]
-    pub fn ends(&self) -> StreamKind {
-        if *self == Self::Subscribe { StreamKind::Actuator } else { StreamKind::Ordinary }
-    }
-
-    /// How many values it gives for those that it takes.
-    #[must_use]
-    pub fn gives(&self) -> Gives {
-        match self {
-            Self::Map(_) | Self::Timestamp | Self::CombineLatest(_) | Self::Merge | Self::Subscribe => Gives::Each,
-            Self::Filter(_) => Gives::Some,
-            Self::Sample { .. } => Gives::Later,
-        }
-    }
-
-    /// The argument names of its procedure: as given, else from the names of its inputs.
-    pub fn arguments<'n>(&self, inputs: impl IntoIterator<Item = &'n str>) -> Vec<String> {
-        match self.procedure() {
-            Some(Procedure::Body { args: Some(args), .. }) => args.clone(),
-            Some(_) | None => crate::argument_names(inputs),
-        }
     }
 }
 

@@ -2,8 +2,8 @@
 
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
-    Behaviour, Change, Connector, Edit, Graph, Helper, Id, Operation, Params, Procedure, Record, Settings, Stream,
-    StreamKind, has_unseen, record_bytes,
+    Behaviour, Change, Connector, Edit, Graph, Helper, Id, Params, Procedure, Record, Settings, Stream, StreamKind,
+    has_unseen, record_bytes,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,7 +21,7 @@ pub const STREAMS_MAX: usize = 2_000;
 pub const CONNECTORS_MAX: usize = 4_000;
 /// Edits in one change.
 pub const EDITS_MAX: usize = 10_000;
-/// The beats a sample may have, in milliseconds.
+/// The durations a connector may have, in milliseconds.
 pub const RATE_MS: RangeInclusive<u64> = 1..=3_600_000;
 
 /// What the rules ask of rooms they may not know: the catalogue of devices and the procedure language.
@@ -208,7 +208,7 @@ fn check_stream(stream: &Stream, knowledge: &dyn Knowledge) -> Result<(), Refusa
 }
 
 fn check_connector(after: &Behaviour, connector: &Connector, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
-    if let Operation::Sample { period_ms } = connector.operation
+    if let Some(period_ms) = connector.operation.period_ms()
         && !RATE_MS.contains(&period_ms)
     {
         return Err(Refusal::Rate(period_ms));
@@ -280,8 +280,9 @@ fn check_ends(streams: &BTreeMap<&Id, &Stream>, connector: &Connector) -> Result
     let output = streams.get(&connector.output).ok_or(Refusal::MissingStream)?;
     let inputs: Option<Vec<_>> = connector.inputs.iter().map(|id| streams.get(id)).collect();
     let inputs = inputs.ok_or(Refusal::MissingStream)?;
-    if !connector.operation.takes_many() && inputs.len() != 1 {
-        return Err(Refusal::OneInput(connector.operation.word().to_owned()));
+    let spec = connector.operation.spec();
+    if !spec.inputs.are_many() && inputs.len() != 1 {
+        return Err(Refusal::OneInput(spec.word.to_owned()));
     }
     let mut seen = BTreeSet::new();
     for (id, input) in connector.inputs.iter().zip(inputs) {
@@ -292,11 +293,11 @@ fn check_ends(streams: &BTreeMap<&Id, &Stream>, connector: &Connector) -> Result
             return Err(Refusal::OutOfActuator(input.name.clone()));
         }
     }
-    match (output.kind, &connector.operation) {
+    match (output.kind, spec.ends) {
         (StreamKind::Sensor, _) => Err(Refusal::IntoSensor(output.name.clone())),
-        (StreamKind::Actuator, Operation::Subscribe) => Ok(()),
+        (StreamKind::Actuator, StreamKind::Actuator) => Ok(()),
         (StreamKind::Actuator, _) => Err(Refusal::OnlySubscribe(output.name.clone())),
-        (StreamKind::Ordinary, Operation::Subscribe) => Err(Refusal::SubscribeEnd(output.name.clone())),
+        (StreamKind::Ordinary, StreamKind::Actuator) => Err(Refusal::SubscribeEnd(output.name.clone())),
         (StreamKind::Ordinary, _) => Ok(()),
     }
 }

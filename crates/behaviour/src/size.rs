@@ -171,7 +171,7 @@ fn entries(record: &Record) -> usize {
                 Some(Procedure::Body { args: Some(args), .. }) => args.len(),
                 _ => 0,
             };
-            connector.inputs.len() + args
+            connector.inputs.len() + args + connector.operation.start().map_or(0, value_entries)
         }
         Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) => 0,
     }
@@ -221,7 +221,8 @@ fn connector_bytes(connector: &Connector) -> usize {
         Some(Procedure::Helper(name)) => text_bytes(name),
         None => 0,
     };
-    CONNECTOR_BYTES + id_bytes(&connector.output) + inputs.sum::<usize>() + procedure
+    let start = connector.operation.start().map_or(0, |start| PARAM_BYTES + value_bytes(start));
+    CONNECTOR_BYTES + id_bytes(&connector.output) + inputs.sum::<usize>() + procedure + start
 }
 
 fn names_bytes(names: &[String]) -> usize {

@@ -1,6 +1,6 @@
 //! Every refusal and problem in one English sentence that says what to do.
 
-use crate::{Problem, ProblemKind, Refusal};
+use crate::{Problem, ProblemKind, Refusal, connectors};
 use std::fmt;
 
 impl fmt::Display for Refusal {
@@ -42,7 +42,9 @@ impl fmt::Display for Refusal {
                 to.write_str("A connector would have an end without a stream. Choose its streams again.")
             }
             Self::OneInput(word) => {
-                write!(to, "{} takes exactly one stream. Use combine or merge for several.", capital(word))
+                let many = connectors::ALL.iter().filter(|spec| spec.inputs.are_many()).map(|spec| spec.name);
+                let many = connectors::in_words(many);
+                write!(to, "{} takes exactly one stream. Use {many} for several.", capital(word))
             }
             Self::InputTwice(name) => write!(to, "“{name}” is chosen twice. Choose every stream once."),
             Self::Rate(_) => to.write_str("The rate must be from 1 to 3,600,000 milliseconds."),
@@ -66,6 +68,9 @@ impl fmt::Display for Problem {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let name = &self.name;
         match &self.kind {
+            ProblemKind::FewInputs(least) => {
+                write!(to, "{} needs {least} input streams or more. Add one.", capital(name))
+            }
             ProblemKind::NoInputs => write!(to, "{} has no input streams. Add one.", capital(name)),
             ProblemKind::EmptyBody => {
                 write!(to, "{} has no procedure yet. Write one or choose a helper.", capital(name))

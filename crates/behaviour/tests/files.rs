@@ -1,8 +1,8 @@
 //! A behaviour as a file and back: nothing that its records hold is lost.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Connector, Id, Kind, Note, Operation, Params, Place, Procedure, Record, RecordId,
-    Settings, Stream, StreamKind,
+    Behaviour, BehaviourFile, Connector, Id, Kind, Note, Params, Place, Procedure, Record, RecordId, Settings, Stream,
+    StreamKind, connectors,
 };
 
 fn id(text: &str) -> Id {
@@ -23,7 +23,7 @@ fn stream(name: &str, order: i64) -> Record {
 }
 
 fn full() -> Behaviour {
-    let sample = Operation::Map(Procedure::Body { body: "a".to_owned(), args: Some(vec!["a".to_owned()]) });
+    let sample = connectors::map::SPEC.with(Procedure::Body { body: "a".to_owned(), args: Some(vec!["a".to_owned()]) });
     let connector = Connector { operation: sample, inputs: vec![id("s1")], output: id("s0"), order: 9 };
     let settings = Settings { robot: "pepper".to_owned(), ..Settings::named("Full") };
     let place = |x| Record::Place(Place { x, y: -0.5 });

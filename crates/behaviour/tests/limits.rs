@@ -3,8 +3,8 @@
 
 use behaviour::{
     BEHAVIOUR_MAX_BYTES, Behaviour, Change, Connector, Decision, HELPERS_MAX, Helper, Id, Kind, Knowledge,
-    LIBRARY_MAX_BYTES, NOTES_MAX, Note, Operation, PLACES_MAX, Params, Place, Procedure, Record, RecordId, Refusal,
-    Room, STREAMS_MAX, Settings, Stream, StreamKind, Value, record_bytes,
+    LIBRARY_MAX_BYTES, NOTES_MAX, Note, PLACES_MAX, Params, Place, Procedure, Record, RecordId, Refusal, Room,
+    STREAMS_MAX, Settings, Stream, StreamKind, Value, connectors, record_bytes,
 };
 
 struct Anything;
@@ -156,7 +156,7 @@ fn one_record_has_a_bound_whatever_is_large_in_it() {
         let id = |at| Id::new(&format!("s{at}")).unwrap();
         Record::Connector(Connector { operation, inputs: (0..inputs).map(id).collect(), output: id(0), order: 0 })
     };
-    let body = |args| Operation::Map(Procedure::Body { body: "1".to_owned(), args: Some(args) });
+    let body = |args| connectors::map::SPEC.with(Procedure::Body { body: "1".to_owned(), args: Some(args) });
     let helper = |params| Record::Helper(Helper { name: "h".into(), params, body: String::new(), says: String::new() });
     let deep = (0..60).fold(Value::text(&long), |inner, _| Value::list([inner]));
     let cases = [
@@ -164,10 +164,10 @@ fn one_record_has_a_bound_whatever_is_large_in_it() {
         (key(Kind::Stream, 1), Record::Stream(params(deep))),
         (key(Kind::Stream, 1), Record::Stream(Stream { resources: Some(vec!["head".into(); 5_000]), ..stream("S") })),
         (key(Kind::Stream, 1), Record::Stream(Stream { resources: Some(vec![long.clone()]), ..stream("S") })),
-        (key(Kind::Connector, 1), connector(Operation::Merge, 5_000)),
+        (key(Kind::Connector, 1), connector(connectors::merge::SPEC.with(()), 5_000)),
         (key(Kind::Connector, 1), connector(body(vec!["a".into(); 5_000]), 1)),
         (key(Kind::Connector, 1), connector(body(vec!["a".repeat(300)]), 1)),
-        (key(Kind::Connector, 1), connector(Operation::Map(Procedure::Helper("a".repeat(300))), 1)),
+        (key(Kind::Connector, 1), connector(connectors::map::SPEC.with(Procedure::Helper("a".repeat(300))), 1)),
         (key(Kind::Helper, 1), helper(vec!["a".into(); 5_000])),
         (key(Kind::Helper, 1), helper(vec!["a".repeat(300)])),
         (RecordId::settings(), Record::Settings(Settings { robot: "r".repeat(300), ..Settings::named("Play") })),

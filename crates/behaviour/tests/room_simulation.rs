@@ -1,8 +1,8 @@
 //! Many people edit one behaviour over a slow and lossy link, for many seeds: nothing is lost, doubled or unruly.
 
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Decision, Graph, Id, Kind, Knowledge, Operation, Params, Place, Procedure,
-    Record, RecordId, Room, Settings, Stream, StreamKind,
+    Behaviour, Change, Committed, Connector, Decision, Graph, Id, Kind, Knowledge, Params, Place, Procedure, Record,
+    RecordId, Room, Settings, Stream, StreamKind, connectors,
 };
 use std::collections::{BTreeMap, VecDeque};
 
@@ -94,8 +94,11 @@ impl Town {
             1 => change.take(seen, key(Kind::Stream, &some)),
             2 => change.put(seen, key(Kind::Place, &some), Record::Place(Place { x: dice.roll(9) as f64, y: 0.0 })),
             3 => {
-                let operation =
-                    if dice.roll(3) == 0 { Operation::Subscribe } else { Operation::Map(Procedure::body("1")) };
+                let operation = if dice.roll(3) == 0 {
+                    connectors::subscribe::SPEC.with(())
+                } else {
+                    connectors::map::SPEC.with(Procedure::body("1"))
+                };
                 let inputs = vec![id(name(dice))];
                 let connector = Connector { operation, inputs, output: id(name(dice)), order: 0 };
                 change.put(seen, key(Kind::Connector, &format!("c{}", dice.roll(6))), Record::Connector(connector))

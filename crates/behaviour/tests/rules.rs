@@ -1,8 +1,8 @@
 //! Every rule of the graph: what breaks it is refused with one sentence, and nothing changes.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Change, Connector, Decision, Id, Kind, Knowledge, Operation, Params, Procedure, Record,
-    RecordId, Refusal, Room, Settings, Stream, StreamKind, problems,
+    Behaviour, BehaviourFile, Change, Connector, Decision, Id, Kind, Knowledge, Operation, Parameters, Params,
+    Procedure, Record, RecordId, Refusal, Room, Settings, Stream, StreamKind, connectors, problems,
 };
 
 struct Anything;
@@ -44,7 +44,7 @@ fn connector(operation: Operation, inputs: &[&str], output: &str) -> Record {
 }
 
 fn map(body: &str) -> Operation {
-    Operation::Map(Procedure::body(body))
+    connectors::map::SPEC.with(Procedure::body(body))
 }
 
 /// Ball -> Distance -> Close, and an action.
@@ -82,12 +82,12 @@ fn propose(edits: &[Touched]) -> Decision {
 #[test]
 fn each_broken_rule_is_refused_with_its_sentence() {
     use StreamKind::{Actuator, Ordinary, Sensor};
-    let sub = Operation::Subscribe;
+    let sub = connectors::subscribe::SPEC.with(());
     let new = |operation: Operation, inputs: &[&str], output: &str| {
         (Kind::Connector, "c9", Some(connector(operation, inputs, output)))
     };
     let put = |name: &'static str, record| (Kind::Stream, name, Some(record));
-    let sample = |period_ms| Operation::Sample { period_ms };
+    let sample = |period_ms| connectors::sample::SPEC.with(Parameters::period(period_ms));
     let cases: Vec<(Touched, &str)> = vec![
         (new(map(""), &["close"], "distance"), "already gets its values"),
         (new(map(""), &["ball"], "tracker"), "Only subscribe"),
@@ -95,7 +95,7 @@ fn each_broken_rule_is_refused_with_its_sentence() {
         (new(map(""), &["tracker"], "close"), "nothing can come out"),
         (new(map(""), &["close"], "ball"), "cannot take values"),
         (new(map("(("), &["close"], "tracker"), "closing ) is missing"),
-        (new(Operation::Merge, &["ball", "ball"], "close"), "chosen twice"),
+        (new(connectors::merge::SPEC.with(()), &["ball", "ball"], "close"), "chosen twice"),
         (new(sample(0), &["close"], "tracker"), "1 to 3,600,000"),
         (new(sample(3_600_001), &["close"], "tracker"), "1 to 3,600,000"),
         (new(sub, &["ball", "close"], "tracker"), "exactly one stream"),
@@ -126,9 +126,10 @@ fn stream_of(record: Record) -> Stream {
 
 #[test]
 fn a_cycle_is_refused_in_one_change_or_two() {
-    let back = (Kind::Connector, "c9", Some(connector(Operation::Merge, &["close"], "loop")));
+    let back = (Kind::Connector, "c9", Some(connector(connectors::merge::SPEC.with(()), &["close"], "loop")));
     let stream = (Kind::Stream, "loop", Some(stream(StreamKind::Ordinary, "Loop")));
-    let join = (Kind::Connector, "c1", Some(connector(Operation::Merge, &["ball", "loop"], "distance")));
+    let join =
+        (Kind::Connector, "c1", Some(connector(connectors::merge::SPEC.with(()), &["ball", "loop"], "distance")));
     assert!(matches!(propose(&[stream.clone(), back.clone()]), Decision::Save(_)));
     assert!(matches!(propose(&[stream, back, join]), Decision::Refuse(Refusal::Cycle(_))));
 }
@@ -137,11 +138,15 @@ fn a_cycle_is_refused_in_one_change_or_two() {
 fn an_incomplete_graph_may_be_saved_and_is_shown_as_a_problem() {
     let edits = [
         (Kind::Stream, "sum", Some(stream(StreamKind::Ordinary, "Sum"))),
-        (Kind::Connector, "c9", Some(connector(Operation::CombineLatest(Procedure::body("")), &[], "sum"))),
+        (
+            Kind::Connector,
+            "c9",
+            Some(connector(connectors::combine_latest::SPEC.with(Procedure::body("")), &[], "sum")),
+        ),
         (
             Kind::Connector,
             "c2",
-            Some(connector(Operation::Map(Procedure::Helper("gone".into())), &["distance"], "close")),
+            Some(connector(connectors::map::SPEC.with(Procedure::Helper("gone".into())), &["distance"], "close")),
         ),
     ];
     let Decision::Save(saved) = propose(&edits) else { panic!("refused") };
@@ -216,9 +221,9 @@ fn diamonds(many: usize, way: &Operation) -> Behaviour {
         }
         put(Kind::Connector, &format!("a{at}"), connector(way.clone(), &[&from], &left));
         put(Kind::Connector, &format!("b{at}"), connector(way.clone(), &[&from], &right));
-        put(Kind::Connector, &format!("c{at}"), connector(Operation::Merge, &[&left, &right], &to));
+        put(Kind::Connector, &format!("c{at}"), connector(connectors::merge::SPEC.with(()), &[&left, &right], &to));
     }
-    put(Kind::Connector, "last", connector(Operation::Subscribe, &[&format!("m{many}")], "tracker"));
+    put(Kind::Connector, "last", connector(connectors::subscribe::SPEC.with(()), &[&format!("m{many}")], "tracker"));
     behaviour
 }
 
@@ -235,10 +240,10 @@ fn values_that_multiply_are_a_problem_and_where_filters_choose_a_hint() {
     let rest = "Lead fewer ways of the same stream together there, or put a sample before it.";
     let sure = format!("Values multiply at “Merged m15”: one reading becomes more than 100,000 values. {rest}");
     assert_eq!(said(&diamonds(60, &map("ball"))), Some((sure, true)));
-    let filter = Operation::Filter(Procedure::body("true"));
+    let filter = connectors::filter::SPEC.with(Procedure::body("true"));
     let perhaps = format!("Values multiply at “Merged m15”: one reading can become more than 100,000 values. {rest}");
     assert_eq!(said(&diamonds(60, &filter)), Some((perhaps, false)));
-    assert_eq!(said(&diamonds(60, &Operation::Sample { period_ms: 10 })), None);
+    assert_eq!(said(&diamonds(60, &connectors::sample::SPEC.with(Parameters::period(10)))), None);
     assert_eq!(said(&diamonds(10, &map("ball"))), None);
     let mut frames = diamonds(60, &map("ball"));
     let settings = Settings { engine: behaviour::Engine::Frame { frame_ms: 50 }, ..Settings::named("Test") };

@@ -20,8 +20,15 @@ pub(crate) use memory::Memory;
 pub(crate) use op::{Op, Turn};
 
 /// All connectors, in the order of their names.
-const ALL: [&Kind; 7] =
-    [&combine_latest::KIND, &filter::KIND, &map::KIND, &merge::KIND, &sample::KIND, &subscribe::KIND, &timestamp::KIND];
+const ALL: &[&Kind] = &[
+    &combine_latest::KIND,
+    &filter::KIND,
+    &map::KIND,
+    &merge::KIND,
+    &sample::KIND,
+    &subscribe::KIND,
+    &timestamp::KIND,
+];
 
 /// A kind of connector, as the engine runs it.
 pub(crate) struct Kind {
@@ -88,5 +95,5 @@ pub(crate) struct Frame<'f> {
 
 /// The kind of connector with this word, if the engine has it.
 pub(crate) fn kind(word: &str) -> Option<&'static Kind> {
-    ALL.into_iter().find(|kind| kind.word == word)
+    ALL.iter().copied().find(|kind| kind.word == word)
 }

@@ -1,7 +1,8 @@
 //! The help of every connector is true: each marble example, played by the engine.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
-use behaviour::marbles::{Example, Lane, Marble, PAGES, Page};
+use behaviour::connectors::{self, Spec};
+use behaviour::marbles::{Example, Lane, Marble, Setting};
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Limits, Run};
 use robot::Millis;
@@ -9,25 +10,25 @@ use serde_json::{Value as Json, json};
 
 #[test]
 fn every_example_comes_out_as_it_is_shown() {
-    for page in &PAGES {
-        for example in page.examples {
+    for spec in connectors::ALL {
+        for example in spec.help.examples {
             let wanted: Vec<_> = example.then.marbles().map(|marble| (marble.at_ms, value(marble))).collect();
-            assert_eq!(play(page, example), wanted, "{}: {}", page.connector, example.title);
+            assert_eq!(play(spec, example), wanted, "{spec:?}: {}", example.title);
         }
     }
 }
 
 #[test]
 fn an_example_that_is_wrong_would_be_seen() {
-    let (page, example) = (&PAGES[2], PAGES[2].examples[0]);
-    assert_eq!((page.connector, example.body), ("filter", "distance < 20"));
-    let other = Example { body: "distance < 6", ..example };
-    assert_ne!(play(page, &other), play(page, &example));
+    let (spec, example) = (&connectors::filter::SPEC, connectors::filter::SPEC.help.examples[0]);
+    assert_eq!(example.setting, Setting::body("distance < 20"));
+    let other = Example { setting: Setting::body("distance < 6"), ..example };
+    assert_ne!(play(spec, &other), play(spec, &example));
 }
 
 /// What comes out of the connector, with its times.
-fn play(page: &Page, example: &Example) -> Vec<(u64, Value)> {
-    let mut run = Run::build(&file(page, example), Limits::default()).unwrap_or_else(|faults| panic!("{}", faults[0]));
+fn play(spec: &Spec, example: &Example) -> Vec<(u64, Value)> {
+    let mut run = Run::build(&file(spec, example), Limits::default()).unwrap_or_else(|faults| panic!("{}", faults[0]));
     let output = run.stream_index("out").unwrap();
     let mut told = Vec::new();
     let mut note = |emission: Emission| match emission {
@@ -51,18 +52,22 @@ fn in_time(lanes: &[Lane]) -> Vec<(String, Marble)> {
 }
 
 /// One connector between its streams.
-fn file(page: &Page, example: &Example) -> BehaviourFile {
+fn file(spec: &Spec, example: &Example) -> BehaviourFile {
     let ids: Vec<_> = (0..example.given.len()).map(|at| format!("in{at}")).collect();
     let sensor = |(id, lane): (&String, &Lane)| json!({"id": id, "kind": "sensor", "name": lane.0});
     let mut streams: Vec<Json> = ids.iter().zip(example.given).map(sensor).collect();
-    let kind = if page.connector == "subscribe" { "actuator" } else { "ordinary" };
+    let kind = if spec.acts() { "actuator" } else { "ordinary" };
     streams.push(json!({"id": "out", "kind": kind, "name": example.then.0}));
-    let mut connector = json!({"id": "it", "type": page.connector, "inputs": ids, "output": "out"});
-    if !example.body.is_empty() {
-        connector["body"] = example.body.into();
+    let mut connector = json!({"id": "it", "type": spec.word, "inputs": ids, "output": "out"});
+    let Setting { body, period_ms, start } = example.setting;
+    if !body.is_empty() {
+        connector["body"] = body.into();
     }
-    if example.every_ms > 0 {
-        connector["periodMs"] = example.every_ms.into();
+    if period_ms > 0 {
+        connector["periodMs"] = period_ms.into();
+    }
+    if !start.is_empty() {
+        connector["start"] = serde_json::from_str(start).unwrap();
     }
     let file = json!({
         "format": "rrp-behaviour/1", "name": example.title, "helpers": [], "streams": streams,

@@ -2,7 +2,8 @@
 
 use crate::params::{Param, check_params};
 use crate::{Shape::Object, devices};
-use behaviour::{Params, StreamKind};
+use behaviour::connectors::Carries;
+use behaviour::{Params, StreamKind, Value};
 
 /// A sense or an action.
 #[derive(Clone, Copy, Debug)]
@@ -23,8 +24,54 @@ pub struct Device {
     pub shape: Shape,
     /// The parts of the body it uses.
     pub resources: Resources,
+    /// Which of its values count when several wait: readings of a sense for a behaviour, commands of an action for the
+    /// robot.
+    pub waiting: Waiting,
+    /// How an action is offered as the next step of a stream.
+    pub next_step: NextStep,
     /// An example value in JSON, for stimulating by hand.
     pub example: Example,
+}
+
+/// Which values count when several wait.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Waiting {
+    /// Only the newest: how something is now, or shall be.
+    Newest,
+    /// Every one, up to a bound: what happened, or is said.
+    Every,
+}
+
+/// How an action is offered as the next step of a stream.
+#[derive(Clone, Copy, Debug)]
+pub struct NextStep {
+    /// For streams that carry one of these, with what is chosen for its parameters then.
+    pub for_streams: &'static [(Carries, &'static [(&'static str, &'static str)])],
+    /// What the button says, if not its name.
+    pub label: Option<&'static str>,
+    /// What its stream is called, if not by its name.
+    pub stream: Option<&'static str>,
+    /// Whether its parameters are asked for at once.
+    pub asks: bool,
+}
+
+impl NextStep {
+    /// Only where all actions are.
+    pub const NEVER: Self = Self { for_streams: &[], label: None, stream: None, asks: false };
+
+    /// What is chosen for its parameters out of a stream that carries this, if it is offered there.
+    #[must_use]
+    pub fn params(&self, carries: Carries) -> Option<Params> {
+        let (_, chosen) = self.for_streams.iter().find(|(one, _)| *one == carries)?;
+        Some(chosen.iter().map(|&(name, value)| (name.to_owned(), Value::text(value))).collect())
+    }
+}
+
+/// Devices are told apart by kind and name.
+impl PartialEq for Device {
+    fn eq(&self, other: &Self) -> bool {
+        (self.kind, self.name) == (other.kind, other.name)
+    }
 }
 
 /// Which parts of the body a device uses.

@@ -10,7 +10,9 @@ mod params;
 mod parts;
 mod scene;
 
-pub use catalogue::{Device, Example, Field, Resource, Resources, Shape, actuators, device, sensors};
+pub use catalogue::{
+    Device, Example, Field, NextStep, Resource, Resources, Shape, Waiting, actuators, device, sensors,
+};
 pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
 pub use params::{Param, ParamKind, with_defaults};
@@ -114,6 +116,12 @@ mod tests {
         for device in sensors().chain(actuators()) {
             assert!(device.says.ends_with('.'), "{}", device.name);
             assert!(!device.label.is_empty());
+            let offers = device.next_step.for_streams;
+            assert!(offers.is_empty() || device.kind == behaviour::StreamKind::Actuator, "{}", device.name);
+            for (carries, _) in offers {
+                let params = device.next_step.params(*carries).unwrap();
+                assert_eq!(device.check(&params), Ok(()), "{}", device.name);
+            }
         }
     }
 

@@ -1,7 +1,7 @@
 //! Tries procedures. Done by workers: people's procedures never run on the threads that carry messages.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Connector, FileHelper, Helper, Id, Kind, Operation, Procedure, Record, RecordId, Value,
+    Behaviour, BehaviourFile, Connector, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, Value, connectors,
 };
 use engine::Limits;
 use protocol::Reply;
@@ -50,7 +50,7 @@ fn try_on(trial: &Trial, inputs: &[Value]) -> Result<Value, String> {
 /// The helpers that a procedure uses, also through other helpers.
 pub(crate) fn helpers_of(body: &str, library: &[&Helper]) -> Vec<FileHelper> {
     let Ok(id) = Id::new("it") else { return Vec::new() };
-    let operation = Operation::Map(Procedure::body(body));
+    let operation = connectors::to_new_value().with(Procedure::body(body));
     let connector = Connector { operation, inputs: Vec::new(), output: id.clone(), order: 0 };
     let mut behaviour = Behaviour::default();
     behaviour.records.insert(RecordId::new(Kind::Connector, &id), Record::Connector(connector));

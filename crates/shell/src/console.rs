@@ -187,13 +187,8 @@ pub(crate) fn connector_lines(program: &Mirror, stream: &Id, outgoing: bool) -> 
 }
 
 fn label(connector: &behaviour::Connector) -> String {
-    let word = connector.operation.word();
-    match (&connector.operation, connector.operation.procedure()) {
-        (_, Some(behaviour::Procedure::Helper(name))) => format!("{word} ({name})"),
-        (_, Some(behaviour::Procedure::Body { body, .. })) => format!("{word} ({})", body.replace('\n', " ")),
-        (behaviour::Operation::Sample { period_ms }, None) => format!("{word} ({period_ms} ms)"),
-        (_, None) => word.to_owned(),
-    }
+    let (word, chosen) = (connector.operation.word(), connector.operation.chosen());
+    if chosen.is_empty() { word.to_owned() } else { format!("{word} ({})", chosen.join(", ").replace('\n', " ")) }
 }
 
 /// The lines, or a sentence if there are none.

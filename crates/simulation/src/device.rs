@@ -138,3 +138,25 @@ pub(crate) fn words(value: &Value) -> Result<String, String> {
         Value::Null | Value::List(_) | Value::Map(_) => Err("only a text or a number can be said".to_owned()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Device, NAMES, device};
+    use behaviour::Params;
+
+    #[test]
+    fn this_robot_has_every_device_of_the_catalogue_and_no_other() {
+        let catalogue: Vec<&str> = robot::sensors().chain(robot::actuators()).map(|known| known.name).collect();
+        assert_eq!(NAMES.to_vec(), catalogue);
+    }
+
+    #[test]
+    fn every_device_opens_as_what_the_catalogue_says() {
+        for sense in robot::sensors() {
+            assert!(matches!(device(sense.name, &Params::new()), Ok(Device::Sense(_))), "{}", sense.name);
+        }
+        for action in robot::actuators() {
+            assert!(matches!(device(action.name, &Params::new()), Ok(Device::Act(_))), "{}", action.name);
+        }
+    }
+}

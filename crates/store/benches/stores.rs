@@ -10,8 +10,8 @@
 mod server;
 
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Id, Kind, Operation, Place, Procedure, Record, RecordId, Settings, Stream,
-    StreamKind,
+    Behaviour, Change, Committed, Connector, Id, Kind, Parameters, Place, Procedure, Record, RecordId, Settings,
+    Stream, StreamKind, connectors,
 };
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -72,11 +72,11 @@ fn behaviour(number: usize) -> Behaviour {
 
 fn connector(number: usize, at: usize) -> Record {
     let operation = match at % 6 {
-        5 => Operation::Subscribe,
-        1 => Operation::Map(Procedure::body(&format!("value.x * {number}"))),
-        2 => Operation::Filter(Procedure::body(&format!("value < {at}"))),
-        3 => Operation::Sample { period_ms: 100 },
-        _ => Operation::Timestamp,
+        5 => connectors::subscribe::SPEC.with(()),
+        1 => connectors::map::SPEC.with(Procedure::body(&format!("value.x * {number}"))),
+        2 => connectors::filter::SPEC.with(Procedure::body(&format!("value < {at}"))),
+        3 => connectors::sample::SPEC.with(Parameters::period(100)),
+        _ => connectors::timestamp::SPEC.with(()),
     };
     let [from, to] = [at - 1, at].map(|at| id(&format!("s{number}-{at}")));
     Record::Connector(Connector { operation, inputs: vec![from], output: to, order: at as i64 })

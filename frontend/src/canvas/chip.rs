@@ -5,7 +5,7 @@ use super::curve::{chip_place, curves};
 use super::node::{OthersRing, ProblemBadge, problem_memo};
 use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::layout::{ChipWords, chip_width, chip_words};
 use crate::words;
 use behaviour::{Connector, Id, Kind, Place, RecordId};
@@ -110,7 +110,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             style:min-width=move || format!("{:.0}px", wide.with(chip_width))
         >
             {move || {
-                let icon = connector_icon(record.with(|connector| connector.operation.word()));
+                let icon = record.with(|connector| connector.operation.spec().icon.name);
                 view! { <span class="icon"><Icon name=icon /></span> }
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
@@ -173,8 +173,7 @@ fn said_memo(desk: &Desk, id: &Id, signals: &ConnectorSignals, unused: &ArcMemo<
             Some(Said { text: words::failed(failing.count, &failing.why), faults: Some(failing.count) })
         });
         failed.or_else(|| {
-            let output =
-                record.with(|connector| (connector.operation.word() == "subscribe").then(|| connector.output.clone()));
+            let output = record.with(|connector| connector.operation.spec().acts().then(|| connector.output.clone()));
             Some(Said { text: desk.held(&output?)?, faults: None })
         })
     })

@@ -2,15 +2,13 @@
 
 use crate::browser;
 use crate::desk::{Dialog, use_desk};
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
+use behaviour::connectors::{self, Spec};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, FocusEvent, HtmlElement, KeyboardEvent, Node};
-
-/// In the order of the thesis.
-const KINDS: [&str; 7] = ["sample", "subscribe", "filter", "map", "combineLatest", "timestamp", "merge"];
 
 /// The button and its menu.
 #[component]
@@ -19,7 +17,7 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
     let open = ArcRwSignal::new(false);
     let root = NodeRef::<leptos::html::Div>::new();
     let [expanded, shown, toggle, keys, leave] = [(); 5].map(|()| open.clone());
-    let choose = move |kind: &'static str| {
+    let choose = move |kind: &'static Spec| {
         open.set(false);
         desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind }));
     };
@@ -38,13 +36,13 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
             </button>
             {move || shown.get().then(|| view! {
                 <div class="menu" role="menu" aria-label=words::add_connector()>
-                    {KINDS.map(|kind| {
+                    {connectors::ALL.iter().copied().map(|kind| {
                         let choose = choose.clone();
                         view! {
                             <button type="button" role="menuitem" tabindex="-1" class="item"
-                                title=crate::words::connector_says(kind) on:click=move |_| choose(kind)>
-                                <Icon name=connector_icon(kind) />
-                                <span>{crate::words::connector_word(kind)}</span>
+                                title=kind.says on:click=move |_| choose(kind)>
+                                <Icon name=kind.icon.name />
+                                <span>{kind.name}</span>
                             </button>
                         }
                     }).collect_view()}

@@ -173,7 +173,7 @@ pub(super) fn edit(desk: &Desk, what: &Selected) {
             signals.record.with_untracked(|connector| Dialog::Operation {
                 input: connector.inputs.first().unwrap_or(&connector.output).clone(),
                 connector: Some(id.clone()),
-                kind: connector.operation.word(),
+                kind: connector.operation.spec(),
             })
         }),
     };

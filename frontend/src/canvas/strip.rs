@@ -7,10 +7,10 @@ use super::suggest::{Step, suggest};
 use super::view::{Bounds, View};
 use super::{Stage, pointers};
 use crate::desk::{ConnectPlan, Desk, Dialog, Output, Selected, use_desk};
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, stream_width, text_width};
 use crate::words;
-use behaviour::{Helper, Id, Operation, Params, Place, Procedure, StreamKind};
+use behaviour::{Helper, Id, Operation, Params, Place, Procedure, StreamKind, connectors};
 use leptos::prelude::*;
 
 /// At most so many suggestions; fewer where the stage is narrow.
@@ -165,11 +165,10 @@ fn OfferButton(desk: Desk, id: Id, offer: Offer, first: bool) -> impl IntoView {
 
 fn title(step: &Step) -> String {
     match step {
-        Step::Helper(name) => format!("map ({name})"),
-        Step::Connector(word) => words::connector_says(word).to_owned(),
-        Step::Otherwise(body) => format!("filter ({body})"),
-        Step::Action { device, .. } => robot::device(StreamKind::Actuator, device)
-            .map_or_else(|_| (*device).to_owned(), |device| device.says.to_owned()),
+        Step::Helper(name) => format!("{} ({name})", connectors::to_new_value().name),
+        Step::Connector(spec) => spec.says.to_owned(),
+        Step::Otherwise(spec, body) => format!("{} ({body})", spec.name),
+        Step::Action(device, _) => device.says.to_owned(),
     }
 }
 
@@ -187,13 +186,9 @@ fn offers_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Offer>> {
 fn offer(step: Step) -> Offer {
     let (icon, label) = match &step {
         Step::Helper(name) => ("fx", name.clone()),
-        Step::Connector(word) => (connector_icon(word), words::connector_word(word).to_owned()),
-        Step::Otherwise(_) => ("filter", words::otherwise().to_owned()),
-        Step::Action { device: "SayParameter", .. } => ("speech", words::say_something().to_owned()),
-        Step::Action { device, .. } => {
-            let icon = robot::device(StreamKind::Actuator, device).map_or("target", |device| device.icon);
-            (icon, (*device).to_owned())
-        }
+        Step::Connector(spec) => (spec.icon.name, spec.name.to_owned()),
+        Step::Otherwise(spec, _) => (spec.icon.name, words::otherwise().to_owned()),
+        Step::Action(device, _) => (device.icon, device.next_step.label.unwrap_or(device.name).to_owned()),
     };
     Offer { step, icon, label }
 }
@@ -203,24 +198,22 @@ fn take(desk: &Desk, input: &Id, step: &Step) {
     match step {
         Step::Helper(name) => {
             let output = new_output(desk, &spoken(name), None, Params::new());
-            connect(desk, input, Operation::Map(Procedure::Helper(name.clone())), output, false);
+            let operation = connectors::to_new_value().with(Procedure::Helper(name.clone()));
+            connect(desk, input, operation, output, false);
         }
         Step::Connector(kind) => {
             desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind }));
         }
-        Step::Otherwise(body) => {
+        Step::Otherwise(spec, body) => {
             let output = new_output(desk, "Otherwise", None, Params::new());
-            connect(desk, input, Operation::Filter(Procedure::body(body)), output, false);
+            connect(desk, input, spec.with(Procedure::body(body)), output, false);
         }
-        Step::Action { device, params } => {
-            let output = new_output(desk, device_name(device), Some(device), params.clone());
-            connect(desk, input, Operation::Subscribe, output, *device == "SayParameter");
+        Step::Action(device, params) => {
+            let base = device.next_step.stream.unwrap_or(device.name);
+            let output = new_output(desk, base, Some(device.name), params.clone());
+            connect(desk, input, connectors::to_action().with(()), output, device.next_step.asks);
         }
     }
-}
-
-fn device_name(device: &'static str) -> &'static str {
-    if device == "SayParameter" { "Say" } else { device }
 }
 
 /// `ball_to_distance` becomes "Ball to distance".

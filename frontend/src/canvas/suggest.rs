@@ -1,36 +1,26 @@
 //! What a person is likely to do next with a stream, best first. Pure.
 
-use behaviour::{Behaviour, Graph, Helper, Id, Operation, Params, Procedure, StreamKind, Value};
-use robot::Shape;
+use behaviour::connectors::{self, Carries, Passes, Spec};
+use behaviour::{Behaviour, Graph, Helper, Id, Params, Procedure, StreamKind, Value};
+use robot::{Device, Shape};
 
 /// How many steps upwards are looked at to guess what a stream carries.
 const UPWARDS_MAX: usize = 32;
 
-/// What a stream carries, as far as one can tell.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Carries {
-    Ball,
-    Face,
-    Number,
-    Truth,
-    Text,
-    Anything,
-}
-
 /// A likely next step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Step {
-    /// A map with this helper.
+    /// A new value made by this helper.
     Helper(String),
     /// The dialog for this connector.
-    Connector(&'static str),
-    /// The opposite of a filter that is there.
-    Otherwise(String),
+    Connector(&'static Spec),
+    /// The opposite of a test that is there.
+    Otherwise(&'static Spec, String),
     /// A new action.
-    Action { device: &'static str, params: Params },
+    Action(&'static Device, Params),
 }
 
-/// Likely next steps for a stream.
+/// Likely next steps for a stream: first what fits what it carries, last what always fits.
 pub(super) fn suggest(behaviour: &Behaviour, id: &Id, helpers: &[Helper], value: Option<&Value>) -> Vec<Step> {
     let Some(stream) = behaviour.stream(id) else { return Vec::new() };
     if stream.kind == StreamKind::Actuator {
@@ -38,42 +28,25 @@ pub(super) fn suggest(behaviour: &Behaviour, id: &Id, helpers: &[Helper], value:
     }
     let carries = value.and_then(of_value).unwrap_or_else(|| carries(behaviour, id));
     let graph = Graph::of(behaviour);
-    let chosen = graph.into_stream(id).iter().any(|(_, connector)| matches!(connector.operation, Operation::Filter(_)));
+    let chosen = graph.into_stream(id).iter().any(|(_, connector)| connector.operation.spec().is_test());
     let mut steps: Vec<Step> = otherwise(&graph, id).into_iter().collect();
-    let fitting = fitting_helpers(helpers, carries, &stream.name);
-    let actions = actions(carries);
-    let (filter, map) = (Step::Connector("filter"), Step::Connector("map"));
+    let fitting = fitting_helpers(helpers, carries, &stream.name).into_iter().take(1);
+    let actions = actions(carries).take(2);
+    let first = |spec: &&Spec| !chosen && spec.offered.first_for.contains(&carries);
+    let all = || connectors::ALL.iter().copied();
+    let last = all().filter(|spec| spec.offered.always && !first(spec)).map(Step::Connector);
     if chosen {
-        steps.extend(actions.into_iter().take(2));
-        steps.extend(fitting.into_iter().take(1));
-        steps.extend([filter, map]);
-    } else if matches!(carries, Carries::Number | Carries::Truth) {
-        steps.push(filter);
-        steps.extend(fitting.into_iter().take(1));
-        steps.push(map);
-        steps.extend(actions.into_iter().take(2));
+        steps.extend(actions.chain(fitting).chain(last));
+    } else if all().any(|spec| first(&spec)) {
+        steps.extend(all().filter(first).map(Step::Connector).chain(fitting).chain(last).chain(actions));
     } else {
-        steps.extend(fitting.into_iter().take(1));
-        steps.extend(actions.into_iter().take(2));
-        steps.extend([filter, map]);
+        steps.extend(fitting.chain(actions).chain(last));
     }
     steps
 }
 
-fn actions(carries: Carries) -> Vec<Step> {
-    let action = |device| Step::Action { device, params: Params::new() };
-    let tracker = |target: &str| Step::Action {
-        device: "Tracker",
-        params: Params::from([("target".to_owned(), Value::text(target))]),
-    };
-    match carries {
-        Carries::Ball => vec![tracker("RedBall"), action("SayParameter")],
-        Carries::Face => vec![tracker("Face"), action("RememberFace"), action("SayParameter")],
-        Carries::Number => vec![tracker("RedBall"), action("SayParameter"), action("EyeBrightness")],
-        Carries::Truth => vec![action("SayParameter"), action("EyeLedColor")],
-        Carries::Text => vec![action("SayInput"), action("Print")],
-        Carries::Anything => vec![tracker("RedBall"), action("SayParameter")],
-    }
+fn actions(carries: Carries) -> impl Iterator<Item = Step> {
+    robot::actuators().filter_map(move |device| Some(Step::Action(device, device.next_step.params(carries)?)))
 }
 
 /// Helpers of one parameter that takes such a value: the shortest name first.
@@ -98,18 +71,19 @@ fn takes(param: &str, carries: Carries, stream_name: &str) -> bool {
     }
 }
 
-/// The opposite of the first filter out of a stream, if it is not there yet.
+/// The opposite of the only test out of a stream, if it is not there yet.
 fn otherwise(graph: &Graph, id: &Id) -> Option<Step> {
-    let bodies: Vec<&str> = graph
-        .out_of_stream(id)
-        .iter()
-        .filter_map(|(_, connector)| match &connector.operation {
-            Operation::Filter(Procedure::Body { body, .. }) if !body.trim().is_empty() => Some(body.trim()),
-            _ => None,
+    let tests = graph.out_of_stream(id).iter().map(|(_, connector)| &connector.operation);
+    let tests = tests.filter(|operation| operation.spec().is_test());
+    let bodies: Vec<(&'static Spec, &str)> = tests
+        .filter_map(|operation| match operation.procedure()? {
+            Procedure::Body { body, .. } => Some((operation.spec(), body.trim())),
+            Procedure::Helper(_) => None,
         })
+        .filter(|(_, body)| !body.is_empty())
         .collect();
-    let [only] = bodies.as_slice() else { return None };
-    (!only.contains([';', '\n', '{'])).then(|| Step::Otherwise(opposite(only)))
+    let [(spec, only)] = bodies.as_slice() else { return None };
+    (!only.contains([';', '\n', '{'])).then(|| Step::Otherwise(spec, opposite(only)))
 }
 
 /// The test that is true when the other is false.
@@ -133,10 +107,10 @@ fn carries(behaviour: &Behaviour, id: &Id) -> Carries {
             return robot::device(stream.kind, device).map_or(Carries::Anything, |device| of_shape(&device.shape));
         }
         let Some((_, connector)) = graph.into_stream(at).first() else { break };
-        match &connector.operation {
-            Operation::Map(procedure) | Operation::CombineLatest(procedure) => return of_procedure(procedure),
-            Operation::Timestamp => return Carries::Anything,
-            Operation::Filter(_) | Operation::Sample { .. } | Operation::Merge | Operation::Subscribe => {}
+        match connector.operation.spec().passes {
+            Passes::Result => return connector.operation.procedure().map_or(Carries::Anything, of_procedure),
+            Passes::Other => return Carries::Anything,
+            Passes::Same => {}
         }
         let Some(input) = connector.inputs.first() else { break };
         at = input;

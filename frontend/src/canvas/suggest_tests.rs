@@ -3,6 +3,7 @@
 use super::{Step, opposite, suggest};
 use behaviour::{
     Behaviour, Connector, Id, Kind, Operation, Params, Procedure, Record, RecordId, Stream, StreamKind, Value,
+    connectors,
 };
 
 fn id(text: &str) -> Id {
@@ -28,9 +29,9 @@ fn track() -> Behaviour {
     with_stream(&mut made, "distance", StreamKind::Ordinary, None);
     with_stream(&mut made, "close", StreamKind::Ordinary, None);
     with_stream(&mut made, "tracker", StreamKind::Actuator, Some("Tracker"));
-    with_connector(&mut made, Operation::Map(Procedure::Helper("distance".into())), "ball", "distance");
-    with_connector(&mut made, Operation::Filter(Procedure::body("distance < 20")), "distance", "close");
-    with_connector(&mut made, Operation::Subscribe, "close", "tracker");
+    with_connector(&mut made, connectors::map::SPEC.with(Procedure::Helper("distance".into())), "ball", "distance");
+    with_connector(&mut made, connectors::filter::SPEC.with(Procedure::body("distance < 20")), "distance", "close");
+    with_connector(&mut made, connectors::subscribe::SPEC.with(()), "close", "tracker");
     made
 }
 
@@ -38,9 +39,9 @@ fn words(stream: &str, value: Option<&Value>) -> Vec<String> {
     let steps = suggest(&track(), &id(stream), &robot::shipped_helpers(), value);
     let word = |step: Step| match step {
         Step::Helper(name) => name,
-        Step::Connector(word) => word.to_owned(),
-        Step::Otherwise(body) => format!("otherwise {body}"),
-        Step::Action { device, .. } => device.to_owned(),
+        Step::Connector(spec) => spec.word.to_owned(),
+        Step::Otherwise(_, body) => format!("otherwise {body}"),
+        Step::Action(device, _) => device.name.to_owned(),
     };
     steps.into_iter().map(word).collect()
 }

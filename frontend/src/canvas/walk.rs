@@ -48,7 +48,7 @@ fn siblings(behaviour: &Behaviour, graph: &Graph, of: &Id) -> Vec<Id> {
 #[cfg(test)]
 mod tests {
     use super::{Way, walk};
-    use behaviour::{Behaviour, Connector, Id, Kind, Operation, Params, Place, Record, RecordId, Stream, StreamKind};
+    use behaviour::{Behaviour, Connector, Id, Kind, Params, Place, Record, RecordId, Stream, StreamKind, connectors};
 
     fn id(text: &str) -> Id {
         Id::new(text).unwrap()
@@ -65,7 +65,12 @@ mod tests {
             made.records.insert(key, Record::Stream(stream));
         }
         for (order, output) in (0..).zip(["b", "c"]) {
-            let connector = Connector { operation: Operation::Merge, inputs: vec![id("a")], output: id(output), order };
+            let connector = Connector {
+                operation: connectors::merge::SPEC.with(()),
+                inputs: vec![id("a")],
+                output: id(output),
+                order,
+            };
             made.records.insert(RecordId::new(Kind::Connector, &id(output)), Record::Connector(connector));
         }
         made

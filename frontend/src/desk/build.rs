@@ -4,7 +4,7 @@ use super::{ConnectPlan, Output};
 use crate::layout;
 use behaviour::{
     Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
-    Stream, StreamKind, argument_names, rename_identifier,
+    Stream, StreamKind, rename_identifier,
 };
 use std::collections::BTreeMap;
 
@@ -106,8 +106,8 @@ pub(super) fn stream_edited(behaviour: &Behaviour, change: Change, id: &Id, stre
 
 fn follow_rename(before: &Behaviour, after: &Behaviour, connector: &Connector) -> Option<Connector> {
     let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() else { return None };
-    let old = input_names(before, connector);
-    let new = input_names(after, connector);
+    let old = before.arguments(connector);
+    let new = after.arguments(connector);
     let renamed = renamed_all(body, &old, &new);
     if renamed == *body {
         return None;
@@ -117,12 +117,6 @@ fn follow_rename(before: &Behaviour, after: &Behaviour, connector: &Connector) -
         *procedure = Procedure::body(&renamed);
     }
     Some(connector)
-}
-
-fn input_names(behaviour: &Behaviour, connector: &Connector) -> Vec<String> {
-    let name = |id: &Id| behaviour.stream(id).map_or_else(String::new, |stream| stream.name.clone());
-    let names: Vec<String> = connector.inputs.iter().map(name).collect();
-    argument_names(names.iter().map(String::as_str))
 }
 
 /// All arguments at once, by way of names that nobody uses, so that two may also be exchanged.

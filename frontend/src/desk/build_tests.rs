@@ -2,7 +2,7 @@
 
 use super::{connected, connector_edited, free_name, renamed_all, sensor, stream_edited, without_stream};
 use crate::desk::{ConnectPlan, Output};
-use behaviour::{Behaviour, Change, Id, Operation, Params, Place, Procedure, Stream, StreamKind};
+use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, Stream, StreamKind, connectors};
 use std::collections::BTreeMap;
 
 fn id(text: &str) -> Id {
@@ -21,12 +21,12 @@ fn places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
 fn track() -> Behaviour {
     let mut made = Behaviour::default();
     made.apply(&sensor(&made, &BTreeMap::new(), start("1"), (&id("ball"), "RedBall", Params::new())));
-    let filter = Operation::Filter(Procedure::body("redBall.size > 0.1"));
+    let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.1"));
     let output = Output::New { name: "Close".into(), device: None, params: Params::new() };
     let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output };
     made.apply(&connected(&made, &places(&made), start("2"), (&id("close"), &id("filter")), plan));
     let output = Output::New { name: "Tracker".into(), device: Some("Tracker".into()), params: Params::new() };
-    let plan = ConnectPlan { operation: Operation::Subscribe, inputs: vec![id("close")], output };
+    let plan = ConnectPlan { operation: connectors::subscribe::SPEC.with(()), inputs: vec![id("close")], output };
     made.apply(&connected(&made, &places(&made), start("3"), (&id("tracker"), &id("subscribe")), plan));
     made
 }
@@ -54,7 +54,7 @@ fn renaming_a_stream_rewrites_the_bodies_that_use_it() {
 #[test]
 fn editing_a_connector_may_rename_its_output_in_the_same_change() {
     let made = track();
-    let filter = Operation::Filter(Procedure::body("redBall.size > 0.2"));
+    let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.2"));
     let change = connector_edited(&made, start("4"), &id("filter"), (filter, vec![id("ball")]), Some("Very close"));
     assert_eq!(change.edits.len(), 2);
 }

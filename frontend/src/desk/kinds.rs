@@ -1,6 +1,7 @@
 //! Small words of the desk: what is selected, which dialog is open, how saving goes.
 
 use crate::live::{LiveConnector, LiveStream};
+use behaviour::connectors::Spec;
 use behaviour::{Connector, Id, Operation, Params, Place, Stream};
 use leptos::prelude::ArcRwSignal;
 
@@ -44,9 +45,9 @@ impl Selected {
 /// The open dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Dialog {
-    /// The thesis's Operation dialog: a new connector out of `input`, or the existing `connector`. `kind` is the
-    /// connector's word chosen at first: `map`, `filter`, `sample`, `subscribe`, `combineLatest`, `timestamp`, `merge`.
-    Operation { input: Id, connector: Option<Id>, kind: &'static str },
+    /// The thesis's Operation dialog: a new connector out of `input`, or the existing `connector`. `kind` is the one
+    /// that is chosen at first.
+    Operation { input: Id, connector: Option<Id>, kind: &'static Spec },
     /// Name and parameters of a stream.
     EditStream(Id),
     /// Choosing a sense.

@@ -127,14 +127,14 @@ fn helper_of(connector: &Connector) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::{State, before};
-    use behaviour::{Accepted, Change, Connector, Id, Kind, Operation, Procedure, Record, RecordId};
+    use behaviour::{Accepted, Change, Connector, Id, Kind, Procedure, Record, RecordId, connectors};
 
     fn id(text: &str) -> Id {
         Id::new(text).unwrap()
     }
 
     fn map(body: &str) -> Record {
-        let operation = Operation::Map(Procedure::body(body));
+        let operation = connectors::map::SPEC.with(Procedure::body(body));
         Record::Connector(Connector { operation, inputs: vec![id("in")], output: id("out"), order: 0 })
     }
 

@@ -1,6 +1,6 @@
 //! The short texts on streams and connectors, and how wide they are about.
 
-use behaviour::{Connector, Operation, Procedure, Stream, Value};
+use behaviour::{Connector, Stream, Value};
 use robot::{Param, ParamKind};
 
 /// The text of a connector's chip: `filter` and `(distanceToBall < 20)`.
@@ -19,17 +19,9 @@ impl ChipWords {
 
 /// What a connector's chip says.
 pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
-    let detail = match &connector.operation {
-        Operation::Sample { period_ms } => format!("({period_ms} ms)"),
-        operation => match operation.procedure() {
-            Some(Procedure::Helper(name)) => format!("({name})"),
-            Some(Procedure::Body { body, .. }) => format!("({})", one_line(body)),
-            None => String::new(),
-        },
-    };
-    let word =
-        if matches!(connector.operation, Operation::CombineLatest(_)) { "combine" } else { connector.operation.word() };
-    ChipWords { word: word.to_owned(), detail }
+    let chosen: Vec<String> = connector.operation.chosen().iter().map(|text| one_line(text)).collect();
+    let detail = if chosen.is_empty() { String::new() } else { format!("({})", chosen.join(", ")) };
+    ChipWords { word: connector.operation.spec().name.to_owned(), detail }
 }
 
 fn one_line(body: &str) -> String {
@@ -93,7 +85,7 @@ fn char_width(c: char) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{chip_words, text_width, what_it_is};
-    use behaviour::{Connector, Id, Operation, Procedure, Stream, StreamKind, Value};
+    use behaviour::{Connector, Id, Operation, Parameters, Procedure, Stream, StreamKind, Value, connectors};
 
     fn chip(operation: Operation) -> String {
         let id = |name: &str| Id::new(name).unwrap();
@@ -102,11 +94,11 @@ mod tests {
 
     #[test]
     fn chips_say_what_they_do() {
-        assert_eq!(chip(Operation::Map(Procedure::Helper("distance".into()))), "map (distance)");
-        assert_eq!(chip(Operation::Filter(Procedure::body("a <\n  20"))), "filter (a < 20)");
-        assert_eq!(chip(Operation::Sample { period_ms: 500 }), "sample (500 ms)");
-        assert_eq!(chip(Operation::Subscribe), "subscribe");
-        assert_eq!(chip(Operation::CombineLatest(Procedure::body(""))), "combine (…)");
+        assert_eq!(chip(connectors::map::SPEC.with(Procedure::Helper("distance".into()))), "map (distance)");
+        assert_eq!(chip(connectors::filter::SPEC.with(Procedure::body("a <\n  20"))), "filter (a < 20)");
+        assert_eq!(chip(connectors::sample::SPEC.with(Parameters::period(500))), "sample (500 ms)");
+        assert_eq!(chip(connectors::subscribe::SPEC.with(())), "subscribe");
+        assert_eq!(chip(connectors::combine_latest::SPEC.with(Procedure::body(""))), "combine (…)");
     }
 
     #[test]

@@ -148,7 +148,7 @@ mod tests {
     use super::{free_sensor_spot, free_spot, missing_places};
     use crate::layout::{LEVEL, stream_width};
     use behaviour::{
-        Behaviour, Connector, Id, Kind, Operation, Place, Procedure, Record, RecordId, Stream, StreamKind,
+        Behaviour, Connector, Id, Kind, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
     };
     use std::collections::BTreeMap;
 
@@ -171,7 +171,7 @@ mod tests {
     }
 
     fn connector(input: &str, output: &str) -> Connector {
-        let operation = Operation::Filter(Procedure::body("distanceToBall < 20"));
+        let operation = connectors::filter::SPEC.with(Procedure::body("distanceToBall < 20"));
         Connector { operation, inputs: vec![id(input)], output: id(output), order: 0 }
     }
 

@@ -89,7 +89,7 @@ fn put_beside(
 mod tests {
     use super::tidy;
     use behaviour::{
-        Behaviour, Connector, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Stream, StreamKind,
+        Behaviour, Connector, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
     };
 
     fn id(text: &str) -> Id {
@@ -107,7 +107,7 @@ mod tests {
             made.records.insert(key, Record::Stream(stream));
         }
         for (order, (from, to)) in (0..).zip(edges) {
-            let operation = Operation::Map(Procedure::body("1"));
+            let operation = connectors::map::SPEC.with(Procedure::body("1"));
             let connector = Connector { operation, inputs: vec![id(from)], output: id(to), order };
             made.records
                 .insert(RecordId::new(Kind::Connector, &id(&format!("c{order}"))), Record::Connector(connector));

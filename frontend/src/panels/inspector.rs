@@ -5,11 +5,11 @@ use super::insight::{AlsoUsed, Below};
 use super::problems::{ProblemList, Problems};
 use super::trials::{self, Question, TrialTable};
 use crate::desk::{ConnectorSignals, Dialog, Selected, StreamSignals};
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::layout::what_it_is;
 use crate::live::{rate_words, short_value};
 use crate::words;
-use behaviour::{Connector, Id, Procedure, Stream, StreamKind};
+use behaviour::{Connector, Id, Procedure, Stream, StreamKind, Value};
 use leptos::prelude::*;
 
 /// The inspector; with nothing selected it lists the problems.
@@ -122,7 +122,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
         let record = signals.record.clone();
         move |_| record.get()
     });
-    let word = move || record.read().operation.word();
+    let spec = move || record.read().operation.spec();
     let question = Memo::new(move |_| question_of(desk, &record.read()));
     let answers = trials::ask(question);
     let removed = Selected::Connector(id.clone());
@@ -130,8 +130,8 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
     let dialog = edit_dialog(&id, &record.get_untracked());
     view! {
         <section class="panel" aria-label=words::inspector_name()>
-            <h2>{move || view! { <Icon name=connector_icon(word()) /> }} {move || words::connector_word(word())}</h2>
-            <p class="second">{move || words::connector_says(word())}</p>
+            <h2>{move || view! { <Icon name=spec().icon.name /> }} {move || spec().name}</h2>
+            <p class="second">{move || spec().says}</p>
             {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
             <TrialTable answers />
             <ConnectorLive id=id.clone() signals />
@@ -146,7 +146,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
 
 /// The Operation dialog of a connector that is there.
 pub(crate) fn edit_dialog(id: &Id, connector: &Connector) -> Dialog {
-    let kind = connector.operation.word();
+    let kind = connector.operation.spec();
     let input = connector.inputs.first().unwrap_or(&connector.output).clone();
     Dialog::Operation { input, connector: Some(id.clone()), kind }
 }
@@ -162,21 +162,23 @@ fn procedure_text(connector: &Connector) -> Option<String> {
 /// What a connector's procedure is asked. Reactive.
 fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
     let desk = desk.desk();
-    let is_test = connector.operation.word() == "filter";
+    let spec = connector.operation.spec();
+    let is_test = spec.is_test();
     let inputs = connector.inputs.clone();
+    let before: Vec<Value> = connector.operation.start().cloned().into_iter().collect();
     match connector.operation.procedure()? {
         Procedure::Body { body, args } => {
             let names = inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.clone()));
             let names: Vec<String> = names.collect();
-            let derived = || behaviour::argument_names(names.iter().map(String::as_str));
+            let derived = || spec.argument_names(names.iter().map(String::as_str));
             let arguments = args.clone().unwrap_or_else(derived);
-            Some(Question { arguments, body: body.clone(), inputs, is_test })
+            Some(Question { arguments, body: body.clone(), inputs, before, is_test })
         }
         Procedure::Helper(name) => {
             let helpers = desk.helpers.get();
             let (_, helper) = helpers.into_iter().find(|(_, helper)| helper.name == *name)?;
-            let fits = helper.params.len() == inputs.len();
-            fits.then_some(Question { arguments: helper.params, body: helper.body, inputs, is_test })
+            let fits = helper.params.len() == spec.argument_count(inputs.len());
+            fits.then_some(Question { arguments: helper.params, body: helper.body, inputs, before, is_test })
         }
     }
 }

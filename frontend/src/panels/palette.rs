@@ -5,7 +5,7 @@ use super::hold::{Hold, hold};
 use crate::desk::{ConnectPlan, Dialog, Output, Selected};
 use crate::icons::Icon;
 use crate::words;
-use behaviour::{Id, Operation, Params, Procedure, StreamKind};
+use behaviour::{Id, Params, Procedure, StreamKind, connectors};
 use leptos::prelude::*;
 use robot::Device;
 
@@ -162,7 +162,7 @@ pub(crate) fn subscribe(desk: Hold, source: Option<Id>, device: &'static Device)
     let desk = desk.desk();
     let name = desk.name_for(device.name);
     let output = Output::New { name, device: Some(device.name.to_owned()), params: Params::new() };
-    let plan = ConnectPlan { operation: Operation::Subscribe, inputs: vec![input], output };
+    let plan = ConnectPlan { operation: connectors::to_action().with(()), inputs: vec![input], output };
     desk.connect(plan, |_| {});
 }
 

@@ -17,6 +17,8 @@ pub(crate) struct Question {
     pub(crate) arguments: Vec<String>,
     pub(crate) body: String,
     pub(crate) inputs: Vec<Id>,
+    /// The values of the arguments before those of the inputs.
+    pub(crate) before: Vec<Value>,
     /// Whether its result only says if the value passes.
     pub(crate) is_test: bool,
 }
@@ -109,7 +111,8 @@ impl Answers {
         };
         let (froms, sets): (Vec<Origin>, Vec<Vec<Value>>) = sets(desk, &question.inputs).into_iter().unzip();
         let me = self.clone();
-        let asked = (question.arguments.clone(), question.body.clone(), sets.clone());
+        let whole = |set: &Vec<Value>| question.before.iter().chain(set).cloned().collect();
+        let asked = (question.arguments.clone(), question.body.clone(), sets.iter().map(whole).collect());
         desk.desk().check_body(asked.0, asked.1, asked.2, move |(error, results)| {
             if me.number.get_untracked() == number {
                 let given = froms.into_iter().zip(&sets).zip(results);

@@ -118,22 +118,6 @@ sentences! {
     passes: "passes";
     stopped: "stopped";
 
-    // Connectors
-    word_sample: "sample";
-    word_subscribe: "subscribe";
-    word_filter: "filter";
-    word_map: "map";
-    word_combine: "combine";
-    word_merge: "merge";
-    word_timestamp: "timestamp";
-    says_sample: "Passes on the newest value at a steady beat.";
-    says_subscribe: "Hands each value to an action of the robot.";
-    says_filter: "Keeps the values that pass a test.";
-    says_map: "Makes a new value out of each value.";
-    says_combine: "Makes one value out of the newest values of several streams.";
-    says_merge: "Joins several streams into one, as their values come.";
-    says_timestamp: "Puts the time beside each value.";
-
     // The Operation dialog
     operation: "Operation";
     connector: "Connector";
@@ -146,7 +130,6 @@ sentences! {
     procedure: "Procedure";
     parameters: "Parameters:";
     output_stream_name: "Output stream name";
-    rate_label: "One value every";
     milliseconds: "ms";
     actuator: "Actuator";
     input_streams: "Input streams, in this order";
@@ -158,6 +141,7 @@ sentences! {
     start_over: "Start over";
     choose_helper: "Choose a helper.";
     write_body: "Write what to do with each value.";
+    start_is_no_value: "The value to start from must be a number, a text in quotes, true, false, null, a list or an object.";
     finish_body: "The test is not finished. Write a number after it, such as 20.";
     name_missing: "Give the stream a name.";
     copy_mine: "Copy what I wrote";
@@ -266,7 +250,6 @@ sentences! {
     to_graph: "To the graph";
     add_connector: "Add connector";
     otherwise: "otherwise";
-    say_something: "Say…";
     zoom_group: "Zoom";
     zoom_in: "Zoom in";
     zoom_out: "Zoom out";
@@ -654,31 +637,6 @@ pub(crate) fn ball_named(color: &str) -> &'static str {
     }
 }
 
-/// What a person calls a connector, and what it does, by its word in files.
-pub(crate) fn connector_word(word: &str) -> &'static str {
-    match word {
-        "sample" => word_sample(),
-        "subscribe" => word_subscribe(),
-        "filter" => word_filter(),
-        "combineLatest" => word_combine(),
-        "merge" => word_merge(),
-        "timestamp" => word_timestamp(),
-        _ => word_map(),
-    }
-}
-
-pub(crate) fn connector_says(word: &str) -> &'static str {
-    match word {
-        "sample" => says_sample(),
-        "subscribe" => says_subscribe(),
-        "filter" => says_filter(),
-        "combineLatest" => says_combine(),
-        "merge" => says_merge(),
-        "timestamp" => says_timestamp(),
-        _ => says_map(),
-    }
-}
-
 /// A value of a marble example: "5 at 0.3 s".
 pub(crate) fn value_at(value: &str, at_ms: u64) -> String {
     format!("{value} at {}", seconds_short(at_ms))
@@ -699,40 +657,24 @@ pub(crate) fn seconds_short(ms: u64) -> String {
     format!("{} s", ms as f64 / 1_000.0)
 }
 
-/// The time that timestamp writes beside a value.
+/// The time written beside a value.
 pub(crate) fn at_ms(time: &str) -> String {
     format!("t = {time}")
 }
 
-/// The name of a stream that a filter with a helper makes: "Near Red ball".
-pub(crate) fn name_that(helper: &str, input: &str) -> String {
-    format!("{helper} {input}")
+/// A duration: "500 ms", "2 s".
+pub(crate) fn duration(ms: u64) -> String {
+    if ms.is_multiple_of(1_000) { format!("{} s", ms / 1_000) } else { format!("{ms} ms") }
 }
 
-/// The name of a stream that a sample makes: "Distance every 500 ms", "Distance every 2 s".
-pub(crate) fn name_sampled(input: &str, period_ms: u64) -> String {
-    match (period_ms / 1_000, period_ms % 1_000) {
-        (1, 0) => format!("{input} every second"),
-        (seconds, 0) => format!("{input} every {seconds} s"),
-        _ => format!("{input} every {period_ms} ms"),
-    }
+/// How often that is: "every 500 ms", "every second".
+pub(crate) fn every(ms: u64) -> String {
+    if ms == 1_000 { "every second".to_owned() } else { format!("every {}", duration(ms)) }
 }
 
-/// The name of a stream that a merge makes: "Red or Green".
-pub(crate) fn name_merged(inputs: &[String]) -> String {
-    inputs.join(" or ")
-}
-
-/// The name of a stream that a connector makes, before anybody thinks of a better one.
-pub(crate) fn name_out_of(kind: &str, input: &str) -> String {
-    match kind {
-        "filter" => format!("Some {input}"),
-        "sample" => format!("{input} at times"),
-        "timestamp" => format!("{input} with time"),
-        "combineLatest" => format!("{input} and more"),
-        "merge" => format!("{input} or more"),
-        _ => format!("New {input}"),
-    }
+/// Names of which one is meant: "Red or Green".
+pub(crate) fn one_of(names: &[String]) -> String {
+    names.join(" or ")
 }
 
 /// How deep a row of the outline stands, for screen readers.

@@ -57,13 +57,14 @@ impl Fnv {
     }
 
     fn connector(&mut self, connector: &FileConnector) {
-        let FileConnector { id, operation, inputs, output, body, args, helper, period_ms } = connector;
+        let FileConnector { id, operation, inputs, output, body, args, helper, period_ms, start } = connector;
         self.texts([id, operation, output]);
         self.texts(inputs);
         self.texts(body);
         self.texts(args.iter().flatten());
         self.texts(helper);
         self.number(*period_ms);
+        start.iter().for_each(|start| self.text(&start.to_string()));
     }
 }
 

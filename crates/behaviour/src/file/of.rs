@@ -1,9 +1,7 @@
 //! From a behaviour to its file.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
-use crate::{
-    Behaviour, Connector, Engine, Helper, Id, Operation, Place, Procedure, Record, Settings, Stream, called_names,
-};
+use crate::{Behaviour, Connector, Engine, Helper, Id, Place, Procedure, Record, Settings, Stream, called_names};
 use std::collections::BTreeMap;
 
 impl BehaviourFile {
@@ -64,7 +62,6 @@ fn file_connector(id: &Id, connector: &Connector) -> FileConnector {
         Some(Procedure::Helper(name)) => (None, None, Some(name.clone())),
         None => (None, None, None),
     };
-    let period_ms = if let Operation::Sample { period_ms } = connector.operation { Some(period_ms) } else { None };
     FileConnector {
         id: id.to_string(),
         operation: connector.operation.word().to_owned(),
@@ -73,7 +70,8 @@ fn file_connector(id: &Id, connector: &Connector) -> FileConnector {
         body,
         args,
         helper,
-        period_ms,
+        period_ms: connector.operation.period_ms(),
+        start: connector.operation.start().cloned(),
     }
 }
 

@@ -1,7 +1,10 @@
 //! From a file to the records of a behaviour.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
-use crate::{Behaviour, Connector, Helper, Id, Kind, Note, Operation, Procedure, Record, RecordId, Settings, Stream};
+use crate::{
+    Behaviour, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId, Settings, Stream,
+    connectors,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl BehaviourFile {
@@ -135,27 +138,22 @@ impl FileConnector {
     /// # Errors
     /// Why it is no connector, in plain words.
     pub fn operation(&self) -> Result<Operation, String> {
-        match self.operation.as_str() {
-            "map" => self.procedure().map(Operation::Map),
-            "filter" => self.procedure().map(Operation::Filter),
-            "combineLatest" => self.procedure().map(Operation::CombineLatest),
-            "timestamp" => Ok(Operation::Timestamp),
-            "merge" => Ok(Operation::Merge),
-            "subscribe" => Ok(Operation::Subscribe),
-            "sample" => {
-                let period_ms = self.period_ms.ok_or("sample needs a periodMs of 1 or more")?;
-                Ok(Operation::Sample { period_ms })
-            }
-            other => Err(format!("there is no connector {other:?}")),
+        let word = &self.operation;
+        let spec = connectors::spec(word).ok_or_else(|| format!("there is no connector {word:?}"))?;
+        let procedure = if spec.takes.procedure.is_some() { self.procedure()? } else { None };
+        if spec.takes.period.is_some() && self.period_ms.is_none() {
+            return Err(format!("{word} needs a periodMs of 1 or more"));
         }
+        Ok(spec.with(Parameters { procedure, period_ms: self.period_ms, start: self.start.clone() }))
     }
 
-    /// The procedural parameter; an absent body is an empty one.
-    fn procedure(&self) -> Result<Procedure, String> {
+    /// The procedure, if there is one.
+    fn procedure(&self) -> Result<Option<Procedure>, String> {
         match (&self.body, &self.helper) {
             (Some(_), Some(_)) => Err("it has both a body and a helper".to_owned()),
-            (None, Some(helper)) => Ok(Procedure::Helper(helper.clone())),
-            (body, None) => Ok(Procedure::Body { body: body.clone().unwrap_or_default(), args: self.args.clone() }),
+            (None, Some(helper)) => Ok(Some(Procedure::Helper(helper.clone()))),
+            (Some(body), None) => Ok(Some(Procedure::Body { body: body.clone(), args: self.args.clone() })),
+            (None, None) => Ok(None),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! A coloured ball, as ALColorBlobDetection sees it.
 
 use super::red_ball::BALL;
-use crate::{Device, Param, ParamKind, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -17,5 +17,7 @@ pub(crate) const DEVICE: Device = Device {
     }],
     shape: Shape::Object(BALL),
     resources: Resources::Always(&[]),
+    waiting: Waiting::Newest,
+    next_step: NextStep::NEVER,
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
 };

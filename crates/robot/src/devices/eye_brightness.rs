@@ -1,7 +1,8 @@
 //! The brightness of the eyes.
 
-use crate::{Device, Resource, Resources, Shape};
+use crate::{Device, NextStep, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
+use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "EyeBrightness",
@@ -12,5 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[],
     shape: Shape::Number("0 to 1"),
     resources: Resources::Always(&[Resource::Eyes]),
+    waiting: Waiting::Newest,
+    next_step: NextStep { for_streams: &[(Carries::Number, &[])], ..NextStep::NEVER },
     example: "0.5",
 };

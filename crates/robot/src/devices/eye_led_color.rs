@@ -1,7 +1,8 @@
 //! The colour of the eyes.
 
-use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
+use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "EyeLedColor",
@@ -26,5 +27,7 @@ pub(crate) const DEVICE: Device = Device {
     }],
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Eyes]),
+    waiting: Waiting::Newest,
+    next_step: NextStep { for_streams: &[(Carries::Truth, &[])], ..NextStep::NEVER },
     example: r#""red""#,
 };

@@ -1,6 +1,6 @@
 //! Faces, as ALFaceDetection sees them.
 
-use crate::{Device, Field, Resources, Shape};
+use crate::{Device, Field, NextStep, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -21,5 +21,7 @@ pub(crate) const DEVICE: Device = Device {
         Field { name: "time", says: "when it was seen, in milliseconds of robot time" },
     ]),
     resources: Resources::Always(&[]),
+    waiting: Waiting::Newest,
+    next_step: NextStep::NEVER,
     example: r#"{"id":1,"label":"","new":true,"recognized_new_face":true,"x":0.0,"y":-0.1,"size":0.1,"time":0}"#,
 };

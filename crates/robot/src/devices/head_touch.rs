@@ -1,6 +1,6 @@
 //! The three touch fields on the head.
 
-use crate::{Device, Param, ParamKind, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -23,5 +23,7 @@ pub(crate) const DEVICE: Device = Device {
     ],
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
+    waiting: Waiting::Every,
+    next_step: NextStep::NEVER,
     example: "true",
 };

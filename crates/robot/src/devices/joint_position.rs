@@ -1,7 +1,7 @@
 //! The angle of one joint.
 
 use super::JOINT_CHOICES;
-use crate::{Device, Param, ParamKind, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -13,5 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[Param { name: "joint", label: "Joint", kind: ParamKind::Choice(JOINT_CHOICES) }],
     shape: Shape::Number("rad"),
     resources: Resources::Always(&[]),
+    waiting: Waiting::Newest,
+    next_step: NextStep::NEVER,
     example: "0.1",
 };

@@ -1,7 +1,8 @@
 //! Showing the value to people.
 
-use crate::{Device, Resources, Shape};
+use crate::{Device, NextStep, Resources, Shape, Waiting};
 use behaviour::StreamKind;
+use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "Print",
@@ -12,5 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[],
     shape: Shape::Anything,
     resources: Resources::Always(&[]),
+    waiting: Waiting::Every,
+    next_step: NextStep { for_streams: &[(Carries::Text, &[])], ..NextStep::NEVER },
     example: r#""hello""#,
 };

@@ -1,6 +1,6 @@
 //! The red ball, as ALRedBallDetection sees it (NAOqi 2.8): angles from the image centre, left and down positive.
 
-use crate::{Device, Field, Resources, Shape};
+use crate::{Device, Field, NextStep, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 /// Fields of a ball.
@@ -20,5 +20,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[],
     shape: Shape::Object(BALL),
     resources: Resources::Always(&[]),
+    waiting: Waiting::Newest,
+    next_step: NextStep::NEVER,
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
 };

@@ -1,7 +1,8 @@
 //! Learning a face.
 
-use crate::{Device, Resource, Resources, Shape};
+use crate::{Device, NextStep, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
+use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "RememberFace",
@@ -12,5 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[],
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Memory]),
+    waiting: Waiting::Newest,
+    next_step: NextStep { for_streams: &[(Carries::Face, &[])], ..NextStep::NEVER },
     example: "true",
 };

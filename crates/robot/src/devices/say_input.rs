@@ -1,7 +1,8 @@
 //! Speaking the value.
 
-use crate::{Device, Resource, Resources, Shape};
+use crate::{Device, NextStep, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
+use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "SayInput",
@@ -12,5 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[],
     shape: Shape::Text,
     resources: Resources::Always(&[Resource::Voice]),
+    waiting: Waiting::Every,
+    next_step: NextStep { for_streams: &[(Carries::Text, &[])], ..NextStep::NEVER },
     example: r#""hello""#,
 };

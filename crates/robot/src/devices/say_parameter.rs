@@ -1,7 +1,8 @@
 //! Speaking a fixed text.
 
-use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
+use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "SayParameter",
@@ -12,5 +13,12 @@ pub(crate) const DEVICE: Device = Device {
     params: &[Param { name: "text", label: "Text", kind: ParamKind::Text { max_chars: 1_000, default: "Hello" } }],
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Voice]),
+    waiting: Waiting::Every,
+    next_step: NextStep {
+        for_streams: &[(Carries::Ball, &[]), (Carries::Number, &[]), (Carries::Truth, &[]), (Carries::Anything, &[])],
+        label: Some("Say…"),
+        stream: Some("Say"),
+        asks: true,
+    },
     example: "true",
 };

@@ -1,7 +1,7 @@
 //! Moving one joint.
 
 use super::JOINT_CHOICES;
-use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::{Params, StreamKind, Value};
 
 pub(crate) const DEVICE: Device = Device {
@@ -20,6 +20,8 @@ pub(crate) const DEVICE: Device = Device {
     ],
     shape: Shape::Number("rad"),
     resources: Resources::By(parts),
+    waiting: Waiting::Newest,
+    next_step: NextStep::NEVER,
     example: "0.5",
 };
 

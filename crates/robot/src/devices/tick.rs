@@ -1,6 +1,6 @@
 //! A clock that ticks.
 
-use crate::{Device, Param, ParamKind, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -16,5 +16,7 @@ pub(crate) const DEVICE: Device = Device {
     }],
     shape: Shape::Number(""),
     resources: Resources::Always(&[]),
+    waiting: Waiting::Every,
+    next_step: NextStep::NEVER,
     example: "1",
 };

@@ -1,7 +1,11 @@
 //! Following a ball or a face, as ALTracker does it.
 
-use crate::{Device, Param, ParamKind, Resource, Resources, Shape};
+use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use behaviour::connectors::Carries;
 use behaviour::{Params, StreamKind, Value};
+
+/// What is chosen to follow the ball.
+const BALL: &[(&str, &str)] = &[("target", "RedBall")];
 
 pub(crate) const DEVICE: Device = Device {
     name: "Tracker",
@@ -39,6 +43,16 @@ pub(crate) const DEVICE: Device = Device {
     ],
     shape: Shape::Anything,
     resources: Resources::By(parts),
+    waiting: Waiting::Newest,
+    next_step: NextStep {
+        for_streams: &[
+            (Carries::Ball, BALL),
+            (Carries::Face, &[("target", "Face")]),
+            (Carries::Number, BALL),
+            (Carries::Anything, BALL),
+        ],
+        ..NextStep::NEVER
+    },
     example: "true",
 };
 

@@ -5,9 +5,9 @@ use super::fair::Fair;
 use super::gate::Gate;
 use super::mailbox::Mailbox;
 use crate::lock;
-use behaviour::{Id, Params, Value};
+use behaviour::{Id, Params, StreamKind, Value};
 use engine::{Claim, StreamIx};
-use robot::{SceneEdit, Use};
+use robot::{SceneEdit, Use, Waiting};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::SyncSender;
@@ -160,7 +160,8 @@ impl Desk {
 
     /// Hands on a value for an action; an older one of the same stream gives way.
     pub(super) fn command(&self, user: Use, device: &str, command: Command) {
-        let waiting_max = if matches!(device, "SayInput" | "SayParameter" | "Print") { TEXTS_MAX } else { 1 };
+        let waiting = robot::device(StreamKind::Actuator, device).map_or(Waiting::Newest, |device| device.waiting);
+        let waiting_max = if waiting == Waiting::Every { TEXTS_MAX } else { 1 };
         lock(&self.papers).commands.push(user, waiting_max, command);
         self.ring();
     }

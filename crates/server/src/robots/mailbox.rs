@@ -3,8 +3,9 @@
 use super::fair::Fair;
 use super::successor::Successor;
 use crate::lock;
-use behaviour::{Id, Value};
+use behaviour::{Id, StreamKind, Value};
 use engine::StreamIx;
+use robot::Waiting;
 use std::collections::BTreeMap;
 use std::sync::{Condvar, Mutex};
 use std::time::Instant;
@@ -27,9 +28,9 @@ pub(super) enum Keep {
 impl Keep {
     /// How the readings of a sense are kept.
     pub(super) fn of(device: &str) -> Self {
-        match device {
-            "HeadTouch" | "Tick" => Self::All,
-            _ => Self::Newest,
+        match robot::device(StreamKind::Sensor, device).map(|device| device.waiting) {
+            Ok(Waiting::Every) => Self::All,
+            Ok(Waiting::Newest) | Err(_) => Self::Newest,
         }
     }
 
@@ -181,6 +182,15 @@ mod tests {
     use super::{Keep, Mailbox};
     use behaviour::Value;
     use engine::StreamIx;
+
+    #[test]
+    fn how_readings_are_kept_is_what_their_device_says() {
+        for sense in robot::sensors() {
+            let every = sense.waiting == robot::Waiting::Every;
+            assert_eq!(Keep::of(sense.name) == Keep::All, every, "{}", sense.name);
+        }
+        assert_eq!(Keep::of("no such sense"), Keep::Newest);
+    }
 
     #[test]
     fn a_camera_keeps_its_newest_and_a_touch_keeps_every_one() {

@@ -55,6 +55,7 @@ fn filtered(name: &str, body: &str) -> Start {
         args: None,
         helper: None,
         period_ms: None,
+        start: None,
     };
     let file = BehaviourFile {
         format: FORMAT.to_owned(),

@@ -1,7 +1,7 @@
 //! Editing together: in order, once, and only what the rules allow.
 
 use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, sentence, stream, stream_id};
-use behaviour::{Operation, Procedure, Record, RecordId, Refusal, StreamKind};
+use behaviour::{Parameters, Procedure, Record, RecordId, Refusal, StreamKind, connectors};
 use protocol::{Reply, Request, SaidNo};
 use shell::{Mirror, Trouble};
 
@@ -103,16 +103,20 @@ async fn every_bad_change_is_refused_with_a_sentence_and_changes_nothing() {
         aiko.put("Add", id, Some(record)).await.unwrap();
     }
     let before = aiko.open().unwrap();
-    let sample = |period_ms| connect(Operation::Sample { period_ms }, &["near"], "new");
+    let sample = |period_ms| connect(connectors::sample::SPEC.with(Parameters::period(period_ms)), &["near"], "new");
     let bad: Vec<(&str, RecordId, Option<Record>)> = vec![
         ("cycle", connector_id("c1"), Some(map("near", "near", "far"))),
         ("second input", connector_id("c3"), Some(map("redBall", "ball", "near"))),
         ("into a sensor", connector_id("c3"), Some(map("far", "far", "ball"))),
         ("out of an actuator", connector_id("c3"), Some(map("out", "out", "near"))),
         ("only subscribe", connector_id("c3"), Some(map("far", "far", "out"))),
-        ("subscribe end", connector_id("c3"), Some(connect(Operation::Subscribe, &["ball"], "far"))),
-        ("two inputs", connector_id("c3"), Some(connect(Operation::Subscribe, &["ball", "far"], "out"))),
-        ("input twice", connector_id("c2"), Some(connect(Operation::Merge, &["far", "far"], "near"))),
+        ("subscribe end", connector_id("c3"), Some(connect(connectors::subscribe::SPEC.with(()), &["ball"], "far"))),
+        (
+            "two inputs",
+            connector_id("c3"),
+            Some(connect(connectors::subscribe::SPEC.with(()), &["ball", "far"], "out")),
+        ),
+        ("input twice", connector_id("c2"), Some(connect(connectors::merge::SPEC.with(()), &["far", "far"], "near"))),
         ("missing stream", connector_id("c3"), Some(map("nowhere", "nowhere", "near"))),
         ("stream in use", stream_id("far"), None),
         ("does not compile", connector_id("c2"), Some(map("far +", "far", "near"))),

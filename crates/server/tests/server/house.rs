@@ -1,6 +1,6 @@
 //! A server in this process on a free port, and things to put into behaviours.
 
-use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind};
+use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind, connectors};
 use protocol::{Reply, Request};
 use server::{Config, serve_with};
 use shell::{Client, Trouble};
@@ -110,7 +110,7 @@ pub(crate) fn printer(name: &str) -> Record {
 }
 
 pub(crate) fn map(body: &str, from: &str, to: &str) -> Record {
-    connect(Operation::Map(Procedure::body(body)), &[from], to)
+    connect(connectors::map::SPEC.with(Procedure::body(body)), &[from], to)
 }
 
 pub(crate) fn connect(operation: Operation, from: &[&str], to: &str) -> Record {

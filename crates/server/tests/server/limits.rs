@@ -4,8 +4,8 @@ use crate::house::{House, ball, connect, connector_id, id, plain, sentence, stre
 use crate::http::{asked, exported, post};
 use crate::links::socket;
 use behaviour::{
-    Accepted, BEHAVIOUR_MAX_BYTES, Behaviour, Change, Helper, Id, Kind, LIBRARY_MAX_BYTES, Note, Operation, Procedure,
-    Record, RecordId, Refusal, Settings, record_bytes,
+    Accepted, BEHAVIOUR_MAX_BYTES, Behaviour, Change, Helper, Id, Kind, LIBRARY_MAX_BYTES, Note, Procedure, Record,
+    RecordId, Refusal, Settings, connectors, record_bytes,
 };
 use futures_util::{SinkExt, StreamExt};
 use protocol::{LIBRARY, Message as Told, PART_MAX_BYTES, Reply, Request, SaidNo};
@@ -204,7 +204,7 @@ async fn as_large_as_may_be() -> (MemoryStore, House) {
     let settings = (RecordId::settings(), Record::Settings(Settings::named("Play")));
     let mut records = vec![settings, (stream_id("ball"), ball("Ball"))];
     for at in 0..helpers.len() {
-        let by = Operation::Map(Procedure::Helper(format!("big{at}")));
+        let by = connectors::map::SPEC.with(Procedure::Helper(format!("big{at}")));
         records.push((stream_id(&format!("s{at}")), plain(&format!("S{at}"))));
         records.push((connector_id(&format!("c{at}")), connect(by, &["ball"], &format!("s{at}"))));
     }

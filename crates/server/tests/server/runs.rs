@@ -1,7 +1,7 @@
 //! Running: problems stop Start, Stop stops, values come.
 
 use crate::house::{House, ball, connect, connector_id, make, map, plain, printer, stream, stream_id};
-use behaviour::{Operation, Value};
+use behaviour::{Value, connectors};
 use protocol::{Reply, Request, RunPhase, SaidNo};
 use shell::Trouble;
 
@@ -23,7 +23,9 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
     let (mut aiko, play) = house.maker("Aiko").await;
     aiko.put("Add", stream_id("head"), Some(touch())).await.unwrap();
     aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
-    aiko.put("Add", connector_id("c"), Some(connect(Operation::Subscribe, &["head"], "out"))).await.unwrap();
+    aiko.put("Add", connector_id("c"), Some(connect(connectors::subscribe::SPEC.with(()), &["head"], "out")))
+        .await
+        .unwrap();
     aiko.ask(Request::Start { behaviour: play.clone(), robot: None, record: false }).await.unwrap();
     aiko.ask(Request::Stimulate {
         behaviour: play.clone(),
@@ -85,7 +87,9 @@ async fn edits_disturb_nothing_until_they_are_applied() {
     aiko.put("Add", stream_id("out"), Some(printer("Out"))).await.unwrap();
     aiko.put("Add", stream_id("next"), Some(plain("Next"))).await.unwrap();
     aiko.put("Add", connector_id("m"), Some(map("head + 1", "head", "next"))).await.unwrap();
-    aiko.put("Add", connector_id("c"), Some(connect(Operation::Subscribe, &["next"], "out"))).await.unwrap();
+    aiko.put("Add", connector_id("c"), Some(connect(connectors::subscribe::SPEC.with(()), &["next"], "out")))
+        .await
+        .unwrap();
     let apply = Request::Apply { behaviour: play.clone(), robot: None };
     assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(SaidNo::NotRunning)));
     aiko.ask(Request::Start { behaviour: play.clone(), robot: None, record: false }).await.unwrap();

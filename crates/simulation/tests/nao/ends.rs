@@ -102,14 +102,12 @@ fn a_head_follows_on_when_an_arm_that_points_ends() {
             bench.tell("head", true);
             bench.wait(100);
         }
-        println!("{with_arm} before {} {:?}", bench.joint("HeadYaw"), bench.nao.scene().balls);
         if with_arm {
             bench.nao.close(&user("arm"));
         }
         bench.ball("red", moved);
         bench.keep("head", true, 3_000);
         let yaw = bench.joint("HeadYaw");
-        println!("{with_arm}: {yaw} to {}", bench.bearing(moved));
         (yaw - bench.bearing(moved)).abs()
     };
     assert!(follows_on(false) < 0.02, "alone");

@@ -2,8 +2,8 @@
 
 use crate::{Append, Place, Query, Store, StoreError};
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Procedure, Record, RecordId, Settings,
-    Stream, StreamKind,
+    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Procedure, Record, RecordId, Settings, Stream,
+    StreamKind, connectors,
 };
 
 pub(super) fn id(text: &str) -> Id {
@@ -36,7 +36,7 @@ pub(super) fn stream(name: &str, order: i64) -> Record {
 }
 
 pub(super) fn filter(procedure: Procedure) -> Record {
-    let operation = Operation::Filter(procedure);
+    let operation = connectors::filter::SPEC.with(procedure);
     Record::Connector(Connector { operation, inputs: vec![id("s0")], output: id("s1"), order: 7 })
 }
 
@@ -105,8 +105,8 @@ pub(super) fn driving(actuator: &str) -> Vec<(RecordId, Record)> {
         (key(Kind::Stream, "in"), stream(StreamKind::Sensor, "Ball", Some("RedBall"))),
         (key(Kind::Stream, "mid"), stream(StreamKind::Ordinary, "Near", None)),
         (key(Kind::Stream, "out"), stream(StreamKind::Actuator, "Look", Some(actuator))),
-        (key(Kind::Connector, "c1"), connector(Operation::Merge, "in", "mid")),
-        (key(Kind::Connector, "c2"), connector(Operation::Subscribe, "mid", "out")),
+        (key(Kind::Connector, "c1"), connector(connectors::merge::SPEC.with(()), "in", "mid")),
+        (key(Kind::Connector, "c2"), connector(connectors::subscribe::SPEC.with(()), "mid", "out")),
     ]
 }
 

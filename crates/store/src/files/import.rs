@@ -142,6 +142,7 @@ mod tests {
                 args: None,
                 helper: text.1,
                 period_ms: None,
+                start: None,
             });
         }
         file

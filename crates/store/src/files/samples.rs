@@ -2,7 +2,7 @@
 
 use behaviour::{
     Behaviour, BehaviourFile, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Helper, Params, Place,
-    StreamKind, Value,
+    StreamKind, Value, connectors,
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option;
@@ -132,23 +132,24 @@ fn any_stream(at: usize) -> impl Strategy<Value = FileStream> {
 }
 
 fn any_connector(at: usize) -> impl Strategy<Value = FileConnector> {
-    let words = ["map", "filter", "combineLatest", "timestamp", "sample", "merge", "subscribe"];
     let inputs = vec((0_usize..4).prop_map(|n| format!("s{n}")), 0..4);
     let body = (option::of(any_text()), option::of(any_names(3)), option::of(any_text()));
-    (proptest::sample::select(words.to_vec()), inputs, body, 1_u64..=3_600_000).prop_map(
-        move |(word, inputs, (body, args, helper), period)| {
-            let takes = matches!(word, "map" | "filter" | "combineLatest");
+    let rest = (1_u64..=3_600_000, any_value());
+    (proptest::sample::select(connectors::ALL), inputs, body, rest).prop_map(
+        move |(spec, inputs, (body, args, helper), (period_ms, start))| {
+            let takes = spec.takes.procedure.is_some();
             let helper = helper.filter(|_| takes && body.is_none());
             let body = body.filter(|_| takes);
             FileConnector {
                 id: format!("c{at}"),
-                operation: word.to_owned(),
+                operation: spec.word.to_owned(),
                 inputs,
                 output: format!("s{at}"),
                 args: args.filter(|_| body.is_some()),
                 body,
                 helper,
-                period_ms: Some(period).filter(|_| word == "sample"),
+                period_ms: spec.takes.period.map(|_| period_ms),
+                start: spec.takes.start.map(|_| start).filter(|start| *start != Value::Null),
             }
         },
     )

@@ -2,6 +2,7 @@
 
 use super::samples::{any_file, templates};
 use super::{read, write_json, write_xml};
+use behaviour::connectors::{self, Spec, Takes};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::TestRunner;
@@ -10,6 +11,7 @@ use std::io::Write;
 use std::process::{Command, Stdio};
 
 const JSON: &str = include_str!("../../schemas/rrp-behaviour-1.schema.json");
+const JSON_PATH: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/schemas/rrp-behaviour-1.schema.json");
 const XSD: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/schemas/rrp-behaviour-1.xsd");
 /// Files that xmllint is shown.
 const SHOWN: usize = 100;
@@ -22,6 +24,65 @@ fn validator() -> jsonschema::Validator {
 
 fn keeps(validator: &jsonschema::Validator, text: &str) -> bool {
     serde_json::from_str(text).is_ok_and(|value| validator.is_valid(&value))
+}
+
+/// The lines of both schemas that name connectors, as the list of connectors has them.
+fn lines_with_connectors() -> (Vec<String>, Vec<String>) {
+    let words = |of: fn(&Spec) -> bool| {
+        let words: Vec<String> = connectors::words(of).map(|word| format!("{word:?}")).collect();
+        format!("\"type\": {{\"enum\": [{}]}}", words.join(", "))
+    };
+    let takes = |of: fn(&Spec) -> bool| format!("\"if\": {{\"properties\": {{{}}}}},", words(of));
+    let json = vec![
+        words(|_| true) + ",",
+        takes(|spec| spec.takes.procedure.is_some()),
+        takes(|spec| spec.takes.period.is_some()),
+        takes(|spec| spec.takes.start.is_some()),
+    ];
+    let form = |spec: &Spec| match spec.takes {
+        Takes { start: Some(_), .. } => "started",
+        Takes { period: Some(_), .. } => "timed",
+        Takes { procedure: Some(_), .. } => "procedural",
+        Takes { .. } => "plain",
+    };
+    let element = |spec: &&Spec| format!("<xs:element name=\"{}\" type=\"{}\"/>", spec.word, form(spec));
+    (json, connectors::ALL.iter().map(element).collect())
+}
+
+/// The text with `new` lines instead of the old ones: each in its place, the last place takes all that are left.
+fn replaced(text: &str, is_old: impl Fn(&str) -> bool, new: &[String]) -> String {
+    let places = text.lines().filter(|line| is_old(line.trim_start())).count();
+    let (mut new, mut lines, mut place) = (new.iter(), Vec::new(), 0);
+    for line in text.lines() {
+        if !is_old(line.trim_start()) {
+            lines.push(line.to_owned());
+            continue;
+        }
+        place += 1;
+        let blanks = &line[..line.len() - line.trim_start().len()];
+        let many = if place == places { usize::MAX } else { 1 };
+        lines.extend(new.by_ref().take(many).map(|one| format!("{blanks}{one}")));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Both schemas name the connectors as the list has them. `RRP_WRITE_SCHEMAS=1` writes them anew.
+#[test]
+fn the_schemas_know_every_connector() {
+    let (json, xsd) = lines_with_connectors();
+    let is_json = |line: &str| line.starts_with("\"type\": {\"enum\"") || line.starts_with("\"if\": {");
+    let is_xsd = |line: &str| {
+        let forms = ["plain", "timed", "procedural", "started"];
+        line.starts_with("<xs:element") && forms.iter().any(|form| line.ends_with(&format!("type=\"{form}\"/>")))
+    };
+    let old = std::fs::read_to_string(XSD).expect("the schema");
+    let (json, xsd) = (replaced(JSON, is_json, &json), replaced(&old, is_xsd, &xsd));
+    if std::env::var_os("RRP_WRITE_SCHEMAS").is_some() {
+        std::fs::write(JSON_PATH, &json).expect("written");
+        std::fs::write(XSD, &xsd).expect("written");
+        return;
+    }
+    assert!(json == JSON && xsd == old, "run this test with RRP_WRITE_SCHEMAS=1: the list of connectors changed");
 }
 
 #[test]

@@ -7,7 +7,7 @@ use super::tree::{Node, What};
 use super::{FileFault, Looked, TEXT_MAX_BYTES};
 use behaviour::{
     BehaviourFile, CONNECTORS_MAX, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, HELPERS_MAX, Id,
-    NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind, is_identifier,
+    NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind, connectors, is_identifier,
 };
 use fields::Fields;
 use std::collections::{BTreeMap, BTreeSet};
@@ -180,7 +180,7 @@ impl Reader<'_, '_> {
     }
 
     fn connector(&mut self, node: &Node) -> FileConnector {
-        let fields = Fields::of(self, node, "a connector", "id type inputs output body args helper periodMs");
+        let fields = Fields::of(self, node, "a connector", "id type inputs output body args helper periodMs start");
         let connector = FileConnector {
             id: self.own_id(node, &fields),
             operation: fields.text(self, "type"),
@@ -190,6 +190,7 @@ impl Reader<'_, '_> {
             args: fields.names(self, "args"),
             helper: fields.maybe_text(self, "helper"),
             period_ms: fields.count(self, "periodMs"),
+            start: fields.value(self, "start"),
         };
         self.check_connector(&fields, &connector);
         connector
@@ -197,17 +198,12 @@ impl Reader<'_, '_> {
 
     fn check_connector(&mut self, fields: &Fields, connector: &FileConnector) {
         let word = short(&connector.operation);
-        let may = match word.as_str() {
-            "map" | "filter" | "combineLatest" => "body args helper",
-            "sample" => "periodMs",
-            "timestamp" | "merge" | "subscribe" => "",
-            _ => {
-                let known = "map, filter, timestamp, sample, combineLatest, merge or subscribe";
-                return self.fault(fields.at("type"), format!("There is no connector “{word}”. Use {known}."));
-            }
+        let Some(spec) = connectors::spec(&word) else {
+            let known = connectors::in_words(connectors::words(|_| true));
+            return self.fault(fields.at("type"), format!("There is no connector “{word}”. Use {known}."));
         };
-        for name in ["body", "args", "helper", "periodMs"] {
-            if fields.get(name).is_some() && !may.split(' ').any(|known| known == name) {
+        for name in ["body", "args", "helper", "periodMs", "start"] {
+            if fields.get(name).is_some() && spec.fields().all(|known| known != name) {
                 self.fault(fields.at(name), format!("“{word}” takes no {name}. Leave it out."));
             }
         }
@@ -217,9 +213,10 @@ impl Reader<'_, '_> {
         if connector.args.is_some() && connector.body.is_none() {
             self.fault(fields.at("args"), "It has args, but no body to use them. Add one, or leave args out.");
         }
-        let beat = connector.period_ms.is_some_and(|beat| RATE_MS.contains(&beat));
-        if word == "sample" && !beat {
-            self.fault(fields.at("periodMs"), "A sample needs a period from 1 to 3,600,000 milliseconds.");
+        let has_period = connector.period_ms.is_some_and(|period| RATE_MS.contains(&period));
+        if spec.takes.period.is_some() && !has_period {
+            let reason = format!("A {word} needs a period from 1 to 3,600,000 milliseconds.");
+            self.fault(fields.at("periodMs"), reason);
         }
     }
 

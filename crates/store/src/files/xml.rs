@@ -54,6 +54,7 @@ const CONNECTOR: &[Known] = &[
     ("to", "output", How::Text),
     ("helper", "helper", How::Text),
     ("period", "periodMs", How::Millis),
+    ("start", "start", How::Text),
     ("order", "order", How::Number),
 ];
 const AT: &[Known] = &[("ref", "ref", How::Text), ("x", "x", How::Number), ("y", "y", How::Number)];
@@ -181,6 +182,9 @@ impl Door<'_, '_> {
 
     fn connector(&self, element: &Element, order: &mut Vec<Entry>) -> Result<Node, FileFault> {
         let mut fields = self.attributes(element, CONNECTOR)?;
+        if let Some((_, start)) = fields.iter_mut().find(|(name, _)| name == "start") {
+            *start = self.json(start)?;
+        }
         fields.push(("type".to_owned(), Node::text(element.at, &element.name)));
         let mut inputs = Vec::new();
         for child in self.children(element)? {

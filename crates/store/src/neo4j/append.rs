@@ -2,6 +2,7 @@
 
 use super::delta::Delta;
 use super::link::{Broken, Link, Params};
+use super::nodes::relationships;
 use crate::{Append, LIBRARY, StoreError};
 use behaviour::{Behaviour, Committed, Id};
 use serde::Deserialize;
@@ -12,21 +13,30 @@ use std::time::Duration;
 struct Part {
     lists: &'static [&'static str],
     cypher: &'static str,
+    /// More Cypher, once for every type of relationship that a connector may be.
+    each_type: &'static str,
     counts: Option<&'static str>,
 }
 
 const fn part(lists: &'static [&'static str], cypher: &'static str) -> Part {
-    Part { lists, cypher, counts: None }
+    Part { lists, cypher, each_type: "", counts: None }
+}
+
+impl Part {
+    fn text(&self) -> String {
+        let more = relationships().map(|kind| self.each_type.replace("$TYPE", kind));
+        std::iter::once(self.cypher.to_owned()).chain(more).collect()
+    }
 }
 
 /// In this order. Touched connectors go, whatever they were, and come back as what they are now; nodes that
 /// behaviours share are made in one order and linked only where that changes, or else they would deadlock.
 const PARTS: [Part; 11] = [
-    part(&["connectors"], CONNECTORS_GO),
+    Part { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
     part(&["gone_streams"], STREAMS_GO),
     part(&["streams", "devices"], STREAMS),
-    Part { lists: &["simple"], cypher: SIMPLE_CONNECTORS, counts: Some("simple = size($simple)") },
-    Part { lists: &["nodes"], cypher: CONNECTOR_NODES, counts: Some("nodes = size($nodes) AND inputs = $inputs") },
+    Part { counts: Some("simple = size($simple)"), ..part(&["simple"], SIMPLE_CONNECTORS) },
+    Part { counts: Some("nodes = size($nodes) AND inputs = $inputs"), ..part(&["nodes"], CONNECTOR_NODES) },
     part(&["places", "gone_places"], PLACES),
     part(&["notes", "gone_notes"], NOTES),
     part(&["helpers", "gone_helpers"], HELPERS),
@@ -37,12 +47,11 @@ const PARTS: [Part; 11] = [
 ];
 
 const CONNECTORS_GO: &str = "
-  CALL () { UNWIND $connectors AS x MATCH (n:Connector {program_id: $id, id: x}) DETACH DELETE n }
-  CALL () { UNWIND $connectors AS x MATCH ()-[r:map {program_id: $id, id: x}]->() DELETE r }
-  CALL () { UNWIND $connectors AS x MATCH ()-[r:filter {program_id: $id, id: x}]->() DELETE r }
-  CALL () { UNWIND $connectors AS x MATCH ()-[r:sample {program_id: $id, id: x}]->() DELETE r }
-  CALL () { UNWIND $connectors AS x MATCH ()-[r:timestamp {program_id: $id, id: x}]->() DELETE r }
-  CALL () { UNWIND $connectors AS x MATCH ()-[r:subscribe {program_id: $id, id: x}]->() DELETE r }";
+  CALL () { UNWIND $connectors AS x MATCH (n:Connector {program_id: $id, id: x}) DETACH DELETE n }";
+
+/// One by one, so that each is found by the constraint of its type.
+const RELATIONSHIP_GOES: &str = "
+  CALL () { UNWIND $connectors AS x MATCH ()-[r:$TYPE {program_id: $id, id: x}]->() DELETE r }";
 
 /// Not detached: a connector left behind makes the whole change fail.
 const STREAMS_GO: &str = "
@@ -177,7 +186,7 @@ struct Outcome {
 /// The statement with the parts that these lists need.
 fn statement(first: bool, needed: impl Fn(&str) -> bool) -> String {
     let parts: Vec<&Part> = PARTS.iter().filter(|part| part.lists.iter().any(|list| needed(list))).collect();
-    let cypher: Vec<&str> = parts.iter().map(|part| part.cypher).collect();
+    let cypher: Vec<String> = parts.iter().map(|part| part.text()).collect();
     let counts: Vec<&str> = parts.iter().filter_map(|part| part.counts).collect();
     let one = match counts.as_slice() {
         [] => "WITH p, 1 AS one".to_owned(),
@@ -244,7 +253,7 @@ const USUAL: [&[&str]; 7] = [
 pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
     let usual = USUAL.iter().map(|lists| statement(false, |list| lists.contains(&list)));
     let new = statement(true, |list| ["streams", "simple", "places"].contains(&list));
-    for text in usual.chain([new, super::load::LOAD.to_owned()]) {
+    for text in usual.chain([new, super::load::LOAD.clone()]) {
         let explained = format!("EXPLAIN {text}");
         link.ask_for::<Value>(WARM_UP_MAX, &explained, empty_params(), Broken::Again).await?;
     }

@@ -1,9 +1,7 @@
 //! What a change does in the graph, as lists that one statement works through.
 
 use super::link::Params;
-use super::nodes::{
-    connector_label, device_kind, is_simple, label, of_connector, of_helper, of_settings, of_stream, whole,
-};
+use super::nodes::{device_kind, label, of_connector, of_helper, of_settings, of_stream, relationship, whole};
 use crate::query::name_key;
 use crate::usage::{uses, words};
 use crate::{LIBRARY, StoreError, search_text};
@@ -72,7 +70,7 @@ impl Delta {
         match record {
             None => self.take(key),
             Some(Record::Stream(stream)) => self.put_stream(&key.id, stream)?,
-            Some(record @ Record::Connector(connector)) => self.put_connector(&key.id, record, connector),
+            Some(record @ Record::Connector(connector)) => self.put_connector(&key.id, record, connector)?,
             Some(record @ Record::Helper(helper)) => {
                 let properties = of_helper(&self.program, &key.id, record, helper);
                 self.put("helpers", json!({ "id": key.id, "properties": properties }));
@@ -104,21 +102,22 @@ impl Delta {
         Ok(())
     }
 
-    fn put_connector(&mut self, id: &Id, record: &Record, connector: &Connector) {
-        let properties = of_connector(&self.program, id, record, connector);
-        let (operation, output) = (&connector.operation, &connector.output);
-        if is_simple(connector) {
-            let (kind, input) = (operation.word(), &connector.inputs[0]);
+    fn put_connector(&mut self, id: &Id, record: &Record, connector: &Connector) -> Result<(), String> {
+        let properties = of_connector(&self.program, id, record, connector)?;
+        let (label, output) = (connector.operation.spec().graph.label, &connector.output);
+        if let Some(kind) = relationship(connector) {
+            let input = &connector.inputs[0];
             self.put("simple", json!({ "type": kind, "input": input, "output": output, "properties": properties }));
-            return;
+            return Ok(());
         }
         if let Some(helper) = properties.get("helper").filter(|helper| !helper.is_null()) {
             self.put("named", json!({ "id": id, "helper": helper }));
             self.lock_helpers();
         }
         self.inputs += connector.inputs.len();
-        let (label, inputs) = (connector_label(operation), &connector.inputs);
+        let inputs = &connector.inputs;
         self.put("nodes", json!({ "label": label, "inputs": inputs, "output": output, "properties": properties }));
+        Ok(())
     }
 
     fn lock_helpers(&mut self) {

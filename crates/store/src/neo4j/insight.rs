@@ -1,6 +1,7 @@
 //! What a library of graphs can tell, asked of the graph.
 
 use super::link::{Link, Params};
+use super::nodes::with_relationships;
 use crate::usage::in_order;
 use crate::{Contested, Driver, Similar, StoreError, Used};
 use behaviour::{Id, Kind, RecordId, calls_helper};
@@ -27,7 +28,7 @@ RETURN behaviour, id, name, body, helper, coalesce(p.name, '') AS program";
 const DRIVERS: &str = "
 MATCH (:Device {kind: 'actuator', name: $actuator})<-[:device]-(a:Stream)-[:program]->(p:Program)
 CALL (a) {
-  MATCH (a)<-[:map|filter|sample|timestamp|subscribe|input|output*1..]-(s:Sensor)
+  MATCH (a)<-[:$TYPES|input|output*1..]-(s:Sensor)
   WITH DISTINCT s
   RETURN collect(s.name) AS sensors
 }
@@ -109,7 +110,7 @@ pub(super) async fn users(link: &Link, helper: &str) -> Result<Vec<Used>, StoreE
 
 /// Who drives an action, and from which sensors.
 pub(super) async fn drivers(link: &Link, actuator: &str) -> Result<Vec<Driver>, StoreError> {
-    let rows = link.read::<Driving>(DRIVERS, params([("actuator", json!(actuator))])).await?;
+    let rows = link.read::<Driving>(&with_relationships(DRIVERS), params([("actuator", json!(actuator))])).await?;
     let mut drivers: BTreeMap<Id, (String, BTreeSet<String>)> = BTreeMap::new();
     for row in rows {
         let entry = drivers.entry(row.behaviour).or_insert_with(|| (row.name, BTreeSet::new()));

@@ -2,14 +2,19 @@
 
 use super::fault::Fault;
 use super::link::{Broken, Link, Params};
-use super::nodes::{ConnectorNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole};
+use super::nodes::{
+    ConnectorNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole, with_relationships,
+};
 use crate::{Loaded, StoreError, json};
 use behaviour::{Behaviour, Committed, Id};
 use serde::Deserialize;
 use serde_json::json;
+use std::sync::LazyLock;
 
 /// One behaviour whole, in one row. It waits for a change that is being saved: Neo4j would show half of one.
-pub(super) const LOAD: &str = "
+pub(super) static LOAD: LazyLock<String> = LazyLock::new(|| with_relationships(STATE));
+
+const STATE: &str = "
 MATCH (p:Behaviour {id: $id})
 SET p.lock = true REMOVE p.lock
 WITH p
@@ -19,7 +24,7 @@ CALL (p) {
     AS streams
 }
 CALL (p) {
-  MATCH (a:Stream)-[:program]->(p) MATCH (a)-[r:map|filter|sample|timestamp|subscribe]->(b:Stream)
+  MATCH (a:Stream)-[:program]->(p) MATCH (a)-[r:$TYPES]->(b:Stream)
   RETURN collect(r {.*, kind: type(r), inputs: [a.id], output: b.id}) AS simple
 }
 CALL (p) {
@@ -59,7 +64,7 @@ struct Made {
 /// A behaviour as it is now.
 pub(super) async fn load(link: &Link, id: &Id) -> Result<Option<Loaded>, StoreError> {
     let params = Params::from_iter([("id".to_owned(), json!(id))]);
-    let found = link.ask::<Row>(LOAD, params, Broken::Again).await?;
+    let found = link.ask::<Row>(&LOAD, params, Broken::Again).await?;
     let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
     let (revision, removed_ms) = (row.revision, row.removed_ms);
     let behaviour = behaviour(row).map_err(|fault| link.told(fault))?;

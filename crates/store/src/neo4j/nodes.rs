@@ -4,8 +4,8 @@ use super::fault::Fault;
 use crate::json;
 use crate::usage::words;
 use behaviour::{
-    Connector, Engine, Helper, Id, Kind, Note, Operation, Place, Procedure, Record, RecordId, Settings, Stream,
-    StreamKind,
+    Connector, Engine, Helper, Id, Kind, Note, Parameters, Place, Procedure, Record, RecordId, Settings, Stream,
+    StreamKind, connectors, connectors::Spec,
 };
 use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
@@ -42,27 +42,22 @@ pub(super) fn device_kind(kind: StreamKind) -> &'static str {
     }
 }
 
-/// The label of a connector that is a node.
-pub(super) fn connector_label(operation: &Operation) -> &'static str {
-    match operation {
-        Operation::Map(_) => "Map",
-        Operation::Filter(_) => "Filter",
-        Operation::Timestamp => "Timestamp",
-        Operation::Sample { .. } => "Sample",
-        Operation::CombineLatest(_) => "CombineLatest",
-        Operation::Merge => "Merge",
-        Operation::Subscribe => "Subscribe",
-    }
+/// The type of the relationship as which a connector is kept, if the thesis draws it as one: between two streams, with
+/// what it does written in it.
+pub(super) fn relationship(connector: &Connector) -> Option<&'static str> {
+    let has_helper = matches!(connector.operation.procedure(), Some(Procedure::Helper(_)));
+    let kind = connector.operation.spec().graph.relationship;
+    kind.filter(|_| connector.inputs.len() == 1 && !has_helper)
 }
 
-/// True if the thesis draws the connector as a relationship between two streams.
-pub(super) fn is_simple(connector: &Connector) -> bool {
-    let simple = match &connector.operation {
-        Operation::Map(procedure) | Operation::Filter(procedure) => matches!(procedure, Procedure::Body { .. }),
-        Operation::Timestamp | Operation::Sample { .. } | Operation::Subscribe => true,
-        Operation::CombineLatest(_) | Operation::Merge => false,
-    };
-    simple && connector.inputs.len() == 1
+/// Every type of relationship as which connectors are kept.
+pub(super) fn relationships() -> impl Iterator<Item = &'static str> {
+    connectors::ALL.iter().filter_map(|spec| spec.graph.relationship)
+}
+
+/// A statement in which `$TYPES` stands for every type of relationship that a connector may be.
+pub(super) fn with_relationships(statement: &str) -> String {
+    statement.replace("$TYPES", &relationships().collect::<Vec<_>>().join("|"))
 }
 
 /// The properties of a stream's node.
@@ -76,18 +71,19 @@ pub(super) fn of_stream(program: &Id, id: &Id, stream: &Stream) -> Result<Value,
 }
 
 /// The properties of a connector's node or relationship.
-pub(super) fn of_connector(program: &Id, id: &Id, record: &Record, connector: &Connector) -> Value {
+pub(super) fn of_connector(program: &Id, id: &Id, record: &Record, connector: &Connector) -> Result<Value, String> {
     let (body, args, helper) = match connector.operation.procedure() {
         Some(Procedure::Body { body, args }) => (Some(body), args.as_ref(), None),
         Some(Procedure::Helper(name)) => (None, None, Some(name)),
         None => (None, None, None),
     };
-    let period_ms =
-        if let Operation::Sample { period_ms } = connector.operation { Some(whole(period_ms)) } else { None };
-    json!({
+    let (period_ms, start) = (connector.operation.period_ms().map(whole), connector.operation.start());
+    let start = start.map(json::encode).transpose()?;
+    Ok(json!({
         "program_id": program, "id": id, "order": connector.order, "body": body, "args": args, "helper": helper,
-        "period_ms": period_ms, "words": body.map(|_| words(record)).filter(|words| !words.is_empty()),
-    })
+        "period_ms": period_ms, "start_json": start,
+        "words": body.map(|_| words(record)).filter(|words| !words.is_empty()),
+    }))
 }
 
 /// The properties of a helper's node.
@@ -170,27 +166,27 @@ pub(super) struct ConnectorNode {
     helper: Option<String>,
     #[serde(default, deserialize_with = "read_whole")]
     period_ms: Option<u64>,
+    start_json: Option<String>,
 }
 
 impl ConnectorNode {
     /// The connector.
     pub(super) fn record(self) -> Result<(RecordId, Record), Fault> {
         let wrong = || Fault::damaged(&format!("connector {} has a part too few", self.id));
-        let procedure = || match (&self.helper, &self.body) {
-            (Some(name), _) => Ok(Procedure::Helper(name.clone())),
-            (None, Some(body)) => Ok(Procedure::Body { body: body.clone(), args: self.args.clone() }),
-            (None, None) => Err(wrong()),
+        let kept_as = |spec: &&&Spec| spec.graph.label == self.kind || spec.graph.relationship == Some(&self.kind);
+        let spec = *connectors::ALL.iter().find(kept_as).ok_or_else(wrong)?;
+        let procedure = match (&self.helper, &self.body) {
+            (Some(name), _) => Some(Procedure::Helper(name.clone())),
+            (None, Some(body)) => Some(Procedure::Body { body: body.clone(), args: self.args.clone() }),
+            (None, None) => None,
         };
-        let operation = match self.kind.as_str() {
-            "map" | "Map" => Operation::Map(procedure()?),
-            "filter" | "Filter" => Operation::Filter(procedure()?),
-            "timestamp" | "Timestamp" => Operation::Timestamp,
-            "sample" | "Sample" => Operation::Sample { period_ms: self.period_ms.ok_or_else(wrong)? },
-            "CombineLatest" => Operation::CombineLatest(procedure()?),
-            "Merge" => Operation::Merge,
-            "subscribe" | "Subscribe" => Operation::Subscribe,
-            _ => return Err(wrong()),
-        };
+        let start = self.start_json.as_deref().map(json::decode).transpose();
+        let start = start.map_err(|reason| Fault::damaged(&reason))?;
+        let parameters = Parameters { procedure, period_ms: self.period_ms, start };
+        if spec.lacks(&parameters).is_some() {
+            return Err(wrong());
+        }
+        let operation = spec.with(parameters);
         let key = RecordId::new(Kind::Connector, &self.id);
         Ok((
             key,

@@ -149,6 +149,18 @@ mod tests {
     }
 
     #[test]
+    fn every_relationship_of_a_connector_has_its_constraint_and_its_words_are_found() {
+        let all: String = MIGRATIONS.iter().map(|(_, text)| *text).collect();
+        for spec in behaviour::connectors::ALL {
+            let Some(kind) = spec.graph.relationship else { continue };
+            assert!(all.contains(&format!("FOR ()-[r:{kind}]-() REQUIRE (r.program_id, r.id) IS UNIQUE")), "{kind}");
+            let indexed = all.lines().filter(|line| line.contains("FULLTEXT") && line.contains("()-[r:"));
+            let mut types = indexed.flat_map(|line| line.split([':', '|', ']', ' ']));
+            assert!(spec.takes.procedure.is_none() || types.any(|one| one == kind), "{kind} has words");
+        }
+    }
+
+    #[test]
     fn the_checksum_is_fnv_1a() {
         assert_eq!(checksum(""), "cbf29ce484222325");
         assert_eq!(checksum("a"), "af63dc4c8601ec8c");

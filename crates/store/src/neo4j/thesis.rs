@@ -6,7 +6,9 @@
 use super::address::Address;
 use super::link::{Link, Params};
 use crate::StoreError;
-use behaviour::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream, StreamKind, shown_spellings};
+use behaviour::{
+    BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream, StreamKind, connectors, shown_spellings,
+};
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -14,8 +16,6 @@ use std::time::Duration;
 
 /// How long one question may take.
 const ANSWER_MAX: Duration = Duration::from_secs(30);
-/// The beat of a sample that says none, in milliseconds.
-const PERIOD_MS: u64 = 1_000;
 
 const PROGRAMS: &str = "MATCH (p:Program) RETURN id(p) AS id, p {.*} AS props ORDER BY id";
 const STREAMS: &str = "
@@ -146,29 +146,29 @@ fn place(stream: &Found) -> Option<(String, behaviour::Place)> {
 }
 
 fn file_connector(connector: &FoundConnector, names: &BTreeMap<i64, String>) -> Option<FileConnector> {
-    const WORDS: [&str; 7] = ["map", "filter", "timestamp", "sample", "combineLatest", "merge", "subscribe"];
     let props = &connector.found.props;
     let said = text(props, &["type", "kind"]);
     let said = connector.found.labels.iter().chain(&said).find_map(|said| {
         let plain: String = said.chars().filter(char::is_ascii_alphabetic).collect();
-        WORDS.iter().find(|word| word.eq_ignore_ascii_case(&plain))
+        connectors::ALL.iter().find(|spec| spec.word.eq_ignore_ascii_case(&plain))
     })?;
-    let takes_procedure = ["map", "filter", "combineLatest"].contains(said);
+    let takes_procedure = said.takes.procedure.is_some();
     let helper = connector.helper.as_ref().map(|helper| file_helper(helper).name);
     let body = text(props, &["body", "procedure", "code", "expression", "function"]).unwrap_or_default();
     let inputs = connector.inputs.iter().filter_map(|id| names.get(id)).map(String::as_str);
-    let body = right_spelling(&body, &behaviour::argument_names(inputs));
+    let body = right_spelling(&body, &said.argument_names(inputs));
     let period = ["rate", "period", "periodMs", "period_ms", "interval", "ms"];
-    let period_ms = period.iter().find_map(|name| props.get(*name)?.as_u64()).unwrap_or(PERIOD_MS);
+    let period_ms = period.iter().find_map(|name| props.get(*name)?.as_u64()).unwrap_or(connectors::PERIOD_MS);
     Some(FileConnector {
         id: format!("{}{}", connector.form, connector.found.id),
-        operation: (*said).to_owned(),
+        operation: said.word.to_owned(),
         inputs: connector.inputs.iter().map(|id| stream_id(*id)).collect(),
         output: stream_id(connector.output),
         body: (takes_procedure && helper.is_none()).then_some(body),
         args: None,
         helper: helper.filter(|_| takes_procedure),
-        period_ms: (*said == "sample").then_some(period_ms),
+        period_ms: said.takes.period.map(|_| period_ms),
+        start: None,
     })
 }
 

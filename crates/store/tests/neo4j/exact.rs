@@ -3,8 +3,8 @@
 use crate::samples::{id, now, save};
 use crate::shared;
 use behaviour::{
-    Connector, Engine, Helper, Kind, Note, Operation, Place, Procedure, Record, RecordId, Settings, Stream, StreamKind,
-    Value,
+    Connector, Engine, Helper, Kind, Note, Operation, Parameters, Place, Procedure, Record, RecordId, Settings, Stream,
+    StreamKind, Value, connectors,
 };
 use store::LIBRARY;
 
@@ -50,18 +50,18 @@ fn streams() -> Vec<(RecordId, Record)> {
 fn connectors() -> Vec<(RecordId, Record)> {
     let body = |args| Procedure::Body { body: HOSTILE.to_owned(), args };
     let operations = [
-        Operation::Map(body(None)),
-        Operation::Map(body(Some(Vec::new()))),
-        Operation::Filter(body(texts())),
-        Operation::Filter(Procedure::Helper(HOSTILE.to_owned())),
-        Operation::Map(Procedure::Helper(String::new())),
-        Operation::Timestamp,
-        Operation::Sample { period_ms: u64::MAX },
-        Operation::Sample { period_ms: 0 },
-        Operation::CombineLatest(body(texts())),
-        Operation::CombineLatest(Procedure::Helper("near".to_owned())),
-        Operation::Merge,
-        Operation::Subscribe,
+        connectors::map::SPEC.with(body(None)),
+        connectors::map::SPEC.with(body(Some(Vec::new()))),
+        connectors::filter::SPEC.with(body(texts())),
+        connectors::filter::SPEC.with(Procedure::Helper(HOSTILE.to_owned())),
+        connectors::map::SPEC.with(Procedure::Helper(String::new())),
+        connectors::timestamp::SPEC.with(()),
+        connectors::sample::SPEC.with(Parameters::period(u64::MAX)),
+        connectors::sample::SPEC.with(Parameters::period(0)),
+        connectors::combine_latest::SPEC.with(body(texts())),
+        connectors::combine_latest::SPEC.with(Procedure::Helper("near".to_owned())),
+        connectors::merge::SPEC.with(()),
+        connectors::subscribe::SPEC.with(()),
     ];
     let inputs: [&[&str]; 3] = [&["s0"], &["s1", "s0", "s1"], &[]];
     let all = operations.iter().flat_map(|operation| inputs.map(|inputs| (operation.clone(), inputs)));

@@ -2,7 +2,7 @@
 
 use crate::samples::{change, connector, follow, id, named, next, now, save, stream, take};
 use crate::shared;
-use behaviour::{Kind, Operation, Procedure};
+use behaviour::{Kind, Procedure, connectors};
 use serde_json::{Value, json};
 use store::{Append, LIBRARY, Store, StoreError};
 
@@ -62,7 +62,7 @@ async fn from_body_to_helper_and_back_a_connector_keeps_its_id() {
     for (op, procedure, wanted) in
         [("op2", named("near"), (1, 0)), ("op3", Procedure::body("x > 1"), (0, 1)), ("op4", named("far"), (1, 0))]
     {
-        let edit = connector("c2", Operation::Filter(procedure), &["distance"], "near");
+        let edit = connector("c2", connectors::filter::SPEC.with(procedure), &["distance"], "near");
         save(&store, "a", op, vec![edit.clone()]).await;
         assert_eq!(now(&store, "a").await.records.get(&edit.0), Some(&edit.1));
         let (nodes, relationships) = wanted;
@@ -92,8 +92,8 @@ async fn a_connector_without_inputs_is_kept() {
     let store = neo4j.empty_store().await;
     let edits = vec![
         stream("s", "S", ""),
-        connector("c1", Operation::Merge, &[], "s"),
-        connector("c2", Operation::CombineLatest(Procedure::body("")), &[], "s"),
+        connector("c1", connectors::merge::SPEC.with(()), &[], "s"),
+        connector("c2", connectors::combine_latest::SPEC.with(Procedure::body("")), &[], "s"),
     ];
     save(&store, "a", "op1", edits.clone()).await;
     let loaded = now(&store, "a").await;
@@ -107,13 +107,13 @@ async fn a_change_that_would_break_the_graph_is_refused_whole() {
     save(&store, "a", "op1", follow("Follow")).await;
     save(&store, "b", "op1", vec![stream("elsewhere", "E", "")]).await;
     let before = neo4j.rows(EVERYTHING).await;
-    let bodied = Operation::Filter(Procedure::body("x"));
+    let bodied = connectors::filter::SPEC.with(Procedure::body("x"));
     let dangling = [
         connector("new", bodied.clone(), &["missing"], "near"),
         connector("new", bodied, &["ball"], "missing"),
-        connector("new", Operation::Merge, &["ball", "missing"], "near"),
-        connector("c2", Operation::Merge, &["ball"], "missing"),
-        connector("new", Operation::Subscribe, &["elsewhere"], "head"),
+        connector("new", connectors::merge::SPEC.with(()), &["ball", "missing"], "near"),
+        connector("c2", connectors::merge::SPEC.with(()), &["ball"], "missing"),
+        connector("new", connectors::subscribe::SPEC.with(()), &["elsewhere"], "head"),
     ];
     for edit in dangling {
         let made = change("op2", &now(&store, "a").await, vec![stream("extra", "Extra", ""), edit]);

@@ -2,7 +2,7 @@
 
 use crate::samples::{connector, follow, helper, named, save, stream, take};
 use crate::shared::{self, Alone};
-use behaviour::{Kind, Operation};
+use behaviour::{Kind, connectors};
 use serde_json::json;
 use std::sync::Arc;
 use store::{Append, LIBRARY};
@@ -39,7 +39,7 @@ async fn links_follow_helpers_that_appear_are_renamed_and_go() {
     save(&store, LIBRARY, "op1", vec![helper("h1", "distance", "x"), helper("h2", "other", "distance(x)")]).await;
     assert_eq!(linked(&neo4j).await, [pair("c1", "distance")]);
     assert_eq!(calls(&neo4j).await, [pair("other", "distance")]);
-    let more = vec![stream("s", "S", ""), connector("c5", Operation::Map(named("other")), &["ball"], "s")];
+    let more = vec![stream("s", "S", ""), connector("c5", connectors::map::SPEC.with(named("other")), &["ball"], "s")];
     save(&store, "a", "op2", more).await;
     assert_eq!(linked(&neo4j).await, [pair("c1", "distance"), pair("c5", "other")]);
     // They swap their names in one change.
@@ -63,7 +63,7 @@ async fn a_helper_and_those_who_name_it_at_once_do_not_miss_each_other() {
             let (store, name) = (Arc::clone(&store), name.clone());
             tasks.spawn(async move {
                 let streams = vec![stream("a", "A", ""), stream("b", "B", "")];
-                let user_of = connector("c", Operation::Map(named(&name)), &["a"], "b");
+                let user_of = connector("c", connectors::map::SPEC.with(named(&name)), &["a"], "b");
                 save(store.as_ref(), &format!("{name}-{user}"), "op1", [streams, vec![user_of]].concat()).await;
             });
         }

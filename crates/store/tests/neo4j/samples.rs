@@ -2,7 +2,7 @@
 
 use behaviour::{
     Behaviour, Change, Committed, Connector, Helper, Id, Kind, Operation, Place, Procedure, Record, RecordId, Settings,
-    Stream, StreamKind,
+    Stream, StreamKind, connectors,
 };
 use store::{Append, Store, StoreError};
 
@@ -54,10 +54,15 @@ pub(crate) fn follow(name: &str) -> Vec<(RecordId, Record)> {
         stream("near", "Near", ""),
         stream("both", "Both", ""),
         stream("head", "Head", "actuator:Tracker"),
-        connector("c1", Operation::Map(named("distance")), &["ball"], "distance"),
-        connector("c2", Operation::Filter(Procedure::body("distance < 20")), &["distance"], "near"),
-        connector("c3", Operation::CombineLatest(Procedure::body("[near, redBall]")), &["near", "ball"], "both"),
-        connector("c4", Operation::Subscribe, &["both"], "head"),
+        connector("c1", connectors::map::SPEC.with(named("distance")), &["ball"], "distance"),
+        connector("c2", connectors::filter::SPEC.with(Procedure::body("distance < 20")), &["distance"], "near"),
+        connector(
+            "c3",
+            connectors::combine_latest::SPEC.with(Procedure::body("[near, redBall]")),
+            &["near", "ball"],
+            "both",
+        ),
+        connector("c4", connectors::subscribe::SPEC.with(()), &["both"], "head"),
         place("ball", 1.0, 2.0),
     ]
 }

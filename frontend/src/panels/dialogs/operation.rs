@@ -14,21 +14,22 @@ use super::frame::{Feet, Frame, Refused};
 use super::gone::{self, Gone};
 use super::stream::EditStream;
 use crate::fields::{NumberField, TextField};
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
-use behaviour::Id;
-use form::{Form, KINDS};
+use behaviour::connectors::{self, Spec};
+use behaviour::{Id, RATE_MS};
+use form::Form;
 use leptos::prelude::*;
 
 /// The dialog. A subscribe that is there has nothing of its own to choose, so its actuator is shown.
 #[component]
-pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static str) -> impl IntoView {
+pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec) -> impl IntoView {
     let desk = hold();
     let record =
         connector.as_ref().and_then(|id| desk.desk().connector(id)).map(|signals| signals.record.get_untracked());
     match record {
-        Some(record) if record.operation.word() == "subscribe" => view! { <EditStream id=record.output /> }.into_any(),
+        Some(record) if record.operation.spec().acts() => view! { <EditStream id=record.output /> }.into_any(),
         record => {
             let form = Form::new(desk, input, connector.zip(record), kind);
             view! { <OperationForm form /> }.into_any()
@@ -52,8 +53,7 @@ fn OperationForm(form: Form) -> impl IntoView {
             form.inputs.get().into_iter().filter_map(|id| Some(desk.desk().stream(&id)?.record.read().name.clone()));
         names.collect::<Vec<_>>().join(", ")
     };
-    let has_procedure = move || matches!(form.kind.get(), "map" | "filter" | "combineLatest");
-    let takes_many = move || matches!(form.kind.get(), "combineLatest" | "merge");
+    let acts = move || form.kind.get().acts();
     view! {
         <Frame title=words::operation() save>
             <p class="dialog-under">{words::from()}" "<b>{from}</b></p>
@@ -61,14 +61,17 @@ fn OperationForm(form: Form) -> impl IntoView {
                 <draft::Found form />
                 <Picker form />
                 <how::HowItWorks form />
-                <Show when=takes_many><inputs::Inputs form /></Show>
-                <Show when=has_procedure><procedure::ProcedureFields form /></Show>
-                <Show when=move || form.kind.get() == "sample">
-                    <NumberField label=words::rate_label() value=form.period unit=words::milliseconds()
-                        min=1.0 max=3_600_000.0 step=10.0 />
-                </Show>
-                <Show when=move || form.kind.get() == "subscribe"><actuator::Actuator form /></Show>
-                <Show when=move || form.kind.get() != "subscribe">
+                <Show when=move || form.kind.get().inputs.are_many()><inputs::Inputs form /></Show>
+                {move || form.kind.get().takes.start.map(|label| view! {
+                    <TextField label value=form.start mono=true />
+                })}
+                <Show when=move || form.kind.get().takes.procedure.is_some()><procedure::ProcedureFields form /></Show>
+                {move || form.kind.get().takes.period.map(|label| view! {
+                    <NumberField label value=form.period unit=words::milliseconds()
+                        min=*RATE_MS.start() as f64 max=*RATE_MS.end() as f64 step=10.0 />
+                })}
+                <Show when=acts><actuator::Actuator form /></Show>
+                <Show when=move || !acts()>
                     <TextField label=words::output_stream_name() value=form.name
                         proposed=Signal::derive(move || form.name.get() == form.offered.get()) />
                 </Show>
@@ -92,30 +95,30 @@ fn gone_memo(form: Form) -> Memo<Option<String>> {
     }
 }
 
-/// The connectors as cards, in the thesis's order.
+/// The connectors as cards.
 #[component]
 fn Picker(form: Form) -> impl IntoView {
     let is_edit = form.is_edit();
-    let card = move |kind: &'static str| {
+    let card = move |kind: &'static Spec| {
         view! {
             <label class="card">
                 <input
                     type="radio"
                     name="connector"
-                    value=kind
-                    disabled=is_edit && kind == "subscribe"
+                    value=kind.word
+                    disabled=is_edit && kind.acts()
                     prop:checked=move || form.kind.get() == kind
                     on:change=move |_| form.choose(kind)
                 />
-                <span><Icon name=connector_icon(kind) />{words::connector_word(kind)}</span>
+                <span><Icon name=kind.icon.name />{kind.name}</span>
             </label>
         }
     };
     view! {
         <fieldset class="field">
             <legend class="sr">{words::connector()}</legend>
-            <div class="cards">{KINDS.into_iter().map(card).collect_view()}</div>
-            <p>{move || words::connector_says(form.kind.get())}</p>
+            <div class="cards">{connectors::ALL.iter().copied().map(card).collect_view()}</div>
+            <p>{move || form.kind.get().says}</p>
         </fieldset>
     }
 }

@@ -3,7 +3,7 @@
 use super::strip::Strip;
 use crate::browser;
 use crate::desk::Selected;
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::{rate_words, short_value};
 use crate::panels::hold::{Hold, hold};
@@ -55,11 +55,9 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
 pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
     let desk = hold();
     let Some(signals) = desk.desk().connector(&id) else { return ().into_any() };
-    let words = Memo::new(move |_| chip_words(&signals.record.read()));
-    let icon = Memo::new({
-        let record = desk.desk().connector(&id).map(|signals| signals.record);
-        move |_| record.as_ref().map_or("map", |record| connector_icon(record.read().operation.word()))
-    });
+    let record = signals.record.clone();
+    let words = Memo::new(move |_| chip_words(&record.read()));
+    let icon = Memo::new(move |_| signals.record.read().operation.spec().icon.name);
     let what = Selected::Connector(id);
     view! {
         <Row what=what.clone()>

@@ -1,11 +1,12 @@
 //! Under the selected row: the next steps, and what can be done with it.
 
 use crate::desk::{Dialog, Selected};
-use crate::icons::{Icon, connector_icon};
+use crate::icons::Icon;
 use crate::panels::hold::{Hold, hold};
 use crate::panels::inspector::edit_dialog;
 use crate::panels::palette::subscribe;
 use crate::words;
+use behaviour::connectors::{self, Spec};
 use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
 
@@ -65,7 +66,8 @@ fn Next(id: Id) -> impl IntoView {
     let desk = hold();
     let id = StoredValue::new(id);
     let action = robot::actuators().next();
-    let operation = move |kind: &'static str, icon: &'static str, label: &'static str| {
+    let likely = connectors::ALL.iter().copied().filter(|spec| spec.offered.always);
+    let operation = move |kind: &'static Spec, icon: &'static str, label: &'static str| {
         let open = move |_| {
             let dialog = Dialog::Operation { input: id.get_value(), connector: None, kind };
             desk.desk().dialog.set(Some(dialog));
@@ -80,8 +82,7 @@ fn Next(id: Id) -> impl IntoView {
                 <span>{device.name}</span>
             </button>
         })}
-        {operation("map", connector_icon("map"), words::word_map())}
-        {operation("filter", connector_icon("filter"), words::word_filter())}
-        {operation("subscribe", "bolt", words::more_connectors())}
+        {likely.map(|spec| operation(spec, spec.icon.name, spec.name)).collect_view()}
+        {operation(connectors::to_action(), "bolt", words::more_connectors())}
     }
 }

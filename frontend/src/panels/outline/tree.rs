@@ -63,7 +63,7 @@ impl Walk<'_> {
 #[cfg(test)]
 mod tests {
     use super::{What, nodes};
-    use behaviour::{Behaviour, Connector, Id, Kind, Operation, Record, RecordId, Stream, StreamKind};
+    use behaviour::{Behaviour, Connector, Id, Kind, Record, RecordId, Stream, StreamKind, connectors};
 
     fn put(behaviour: &mut Behaviour, kind: Kind, id: &str, record: Record) {
         behaviour.records.insert(RecordId::new(kind, &Id::new(id).unwrap()), record);
@@ -90,7 +90,7 @@ mod tests {
             behaviour,
             Kind::Connector,
             id,
-            Record::Connector(Connector { operation: Operation::Merge, inputs, output, order: 9 }),
+            Record::Connector(Connector { operation: connectors::merge::SPEC.with(()), inputs, output, order: 9 }),
         );
     }
 

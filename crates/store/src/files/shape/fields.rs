@@ -92,6 +92,11 @@ impl<'n> Fields<'n> {
         u64::try_from(whole).ok()
     }
 
+    /// Any value, if it is there; null and none at all mean the same.
+    pub(super) fn value(&self, to: &mut Reader, name: &str) -> Option<Value> {
+        Some(value(to, self.get(name)?)).filter(|value| *value != Value::Null)
+    }
+
     /// The parameters of a device; none if they are not there.
     pub(super) fn params(&self, to: &mut Reader) -> Params {
         let Some(node) = self.get("params") else { return Params::new() };

@@ -89,7 +89,12 @@ pub(super) fn width(stream: &FileStream) -> f64 {
 pub(super) fn label(connector: &FileConnector) -> String {
     let body = connector.body.as_deref().map(one_line).filter(|body| !body.is_empty());
     let period = connector.period_ms.map(|ms| format!("{ms} ms"));
-    let Some(inside) = connector.helper.clone().or(body).or(period) else { return one_line(&connector.operation) };
+    let start = connector.start.as_ref().map(|start| one_line(&start.to_string()));
+    let chosen: Vec<String> = start.into_iter().chain(connector.helper.clone().or(body)).chain(period).collect();
+    if chosen.is_empty() {
+        return one_line(&connector.operation);
+    }
+    let inside = chosen.join(", ");
     let mut short: String = inside.chars().take(LABEL_MAX_CHARS).collect();
     if short.len() < inside.len() {
         short.push('…');

@@ -142,6 +142,7 @@ fn connector_line(connector: &FileConnector, file: &BehaviourFile) -> String {
     let mark = Mark::of(word).with("id", &connector.id).with("to", &connector.output);
     let mark = mark.maybe("helper", connector.helper.clone());
     let mark = mark.maybe("period", connector.period_ms.map(|ms| format!("{ms}ms")));
+    let mark = mark.maybe("start", connector.start.as_ref().map(spaced));
     let mark = mark.maybe("order", order_of(file, &connector.id));
     let mut inside: String = connector.inputs.iter().map(|id| Mark::of("from").with("stream", id).0 + "/>").collect();
     if let Some(body) = &connector.body {

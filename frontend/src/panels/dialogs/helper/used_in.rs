@@ -86,7 +86,7 @@ fn connectors_here(desk: Hold, helper: &str) -> Vec<String> {
     let label = |id: Id| {
         let connector = now.connector(&id)?.record.get();
         let output = now.stream(&connector.output)?.record.get().name;
-        Some(format!("{} → {output}", words::connector_word(connector.operation.word())))
+        Some(format!("{} → {output}", connector.operation.spec().name))
     };
     users_of(desk, helper).into_iter().filter_map(label).collect()
 }

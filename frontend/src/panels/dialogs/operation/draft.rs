@@ -1,8 +1,9 @@
 //! Unsaved text is kept for its stream until it is saved, even over a reload.
 
-use super::form::{Form, known};
+use super::form::Form;
 use crate::browser::Keep;
 use crate::words;
+use behaviour::connectors;
 use leptos::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +14,8 @@ pub(super) struct Draft {
     body: String,
     helper: String,
     period: String,
+    #[serde(default)]
+    start: String,
     name: String,
 }
 
@@ -24,11 +27,12 @@ fn key(form: Form) -> String {
 
 fn read(form: Form) -> Draft {
     Draft {
-        kind: form.kind.get().to_owned(),
+        kind: form.kind.get().word.to_owned(),
         way: form.way.get(),
         body: form.body.get(),
         helper: form.helper.get(),
         period: form.period.get(),
+        start: form.start.get(),
         name: form.name.get(),
     }
 }
@@ -45,7 +49,12 @@ pub(super) fn keep(form: Form) {
             first.set_value(Some(now));
             return;
         };
-        if was.body != now.body || was.way != now.way || was.period != now.period || was.kind != now.kind {
+        if was.body != now.body
+            || was.way != now.way
+            || was.period != now.period
+            || was.start != now.start
+            || was.kind != now.kind
+        {
             put(&key, &now);
         }
     });
@@ -60,7 +69,7 @@ fn put(key: &str, draft: &Draft) {
 /// A draft is offered where it belongs: for the same connector, or for a new one of the same word.
 fn restore(form: Form, key: &str) {
     let Some(draft) = Keep::Tab.get(key).and_then(|text| serde_json::from_str::<Draft>(&text).ok()) else { return };
-    let is_other = !form.is_edit() && draft.kind != form.kind.get_untracked();
+    let is_other = !form.is_edit() && draft.kind != form.kind.get_untracked().word;
     let is_only_begun = form.begun.with_value(|begun| begun.trim() == draft.body.trim());
     if is_other || is_only_begun || draft.body.trim().is_empty() {
         return;
@@ -70,11 +79,14 @@ fn restore(form: Form, key: &str) {
 }
 
 fn show(form: Form, draft: Draft) {
-    form.kind.set(known(&draft.kind));
+    if let Some(kind) = connectors::spec(&draft.kind) {
+        form.kind.set(kind);
+    }
     form.way.set(draft.way);
     form.body.set(draft.body);
     form.helper.set(draft.helper);
     form.period.set(draft.period);
+    form.start.set(draft.start);
     form.name.set(draft.name);
 }
 

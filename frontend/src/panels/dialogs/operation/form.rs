@@ -4,13 +4,9 @@ use super::draft::Draft;
 use super::prefill;
 use crate::fields::ParamForm;
 use crate::panels::hold::Hold;
-use behaviour::{Connector, Id, Operation, Procedure};
+use behaviour::connectors::{PERIOD_MS, Spec};
+use behaviour::{Connector, Id, Operation, Procedure, Value};
 use leptos::prelude::*;
-
-/// The connectors in the thesis's order, merge added.
-pub(super) const KINDS: [&str; 7] = ["sample", "subscribe", "filter", "map", "combineLatest", "merge", "timestamp"];
-
-const PERIOD_MS: u64 = 1_000;
 
 /// The dialog's state; a copy is the same dialog.
 #[derive(Clone, Copy)]
@@ -20,7 +16,7 @@ pub(super) struct Form {
     pub(super) edits: StoredValue<Option<(Id, Connector)>>,
     /// The stream it was opened for.
     pub(super) source: StoredValue<Id>,
-    pub(super) kind: RwSignal<&'static str>,
+    pub(super) kind: RwSignal<&'static Spec>,
     /// In order; the first is the stream it was opened for.
     pub(super) inputs: RwSignal<Vec<Id>>,
     /// `body` or `helper`.
@@ -30,6 +26,8 @@ pub(super) struct Form {
     pub(super) begun: StoredValue<String>,
     pub(super) helper: RwSignal<String>,
     pub(super) period: RwSignal<String>,
+    /// As JSON.
+    pub(super) start: RwSignal<String>,
     pub(super) name: RwSignal<String>,
     /// The output's name when the dialog was opened.
     pub(super) name_at_first: StoredValue<String>,
@@ -47,16 +45,15 @@ pub(super) struct Form {
 }
 
 impl Form {
-    pub(super) fn new(desk: Hold, source: Id, edits: Option<(Id, Connector)>, kind: &'static str) -> Self {
+    pub(super) fn new(desk: Hold, source: Id, edits: Option<(Id, Connector)>, kind: &'static Spec) -> Self {
         let connector = edits.as_ref().map(|(_, connector)| connector.clone());
         let operation = connector.as_ref().map(|connector| connector.operation.clone());
         let (way, body, helper) = procedure_texts(operation.as_ref());
         let begun = if edits.is_none() { prefill::beginning(desk, &source, kind) } else { String::new() };
         let body = if body.is_empty() { begun.clone() } else { body };
-        let period = match operation {
-            Some(Operation::Sample { period_ms }) => period_ms,
-            _ => PERIOD_MS,
-        };
+        let period = operation.as_ref().and_then(Operation::period_ms).unwrap_or(PERIOD_MS);
+        let start = operation.as_ref().and_then(Operation::start).unwrap_or(&Value::Null);
+        let start = serde_json::to_string(start).unwrap_or_default();
         let name = connector.as_ref().and_then(|connector| desk.desk().stream(&connector.output));
         let name = name.map(|signals| signals.record.get_untracked().name).unwrap_or_default();
         let inputs = connector.map_or_else(|| vec![source.clone()], |connector| connector.inputs);
@@ -64,13 +61,14 @@ impl Form {
             desk,
             edits: StoredValue::new(edits),
             source: StoredValue::new(source),
-            kind: RwSignal::new(known(kind)),
+            kind: RwSignal::new(kind),
             inputs: RwSignal::new(inputs),
             way: RwSignal::new(way.to_owned()),
             body: RwSignal::new(body),
             begun: StoredValue::new(begun),
             helper: RwSignal::new(helper),
             period: RwSignal::new(period.to_string()),
+            start: RwSignal::new(start),
             name_at_first: StoredValue::new(name.clone()),
             name: RwSignal::new(name),
             offered: RwSignal::new(String::new()),
@@ -90,8 +88,8 @@ impl Form {
     }
 
     /// Another connector; one that takes one stream keeps the first.
-    pub(super) fn choose(&self, kind: &'static str) {
-        if !matches!(kind, "combineLatest" | "merge") {
+    pub(super) fn choose(&self, kind: &'static Spec) {
+        if !kind.inputs.are_many() {
             self.inputs.update(|inputs| inputs.truncate(1));
         }
         if self.inputs.read_untracked().is_empty() {
@@ -102,7 +100,7 @@ impl Form {
     }
 
     /// Another connector begins another way, unless something was written already.
-    fn begin_again(&self, kind: &str) {
+    fn begin_again(&self, kind: &Spec) {
         let body = self.body.get_untracked();
         if !self.is_edit() && (body.trim().is_empty() || self.begun.with_value(|begun| *begun == body)) {
             self.begun.set_value(prefill::beginning(self.desk, &self.source.get_value(), kind));
@@ -119,7 +117,7 @@ impl Form {
         let desk = self.desk.desk();
         let names = inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.clone()));
         let names: Vec<String> = names.collect();
-        behaviour::argument_names(names.iter().map(String::as_str))
+        self.kind.get().argument_names(names.iter().map(String::as_str))
     }
 
     /// Argument names that the edited connector has of its own.
@@ -148,11 +146,6 @@ impl Form {
             }
         });
     }
-}
-
-/// One of the words of [`KINDS`].
-pub(super) fn known(kind: &str) -> &'static str {
-    KINDS.into_iter().find(|known| *known == kind).unwrap_or("map")
 }
 
 fn procedure_texts(operation: Option<&Operation>) -> (&'static str, String, String) {

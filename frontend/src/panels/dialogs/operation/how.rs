@@ -4,7 +4,8 @@ mod lanes;
 
 use super::form::Form;
 use crate::words;
-use behaviour::marbles::{self, Example, Page};
+use behaviour::connectors::Spec;
+use behaviour::marbles::Example;
 use lanes::{Given, Then};
 use leptos::prelude::*;
 
@@ -15,7 +16,6 @@ const HELP_ID: &str = "how-it-works";
 #[component]
 pub(super) fn HowItWorks(form: Form) -> impl IntoView {
     let open = RwSignal::new(false);
-    let page = move || marbles::page(form.kind.get());
     view! {
         <div class="how">
             <button class="link how-open" type="button" aria-expanded=move || open.get().to_string()
@@ -23,19 +23,19 @@ pub(super) fn HowItWorks(form: Form) -> impl IntoView {
                 {move || if open.get() { words::how_it_works_less() } else { words::how_it_works() }}
             </button>
             <div id=HELP_ID>
-                <Show when=move || open.get()>{move || page().map(|page| view! { <Help page /> })}</Show>
+                <Show when=move || open.get()>{move || view! { <Help spec=form.kind.get() /> }}</Show>
             </div>
         </div>
     }
 }
 
 #[component]
-fn Help(page: &'static Page) -> impl IntoView {
-    let examples = page.examples.iter().map(|example| view! { <Shown page example /> }).collect_view();
+fn Help(spec: &'static Spec) -> impl IntoView {
+    let examples = spec.help.examples.iter().map(|example| view! { <Shown spec example /> }).collect_view();
     view! {
         <div class="how-help">
-            <p>{page.does}</p>
-            <p>{page.when}</p>
+            <p>{spec.help.does}</p>
+            <p>{spec.help.when}</p>
             <p class="second">{words::how_to_read()}</p>
             {examples}
         </div>
@@ -44,13 +44,13 @@ fn Help(page: &'static Page) -> impl IntoView {
 
 /// One example: what is given, the connector, what comes out.
 #[component]
-fn Shown(page: &'static Page, example: &'static Example) -> impl IntoView {
+fn Shown(spec: &'static Spec, example: &'static Example) -> impl IntoView {
     view! {
         <figure class="how-example">
             <figcaption>{example.title}</figcaption>
             <Given example />
-            <p class="how-connector"><code>{example.label(page.connector)}</code></p>
-            <Then example acts=page.connector == "subscribe" />
+            <p class="how-connector"><code>{example.label(spec.word)}</code></p>
+            <Then example acts=spec.acts() />
         </figure>
     }
 }

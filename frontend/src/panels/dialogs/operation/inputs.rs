@@ -1,4 +1,4 @@
-//! The input streams of combine and merge, in their order.
+//! The input streams of a connector that takes several, in their order.
 
 use super::form::Form;
 use crate::icons::Icon;

@@ -13,26 +13,35 @@ pub(super) fn name_base(form: Form) -> String {
     let inputs = form.inputs.get();
     let names: Vec<String> =
         inputs.iter().filter_map(|id| Some(desk.stream(id)?.record.read().name.trim().to_owned())).collect();
-    let first = names.first().cloned().unwrap_or_default();
+    let period_ms = form.period.get().trim().parse::<u64>().ok();
+    let by_helper = form.way.get() == "helper";
     let kind = form.kind.get();
-    let name = match kind {
-        "map" | "combineLatest" | "filter" if form.way.get() == "helper" => {
-            by_helper(kind, &title(&form.helper.get()), &first)
+    let fill = |hole: &str| match hole {
+        "input" => Some(names.first().cloned().unwrap_or_default()),
+        "others" => names.get(1..).filter(|others| !others.is_empty()).map(words::one_of),
+        "helper" => Some(title(&form.helper.get())).filter(|name| by_helper && !name.is_empty()),
+        "body" if !by_helper => {
+            let arguments = form.arguments();
+            let skipped = arguments.len().saturating_sub(names.len());
+            by_body(&form.body.get(), &arguments[skipped..], &names)
         }
-        "map" | "combineLatest" | "filter" => by_body(&form.body.get(), &form.arguments(), &names),
-        "sample" => form.period.get().trim().parse().ok().map(|period_ms| words::name_sampled(&first, period_ms)),
-        "merge" if names.len() > 1 => Some(words::name_merged(&names)),
+        "period" => period_ms.map(words::duration),
+        "every" => period_ms.map(words::every),
         _ => None,
     };
-    clipped(&name.unwrap_or_else(|| words::name_out_of(kind, &first)))
+    clipped(&kind.called.iter().find_map(|template| filled(template, fill)).unwrap_or_default())
 }
 
-fn by_helper(kind: &str, helper: &str, input: &str) -> Option<String> {
-    match kind {
-        _ if helper.is_empty() => None,
-        "filter" => Some(words::name_that(helper, input)),
-        _ => Some(helper.to_owned()),
+/// A template with its `{holes}` filled, if all can be.
+fn filled(template: &str, fill: impl Fn(&str) -> Option<String>) -> Option<String> {
+    let mut parts = template.split('{');
+    let mut name = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (hole, rest) = part.split_once('}')?;
+        name += &fill(hole)?;
+        name += rest;
     }
+    Some(name)
 }
 
 /// A short expression names its stream, with the streams' own names in it: `distanceToBall < 20` becomes
@@ -75,7 +84,7 @@ fn clipped(name: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{by_body, clipped, title};
+    use super::{by_body, clipped, filled, title};
 
     fn named(body: &str, streams: &[&str]) -> Option<String> {
         let names: Vec<String> = streams.iter().map(|name| (*name).to_owned()).collect();
@@ -105,6 +114,13 @@ mod tests {
         {
             assert_eq!(named(body, &["Distance"]), None, "{body}");
         }
+    }
+
+    #[test]
+    fn a_name_is_filled_only_as_a_whole() {
+        let fill = |hole: &str| (hole == "input").then(|| "{body}".to_owned());
+        assert_eq!(filled("Some {input}!", fill).as_deref(), Some("Some {body}!"));
+        assert_eq!(filled("{input} or {others}", fill), None);
     }
 
     #[test]

@@ -1,7 +1,8 @@
 //! The beginning of a test that a person most likely wants: `distance < ` for a stream of numbers.
 
 use crate::panels::hold::Hold;
-use behaviour::{Behaviour, Graph, Helper, Id, Operation, Procedure, StreamKind, Value};
+use behaviour::connectors::{Passes, Spec};
+use behaviour::{Behaviour, Graph, Helper, Id, Procedure, StreamKind, Value};
 use leptos::prelude::*;
 use robot::Shape;
 
@@ -9,8 +10,8 @@ use robot::Shape;
 const UPWARDS_MAX: usize = 32;
 
 /// What the body of a new connector begins with.
-pub(super) fn beginning(desk: Hold, input: &Id, kind: &str) -> String {
-    if kind != "filter" || !is_number(desk, input) {
+pub(super) fn beginning(desk: Hold, input: &Id, kind: &Spec) -> String {
+    if !kind.is_test() || !is_number(desk, input) {
         return String::new();
     }
     let desk = desk.desk();
@@ -50,12 +51,13 @@ fn carries_number(behaviour: &Behaviour, helpers: &[Helper], id: &Id) -> bool {
             return robot::device(stream.kind, device).is_ok_and(|device| matches!(device.shape, Shape::Number(_)));
         }
         let Some((_, connector)) = graph.into_stream(at).first() else { break };
-        match &connector.operation {
-            Operation::Map(procedure) | Operation::CombineLatest(procedure) => {
-                return text_of(procedure, helpers).is_some_and(makes_number);
+        match connector.operation.spec().passes {
+            Passes::Result => {
+                let text = connector.operation.procedure().and_then(|procedure| text_of(procedure, helpers));
+                return text.is_some_and(makes_number);
             }
-            Operation::Timestamp | Operation::Subscribe => break,
-            Operation::Filter(_) | Operation::Sample { .. } | Operation::Merge => {}
+            Passes::Other => break,
+            Passes::Same => {}
         }
         let Some(input) = connector.inputs.first() else { break };
         at = input;

@@ -4,7 +4,7 @@ use super::form::Form;
 use crate::fields::{CodeField, Options, Select};
 use crate::panels::trials::{self, Question, TrialLine};
 use crate::words;
-use behaviour::{Helper, StreamKind};
+use behaviour::{Helper, StreamKind, Value};
 use leptos::prelude::*;
 
 /// Body or Helper.
@@ -95,7 +95,8 @@ fn FieldNames(form: Form) -> impl IntoView {
             let record = desk.stream(id)?.record.get();
             robot::device(StreamKind::Sensor, record.device.as_deref()?).ok().map(|device| device.shape)
         };
-        let named: Vec<_> = inputs.iter().map(shape).zip(form.arguments()).collect();
+        let skipped = form.arguments().len().saturating_sub(inputs.len());
+        let named: Vec<_> = inputs.iter().map(shape).zip(form.arguments().into_iter().skip(skipped)).collect();
         named.into_iter().flat_map(|(shape, argument)| names(shape, &argument)).collect::<Vec<_>>()
     };
     let button = move |(text, says): (String, String)| {
@@ -114,9 +115,9 @@ fn names(shape: Option<robot::Shape>, argument: &str) -> Vec<(String, String)> {
     fields.iter().map(name).collect()
 }
 
-/// Helpers with as many parameters as there are inputs. Reactive.
+/// Helpers with as many parameters as the procedure has arguments. Reactive.
 fn fitting(form: Form) -> Vec<Helper> {
-    let count = form.inputs.read().len();
+    let count = form.kind.get().argument_count(form.inputs.read().len());
     let helpers = form.desk.desk().helpers.get();
     helpers.into_iter().map(|(_, helper)| helper).filter(|helper| helper.params.len() == count).collect()
 }
@@ -149,13 +150,19 @@ fn HelperFields(form: Form, fitting: Memo<Vec<Helper>>) -> impl IntoView {
 
 /// What the procedure is asked now. Reactive.
 fn question(form: Form) -> Option<Question> {
-    let (inputs, is_test) = (form.inputs.get(), form.kind.get() == "filter");
+    let (inputs, kind) = (form.inputs.get(), form.kind.get());
+    let (before, is_test) = (kind.takes.start.map(|_| start_of(form)).into_iter().collect(), kind.is_test());
     if form.way.get() == "helper" {
         let name = form.helper.get();
         let helper = fitting(form).into_iter().find(|helper| helper.name == name)?;
-        return Some(Question { arguments: helper.params, body: helper.body, inputs, is_test });
+        return Some(Question { arguments: helper.params, body: helper.body, inputs, before, is_test });
     }
     let body = form.body.get();
     let is_only_begun = form.begun.with_value(|begun| !begun.is_empty() && begun.trim() == body.trim());
-    (!is_only_begun).then(|| Question { arguments: form.arguments(), body, inputs, is_test })
+    (!is_only_begun).then(|| Question { arguments: form.arguments(), body, inputs, before, is_test })
+}
+
+/// The value to start from as it is typed, as long as it is one. Reactive.
+fn start_of(form: Form) -> Value {
+    serde_json::from_str(form.start.get().trim()).unwrap_or_default()
 }

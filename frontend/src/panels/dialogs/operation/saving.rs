@@ -5,7 +5,7 @@ use super::draft;
 use super::form::Form;
 use crate::desk::{ConnectPlan, Dialog, Output};
 use crate::words;
-use behaviour::{Operation, Params, Procedure, RATE_MS, Refusal};
+use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Refusal, Value};
 use leptos::prelude::*;
 use protocol::SaidNo;
 
@@ -86,30 +86,34 @@ fn look_again(form: Form) {
 }
 
 fn operation(form: Form) -> Result<Operation, String> {
-    Ok(match form.kind.get() {
-        "filter" => Operation::Filter(procedure(form)?),
-        "combineLatest" => Operation::CombineLatest(procedure(form)?),
-        "sample" => Operation::Sample { period_ms: period(form)? },
-        "timestamp" => Operation::Timestamp,
-        "merge" => Operation::Merge,
-        "subscribe" => Operation::Subscribe,
-        _ => Operation::Map(procedure(form)?),
-    })
+    let spec = form.kind.get();
+    let procedure = spec.takes.procedure.map(|takes| procedure(form, takes.is_optional)).transpose()?.flatten();
+    let period_ms = spec.takes.period.map(|_| period(form)).transpose()?;
+    let start = spec.takes.start.map(|_| start(form)).transpose()?;
+    Ok(spec.with(Parameters { procedure, period_ms, start }))
 }
 
-fn procedure(form: Form) -> Result<Procedure, String> {
+fn procedure(form: Form, is_optional: bool) -> Result<Option<Procedure>, String> {
     if form.way.get() == "helper" {
         let name = form.helper.get();
-        return if name.is_empty() { Err(words::choose_helper().to_owned()) } else { Ok(Procedure::Helper(name)) };
+        return if name.is_empty() {
+            Err(words::choose_helper().to_owned())
+        } else {
+            Ok(Some(Procedure::Helper(name)))
+        };
     }
     let body = form.body.get().trim().to_owned();
     if body.is_empty() {
-        return Err(words::write_body().to_owned());
+        return if is_optional { Ok(None) } else { Err(words::write_body().to_owned()) };
     }
     if form.begun.with_value(|begun| *begun.trim() == body) {
         return Err(words::finish_body().to_owned());
     }
-    Ok(Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) })
+    Ok(Some(Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) }))
+}
+
+fn start(form: Form) -> Result<Value, String> {
+    serde_json::from_str(form.start.get().trim()).map_err(|_| words::start_is_no_value().to_owned())
 }
 
 fn period(form: Form) -> Result<u64, String> {
@@ -123,7 +127,7 @@ fn named(form: Form) -> Result<String, String> {
 }
 
 fn output(form: Form) -> Result<Output, String> {
-    if form.kind.get() != "subscribe" {
+    if !form.kind.get().acts() {
         return Ok(Output::New { name: named(form)?, device: None, params: Params::new() });
     }
     match chosen(&form.actuator.get()) {

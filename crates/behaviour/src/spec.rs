@@ -1,0 +1,263 @@
+//! What there is to say about a connector: its words, its ends, its parameter, how it is kept, and its help.
+
+use crate::flow::Gives;
+use crate::marbles::Example;
+use crate::{Operation, Parameters, Procedure, StreamKind, Value};
+use std::fmt;
+
+/// The duration of a connector for which none was chosen, in milliseconds.
+pub const PERIOD_MS: u64 = 1_000;
+
+/// A connector, declared once: whatever shows, checks, keeps or explains connectors is drawn from this.
+#[derive(Clone, Copy)]
+pub struct Spec {
+    /// Its word in files, as the thesis writes it.
+    pub word: &'static str,
+    /// What people call it.
+    pub name: &'static str,
+    /// What it does, in a sentence.
+    pub says: &'static str,
+    /// Its picture.
+    pub icon: Icon,
+    /// How many streams it takes from.
+    pub inputs: Inputs,
+    /// What is chosen for it.
+    pub takes: Takes,
+    /// Where it ends: in ordinary streams, or in actuator streams.
+    pub ends: StreamKind,
+    /// How many values it gives for those that it takes.
+    pub gives: Gives,
+    /// What it passes on.
+    pub passes: Passes,
+    /// How a graph database keeps it.
+    pub graph: GraphForm,
+    /// When it is offered as the next step of a stream.
+    pub offered: Offered,
+    /// What the stream is called that it makes, until somebody types a name: the first of these whose holes can all be
+    /// filled. `{input}` is the name of its first input, `{others}` are those of the others, `{helper}` is its helper,
+    /// `{body}` its short body, `{period}` its duration (`2 s`) and `{every}` how often that is (`every 2 s`).
+    pub called: &'static [&'static str],
+    /// How it works, for who wants to know more.
+    pub help: Help,
+}
+
+/// A picture of simple strokes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Icon {
+    /// Its name in the icon set.
+    pub name: &'static str,
+    /// Its strokes on a field of 24, as paths of SVG.
+    pub strokes: &'static [&'static str],
+}
+
+/// How many streams a connector takes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Inputs {
+    /// Exactly one.
+    One,
+    /// One or more, in order.
+    OneOrMore,
+    /// Two or more, in order.
+    TwoOrMore,
+}
+
+impl Inputs {
+    /// How many there are at least before it can run.
+    #[must_use]
+    pub fn least(self) -> usize {
+        if self == Self::TwoOrMore { 2 } else { 1 }
+    }
+
+    /// Whether there may be several.
+    #[must_use]
+    pub fn are_many(self) -> bool {
+        self != Self::One
+    }
+}
+
+/// What is chosen for a connector: the parts of its parameter.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Takes {
+    /// A procedure.
+    pub procedure: Option<Procedural>,
+    /// A duration, with what the form calls it.
+    pub period: Option<&'static str>,
+    /// A value to start from, with what the form calls it.
+    pub start: Option<&'static str>,
+}
+
+impl Takes {
+    /// No parameter.
+    pub const NOTHING: Self = Self { procedure: None, period: None, start: None };
+}
+
+/// The procedure of a connector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Procedural {
+    /// What its result is for.
+    pub result: ResultUse,
+    /// Whether the connector also works without one.
+    pub is_optional: bool,
+    /// Arguments before those that are named after the inputs.
+    pub before: &'static [&'static str],
+}
+
+/// What the result of a procedure is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ResultUse {
+    /// It is passed on.
+    Value,
+    /// `true` lets the value pass, `false` stops it.
+    Test,
+    /// It is compared with the one before.
+    Key,
+}
+
+/// What a connector passes on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Passes {
+    /// What its procedure makes.
+    Result,
+    /// The value as it came, from its first input or from any.
+    Same,
+    /// Something else that it makes of the value.
+    Other,
+}
+
+/// How a graph database keeps a connector; the thesis (5.2.4) draws those between two streams as relationships.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct GraphForm {
+    /// The type of the relationship between its two streams. None if it is always a node of its own; with a helper or
+    /// several inputs every connector is one. Each type needs a constraint among the migrations.
+    pub relationship: Option<&'static str>,
+    /// The label of its node.
+    pub label: &'static str,
+}
+
+/// When a connector is offered as the next step of a stream.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Offered {
+    /// Before anything else, for streams that carry one of these.
+    pub first_for: &'static [Carries],
+    /// For every stream, after what is likelier.
+    pub always: bool,
+}
+
+impl Offered {
+    /// Only where all connectors are.
+    pub const NEVER: Self = Self { first_for: &[], always: false };
+    /// For every stream, after what is likelier.
+    pub const ALWAYS: Self = Self { first_for: &[], always: true };
+}
+
+/// What a stream carries, as far as one can tell before it runs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carries {
+    /// Where a ball is and how large it looks.
+    Ball,
+    /// A face.
+    Face,
+    /// Numbers.
+    Number,
+    /// True or false.
+    Truth,
+    /// Texts.
+    Text,
+    /// Something else, or one cannot tell.
+    Anything,
+}
+
+/// The help of a connector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Help {
+    /// What it does.
+    pub does: &'static str,
+    /// When to use it.
+    pub when: &'static str,
+    /// Two or three examples, which the engine is held to.
+    pub examples: &'static [Example],
+}
+
+impl Spec {
+    /// The connector with its parameter. What it does not take is left out; what is missing begins empty.
+    #[must_use]
+    pub fn with(&'static self, parameters: impl Into<Parameters>) -> Operation {
+        let given = parameters.into();
+        let procedure = self.takes.procedure.and_then(|takes| {
+            let empty = || (!takes.is_optional).then(|| Procedure::body(""));
+            given.procedure.or_else(empty)
+        });
+        let period_ms = self.takes.period.map(|_| given.period_ms.unwrap_or(PERIOD_MS));
+        let start = self.takes.start.map(|_| given.start.unwrap_or(Value::Null));
+        Operation::of(self, Parameters { procedure, period_ms, start })
+    }
+
+    /// A part that a connector needs and that is missing here, as files call it.
+    #[must_use]
+    pub fn lacks(&self, given: &Parameters) -> Option<&'static str> {
+        let needs_procedure = self.takes.procedure.is_some_and(|takes| !takes.is_optional);
+        let lacks = [
+            ("body", needs_procedure && given.procedure.is_none()),
+            ("periodMs", self.takes.period.is_some() && given.period_ms.is_none()),
+        ];
+        lacks.into_iter().find(|(_, lacks)| *lacks).map(|(part, _)| part)
+    }
+
+    /// Whether a part of a parameter that is given here has no place in this connector.
+    #[must_use]
+    pub fn refuses(&self, given: &Parameters) -> bool {
+        (given.procedure.is_some() && self.takes.procedure.is_none())
+            || (given.period_ms.is_some() && self.takes.period.is_none())
+            || (given.start.is_some() && self.takes.start.is_none())
+    }
+
+    /// The fields of its parameter in files.
+    pub fn fields(&self) -> impl Iterator<Item = &'static str> {
+        let procedure: &[&str] = if self.takes.procedure.is_some() { &["body", "args", "helper"] } else { &[] };
+        let period = self.takes.period.map(|_| "periodMs");
+        procedure.iter().copied().chain(period).chain(self.takes.start.map(|_| "start"))
+    }
+
+    /// Whether its procedure only says if the value passes.
+    #[must_use]
+    pub fn is_test(&self) -> bool {
+        self.takes.procedure.is_some_and(|takes| takes.result == ResultUse::Test)
+    }
+
+    /// Whether it leads to the robot's actions.
+    #[must_use]
+    pub fn acts(&self) -> bool {
+        self.ends == StreamKind::Actuator
+    }
+
+    /// The names of the arguments of its procedure, from the names of its inputs.
+    #[must_use]
+    pub fn argument_names<'a>(&self, inputs: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+        crate::argument_names(self.before().iter().copied().chain(inputs))
+    }
+
+    /// How many arguments its procedure has with so many inputs.
+    #[must_use]
+    pub fn argument_count(&self, inputs: usize) -> usize {
+        self.before().len() + inputs
+    }
+
+    fn before(&self) -> &'static [&'static str] {
+        self.takes.procedure.map_or(&[], |takes| takes.before)
+    }
+}
+
+/// Connectors are told apart by their words.
+impl PartialEq for Spec {
+    fn eq(&self, other: &Self) -> bool {
+        self.word == other.word
+    }
+}
+
+impl Eq for Spec {}
+
+impl fmt::Debug for Spec {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str(self.word)
+    }
+}
