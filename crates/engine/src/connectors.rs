@@ -2,17 +2,23 @@
 
 mod combine_latest;
 mod context;
+mod debounce;
+mod delay;
+mod distinct;
 mod filter;
 mod map;
 mod memory;
 mod merge;
 mod op;
 mod sample;
+mod scan;
 mod subscribe;
 mod timestamp;
+mod with_latest;
 
 use crate::procedure::Failed;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
+use behaviour::Value;
 use robot::Millis;
 
 pub(crate) use context::{Context, Outcome};
@@ -22,12 +28,17 @@ pub(crate) use op::{Op, Turn};
 /// All connectors, in the order of their names.
 const ALL: &[&Kind] = &[
     &combine_latest::KIND,
+    &debounce::KIND,
+    &delay::KIND,
+    &distinct::KIND,
     &filter::KIND,
     &map::KIND,
     &merge::KIND,
     &sample::KIND,
+    &scan::KIND,
     &subscribe::KIND,
     &timestamp::KIND,
+    &with_latest::KIND,
 ];
 
 /// A kind of connector, as the engine runs it.
@@ -47,6 +58,10 @@ pub(crate) struct Choice {
     pub(crate) inputs: usize,
     /// The duration in milliseconds, 1 or more, if it takes one.
     pub(crate) period_ms: u64,
+    /// The value to start from; null if it takes none.
+    pub(crate) start: Value,
+    /// Whether it has a procedure.
+    pub(crate) has_procedure: bool,
 }
 
 /// One connector of a run, with what it remembers.

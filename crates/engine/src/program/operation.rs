@@ -53,6 +53,11 @@ impl Declared {
 
     /// What was chosen for it, besides its procedure.
     pub(super) fn choice(&self, inputs: usize) -> Choice {
-        Choice { inputs, period_ms: self.operation.period_ms().unwrap_or_default() }
+        Choice {
+            inputs,
+            period_ms: self.operation.period_ms().unwrap_or_default(),
+            start: self.operation.start().cloned().unwrap_or_default(),
+            has_procedure: self.operation.procedure().is_some(),
+        }
     }
 }
