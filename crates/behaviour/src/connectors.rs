@@ -4,12 +4,17 @@
 //! two words here, and what it does with values to the engine.
 
 pub mod combine_latest;
+pub mod debounce;
+pub mod delay;
+pub mod distinct;
 pub mod filter;
 pub mod map;
 pub mod merge;
 pub mod sample;
+pub mod scan;
 pub mod subscribe;
 pub mod timestamp;
+pub mod with_latest;
 
 pub use crate::spec::{
     Carries, GraphForm, Help, Icon, Inputs, Offered, PERIOD_MS, Passes, Procedural, ResultUse, Spec, Takes,
@@ -24,6 +29,11 @@ pub const ALL: &[&Spec] = &[
     &combine_latest::SPEC,
     &merge::SPEC,
     &timestamp::SPEC,
+    &distinct::SPEC,
+    &scan::SPEC,
+    &debounce::SPEC,
+    &delay::SPEC,
+    &with_latest::SPEC,
 ];
 
 /// A connector by its word in files.

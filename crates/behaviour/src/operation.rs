@@ -73,6 +73,14 @@ impl Operation {
         self.parameters.procedure.as_mut()
     }
 
+    /// The argument names of its procedure: as given, else from the names of its inputs.
+    pub fn arguments<'n>(&self, inputs: impl IntoIterator<Item = &'n str>) -> Vec<String> {
+        match self.procedure() {
+            Some(Procedure::Body { args: Some(args), .. }) => args.clone(),
+            Some(_) | None => self.spec.argument_names(inputs),
+        }
+    }
+
     /// The duration in milliseconds, if it takes one: 1 to 3,600,000 where the rules are kept.
     #[must_use]
     pub fn period_ms(&self) -> Option<u64> {

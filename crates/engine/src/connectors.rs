@@ -2,17 +2,23 @@
 
 mod combine_latest;
 mod context;
+mod debounce;
+mod delay;
+mod distinct;
 mod filter;
 mod map;
 mod memory;
 mod merge;
 mod op;
 mod sample;
+mod scan;
 mod subscribe;
 mod timestamp;
+mod with_latest;
 
 use crate::procedure::Failed;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
+use behaviour::Value;
 use robot::Millis;
 
 pub(crate) use context::{Context, Outcome};
@@ -20,8 +26,20 @@ pub(crate) use memory::Memory;
 pub(crate) use op::{Op, Turn};
 
 /// All connectors, in the order of their names.
-const ALL: [&Kind; 7] =
-    [&combine_latest::KIND, &filter::KIND, &map::KIND, &merge::KIND, &sample::KIND, &subscribe::KIND, &timestamp::KIND];
+const ALL: &[&Kind] = &[
+    &combine_latest::KIND,
+    &debounce::KIND,
+    &delay::KIND,
+    &distinct::KIND,
+    &filter::KIND,
+    &map::KIND,
+    &merge::KIND,
+    &sample::KIND,
+    &scan::KIND,
+    &subscribe::KIND,
+    &timestamp::KIND,
+    &with_latest::KIND,
+];
 
 /// A kind of connector, as the engine runs it.
 pub(crate) struct Kind {
@@ -40,6 +58,10 @@ pub(crate) struct Choice {
     pub(crate) inputs: usize,
     /// The duration in milliseconds, 1 or more, if it takes one.
     pub(crate) period_ms: u64,
+    /// The value to start from; null if it takes none.
+    pub(crate) start: Value,
+    /// Whether it has a procedure.
+    pub(crate) has_procedure: bool,
 }
 
 /// One connector of a run, with what it remembers.
@@ -88,5 +110,5 @@ pub(crate) struct Frame<'f> {
 
 /// The kind of connector with this word, if the engine has it.
 pub(crate) fn kind(word: &str) -> Option<&'static Kind> {
-    ALL.into_iter().find(|kind| kind.word == word)
+    ALL.iter().copied().find(|kind| kind.word == word)
 }

@@ -197,7 +197,7 @@ fn every_fault_is_found_and_named() {
             "c1: the helper “twice” takes 1 values, but gets 2",
         ),
         ("a sensor\nb ordinary\nsample a > b: 0", "c1: sample needs a periodMs of 1 or more"),
-        ("a sensor\nb ordinary\ndelay a > b", "c1: there is no connector \"delay\""),
+        ("a sensor\nb ordinary\nsieve a > b", "c1: there is no connector \"sieve\""),
     ];
     for (text, fault) in cases {
         let faults: Vec<_> = validate(&graph(text)).iter().map(ToString::to_string).collect();

@@ -1,9 +1,8 @@
 //! What a connector of a file is: the one place where the engine asks about `behaviour::Operation`.
 
 use crate::connectors::{Choice, Kind, kind};
-use behaviour::connectors::Inputs;
-use behaviour::flow::Gives;
-use behaviour::{FileConnector, Operation, Procedure, StreamKind};
+use behaviour::connectors::{Inputs, Spec};
+use behaviour::{FileConnector, Operation, Procedure};
 
 /// A connector of a file, read once.
 pub(super) struct Declared {
@@ -25,31 +24,24 @@ impl Declared {
         Ok(Self { operation, kind })
     }
 
-    /// Its word in files.
-    pub(super) fn word(&self) -> &'static str {
-        self.operation.word()
+    /// What there is to say about all connectors of its kind.
+    pub(super) fn spec(&self) -> &'static Spec {
+        self.operation.spec()
     }
 
     /// How many streams it takes from, in words; nothing if so many are right.
     pub(super) fn wants_inputs(&self, many: usize) -> Option<&'static str> {
-        match self.operation.spec().inputs {
-            Inputs::One => (many != 1).then_some("exactly one input"),
-            Inputs::OneOrMore => (many < 1).then_some("one input or more"),
-            Inputs::TwoOrMore => (many < 2).then_some("two inputs or more"),
-        }
+        let inputs = self.spec().inputs;
+        let fits = many >= inputs.least() && (many == 1 || inputs.are_many());
+        let words = match inputs {
+            Inputs::One => "exactly one input",
+            Inputs::OneOrMore => "one input or more",
+            Inputs::TwoOrMore => "two inputs or more",
+        };
+        (!fits).then_some(words)
     }
 
-    /// The kind of stream in which it ends.
-    pub(super) fn ends(&self) -> StreamKind {
-        self.operation.spec().ends
-    }
-
-    /// How many values it gives for those that it takes.
-    pub(super) fn gives(&self) -> Gives {
-        self.operation.spec().gives
-    }
-
-    /// Its procedure, if it takes one.
+    /// Its procedure, if it has one.
     pub(super) fn procedure(&self) -> Option<&Procedure> {
         self.operation.procedure()
     }
@@ -61,6 +53,11 @@ impl Declared {
 
     /// What was chosen for it, besides its procedure.
     pub(super) fn choice(&self, inputs: usize) -> Choice {
-        Choice { inputs, period_ms: self.operation.period_ms().unwrap_or_default() }
+        Choice {
+            inputs,
+            period_ms: self.operation.period_ms().unwrap_or_default(),
+            start: self.operation.start().cloned().unwrap_or_default(),
+            has_procedure: self.operation.procedure().is_some(),
+        }
     }
 }

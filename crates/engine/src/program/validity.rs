@@ -124,10 +124,11 @@ impl Check<'_> {
         let output = self.stream(&connector.output)?;
         self.check_inputs(declared, connector, &inputs)?;
         self.check_output(declared, output)?;
-        if !fed.insert(output) && declared.ends() == StreamKind::Ordinary {
+        if !fed.insert(output) && declared.spec().ends == StreamKind::Ordinary {
             return Err(format!("the stream {} already has an incoming connector", connector.output));
         }
-        let (word, gives, op) = (declared.word(), declared.gives(), declared.kind.op);
+        let (spec, op) = (declared.spec(), declared.kind.op);
+        let (word, gives) = (spec.word, spec.gives);
         Ok(ConnectorInfo { id: connector.id.clone(), word, inputs, output, gives, op })
     }
 
@@ -137,7 +138,7 @@ impl Check<'_> {
 
     fn check_inputs(&self, of: &Declared, connector: &FileConnector, inputs: &[StreamIx]) -> Result<(), String> {
         if let Some(wanted) = of.wants_inputs(inputs.len()) {
-            return Err(format!("{} takes {wanted}, not {}", of.word(), inputs.len()));
+            return Err(format!("{} takes {wanted}, not {}", of.spec().word, inputs.len()));
         }
         let mut seen = BTreeSet::new();
         for (input, id) in inputs.iter().zip(&connector.inputs) {
@@ -153,12 +154,12 @@ impl Check<'_> {
 
     fn check_output(&self, of: &Declared, output: StreamIx) -> Result<(), String> {
         let stream = &self.file.streams[output.index()];
-        match (stream.kind, of.ends()) {
+        match (stream.kind, of.spec().ends) {
             (StreamKind::Sensor, _) => Err(format!("nothing can lead into the sensor stream {}", stream.id)),
             (StreamKind::Actuator, StreamKind::Actuator) => Ok(()),
             (StreamKind::Actuator, _) => Err(format!("only subscribe leads into the actuator stream {}", stream.id)),
             (StreamKind::Ordinary, StreamKind::Actuator) => {
-                Err(format!("{} must lead to an actuator stream, and {} is none", of.word(), stream.id))
+                Err(format!("{} must lead to an actuator stream, and {} is none", of.spec().word, stream.id))
             }
             (StreamKind::Ordinary, _) => Ok(()),
         }
@@ -192,7 +193,7 @@ impl Check<'_> {
             Written::Helper(name) => {
                 let helper = self.file.helpers.iter().find(|helper| helper.name == *name);
                 let helper = helper.ok_or_else(|| format!("there is no helper “{name}”"))?;
-                let (takes, many) = (helper.params.len(), arguments().len());
+                let (takes, many) = (helper.params.len(), of.spec().argument_count(at.inputs.len()));
                 if takes != many {
                     return Err(format!("the helper “{name}” takes {takes} values, but gets {many}"));
                 }
@@ -201,7 +202,7 @@ impl Check<'_> {
             Written::Body { body, args } => {
                 let names = arguments();
                 if args.is_some() {
-                    check_arguments(&names, at.inputs.len())?;
+                    check_arguments(&names, of.spec().argument_count(at.inputs.len()), at.inputs.len())?;
                 }
                 Ok((names, body.clone()))
             }
@@ -214,10 +215,10 @@ impl Check<'_> {
     }
 }
 
-/// Whether arguments that a file names can be those of a procedure with so many of them.
-fn check_arguments(names: &[String], many: usize) -> Result<(), String> {
+/// Whether arguments that a file names can be those of a procedure with so many of them, for so many inputs.
+fn check_arguments(names: &[String], many: usize, inputs: usize) -> Result<(), String> {
     if names.len() != many {
-        return Err(format!("it names {} arguments for {many} inputs", names.len()));
+        return Err(format!("it names {} arguments for {inputs} inputs", names.len()));
     }
     if let Some(bad) = names.iter().find(|name| !is_identifier(name)) {
         return Err(format!("“{bad}” cannot be a name in a procedure"));
