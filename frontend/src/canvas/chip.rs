@@ -88,9 +88,11 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     let said = said_memo(&desk, &id, &signals, &unused);
     let tells = said.clone();
     let describes = move || {
+        // Read first: `tells` follows it too, and a change that it finds on the way would go unnoticed here.
+        let waits = unused.get();
         let mut all: Vec<String> = troubles.get().map(|(sentence, _)| sentence).into_iter().collect();
         all.extend(tells.get().map(|said| said.text));
-        all.extend(unused.get().then(|| words::not_used_yet().to_owned()));
+        all.extend(waits.then(|| words::not_used_yet().to_owned()));
         (!all.is_empty()).then(|| all.join(" "))
     };
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
