@@ -181,8 +181,7 @@ fn alone(connector: &serde_json::Value, mode: &serde_json::Value, compiled: bool
     connector["id"] = "c".into();
     connector["inputs"] = json!(["a"]);
     connector["output"] = "b".into();
-    let streams =
-        json!([{"id": "a", "kind": "sensor", "name": "A"}, {"id": "b", "kind": "ordinary", "name": "B"}]);
+    let streams = json!([{"id": "a", "kind": "sensor", "name": "A"}, {"id": "b", "kind": "ordinary", "name": "B"}]);
     let file = json!({"format": "rrp-behaviour/1", "name": "Alone", "helpers": [], "engine": mode,
         "streams": streams, "connectors": [connector]});
     let file: BehaviourFile = serde_json::from_value(file).unwrap();

@@ -49,8 +49,7 @@ impl Slow<'_> {
     fn changed(&mut self, at: usize, value: &Value) -> Result<Option<Value>, ()> {
         let connector = &self.file.connectors[at];
         let inputs = std::slice::from_ref(value);
-        let key =
-            if has_procedure(connector) { call(self.file, connector, inputs).ok_or(())? } else { value.clone() };
+        let key = if has_procedure(connector) { call(self.file, connector, inputs).ok_or(())? } else { value.clone() };
         if self.memory.get(&at).is_some_and(|last| same(last, &key)) {
             return Ok(None);
         }

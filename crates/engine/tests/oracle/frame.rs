@@ -99,8 +99,11 @@ impl Slow<'_> {
             "timestamp" => Value::object([("v", value), ("t", Value::Int(i64::try_from(time).unwrap()))]),
             "distinct" => {
                 let inputs = std::slice::from_ref(&value);
-                let key =
-                    if has_procedure(connector) { call(self.file, connector, inputs).ok_or(())? } else { value.clone() };
+                let key = if has_procedure(connector) {
+                    call(self.file, connector, inputs).ok_or(())?
+                } else {
+                    value.clone()
+                };
                 if self.memory.get(&at).is_some_and(|last| same(last, &key)) {
                     return Ok(None);
                 }

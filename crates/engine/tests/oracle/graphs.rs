@@ -30,8 +30,14 @@ const MAPS: [&str; 14] = [
 const FILTERS: [&str; 7] =
     ["a > 2", "a == 3 || a < 0", "a != 1 && a <= 5", "!(a >= 4)", "a.x > 1", "a", "twice(a) < 9"];
 const KEYS: [&str; 5] = ["a", "a % 3", "a.x", "if a > 2 { 1 } else { 1.0 }", "[a, #{v: a}]"];
-const SCANS: [&str; 6] =
-    ["m + a", "max(m, a)", "if a > 3 { m } else { a }", "[m, 7 % a][1]", "#{x: a, y: m.x}", "if m == 2 { 0 } else { m + 1 }"];
+const SCANS: [&str; 6] = [
+    "m + a",
+    "max(m, a)",
+    "if a > 3 { m } else { a }",
+    "[m, 7 % a][1]",
+    "#{x: a, y: m.x}",
+    "if m == 2 { 0 } else { m + 1 }",
+];
 const COMBINES: [&str; 6] = ["a + b", "a - b", "#{x: a, y: b}", "if a < b { a } else { b }", "a / b", "min(a, b)"];
 
 /// A behaviour of 1 to 3 sensors and up to 12 connectors.

@@ -38,7 +38,8 @@ pub(crate) fn same(one: &Value, other: &Value) -> bool {
             one.len() == other.len() && (0..one.len()).all(|at| same(&one[at], &other[at]))
         }
         (Value::Map(one), Value::Map(other)) => {
-            let found = |(name, value): (_, &Value)| other.iter().any(|(twin, other)| twin == name && same(value, other));
+            let found =
+                |(name, value): (_, &Value)| other.iter().any(|(twin, other)| twin == name && same(value, other));
             one.len() == other.len() && one.iter().all(found)
         }
         (Value::Float(number), Value::Int(whole)) | (Value::Int(whole), Value::Float(number)) => {

@@ -2,8 +2,8 @@
 
 use crate::{Append, Place, Query, Store, StoreError};
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId,
-    Settings, Stream, StreamKind, Value, connectors,
+    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record,
+    RecordId, Settings, Stream, StreamKind, Value, connectors,
 };
 
 pub(super) fn id(text: &str) -> Id {

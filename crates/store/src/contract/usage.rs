@@ -22,9 +22,7 @@ fn line(behaviour: &str, name: &str, record: &str) -> (String, String, String) {
 }
 
 async fn every_use_is_found(store: &dyn Store) {
-    let of = |operation| {
-        Record::Connector(Connector { operation, inputs: vec![id("s0")], output: id("s1"), order: 0 })
-    };
+    let of = |operation| Record::Connector(Connector { operation, inputs: vec![id("s0")], output: id("s1"), order: 0 });
     let connectors = [
         ("c0", filter(Procedure::Helper("near".into()))),
         ("c1", filter(Procedure::body("x > 1 && near(x)"))),
