@@ -1,9 +1,10 @@
-//! The sample applications of the thesis on the simulated NAO: what the robot does when people move things.
+//! The templates on the simulated NAO: what the robot does when people move things.
 
 use behaviour::{BehaviourFile, Value};
 use house::Outcome;
 use house::rehearsal::{Report, Script, Told, rehearse};
 use robot::{JOINTS, Millis, Scene, SceneEdit};
+use std::collections::BTreeSet;
 
 const SEED: u64 = 7;
 /// Ahead and near the height of the camera, in view of a robot that looks ahead.
@@ -152,6 +153,60 @@ fn the_fault_of_the_printed_graph_lasts_a_second_in_the_mended_one() -> Outcome<
 }
 
 #[test]
+fn every_touch_of_the_head_is_counted() -> Outcome<()> {
+    let script = [touch(500), touch(2_500), touch(5_000)].concat();
+    let report = play("count_my_touches", &script, 7_000)?;
+    assert_eq!(words(&report), ["1", "2", "3"]);
+    assert_eq!(times(&report, "say").len(), 3, "letting go does not count");
+    Ok(())
+}
+
+#[test]
+fn hello_is_said_once_and_not_for_every_reading_of_a_face() -> Outcome<()> {
+    let report = play("hello_once", &[at(1_000, present(true))], 9_000)?;
+    assert_eq!(words(&report), ["Hello"]);
+    assert!(matches!(times(&report, "hello")[..], [1_000..1_500]), "{:?}", times(&report, "hello"));
+    let comes_again = [at(1_000, present(true)), at(3_000, present(false)), at(5_000, present(true))];
+    assert_eq!(words(&play("hello_once", &comes_again, 9_000)?), ["Hello"], "nobody else came");
+    assert_eq!(words(&play("hello_once", &[], 9_000)?), [""; 0], "nobody came at all");
+    Ok(())
+}
+
+#[test]
+fn goodbye_is_said_when_nobody_was_seen_for_five_seconds() -> Outcome<()> {
+    let script = [
+        at(1_000, present(true)),
+        at(3_000, present(false)),
+        at(6_000, present(true)),
+        at(8_000, present(false)),
+        at(20_000, present(true)),
+    ];
+    let report = play("goodbye", &script, 24_000)?;
+    assert_eq!(words(&report), ["Goodbye"], "three seconds away are no goodbye, and it is said once");
+    assert!(matches!(times(&report, "goodbye")[..], [12_800..=13_100]), "{:?}", times(&report, "goodbye"));
+    Ok(())
+}
+
+#[test]
+fn a_touch_tells_the_color_that_was_seen_last() -> Outcome<()> {
+    let moves = [at(2_000, ball("red", BEHIND)), at(3_000, ball("green", AHEAD)), at(6_000, ball("green", BEHIND))];
+    let script = [touch(1_000), moves.into(), touch(2_500), touch(4_000), touch(8_000)].concat();
+    let report = play("touch_to_tell_the_color", &script, 10_000)?;
+    assert_eq!(words(&report), ["red", "red", "green", "green"]);
+    assert_eq!(times(&report, "say").len(), 4, "only when touched");
+    Ok(())
+}
+
+#[test]
+fn every_template_is_rehearsed() -> Outcome<()> {
+    let folder = std::fs::read_dir(house::root().join("tests/behaviours"))?;
+    let files = folder.map(|file| Ok(file?.path().file_stem().unwrap_or_default().to_string_lossy().into_owned()));
+    let files = files.collect::<Outcome<BTreeSet<String>>>()?;
+    assert_eq!(files, NAMES.map(str::to_owned).into());
+    Ok(())
+}
+
+#[test]
 fn a_rehearsal_is_the_same_every_time() -> Outcome<()> {
     for name in NAMES {
         let once = play(name, &left_right_and_away(), 12_000)?;
@@ -170,7 +225,7 @@ fn what_cannot_be_done_is_said() {
     assert!(rehearse(&file, SEED, &[], Millis(u64::MAX)).is_err());
 }
 
-const NAMES: [&str; 8] = [
+const NAMES: [&str; 12] = [
     "reflect_ball_color",
     "say_ball_color",
     "say_ball_color_merge",
@@ -179,6 +234,10 @@ const NAMES: [&str; 8] = [
     "greeter",
     "track_nearest_arm",
     "track_nearest_arm_in_time",
+    "count_my_touches",
+    "hello_once",
+    "goodbye",
+    "touch_to_tell_the_color",
 ];
 
 fn read(name: &str) -> Outcome<BehaviourFile> {
@@ -196,6 +255,15 @@ fn at(at_ms: u64, edit: SceneEdit) -> (Millis, SceneEdit) {
 
 fn ball(id: &str, at: [f32; 3]) -> SceneEdit {
     SceneEdit::MoveBall { id: id.to_owned(), at }
+}
+
+/// A hand on the head for a tenth of a second.
+fn touch(at_ms: u64) -> Vec<(Millis, SceneEdit)> {
+    vec![at(at_ms, SceneEdit::TouchHead { down: true }), at(at_ms + 100, SceneEdit::TouchHead { down: false })]
+}
+
+fn present(present: bool) -> SceneEdit {
+    SceneEdit::SetPresent { id: "person".into(), present }
 }
 
 /// The newest picture at that time.

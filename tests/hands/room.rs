@@ -5,12 +5,16 @@ use serde_json::Value;
 
 use crate::steps::{picture, rests, stage, text};
 
-const TEMPLATES: [&str; 8] = [
+const TEMPLATES: [&str; 12] = [
+    "Count my touches",
     "Distance to brightness",
+    "Goodbye",
     "Greeter",
+    "Hello once",
     "Reflect ball color",
     "Say ball color",
     "Say ball color with merge",
+    "Touch to tell the color",
     "Track far and close balls",
     "Track with nearest arm",
     "Track with nearest arm, in time",

@@ -4,7 +4,7 @@ use house::{Outcome, Page, skip};
 
 use crate::steps::*;
 
-const TEMPLATES: usize = 8;
+const TEMPLATES: usize = 12;
 /// The items of the menu that are no templates.
 const OTHERS: [&str; 3] = ["All programs and templates …", "Open a file …", "Save as file …"];
 
@@ -51,6 +51,7 @@ async fn runs(page: &Page, template: &str) -> Outcome<()> {
     let problems = page.eval("document.querySelectorAll('.badge.blocks').length").await?;
     assert_eq!(problems, 0, "“{template}” has a problem that blocks");
     start(page).await?;
+    page.press("button", "Touch head").await?;
     let value = "document.querySelector('.world .value b')?.textContent";
     page.until(value, &format!("“{template}” shows a value")).await?;
     stop(page).await?;

@@ -6,10 +6,23 @@ use tempfile::TempDir;
 /// The template that is looked at.
 pub(crate) const TEMPLATE: &str = "Track far and close balls";
 /// The connectors of the Operation dialog by their words.
-const CONNECTORS: [&str; 7] = ["sample", "subscribe", "filter", "map", "combine", "merge", "timestamp"];
+const CONNECTORS: [&str; 12] = [
+    "sample",
+    "subscribe",
+    "filter",
+    "map",
+    "combine",
+    "merge",
+    "timestamp",
+    "changed",
+    "remember",
+    "settle",
+    "delay",
+    "with latest",
+];
 
 /// Connectors whose help is looked at too: with one lane and several, with times, with commands.
-const HELP: [&str; 4] = ["subscribe", "map", "combine", "timestamp"];
+const HELP: [&str; 6] = ["subscribe", "map", "combine", "timestamp", "remember", "with latest"];
 
 /// A server on a fresh folder, a browser, and a person with the page open on a desktop.
 pub(crate) struct Stage {
@@ -130,11 +143,12 @@ async fn operations(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> O
             )
             .await?;
         }
-        visit(&format!("operation-{connector}")).await?;
+        let screen = connector.replace(' ', "-");
+        visit(&format!("operation-{screen}")).await?;
         if HELP.contains(&connector) {
             page.press("button", "How it works").await?;
             page.until("!!document.querySelector('.how-example .marble')", "the help is open").await?;
-            visit(&format!("operation-{connector}-help")).await?;
+            visit(&format!("operation-{screen}-help")).await?;
             page.press("button", "Hide how it works").await?;
         }
     }

@@ -110,6 +110,20 @@ mod tests {
     }
 
     #[test]
+    fn people_read_plain_names() {
+        let named = |word: &str| spec(word).map(|spec| spec.name);
+        for (word, name) in [
+            ("distinct", "changed"),
+            ("scan", "remember"),
+            ("debounce", "settle"),
+            ("delay", "delay"),
+            ("withLatest", "with latest"),
+        ] {
+            assert_eq!(named(word), Some(name));
+        }
+    }
+
+    #[test]
     fn one_leads_to_actions_and_one_applies_helpers() {
         assert!(ALL.iter().all(|spec| spec.acts() == (*spec == to_action())));
         let makes = to_new_value();

@@ -99,15 +99,6 @@ impl Operation {
         start.as_ref().map(Value::to_string).into_iter().chain(procedure).chain(period).collect()
     }
 
-    /// The argument names of its procedure: as given, else from the names of its inputs.
-    #[must_use]
-    pub fn arguments<'n>(&self, inputs: impl IntoIterator<Item = &'n str>) -> Vec<String> {
-        match self.procedure() {
-            Some(Procedure::Body { args: Some(args), .. }) => args.clone(),
-            Some(_) | None => self.spec.argument_names(inputs),
-        }
-    }
-
     /// The value to start from, if it takes one.
     #[must_use]
     pub fn start(&self) -> Option<&Value> {

@@ -159,7 +159,9 @@ pub enum Carries {
     Face,
     /// Numbers.
     Number,
-    /// True or false.
+    /// True or false, as the robot feels it.
+    Touch,
+    /// True or false, as a procedure makes it.
     Truth,
     /// Texts.
     Text,

@@ -1,8 +1,10 @@
 //! Procedures that mean harm, or only forget an end: each is refused or faulted, and the process goes on.
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
-use behaviour::{FileHelper, Value};
-use engine::{Limits, check_body, try_body};
+use behaviour::{BehaviourFile, FileHelper, Value};
+use engine::{Emission, Limits, Run, check_body, try_body};
+use robot::Millis;
+use serde_json::json;
 use std::cell::Cell;
 use std::rc::Rc;
 
@@ -171,4 +173,89 @@ fn the_interrupt_ends_a_procedure_that_runs() {
     let made = try_body(&[], &[], "loop { try { loop { } } catch { } }", &[], &limits);
     assert!(made.is_err_and(|reason| reason.contains("took too long")));
     assert_eq!(asked.get(), 10);
+}
+
+/// A run of one connector between a sensor stream and an ordinary one.
+fn alone(connector: &serde_json::Value, mode: &serde_json::Value, compiled: bool) -> Run {
+    let mut connector = connector.clone();
+    connector["id"] = "c".into();
+    connector["inputs"] = json!(["a"]);
+    connector["output"] = "b".into();
+    let streams = json!([{"id": "a", "kind": "sensor", "name": "A"}, {"id": "b", "kind": "ordinary", "name": "B"}]);
+    let file = json!({"format": "rrp-behaviour/1", "name": "Alone", "helpers": [], "engine": mode,
+        "streams": streams, "connectors": [connector]});
+    let file: BehaviourFile = serde_json::from_value(file).unwrap();
+    Run::build(&file, Limits { compiled, ..Limits::default() }).map_err(|faults| faults[0].to_string()).unwrap()
+}
+
+/// What comes out of a run that is handed so many values, one every 10 ms, and the faults.
+fn hand(run: &mut Run, values: impl Iterator<Item = Value>) -> (Vec<Value>, Vec<String>) {
+    let (mut made, mut faults) = (Vec::new(), Vec::new());
+    let (a, b) = (run.stream_index("a").unwrap(), run.stream_index("b").unwrap());
+    let mut hear = |emission: Emission| match emission {
+        Emission::Value { stream, value, .. } if stream == b => made.push(value.clone()),
+        Emission::Value { .. } => {}
+        Emission::Fault { error, .. } => faults.push(error.to_owned()),
+    };
+    let mut at = 0;
+    for value in values {
+        at += 10;
+        run.feed(Millis(at), a, value, &mut hear);
+    }
+    run.until(Millis(at + 10), &mut hear);
+    (made, faults)
+}
+
+/// Ways to make the memory of a scan larger with every value, each with a part of what ends it.
+const GROWING: [(&str, &str, &str); 5] = [
+    ("soFar + soFar", "ab", "too large"),
+    ("`${soFar}${soFar}!`", "ab", "too large"),
+    ("[soFar, soFar]", "", "too large"),
+    ("[soFar]", "", "nested too deep"),
+    ("#{last: soFar, now: a}", "", "nested too deep"),
+];
+
+#[test]
+fn what_a_scan_remembers_never_grows_beyond_a_value() {
+    on_small_stack(|| {
+        for (body, start, ends) in &GROWING {
+            let scan = json!({"type": "scan", "body": body, "start": start});
+            for (mode, compiled) in [("event", true), ("event", false), ("frame", true), ("frame", false)] {
+                let mode = if mode == "frame" { json!({"frame": {"frameMs": 10}}) } else { json!(mode) };
+                let mut run = alone(&scan, &mode, compiled);
+                let (made, faults) = hand(&mut run, (0..200).map(Value::Int));
+                assert_eq!(made.len() + faults.len(), 200, "{body}: every value is answered");
+                assert!((5..60).contains(&made.len()), "{body}: {} values", made.len());
+                assert!(faults.iter().all(|fault| fault.contains(ends)), "{body}: {}", faults[0]);
+            }
+        }
+    });
+}
+
+/// The largest value that may flow: as many items as a list may have, each of them a text.
+fn large(last: i64) -> Value {
+    Value::list((0..1_023).map(|_| Value::text("ab")).chain([Value::Int(last)]))
+}
+
+#[test]
+fn a_distinct_over_large_values_is_soon_done_and_its_procedure_takes_steps() {
+    let began = std::time::Instant::now();
+    let mut run = alone(&json!({"type": "distinct"}), &json!("event"), true);
+    let (made, faults) = hand(&mut run, (0..10_000).map(|at| large(at / 5_000)));
+    assert_eq!((made.len(), faults), (2, vec![]));
+    assert!(began.elapsed().as_secs() < 20, "{:?} for 10,000 comparisons", began.elapsed());
+    let key = json!({"type": "distinct", "body": "let l = a; loop { if l == a { l = a + a; } }"});
+    let (made, faults) = hand(&mut alone(&key, &json!("event"), true), (0..3).map(large));
+    assert_eq!((made.len(), faults.len()), (0, 3));
+    assert!(faults.iter().all(|fault| fault.contains("too many steps") || fault.contains("too large")), "{faults:?}");
+}
+
+#[test]
+fn a_delay_keeps_no_more_than_ten_thousand_values() {
+    let delay = json!({"type": "delay", "periodMs": 3_600_000});
+    for mode in [json!("event"), json!({"frame": {"frameMs": 10}})] {
+        let (made, faults) = hand(&mut alone(&delay, &mode, true), (0..10_050).map(Value::Int));
+        assert_eq!((made.len(), faults.len()), (0, 50), "{mode}");
+        assert!(faults[0].starts_with("more than 10,000 values wait"), "{}", faults[0]);
+    }
 }

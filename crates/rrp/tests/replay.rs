@@ -34,6 +34,42 @@ fn replay(behaviour: &Path, trace: &Path, mode: &str, change: impl FnOnce(&mut C
     done.stdout
 }
 
+/// Numbers by value, whole and measured kept apart, the text of faults ignored.
+fn same(made: &Value, wanted: &Value) -> bool {
+    match (made, wanted) {
+        (Value::Number(a), Value::Number(b)) => a.is_f64() == b.is_f64() && (a == b || a.as_f64() == b.as_f64()),
+        (Value::Array(a), Value::Array(b)) => a.len() == b.len() && a.iter().zip(b).all(|(a, b)| same(a, b)),
+        (Value::Object(a), Value::Object(b)) => {
+            a.len() == b.len() && a.iter().all(|(name, a)| b.get(name).is_some_and(|b| name == "error" || same(a, b)))
+        }
+        (a, b) => a == b,
+    }
+}
+
+fn lines(text: &str) -> Vec<Value> {
+    text.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect()
+}
+
+#[test]
+fn every_gold_case_gives_what_is_expected_in_both_modes() {
+    let mut more = 0;
+    for case in cases() {
+        let file = |name: &str| case.join(name).display().to_string();
+        let about: Value = serde_json::from_str(&read(&case.join("case.json"))).expect("JSON");
+        let (behaviour, trace) = (file("behaviour.json"), file("trace.jsonl"));
+        let (until, frame_ms) = (about["until"].to_string(), about["frameMs"].to_string());
+        let given = ["--probe", "--errors", "--behaviour", &behaviour, "--trace", &trace, "--until", &until];
+        for (mode, rest) in [("event", vec![]), ("frame", vec!["--frame-ms", frame_ms.as_str()])] {
+            let (code, made, _) = said(&[&given[..], &["--mode", mode], &rest].concat());
+            let wanted = lines(&read(&case.join(format!("expected-{mode}.jsonl"))));
+            let all = made.len() == wanted.len() && made.iter().zip(&wanted).all(|(made, wanted)| same(made, wanted));
+            assert!(code == Some(0) && all, "{}, {mode}", case.display());
+        }
+        more += usize::from(case.file_name().is_some_and(|name| name.to_string_lossy().starts_with("more-")));
+    }
+    assert_eq!(more, 12, "also those of the connectors beyond the thesis");
+}
+
 #[test]
 fn two_processes_say_the_same_to_the_byte() {
     let elsewhere = tempfile::tempdir().expect("a folder");
@@ -80,8 +116,7 @@ fn following(name: &str, device: &str, hold_ms: u64) -> Value {
 /// One process with these arguments: its exit code, standard output and standard error.
 fn said(arguments: &[&str]) -> (Option<i32>, Vec<Value>, String) {
     let done = Command::new(env!("CARGO_BIN_EXE_rrp")).arg("replay").args(arguments).output().expect("rrp starts");
-    let lines = String::from_utf8(done.stdout).expect("UTF-8");
-    let lines = lines.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
+    let lines = lines(&String::from_utf8(done.stdout).expect("UTF-8"));
     (done.status.code(), lines, String::from_utf8(done.stderr).expect("UTF-8"))
 }
 

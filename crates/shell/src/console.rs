@@ -195,3 +195,25 @@ fn label(connector: &behaviour::Connector) -> String {
 pub(crate) fn or_nothing(lines: Vec<String>, nothing: &str) -> String {
     if lines.is_empty() { nothing.to_owned() } else { lines.join("\n") }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::label;
+    use behaviour::{Connector, Id, Operation, Parameters, Procedure, Value, connectors};
+
+    fn shown(operation: Operation) -> String {
+        let id = |text| Id::new(text).unwrap();
+        label(&Connector { operation, inputs: vec![id("a")], output: id("b"), order: 0 })
+    }
+
+    #[test]
+    fn connectors_are_shown_with_what_was_chosen_for_them() {
+        let counts = Parameters { start: Some(Value::Int(0)), ..Procedure::body("soFar\n+ 1").into() };
+        assert_eq!(shown(connectors::scan::SPEC.with(counts)), "scan (0, soFar + 1)");
+        assert_eq!(shown(connectors::distinct::SPEC.with(())), "distinct");
+        assert_eq!(shown(connectors::distinct::SPEC.with(Procedure::body("face.id"))), "distinct (face.id)");
+        assert_eq!(shown(connectors::debounce::SPEC.with(Parameters::period(5_000))), "debounce (5000 ms)");
+        assert_eq!(shown(connectors::delay::SPEC.with(Parameters::period(1))), "delay (1 ms)");
+        assert_eq!(shown(connectors::with_latest::SPEC.with(Procedure::Helper("far".into()))), "withLatest (far)");
+    }
+}

@@ -26,13 +26,14 @@ pub(super) fn suggest(behaviour: &Behaviour, id: &Id, helpers: &[Helper], value:
     if stream.kind == StreamKind::Actuator {
         return Vec::new();
     }
-    let carries = value.and_then(of_value).unwrap_or_else(|| carries(behaviour, id));
+    let carries = carries_now(behaviour, id, value);
     let graph = Graph::of(behaviour);
+    let is_twice = |spec: &Spec| graph.into_stream(id).iter().any(|(_, connector)| connector.operation.spec() == spec);
     let chosen = graph.into_stream(id).iter().any(|(_, connector)| connector.operation.spec().is_test());
     let mut steps: Vec<Step> = otherwise(&graph, id).into_iter().collect();
     let fitting = fitting_helpers(helpers, carries, &stream.name).into_iter().take(1);
     let actions = actions(carries).take(2);
-    let first = |spec: &&Spec| !chosen && spec.offered.first_for.contains(&carries);
+    let first = |spec: &&Spec| !chosen && !is_twice(spec) && spec.offered.first_for.contains(&carries);
     let all = || connectors::ALL.iter().copied();
     let last = all().filter(|spec| spec.offered.always && !first(spec)).map(Step::Connector);
     if chosen {
@@ -98,6 +99,15 @@ pub(super) fn opposite(body: &str) -> String {
     }
 }
 
+/// A value that is there says more than a guess, save whether it was felt.
+fn carries_now(behaviour: &Behaviour, id: &Id, value: Option<&Value>) -> Carries {
+    let guess = carries(behaviour, id);
+    match value.and_then(of_value) {
+        Some(Carries::Truth) if guess == Carries::Touch => guess,
+        known => known.unwrap_or(guess),
+    }
+}
+
 fn carries(behaviour: &Behaviour, id: &Id) -> Carries {
     let graph = Graph::of(behaviour);
     let mut at = id;
@@ -122,7 +132,7 @@ fn of_shape(shape: &Shape) -> Carries {
     let has = |name: &str| shape.fields().iter().any(|field| field.name == name);
     match shape {
         Shape::Number(_) => Carries::Number,
-        Shape::Truth => Carries::Truth,
+        Shape::Truth => Carries::Touch,
         Shape::Text => Carries::Text,
         Shape::Object(_) if has("label") => Carries::Face,
         Shape::Object(_) if has("size") => Carries::Ball,

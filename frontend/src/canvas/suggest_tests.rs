@@ -35,8 +35,24 @@ fn track() -> Behaviour {
     made
 }
 
+fn touched() -> Behaviour {
+    let mut made = Behaviour::default();
+    with_stream(&mut made, "touch", StreamKind::Sensor, Some("HeadTouch"));
+    for name in ["changed", "far", "count"] {
+        with_stream(&mut made, name, StreamKind::Ordinary, None);
+    }
+    with_connector(&mut made, connectors::distinct::SPEC.with(()), "touch", "changed");
+    with_connector(&mut made, connectors::map::SPEC.with(Procedure::body("distance > 20")), "touch", "far");
+    with_connector(&mut made, connectors::scan::SPEC.with(Procedure::body("soFar + 1")), "touch", "count");
+    made
+}
+
 fn words(stream: &str, value: Option<&Value>) -> Vec<String> {
-    let steps = suggest(&track(), &id(stream), &robot::shipped_helpers(), value);
+    words_of(&track(), stream, value)
+}
+
+fn words_of(behaviour: &Behaviour, stream: &str, value: Option<&Value>) -> Vec<String> {
+    let steps = suggest(behaviour, &id(stream), &robot::shipped_helpers(), value);
     let word = |step: Step| match step {
         Step::Helper(name) => name,
         Step::Connector(spec) => spec.word.to_owned(),
@@ -66,6 +82,23 @@ fn what_passed_a_filter_suggests_an_action() {
 #[test]
 fn a_value_that_is_there_says_more_than_a_guess() {
     assert_eq!(words("close", Some(&Value::text("hi")))[0], "SayInput");
+}
+
+#[test]
+fn a_touch_suggests_its_changes() {
+    let (behaviour, expected) = (touched(), ["filter", "distinct", "map", "EyeLedColor", "SayParameter"]);
+    assert_eq!(words_of(&behaviour, "touch", None), expected);
+    assert_eq!(words_of(&behaviour, "touch", Some(&Value::Bool(true))), expected, "also while it runs");
+    let changed = words_of(&behaviour, "changed", None);
+    assert_eq!(changed, ["filter", "map", "EyeLedColor", "SayParameter"], "its changes are offered once");
+}
+
+#[test]
+fn a_truth_suggests_to_remember() {
+    let expected = ["filter", "scan", "map", "EyeLedColor", "SayParameter"];
+    assert_eq!(words_of(&touched(), "far", None), expected);
+    assert_eq!(words_of(&touched(), "count", Some(&Value::Bool(false)))[..2], ["filter", "map"], "but not twice");
+    assert_eq!(words_of(&touched(), "count", Some(&Value::Int(2)))[0], "filter");
 }
 
 #[test]

@@ -19,7 +19,7 @@ macro_rules! gold {
     };
 }
 
-const GOLD: [Case; 15] = [
+const GOLD: [Case; 27] = [
     gold!("4.13-reflect-ball-color"),
     gold!("4.14-say-ball-color"),
     gold!("4.15-say-ball-color-merge"),
@@ -35,6 +35,18 @@ const GOLD: [Case; 15] = [
     gold!("tie-2-sample-50-100"),
     gold!("tie-3-diamond"),
     gold!("tie-4-same-instant"),
+    gold!("more-1-distinct-int-float"),
+    gold!("more-2-distinct-lists-objects"),
+    gold!("more-3-distinct-procedure-fault"),
+    gold!("more-4-scan-start-and-fault"),
+    gold!("more-5-scan-names-and-null"),
+    gold!("more-6-debounce-tie"),
+    gold!("more-7-debounce-behind-sample"),
+    gold!("more-8-delay-order"),
+    gold!("more-9-ticks-by-rank"),
+    gold!("more-10-with-latest"),
+    gold!("more-11-with-latest-diamond"),
+    gold!("more-12-frame-origins"),
 ];
 /// What a machine could compute otherwise than another one: `x` is a measured number.
 const NUMBERS: [&str; 12] = [

@@ -16,7 +16,7 @@ pub const SPEC: Spec = Spec {
     ends: StreamKind::Ordinary,
     gives: Gives::Later,
     passes: Passes::Same,
-    graph: GraphForm { relationship: Some("debounce"), label: "Debounce" },
+    graph: GraphForm { relationship: None, label: "Debounce" },
     offered: Offered::NEVER,
     called: &["{input} settled"],
     help: Help {

@@ -16,9 +16,9 @@ pub const SPEC: Spec = Spec {
     ends: StreamKind::Ordinary,
     gives: Gives::Later,
     passes: Passes::Same,
-    graph: GraphForm { relationship: Some("delay"), label: "Delay" },
+    graph: GraphForm { relationship: None, label: "Delay" },
     offered: Offered::NEVER,
-    called: &["{input} {period} later"],
+    called: &["{input} {period} later", "{input} later"],
     help: Help {
         does: "Lets every value wait for the chosen time, then passes it on. Values keep their order.",
         when: "Use it to let the robot answer a moment later: say something a second after the touch.",

@@ -19,8 +19,8 @@ pub const SPEC: Spec = Spec {
     ends: StreamKind::Ordinary,
     gives: Gives::Some,
     passes: Passes::Same,
-    graph: GraphForm { relationship: Some("distinct"), label: "Distinct" },
-    offered: Offered { first_for: &[Carries::Truth], always: false },
+    graph: GraphForm { relationship: None, label: "Distinct" },
+    offered: Offered { first_for: &[Carries::Touch], always: false },
     called: &["{input} changed"],
     help: Help {
         does: "Compares every value with the last one that it passed on, and passes on only what is different. With a \

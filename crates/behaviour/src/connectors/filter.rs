@@ -20,7 +20,7 @@ pub const SPEC: Spec = Spec {
     gives: Gives::Some,
     passes: Passes::Same,
     graph: GraphForm { relationship: Some("filter"), label: "Filter" },
-    offered: Offered { first_for: &[Carries::Number, Carries::Truth], always: true },
+    offered: Offered { first_for: &[Carries::Number, Carries::Touch, Carries::Truth], always: true },
     called: &["{helper} {input}", "{body}", "Some {input}"],
     help: Help {
         does: "Asks a question about every value and keeps the values for which the answer is true. The values themselves \

@@ -20,7 +20,7 @@ pub const SPEC: Spec = Spec {
     ends: StreamKind::Ordinary,
     gives: Gives::Each,
     passes: Passes::Result,
-    graph: GraphForm { relationship: Some("scan"), label: "Scan" },
+    graph: GraphForm { relationship: None, label: "Scan" },
     offered: Offered { first_for: &[Carries::Truth], always: false },
     called: &["{helper} {input}", "{input} so far"],
     help: Help {

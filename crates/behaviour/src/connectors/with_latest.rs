@@ -21,7 +21,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Result,
     graph: GraphForm { relationship: None, label: "WithLatest" },
     offered: Offered::NEVER,
-    called: &["{helper} {input}", "{input} with {others}"],
+    called: &["{helper} {input}", "{input} with {others}", "{input} with more"],
     help: Help {
         does: "Each value of the first stream is put together with the newest values of the others, once all of them \
                have one. The other streams alone give nothing.",

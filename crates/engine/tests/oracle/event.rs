@@ -1,20 +1,25 @@
-//! Event mode, millisecond by millisecond (rules E1 to E8).
+//! Event mode, millisecond by millisecond (rules E1 to E13).
 
 use crate::graphs::Reading;
-use crate::plain::{Said, by_rank, call, stream};
+use crate::plain::{Said, by_rank, call, has_procedure, same, stream};
 use behaviour::{BehaviourFile, Value};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 struct Slow<'f> {
     file: &'f BehaviourFile,
     held: BTreeMap<usize, Value>,
     known: BTreeMap<(usize, usize), Value>,
+    /// What a distinct compared last, what a scan made last.
+    memory: BTreeMap<usize, Value>,
+    /// What a debounce or a delay has, each with when it is due.
+    waiting: BTreeMap<usize, VecDeque<(Value, u64)>>,
     said: Vec<Said>,
 }
 
 /// What the readings lead to until a time, inclusive.
 pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64) -> Vec<Said> {
-    let mut slow = Slow { file, held: BTreeMap::new(), known: BTreeMap::new(), said: Vec::new() };
+    let (held, known, memory, waiting) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
+    let mut slow = Slow { file, held, known, memory, waiting, said: Vec::new() };
     let order = by_rank(file);
     for now in 0..=until {
         for reading in trace.iter().filter(|reading| reading.at == now) {
@@ -34,6 +39,22 @@ impl Slow<'_> {
         if let Some(value) = due.then(|| self.held.remove(&sample)).flatten() {
             self.put(now, stream(self.file, &connector.output), &value);
         }
+        while self.waiting.get(&sample).and_then(VecDeque::front).is_some_and(|(_, due)| *due == now) {
+            let (value, _) = self.waiting.get_mut(&sample).unwrap().pop_front().unwrap();
+            self.put(now, stream(self.file, &connector.output), &value);
+        }
+    }
+
+    /// What a distinct passes on, if anything.
+    fn changed(&mut self, at: usize, value: &Value) -> Result<Option<Value>, ()> {
+        let connector = &self.file.connectors[at];
+        let inputs = std::slice::from_ref(value);
+        let key = if has_procedure(connector) { call(self.file, connector, inputs).ok_or(())? } else { value.clone() };
+        if self.memory.get(&at).is_some_and(|last| same(last, &key)) {
+            return Ok(None);
+        }
+        self.memory.insert(at, key);
+        Ok(Some(value.clone()))
     }
 
     /// A value on a stream goes to the stream's connectors in array order, to the end of each.
@@ -62,7 +83,29 @@ impl Slow<'_> {
                 self.held.insert(at, value.clone());
                 return;
             }
-            "combineLatest" => {
+            "distinct" => match self.changed(at, value) {
+                Ok(None) => return,
+                changed => changed.map(Option::unwrap),
+            },
+            "scan" => {
+                let start = || connector.start.clone().unwrap_or(Value::Null);
+                let inputs = [self.memory.get(&at).cloned().unwrap_or_else(start), value.clone()];
+                let made = call(self.file, connector, &inputs);
+                made.inspect(|made| drop(self.memory.insert(at, made.clone()))).ok_or(())
+            }
+            "debounce" | "delay" => {
+                let waiting = self.waiting.entry(at).or_default();
+                if connector.operation == "debounce" {
+                    waiting.clear();
+                }
+                waiting.push_back((value.clone(), now + connector.period_ms.unwrap()));
+                return;
+            }
+            "withLatest" if slot > 0 => {
+                self.known.insert((at, slot), value.clone());
+                return;
+            }
+            "combineLatest" | "withLatest" => {
                 self.known.insert((at, slot), value.clone());
                 let known = (0..connector.inputs.len()).map(|slot| self.known.get(&(at, slot)).cloned());
                 let Some(inputs) = known.collect::<Option<Vec<_>>>() else { return };

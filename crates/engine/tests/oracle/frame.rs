@@ -1,9 +1,9 @@
-//! Frame mode, every frame in full (rules F1 to F5).
+//! Frame mode, every frame in full (rules F1 to F8).
 
 use crate::graphs::Reading;
-use crate::plain::{Said, by_rank, call, stream};
+use crate::plain::{Said, by_rank, call, has_procedure, same, stream};
 use behaviour::{BehaviourFile, FileConnector, Value};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 /// A value with the time and the place in the trace of the reading it comes from.
 type Carried = (Value, (u64, usize));
@@ -14,13 +14,18 @@ struct Slow<'f> {
     held: BTreeMap<usize, Carried>,
     next: BTreeMap<usize, u64>,
     known: BTreeMap<(usize, usize), Value>,
+    /// What a distinct compared last, what a scan made last.
+    memory: BTreeMap<usize, Value>,
+    /// What a debounce or a delay has, each with when it is due.
+    waiting: BTreeMap<usize, VecDeque<(Carried, u64)>>,
     said: Vec<Said>,
 }
 
 /// What the readings lead to until a time, in frames of that length.
 pub(crate) fn run(file: &BehaviourFile, trace: &[Reading], until: u64, length: u64) -> Vec<Said> {
     let (now, held, next, known) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-    let mut slow = Slow { file, now, held, next, known, said: Vec::new() };
+    let (memory, waiting) = (BTreeMap::new(), BTreeMap::new());
+    let mut slow = Slow { file, now, held, next, known, memory, waiting, said: Vec::new() };
     for frame in 1..=until.div_ceil(length) {
         slow.now.clear();
         slow.gather(trace, frame, length);
@@ -77,6 +82,12 @@ impl Slow<'_> {
         if connector.operation == "sample" {
             return Ok(self.sample(time, at, connector.period_ms.unwrap(), newest));
         }
+        if let "debounce" | "delay" = connector.operation.as_str() {
+            return Ok(self.wait(time, at, connector, newest));
+        }
+        if connector.operation == "withLatest" {
+            return self.with_latest(at, connector);
+        }
         let Some((value, origin)) = newest else { return Ok(None) };
         let made = match connector.operation.as_str() {
             "map" => call(self.file, connector, &[value]).ok_or(())?,
@@ -86,6 +97,26 @@ impl Slow<'_> {
                 _ => return Err(()),
             },
             "timestamp" => Value::object([("v", value), ("t", Value::Int(i64::try_from(time).unwrap()))]),
+            "distinct" => {
+                let inputs = std::slice::from_ref(&value);
+                let key = if has_procedure(connector) {
+                    call(self.file, connector, inputs).ok_or(())?
+                } else {
+                    value.clone()
+                };
+                if self.memory.get(&at).is_some_and(|last| same(last, &key)) {
+                    return Ok(None);
+                }
+                self.memory.insert(at, key);
+                value
+            }
+            "scan" => {
+                let start = || connector.start.clone().unwrap_or(Value::Null);
+                let inputs = [self.memory.get(&at).cloned().unwrap_or_else(start), value];
+                let made = call(self.file, connector, &inputs).ok_or(())?;
+                self.memory.insert(at, made.clone());
+                made
+            }
             "combineLatest" => match self.known_inputs(at, connector) {
                 Some(inputs) => call(self.file, connector, &inputs).ok_or(())?,
                 None => return Ok(None),
@@ -93,6 +124,25 @@ impl Slow<'_> {
             _ => value,
         };
         Ok(Some((made, origin)))
+    }
+
+    fn wait(&mut self, time: u64, at: usize, connector: &FileConnector, newest: Option<Carried>) -> Option<Carried> {
+        let waiting = self.waiting.entry(at).or_default();
+        if let Some(newest) = newest {
+            if connector.operation == "debounce" {
+                waiting.clear();
+            }
+            waiting.push_back((newest, time + connector.period_ms.unwrap()));
+        }
+        let is_due = waiting.front().is_some_and(|(_, due)| *due <= time);
+        is_due.then(|| waiting.pop_front().unwrap().0)
+    }
+
+    fn with_latest(&mut self, at: usize, connector: &FileConnector) -> Result<Option<Carried>, ()> {
+        let known = self.known_inputs(at, connector);
+        let first = self.now.get(&stream(self.file, &connector.inputs[0]));
+        let (Some(inputs), Some(&(_, origin))) = (known, first) else { return Ok(None) };
+        Ok(Some((call(self.file, connector, &inputs).ok_or(())?, origin)))
     }
 
     fn known_inputs(&mut self, at: usize, connector: &FileConnector) -> Option<Vec<Value>> {

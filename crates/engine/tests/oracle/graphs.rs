@@ -29,6 +29,15 @@ const MAPS: [&str; 14] = [
 ];
 const FILTERS: [&str; 7] =
     ["a > 2", "a == 3 || a < 0", "a != 1 && a <= 5", "!(a >= 4)", "a.x > 1", "a", "twice(a) < 9"];
+const KEYS: [&str; 5] = ["a", "a % 3", "a.x", "if a > 2 { 1 } else { 1.0 }", "[a, #{v: a}]"];
+const SCANS: [&str; 6] = [
+    "m + a",
+    "max(m, a)",
+    "if a > 3 { m } else { a }",
+    "[m, 7 % a][1]",
+    "#{x: a, y: m.x}",
+    "if m == 2 { 0 } else { m + 1 }",
+];
 const COMBINES: [&str; 6] = ["a + b", "a - b", "#{x: a, y: b}", "if a < b { a } else { b }", "a / b", "min(a, b)"];
 
 /// A behaviour of 1 to 3 sensors and up to 12 connectors.
@@ -71,19 +80,55 @@ fn connector(chance: &mut Chance, sources: &[String], output: &str) -> Json {
     let one = [chance.pick(sources)];
     let many = some_of(chance, sources);
     let period = 1 + chance.below(80);
-    match chance.below(9) {
+    match chance.below(14) {
         0..=2 => json!({"type": "map", "inputs": one, "output": output, "args": ["a"], "body": chance.pick(&MAPS)}),
         3 => json!({"type": "filter", "inputs": one, "output": output, "args": ["a"], "body": chance.pick(&FILTERS)}),
         4 => json!({"type": "timestamp", "inputs": one, "output": output}),
         5 => json!({"type": "sample", "inputs": one, "output": output, "periodMs": period}),
         6 => json!({"type": "merge", "inputs": many, "output": output}),
-        _ => combine(chance, &many, output),
+        7 => distinct(chance, &one, output),
+        8 => scan(chance, &one, output),
+        9 => json!({"type": "debounce", "inputs": one, "output": output, "periodMs": period}),
+        10 => json!({"type": "delay", "inputs": one, "output": output, "periodMs": period}),
+        11 if many.len() > 1 => combine(chance, "withLatest", &many, output),
+        _ => combine(chance, "combineLatest", &many, output),
     }
 }
 
-fn combine(chance: &mut Chance, inputs: &[String], output: &str) -> Json {
+fn distinct(chance: &mut Chance, one: &[String; 1], output: &str) -> Json {
+    let mut connector = json!({"type": "distinct", "inputs": one, "output": output});
+    match chance.below(3) {
+        0 => {
+            connector["args"] = json!(["a"]);
+            connector["body"] = chance.pick(&KEYS).into();
+        }
+        1 => {
+            connector["args"] = json!(["a"]);
+            connector["helper"] = "twice".into();
+        }
+        _ => {}
+    }
+    connector
+}
+
+fn scan(chance: &mut Chance, one: &[String; 1], output: &str) -> Json {
+    let mut connector = json!({"type": "scan", "inputs": one, "output": output, "args": ["m", "a"]});
+    match chance.below(4) {
+        0 => connector["helper"] = "sum".into(),
+        _ => connector["body"] = chance.pick(&SCANS).into(),
+    }
+    match chance.below(4) {
+        0 => {}
+        1 => connector["start"] = json!({"x": 0.5}),
+        2 => connector["start"] = json!(0.1),
+        _ => connector["start"] = json!(chance.below(5)),
+    }
+    connector
+}
+
+fn combine(chance: &mut Chance, word: &str, inputs: &[String], output: &str) -> Json {
     let args = &["a", "b", "c"][..inputs.len()];
-    let mut connector = json!({"type": "combineLatest", "inputs": inputs, "output": output, "args": args});
+    let mut connector = json!({"type": word, "inputs": inputs, "output": output, "args": args});
     match (inputs.len(), chance.below(4)) {
         (1, _) => connector["helper"] = "twice".into(),
         (2, 0) => connector["helper"] = "sum".into(),

@@ -31,6 +31,30 @@ pub(crate) fn by_rank(file: &BehaviourFile) -> Vec<usize> {
     order
 }
 
+/// Whether distinct takes two values for one: numbers by exact value, lists and objects by their parts.
+pub(crate) fn same(one: &Value, other: &Value) -> bool {
+    match (one, other) {
+        (Value::List(one), Value::List(other)) => {
+            one.len() == other.len() && (0..one.len()).all(|at| same(&one[at], &other[at]))
+        }
+        (Value::Map(one), Value::Map(other)) => {
+            let found =
+                |(name, value): (_, &Value)| other.iter().any(|(twin, other)| twin == name && same(value, other));
+            one.len() == other.len() && one.iter().all(found)
+        }
+        (Value::Float(number), Value::Int(whole)) | (Value::Int(whole), Value::Float(number)) => {
+            // Every float without a fraction that an i64 could equal is exact as an i128.
+            number.fract() == 0.0 && number.abs() < 1e20 && *number as i128 == i128::from(*whole)
+        }
+        _ => one == other,
+    }
+}
+
+/// Whether distinct compares what a procedure makes.
+pub(crate) fn has_procedure(connector: &FileConnector) -> bool {
+    connector.body.is_some() || connector.helper.is_some()
+}
+
 /// A procedure on its inputs; nothing for any fault.
 pub(crate) fn call(file: &BehaviourFile, connector: &FileConnector, inputs: &[Value]) -> Option<Value> {
     let names = connector.args.as_ref().unwrap();

@@ -28,6 +28,6 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Eyes]),
     waiting: Waiting::Newest,
-    next_step: NextStep { for_streams: &[(Carries::Truth, &[])], ..NextStep::NEVER },
+    next_step: NextStep { for_streams: &[(Carries::Touch, &[]), (Carries::Truth, &[])], ..NextStep::NEVER },
     example: r#""red""#,
 };

@@ -15,7 +15,13 @@ pub(crate) const DEVICE: Device = Device {
     resources: Resources::Always(&[Resource::Voice]),
     waiting: Waiting::Every,
     next_step: NextStep {
-        for_streams: &[(Carries::Ball, &[]), (Carries::Number, &[]), (Carries::Truth, &[]), (Carries::Anything, &[])],
+        for_streams: &[
+            (Carries::Ball, &[]),
+            (Carries::Number, &[]),
+            (Carries::Touch, &[]),
+            (Carries::Truth, &[]),
+            (Carries::Anything, &[]),
+        ],
         label: Some("Say…"),
         stream: Some("Say"),
         asks: true,

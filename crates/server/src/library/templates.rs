@@ -1,4 +1,4 @@
-//! The gallery: the sample applications of the thesis, ready to be copied, changed and run.
+//! The gallery: the sample applications of the thesis and some more, ready to be copied, changed and run.
 
 use super::thumbnails::picture_of;
 use behaviour::BehaviourFile;
@@ -36,7 +36,7 @@ impl Template {
     }
 }
 
-/// All templates, the simplest first.
+/// All templates: those of the thesis, the simplest first, then one for each connector that was added.
 pub(crate) fn templates() -> &'static [Template] {
     TEMPLATES
 }
@@ -81,6 +81,26 @@ const TEMPLATES: &[Template] = &[
         name: "Track with nearest arm, in time",
         says: "The same, and the arm forgets a close ball that was not seen for a second.",
         json: include_str!("../../../../tests/behaviours/track_nearest_arm_in_time.json"),
+    },
+    Template {
+        name: "Count my touches",
+        says: "Counts how often its head was touched, and says the number.",
+        json: include_str!("../../../../tests/behaviours/count_my_touches.json"),
+    },
+    Template {
+        name: "Hello once",
+        says: "Says hello once to whom it sees, and again only to somebody else.",
+        json: include_str!("../../../../tests/behaviours/hello_once.json"),
+    },
+    Template {
+        name: "Goodbye",
+        says: "Says goodbye when it has seen nobody for five seconds.",
+        json: include_str!("../../../../tests/behaviours/goodbye.json"),
+    },
+    Template {
+        name: "Touch to tell the color",
+        says: "Touched on the head, it says the color of the ball that it saw last.",
+        json: include_str!("../../../../tests/behaviours/touch_to_tell_the_color.json"),
     },
 ];
 

@@ -1,6 +1,8 @@
 //! One change after the other: saved once, in order, and read back as it was.
 
-use super::samples::{append, change, id, in_bin, key, note, save, settings, stream, try_append};
+use super::samples::{
+    append, change, every_connector, id, in_bin, key, note, now, save, settings, stream, try_append, two_streams,
+};
 use crate::{Append, Listing, Query, Store, StoreError};
 use behaviour::{Change, Committed, Kind, Place, Record, RecordId};
 use std::future::Future;
@@ -13,6 +15,7 @@ pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -
     only_the_next_revision_is_saved(make().await.as_ref()).await;
     two_streams_swap_their_names(make().await.as_ref()).await;
     every_script_is_kept(make().await.as_ref()).await;
+    every_connector_is_kept(make().await.as_ref()).await;
     what_would_not_read_back_is_refused(make().await.as_ref()).await;
     history_comes_in_pages(make().await.as_ref()).await;
     the_list_shows_the_newest_first(make().await.as_ref()).await;
@@ -100,6 +103,24 @@ async fn every_script_is_kept(store: &dyn Store) {
     let listed: Vec<_> = listed.into_iter().rev().collect();
     assert_eq!(listed.iter().map(|line| line.name.as_str()).collect::<Vec<_>>(), names);
     assert_eq!(listed.iter().map(|line| line.by.as_str()).collect::<Vec<_>>(), names);
+}
+
+async fn every_connector_is_kept(store: &dyn Store) {
+    let edits = [two_streams(), every_connector()].concat();
+    save(store, "b", "op1", edits.clone()).await;
+    assert_eq!(now(store, "b").await.records, edits.clone().into_iter().collect());
+    let made = store.history(&id("b"), 0, 1).await.expect("history");
+    assert_eq!(made[0].change.edits.len(), edits.len());
+    // Each of them becomes the next one, which may be kept in another form.
+    let (keys, mut records): (Vec<_>, Vec<_>) = every_connector().into_iter().unzip();
+    records.rotate_left(1);
+    let turned: Vec<_> = keys.into_iter().zip(records).collect();
+    let change = turned.iter().cloned().fold(Change::of(id("op2"), "Ben", "Turn"), {
+        let before = now(store, "b").await;
+        move |made, (key, record)| made.put(&before, key, record)
+    });
+    assert_eq!(append(store, "b", 2, change).await, Append::Applied);
+    assert_eq!(now(store, "b").await.records, [two_streams(), turned].concat().into_iter().collect());
 }
 
 async fn what_would_not_read_back_is_refused(store: &dyn Store) {

@@ -2,8 +2,8 @@
 
 use crate::{Append, Place, Query, Store, StoreError};
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Procedure, Record, RecordId, Settings, Stream,
-    StreamKind, connectors,
+    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record,
+    RecordId, Settings, Stream, StreamKind, Value, connectors,
 };
 
 pub(super) fn id(text: &str) -> Id {
@@ -38,6 +38,31 @@ pub(super) fn stream(name: &str, order: i64) -> Record {
 pub(super) fn filter(procedure: Procedure) -> Record {
     let operation = connectors::filter::SPEC.with(procedure);
     Record::Connector(Connector { operation, inputs: vec![id("s0")], output: id("s1"), order: 7 })
+}
+
+/// Every connector in every form: with what it needs, and with all that it takes, written in place or by a helper.
+pub(super) fn every_connector() -> Vec<(RecordId, Record)> {
+    let start = Value::object([("x", Value::Float(-0.0)), ("list", Value::list([Value::Null, Value::text("赤")]))]);
+    let args = Some(vec!["a".to_owned(), "b".to_owned()]);
+    let procedures = [
+        None,
+        Some(Procedure::body("a > 1 // \"near\"")),
+        Some(Procedure::Body { body: String::new(), args }),
+        Some(Procedure::Helper("near".to_owned())),
+    ];
+    let forms = connectors::ALL.iter().flat_map(|spec| {
+        procedures.iter().map(|procedure| {
+            let (period_ms, start) = (procedure.is_some().then_some(3_600_000), Some(start.clone()));
+            let start = start.filter(|_| procedure.is_some());
+            spec.with(Parameters { procedure: procedure.clone(), period_ms, start })
+        })
+    });
+    let connector = |(order, operation): (i64, Operation)| {
+        let inputs = if operation.spec().inputs.are_many() { vec![id("s1"), id("s0")] } else { vec![id("s0")] };
+        let record = Record::Connector(Connector { operation, inputs, output: id("s1"), order });
+        (key(Kind::Connector, &format!("c{order}")), record)
+    };
+    (0..).zip(forms).map(connector).collect()
 }
 
 pub(super) fn helper(name: &str, body: &str) -> Record {

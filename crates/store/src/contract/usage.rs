@@ -2,7 +2,7 @@
 
 use super::samples::{append, filter, helper, id, key, note, save, settings, two_streams};
 use crate::{LIBRARY, Store};
-use behaviour::{Change, Kind, Procedure, RecordId};
+use behaviour::{Change, Connector, Kind, Procedure, Record, RecordId, connectors};
 use std::future::Future;
 use std::sync::Arc;
 
@@ -22,12 +22,16 @@ fn line(behaviour: &str, name: &str, record: &str) -> (String, String, String) {
 }
 
 async fn every_use_is_found(store: &dyn Store) {
+    let of = |operation| Record::Connector(Connector { operation, inputs: vec![id("s0")], output: id("s1"), order: 0 });
     let connectors = [
         ("c0", filter(Procedure::Helper("near".into()))),
         ("c1", filter(Procedure::body("x > 1 && near(x)"))),
         ("c2", filter(Procedure::body("x.near > 1 // near"))),
         ("c3", filter(Procedure::body(r#"x == "near" || nearly(x)"#))),
         ("c4", filter(Procedure::body(""))),
+        ("c5", of(connectors::scan::SPEC.with(Procedure::body("soFar + near(x)")))),
+        ("c6", of(connectors::distinct::SPEC.with(Procedure::Helper("near".into())))),
+        ("c7", of(connectors::distinct::SPEC.with(()))),
     ];
     let connectors = connectors.map(|(name, record)| (key(Kind::Connector, name), record));
     save(store, "b", "op1", vec![(RecordId::settings(), settings("Track")), (key(Kind::Note, "n"), note("near"))])
@@ -37,8 +41,8 @@ async fn every_use_is_found(store: &dyn Store) {
         [("h0", helper("near", "x < 1 || near(x)")), ("h1", helper("far", "!near(x)")), ("h2", helper("one", "1"))];
     let helpers = helpers.map(|(name, record)| (key(Kind::Helper, name), record));
     save(store, LIBRARY, "op1", helpers.into()).await;
-    let wanted =
-        [line("b", "Track", "connector/c0"), line("b", "Track", "connector/c1"), line(LIBRARY, "far", "helper/h1")];
+    let in_program = ["c0", "c1", "c5", "c6"].map(|name| line("b", "Track", &format!("connector/{name}")));
+    let wanted = [in_program.as_slice(), &[line(LIBRARY, "far", "helper/h1")]].concat();
     assert_eq!(used(store, "near").await, wanted);
     assert_eq!(used(store, "far").await, []);
     assert_eq!(used(store, "").await, []);

@@ -1,9 +1,10 @@
 //! Files there and back, and files that nobody should have made.
 
 use super::samples::{any_behaviour, any_file, any_text, templates};
-use super::{FILE_MAX_BYTES, look, read, write_json, write_xml};
-use behaviour::{BehaviourFile, Id, Kind, Record, RecordId, record_bytes};
+use super::{FILE_MAX_BYTES, Mode, import, look, read, write_json, write_xml};
+use behaviour::{Behaviour, BehaviourFile, Id, Kind, Record, RecordId, record_bytes};
 use proptest::prelude::*;
+use std::collections::BTreeMap;
 
 const SMALL: &str = r#"{
   "format": "rrp-behaviour/1",
@@ -60,6 +61,78 @@ fn json_and_xml_say_the_same() {
     let file = read(SMALL.as_bytes()).unwrap();
     assert_eq!(write_xml(&file).unwrap(), SMALL_XML);
     same(&read(SMALL_XML.as_bytes()).unwrap(), &file);
+}
+
+const MORE: &str = r#"{
+  "format": "rrp-behaviour/1",
+  "name": "More",
+  "helpers": [
+    {"name": "larger", "params": ["old", "new"], "body": "max(old, new)"}
+  ],
+  "streams": [
+    {"id": "a", "kind": "sensor", "name": "A", "device": "HeadTouch"},
+    {"id": "b", "kind": "ordinary", "name": "B"},
+    {"id": "c", "kind": "ordinary", "name": "C"},
+    {"id": "d", "kind": "ordinary", "name": "D"},
+    {"id": "e", "kind": "ordinary", "name": "E"},
+    {"id": "f", "kind": "ordinary", "name": "F"},
+    {"id": "g", "kind": "ordinary", "name": "G"},
+    {"id": "h", "kind": "ordinary", "name": "H"}
+  ],
+  "connectors": [
+    {"id": "c1", "type": "distinct", "inputs": ["a"], "output": "b"},
+    {"id": "c2", "type": "distinct", "inputs": ["a"], "output": "c", "body": "a.x"},
+    {"id": "c3", "type": "scan", "inputs": ["a"], "output": "d", "body": "soFar.n + n", "args": ["soFar", "n"], "start": {"n": 0.0, "t": ["<", null]}},
+    {"id": "c4", "type": "scan", "inputs": ["a"], "output": "e", "helper": "larger"},
+    {"id": "c5", "type": "debounce", "inputs": ["a"], "output": "f", "periodMs": 5000},
+    {"id": "c6", "type": "delay", "inputs": ["a"], "output": "g", "periodMs": 1},
+    {"id": "c7", "type": "withLatest", "inputs": ["a", "b"], "output": "h", "body": "b"}
+  ],
+  "layout": {
+    "a": {"x": 0, "y": 40}
+  }
+}
+"#;
+
+const MORE_XML: &str = r#"
+    <distinct id="c1" to="b"><from stream="a"/></distinct>
+    <distinct id="c2" to="c"><from stream="a"/><body>a.x</body></distinct>
+    <scan id="c3" to="d" start="{&quot;n&quot;:0.0,&quot;t&quot;:[&quot;&lt;&quot;,null]}"><from stream="a"/><body args="soFar n">soFar.n + n</body></scan>
+    <scan id="c4" to="e" helper="larger"><from stream="a"/></scan>
+    <debounce id="c5" to="f" period="5000ms"><from stream="a"/></debounce>
+    <delay id="c6" to="g" period="1ms"><from stream="a"/></delay>
+    <withLatest id="c7" to="h"><from stream="a"/><from stream="b"/><body>b</body></withLatest>
+"#;
+
+#[test]
+fn connectors_beyond_the_thesis_are_written_and_imported_as_they_are() {
+    let file = read(MORE.as_bytes()).unwrap();
+    assert_eq!(write_json(&file), MORE);
+    let xml = write_xml(&file).unwrap();
+    assert!(xml.contains(MORE_XML), "{xml}");
+    same(&read(xml.as_bytes()).unwrap(), &file);
+    let records = file.records(|_| None).unwrap();
+    let again = BehaviourFile::of(&records, &file.library().iter().collect::<Vec<_>>());
+    assert_eq!(again.connectors, file.connectors);
+    let made = import(&file, Mode::Restore, &Behaviour::default(), "Aiko", || Id::new("new").unwrap()).unwrap();
+    let imported: BTreeMap<_, _> =
+        made.changes.into_iter().flat_map(|change| change.edits).map(|edit| (edit.id, edit.after)).collect();
+    assert_eq!(imported, records.records.into_iter().map(|(id, record)| (id, Some(record))).collect());
+}
+
+#[test]
+fn a_connector_with_what_it_does_not_take_or_without_what_it_needs_is_refused() {
+    let wrongs = [
+        ("\"periodMs\": 5000", "\"body\": \"a\""),
+        (", \"periodMs\": 5000", ""),
+        ("\"periodMs\": 1}", "\"periodMs\": 0}"),
+        ("\"output\": \"b\"}", "\"output\": \"b\", \"start\": 1}"),
+        ("\"body\": \"b\"", "\"body\": \"b\", \"periodMs\": 1"),
+    ];
+    for (right, wrong) in wrongs {
+        assert!(MORE.contains(right), "{right}");
+        assert!(read(MORE.replacen(right, wrong, 1).as_bytes()).is_err(), "{wrong}");
+    }
 }
 
 #[test]

@@ -47,6 +47,16 @@ fn streams() -> Vec<(RecordId, Record)> {
         .into()
 }
 
+/// A value in which every kind and hard numbers and texts occur.
+fn start() -> Value {
+    let numbers = Value::list([Value::Float(-0.0), Value::Float(5e-324), Value::Int(i64::MIN), Value::Null]);
+    Value::object([(HOSTILE, numbers), ("text", Value::text(HOSTILE)), ("truth", Value::Bool(true))])
+}
+
+fn started(procedure: Procedure, start: Value) -> Operation {
+    connectors::scan::SPEC.with(Parameters { start: Some(start), ..procedure.into() })
+}
+
 fn connectors() -> Vec<(RecordId, Record)> {
     let body = |args| Procedure::Body { body: HOSTILE.to_owned(), args };
     let operations = [
@@ -62,7 +72,17 @@ fn connectors() -> Vec<(RecordId, Record)> {
         connectors::combine_latest::SPEC.with(Procedure::Helper("near".to_owned())),
         connectors::merge::SPEC.with(()),
         connectors::subscribe::SPEC.with(()),
+        connectors::distinct::SPEC.with(()),
+        connectors::distinct::SPEC.with(body(texts())),
+        connectors::distinct::SPEC.with(Procedure::Helper(HOSTILE.to_owned())),
+        started(body(None), Value::Null),
+        started(Procedure::Helper("near".to_owned()), start()),
+        connectors::debounce::SPEC.with(Parameters::period(u64::MAX)),
+        connectors::delay::SPEC.with(Parameters::period(1)),
+        connectors::with_latest::SPEC.with(body(Some(Vec::new()))),
+        connectors::with_latest::SPEC.with(Procedure::Helper("near".to_owned())),
     ];
+    assert!(connectors::ALL.iter().all(|spec| operations.iter().any(|operation| operation.spec() == *spec)));
     let inputs: [&[&str]; 3] = [&["s0"], &["s1", "s0", "s1"], &[]];
     let all = operations.iter().flat_map(|operation| inputs.map(|inputs| (operation.clone(), inputs)));
     let connector = |(number, (operation, inputs)): (usize, (Operation, &[&str]))| {

@@ -8,6 +8,9 @@ use behaviour::connectors::{PERIOD_MS, Spec};
 use behaviour::{Connector, Id, Operation, Procedure, Value};
 use leptos::prelude::*;
 
+/// What a new connector starts from until a person types something else: most of them count.
+const START: Value = Value::Int(0);
+
 /// The dialog's state; a copy is the same dialog.
 #[derive(Clone, Copy)]
 pub(super) struct Form {
@@ -52,7 +55,7 @@ impl Form {
         let begun = if edits.is_none() { prefill::beginning(desk, &source, kind) } else { String::new() };
         let body = if body.is_empty() { begun.clone() } else { body };
         let period = operation.as_ref().and_then(Operation::period_ms).unwrap_or(PERIOD_MS);
-        let start = operation.as_ref().and_then(Operation::start).unwrap_or(&Value::Null);
+        let start = operation.as_ref().and_then(Operation::start).unwrap_or(&START);
         let start = serde_json::to_string(start).unwrap_or_default();
         let name = connector.as_ref().and_then(|connector| desk.desk().document.stream(&connector.output));
         let name = name.map(|signals| signals.record.get_untracked().name).unwrap_or_default();

@@ -89,31 +89,39 @@ fn operation(form: Form) -> Result<Operation, String> {
     let spec = form.kind.get();
     let procedure = spec.takes.procedure.map(|takes| procedure(form, takes.is_optional)).transpose()?.flatten();
     let period_ms = spec.takes.period.map(|_| period(form)).transpose()?;
-    let start = spec.takes.start.map(|_| start(form)).transpose()?;
+    let start = spec.takes.start.map(|_| start(&form.start.get())).transpose()?;
     Ok(spec.with(Parameters { procedure, period_ms, start }))
 }
 
 fn procedure(form: Form, is_optional: bool) -> Result<Option<Procedure>, String> {
     if form.way.get() == "helper" {
-        let name = form.helper.get();
-        return if name.is_empty() {
-            Err(words::choose_helper().to_owned())
-        } else {
-            Ok(Some(Procedure::Helper(name)))
-        };
+        return helper(form.helper.get());
     }
-    let body = form.body.get().trim().to_owned();
-    if body.is_empty() {
-        return if is_optional { Ok(None) } else { Err(words::write_body().to_owned()) };
-    }
-    if form.begun.with_value(|begun| *begun.trim() == body) {
-        return Err(words::finish_body().to_owned());
-    }
-    Ok(Some(Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) }))
+    let (body, begun) = (form.body.get(), form.begun.get_value());
+    let body = typed(&body, &begun, is_optional)?;
+    Ok(body.map(|body| Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) }))
 }
 
-fn start(form: Form) -> Result<Value, String> {
-    serde_json::from_str(form.start.get().trim()).map_err(|_| words::start_is_no_value().to_owned())
+fn helper(name: String) -> Result<Option<Procedure>, String> {
+    if name.is_empty() { Err(words::choose_helper().to_owned()) } else { Ok(Some(Procedure::Helper(name))) }
+}
+
+/// The body as it was typed, if it is one; nothing where none is needed.
+fn typed(body: &str, begun: &str, is_optional: bool) -> Result<Option<String>, String> {
+    match body.trim() {
+        "" if is_optional => Ok(None),
+        "" => Err(words::write_body().to_owned()),
+        body if body == begun.trim() => Err(words::finish_body().to_owned()),
+        body => Ok(Some(body.to_owned())),
+    }
+}
+
+/// The value to start from, as JSON or as nothing at all.
+fn start(typed: &str) -> Result<Value, String> {
+    match typed.trim() {
+        "" => Ok(Value::Null),
+        typed => serde_json::from_str(typed).map_err(|_| words::start_is_no_value().to_owned()),
+    }
 }
 
 fn period(form: Form) -> Result<u64, String> {
@@ -138,5 +146,41 @@ fn output(form: Form) -> Result<Output, String> {
             Ok(Output::New { name, device: Some(device.name.to_owned()), params })
         }
         None => Err(words::stream_gone().to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{start, typed};
+    use behaviour::Value;
+
+    #[test]
+    fn a_value_to_start_from_is_typed_as_json() {
+        let cases = [
+            ("0", Value::Int(0)),
+            (" 0.0 ", Value::Float(0.0)),
+            ("\"red\"", Value::text("red")),
+            ("false", Value::Bool(false)),
+            ("null", Value::Null),
+            (" ", Value::Null),
+            ("[1, null]", Value::list([Value::Int(1), Value::Null])),
+            ("{\"size\": 0}", Value::object([("size", Value::Int(0))])),
+        ];
+        for (text, value) in cases {
+            assert_eq!(start(text), Ok(value), "{text}");
+        }
+        for text in ["red", "1 +", "'red'", "#{size: 0}", "NaN", "1 2"] {
+            assert!(start(text).is_err_and(|why| why.ends_with('.')), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_body_may_stay_empty_only_where_none_is_needed() {
+        assert_eq!(typed("  ", "", true), Ok(None));
+        assert!(typed("  ", "", false).is_err());
+        for is_optional in [true, false] {
+            assert_eq!(typed(" touch.id ", "", is_optional), Ok(Some("touch.id".to_owned())));
+            assert!(typed("distance <", "distance < ", is_optional).is_err());
+        }
     }
 }
