@@ -254,6 +254,19 @@ mod tests {
             (connectors::timestamp::SPEC.with(()), r#""timestamp""#),
             (connectors::merge::SPEC.with(()), r#""merge""#),
             (connectors::subscribe::SPEC.with(()), r#""subscribe""#),
+            (connectors::distinct::SPEC.with(()), r#""distinct""#),
+            (connectors::distinct::SPEC.with(Procedure::body("x")), r#"{"distinct":{"body":{"body":"x"}}}"#),
+            (
+                connectors::scan::SPEC.with(Parameters { start: Some(0.into()), ..Procedure::body("x").into() }),
+                r#"{"scan":{"start":0,"body":{"body":"x"}}}"#,
+            ),
+            (
+                connectors::scan::SPEC.with(Procedure::Helper("near".into())),
+                r#"{"scan":{"start":null,"helper":"near"}}"#,
+            ),
+            (connectors::debounce::SPEC.with(Parameters::period(5_000)), r#"{"debounce":{"periodMs":5000}}"#),
+            (connectors::delay::SPEC.with(Parameters::period(1)), r#"{"delay":{"periodMs":1}}"#),
+            (connectors::with_latest::SPEC.with(Procedure::body("x")), r#"{"withLatest":{"body":{"body":"x"}}}"#),
         ];
         for (operation, text) in cases {
             assert_eq!(serde_json::to_string(&operation).unwrap(), text);
@@ -271,6 +284,10 @@ mod tests {
             r#"{"map":{"body":{"body":"x"},"helper":"near"}}"#,
             r#"{"map":{"body":{"body":"x","more":1}}}"#,
             r#"{"sample":{}}"#,
+            r#"{"debounce":{}}"#,
+            r#"{"distinct":{"start":1,"body":{"body":"x"}}}"#,
+            r#"{"scan":{"start":0}}"#,
+            r#""withLatest""#,
             r#"{"sample":{"periodMs":-1}}"#,
             r#"{"merge":{"body":{"body":"x"}}}"#,
             r#"{"merge":null,"map":{"helper":"near"}}"#,

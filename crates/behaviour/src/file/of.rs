@@ -1,7 +1,9 @@
 //! From a behaviour to its file.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
-use crate::{Behaviour, Connector, Engine, Helper, Id, Place, Procedure, Record, Settings, Stream, called_names};
+use crate::{
+    Behaviour, Connector, Engine, Helper, Id, Place, Procedure, Record, Settings, Stream, Value, called_names,
+};
 use std::collections::BTreeMap;
 
 impl BehaviourFile {
@@ -71,7 +73,7 @@ fn file_connector(id: &Id, connector: &Connector) -> FileConnector {
         args,
         helper,
         period_ms: connector.operation.period_ms(),
-        start: connector.operation.start().cloned(),
+        start: connector.operation.start().filter(|start| **start != Value::Null).cloned(),
     }
 }
 
