@@ -217,7 +217,7 @@ impl Desk {
     }
 
     /// Shows why something was not done.
-    pub(crate) fn say_no(&self, no: &protocol::SaidNo) {
+    pub(crate) fn say_no(&self, no: &protocol::Refused) {
         self.say(&no.to_string(), true);
     }
 

@@ -4,7 +4,7 @@ use super::{ConnectPlan, Desk, Output, Selected, build, new_id};
 use crate::layout;
 use behaviour::{Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Record, Stream};
 use leptos::prelude::*;
-use protocol::SaidNo;
+use protocol::Refused;
 use std::collections::BTreeMap;
 
 /// So many places fit in one change and its message.
@@ -26,7 +26,7 @@ impl Desk {
     }
 
     /// A new connector; the stream it leads to is selected once it is there.
-    pub(crate) fn connect(&self, plan: ConnectPlan, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(crate) fn connect(&self, plan: ConnectPlan, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let (behaviour, places) = self.behaviour_and_places();
         let (stream, connector) = (new_id(), new_id());
         let select = match &plan.output {
@@ -41,8 +41,8 @@ impl Desk {
     fn select_on_yes(
         &self,
         id: Id,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
-    ) -> impl FnOnce(Result<(), SaidNo>) + 'static {
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) -> impl FnOnce(Result<(), Refused>) + 'static {
         let desk = self.clone();
         move |answer| {
             if answer.is_ok() && desk.stream(&id).is_some() {
@@ -59,7 +59,7 @@ impl Desk {
         operation: Operation,
         inputs: Vec<Id>,
         output_name: Option<&str>,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let change = self.change(&format!("Edit {}", operation.word()));
         let change = build::connector_edited(&self.behaviour(), change, id, (operation, inputs), output_name);
@@ -72,7 +72,7 @@ impl Desk {
         &self,
         (id, seen): (&Id, Stream),
         stream: Stream,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let behaviour = self.behaviour();
         let before = behaviour.stream(id).map_or("", |stream| &stream.name);
@@ -140,7 +140,7 @@ impl Desk {
         &self,
         seen: Option<(Id, Helper)>,
         helper: Helper,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let change = self.change(&format!("Helper {}", short(&helper.name)));
         let library = self.state().library.clone();
@@ -153,7 +153,7 @@ impl Desk {
     }
 
     /// The library without a helper; refused while programs use it.
-    pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let library = self.state().library.clone();
         self.propose_to_library(build::helper_gone(&library, self.change("Remove helper"), id), on_answer);
     }

@@ -4,7 +4,7 @@ use super::{Desk, new_id, set_if_new};
 use crate::{browser, link, words};
 use behaviour::{Behaviour, Id, Refusal};
 use leptos::prelude::*;
-use protocol::{Reply, Request, SaidNo};
+use protocol::{Refused, Reply, Request};
 
 /// When something that could not be done just now is asked again.
 const AGAIN_MS: i32 = 1_000;
@@ -20,8 +20,8 @@ pub(super) struct Making {
 }
 
 /// Whether the same may work in a moment.
-fn may_pass(no: &SaidNo) -> bool {
-    matches!(no, SaidNo::Store(_) | SaidNo::TooFast | SaidNo::Change(Refusal::NotSaved(_)))
+fn may_pass(no: &Refused) -> bool {
+    matches!(no, Refused::Store(_) | Refused::TooFast | Refused::Change(Refusal::NotSaved(_)))
 }
 
 impl Desk {
@@ -113,14 +113,14 @@ impl Desk {
         });
     }
 
-    fn not_opened(&self, id: &Id, no: &SaidNo, says: bool) {
+    fn not_opened(&self, id: &Id, no: &Refused, says: bool) {
         if self.state().wanted.as_ref() != Some(id) {
             return;
         }
         if says || !may_pass(no) {
             self.say_no(no);
         }
-        if *no == SaidNo::NoBehaviour {
+        if *no == Refused::NoBehaviour {
             self.close_program();
             self.forget_waiting(id);
         } else if may_pass(no) {

@@ -5,7 +5,7 @@ use crate::browser::Keep;
 use crate::link;
 use behaviour::{Change, Id, Refusal};
 use leptos::prelude::*;
-use protocol::{LIBRARY, Reply, Request, SaidNo};
+use protocol::{LIBRARY, Refused, Reply, Request};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ const STALLED_MS: i32 = 2_000;
 /// When a change that came too fast is sent again.
 const TOO_FAST_MS: i32 = 400;
 
-type OnAnswer = Box<dyn FnOnce(Result<(), SaidNo>)>;
+type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
     /// Who wants to know what became of a change; nobody after a reload.
@@ -34,28 +34,28 @@ impl Desk {
     }
 
     /// Proposes a change to the open behaviour and tells what became of it.
-    pub(super) fn propose_and(&self, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(super) fn propose_and(&self, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let open = self.open.get_untracked();
         match open {
             Some(open) => self.propose_to(open, change, on_answer),
-            None => on_answer(Err(SaidNo::NothingOpen)),
+            None => on_answer(Err(Refused::NothingOpen)),
         }
     }
 
     /// Proposes a change to the helper library.
-    pub(super) fn propose_to_library(&self, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(super) fn propose_to_library(&self, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         match Id::new(LIBRARY) {
             Ok(library) => self.propose_to(library, change, on_answer),
-            Err(reason) => on_answer(Err(SaidNo::Unreadable(reason))),
+            Err(reason) => on_answer(Err(Refused::Unreadable(reason))),
         }
     }
 
-    fn propose_to(&self, to: Id, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    fn propose_to(&self, to: Id, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         if change.edits.is_empty() {
             return on_answer(Ok(()));
         }
         if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
-            return on_answer(Err(SaidNo::Change(Refusal::Edits(change.edits.len()))));
+            return on_answer(Err(Refused::Change(Refusal::Edits(change.edits.len()))));
         }
         let op = change.op.clone();
         let touched: Vec<_> = change.edits.iter().map(|edit| edit.id.clone()).collect();
@@ -70,7 +70,7 @@ impl Desk {
         if !room {
             self.state().history.not_queued(&op);
             self.show_history();
-            return on_answer(Err(SaidNo::TooFast));
+            return on_answer(Err(Refused::TooFast));
         }
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
         if self.state().show_waiting {
@@ -110,10 +110,10 @@ impl Desk {
     }
 
     /// The server said yes or no to a change of this tab.
-    pub(super) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
+    pub(super) fn answered(&self, op: &Id, answer: Result<(), Refused>) {
         match &answer {
-            Err(SaidNo::Store(_)) => return self.stall(),
-            Err(SaidNo::TooFast) => return self.slow_down(),
+            Err(Refused::Store(_)) => return self.stall(),
+            Err(Refused::TooFast) => return self.slow_down(),
             Err(_) | Ok(()) => {}
         }
         let waiting = self.state().queue.answered(op);
@@ -180,7 +180,7 @@ impl Desk {
     }
 
     /// Shows a refusal as a notice.
-    pub(crate) fn say_refusal(&self, answer: Result<(), SaidNo>) {
+    pub(crate) fn say_refusal(&self, answer: Result<(), Refused>) {
         if let Err(no) = answer {
             self.say_no(&no);
         }
@@ -191,7 +191,7 @@ impl Desk {
         let lost = self.state().queue.touched(behaviour).len();
         self.state().queue.forget(behaviour);
         if lost > 0 {
-            self.say_no(&SaidNo::Change(Refusal::Gone));
+            self.say_no(&Refused::Change(Refusal::Gone));
         }
         self.pump();
     }
