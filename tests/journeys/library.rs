@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use house::{Outcome, Page, Trouble, skip};
-use protocol::{Reply, Request, SaidNo};
+use protocol::{Refused, Reply, Request};
 
 use crate::steps::*;
 use crate::visitor::{Visitor, id};
@@ -147,7 +147,7 @@ async fn make(visitor: &mut Visitor, name: &str, template: Option<&str>) -> Outc
         let (behaviour, template) = (behaviour.clone(), template.map(str::to_owned));
         match visitor.ask(Request::Create { behaviour, name: name.to_owned(), template }).await? {
             Reply::Created { .. } => return Ok(()),
-            Reply::No { no: SaidNo::TooFast } => tokio::time::sleep(Duration::from_millis(50)).await,
+            Reply::No { no: Refused::TooFast } => tokio::time::sleep(Duration::from_millis(50)).await,
             other => return Err(Trouble(format!("Making {name} was answered with {other:?}."))),
         }
     }

@@ -2,7 +2,7 @@
 //! new, and nothing that somebody wrote or pressed is lost.
 
 use house::{Outcome, Page, skip};
-use protocol::{Message, Reply, SaidNo};
+use protocol::{Message, Refused, Reply};
 use std::process::Command;
 
 use crate::steps::*;
@@ -175,7 +175,7 @@ async fn an_undo_that_came_too_fast_is_sent_again_in_its_order() -> Outcome<()> 
 
 /// Answers proposals of the page with “too fast”, as often as `refuse` says, in place of the server.
 async fn refuse_when_asked(page: &Page) -> Outcome<()> {
-    let no = serde_json::to_string(&Message { ask: Some(0), reply: Reply::No { no: SaidNo::TooFast } })?;
+    let no = serde_json::to_string(&Message { ask: Some(0), reply: Reply::No { no: Refused::TooFast } })?;
     let source = format!(
         "const Real = WebSocket;
         globalThis.refuse = 0;

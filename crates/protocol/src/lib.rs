@@ -19,10 +19,10 @@ pub use library::{
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use recording::{Recorded, Recording};
-pub use reply::{Message, Person, Reply, SaidNo};
+pub use reply::{Message, Person, Refused, Reply};
 pub use request::{Ask, Credential, Pointer, Request};
 
-/// The version of this protocol. A server answers another version with [`SaidNo::Version`] and closes.
+/// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
 pub const VERSION: u32 = 5;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
@@ -45,7 +45,7 @@ pub const ROBOT_NAME_MAX_CHARS: usize = 40;
 
 #[cfg(test)]
 mod tests {
-    use crate::{Ask, ListQuery, Message, Place, Reply, Request, SaidNo};
+    use crate::{Ask, ListQuery, Message, Place, Refused, Reply, Request};
 
     #[test]
     fn an_ask_is_plain_json() {
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn a_no_says_why() {
-        let no = SaidNo::Change(behaviour::Refusal::NameTaken("Ball".into()));
+        let no = Refused::Change(behaviour::Refusal::NameTaken("Ball".into()));
         let message = Message { ask: Some(3), reply: Reply::No { no } };
         let text = serde_json::to_string(&message).unwrap();
         assert_eq!(serde_json::from_str::<Message>(&text).unwrap(), message);

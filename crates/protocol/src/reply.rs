@@ -166,7 +166,7 @@ pub enum Reply {
     },
     /// Whether behaviours can be saved; told at first and when that changes.
     Store {
-        /// Why they cannot be saved now, if so. Everything can go on; a change refused with [`SaidNo::Store`] may be sent
+        /// Why they cannot be saved now, if so. Everything can go on; a change refused with [`Refused::Store`] may be sent
         /// again once this is none.
         away: Option<String>,
     },
@@ -209,14 +209,14 @@ pub enum Reply {
     /// It was not done.
     No {
         /// Why.
-        no: SaidNo,
+        no: Refused,
     },
 }
 
 /// Why something was not done. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", tag = "why", content = "what")]
-pub enum SaidNo {
+pub enum Refused {
     /// The client speaks another version; with the server's.
     Version(u32),
     /// The greeting must come first.
@@ -261,7 +261,7 @@ pub enum SaidNo {
     NothingOpen,
 }
 
-impl std::fmt::Display for SaidNo {
+impl std::fmt::Display for Refused {
     fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
         match self {
             Self::Version(theirs) => {

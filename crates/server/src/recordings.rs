@@ -9,7 +9,7 @@ use crate::support::lock;
 use behaviour::{Id, numbered};
 use lines::Header;
 pub(crate) use lines::Note;
-use protocol::{Recording, SaidNo};
+use protocol::{Recording, Refused};
 pub(crate) use recorder::{Recorder, Step};
 use serde::Deserialize;
 use std::collections::BTreeSet;
@@ -123,11 +123,11 @@ impl Recordings {
     }
 
     /// Removes a recording for good.
-    pub(crate) fn remove(&self, name: &str) -> Result<(), SaidNo> {
-        let path = self.find(name).ok_or(SaidNo::NoRecording)?;
+    pub(crate) fn remove(&self, name: &str) -> Result<(), Refused> {
+        let path = self.find(name).ok_or(Refused::NoRecording)?;
         let removed = std::fs::remove_file(&path);
         let removed = removed.and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
-        removed.map_err(|error| SaidNo::CannotRecord(format!("it cannot be removed ({error})")))
+        removed.map_err(|error| Refused::CannotRecord(format!("it cannot be removed ({error})")))
     }
 }
 

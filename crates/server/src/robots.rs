@@ -34,7 +34,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use engine::Limits;
 use order::Order;
-use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RobotState, RunState, SaidNo};
+use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, Refused, RobotState, RunState};
 use register::{Known, Register};
 use robot::{Health, SceneEdit};
 use settling::Settling;
@@ -82,18 +82,18 @@ impl Robots {
     ///
     /// # Errors
     /// Why there cannot be another one. Waits for the disk.
-    pub(crate) fn add(&self, robot: &Id, name: &str) -> Result<(), SaidNo> {
+    pub(crate) fn add(&self, robot: &Id, name: &str) -> Result<(), Refused> {
         let fleet = &self.fleet;
         let mut register = lock(&fleet.register);
         if register.known().iter().any(|known| known.robot == *robot) {
             return Ok(());
         }
-        let known = register.newcomer(robot, name).map_err(SaidNo::RobotNotAdded)?;
+        let known = register.newcomer(robot, name).map_err(Refused::RobotNotAdded)?;
         if register.known().len() >= ROBOTS_MAX {
             let full = format!("there are {ROBOTS_MAX} already; remove one first");
-            return Err(SaidNo::RobotNotAdded(full));
+            return Err(Refused::RobotNotAdded(full));
         }
-        let unkept = |error: std::io::Error| SaidNo::RobotNotAdded(format!("it could not be kept ({error})"));
+        let unkept = |error: std::io::Error| Refused::RobotNotAdded(format!("it could not be kept ({error})"));
         register.add(known.clone()).map_err(unkept)?;
         let host = fleet.host(&known).inspect_err(|_| drop(register.remove(robot))).map_err(unkept)?;
         lock(&fleet.hosts).push(host);
@@ -104,16 +104,16 @@ impl Robots {
     ///
     /// # Errors
     /// Why it stays. Waits for the disk.
-    pub(crate) fn remove(&self, robot: &Id) -> Result<(), SaidNo> {
+    pub(crate) fn remove(&self, robot: &Id) -> Result<(), Refused> {
         let mut register = lock(&self.fleet.register);
         let host = self.meant(Some(robot))?;
         if register.known().len() == 1 {
-            return Err(SaidNo::RobotStays("it is the only one".to_owned()));
+            return Err(Refused::RobotStays("it is the only one".to_owned()));
         }
         if !host.is_idle() {
-            return Err(SaidNo::RobotStays("something runs on it; press Stop first".to_owned()));
+            return Err(Refused::RobotStays("something runs on it; press Stop first".to_owned()));
         }
-        register.remove(robot).map_err(|error| SaidNo::RobotStays(format!("that could not be kept ({error})")))?;
+        register.remove(robot).map_err(|error| Refused::RobotStays(format!("that could not be kept ({error})")))?;
         lock(&self.fleet.hosts).retain(|known| known.id() != robot);
         host.leave();
         Ok(())
@@ -123,20 +123,20 @@ impl Robots {
     ///
     /// # Errors
     /// If there is no such robot.
-    pub(crate) fn meant(&self, robot: Option<&Id>) -> Result<Host, SaidNo> {
+    pub(crate) fn meant(&self, robot: Option<&Id>) -> Result<Host, Refused> {
         let hosts = lock(&self.fleet.hosts);
         let is_meant = |host: &&Host| robot.is_none_or(|robot| host.id() == robot);
-        hosts.iter().find(is_meant).cloned().ok_or(SaidNo::NoRobot)
+        hosts.iter().find(is_meant).cloned().ok_or(Refused::NoRobot)
     }
 
     /// The robots on which a behaviour runs, or only the named one of them.
     ///
     /// # Errors
     /// If it runs nowhere there.
-    pub(crate) fn running(&self, behaviour: &Id, robot: Option<&Id>) -> Result<Vec<Host>, SaidNo> {
+    pub(crate) fn running(&self, behaviour: &Id, robot: Option<&Id>) -> Result<Vec<Host>, Refused> {
         let is_meant = |host: &Host| robot.is_none_or(|robot| host.id() == robot) && host.is_running(behaviour);
         let hosts: Vec<_> = self.hosts().into_iter().filter(is_meant).collect();
-        if hosts.is_empty() { Err(SaidNo::NotRunning) } else { Ok(hosts) }
+        if hosts.is_empty() { Err(Refused::NotRunning) } else { Ok(hosts) }
     }
 
     /// Stops a behaviour, or everything, on one robot or on all of them, and lets them hold safely. A robot that is not
@@ -171,7 +171,7 @@ impl Robots {
         robot: Option<&Id>,
         stream: &Id,
         value: &Value,
-    ) -> Result<(), SaidNo> {
+    ) -> Result<(), Refused> {
         let hosts = self.running(behaviour, robot)?;
         hosts.iter().try_for_each(|host| host.stimulate(behaviour, stream, value.clone()))
     }
@@ -180,9 +180,9 @@ impl Robots {
     ///
     /// # Errors
     /// If the behaviour does not run there or is not recorded, the note is too long, or that was too much at once.
-    pub(crate) fn mark(&self, behaviour: &Id, robot: Option<&Id>, by: &str, note: &str) -> Result<(), SaidNo> {
+    pub(crate) fn mark(&self, behaviour: &Id, robot: Option<&Id>, by: &str, note: &str) -> Result<(), Refused> {
         if note.chars().count() > MARK_MAX_CHARS {
-            return Err(SaidNo::CannotRecord(format!("a note has at most {MARK_MAX_CHARS} characters")));
+            return Err(Refused::CannotRecord(format!("a note has at most {MARK_MAX_CHARS} characters")));
         }
         let hosts = self.running(behaviour, robot)?;
         hosts.iter().try_for_each(|host| host.mark(behaviour, by, note.trim()))
@@ -192,7 +192,7 @@ impl Robots {
     ///
     /// # Errors
     /// If the behaviour does not run there.
-    pub(crate) fn end_recording(&self, behaviour: &Id, robot: Option<&Id>) -> Result<(), SaidNo> {
+    pub(crate) fn end_recording(&self, behaviour: &Id, robot: Option<&Id>) -> Result<(), Refused> {
         let hosts = self.running(behaviour, robot)?;
         hosts.iter().try_for_each(|host| host.end_recording(behaviour))
     }

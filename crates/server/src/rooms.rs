@@ -16,7 +16,7 @@ use behaviour::{Behaviour, Change, Id, Room};
 use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
-use protocol::{LIBRARY, Pointer, Reply, SaidNo, Summary};
+use protocol::{LIBRARY, Pointer, Refused, Reply, Summary};
 use snapshot::LibrarySnapshot;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -43,7 +43,7 @@ pub(crate) enum Note {
     /// A link's pointer and selection.
     Present(u64, Option<Pointer>, Option<Id>),
     /// The server itself wants to see it as it is.
-    Look(oneshot::Sender<Result<Look, SaidNo>>),
+    Look(oneshot::Sender<Result<Look, Refused>>),
 }
 
 /// A behaviour as it is saved.
@@ -64,7 +64,7 @@ impl Look {
 
 impl Note {
     /// Answers who waits that it cannot be.
-    fn refuse(self, no: SaidNo) {
+    fn refuse(self, no: Refused) {
         match self {
             Self::Join(member, ask, _) => member.link.send(encode(Some(ask), Reply::No { no })),
             Self::Propose(_, answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
@@ -133,7 +133,7 @@ impl Rooms {
         let mut open = lock(&self.open);
         if !open.contains_key(behaviour) {
             if open.len() >= ROOMS_MAX || self.around.tasks.ends() {
-                return note.refuse(SaidNo::TooFast);
+                return note.refuse(Refused::TooFast);
             }
             let (mailbox, inbox) = mpsc::channel(MAILBOX_MAX_NOTES);
             open.insert(behaviour.clone(), mailbox);
@@ -143,7 +143,7 @@ impl Rooms {
         let sent = mailbox.try_send(note);
         drop(open);
         if let Err(error) = sent {
-            error.into_inner().refuse(SaidNo::TooFast);
+            error.into_inner().refuse(Refused::TooFast);
         }
     }
 
@@ -165,20 +165,20 @@ impl Rooms {
     }
 
     /// A behaviour as it is saved now.
-    pub(crate) async fn look(&self, behaviour: &Id) -> Result<Look, SaidNo> {
+    pub(crate) async fn look(&self, behaviour: &Id) -> Result<Look, Refused> {
         let (waiting, answer) = oneshot::channel();
         self.tell(behaviour, Note::Look(waiting));
-        answer.await.unwrap_or(Err(SaidNo::NoBehaviour))
+        answer.await.unwrap_or(Err(Refused::NoBehaviour))
     }
 
     /// Proposes a change to the library in the server's own name.
-    pub(crate) async fn propose_to_library(&self, change: Change) -> Result<(), SaidNo> {
+    pub(crate) async fn propose_to_library(&self, change: Change) -> Result<(), Refused> {
         let (waiting, answer) = oneshot::channel();
         self.tell(self.library(), Note::Propose(change, Answer::Server(waiting)));
         match answer.await {
             Ok(Reply::No { no }) => Err(no),
             Ok(_) => Ok(()),
-            Err(_) => Err(SaidNo::Store(format!("the {LIBRARY} is closed"))),
+            Err(_) => Err(Refused::Store(format!("the {LIBRARY} is closed"))),
         }
     }
 }

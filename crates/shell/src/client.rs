@@ -7,7 +7,7 @@ pub use mirror::Mirror;
 
 use crate::client::link::{Line, Link};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
-use protocol::{Credential, ListQuery, Person, Reply, Request, RobotState, SaidNo, Summary, VERSION};
+use protocol::{Credential, ListQuery, Person, Refused, Reply, Request, RobotState, Summary, VERSION};
 use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::Arc;
@@ -29,7 +29,7 @@ const AWAITED_MS: u64 = 20_000;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Trouble {
     /// The server said no.
-    No(SaidNo),
+    No(Refused),
     /// The link failed; with a sentence.
     Link(String),
 }
@@ -190,7 +190,7 @@ impl Client {
             robots.iter().find(is_meant).filter(|robot| !robot.devices.is_empty()).cloned()
         };
         let robots = self.robots_that(|robots| find(robots).is_some()).await?;
-        find(&robots).ok_or(Trouble::No(SaidNo::NoRobot))
+        find(&robots).ok_or(Trouble::No(Refused::NoRobot))
     }
 
     /// The robots as soon as they are so.
@@ -220,7 +220,7 @@ impl Client {
     /// If the server says no, or the link ends.
     pub async fn load(&self, behaviour: &Id) -> Result<Mirror, Trouble> {
         self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
-        self.open().ok_or(Trouble::No(SaidNo::NothingOpen))
+        self.open().ok_or(Trouble::No(Refused::NothingOpen))
     }
 
     /// What a query finds, page after page, until there are `most` or no more.
@@ -236,7 +236,7 @@ impl Client {
                     query.after = next;
                 }
                 Ok(other) => return Err(Trouble::Link(format!("The server gave no list of programs: {other:?}"))),
-                Err(Trouble::No(SaidNo::TooFast)) => {
+                Err(Trouble::No(Refused::TooFast)) => {
                     tokio::time::sleep(Duration::from_millis(SLOWER_MS)).await;
                     continue;
                 }
@@ -254,7 +254,7 @@ impl Client {
     /// # Errors
     /// If the server says no, or the link ends.
     pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<Reply, Trouble> {
-        let open = self.open().ok_or(Trouble::No(SaidNo::NothingOpen))?;
+        let open = self.open().ok_or(Trouble::No(Refused::NothingOpen))?;
         let change = self.change(label, &open.records, vec![(id, record)]);
         self.ask(Request::Propose { behaviour: open.behaviour, change }).await
     }

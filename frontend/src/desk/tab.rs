@@ -4,7 +4,7 @@ use crate::{link, words};
 use behaviour::connectors::Spec;
 use behaviour::{Id, Refusal};
 use leptos::prelude::*;
-use protocol::{Person, Reply, Request, SaidNo};
+use protocol::{Person, Refused, Reply, Request};
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -98,12 +98,12 @@ impl Tab {
     }
 
     /// Shows why something was not done.
-    pub(crate) fn say_no(&self, no: &SaidNo) {
+    pub(crate) fn say_no(&self, no: &Refused) {
         self.say(&no.to_string(), true);
     }
 
     /// Shows a refusal as a notice.
-    pub(crate) fn say_refusal(&self, answer: Result<(), SaidNo>) {
+    pub(crate) fn say_refusal(&self, answer: Result<(), Refused>) {
         if let Err(no) = answer {
             self.say_no(&no);
         }
@@ -139,8 +139,8 @@ impl Tab {
 }
 
 /// Whether what was refused may work in a moment.
-pub(super) fn may_pass(no: &SaidNo) -> bool {
-    matches!(no, SaidNo::Store(_) | SaidNo::TooFast | SaidNo::Change(Refusal::NotSaved(_)))
+pub(super) fn may_pass(no: &Refused) -> bool {
+    matches!(no, Refused::Store(_) | Refused::TooFast | Refused::Change(Refusal::NotSaved(_)))
 }
 
 /// Sets a signal only if that changes something, so that nothing is drawn twice.

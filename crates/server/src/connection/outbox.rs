@@ -4,7 +4,7 @@ use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::rooms::member::{Feed, Recipient, Whole};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
-use protocol::{Reply, SaidNo};
+use protocol::{Refused, Reply};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tokio::sync::mpsc;
@@ -105,7 +105,7 @@ impl Outbox {
     }
 
     /// Says why not.
-    pub(crate) fn no(&self, ask: u32, no: SaidNo) {
+    pub(crate) fn no(&self, ask: u32, no: Refused) {
         self.say(Some(ask), Reply::No { no });
     }
 
@@ -143,13 +143,13 @@ impl Recipient for Outbox {
 #[cfg(test)]
 mod tests {
     use super::{ALL_MAX_BYTES, AllWaiting, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES};
-    use protocol::{Reply, SaidNo};
+    use protocol::{Refused, Reply};
     use std::sync::atomic::Ordering;
 
     /// How many large replies are queued for a client that reads nothing before its link is cut.
     async fn queued(all: &AllWaiting) -> (usize, Outbox) {
         let (outbox, _inbox, _) = Outbox::new(1, all.clone());
-        let no = Reply::No { no: SaidNo::Unreadable("x".repeat(32 << 10)) };
+        let no = Reply::No { no: Refused::Unreadable("x".repeat(32 << 10)) };
         for count in 0.. {
             tokio::select! {
                 biased;

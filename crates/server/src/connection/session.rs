@@ -16,7 +16,7 @@ use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
-use protocol::{Ask, Person, Reply, Request, SaidNo, VERSION};
+use protocol::{Ask, Person, Refused, Reply, Request, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, mpsc};
@@ -71,7 +71,7 @@ async fn greet(
     let Ask { ask, request } = match hear(stream.next().await) {
         Heard::Ask(ask) => *ask,
         Heard::Nonsense(ask, reason) => {
-            outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) });
+            outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) });
             return Err(CloseReason::Unwelcome);
         }
         Heard::Nothing | Heard::Large(_) => return Err(CloseReason::Unwelcome),
@@ -82,11 +82,11 @@ async fn greet(
             Ok((connections.clients.enter(again.as_ref(), &name, outbox.session, outbox.close.clone()), ask))
         }
         Request::Hello { .. } => {
-            outbox.no(ask, SaidNo::Version(VERSION));
+            outbox.no(ask, Refused::Version(VERSION));
             Err(CloseReason::Unwelcome)
         }
         _ => {
-            outbox.no(ask, SaidNo::Greeting);
+            outbox.no(ask, Refused::Greeting);
             Err(CloseReason::Unwelcome)
         }
     }
@@ -144,7 +144,7 @@ impl Reader<'_> {
                 Heard::Ask(ask) => self.hear(*ask),
                 Heard::Large(text) if self.rate.take() => self.large(text),
                 Heard::Large(_) => self.too_fast(None),
-                Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
+                Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) }),
                 Heard::Nothing => {}
                 Heard::End(why) => return why,
             }
@@ -171,7 +171,7 @@ impl Reader<'_> {
     }
 
     fn too_fast(&self, ask: Option<u32>) {
-        self.outbox.say(ask, Reply::No { no: SaidNo::TooFast });
+        self.outbox.say(ask, Reply::No { no: Refused::TooFast });
     }
 }
 
@@ -217,7 +217,7 @@ impl Session {
                 self.request(ask.ask, ask.request);
                 self.weight = None;
             }
-            Ok(Heard::Nonsense(ask, reason)) => self.outbox.say(ask, Reply::No { no: SaidNo::Unreadable(reason) }),
+            Ok(Heard::Nonsense(ask, reason)) => self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) }),
             Ok(Heard::Large(_) | Heard::Nothing | Heard::End(_)) => {}
             Err(why) => self.outbox.say(None, Reply::No { no: why.into() }),
         }

@@ -5,7 +5,7 @@ use crate::rooms::Look;
 use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
-use protocol::{Reply, SaidNo};
+use protocol::{Refused, Reply};
 use std::sync::Arc;
 
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
@@ -15,34 +15,34 @@ pub(crate) async fn start(
     robot: Option<Id>,
     record: bool,
     by: String,
-) -> Result<Reply, SaidNo> {
+) -> Result<Reply, Refused> {
     let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
-    let announced = host.announce(&behaviour).map_err(SaidNo::CannotStart)?;
+    let announced = host.announce(&behaviour).map_err(Refused::CannotStart)?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(state, &behaviour, look).await?;
-    let stopped = || SaidNo::CannotStart("Stop was pressed".to_owned());
+    let stopped = || Refused::CannotStart("Stop was pressed".to_owned());
     if announced.is_cancelled() || state.tasks.ends() {
         return Err(stopped());
     }
     let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
     let begun = host.start_announced(&announced, start).await;
     if announced.is_cancelled() {
-        return Err(begun.err().map_or_else(stopped, SaidNo::CannotStart));
+        return Err(begun.err().map_or_else(stopped, Refused::CannotStart));
     }
-    begun.map_err(SaidNo::CannotStart)?;
+    begun.map_err(Refused::CannotStart)?;
     tracing::info!(%behaviour, robot = %host.id(), revision, by, "a behaviour starts");
     Ok(Reply::Done)
 }
 
 /// Lets the running behaviour go on with the revision that is saved. If it is refused, what runs goes on as it is.
-pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>, by: String) -> Result<Reply, SaidNo> {
+pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>, by: String) -> Result<Reply, Refused> {
     let hosts = state.robots.running(&behaviour, robot.as_ref())?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(state, &behaviour, look).await.map_err(|no| match no {
-        SaidNo::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
+        Refused::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
         other => other,
     })?;
     let file = Arc::new(file);
@@ -54,12 +54,12 @@ pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>,
     Ok(Reply::Done)
 }
 
-fn not_applied(reason: String) -> SaidNo {
-    SaidNo::NotApplied(reason.trim_end_matches('.').to_owned())
+fn not_applied(reason: String) -> Refused {
+    Refused::NotApplied(reason.trim_end_matches('.').to_owned())
 }
 
 /// The file to run, if no problem stops it.
-async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<BehaviourFile, SaidNo> {
+async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<BehaviourFile, Refused> {
     let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
     let judge = move || {
         let helpers = snapshot.helpers();
@@ -67,5 +67,5 @@ async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<Behavi
         problems.retain(|problem: &Problem| problem.blocks);
         if problems.is_empty() { Ok(BehaviourFile::of(look.behaviour(), &helpers)) } else { Err(problems) }
     };
-    state.workers.run(Sender::Room(behaviour.clone()), move |_| judge()).await?.map_err(SaidNo::Problems)
+    state.workers.run(Sender::Room(behaviour.clone()), move |_| judge()).await?.map_err(Refused::Problems)
 }

@@ -5,7 +5,7 @@ use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
-use protocol::SaidNo;
+use protocol::Refused;
 use std::fs::File;
 use std::io::Read;
 
@@ -27,7 +27,7 @@ pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
     let file = match tokio::task::spawn_blocking(open).await {
         Ok(Some(Ok(file))) => file,
         Ok(Some(Err(error))) => return (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
-        _ => return (StatusCode::NOT_FOUND, format!("{}\n", SaidNo::NoRecording)).into_response(),
+        _ => return (StatusCode::NOT_FOUND, format!("{}\n", Refused::NoRecording)).into_response(),
     };
     let headers = [
         (header::CONTENT_TYPE, "application/jsonl".to_owned()),

@@ -25,6 +25,7 @@ use store::files::FILE_MAX_BYTES;
 use tokio::runtime::Handle;
 use tower_http::set_header::SetResponseHeaderLayer;
 use tower_http::timeout::{RequestBodyTimeoutLayer, TimeoutLayer};
+use tower_http::trace::TraceLayer;
 
 /// What may wait to be written to one socket, in bytes: some large messages; then its writer waits.
 const WRITE_MAX_BYTES: usize = 16 << 20;
@@ -59,12 +60,15 @@ pub(crate) fn routes(connections: Arc<Connections>, guard: OriginGuard, messages
     let app = AppState { connections, guard, uploads: Places::of(UPLOADS_MAX), messages, page };
     let router = Router::new()
         .route(protocol::PATH, any(socket))
-        .route(protocol::STOP_PATH, post(stop))
         .route("/healthz", get(|| async { "ok\n" }))
         .route("/readyz", get(readyz))
         .merge(files_to_keep())
         .route("/api/import", post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)))
         .fallback(get(files))
+        // What fails says so itself, in its own words.
+        .layer(TraceLayer::new_for_http().on_failure(()))
+        // After that layer: nothing is added to the way of Stop.
+        .route(protocol::STOP_PATH, post(stop))
         .layer(RequestBodyTimeoutLayer::new(Duration::from_millis(PIECE_MS)))
         .layer(TimeoutLayer::with_status_code(StatusCode::REQUEST_TIMEOUT, Duration::from_millis(REQUEST_MS)))
         .layer(middleware::from_fn_with_state(app.clone(), guard_all))

@@ -8,7 +8,7 @@ use axum::body::Body;
 use axum::http::{StatusCode, header};
 use axum::response::{IntoResponse, Response};
 use behaviour::{BehaviourFile, Id};
-use protocol::SaidNo;
+use protocol::Refused;
 use std::sync::Arc;
 use store::Store;
 
@@ -17,12 +17,12 @@ const LINES_MAX: usize = 1;
 
 /// A behaviour as a file to keep: `ID.json`, `ID.xml` or `ID.svg`.
 pub(crate) async fn download(rooms: &Rooms, file: &str) -> Response {
-    let gone = |no: SaidNo| (StatusCode::NOT_FOUND, format!("{no}\n")).into_response();
+    let gone = |no: Refused| (StatusCode::NOT_FOUND, format!("{no}\n")).into_response();
     let (id, format) = file.rsplit_once('.').unwrap_or((file, ""));
-    let (Ok(id), "json" | "xml" | "svg") = (Id::new(id), format) else { return gone(SaidNo::NoBehaviour) };
+    let (Ok(id), "json" | "xml" | "svg") = (Id::new(id), format) else { return gone(Refused::NoBehaviour) };
     let look = match rooms.look(&id).await {
         Ok(look) if look.behaviour().settings().is_some() => look,
-        Ok(_) | Err(SaidNo::NoBehaviour) => return gone(SaidNo::NoBehaviour),
+        Ok(_) | Err(Refused::NoBehaviour) => return gone(Refused::NoBehaviour),
         Err(no) => return (StatusCode::SERVICE_UNAVAILABLE, format!("{no}\n")).into_response(),
     };
     let mut file = BehaviourFile::of(look.behaviour(), &rooms.snapshot().helpers());

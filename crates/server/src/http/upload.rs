@@ -9,7 +9,7 @@ use axum::body::Bytes;
 use axum::extract::{FromRequest, Request};
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
-use protocol::SaidNo;
+use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
 use std::time::Duration;
@@ -80,7 +80,7 @@ fn status(why: &NotImported) -> StatusCode {
     match why {
         NotImported::Fault(_) => StatusCode::BAD_REQUEST,
         NotImported::Present => StatusCode::CONFLICT,
-        NotImported::Refused(SaidNo::Store(_) | SaidNo::TooFast) => StatusCode::SERVICE_UNAVAILABLE,
+        NotImported::Refused(Refused::Store(_) | Refused::TooFast) => StatusCode::SERVICE_UNAVAILABLE,
         NotImported::Refused(_) => StatusCode::UNPROCESSABLE_ENTITY,
     }
 }

@@ -9,7 +9,7 @@ use super::Library;
 use crate::support::atomic_file;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::Id;
-use protocol::{Reply, SaidNo};
+use protocol::{Refused, Reply};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -45,10 +45,10 @@ pub(crate) fn keep(library: &Arc<Library>, data: Option<&Path>) {
 ///
 /// # Errors
 /// If it is not there, or the store does not answer.
-pub(crate) async fn restore(library: &Library, behaviour: &Id) -> Result<Reply, SaidNo> {
+pub(crate) async fn restore(library: &Library, behaviour: &Id) -> Result<Reply, Refused> {
     let back = bounded(library.store.restore(behaviour)).await.map_err(|error| store_no(&error))?;
     library.rooms.news().tell();
-    if back { Ok(Reply::Done) } else { Err(SaidNo::NoBehaviour) }
+    if back { Ok(Reply::Done) } else { Err(Refused::NoBehaviour) }
 }
 
 /// Deletes what was in the bin for [`BIN_DAYS`] at the earlier look already; says how many.

@@ -9,7 +9,7 @@ use crate::support::workers::Sender;
 use behaviour::{
     Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
 };
-use protocol::{Reply, SaidNo};
+use protocol::{Refused, Reply};
 use std::sync::Arc;
 use store::files::Mode;
 use store::{Append, StoreError};
@@ -28,10 +28,10 @@ pub(crate) struct Wish {
 }
 
 /// Makes the behaviour; asked twice with the same id, it makes one.
-pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, SaidNo> {
+pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
     let template = wish.template.as_deref().map(find).transpose()?;
     if wish.behaviour == *library.rooms.library() {
-        return Err(SaidNo::NoBehaviour);
+        return Err(Refused::NoBehaviour);
     }
     check_name(&wish.name)?;
     if is_there(library, &wish).await? {
@@ -48,18 +48,18 @@ pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, 
     Ok(Reply::Created { behaviour: wish.behaviour })
 }
 
-async fn is_there(library: &Library, wish: &Wish) -> Result<bool, SaidNo> {
+async fn is_there(library: &Library, wish: &Wish) -> Result<bool, Refused> {
     let there = bounded(library.store.load(&wish.behaviour)).await.map_err(|error| store_no(&error))?;
     Ok(there.is_some())
 }
 
-fn find(name: &str) -> Result<&'static Template, SaidNo> {
-    let shown = || SaidNo::NoTemplate(name.chars().take(40).collect());
+fn find(name: &str) -> Result<&'static Template, Refused> {
+    let shown = || Refused::NoTemplate(name.chars().take(40).collect());
     templates().iter().find(|template| template.name == name).ok_or_else(shown)
 }
 
-pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
-    let no = |refusal| Err(SaidNo::Change(refusal));
+pub(crate) fn check_name(name: &str) -> Result<(), Refused> {
+    let no = |refusal| Err(Refused::Change(refusal));
     let shown = || without_unseen(name).chars().take(40).collect();
     if name.trim().is_empty() {
         return no(Refusal::Name(shown()));
@@ -72,7 +72,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), SaidNo> {
     if name.chars().count() > most { no(Refusal::TooLong("This name".to_owned(), most)) } else { Ok(()) }
 }
 
-async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Result<(), SaidNo> {
+async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Result<(), Refused> {
     let name = free_name(&*library.store, wish.name.trim()).await.map_err(|error| store_no(&error))?;
     let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
     let settings = Settings { name: name.clone(), ..settings };
@@ -90,25 +90,25 @@ async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Re
 }
 
 /// Saves a change of a behaviour that nobody has open; once more if the outcome is open, the op id settles it.
-pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), SaidNo> {
+pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), Refused> {
     let mut answer = bounded(library.store.append(id, made, after)).await;
     if answer.as_ref().is_err_and(StoreError::is_open) {
         answer = bounded(library.store.append(id, made, after)).await;
     }
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
-        Ok(Append::Conflict { .. }) => Err(SaidNo::Change(Refusal::Stale("this behaviour".to_owned()))),
+        Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale("this behaviour".to_owned()))),
         Err(error) => {
             library.health.failed(&error);
-            Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))
+            Err(Refused::Change(Refusal::NotSaved(reason(&error))))
         }
     }
 }
 
 /// The records of a template under new ids, its helpers in the library.
-async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish) -> Result<Behaviour, SaidNo> {
+async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish) -> Result<Behaviour, Refused> {
     let (file, sender) = (Arc::new(template.file()), Sender::Room(wish.behaviour.clone()));
-    let mut last = SaidNo::TooFast;
+    let mut last = Refused::TooFast;
     for _ in 0..TRIES {
         let brought = judge(library, &sender, &file, Mode::Copy, &wish.by).await?;
         match shelve(library, &brought).await {

@@ -12,7 +12,7 @@ use behaviour::{
     Behaviour, BehaviourFile, Change, Committed, Id, Knowledge, NAME_MAX_CHARS, Params, Refusal, Room, StreamKind,
     without_unseen,
 };
-use protocol::SaidNo;
+use protocol::Refused;
 use std::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -32,7 +32,7 @@ pub(crate) enum NotImported {
     /// The behaviour is here already.
     Present,
     /// What the file asks for is refused.
-    Refused(SaidNo),
+    Refused(Refused),
 }
 
 impl NotImported {
@@ -54,8 +54,8 @@ impl fmt::Display for NotImported {
     }
 }
 
-impl From<SaidNo> for NotImported {
-    fn from(no: SaidNo) -> Self {
+impl From<Refused> for NotImported {
+    fn from(no: Refused) -> Self {
         Self::Refused(no)
     }
 }
@@ -74,16 +74,16 @@ pub(crate) async fn import(
     by: &str,
     body: Bytes,
 ) -> Result<Import, NotImported> {
-    let file = Arc::new(library.workers.run(sender.clone(), move |_| read(&body)).await.map_err(SaidNo::from)??);
+    let file = Arc::new(library.workers.run(sender.clone(), move |_| read(&body)).await.map_err(Refused::from)??);
     let by: String = without_unseen(by).chars().take(NAME_MAX_CHARS).collect();
     if mode == Mode::Restore {
         check_absent(library, &file).await?;
     }
-    let mut last = NotImported::Refused(SaidNo::TooFast);
+    let mut last = NotImported::Refused(Refused::TooFast);
     for _ in 0..TRIES {
         let brought = judge(library, &sender, &file, mode, &by).await?;
         let finishing = finish(Arc::clone(library), Arc::clone(&file), mode, brought);
-        match library.tasks.spawn(finishing).await.map_err(|error| SaidNo::Unreadable(error.to_string()))? {
+        match library.tasks.spawn(finishing).await.map_err(|error| Refused::Unreadable(error.to_string()))? {
             Err(no) if no.is_overtaken() => last = no,
             done => return done,
         }
@@ -95,7 +95,7 @@ pub(crate) async fn import(
 fn read(body: &[u8]) -> Result<BehaviourFile, NotImported> {
     let mut looked = store::files::look(body);
     let Some(file) = looked.file.take() else {
-        return Err(looked.faults.into_iter().next().map_or_else(|| SaidNo::NoBehaviour.into(), NotImported::from));
+        return Err(looked.faults.into_iter().next().map_or_else(|| Refused::NoBehaviour.into(), NotImported::from));
     };
     check_records(&file, &looked)?;
     check_name(&file.name)?;
@@ -124,18 +124,18 @@ pub(crate) async fn judge(
     file: &Arc<BehaviourFile>,
     mode: Mode,
     by: &str,
-) -> Result<Import, SaidNo> {
+) -> Result<Import, Refused> {
     let (file, helpers, by) = (Arc::clone(file), library.rooms.snapshot(), by.to_owned());
     let knowing = Arc::clone(&library.knowing);
     let judged = library.workers.run(sender.clone(), move |cancel| {
         let new_id = || Id::from_uuid(Uuid::new_v4());
         let brought = store::files::import(&file, mode, &helpers.behaviour, &by, new_id);
-        let brought = brought.map_err(|faults| SaidNo::Unreadable(faults.join("; ")))?;
+        let brought = brought.map_err(|faults| Refused::Unreadable(faults.join("; ")))?;
         let until = Instant::now() + Duration::from_millis(CHECK_MS);
         let judge = Judge { knowing: &knowing, is_cancelled: || cancel.is_cancelled(), until };
-        Room::rehearse(&brought.changes, &judge).map_err(SaidNo::Change)?;
+        Room::rehearse(&brought.changes, &judge).map_err(Refused::Change)?;
         // The library's room asks the same again: its answers come last, so that they are still known there.
-        Room::rehearse(brought.library.as_slice(), &judge).map_err(SaidNo::Change)?;
+        Room::rehearse(brought.library.as_slice(), &judge).map_err(Refused::Change)?;
         Ok(brought)
     });
     judged.await?
@@ -160,7 +160,7 @@ async fn finish(
 }
 
 /// Puts the helpers of an import into the library.
-pub(crate) async fn shelve(library: &Arc<Library>, brought: &Import) -> Result<(), SaidNo> {
+pub(crate) async fn shelve(library: &Arc<Library>, brought: &Import) -> Result<(), Refused> {
     match brought.library.clone() {
         Some(change) => library.rooms.propose_to_library(change).await,
         None => Ok(()),
@@ -168,8 +168,8 @@ pub(crate) async fn shelve(library: &Arc<Library>, brought: &Import) -> Result<(
 }
 
 /// Whether somebody changed the library between judging and saving.
-pub(crate) fn is_overtaken(no: &SaidNo) -> bool {
-    matches!(no, SaidNo::Change(Refusal::Stale(_) | Refusal::NameTaken(_)))
+pub(crate) fn is_overtaken(no: &Refused) -> bool {
+    matches!(no, Refused::Change(Refusal::Stale(_) | Refusal::NameTaken(_)))
 }
 
 async fn save(library: &Arc<Library>, brought: &Import) -> Result<(), NotImported> {

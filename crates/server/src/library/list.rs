@@ -2,12 +2,12 @@
 
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Id, numbered};
-use protocol::{LIST_MAX_LINES, ListQuery, Reply, SaidNo, Summary, WORDS_MAX_CHARS};
+use protocol::{LIST_MAX_LINES, ListQuery, Refused, Reply, Summary, WORDS_MAX_CHARS};
 use std::collections::BTreeSet;
 use store::{Listed, Listing, Query, Store, StoreError};
 
 /// A page of the list.
-pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<Reply, SaidNo> {
+pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<Reply, Refused> {
     let listing = bounded(store.list(&asked(query))).await.map_err(|error| store_no(&error))?;
     let Listing { lines, next, total } = listing;
     Ok(Reply::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })

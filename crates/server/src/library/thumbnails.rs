@@ -4,7 +4,7 @@ use crate::support::lock;
 use crate::support::store_call::bounded;
 use behaviour::{Behaviour, Graph, Id};
 use futures_util::StreamExt;
-use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Reply, SaidNo};
+use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Refused, Reply};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex};
 use store::Store;
@@ -47,7 +47,7 @@ impl Thumbnails {
 }
 
 /// The pictures of these behaviours, as far as they are there.
-pub(crate) async fn pictures(store: &dyn Store, made: &Thumbnails, of: Vec<PictureOf>) -> Result<Reply, SaidNo> {
+pub(crate) async fn pictures(store: &dyn Store, made: &Thumbnails, of: Vec<PictureOf>) -> Result<Reply, Refused> {
     let wanted = of.into_iter().take(PICTURES_MAX).map(|of| one(store, made, of));
     let drawn = futures_util::stream::iter(wanted).buffered(AT_ONCE).collect::<Vec<_>>().await;
     let pictures = drawn.into_iter().flatten().map(|(id, picture)| (id, (*picture).clone())).collect();

@@ -17,7 +17,7 @@ use crate::support::priority::{self, Priority};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
-use protocol::{RobotState, RunState, SaidNo};
+use protocol::{Refused, RobotState, RunState};
 use robot::{Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -232,10 +232,10 @@ impl Host {
     ///
     /// # Errors
     /// If the behaviour does not run, or has no such sensor stream.
-    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), SaidNo> {
+    pub(crate) fn stimulate(&self, behaviour: &Id, stream: &Id, value: Value) -> Result<(), Refused> {
         let table = lock(&self.shared().table);
-        let entry = table.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
-        let &(index, _) = entry.senses.get(stream).ok_or(SaidNo::NoSensor)?;
+        let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
+        let &(index, _) = entry.senses.get(stream).ok_or(Refused::NoSensor)?;
         entry.mailbox.put(index, Keep::All, value);
         Ok(())
     }
@@ -244,33 +244,33 @@ impl Host {
     ///
     /// # Errors
     /// If it never ran here, or if that could not be kept.
-    pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), SaidNo> {
+    pub(crate) fn place(&self, behaviour: &Id, above: Option<&Id>) -> Result<(), Refused> {
         if !self.shared().order.has(behaviour) {
-            return Err(SaidNo::NotRunning);
+            return Err(Refused::NotRunning);
         }
-        self.shared().place(behaviour, above).map_err(|error| SaidNo::NotKept(error.to_string()))
+        self.shared().place(behaviour, above).map_err(|error| Refused::NotKept(error.to_string()))
     }
 
     /// Marks this moment in the recording of a running behaviour.
     ///
     /// # Errors
     /// If the behaviour does not run or is not recorded, or if that was too much at once.
-    pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str) -> Result<(), SaidNo> {
+    pub(super) fn mark(&self, behaviour: &Id, by: &str, note: &str) -> Result<(), Refused> {
         let table = lock(&self.shared().table);
-        let entry = table.running_of(behaviour).ok_or(SaidNo::NotRunning)?;
+        let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
         if entry.state.recording.is_none() {
-            return Err(SaidNo::CannotRecord("this run is not recorded; tick it before Start".to_owned()));
+            return Err(Refused::CannotRecord("this run is not recorded; tick it before Start".to_owned()));
         }
-        if entry.mailbox.mark(by, note) { Ok(()) } else { Err(SaidNo::TooFast) }
+        if entry.mailbox.mark(by, note) { Ok(()) } else { Err(Refused::TooFast) }
     }
 
     /// Ends the recording of a running behaviour.
     ///
     /// # Errors
     /// If the behaviour does not run.
-    pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), SaidNo> {
+    pub(crate) fn end_recording(&self, behaviour: &Id) -> Result<(), Refused> {
         let table = lock(&self.shared().table);
-        table.running_of(behaviour).ok_or(SaidNo::NotRunning)?.mailbox.end_recording();
+        table.running_of(behaviour).ok_or(Refused::NotRunning)?.mailbox.end_recording();
         Ok(())
     }
 

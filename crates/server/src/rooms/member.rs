@@ -3,7 +3,7 @@
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Room};
-use protocol::{Parts, Person, Reply, SaidNo};
+use protocol::{Parts, Person, Refused, Reply};
 use std::sync::Arc;
 use tokio::sync::{oneshot, watch};
 
@@ -103,7 +103,7 @@ impl Answer {
     }
 
     /// Says why not.
-    pub(crate) fn no(self, no: SaidNo) {
+    pub(crate) fn no(self, no: Refused) {
         self.give(Reply::No { no });
     }
 

@@ -17,7 +17,7 @@ use behaviour::{Accepted, Id, Room};
 use change_log::ChangeLog;
 use jobs::{Job, Saving, Waiting};
 use problems::{Finding, Found};
-use protocol::SaidNo;
+use protocol::Refused;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tokio::sync::{mpsc, oneshot, watch};
@@ -64,7 +64,7 @@ pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
             task.find_problems_at_first().await;
             return task.live(inbox).await;
         }
-        Ok(_) => SaidNo::NoBehaviour,
+        Ok(_) => Refused::NoBehaviour,
         Err(error) => store_no(&error),
     };
     tracing::info!(behaviour = %id, %no, "a room did not open");
@@ -139,9 +139,9 @@ impl RoomTask {
         }
     }
 
-    fn look(&self, waiting: oneshot::Sender<Result<Look, SaidNo>>) {
+    fn look(&self, waiting: oneshot::Sender<Result<Look, Refused>>) {
         let look = Look(Arc::clone(&self.room));
-        let _ = waiting.send(if self.stay == Stay::Here { Ok(look) } else { Err(SaidNo::NoBehaviour) });
+        let _ = waiting.send(if self.stay == Stay::Here { Ok(look) } else { Err(Refused::NoBehaviour) });
     }
 
     fn feed(&self) -> Feed {

@@ -1,6 +1,6 @@
 //! Calls of the store that end in time, and its faults as clients hear of them.
 
-use protocol::SaidNo;
+use protocol::Refused;
 use std::future::Future;
 use std::time::Duration;
 use store::StoreError;
@@ -17,8 +17,8 @@ pub(crate) async fn bounded<T>(answer: impl Future<Output = Result<T, StoreError
 }
 
 /// The store's sentence as a client gets it.
-pub(crate) fn store_no(error: &StoreError) -> SaidNo {
-    SaidNo::Store(reason(error))
+pub(crate) fn store_no(error: &StoreError) -> Refused {
+    Refused::Store(reason(error))
 }
 
 /// A sentence as a reason in parentheses: without its full stop.

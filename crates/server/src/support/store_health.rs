@@ -4,7 +4,7 @@ use super::message::encode;
 use super::store_call::reason;
 use super::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
-use protocol::{Reply, SaidNo};
+use protocol::{Refused, Reply};
 use std::sync::Arc;
 use std::time::Duration;
 use store::{Store, StoreError};
@@ -29,8 +29,8 @@ impl StoreHealth {
     }
 
     /// Why nothing can be saved now, if that is so.
-    pub(crate) fn away(&self) -> Option<SaidNo> {
-        self.away.borrow().clone().map(SaidNo::Store)
+    pub(crate) fn away(&self) -> Option<Refused> {
+        self.away.borrow().clone().map(Refused::Store)
     }
 
     /// The newest as a message to everyone.

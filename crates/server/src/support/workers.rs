@@ -4,7 +4,7 @@
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use behaviour::Id;
-use protocol::SaidNo;
+use protocol::Refused;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -44,7 +44,7 @@ pub(crate) enum NotDone {
     Failed,
 }
 
-impl From<NotDone> for SaidNo {
+impl From<NotDone> for Refused {
     fn from(why: NotDone) -> Self {
         match why {
             NotDone::TooMuch => Self::TooFast,

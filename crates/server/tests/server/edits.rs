@@ -2,7 +2,7 @@
 
 use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, sentence, stream, stream_id};
 use behaviour::{Parameters, Procedure, Record, RecordId, Refusal, StreamKind, connectors};
-use protocol::{Reply, Request, SaidNo};
+use protocol::{Refused, Reply, Request};
 use shell::{Mirror, Trouble};
 
 #[tokio::test]
@@ -65,7 +65,7 @@ async fn who_saw_an_older_state_is_refused() {
     aiko.put("Rename", stream_id("a"), Some(plain("Two"))).await.unwrap();
     let late = aiko.change("Rename", &before, vec![(stream_id("a"), Some(plain("Three")))]);
     let answer = aiko.ask(Request::Propose { behaviour: play, change: late }).await;
-    assert_eq!(answer, Err(Trouble::No(SaidNo::Change(Refusal::Stale("“Two”".into())))));
+    assert_eq!(answer, Err(Trouble::No(Refused::Change(Refusal::Stale("“Two”".into())))));
     assert_eq!(aiko.open().unwrap().revision, 3);
     house.close().await;
 }
@@ -161,7 +161,7 @@ async fn a_helper_in_use_cannot_be_removed_or_renamed() {
     for after in [None, Some(Record::Helper(renamed))] {
         let change = aiko.change("Remove", &library.records, vec![(used.clone(), after)]);
         let no = aiko.ask(Request::Propose { behaviour: id("library"), change }).await.unwrap_err();
-        let Trouble::No(SaidNo::Change(Refusal::HelperUsed(name, users))) = no else { panic!("{no:?}") };
+        let Trouble::No(Refused::Change(Refusal::HelperUsed(name, users))) = no else { panic!("{no:?}") };
         assert_eq!((name, users), (record.name.clone(), vec!["“Far”".to_owned()]));
     }
     let edited = behaviour::Helper { says: "Other words.".into(), ..record.clone() };

@@ -2,7 +2,7 @@
 
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Reply, Request, SaidNo};
+use protocol::{Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Refused, Reply, Request};
 use shell::{Client, Trouble};
 use std::time::Duration;
 use tokio::net::TcpStream;
@@ -16,7 +16,7 @@ pub(crate) async fn socket(house: &House) -> Socket {
 }
 
 /// Says a text and answers with the next text and the code of the closing frame, whichever come.
-async fn say(socket: &mut Socket, text: &str) -> (Option<SaidNo>, Option<u16>) {
+async fn say(socket: &mut Socket, text: &str) -> (Option<Refused>, Option<u16>) {
     socket.send(Message::text(text)).await.unwrap();
     let (mut no, mut code) = (None, None);
     while let Ok(Some(Ok(message))) = tokio::time::timeout(Duration::from_secs(5), socket.next()).await {
@@ -37,14 +37,14 @@ async fn say(socket: &mut Socket, text: &str) -> (Option<SaidNo>, Option<u16>) {
 async fn the_greeting_comes_first_and_in_our_version() {
     let house = House::open().await;
     let table = [
-        (r#"{"ask":1,"request":{"is":"list"}}"#, SaidNo::Greeting),
-        (r#"{"ask":1,"request":{"is":"hello","version":99,"name":"A"}}"#, SaidNo::Version(protocol::VERSION)),
+        (r#"{"ask":1,"request":{"is":"list"}}"#, Refused::Greeting),
+        (r#"{"ask":1,"request":{"is":"hello","version":99,"name":"A"}}"#, Refused::Version(protocol::VERSION)),
     ];
     for (text, expected) in table {
         assert_eq!(say(&mut socket(&house).await, text).await, (Some(expected), Some(1008)));
     }
     let (no, code) = say(&mut socket(&house).await, "hello?").await;
-    assert!(matches!(no, Some(SaidNo::Unreadable(_))) && code == Some(1008), "{no:?}");
+    assert!(matches!(no, Some(Refused::Unreadable(_))) && code == Some(1008), "{no:?}");
     house.close().await;
 }
 
@@ -118,7 +118,7 @@ async fn who_asks_too_much_is_told_so_but_can_always_stop() {
     for round in 0.. {
         let asks: Vec<_> = (0..300).map(|_| aiko.ask(watch())).collect();
         let answers = futures_util::future::join_all(asks).await;
-        let refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(SaidNo::TooFast))).count();
+        let refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(Refused::TooFast))).count();
         assert!(refused <= 110 || round > 0, "{refused} of the first 300");
         if refused > 0 {
             break;

@@ -2,7 +2,7 @@
 
 use crate::house::{House, ball, connect, connector_id, make, map, plain, printer, stream, stream_id};
 use behaviour::{Value, connectors};
-use protocol::{Reply, Request, RunPhase, SaidNo};
+use protocol::{Refused, Reply, Request, RunPhase};
 use shell::Trouble;
 
 #[tokio::test]
@@ -13,7 +13,7 @@ async fn problems_stop_start() {
     aiko.put("Add", stream_id("far"), Some(plain("Far"))).await.unwrap();
     aiko.put("Add", connector_id("c"), Some(map("", "ball", "far"))).await.unwrap();
     let no = aiko.ask(Request::Start { behaviour: play, robot: None, record: false }).await.unwrap_err();
-    assert!(matches!(&no, Trouble::No(SaidNo::Problems(problems)) if problems.len() == 1), "{no:?}");
+    assert!(matches!(&no, Trouble::No(Refused::Problems(problems)) if problems.len() == 1), "{no:?}");
     house.close().await;
 }
 
@@ -37,7 +37,7 @@ async fn a_behaviour_runs_tells_its_values_and_stops() {
     .unwrap();
     let seven = |reply: &Reply| matches!(reply, Reply::Values { values } if values.streams.iter().any(|s| s.value == Value::Int(7)));
     aiko.until(seven).await.unwrap();
-    assert_eq!(aiko.ask(Request::Remove { behaviour: play.clone() }).await, Err(Trouble::No(SaidNo::Running)));
+    assert_eq!(aiko.ask(Request::Remove { behaviour: play.clone() }).await, Err(Trouble::No(Refused::Running)));
     aiko.ask(Request::Stop { behaviour: Some(play.clone()), robot: None }).await.unwrap();
     let stopped = |reply: &Reply| matches!(reply, Reply::Runs { runs } if runs.iter().all(|run| run.phase == RunPhase::Stopped("Aiko".into())) && !runs.is_empty());
     aiko.until(stopped).await.unwrap();
@@ -91,7 +91,7 @@ async fn edits_disturb_nothing_until_they_are_applied() {
         .await
         .unwrap();
     let apply = Request::Apply { behaviour: play.clone(), robot: None };
-    assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(SaidNo::NotRunning)));
+    assert_eq!(aiko.ask(apply.clone()).await, Err(Trouble::No(Refused::NotRunning)));
     aiko.ask(Request::Start { behaviour: play.clone(), robot: None, record: false }).await.unwrap();
     aiko.put("Edit", connector_id("m"), Some(map("head + 2", "head", "next"))).await.unwrap();
     let seven =
@@ -105,7 +105,7 @@ async fn edits_disturb_nothing_until_they_are_applied() {
     // What cannot run is not applied; the sentence says why and that the robot goes on.
     aiko.put("Edit", connector_id("m"), Some(map("", "head", "next"))).await.unwrap();
     let no = aiko.ask(apply).await.unwrap_err();
-    assert!(matches!(&no, Trouble::No(SaidNo::NotApplied(_))), "{no:?}");
+    assert!(matches!(&no, Trouble::No(Refused::NotApplied(_))), "{no:?}");
     assert!(no.to_string().starts_with("The robot goes on with what it ran before"), "{no}");
     aiko.ask(seven(Value::Int(1))).await.unwrap();
     aiko.until(shows(3)).await.unwrap();

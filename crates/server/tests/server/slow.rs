@@ -117,11 +117,11 @@ async fn an_edit_that_hung_too_long_is_refused_and_the_room_recovers() {
     let (aiko, _) = house.maker("Aiko").await;
     store.hangs.store(true, Ordering::SeqCst);
     let answer = aiko.put("Add", stream_id("a"), Some(plain("One"))).await;
-    assert!(matches!(&answer, Err(shell::Trouble::No(protocol::SaidNo::Store(_)))), "{answer:?}");
+    assert!(matches!(&answer, Err(shell::Trouble::No(protocol::Refused::Store(_)))), "{answer:?}");
     let mut aiko = aiko;
     aiko.until(|reply| matches!(reply, Reply::Store { away: Some(_) })).await.unwrap();
     let answer = aiko.put("Add", stream_id("b"), Some(plain("Two"))).await;
-    assert!(matches!(&answer, Err(shell::Trouble::No(protocol::SaidNo::Store(_)))), "{answer:?}");
+    assert!(matches!(&answer, Err(shell::Trouble::No(protocol::Refused::Store(_)))), "{answer:?}");
     store.hangs.store(false, Ordering::SeqCst);
     aiko.until(|reply| matches!(reply, Reply::Store { away: None })).await.unwrap();
     aiko.put("Add", stream_id("b"), Some(plain("Two"))).await.unwrap();

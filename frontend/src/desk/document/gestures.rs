@@ -5,7 +5,7 @@ use crate::desk::tab::new_id;
 use crate::layout;
 use behaviour::{Behaviour, Change, Connector, Id, Kind, Operation, Params, Place, Record, RecordId, Stream};
 use leptos::prelude::*;
-use protocol::SaidNo;
+use protocol::Refused;
 use std::collections::BTreeMap;
 
 /// So many places fit in one change and its message.
@@ -27,7 +27,7 @@ impl Document {
     }
 
     /// A new connector; the stream it leads to is selected once it is there.
-    pub(crate) fn connect(&self, plan: ConnectPlan, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(crate) fn connect(&self, plan: ConnectPlan, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let (behaviour, places) = self.behaviour_and_places();
         let (stream, connector) = (new_id(), new_id());
         let select = match &plan.output {
@@ -42,8 +42,8 @@ impl Document {
     fn select_on_yes(
         &self,
         id: Id,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
-    ) -> impl FnOnce(Result<(), SaidNo>) + 'static {
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) -> impl FnOnce(Result<(), Refused>) + 'static {
         let document = self.clone();
         move |answer| {
             if answer.is_ok() && document.stream(&id).is_some() {
@@ -60,7 +60,7 @@ impl Document {
         operation: Operation,
         inputs: Vec<Id>,
         output_name: Option<&str>,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let change = self.change(&format!("Edit {}", operation.word()));
         let change = build::connector_edited(&self.behaviour(), change, id, (operation, inputs), output_name);
@@ -73,7 +73,7 @@ impl Document {
         &self,
         (id, seen): (&Id, Stream),
         stream: Stream,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let behaviour = self.behaviour();
         let before = behaviour.stream(id).map_or("", |stream| &stream.name);

@@ -6,7 +6,7 @@ use crate::desk::tab::{AGAIN_MS, may_pass, set_if_new};
 use crate::{browser, link};
 use behaviour::{Behaviour, Id};
 use leptos::prelude::*;
-use protocol::{Reply, Request, SaidNo};
+use protocol::{Refused, Reply, Request};
 
 impl Document {
     /// Opens a program in place of the one that is open.
@@ -53,14 +53,14 @@ impl Document {
         });
     }
 
-    fn not_opened(&self, id: &Id, no: &SaidNo, says: bool) {
+    fn not_opened(&self, id: &Id, no: &Refused, says: bool) {
         if !self.is_wanted(id) {
             return;
         }
         if says || !may_pass(no) {
             self.tab.say_no(no);
         }
-        if *no == SaidNo::NoBehaviour {
+        if *no == Refused::NoBehaviour {
             self.close_program();
             self.forget_waiting(id);
         } else if may_pass(no) {

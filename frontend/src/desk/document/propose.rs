@@ -7,7 +7,7 @@ use crate::desk::tab::set_if_new;
 use crate::link;
 use behaviour::{Change, Id, RecordId, Refusal};
 use leptos::prelude::*;
-use protocol::{LIBRARY, Reply, Request, SaidNo};
+use protocol::{LIBRARY, Refused, Reply, Request};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -21,7 +21,7 @@ const STALLED_MS: i32 = 2_000;
 /// When a change that came too fast is sent again.
 const TOO_FAST_MS: i32 = 400;
 
-type OnAnswer = Box<dyn FnOnce(Result<(), SaidNo>)>;
+type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
     /// Who wants to know what became of a change; nobody after a reload.
@@ -36,11 +36,11 @@ impl Document {
     }
 
     /// Proposes a change to the open behaviour and tells what became of it.
-    pub(super) fn propose_and(&self, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(super) fn propose_and(&self, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let open = self.open.get_untracked();
         match open {
             Some(open) => self.propose_to(open, change, on_answer),
-            None => on_answer(Err(SaidNo::NothingOpen)),
+            None => on_answer(Err(Refused::NothingOpen)),
         }
     }
 
@@ -48,20 +48,20 @@ impl Document {
     pub(in crate::desk) fn propose_to_library(
         &self,
         change: Change,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         match Id::new(LIBRARY) {
             Ok(library) => self.propose_to(library, change, on_answer),
-            Err(reason) => on_answer(Err(SaidNo::Unreadable(reason))),
+            Err(reason) => on_answer(Err(Refused::Unreadable(reason))),
         }
     }
 
-    fn propose_to(&self, to: Id, change: Change, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    fn propose_to(&self, to: Id, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         if change.edits.is_empty() {
             return on_answer(Ok(()));
         }
         if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
-            return on_answer(Err(SaidNo::Change(Refusal::Edits(change.edits.len()))));
+            return on_answer(Err(Refused::Change(Refusal::Edits(change.edits.len()))));
         }
         let (op, touched) = (change.op.clone(), touched(&change));
         let room = {
@@ -75,7 +75,7 @@ impl Document {
         if !room {
             self.state().history.not_queued(&op);
             self.show_history();
-            return on_answer(Err(SaidNo::TooFast));
+            return on_answer(Err(Refused::TooFast));
         }
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
         let shows = self.state().saves.shows_waiting();
@@ -117,10 +117,10 @@ impl Document {
     }
 
     /// The server said yes or no to a change of this tab.
-    pub(in crate::desk) fn answered(&self, op: &Id, answer: Result<(), SaidNo>) {
+    pub(in crate::desk) fn answered(&self, op: &Id, answer: Result<(), Refused>) {
         match &answer {
-            Err(SaidNo::Store(_)) => return self.stall(),
-            Err(SaidNo::TooFast) => return self.slow_down(),
+            Err(Refused::Store(_)) => return self.stall(),
+            Err(Refused::TooFast) => return self.slow_down(),
             Err(_) | Ok(()) => {}
         }
         let waiting = self.state().queue.answered(op);
@@ -195,7 +195,7 @@ impl Document {
         let lost = self.state().queue.touched(behaviour).len();
         self.state().queue.forget(behaviour);
         if lost > 0 {
-            self.tab.say_no(&SaidNo::Change(Refusal::Gone));
+            self.tab.say_no(&Refused::Change(Refusal::Gone));
         }
         self.pump();
     }

@@ -5,7 +5,7 @@ use crate::desk::document::{as_seen, helper_gone, helper_put, short};
 use crate::desk::tab::{new_id, set_if_new};
 use crate::link;
 use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record};
-use protocol::{LIBRARY, Request, SaidNo, Summary};
+use protocol::{LIBRARY, Refused, Request, Summary};
 
 impl Library {
     /// After a greeting: takes the helpers and templates as they are now.
@@ -25,7 +25,7 @@ impl Library {
         &self,
         seen: Option<(Id, Helper)>,
         helper: Helper,
-        on_answer: impl FnOnce(Result<(), SaidNo>) + 'static,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let change = self.document.change(&format!("Helper {}", short(&helper.name)));
         let (id, seen) = seen.map_or_else(|| (new_id(), None), |(id, seen)| (id, Some(seen)));
@@ -37,7 +37,7 @@ impl Library {
     }
 
     /// The library without a helper; refused while programs use it.
-    pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), SaidNo>) + 'static) {
+    pub(crate) fn remove_helper(&self, id: &Id, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let change = self.document.change("Remove helper");
         let change = self.with_records(|records| helper_gone(records, change, id));
         self.document.propose_to_library(change, on_answer);

@@ -10,7 +10,7 @@ use crate::panels::hold::{Hold, Soon, hold};
 use crate::words;
 use behaviour::{Helper, Id, Refusal};
 use leptos::prelude::*;
-use protocol::SaidNo;
+use protocol::Refused;
 use used_in::UsedIn;
 
 /// How soon a body is looked at while it is typed, in milliseconds.
@@ -98,8 +98,8 @@ fn save(desk: Hold, fields: Fields) {
         return;
     }
     let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-    let look_again = move |answer: Result<(), SaidNo>| {
-        if matches!(answer, Err(SaidNo::Change(Refusal::Stale(_)))) {
+    let look_again = move |answer: Result<(), Refused>| {
+        if matches!(answer, Err(Refused::Change(Refusal::Stale(_)))) {
             look_again(desk, fields);
         }
         answered(answer);

@@ -8,7 +8,7 @@ use crate::panels::hold::{Hold, hold};
 use crate::words;
 use behaviour::{Id, Refusal, Stream, StreamKind};
 use leptos::prelude::*;
-use protocol::SaidNo;
+use protocol::Refused;
 
 /// The dialog of one stream.
 #[component]
@@ -122,8 +122,8 @@ fn save(desk: Hold, fields: Fields) {
     match edited(fields) {
         Ok(stream) => {
             let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-            let look_again = move |answer: Result<(), SaidNo>| {
-                if matches!(answer, Err(SaidNo::Change(Refusal::Stale(_)))) {
+            let look_again = move |answer: Result<(), Refused>| {
+                if matches!(answer, Err(Refused::Change(Refusal::Stale(_)))) {
                     look_again(desk, fields);
                 }
                 answered(answer);
@@ -147,7 +147,7 @@ pub(super) fn answered(
     desk: &Desk,
     refusal: RwSignal<Option<String>>,
     busy: RwSignal<bool>,
-) -> impl FnOnce(Result<(), SaidNo>) + 'static {
+) -> impl FnOnce(Result<(), Refused>) + 'static {
     let (desk, mine) = (desk.clone(), desk.dialog.get_untracked());
     if desk.document.can_save() {
         busy.set(true);

@@ -11,7 +11,7 @@ use crate::rooms::member::Answer;
 use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{Change, Id};
-use protocol::{Reply, Request, SaidNo};
+use protocol::{Refused, Reply, Request};
 use std::future::Future;
 use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
@@ -19,7 +19,7 @@ use tokio_util::sync::CancellationToken;
 impl Session {
     pub(super) fn request(&mut self, ask: u32, request: Request) {
         match request {
-            Request::Hello { .. } => self.outbox.no(ask, SaidNo::Unreadable("the greeting came already".to_owned())),
+            Request::Hello { .. } => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
             Request::List { .. }
             | Request::Pictures { .. }
             | Request::WhereUsed { .. }
@@ -96,7 +96,7 @@ impl Session {
     }
 
     /// Answers what was done at once, or not.
-    fn done(&self, ask: u32, done: Result<(), SaidNo>) {
+    fn done(&self, ask: u32, done: Result<(), Refused>) {
         self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
@@ -106,9 +106,9 @@ impl Session {
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
-    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, SaidNo>> + Send + 'static) {
+    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
         let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
-            return self.outbox.no(ask, SaidNo::TooFast);
+            return self.outbox.no(ask, Refused::TooFast);
         };
         let outbox = self.outbox.clone();
         self.state().tasks.spawn(async move {
@@ -144,7 +144,7 @@ impl Session {
             }
             _ => Ok(()),
         };
-        let failed = |error: tokio::task::JoinError| Err(SaidNo::NotKept(error.to_string()));
+        let failed = |error: tokio::task::JoinError| Err(Refused::NotKept(error.to_string()));
         self.later(
             ask,
             async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed).map(|()| Reply::Done) },
@@ -158,7 +158,7 @@ impl Session {
             Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
             _ => Ok(Reply::Recordings { recordings: recordings.list() }),
         };
-        let failed = |error: tokio::task::JoinError| Err(SaidNo::CannotRecord(error.to_string()));
+        let failed = |error: tokio::task::JoinError| Err(Refused::CannotRecord(error.to_string()));
         self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
     }
 
@@ -170,7 +170,7 @@ impl Session {
 
     fn open(&mut self, ask: u32, behaviour: Id) {
         if behaviour == *self.state().rooms.library() {
-            return self.outbox.no(ask, SaidNo::NoBehaviour);
+            return self.outbox.no(ask, Refused::NoBehaviour);
         }
         self.leave_open();
         self.outbox.put(Out::Unfollow);
@@ -193,7 +193,7 @@ impl Session {
 
     fn remove(&mut self, ask: u32, behaviour: &Id) {
         if *behaviour == *self.state().rooms.library() {
-            self.outbox.no(ask, SaidNo::NoBehaviour);
+            self.outbox.no(ask, Refused::NoBehaviour);
         } else {
             let answer = self.answer(ask);
             self.state().rooms.tell(behaviour, Note::Remove(self.me.name.clone(), answer));

@@ -6,7 +6,7 @@ use crate::recordings::Recordings;
 use crate::robots::{Host, Start};
 use behaviour::{BehaviourFile, Value};
 use engine::{Emission, Limits, Run};
-use protocol::SaidNo;
+use protocol::Refused;
 use robot::Millis;
 use std::sync::Arc;
 use std::time::Instant;
@@ -97,7 +97,7 @@ async fn a_recording_has_what_was_read_what_was_told_and_how_it_ended() {
     assert_eq!(known.robot, "Puppet");
     assert_eq!((known.file.as_str(), known.name.as_str(), known.revision), (shown.file.as_str(), "one", 1));
     recordings.remove(&known.file).unwrap();
-    assert_eq!(recordings.remove(&shown.file), Err(SaidNo::NoRecording));
+    assert_eq!(recordings.remove(&shown.file), Err(Refused::NoRecording));
     assert_eq!(recordings.find("../one"), None);
 }
 
@@ -107,7 +107,7 @@ async fn a_recording_goes_on_with_what_is_applied_and_ends_when_somebody_wants()
     let recordings = Recordings::within(Some(folder.path()));
     let puppet = Puppet::default();
     let robots = puppet.robots_with(Limits::default, recordings.clone());
-    assert_eq!(robots.end_recording(&id("one")), Err(SaidNo::NotRunning));
+    assert_eq!(robots.end_recording(&id("one")), Err(Refused::NotRunning));
     let run = robots.start(recorded(filtered("one", "ball > 3"))).await.unwrap();
     stimulate(&robots, 5);
     until("the first", || puppet.told(run.run) == [Value::Int(5)]).await;

@@ -5,7 +5,7 @@ use super::{filtered, id, phase, shows_until_told, stopped_by, until};
 use crate::robots::Seen;
 use behaviour::Value;
 use engine::Limits;
-use protocol::{RunPhase, SaidNo};
+use protocol::{Refused, RunPhase};
 
 #[tokio::test]
 async fn a_reading_becomes_a_command() {
@@ -62,9 +62,9 @@ async fn a_stimulus_reaches_the_sensor_stream_only() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
     let stimulate = |stream| robots.stimulate(&id("one"), &id(stream), Value::Int(42));
-    assert_eq!(stimulate("ball"), Err(SaidNo::NotRunning));
+    assert_eq!(stimulate("ball"), Err(Refused::NotRunning));
     let run = robots.start(filtered("one", "true")).await.unwrap();
-    assert_eq!(stimulate("good"), Err(SaidNo::NoSensor));
+    assert_eq!(stimulate("good"), Err(Refused::NoSensor));
     assert_eq!(stimulate("ball"), Ok(()));
     until("the command", || puppet.told(run.run) == [Value::Int(42)]).await;
 }

@@ -4,7 +4,7 @@ use super::{filtered, id, stopped_by, until};
 use crate::recordings::Recordings;
 use crate::robots::Robots;
 use behaviour::{Id, Value};
-use protocol::{ROBOTS_MAX, RunState, SaidNo};
+use protocol::{ROBOTS_MAX, Refused, RunState};
 use robot::{Health, SceneEdit};
 
 const FIRST: &str = "simulated-nao";
@@ -48,7 +48,7 @@ async fn one_behaviour_runs_on_two_robots_and_each_is_stopped_by_itself() {
 
     assert!(robots.stop(None, Some(&momo), "Ben"));
     assert_eq!([phase(&robots, &one), phase(&robots, &two)], [protocol::RunPhase::Running, stopped_by("Ben")]);
-    assert_eq!(tell(Some(&momo), 9), Err(SaidNo::NotRunning));
+    assert_eq!(tell(Some(&momo), 9), Err(Refused::NotRunning));
     assert!(robots.stop(None, Some(&id("nobody")), "Ben"), "whoever names nobody stops all");
     assert_eq!(phase(&robots, &one), stopped_by("Ben"));
     robots.shut_down();
@@ -84,11 +84,11 @@ async fn each_robot_has_a_room_and_an_order_of_its_own() {
 async fn a_robot_goes_only_when_nothing_runs_on_it() {
     let (robots, [first, momo]) = two();
     start(&robots, "greeting", &momo).await;
-    assert!(matches!(robots.remove(&momo), Err(SaidNo::RobotStays(_))));
+    assert!(matches!(robots.remove(&momo), Err(Refused::RobotStays(_))));
     robots.stop(None, Some(&momo), "Ben");
     robots.remove(&momo).unwrap();
-    assert_eq!(robots.remove(&momo), Err(SaidNo::NoRobot));
-    assert!(matches!(robots.remove(&first), Err(SaidNo::RobotStays(_))), "there is always one");
+    assert_eq!(robots.remove(&momo), Err(Refused::NoRobot));
+    assert!(matches!(robots.remove(&first), Err(Refused::RobotStays(_))), "there is always one");
     let left: Vec<_> = robots.states().borrow().iter().map(|state| state.robot.clone()).collect();
     assert_eq!(left, [first]);
     assert!(robots.runs().borrow().is_empty(), "what ran on it is not shown any more");
@@ -114,6 +114,6 @@ async fn robots_are_there_again_after_a_restart_and_not_without_bound() {
     for at in 3..ROBOTS_MAX {
         robots.add(&id(&format!("more{at}")), "More").unwrap();
     }
-    assert!(matches!(robots.add(&id("too-many"), "X"), Err(SaidNo::RobotNotAdded(_))));
+    assert!(matches!(robots.add(&id("too-many"), "X"), Err(Refused::RobotNotAdded(_))));
     robots.shut_down();
 }

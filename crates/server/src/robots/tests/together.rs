@@ -5,7 +5,7 @@ use super::{filtered, id, until};
 use crate::robots::{Host, Start};
 use behaviour::Value;
 use engine::Limits;
-use protocol::{HeldPart, RunState, SaidNo};
+use protocol::{HeldPart, Refused, RunState};
 use std::sync::Arc;
 
 /// A behaviour that moves the head, and holds it for longer than any test takes.
@@ -73,7 +73,7 @@ async fn who_never_ran_here_gets_no_place() {
     robots.start(head("one")).await.unwrap();
     for number in 0..20 {
         let stranger = id(&format!("stranger{number}"));
-        assert_eq!(robots.place(&stranger, Some(&id("one"))), Err(SaidNo::NotRunning));
+        assert_eq!(robots.place(&stranger, Some(&id("one"))), Err(Refused::NotRunning));
     }
     assert_eq!(robots.shared().order.place(&id("one")), 0, "nobody stands above it");
 }

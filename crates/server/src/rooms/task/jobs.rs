@@ -5,7 +5,7 @@ use super::{RoomTask, Stay};
 use crate::rooms::member::Answer;
 use behaviour::{Change, Kind, Refusal};
 use futures_util::future::BoxFuture;
-use protocol::{Reply, SaidNo};
+use protocol::{Refused, Reply};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
@@ -30,7 +30,7 @@ impl Job {
         }
     }
 
-    fn no(self, no: SaidNo) {
+    fn no(self, no: Refused) {
         match self {
             Self::Save(_, answer) | Self::Remove(_, answer) => answer.no(no),
         }
@@ -113,11 +113,11 @@ impl Waiting {
 impl RoomTask {
     pub(super) fn wait(&mut self, job: Job) {
         if self.stay == Stay::Gone {
-            job.no(SaidNo::NoBehaviour);
+            job.no(Refused::NoBehaviour);
         } else if self.waiting.has_room(job.sender()) {
             self.waiting.put(job);
         } else {
-            job.no(SaidNo::TooFast);
+            job.no(Refused::TooFast);
         }
     }
 
@@ -136,7 +136,7 @@ impl RoomTask {
         }
         match self.waiting.take() {
             Some(Job::Save(change, from)) => match self.stranger(&change) {
-                Some(stranger) => from.no(SaidNo::Change(Refusal::Malformed(stranger))),
+                Some(stranger) => from.no(Refused::Change(Refusal::Malformed(stranger))),
                 None => {
                     let deciding = saving::decide(around, id, Arc::clone(&self.room), change, from);
                     self.saving = Saving::UnderWay(Box::pin(deciding));
@@ -203,7 +203,7 @@ impl RoomTask {
     fn removed(&mut self, by: &str, from: Answer) {
         tracing::info!(behaviour = %self.id, by, "a behaviour goes to the bin");
         self.stay = Stay::Gone;
-        self.waiting.take_all().into_iter().for_each(|job| job.no(SaidNo::NoBehaviour));
+        self.waiting.take_all().into_iter().for_each(|job| job.no(Refused::NoBehaviour));
         self.around.news.tell();
         from.give(Reply::Done);
         self.tell_removed(by);

@@ -6,7 +6,7 @@ use crate::rooms::member::{Answer, Member, Whole};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
-use protocol::{Person, Pointer, Reply, SaidNo};
+use protocol::{Person, Pointer, Refused, Reply};
 use std::sync::Arc;
 
 /// Who missed more changes than this opens again.
@@ -18,7 +18,7 @@ impl RoomTask {
     /// The answer goes into the member's queue here, so that no change can come before it.
     pub(super) fn join(&mut self, member: Member, ask: u32, secret: Option<Id>) {
         if self.stay == Stay::Gone {
-            return member.link.send(encode(Some(ask), Reply::No { no: SaidNo::NoBehaviour }));
+            return member.link.send(encode(Some(ask), Reply::No { no: Refused::NoBehaviour }));
         }
         if let Some(secret) = secret {
             member.link.send_whole(ask, self.welcome(&member.person, secret));

@@ -5,7 +5,7 @@ use crate::rooms::member::Answer;
 use crate::support::store_call::{bounded, reason, store_no};
 use crate::support::workers::Sender;
 use behaviour::{Accepted, Behaviour, Change, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
-use protocol::SaidNo;
+use protocol::Refused;
 use std::sync::Arc;
 use store::{Append, StoreError};
 
@@ -22,11 +22,11 @@ pub(super) enum Saved {
         from: Answer,
     },
     /// The room asked what it does not know.
-    CaughtUp(Result<Vec<Committed>, SaidNo>),
+    CaughtUp(Result<Vec<Committed>, Refused>),
     /// The store was asked to put the behaviour into the bin.
     Removed {
         /// Whether it did.
-        outcome: Result<(), SaidNo>,
+        outcome: Result<(), Refused>,
         /// Who asked.
         from: Answer,
         /// Who said so.
@@ -41,19 +41,19 @@ pub(super) struct SaveOutcome {
     /// The room with the saved change made.
     pub(super) after: Option<Arc<Room>>,
     /// What who asked is told.
-    pub(super) answer: Result<Accepted, SaidNo>,
+    pub(super) answer: Result<Accepted, Refused>,
     /// Whether the store may have more than the room knows.
     pub(super) is_uncertain: bool,
 }
 
 impl SaveOutcome {
     /// Nothing changed.
-    fn nothing(answer: Result<Accepted, SaidNo>) -> Self {
+    fn nothing(answer: Result<Accepted, Refused>) -> Self {
         Self { news: Vec::new(), after: None, answer, is_uncertain: false }
     }
 
     /// Nobody knows whether something changed.
-    fn uncertain(answer: Result<Accepted, SaidNo>) -> Self {
+    fn uncertain(answer: Result<Accepted, Refused>) -> Self {
         Self { is_uncertain: true, ..Self::nothing(answer) }
     }
 }
@@ -86,7 +86,7 @@ pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, c
         Ok(Decided::Save(keep)) => save(&around, &id, *keep).await,
         Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(&around, &id, revision).await),
         Ok(Decided::Stale(change, refusal)) => SaveOutcome::nothing(settle(&around, &id, change, refusal).await),
-        Ok(Decided::Refuse(refusal)) => SaveOutcome::nothing(Err(SaidNo::Change(refusal))),
+        Ok(Decided::Refuse(refusal)) => SaveOutcome::nothing(Err(Refused::Change(refusal))),
         Err(why) => SaveOutcome::nothing(Err(why.into())),
     };
     Saved::Change { outcome, from }
@@ -132,13 +132,13 @@ async fn save(around: &Surroundings, id: &Id, keep: Keep) -> SaveOutcome {
             with_news(around, id, before, answer).await
         }
         Ok(Append::Conflict { .. }) => {
-            let no = SaidNo::Change(Refusal::Stale("this behaviour".to_owned()));
+            let no = Refused::Change(Refusal::Stale("this behaviour".to_owned()));
             with_news(around, id, before, Err(no)).await
         }
-        Err(StoreError::Gone) => SaveOutcome::nothing(Err(SaidNo::Change(Refusal::Gone))),
+        Err(StoreError::Gone) => SaveOutcome::nothing(Err(Refused::Change(Refusal::Gone))),
         Err(error) if error.is_open() => SaveOutcome::uncertain(Err(store_no(&error))),
         Err(error @ StoreError::Full) => SaveOutcome::nothing(Err(store_no(&error))),
-        Err(error) => SaveOutcome::nothing(Err(SaidNo::Change(Refusal::NotSaved(reason(&error))))),
+        Err(error) => SaveOutcome::nothing(Err(Refused::Change(Refusal::NotSaved(reason(&error))))),
     }
 }
 
@@ -160,7 +160,7 @@ async fn append(
 }
 
 /// The answer, with what the room does not know of the store.
-async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<Accepted, SaidNo>) -> SaveOutcome {
+async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<Accepted, Refused>) -> SaveOutcome {
     match bounded(around.store.history(id, before, MISSED_MAX_CHANGES)).await {
         Ok(news) => SaveOutcome { news, ..SaveOutcome::nothing(answer) },
         Err(_) => SaveOutcome::uncertain(answer),
@@ -168,18 +168,18 @@ async fn with_news(around: &Surroundings, id: &Id, before: u64, answer: Result<A
 }
 
 /// The change that made a revision.
-async fn one(around: &Surroundings, id: &Id, revision: u64) -> Result<Accepted, SaidNo> {
+async fn one(around: &Surroundings, id: &Id, revision: u64) -> Result<Accepted, Refused> {
     let found = bounded(around.store.history(id, revision.saturating_sub(1), 1)).await;
-    found.map_err(|error| store_no(&error))?.pop().ok_or(SaidNo::NoBehaviour)
+    found.map_err(|error| store_no(&error))?.pop().ok_or(Refused::NoBehaviour)
 }
 
 /// A change that the rules refuse may be one that was made long ago and is sent again: the store knows every op. Asked
 /// under revision 0, which is never the next one, it keeps nothing.
-async fn settle(around: &Surroundings, id: &Id, change: Change, refusal: Refusal) -> Result<Accepted, SaidNo> {
+async fn settle(around: &Surroundings, id: &Id, change: Change, refusal: Refusal) -> Result<Accepted, Refused> {
     let probe = Committed { revision: 0, change };
     match bounded(around.store.append(id, &probe, &Behaviour::default())).await {
         Ok(Append::Duplicate { revision }) => one(around, id, revision).await,
-        _ => Err(SaidNo::Change(refusal)),
+        _ => Err(Refused::Change(refusal)),
     }
 }
 
@@ -192,11 +192,11 @@ pub(super) async fn catch_up(around: Arc<Surroundings>, id: Id, revision: u64) -
 /// Moves the behaviour to the bin.
 pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: Answer) -> Saved {
     let outcome = if (around.is_running)(&id) {
-        Err(SaidNo::Running)
+        Err(Refused::Running)
     } else {
         match bounded(around.store.remove(&id, crate::support::now_ms(), &by)).await {
             Ok(true) => Ok(()),
-            Ok(false) => Err(SaidNo::NoBehaviour),
+            Ok(false) => Err(Refused::NoBehaviour),
             Err(error) => Err(store_no(&error)),
         }
     };
@@ -204,14 +204,14 @@ pub(super) async fn remove(around: Arc<Surroundings>, id: Id, by: String, from: 
 }
 
 /// Refuses to let go a helper that is used, with who uses it.
-async fn unused(around: &Surroundings, helpers: Vec<String>) -> Result<(), SaidNo> {
+async fn unused(around: &Surroundings, helpers: Vec<String>) -> Result<(), Refused> {
     for helper in helpers {
         let users = bounded(around.store.users(&helper)).await.map_err(|error| store_no(&error))?;
         let mut names: Vec<String> = users.into_iter().map(|user| format!("“{}”", user.name)).collect();
         names.sort();
         names.dedup();
         if !names.is_empty() {
-            return Err(SaidNo::Change(Refusal::HelperUsed(helper, names)));
+            return Err(Refused::Change(Refusal::HelperUsed(helper, names)));
         }
     }
     Ok(())

@@ -7,7 +7,7 @@ use crate::desk::{ConnectPlan, Dialog, Output};
 use crate::words;
 use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Refusal, Value};
 use leptos::prelude::*;
-use protocol::SaidNo;
+use protocol::Refused;
 
 /// Saves what was chosen, or says why not.
 pub(super) fn save(form: Form) {
@@ -40,7 +40,7 @@ fn edit(form: Form) -> Result<(), String> {
 
 /// What happens with the answer: the dialog closes, or says why not. While nothing can be saved the change waits and is
 /// shown already, so the dialog closes at once.
-fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
+fn answered(form: Form) -> impl FnOnce(Result<(), Refused>) + 'static {
     let desk = form.desk.desk();
     let mine = desk.dialog.get_untracked();
     let close = move |desk: &crate::desk::Desk, mine: &Option<Dialog>| {
@@ -64,7 +64,7 @@ fn answered(form: Form) -> impl FnOnce(Result<(), SaidNo>) + 'static {
             }
             Err(no) if still_open => {
                 form.busy.set(false);
-                if matches!(no, SaidNo::Change(Refusal::Stale(_))) {
+                if matches!(no, Refused::Change(Refusal::Stale(_))) {
                     look_again(form);
                 }
                 form.refusal.set(Some(no.to_string()));
