@@ -86,16 +86,16 @@ fn a_value_that_is_there_says_more_than_a_guess() {
 
 #[test]
 fn a_touch_suggests_its_changes() {
-    let (behaviour, expected) = (touched(), ["filter", "distinct", "map", "EyeLedColor", "SayParameter"]);
+    let (behaviour, expected) = (touched(), ["filter", "distinct", "map", "SayParameter", "EyeLedColor"]);
     assert_eq!(words_of(&behaviour, "touch", None), expected);
     assert_eq!(words_of(&behaviour, "touch", Some(&Value::Bool(true))), expected, "also while it runs");
     let changed = words_of(&behaviour, "changed", None);
-    assert_eq!(changed, ["filter", "map", "EyeLedColor", "SayParameter"], "its changes are offered once");
+    assert_eq!(changed, ["filter", "map", "SayParameter", "EyeLedColor"], "its changes are offered once");
 }
 
 #[test]
 fn a_truth_suggests_to_remember() {
-    let expected = ["filter", "scan", "map", "EyeLedColor", "SayParameter"];
+    let expected = ["filter", "scan", "map", "SayParameter", "EyeLedColor"];
     assert_eq!(words_of(&touched(), "far", None), expected);
     assert_eq!(words_of(&touched(), "count", Some(&Value::Bool(false)))[..2], ["filter", "map"], "but not twice");
     assert_eq!(words_of(&touched(), "count", Some(&Value::Int(2)))[0], "filter");

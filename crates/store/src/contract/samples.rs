@@ -50,13 +50,13 @@ pub(super) fn every_connector() -> Vec<(RecordId, Record)> {
         Some(Procedure::Body { body: String::new(), args }),
         Some(Procedure::Helper("near".to_owned())),
     ];
-    let forms = connectors::ALL.iter().flat_map(|spec| {
-        procedures.iter().map(|procedure| {
-            let (period_ms, start) = (procedure.is_some().then_some(3_600_000), Some(start.clone()));
-            let start = start.filter(|_| procedure.is_some());
-            spec.with(Parameters { procedure: procedure.clone(), period_ms, start })
-        })
-    });
+    let form = |spec: &'static connectors::Spec, procedure: &Option<Procedure>| {
+        let (procedure, is_whole) = (procedure.clone(), procedure.is_some());
+        let (period_ms, start) = (is_whole.then_some(3_600_000), is_whole.then(|| start.clone()));
+        spec.with(Parameters { procedure, period_ms, start })
+    };
+    let all = connectors::ALL.iter().copied();
+    let forms = all.flat_map(|spec| procedures.each_ref().map(|procedure| form(spec, procedure)));
     let connector = |(order, operation): (i64, Operation)| {
         let inputs = if operation.spec().inputs.are_many() { vec![id("s1"), id("s0")] } else { vec![id("s0")] };
         let record = Record::Connector(Connector { operation, inputs, output: id("s1"), order });
