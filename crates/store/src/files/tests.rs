@@ -2,7 +2,7 @@
 
 use super::samples::{any_behaviour, any_file, any_text, templates};
 use super::{FILE_MAX_BYTES, Mode, import, look, read, write_json, write_xml};
-use behaviour::{Behaviour, BehaviourFile, Id, Kind, Record, RecordId, record_bytes};
+use behaviour::{Behaviour, BehaviourFile, Id, Kind, Record, RecordId, is_identifier, record_bytes};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -153,10 +153,16 @@ fn the_cases_of_the_gold_suite_are_read_as_before() {
         for stream in &mut plain.streams {
             stream.params = stream.params.take().filter(|params| !params.is_empty());
         }
+        let mut params = plain.helpers.iter().flat_map(|helper| &helper.params);
+        if let Some(reserved) = params.find(|name| !is_identifier(name)) {
+            // The engine runs it; who brings it in is asked for another name.
+            assert!(refused(text.as_bytes()).contains(&format!("“{reserved}” cannot be used in a body")));
+            continue;
+        }
         assert_eq!(plain, read(text.as_bytes()).unwrap());
         many += 1;
     }
-    assert!(many >= 10);
+    assert!(many >= 26);
 }
 
 /// A change of the small file that makes it wrong, the place of the fault and a part of its reason.
