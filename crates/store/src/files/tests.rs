@@ -67,7 +67,7 @@ const MORE: &str = r#"{
   "format": "rrp-behaviour/1",
   "name": "More",
   "helpers": [
-    {"name": "larger", "params": ["old", "new"], "body": "max(old, new)"}
+    {"name": "larger", "params": ["old", "now"], "body": "max(old, now)"}
   ],
   "streams": [
     {"id": "a", "kind": "sensor", "name": "A", "device": "HeadTouch"},
