@@ -97,7 +97,7 @@ const MORE: &str = r#"{
 const MORE_XML: &str = r#"
     <distinct id="c1" to="b"><from stream="a"/></distinct>
     <distinct id="c2" to="c"><from stream="a"/><body>a.x</body></distinct>
-    <scan id="c3" to="d" start="{&quot;n&quot;:0.0,&quot;t&quot;:[&quot;&lt;&quot;,null]}"><from stream="a"/><body args="soFar n">soFar.n + n</body></scan>
+    <scan id="c3" to="d" start="{&quot;n&quot;: 0.0, &quot;t&quot;: [&quot;&lt;&quot;, null]}"><from stream="a"/><body args="soFar n">soFar.n + n</body></scan>
     <scan id="c4" to="e" helper="larger"><from stream="a"/></scan>
     <debounce id="c5" to="f" period="5000ms"><from stream="a"/></debounce>
     <delay id="c6" to="g" period="1ms"><from stream="a"/></delay>
