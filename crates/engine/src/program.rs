@@ -2,6 +2,7 @@
 
 mod model;
 mod operation;
+mod reserved;
 mod validity;
 
 use crate::connectors::Connector;

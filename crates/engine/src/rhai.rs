@@ -1,7 +1,7 @@
 //! The language of procedures: Rhai, hardened, with a library of our own and words for people.
 
 pub(crate) mod conversion;
-mod fields;
+pub(crate) mod fields;
 pub(crate) mod library;
 mod lists;
 pub(crate) mod maths;

@@ -3,6 +3,7 @@
 use super::Program;
 use super::model::{ConnectorInfo, Graph, StreamInfo};
 use super::operation::Declared;
+use super::reserved::without_reserved;
 use crate::cost::Limits;
 use crate::procedure::helpers::{Helpers, check_distinct};
 use crate::procedure::{Fault, Procedure};
@@ -24,6 +25,7 @@ impl Program {
     /// # Errors
     /// Every reason why it cannot run, in the order of the file.
     pub fn of(file: &BehaviourFile, limits: Limits) -> Result<Self, Vec<Fault>> {
+        let file = &*without_reserved(file);
         let mut engine = hardened_engine(&limits);
         engine.set_fast_operators(!has_powers(file));
         let mut check = Check { file, streams: index(file), faults: Vec::new() };

@@ -29,13 +29,18 @@ const IDLE_WORDS: [&str; 22] = [
     "with",
 ];
 
+/// Whether Rhai reserves a word and gives it no meaning.
+pub(crate) fn is_idle_word(word: &str) -> bool {
+    IDLE_WORDS.contains(&word)
+}
+
 /// Lets `face.new` and `#{new: true}` name a field. Nothing else changes: such a word is no variable.
 pub(crate) fn allow_reserved_names(engine: &mut Engine) {
     let before_field = Cell::new(false);
     let map = move |token: Token, _: Position, _: &_| {
         let here = before_field.replace(matches!(token, Token::Period | Token::Elvis | Token::MapStart | Token::Comma));
         match token {
-            Token::Reserved(word) if here && IDLE_WORDS.contains(&word.as_str()) => Token::Identifier(word),
+            Token::Reserved(word) if here && is_idle_word(&word) => Token::Identifier(word),
             token => token,
         }
     };

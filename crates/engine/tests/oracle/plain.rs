@@ -81,7 +81,7 @@ fn function(helper: &FileHelper) -> String {
 
 fn plain_engine() -> Engine {
     let mut engine = Engine::new();
-    engine.set_fail_on_invalid_map_property(true).set_strict_variables(true);
+    engine.set_fail_on_invalid_map_property(true).set_strict_variables(true).set_max_string_size(4 * 1024);
     engine
 }
 

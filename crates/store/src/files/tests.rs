@@ -2,7 +2,7 @@
 
 use super::samples::{any_behaviour, any_file, any_text, templates};
 use super::{FILE_MAX_BYTES, Mode, import, look, read, write_json, write_xml};
-use behaviour::{Behaviour, BehaviourFile, Id, Kind, Record, RecordId, record_bytes};
+use behaviour::{Behaviour, BehaviourFile, Id, Kind, Record, RecordId, is_identifier, record_bytes};
 use proptest::prelude::*;
 use std::collections::BTreeMap;
 
@@ -67,7 +67,7 @@ const MORE: &str = r#"{
   "format": "rrp-behaviour/1",
   "name": "More",
   "helpers": [
-    {"name": "larger", "params": ["old", "new"], "body": "max(old, new)"}
+    {"name": "larger", "params": ["old", "now"], "body": "max(old, now)"}
   ],
   "streams": [
     {"id": "a", "kind": "sensor", "name": "A", "device": "HeadTouch"},
@@ -97,7 +97,7 @@ const MORE: &str = r#"{
 const MORE_XML: &str = r#"
     <distinct id="c1" to="b"><from stream="a"/></distinct>
     <distinct id="c2" to="c"><from stream="a"/><body>a.x</body></distinct>
-    <scan id="c3" to="d" start="{&quot;n&quot;:0.0,&quot;t&quot;:[&quot;&lt;&quot;,null]}"><from stream="a"/><body args="soFar n">soFar.n + n</body></scan>
+    <scan id="c3" to="d" start="{&quot;n&quot;: 0.0, &quot;t&quot;: [&quot;&lt;&quot;, null]}"><from stream="a"/><body args="soFar n">soFar.n + n</body></scan>
     <scan id="c4" to="e" helper="larger"><from stream="a"/></scan>
     <debounce id="c5" to="f" period="5000ms"><from stream="a"/></debounce>
     <delay id="c6" to="g" period="1ms"><from stream="a"/></delay>
@@ -153,10 +153,16 @@ fn the_cases_of_the_gold_suite_are_read_as_before() {
         for stream in &mut plain.streams {
             stream.params = stream.params.take().filter(|params| !params.is_empty());
         }
+        let mut params = plain.helpers.iter().flat_map(|helper| &helper.params);
+        if let Some(reserved) = params.find(|name| !is_identifier(name)) {
+            // The engine runs it; who brings it in is asked for another name.
+            assert!(refused(text.as_bytes()).contains(&format!("“{reserved}” cannot be used in a body")));
+            continue;
+        }
         assert_eq!(plain, read(text.as_bytes()).unwrap());
         many += 1;
     }
-    assert!(many >= 10);
+    assert!(many >= 26);
 }
 
 /// A change of the small file that makes it wrong, the place of the fault and a part of its reason.
