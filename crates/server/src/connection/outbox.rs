@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use tokio::sync::mpsc;
 
 /// Messages that may wait for one client.
-pub(crate) const QUEUE_MAX_MESSAGES: usize = 256;
+pub(crate) const QUEUE_MAX_MESSAGES: usize = 1_024;
 /// What may wait for one client before another message is put behind it, in bytes.
 const QUEUE_MAX_BYTES: usize = 2 << 20;
 /// What may wait for all clients together before each is left its share only, in bytes.
