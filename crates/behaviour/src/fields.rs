@@ -175,7 +175,7 @@ impl Names {
         self.names.is_empty()
     }
 
-    /// The same number as [`Fields::shape`].
+    /// A number of the fields and their order: equal to that of [`Fields::shape`] for equal names.
     #[must_use]
     #[inline]
     pub fn shape(&self) -> u64 {

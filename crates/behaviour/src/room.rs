@@ -42,7 +42,7 @@ pub struct Committed {
     pub change: Change,
 }
 
-/// The same, as it is told to everyone.
+/// A change that was saved, with its revision, as it is told to everyone.
 pub type Accepted = Committed;
 
 impl Room {
