@@ -9,15 +9,15 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tokio::sync::mpsc;
 
-/// Messages that may wait for one client: answers to the 200 that it may ask at once, some refusals beyond, and
-/// what others do meanwhile. Each takes memory of its own, however short it is.
-pub(crate) const QUEUE_MAX_MESSAGES: usize = 384;
+/// Messages that may wait for one client: answers to the 200 that it may ask at once, and some of what others do
+/// meanwhile. Each takes memory of its own, however short it is.
+const QUEUE_MAX_MESSAGES: usize = 256;
 /// What may wait for one client before another message is put behind it, in bytes.
 const QUEUE_MAX_BYTES: usize = 2 << 20;
 /// What may wait for all clients together before each is left its share only, in bytes.
-const ALL_MAX_BYTES: usize = 48 << 20;
+const ALL_MAX_BYTES: usize = 32 << 20;
 /// The share, in bytes.
-const SHARE_BYTES: usize = 64 << 10;
+const SHARE_BYTES: usize = 48 << 10;
 
 /// What the writing task of a client is told.
 #[derive(Debug)]

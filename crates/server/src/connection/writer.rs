@@ -4,7 +4,7 @@
 use super::values::Watching;
 use crate::connection::Connections;
 use crate::connection::close_signal::{CloseReason, CloseSignal};
-use crate::connection::outbox::{Out, QUEUE_MAX_MESSAGES, Waiting};
+use crate::connection::outbox::{Out, Waiting};
 use crate::connection::topics::BEAT_MS;
 use crate::rooms::member::Feed;
 use crate::support::message::encode;
@@ -21,6 +21,8 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::MissedTickBehavior;
 use tokio_util::sync::CancellationToken;
 
+/// Messages that are written together: what is on its way out counts no longer as waiting, so it has to be little.
+const BATCH_MAX_MESSAGES: usize = 8;
 /// How long one message, or some together, may take to be written.
 const WRITE_MS: u64 = 5_000;
 /// How long the closing frame may take.
@@ -97,7 +99,7 @@ impl Writer {
         loop {
             let write = tokio::select! {
                 biased;
-                count = inbox.recv_many(&mut batch, QUEUE_MAX_MESSAGES / 4) => {
+                count = inbox.recv_many(&mut batch, BATCH_MAX_MESSAGES) => {
                     if count == 0 {
                         return CloseReason::Left;
                     }

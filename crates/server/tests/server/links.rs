@@ -117,7 +117,7 @@ async fn who_asks_too_much_is_told_so_but_can_always_stop() {
     // However slow this computer is, somebody who never pauses is refused sooner or later.
     let mut refused = 0;
     for _ in 0..20 {
-        let asks: Vec<_> = (0..300).map(|_| aiko.ask(watch())).collect();
+        let asks: Vec<_> = (0..240).map(|_| aiko.ask(watch())).collect();
         let answers = futures_util::future::join_all(asks).await;
         refused = answers.iter().filter(|answer| **answer == Err(Trouble::No(Refused::TooFast))).count();
         assert!(answers.iter().all(|answer| !matches!(answer, Err(Trouble::Link(_)))), "nobody is cut off for that");
@@ -125,7 +125,7 @@ async fn who_asks_too_much_is_told_so_but_can_always_stop() {
             break;
         }
     }
-    assert!((1..=110).contains(&refused), "{refused}");
+    assert!((1..=40).contains(&refused), "{refused}");
     assert_eq!(aiko.ask(Request::Stop { behaviour: None, robot: None }).await, Ok(Reply::Done));
     house.close().await;
 }
