@@ -15,7 +15,7 @@ const QUEUE_MAX_MESSAGES: usize = 256;
 /// What may wait for one client before another message is put behind it, in bytes.
 const QUEUE_MAX_BYTES: usize = 2 << 20;
 /// What may wait for all clients together before each is left its share only, in bytes.
-const ALL_MAX_BYTES: usize = 32 << 20;
+const ALL_MAX_BYTES: usize = 24 << 20;
 /// The share, in bytes.
 const SHARE_BYTES: usize = 48 << 10;
 

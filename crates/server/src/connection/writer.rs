@@ -22,7 +22,7 @@ use tokio::time::MissedTickBehavior;
 use tokio_util::sync::CancellationToken;
 
 /// Messages that are written together: what is on its way out counts no longer as waiting, so it has to be little.
-const BATCH_MAX_MESSAGES: usize = 8;
+const BATCH_MAX_MESSAGES: usize = 4;
 /// How long one message, or some together, may take to be written.
 const WRITE_MS: u64 = 5_000;
 /// How long the closing frame may take.
