@@ -5,7 +5,7 @@ use behaviour::{Behaviour, RecordId, record_bytes};
 use std::ops::Bound;
 
 /// The records of one part, in bytes as [`behaviour::record_bytes`] counts them; a larger record is a part of its own.
-pub const PART_MAX_BYTES: usize = 32 << 10;
+pub const PART_MAX_BYTES: usize = 128 << 10;
 
 /// How far the records of a behaviour were given, part after part; each is copied only when it is its turn.
 #[derive(Clone, Debug, Default)]

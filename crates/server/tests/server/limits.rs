@@ -229,7 +229,14 @@ async fn the_largest_that_is_allowed_is_exported_imported_and_restored() {
     let other = House::open().await;
     let file = exported(&house, "play", "json").await;
     assert!(file.len() > 7 << 20, "{} bytes", file.len());
-    let (status, answer) = asked(&other, &post(&other, "/api/import", &file)).await;
+    let (mut status, mut answer) = asked(&other, &post(&other, "/api/import", &file)).await;
+    // What a busy computer has no time for it asks to send again.
+    for _ in 0..10 {
+        if !answer.contains("takes too long; try again") {
+            break;
+        }
+        (status, answer) = asked(&other, &post(&other, "/api/import", &file)).await;
+    }
     assert_eq!(status, "200", "{answer}");
     let aiko = house.person("Aiko").await;
     let play = aiko.load(&id("play")).await.unwrap();
