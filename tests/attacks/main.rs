@@ -25,7 +25,7 @@ const STOP_P99_MS: u128 = 50;
 /// What any of them may take, in milliseconds.
 const STOP_WORST_MS: u128 = 250;
 /// An attack is measured again so often if the computer was busy with something else.
-const TRIES: usize = 5;
+const TRIES: usize = 3;
 /// What the server may take beyond what it takes at rest, in KiB.
 const MORE_MAX_KIB: u64 = 200 << 10;
 /// How soon it has to be given back.
@@ -36,10 +36,11 @@ const KEPT_KIB: u64 = 100 << 10;
 /// An attack, which goes on until it is dropped.
 type Attack = fn(Target) -> BoxFuture<'static, ()>;
 
-const ATTACKS: [(&str, Attack); 9] = [
+const ATTACKS: [(&str, Attack); 10] = [
     ("proposals that are slow to check", |target| Box::pin(messages::procedures(target))),
     ("requests as fast as they go", |target| Box::pin(messages::floods(target))),
     ("sockets that ask and never read", |target| Box::pin(messages::unread(target))),
+    ("behaviours that are opened and never read", |target| Box::pin(messages::openers(target))),
     ("sockets that never greet", |target| Box::pin(connections::half_open(target))),
     ("connections that are held", |target| Box::pin(connections::held(target))),
     ("a thousand Stops at once", |target| Box::pin(connections::storm(target))),

@@ -116,6 +116,31 @@ async fn deaf(target: Target) -> Outcome<()> {
     Ok(())
 }
 
+/// Clients that open a large behaviour and read nothing of it, each at another revision.
+pub(crate) async fn openers(target: Target) {
+    tokio::spawn(edits(target.clone()));
+    crowd(DEAF, || opener(target.clone())).await;
+}
+
+/// Edits of a large behaviour without an end.
+async fn edits(target: Target) -> Outcome<()> {
+    let client = Client::connect(&target.url(), "Editor").await?;
+    let large = Id::new("large")?;
+    client.load(&large).await?;
+    loop {
+        client.put("Edit", note_id(&fresh("e")), Some(note("edited"))).await?;
+    }
+}
+
+async fn opener(target: Target) -> Outcome<()> {
+    let mut socket = greeted(&target).await?;
+    for ask in 2..100 {
+        socket.send(said(ask, Request::Open { behaviour: Id::new("large")? })?).await?;
+        tokio::time::sleep(PAUSE).await;
+    }
+    Ok(())
+}
+
 /// Notes and helpers, as large and as many as are taken.
 pub(crate) async fn growth(target: Target) {
     crowd(2, || grower(target.clone())).await;

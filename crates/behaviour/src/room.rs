@@ -75,6 +75,13 @@ impl Room {
         &self.behaviour
     }
 
+    /// How large its records are together, in bytes: at most 8 MiB unless an older version made it, and never less than
+    /// they take in a message or file.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.size.bytes()
+    }
+
     /// Its revision: the number of changes ever made.
     #[must_use]
     pub fn revision(&self) -> u64 {

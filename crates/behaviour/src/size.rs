@@ -110,6 +110,11 @@ impl Size {
         }
     }
 
+    /// Of everything.
+    pub(crate) fn bytes(&self) -> usize {
+        self.helpers.bytes + self.behaviour_bytes()
+    }
+
     /// Everything but helpers, which live in the library.
     fn behaviour_bytes(&self) -> usize {
         [self.settings, self.streams, self.connectors, self.places, self.notes].iter().map(|amount| amount.bytes).sum()

@@ -4,10 +4,12 @@
 pub(crate) mod knowledge;
 pub(crate) mod list_news;
 pub(crate) mod member;
+pub(crate) mod shown;
 pub(crate) mod snapshot;
 mod task;
 
 use crate::support::lock;
+use crate::support::lookups::Lookups;
 use crate::support::message::encode;
 use crate::support::store_health::StoreHealth;
 use crate::support::tasks::Tasks;
@@ -17,6 +19,7 @@ use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
 use protocol::{LIBRARY, Pointer, Refused, Reply, Summary};
+use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex};
@@ -84,6 +87,10 @@ pub(crate) struct Surroundings {
     pub(crate) knowing: Arc<Knowing>,
     /// Work on what people send.
     pub(crate) workers: Workers,
+    /// Turns for what has to be looked up in the store.
+    pub(crate) lookups: Lookups,
+    /// What is shown to those who open behaviours.
+    pub(crate) shown: AllShown,
     /// Where rooms run, and how they learn that the server ends.
     pub(crate) tasks: Tasks,
     /// The id of the helper library.

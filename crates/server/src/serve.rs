@@ -14,9 +14,11 @@ use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::knowledge::Knowing;
 use crate::rooms::list_news::ListNews;
+use crate::rooms::shown::AllShown;
 use crate::rooms::snapshot::LibrarySnapshot;
 use crate::rooms::{Rooms, Surroundings};
 use crate::state::ServerState;
+use crate::support::lookups::Lookups;
 use crate::support::retry::retry;
 use crate::support::store_call::bounded;
 use crate::support::store_health::{self, StoreHealth};
@@ -207,6 +209,8 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>
         health,
         knowing: Arc::new(Knowing::default()),
         workers: Workers::start().map_err(ServeError::Thread)?,
+        lookups: Lookups::default(),
+        shown: AllShown::default(),
         tasks: Tasks::here(),
         library,
         snapshot: watch::Sender::new(Arc::new(snapshot)),
@@ -223,9 +227,9 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>
 
 /// Everything, once its parts are there.
 fn put_together(surroundings: Surroundings, robots: Robots, recordings: Recordings) -> ServerState {
-    let Surroundings { store, health, knowing, workers, tasks, epoch, .. } = &surroundings;
+    let Surroundings { store, health, knowing, workers, lookups, tasks, epoch, .. } = &surroundings;
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
-    let (workers, tasks, epoch) = (workers.clone(), tasks.clone(), *epoch);
+    let (workers, lookups, tasks, epoch) = (workers.clone(), lookups.clone(), tasks.clone(), *epoch);
     let rooms = Rooms::within(surroundings);
     let library = Arc::new(Library {
         store: Arc::clone(&store),
@@ -237,7 +241,20 @@ fn put_together(surroundings: Surroundings, robots: Robots, recordings: Recordin
         creating: tokio::sync::Mutex::default(),
     });
     let thumbnails = Thumbnails::default();
-    ServerState { store, health, robots, recordings, knowing, workers, rooms, library, thumbnails, epoch, tasks }
+    ServerState {
+        store,
+        health,
+        robots,
+        recordings,
+        knowing,
+        workers,
+        lookups,
+        rooms,
+        library,
+        thumbnails,
+        epoch,
+        tasks,
+    }
 }
 
 /// The library; a fresh store gets the helpers that come with the robot.

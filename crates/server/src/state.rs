@@ -6,6 +6,7 @@ use crate::recordings::Recordings;
 use crate::robots::Robots;
 use crate::rooms::Rooms;
 use crate::rooms::knowledge::Knowing;
+use crate::support::lookups::Lookups;
 use crate::support::store_health::StoreHealth;
 use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
@@ -26,6 +27,8 @@ pub(crate) struct ServerState {
     pub(crate) knowing: Arc<Knowing>,
     /// Work on what people send.
     pub(crate) workers: Workers,
+    /// Turns for what has to be looked up in the store.
+    pub(crate) lookups: Lookups,
     /// The open rooms.
     pub(crate) rooms: Rooms,
     /// Making and importing behaviours.

@@ -2,6 +2,7 @@
 
 pub(crate) mod atomic_file;
 pub(crate) mod data_folder;
+pub(crate) mod lookups;
 pub(crate) mod message;
 pub(crate) mod places;
 pub(crate) mod priority;

@@ -12,75 +12,53 @@ pub trait Ix: Copy {
     fn index(self) -> usize;
 }
 
-/// A stream of a run, by its place in the file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct StreamIx(u32);
+macro_rules! numbers {
+    ($(#[$what:meta] $name:ident)+) => {$(
+        #[$what]
+        #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+        pub struct $name(u32);
 
-/// A connector of a run, by its place in the file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub struct ConnectorIx(u32);
+        impl $name {
+            /// The first one.
+            pub(crate) const FIRST: Self = Self(0);
 
-impl StreamIx {
-    /// The first one.
-    pub(crate) const FIRST: Self = Self(0);
+            /// The one at a place in the file.
+            #[must_use]
+            pub fn of(at: usize) -> Self {
+                Self(place(at))
+            }
 
-    /// The stream at a place in the file.
-    #[must_use]
-    pub fn of(at: usize) -> Self {
-        Self(place(at))
-    }
+            /// Its place in the file.
+            #[must_use]
+            #[inline(always)]
+            pub fn index(self) -> usize {
+                self.0 as usize
+            }
+        }
 
-    /// Its place in the file.
-    #[must_use]
-    #[inline(always)]
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
+        impl Ix for $name {
+            fn of(at: usize) -> Self {
+                Self::of(at)
+            }
+
+            #[inline(always)]
+            fn index(self) -> usize {
+                Self::index(self)
+            }
+        }
+    )+};
 }
 
-impl ConnectorIx {
-    /// The first one.
-    pub(crate) const FIRST: Self = Self(0);
-
-    /// The connector at a place in the file.
-    #[must_use]
-    pub fn of(at: usize) -> Self {
-        Self(place(at))
-    }
-
-    /// Its place in the file.
-    #[must_use]
-    #[inline(always)]
-    pub fn index(self) -> usize {
-        self.0 as usize
-    }
+numbers! {
+    #[doc = "A stream of a run, by its place in the file."]
+    StreamIx
+    #[doc = "A connector of a run, by its place in the file."]
+    ConnectorIx
 }
 
 /// Streams and connectors are far fewer than would fill it.
 fn place(at: usize) -> u32 {
     u32::try_from(at).unwrap_or(u32::MAX)
-}
-
-impl Ix for StreamIx {
-    fn of(at: usize) -> Self {
-        Self::of(at)
-    }
-
-    #[inline(always)]
-    fn index(self) -> usize {
-        Self::index(self)
-    }
-}
-
-impl Ix for ConnectorIx {
-    fn of(at: usize) -> Self {
-        Self::of(at)
-    }
-
-    #[inline(always)]
-    fn index(self) -> usize {
-        Self::index(self)
-    }
 }
 
 /// One thing for each stream, or for each connector.

@@ -18,6 +18,8 @@ const QUEUE_MAX_BYTES: usize = 2 << 20;
 const ALL_MAX_BYTES: usize = 24 << 20;
 /// The share, in bytes.
 const SHARE_BYTES: usize = 48 << 10;
+/// Welcomes and opened behaviours that may wait for one client: who opens again and again reads what comes of it.
+const WHOLES_MAX: usize = 4;
 
 /// What the writing task of a client is told.
 #[derive(Debug)]
@@ -52,43 +54,67 @@ pub(crate) struct Outbox {
     waiting: Waiting,
 }
 
-/// How many bytes wait for one client, and for all together.
+/// What waits for one client, and how many bytes for all together.
 #[derive(Clone, Debug)]
-pub(crate) struct Waiting(Arc<Bytes>);
+pub(crate) struct Waiting(Arc<Counts>);
 
 /// How many bytes wait for all clients together. A clone counts the same.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct AllWaiting(Arc<AtomicUsize>);
 
 #[derive(Debug)]
-struct Bytes {
-    own: AtomicUsize,
+struct Counts {
+    bytes: AtomicUsize,
+    wholes: AtomicUsize,
+    all: AllWaiting,
+}
+
+/// Bytes that are being written: they wait no more for their client, but still take memory.
+#[derive(Debug)]
+pub(crate) struct Writing {
+    bytes: usize,
     all: AllWaiting,
 }
 
 impl Waiting {
     fn of(all: AllWaiting) -> Self {
-        Self(Arc::new(Bytes { own: AtomicUsize::new(0), all }))
+        Self(Arc::new(Counts { bytes: AtomicUsize::new(0), wholes: AtomicUsize::new(0), all }))
     }
 
-    /// A message was put into the queue; false if what waited before was too much.
-    fn put(&self, text: &Utf8Bytes) -> bool {
-        let own = self.0.own.fetch_add(text.len(), Ordering::Relaxed);
-        let all = self.0.all.0.fetch_add(text.len(), Ordering::Relaxed);
-        own <= if all > ALL_MAX_BYTES { SHARE_BYTES } else { QUEUE_MAX_BYTES }
+    /// Something is put into the queue; false if what waited before was too much.
+    fn put(&self, out: &Out) -> bool {
+        match out {
+            Out::Text(text) => {
+                let own = self.0.bytes.fetch_add(text.len(), Ordering::Relaxed);
+                let all = self.0.all.0.fetch_add(text.len(), Ordering::Relaxed);
+                own <= if all > ALL_MAX_BYTES { SHARE_BYTES } else { QUEUE_MAX_BYTES }
+            }
+            Out::Whole(..) => self.0.wholes.fetch_add(1, Ordering::Relaxed) < WHOLES_MAX,
+            Out::Follow(_) | Out::Unfollow | Out::Watch { .. } => true,
+        }
     }
 
-    /// A message was taken out of the queue.
-    pub(crate) fn taken(&self, text: &Utf8Bytes) {
-        self.0.own.fetch_sub(text.len(), Ordering::Relaxed);
-        self.0.all.0.fetch_sub(text.len(), Ordering::Relaxed);
+    /// Something was taken out of the queue; its bytes count for all until what is returned is dropped.
+    pub(crate) fn taken(&self, out: &Out) -> Writing {
+        let bytes = if let Out::Text(text) = out { text.len() } else { 0 };
+        self.0.bytes.fetch_sub(bytes, Ordering::Relaxed);
+        if let Out::Whole(..) = out {
+            self.0.wholes.fetch_sub(1, Ordering::Relaxed);
+        }
+        Writing { bytes, all: self.0.all.clone() }
     }
 }
 
-impl Drop for Bytes {
+impl Drop for Counts {
     /// What was never taken waits no more.
     fn drop(&mut self) {
-        self.all.0.fetch_sub(*self.own.get_mut(), Ordering::Relaxed);
+        self.all.0.fetch_sub(*self.bytes.get_mut(), Ordering::Relaxed);
+    }
+}
+
+impl Drop for Writing {
+    fn drop(&mut self) {
+        self.all.0.fetch_sub(self.bytes, Ordering::Relaxed);
     }
 }
 
@@ -112,9 +138,7 @@ impl Outbox {
 
     /// Never waits. A single message may be larger than what may wait: who reads gets it.
     pub(crate) fn put(&self, out: Out) {
-        if let Out::Text(text) = &out
-            && !self.waiting.put(text)
-        {
+        if !self.waiting.put(&out) {
             self.close.with(CloseReason::Resync);
         }
         if let Err(mpsc::error::TrySendError::Full(_)) = self.queue.try_send(out) {
@@ -143,9 +167,14 @@ impl Recipient for Outbox {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL_MAX_BYTES, AllWaiting, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES};
+    use super::{ALL_MAX_BYTES, AllWaiting, Out, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES, WHOLES_MAX};
+    use crate::connection::close_signal::CloseReason;
+    use crate::rooms::member::Whole;
+    use crate::rooms::shown::AllShown;
+    use behaviour::{Behaviour, Room};
     use protocol::{Refused, Reply};
     use std::sync::atomic::Ordering;
+    use std::sync::{Arc, Weak};
 
     /// How many large replies are queued for a client that reads nothing before its link is cut.
     async fn queued(all: &AllWaiting) -> (usize, Outbox) {
@@ -167,6 +196,40 @@ mod tests {
         let (count, outbox) = queued(&all).await;
         assert!((QUEUE_MAX_BYTES >> 15..=(QUEUE_MAX_BYTES >> 15) + 2).contains(&count), "{count}");
         drop(outbox);
+        assert_eq!(all.0.load(Ordering::Relaxed), 0);
+    }
+
+    /// An opened behaviour without records.
+    fn opened() -> Out {
+        let shown = AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new());
+        Out::Whole(1, Box::new(Whole { reply: Reply::Done, shown }))
+    }
+
+    #[tokio::test]
+    async fn who_opens_again_and_again_without_reading_is_cut_off() {
+        let (outbox, mut inbox, waiting) = Outbox::new(1, AllWaiting::default());
+        for _ in 0..3 * WHOLES_MAX {
+            outbox.put(opened());
+            waiting.taken(&inbox.recv().await.unwrap());
+        }
+        (0..WHOLES_MAX).for_each(|_| outbox.put(opened()));
+        tokio::select! {
+            biased;
+            why = outbox.close.wait() => panic!("who reads is not cut off: {why:?}"),
+            () = std::future::ready(()) => outbox.put(opened()),
+        }
+        assert_eq!(outbox.close.wait().await, CloseReason::Resync);
+    }
+
+    #[tokio::test]
+    async fn what_is_being_written_still_counts_for_all() {
+        let all = AllWaiting::default();
+        let (outbox, mut inbox, waiting) = Outbox::new(1, all.clone());
+        outbox.say(None, Reply::Done);
+        let before = all.0.load(Ordering::Relaxed);
+        let writing = waiting.taken(&inbox.recv().await.unwrap());
+        assert_eq!((before > 0, all.0.load(Ordering::Relaxed)), (true, before));
+        drop(writing);
         assert_eq!(all.0.load(Ordering::Relaxed), 0);
     }
 

@@ -7,6 +7,7 @@ use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::connection::outbox::{Out, Waiting};
 use crate::connection::topics::BEAT_MS;
 use crate::rooms::member::Feed;
+use crate::rooms::shown::GaveWay;
 use crate::support::message::encode;
 use crate::support::workers::Sender;
 use axum::body::Bytes;
@@ -21,7 +22,7 @@ use tokio::sync::{mpsc, watch};
 use tokio::time::MissedTickBehavior;
 use tokio_util::sync::CancellationToken;
 
-/// Messages that are written together: what is on its way out counts no longer as waiting, so it has to be little.
+/// Messages that are written together.
 const BATCH_MAX_MESSAGES: usize = 4;
 /// How long one message, or some together, may take to be written.
 const WRITE_MS: u64 = 5_000;
@@ -117,12 +118,10 @@ impl Writer {
     /// Writes what must arrive.
     async fn deliver(&mut self, batch: &mut Vec<Out>) -> Result<(), CloseReason> {
         let mut texts = Vec::with_capacity(batch.len());
+        let _writing: Vec<_> = batch.iter().map(|out| self.waiting.taken(out)).collect();
         for out in batch.drain(..) {
             match out {
-                Out::Text(text) => {
-                    self.waiting.taken(&text);
-                    texts.push(text);
-                }
+                Out::Text(text) => texts.push(text),
                 Out::Whole(ask, whole) => {
                     self.send(std::mem::take(&mut texts)).await?;
                     self.parts(whole.texts(ask)).await?;
@@ -175,7 +174,10 @@ impl Writer {
 
     /// Writes one part after the other, each made among the other work when it is its turn; the pings between them show
     /// on both sides that the link lives.
-    async fn parts(&mut self, texts: impl Iterator<Item = Utf8Bytes> + Send + 'static) -> Result<(), CloseReason> {
+    async fn parts(
+        &mut self,
+        texts: impl Iterator<Item = Result<Utf8Bytes, GaveWay>> + Send + 'static,
+    ) -> Result<(), CloseReason> {
         let mut texts = texts;
         loop {
             let make = move |_: &CancellationToken| {
@@ -184,7 +186,7 @@ impl Writer {
             };
             let made = self.connections.state.workers.run(Sender::Writer(self.session), make).await;
             let (text, rest) = made.map_err(|_| CloseReason::Resync)?;
-            let Some(text) = text else { return Ok(()) };
+            let Some(text) = text.transpose().map_err(|GaveWay| CloseReason::Resync)? else { return Ok(()) };
             self.write([Message::Text(text), Message::Ping(Bytes::new())]).await?;
             texts = rest;
         }

@@ -29,6 +29,8 @@ use tower_http::trace::TraceLayer;
 
 /// What may wait to be written to one socket, in bytes: some large messages; then its writer waits.
 const WRITE_MAX_BYTES: usize = 16 << 20;
+/// What is read of a socket at once, in bytes: almost every message is smaller, and every socket keeps that much.
+const READ_BYTES: usize = 8 << 10;
 
 /// How long a request may take to be answered; a download may take longer once it began.
 const REQUEST_MS: u64 = 60_000;
@@ -111,7 +113,7 @@ async fn socket(State(app): State<AppState>, upgrade: WebSocketUpgrade) -> Respo
         return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages are open. Close some.\n").into_response();
     };
     let upgrade = upgrade.max_message_size(MESSAGE_MAX_BYTES).max_frame_size(MESSAGE_MAX_BYTES);
-    let upgrade = upgrade.write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
+    let upgrade = upgrade.read_buffer_size(READ_BYTES).write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
     upgrade.on_upgrade(move |socket| async move {
         let tracker = app.connections.state.tasks.tracker.clone();
         let _ = tracker.spawn_on(session::run(app.connections, socket), &app.messages).await;

@@ -1,8 +1,9 @@
 //! Who is in a room and who waits for its answers, as far as a room has to know.
 
+use super::shown::{GaveWay, Shown};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Id, Room};
+use behaviour::Id;
 use protocol::{Parts, Person, Refused, Reply};
 use std::sync::Arc;
 use tokio::sync::{oneshot, watch};
@@ -32,21 +33,25 @@ pub(crate) struct Member {
 pub(crate) struct Whole {
     /// The reply without records.
     pub(crate) reply: Reply,
-    /// The room as it was, with the records.
-    pub(crate) room: Arc<Room>,
+    /// The records.
+    pub(crate) shown: Arc<Shown>,
 }
 
 impl Whole {
     /// The messages, each made when it is its turn.
-    pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Utf8Bytes> + Send {
-        let (mut first, room, mut parts) = (Some(self.reply), self.room, Parts::default());
-        let parts = (0..).zip(std::iter::from_fn(move || parts.next(room.behaviour())));
-        parts.map(move |(number, part)| match first.take() {
-            Some(reply) => encode(Some(ask), reply.with(part)),
-            None => {
-                let (records, more) = (Box::new(part.records), part.more);
-                encode(None, Reply::Records { part: number, records, more })
-            }
+    pub(crate) fn texts(self, ask: u32) -> impl Iterator<Item = Result<Utf8Bytes, GaveWay>> + Send {
+        let (mut first, shown, mut parts) = (Some(self.reply), self.shown, Parts::default());
+        let next = move || shown.room().map(|room| parts.next(room.behaviour())).transpose();
+        let parts = (0..).zip(std::iter::from_fn(next));
+        parts.map(move |(number, part)| {
+            let part = part?;
+            Ok(match first.take() {
+                Some(reply) => encode(Some(ask), reply.with(part)),
+                None => {
+                    let (records, more) = (Box::new(part.records), part.more);
+                    encode(None, Reply::Records { part: number, records, more })
+                }
+            })
         })
     }
 }

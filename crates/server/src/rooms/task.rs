@@ -8,6 +8,7 @@ mod problems;
 mod saving;
 
 use super::member::{Feed, Member};
+use super::shown::Shown;
 use super::snapshot::LibrarySnapshot;
 use super::{Look, Note, Rooms, Surroundings};
 use crate::support::message::encode;
@@ -19,7 +20,7 @@ use jobs::{Job, Saving, Waiting};
 use problems::{Finding, Found};
 use protocol::Refused;
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, Weak};
 use tokio::sync::{mpsc, oneshot, watch};
 
 /// Whether a behaviour is there.
@@ -50,6 +51,8 @@ struct RoomTask {
     snapshot: watch::Receiver<Arc<LibrarySnapshot>>,
     found: Found,
     finding: Finding,
+    /// What those who opened it last are shown.
+    shown: Weak<Shown>,
     revision: watch::Sender<u64>,
     people_text: watch::Sender<Utf8Bytes>,
     problems_text: watch::Sender<Utf8Bytes>,
@@ -93,6 +96,7 @@ impl RoomTask {
             snapshot,
             found: Found::default(),
             finding: Finding::Current,
+            shown: Weak::new(),
             revision,
             people_text: watch::Sender::new(Utf8Bytes::default()),
             problems_text: watch::Sender::new(Utf8Bytes::default()),

@@ -2,12 +2,27 @@
 
 use axum::extract::ws::Utf8Bytes;
 use protocol::{Message, Reply};
+use std::cell::RefCell;
 
-/// One message as text.
+/// What a thread keeps to write the next message into, in bytes.
+const KEPT_MAX_BYTES: usize = 256 << 10;
+
+thread_local! {
+    static DRAFT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
+}
+
+/// One message as text, which takes no more memory than it is long: many may wait at once.
 pub(crate) fn encode(ask: Option<u32>, reply: Reply) -> Utf8Bytes {
-    let text = serde_json::to_string(&Message { ask, reply });
-    text.unwrap_or_else(|error| {
-        format!("{{\"reply\":{{\"is\":\"no\",\"no\":{{\"why\":\"unreadable\",\"what\":\"{error}\"}}}}}}")
+    DRAFT.with_borrow_mut(|draft| {
+        draft.clear();
+        let written = serde_json::to_writer(&mut *draft, &Message { ask, reply }).map_err(|error| error.to_string());
+        let read = written.and_then(|()| std::str::from_utf8(draft).map_err(|error| error.to_string()));
+        let text = read.map_or_else(failed, Utf8Bytes::from);
+        draft.shrink_to(KEPT_MAX_BYTES);
+        text
     })
-    .into()
+}
+
+fn failed(error: String) -> Utf8Bytes {
+    format!("{{\"reply\":{{\"is\":\"no\",\"no\":{{\"why\":\"unreadable\",\"what\":\"{error}\"}}}}}}").into()
 }

@@ -33,7 +33,10 @@ impl Session {
             Request::Restore { behaviour } => self.restore(ask, behaviour),
             Request::Propose { behaviour, change } => self.propose(ask, &behaviour, change),
             Request::Since { behaviour, revision } => {
-                let answer = self.answer(ask);
+                let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
+                    return self.outbox.no(ask, Refused::TooFast);
+                };
+                let answer = Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
                 self.state().rooms.tell(&behaviour, Note::Since(revision, answer));
             }
             Request::Check { arguments, body, inputs } => {
@@ -122,6 +125,7 @@ impl Session {
     fn look_up(&self, ask: u32, request: Request) {
         let state = Arc::clone(self.state());
         self.later(ask, async move {
+            let _turn = state.lookups.turn().await;
             match request {
                 Request::List { query } => list::list(&*state.store, query).await,
                 Request::Pictures { of } => thumbnails::pictures(&*state.store, &state.thumbnails, of).await,

@@ -3,6 +3,7 @@
 use super::change_log::page;
 use super::{RoomTask, Stay};
 use crate::rooms::member::{Answer, Member, Whole};
+use crate::rooms::shown::Shown;
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
@@ -32,7 +33,7 @@ impl RoomTask {
         }
     }
 
-    fn welcome(&self, you: &Person, secret: Id) -> Whole {
+    fn welcome(&mut self, you: &Person, secret: Id) -> Whole {
         let reply = Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.around.epoch,
@@ -43,10 +44,17 @@ impl RoomTask {
             library_revision: self.room.revision(),
             templates: self.around.templates.clone(),
         };
-        Whole { reply, room: Arc::clone(&self.room) }
+        Whole { reply, shown: self.shown() }
     }
 
-    fn opened(&self) -> Whole {
+    /// The room as it is now, for who opens it.
+    fn shown(&mut self) -> Arc<Shown> {
+        let shown = self.around.shown.show(&self.room, &self.shown);
+        self.shown = Arc::downgrade(&shown);
+        shown
+    }
+
+    fn opened(&mut self) -> Whole {
         let reply = Reply::Opened {
             behaviour: self.id.clone(),
             revision: self.room.revision(),
@@ -56,7 +64,7 @@ impl RoomTask {
             fingerprint: self.found.fingerprint,
             people: self.people(),
         };
-        Whole { reply, room: Arc::clone(&self.room) }
+        Whole { reply, shown: self.shown() }
     }
 
     pub(super) fn leave(&mut self, session: u64) {
@@ -84,7 +92,7 @@ impl RoomTask {
     }
 
     /// The first of the changes that somebody missed: from memory, else from the store.
-    pub(super) fn since(&self, revision: u64, answer: Answer) {
+    pub(super) fn since(&mut self, revision: u64, answer: Answer) {
         let here = self.room.revision();
         let wanted = here.saturating_sub(revision);
         if wanted > MISSED_MAX_CHANGES && !self.is_library() {
@@ -95,7 +103,9 @@ impl RoomTask {
         if let Some(changes) = at_hand {
             return answer.give(missed(id, changes, here));
         }
+        let around = Arc::clone(&self.around);
         self.around.tasks.spawn(async move {
+            let _turn = around.lookups.turn().await;
             let most = u32::try_from(wanted.min(FETCHED_MAX_CHANGES)).unwrap_or(u32::MAX);
             match bounded(store.history(&id, revision, most)).await {
                 Ok(changes) => answer.give(missed(id, page(changes), here)),

@@ -1,0 +1,25 @@
+//! Turns for what is looked up in the store for who asks: few at once, so that what was found and is not told yet stays
+//! little, however many ask.
+
+use std::sync::Arc;
+use tokio::sync::{OwnedSemaphorePermit, Semaphore};
+
+/// Lookups at once.
+const AT_ONCE_MAX: usize = 16;
+
+/// The turns. A clone is the same turns.
+#[derive(Clone, Debug)]
+pub(crate) struct Lookups(Arc<Semaphore>);
+
+impl Default for Lookups {
+    fn default() -> Self {
+        Self(Arc::new(Semaphore::new(AT_ONCE_MAX)))
+    }
+}
+
+impl Lookups {
+    /// Waits for a turn, first come first served; it ends with what is returned.
+    pub(crate) async fn turn(&self) -> Option<OwnedSemaphorePermit> {
+        Arc::clone(&self.0).acquire_owned().await.ok()
+    }
+}
