@@ -15,6 +15,9 @@ use crate::tools::{self, Outcome, Workspace};
 /// What is optimised: the server, which is attacked, and the hostile corpus, as stacks, overflows and comparisons differ
 /// between debug and release. Selected together, so that what both use is compiled once.
 const OPTIMISED: [&str; 7] = ["--release", "--package", "rrp", "--package", "engine", "--test", "hostile"];
+/// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
+const MODULE: [&str; 8] =
+    ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
 
@@ -29,8 +32,8 @@ const STEPS: [Step; 10] = [
     ("what we take from others", check_supply),
     ("the server and the tests", |run| run.cargo(&["test", "--workspace", "--no-run"])),
     ("the page and the optimised server", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
-    ("hostile procedures, optimised", |run| run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())),
-    ("cargo test", |run| run.tests(&[])),
+    ("hostile procedures, optimised", attack_procedures),
+    ("cargo test", test_all),
     ("cargo doc", document),
 ];
 
@@ -40,13 +43,15 @@ struct Run<'a> {
     chromium: Option<PathBuf>,
     neo4j: Option<PathBuf>,
     beside: Option<Beside>,
+    /// What a test would build by itself otherwise, while others wait.
+    module: Option<Beside>,
     skipped: Vec<String>,
 }
 
 /// Runs every check and stops at the first that fails.
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
-    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, skipped: Vec::new() };
+    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, module: None, skipped: Vec::new() };
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
@@ -61,7 +66,7 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, skipped: Vec::new() };
+    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, module: None, skipped: Vec::new() };
     find_tools(&mut run)?;
     find_neo4j(&mut run)?;
     run.tests(&[filter])?;
@@ -113,6 +118,21 @@ fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
     let optimised = run.workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
     run.beside = Some(Beside::begin(vec![page::builder()?, optimised], run.workspace.target.join("beside.txt"))?);
     Ok(())
+}
+
+/// Nothing else is compiled from here on, and many tests wait more than they work: what one of them would build alone
+/// is built meanwhile.
+fn attack_procedures(run: &mut Run) -> Outcome<()> {
+    let folder = run.workspace.target.join("tmp/wasm");
+    let module =
+        run.workspace.cargo_at_leisure(&[MODULE.as_slice(), &["--target-dir", &folder.display().to_string()]].concat());
+    run.module = Some(Beside::begin(vec![module], run.workspace.target.join("module.txt"))?);
+    run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())
+}
+
+fn test_all(run: &mut Run) -> Outcome<()> {
+    run.tests(&[])?;
+    run.module.take().map_or(Ok(()), Beside::wait)
 }
 
 /// Looks for the browser, and makes the page's folder, which the server's code names at compile time.
