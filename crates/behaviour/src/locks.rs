@@ -225,7 +225,9 @@ impl Locks {
     /// A change was let in and goes to the store. Until [`Self::saved`], nobody else gets what it touches.
     pub fn begin_saving(&mut self, now_ms: u64, change: &Change, presented: &Presented) {
         if let Some(session) = presented.session {
-            presented.tokens.iter().for_each(|token| drop(self.touch(now_ms, session, *token)));
+            for token in &presented.tokens {
+                self.touch(now_ms, session, *token);
+            }
         }
         let records = lockable(change).cloned().collect();
         let saving = Saving { session: presented.session, by: change.author.clone(), records };
@@ -326,7 +328,7 @@ impl Locks {
     /// Frees what a lock covers; with who wanted it.
     fn end(&mut self, counter: u64, why: Why) -> VecDeque<Ask> {
         let Some(lock) = self.held.remove(&counter) else { return VecDeque::new() };
-        lock.records.iter().for_each(|record| drop(self.by_record.remove(record)));
+        self.by_record.retain(|_, held| *held != counter);
         let grant = Grant { token: Token { epoch: self.epoch, counter }, records: lock.records };
         self.tell(LockEvent::Freed { holder: lock.holder, grant, why });
         lock.asks
