@@ -13,6 +13,7 @@ mod graph;
 mod history;
 mod ids;
 pub mod library;
+mod locks;
 pub mod marbles;
 mod names;
 mod numbered;
@@ -34,6 +35,10 @@ pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileS
 pub use graph::Graph;
 pub use history::History;
 pub use ids::{Id, Kind, LIBRARY, RecordId};
+pub use locks::{
+    Asked, Denied, Grant, Held, Holder, LOCKED_MAX, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks,
+    Presented, Token, Why,
+};
 pub use names::{
     argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
 };

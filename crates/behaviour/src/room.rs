@@ -4,7 +4,9 @@
 //! and changes nothing; once the store has the change, [`Room::commit`] makes it the room's truth.
 
 use crate::size::Size;
-use crate::{Behaviour, Change, EDITS_MAX, Id, Knowledge, Record, RecordId, Refusal, rules, without_unseen};
+use crate::{
+    Behaviour, Change, EDITS_MAX, Id, Knowledge, Locks, Presented, Record, RecordId, Refusal, rules, without_unseen,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, VecDeque};
 
@@ -18,8 +20,16 @@ pub struct Room {
     revision: u64,
     /// Of the behaviour, so that a change costs what it touches.
     size: Size,
-    answered: BTreeMap<Id, u64>,
+    answered: BTreeMap<Id, Answer>,
     answered_order: VecDeque<Id>,
+}
+
+/// What a change was answered for good.
+#[derive(Clone, Debug)]
+enum Answer {
+    /// It is this revision.
+    Made(u64),
+    Refused(Refusal),
 }
 
 /// What becomes of a proposed change.
@@ -89,11 +99,11 @@ impl Room {
     }
 
     /// Decides about a change that arrived at `now_ms` (since 1970). Checks in order: sent twice, whole, every
-    /// touched record as its sender saw it, the rules.
+    /// touched record as its sender saw it, the rules. Locks are asked by [`Self::propose_by`].
     #[must_use]
     pub fn propose(&self, now_ms: u64, change: Change, knowledge: &dyn Knowledge) -> Decision {
-        if let Some(revision) = self.answered.get(&change.op) {
-            return Decision::Duplicate(*revision);
+        if let Some(decision) = self.answered_before(&change.op) {
+            return decision;
         }
         match self.judge(&change, knowledge) {
             Ok(()) => {
@@ -103,6 +113,52 @@ impl Room {
             }
             Err(refusal) => Decision::Refuse(refusal),
         }
+    }
+
+    /// Decides about a change that somebody sent. Checks in order: sent twice, nothing touched that others are editing,
+    /// then all that [`Self::propose`] does. If it is to be saved, the caller says so to the locks in the same step
+    /// ([`Locks::begin_saving`]), before anybody else can take one.
+    #[must_use]
+    pub fn propose_by(
+        &self,
+        now_ms: u64,
+        change: Change,
+        presented: &Presented,
+        locks: &Locks,
+        knowledge: &dyn Knowledge,
+    ) -> Decision {
+        match self.check_locks(&change, presented, locks) {
+            Ok(()) => self.propose(now_ms, change, knowledge),
+            Err(refusal) => Decision::Refuse(refusal),
+        }
+    }
+
+    /// Whether the locks let a change in; one that was answered before passes, to be answered so again. Cheap, so that it
+    /// can be asked where locks are given, and the rest decided elsewhere.
+    ///
+    /// # Errors
+    /// What is locked, and by whom.
+    pub fn check_locks(&self, change: &Change, presented: &Presented, locks: &Locks) -> Result<(), Refusal> {
+        if self.answered.contains_key(&change.op) {
+            return Ok(());
+        }
+        locks.check(change, presented).map_err(|(record, holder)| {
+            let seen = change.edits.iter().find(|edit| edit.id == *record).and_then(|edit| edit.before.as_ref());
+            Refusal::Locked { what: self.call(record, seen), by: holder.name.clone() }
+        })
+    }
+
+    /// What a person calls a record: “Distance”, this filter, the name or settings.
+    #[must_use]
+    pub fn name_of(&self, id: &RecordId) -> String {
+        self.call(id, None)
+    }
+
+    fn answered_before(&self, op: &Id) -> Option<Decision> {
+        self.answered.get(op).map(|answer| match answer {
+            Answer::Made(revision) => Decision::Duplicate(*revision),
+            Answer::Refused(refusal) => Decision::Refuse(refusal.clone()),
+        })
     }
 
     fn judge(&self, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
@@ -141,12 +197,21 @@ impl Room {
         self.behaviour.apply(&saved.change);
         self.size = self.size.after(&saved.change);
         self.revision = saved.revision;
-        self.remember(saved.change.op.clone(), saved.revision);
+        self.remember(saved.change.op.clone(), Answer::Made(saved.revision));
     }
 
-    fn remember(&mut self, op: Id, revision: u64) {
-        self.answered.insert(op.clone(), revision);
-        self.answered_order.push_back(op);
+    /// A change that was refused stays refused: a copy of it that arrives late is answered alike, as its sender already
+    /// goes by the first answer. Not for a refusal after which the same change is sent again.
+    pub fn refused(&mut self, op: &Id, refusal: &Refusal) {
+        if !self.answered.contains_key(op) {
+            self.remember(op.clone(), Answer::Refused(refusal.clone()));
+        }
+    }
+
+    fn remember(&mut self, op: Id, answer: Answer) {
+        if self.answered.insert(op.clone(), answer).is_none() {
+            self.answered_order.push_back(op);
+        }
         if self.answered_order.len() > ANSWERED_MAX
             && let Some(oldest) = self.answered_order.pop_front()
         {
@@ -168,4 +233,105 @@ fn check_whole(change: &Change) -> Result<(), Refusal> {
     }
     let too_long = [&change.label, &change.author].into_iter().any(|text| text.chars().count() > rules::NAME_MAX_CHARS);
     if too_long { Err(Refusal::TooLong("The label".into(), rules::NAME_MAX_CHARS)) } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Decision, Room};
+    use crate::{
+        Behaviour, Change, Connector, Holder, Id, Kind, Knowledge, Locks, Params, Presented, Procedure, Record,
+        RecordId, Refusal, Stream, StreamKind, connectors,
+    };
+    use std::collections::BTreeSet;
+
+    struct Anything;
+    impl Knowledge for Anything {
+        fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
+            Ok(())
+        }
+        fn body(&self, _: &[String], _: &str) -> Result<(), String> {
+            Ok(())
+        }
+    }
+
+    fn id(text: &str) -> Id {
+        Id::new(text).unwrap()
+    }
+
+    fn key(kind: Kind, name: &str) -> RecordId {
+        RecordId::new(kind, &id(name))
+    }
+
+    fn stream(name: &str) -> Record {
+        let (kind, name, params) = (StreamKind::Ordinary, name.to_owned(), Params::new());
+        let (device, resources, priority, hold_ms) = (None, None, None, None);
+        Record::Stream(Stream { kind, name, device, params, order: 0, resources, priority, hold_ms })
+    }
+
+    /// Distance and Close with a map between them.
+    fn room() -> Room {
+        let operation = connectors::map::SPEC.with(Procedure::body("1"));
+        let map = Connector { operation, inputs: vec![id("d")], output: id("c"), order: 0 };
+        let mut start = Behaviour::default();
+        start.records.insert(key(Kind::Stream, "d"), stream("Distance"));
+        start.records.insert(key(Kind::Stream, "c"), stream("Close"));
+        start.records.insert(key(Kind::Connector, "m"), Record::Connector(map));
+        Room::open(start, 0)
+    }
+
+    fn yukis(records: &[RecordId]) -> (Locks, Presented) {
+        let mut locks = Locks::new(1);
+        let yuki = Holder { session: 3, client: id("y"), name: "Yuki".into() };
+        let grant = locks.take(0, yuki, records.iter().cloned().collect::<BTreeSet<_>>()).unwrap();
+        (locks, Presented { session: Some(3), tokens: vec![grant.token] })
+    }
+
+    fn refused(room: &Room, change: &Change, presented: &Presented, locks: &Locks) -> Option<String> {
+        match room.propose_by(0, change.clone(), presented, locks, &Anything) {
+            Decision::Refuse(refusal) => Some(refusal.to_string()),
+            Decision::Save(_) | Decision::Duplicate(_) => None,
+        }
+    }
+
+    #[test]
+    fn what_somebody_is_editing_is_refused_with_their_name() {
+        let room = room();
+        let (locks, hers) = yukis(&[key(Kind::Stream, "d"), key(Kind::Connector, "m")]);
+        let (others, start) = (Presented::default(), Change::of(id("op"), "Ben", "Edit"));
+        let rename = start.clone().put(room.behaviour(), key(Kind::Stream, "d"), stream("Far"));
+        let words = "Yuki is editing “Distance”. Ask, or wait until it is free.";
+        assert_eq!(refused(&room, &rename, &others, &locks).as_deref(), Some(words));
+        assert_eq!(refused(&room, &rename, &hers, &locks), None);
+        let remove = start.take(room.behaviour(), key(Kind::Connector, "m"));
+        let words = "Yuki is editing this map. Ask, or wait until it is free.";
+        assert_eq!(refused(&room, &remove, &others, &locks).as_deref(), Some(words));
+    }
+
+    #[test]
+    fn a_stream_goes_only_with_its_connectors_so_a_locked_one_keeps_it() {
+        let room = room();
+        let (locks, _) = yukis(&[key(Kind::Connector, "m")]);
+        let start = Change::of(id("op"), "Ben", "Remove");
+        let alone = start.take(room.behaviour(), key(Kind::Stream, "d"));
+        assert!(refused(&room, &alone, &Presented::default(), &locks).is_some_and(|words| words.contains("an end")));
+        let both = alone.take(room.behaviour(), key(Kind::Connector, "m"));
+        assert!(refused(&room, &both, &Presented::default(), &locks).is_some_and(|words| words.starts_with("Yuki")));
+    }
+
+    #[test]
+    fn a_change_is_answered_alike_whoever_locked_what_it_touched_since() {
+        let mut room = room();
+        let made = Change::of(id("one"), "Ben", "Rename").put(room.behaviour(), key(Kind::Stream, "d"), stream("Far"));
+        let (locks, nobody) = (Locks::new(1), Presented::default());
+        let Decision::Save(made) = room.propose_by(0, made, &nobody, &locks, &Anything) else { panic!("it is free") };
+        let lost = Change::of(id("two"), "Ben", "Rename").put(room.behaviour(), key(Kind::Stream, "c"), stream("Near"));
+        room.commit(&made);
+        let (locks, _) = yukis(&[key(Kind::Stream, "d"), key(Kind::Stream, "c")]);
+        let again = room.propose_by(0, made.change, &nobody, &locks, &Anything);
+        assert_eq!(again, Decision::Duplicate(1));
+        let Decision::Refuse(no) = room.propose_by(0, lost.clone(), &nobody, &locks, &Anything) else { panic!() };
+        room.refused(&lost.op, &no);
+        let late = room.propose_by(0, lost, &nobody, &Locks::new(2), &Anything);
+        assert!(matches!(&late, Decision::Refuse(Refusal::Locked { by, .. }) if by == "Yuki"), "{late:?}");
+    }
 }

@@ -45,6 +45,13 @@ pub trait Knowledge {
 pub enum Refusal {
     /// Somebody changed these names of things meanwhile.
     Stale(String),
+    /// Somebody is editing one of these records.
+    Locked {
+        /// What a person calls it.
+        what: String,
+        /// The name of who is editing it.
+        by: String,
+    },
     /// The behaviour is gone.
     Gone,
     /// The change has no edits, or too many.

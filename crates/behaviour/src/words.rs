@@ -7,6 +7,7 @@ impl fmt::Display for Refusal {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::Stale(what) => write!(to, "Somebody changed {what} just now. Look at it and try again."),
+            Self::Locked { what, by } => write!(to, "{by} is editing {what}. Ask, or wait until it is free."),
             Self::Gone => to.write_str("This behaviour was removed. Open another one."),
             Self::Edits(0) => to.write_str("There was nothing to change."),
             Self::Edits(many) => write!(to, "{many} edits at once are too many. Do it in smaller steps."),

@@ -1,0 +1,199 @@
+//! Asking for what somebody else is editing: one is put before the holder at a time, silence means yes.
+
+use super::{Grant, Holder, LockEvent, Locks, Token, Why};
+use crate::RecordId;
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeSet, VecDeque};
+
+/// How long a holder may be silent until that means yes.
+pub(super) const SILENCE_MS: u64 = 10_000;
+/// For how long typing counts as *not yet*.
+pub(super) const TYPING_MS: u64 = 60_000;
+/// For how long who was refused may not ask again.
+const AGAIN_MS: u64 = 30_000;
+/// Typing is told to who asks in steps of at least this.
+const POSTPONED_STEP_MS: u64 = 1_000;
+/// Who may wait for one lock.
+const ASKS_MAX: usize = 4;
+/// Refusals that are remembered in one behaviour; the one that ends first gives way.
+const REFUSED_MAX: usize = 1_024;
+
+/// What becomes of asking for a record.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Asked {
+    /// Its holder is asked; silence until then means yes.
+    Waiting {
+        /// Until when.
+        by_ms: u64,
+    },
+    /// So many asked before.
+    Queued {
+        /// How many.
+        before: usize,
+    },
+    /// Nobody is editing it: it can be taken.
+    Free,
+    /// It is locked by who asks.
+    Yours,
+    /// The holder said *not yet* a moment ago.
+    TooSoon {
+        /// When to ask again.
+        again_ms: u64,
+    },
+    /// As many are waiting for it as may.
+    Full,
+}
+
+/// Somebody wants a record.
+#[derive(Clone, Debug)]
+pub(super) struct Ask {
+    asker: Holder,
+    record: RecordId,
+    /// When it was put before the holder.
+    since_ms: u64,
+    /// When silence means yes.
+    pub(super) by_ms: u64,
+    /// The holder said yes.
+    agreed: bool,
+}
+
+impl Locks {
+    /// Asks the holder of a record for it. Asking twice is asking once.
+    pub fn ask(&mut self, now_ms: u64, asker: Holder, record: RecordId) -> Asked {
+        self.advance(now_ms);
+        let Some(counter) = self.by_record.get(&record).copied() else { return Asked::Free };
+        if let Some(again_ms) = self.refused.get(&(asker.client.clone(), record.clone())) {
+            return Asked::TooSoon { again_ms: *again_ms };
+        }
+        let lock = &self.held[&counter];
+        if lock.holder.session == asker.session {
+            return Asked::Yours;
+        }
+        let is_same = |ask: &Ask| ask.asker.session == asker.session && ask.record == record;
+        if let Some(before) = lock.asks.iter().position(is_same) {
+            return self.waits(counter, before);
+        }
+        if lock.asks.len() >= ASKS_MAX {
+            return Asked::Full;
+        }
+        let before = lock.asks.len();
+        self.queue(counter, Ask { asker, record, since_ms: 0, by_ms: 0, agreed: false });
+        self.waits(counter, before)
+    }
+
+    /// The holder says yes to who asked first: it goes to them once what was edited under it is saved. Says whether
+    /// anybody asked.
+    pub fn say_yes(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
+        self.advance(now_ms);
+        let now = self.now_ms;
+        let Some(ask) = self.of(session, token).and_then(|lock| lock.asks.front_mut()) else { return false };
+        (ask.agreed, ask.by_ms) = (true, now);
+        self.advance(now_ms);
+        true
+    }
+
+    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. Says
+    /// whether anybody asked.
+    pub fn say_not_yet(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
+        self.advance(now_ms);
+        let again_ms = self.now_ms + AGAIN_MS;
+        let Some(lock) = self.of(session, token) else { return false };
+        let (by, asked) = (lock.holder.name.clone(), lock.asks.pop_front());
+        let Some(Ask { asker, record, .. }) = asked else { return false };
+        self.remember_refused(&asker, &record, again_ms);
+        self.tell(LockEvent::NotYet { to: asker, record, by, again_ms });
+        self.put_before_holder(token.counter);
+        true
+    }
+
+    fn waits(&self, counter: u64, before: usize) -> Asked {
+        match self.held[&counter].asks.front() {
+            Some(ask) if before == 0 => Asked::Waiting { by_ms: ask.by_ms },
+            Some(_) | None => Asked::Queued { before },
+        }
+    }
+
+    fn queue(&mut self, counter: u64, ask: Ask) {
+        let Some(lock) = self.held.get_mut(&counter) else { return };
+        lock.asks.push_back(ask);
+        if lock.asks.len() == 1 {
+            self.put_before_holder(counter);
+        }
+    }
+
+    /// Puts who asked first before the holder.
+    fn put_before_holder(&mut self, counter: u64) {
+        let now_ms = self.now_ms;
+        let Some(lock) = self.held.get_mut(&counter) else { return };
+        let Some(ask) = lock.asks.front_mut() else { return };
+        (ask.since_ms, ask.by_ms) = (now_ms, now_ms + SILENCE_MS);
+        let (asker, record, by_ms) = (ask.asker.clone(), ask.record.clone(), ask.by_ms);
+        let (holder, token) = (lock.holder.clone(), Token { epoch: self.epoch, counter });
+        self.tell(LockEvent::Asked { holder, token, asker, record, by_ms });
+    }
+
+    /// The holder is typing: who asked first waits longer, within a limit.
+    pub(super) fn postpone(&mut self, counter: u64) {
+        let now_ms = self.now_ms;
+        let front = self.held.get_mut(&counter).and_then(|lock| lock.asks.front_mut());
+        let Some(ask) = front.filter(|ask| !ask.agreed) else { return };
+        let by_ms = (now_ms + SILENCE_MS).min(ask.since_ms + TYPING_MS);
+        if by_ms < ask.by_ms + POSTPONED_STEP_MS {
+            return;
+        }
+        ask.by_ms = by_ms;
+        let (to, record) = (ask.asker.clone(), ask.record.clone());
+        self.tell(LockEvent::Postponed { to, record, by_ms });
+    }
+
+    /// It goes to who asked first.
+    pub(super) fn hand_over(&mut self, counter: u64) {
+        let front = self.held.get(&counter).and_then(|lock| lock.asks.front());
+        let Some(to) = front.map(|ask| ask.asker.name.clone()) else { return };
+        let asks = self.end(counter, Why::HandedOver { to });
+        self.settle(asks);
+    }
+
+    /// Who asked gets what is free now, in the order in which they asked; others go on waiting for who has it.
+    pub(super) fn settle(&mut self, asks: VecDeque<Ask>) {
+        for ask in asks {
+            match self.by_record.get(&ask.record).copied() {
+                Some(counter) if self.held[&counter].holder.session == ask.asker.session => {}
+                Some(counter) => self.queue(counter, Ask { agreed: false, ..ask }),
+                None => self.give_to(ask),
+            }
+        }
+    }
+
+    fn give_to(&mut self, ask: Ask) {
+        let (to, records) = (ask.asker, BTreeSet::from([ask.record]));
+        let event = match self.check_room(to.session, 1) {
+            Ok(()) => {
+                let grant: Grant = self.give(to.clone(), records);
+                LockEvent::Granted { to, grant }
+            }
+            Err(denied) => LockEvent::Denied { to, denied },
+        };
+        self.tell(event);
+    }
+
+    /// Nobody by this link asks any more.
+    pub(super) fn forget_asks(&mut self, session: u64) {
+        let mut next = Vec::new();
+        for (counter, lock) in &mut self.held {
+            let was_first = lock.asks.front().is_some_and(|ask| ask.asker.session == session);
+            lock.asks.retain(|ask| ask.asker.session != session);
+            next.extend(was_first.then_some(*counter));
+        }
+        next.into_iter().for_each(|counter| self.put_before_holder(counter));
+    }
+
+    fn remember_refused(&mut self, asker: &Holder, record: &RecordId, again_ms: u64) {
+        if self.refused.len() >= REFUSED_MAX {
+            let soonest = self.refused.iter().min_by_key(|(_, until)| **until).map(|(key, _)| key.clone());
+            soonest.map(|key| self.refused.remove(&key));
+        }
+        self.refused.insert((asker.client.clone(), record.clone()), again_ms);
+    }
+}

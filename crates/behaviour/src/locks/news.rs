@@ -1,0 +1,124 @@
+//! What happens to locks, as data for who has to be told.
+
+use super::{Denied, Grant, Holder, Locks, Token};
+use crate::RecordId;
+use serde::{Deserialize, Serialize};
+
+/// Events that wait to be fetched; the oldest go first, as who holds what can always be looked up.
+const NEWS_MAX: usize = 4_096;
+
+/// Why a lock ended.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Why {
+    /// Its holder gave it back.
+    Released,
+    /// Its holder did nothing for long.
+    Idle,
+    /// Its holder's link ended and was not made anew in time.
+    Left,
+    /// It went to who asked for it.
+    HandedOver {
+        /// Their name.
+        to: String,
+    },
+    /// Somebody who may took it.
+    TakenOver {
+        /// Their name.
+        by: String,
+    },
+}
+
+/// Something happened that the answer to a call does not say. Times are those of the clock that was handed in.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum LockEvent {
+    /// Who asked has it now. For them.
+    Granted {
+        /// Who asked.
+        to: Holder,
+        /// The lock.
+        grant: Grant,
+    },
+    /// It is free for who asked, but they hold too much. For them.
+    Denied {
+        /// Who asked.
+        to: Holder,
+        /// Why not.
+        denied: Denied,
+    },
+    /// A lock ended. For who held it.
+    Freed {
+        /// Who held it.
+        holder: Holder,
+        /// The lock, whose token is void now.
+        grant: Grant,
+        /// Why.
+        why: Why,
+    },
+    /// Somebody asks for it: silence until `by_ms` means yes. For its holder.
+    Asked {
+        /// Its holder.
+        holder: Holder,
+        /// The lock.
+        token: Token,
+        /// Who asks.
+        asker: Holder,
+        /// For what.
+        record: RecordId,
+        /// Until when they may say no.
+        by_ms: u64,
+    },
+    /// Its holder is typing, so it takes longer. For who asked.
+    Postponed {
+        /// Who asked.
+        to: Holder,
+        /// For what.
+        record: RecordId,
+        /// Until when, unless they type on.
+        by_ms: u64,
+    },
+    /// Its holder says not yet. For who asked.
+    NotYet {
+        /// Who asked.
+        to: Holder,
+        /// For what.
+        record: RecordId,
+        /// Who says so.
+        by: String,
+        /// When they may ask again.
+        again_ms: u64,
+    },
+    /// The link of its holder ended, and it is kept for them.
+    KeptFor {
+        /// Its holder.
+        holder: Holder,
+        /// The lock.
+        token: Token,
+        /// Until when.
+        until_ms: u64,
+    },
+    /// Its holder did nothing for long. For them.
+    Warned {
+        /// Its holder.
+        holder: Holder,
+        /// The lock.
+        token: Token,
+        /// When it will be free, unless they do something.
+        free_ms: u64,
+    },
+}
+
+impl Locks {
+    /// What happened since this was last called, in order. To be called after every other call.
+    pub fn news(&mut self) -> Vec<LockEvent> {
+        self.news.drain(..).collect()
+    }
+
+    pub(super) fn tell(&mut self, event: LockEvent) {
+        if self.news.len() >= NEWS_MAX {
+            self.news.pop_front();
+        }
+        self.news.push_back(event);
+    }
+}
