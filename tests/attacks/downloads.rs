@@ -51,7 +51,7 @@ pub(crate) async fn fill(target: &Target) -> Outcome<()> {
     for _ in 0..25 {
         let notes = (0..10).map(|_| (note_id(&fresh("n")), Some(note(&"n".repeat(4_000))))).collect();
         let change = client.change("Fill", &nothing(), notes);
-        if client.ask(Request::Propose { behaviour: large.clone(), change }).await.is_err() {
+        if client.ask(Request::Propose { behaviour: large.clone(), change, tokens: Vec::new() }).await.is_err() {
             break;
         }
     }

@@ -48,7 +48,7 @@ async fn proposer(target: Target) -> Outcome<()> {
     client.load(&behaviour).await?;
     let proposals = (0..UNANSWERED).map(|_| {
         let change = client.change("Propose", &nothing(), (0..BODIES).flat_map(|_| slow_map()).collect());
-        client.ask(Request::Propose { behaviour: behaviour.clone(), change })
+        client.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() })
     });
     join_all(proposals).await;
     Ok(())
@@ -154,9 +154,9 @@ async fn grower(target: Target) -> Outcome<()> {
     loop {
         let notes = (0..20).map(|_| (note_id(&fresh("n")), Some(note(&"n".repeat(4_000))))).collect();
         let change = client.change("Grow", &nothing(), notes);
-        let notes = client.ask(Request::Propose { behaviour: behaviour.clone(), change }).await;
+        let notes = client.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await;
         let change = client.change("Grow", &nothing(), (0..4).map(|_| helper()).collect());
-        let helpers = client.ask(Request::Propose { behaviour: library.clone(), change }).await;
+        let helpers = client.ask(Request::Propose { behaviour: library.clone(), change, tokens: Vec::new() }).await;
         if notes.is_err() && helpers.is_err() {
             tokio::time::sleep(PAUSE).await;
         }

@@ -81,7 +81,7 @@ impl Visitor {
 
     /// Proposes a change that must be refused; answers with the sentence.
     pub(crate) async fn refused(&mut self, behaviour: &Id, change: Change) -> Outcome<String> {
-        match self.ask(Request::Propose { behaviour: behaviour.clone(), change }).await? {
+        match self.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await? {
             Reply::No { no } => Ok(no.to_string()),
             other => Err(Trouble(format!("A bad edit was answered with {other:?}."))),
         }

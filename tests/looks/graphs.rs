@@ -57,7 +57,7 @@ pub(crate) async fn make(server: &Server, names: Names, count: usize) -> Outcome
     for (record_id, record) in records(names, count)? {
         change = change.put(&none, record_id, record);
     }
-    line.ask(Request::Propose { behaviour: behaviour.clone(), change }).await?;
+    line.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
     Ok(behaviour)
 }
 

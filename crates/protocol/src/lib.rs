@@ -19,11 +19,11 @@ pub use library::{
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use recording::{Recorded, Recording};
-pub use reply::{Message, Person, Refused, Reply};
+pub use reply::{LockShown, Message, Person, Refused, Reply};
 pub use request::{Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 5;
+pub const VERSION: u32 = 6;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

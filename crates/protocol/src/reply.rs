@@ -3,9 +3,10 @@
 use crate::{
     Contested, Cursor, Driver, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used, Values,
 };
-use behaviour::{Accepted, Behaviour, Id, Problem, Refusal, Value};
+use behaviour::{Accepted, Asked, Behaviour, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// A reply, with the number of the ask it answers if it answers one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -164,6 +165,34 @@ pub enum Reply {
         /// Everyone.
         people: Vec<Person>,
     },
+    /// A lock was given.
+    Locked {
+        /// Its token goes with every change made under it.
+        grant: Grant,
+    },
+    /// What becomes of asking for what somebody else is editing.
+    Asked {
+        /// When this was said, on the clock of [`Asked`].
+        now_ms: u64,
+        /// What becomes of it.
+        asked: Asked,
+    },
+    /// Who is editing what in a behaviour; told when that changes, newest wins.
+    Locks {
+        /// In which behaviour.
+        behaviour: Id,
+        /// All locks, oldest first.
+        locks: Vec<LockShown>,
+    },
+    /// Something happened to a lock that this client holds or wants.
+    LockNews {
+        /// In which behaviour.
+        behaviour: Id,
+        /// When this was said, on the clock of the event.
+        now_ms: u64,
+        /// What happened.
+        event: Box<LockEvent>,
+    },
     /// Whether behaviours can be saved; told at first and when that changes.
     Store {
         /// Why they cannot be saved now, if so. Everything can go on; a change refused with [`Refused::Store`] may be sent
@@ -231,6 +260,10 @@ pub enum Refused {
     NoTemplate(String),
     /// The change breaks a rule.
     Change(Refusal),
+    /// Positions are not locked, and neither are helpers.
+    NoLock,
+    /// This client is editing as much as it may, or the behaviour is.
+    TooManyLocks,
     /// These problems stop Start.
     Problems(Vec<Problem>),
     /// The behaviour cannot start; with the reason.
@@ -273,6 +306,8 @@ impl std::fmt::Display for Refused {
             Self::NoBehaviour => to.write_str("There is no such behaviour any more. Choose another one."),
             Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
             Self::Change(refusal) => write!(to, "{refusal}"),
+            Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
+            Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
             Self::Problems(problems) => {
                 let first = problems.first().map(ToString::to_string).unwrap_or_default();
                 write!(to, "It cannot start yet. {first}")
@@ -296,6 +331,21 @@ impl std::fmt::Display for Refused {
             Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
         }
     }
+}
+
+/// One lock as everybody may see it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct LockShown {
+    /// Who is editing, as in the list of people.
+    pub client: Id,
+    /// Their name.
+    pub name: String,
+    /// What they are editing.
+    pub records: BTreeSet<RecordId>,
+    /// Whether their link ended, and the lock is kept for them for a moment.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub away: bool,
 }
 
 /// A person who is here.

@@ -1,9 +1,10 @@
 //! What a client may ask.
 
 use crate::{ListQuery, PictureOf};
-use behaviour::{Change, Id, Value};
+use behaviour::{Change, Id, RecordId, Token, Value};
 use robot::SceneEdit;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 
 /// A request with the client's number for it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -89,6 +90,47 @@ pub enum Request {
         behaviour: Id,
         /// What changes.
         change: Change,
+        /// Of the locks that this client holds there: what somebody locked is changed only with the lock's own token.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        tokens: Vec<Token>,
+    },
+    /// Locks records of the open behaviour while somebody edits them: all of them or none, never waiting. Answered by
+    /// `Locked`, or by `No` with the name of who is editing one of them.
+    Lock {
+        /// Which behaviour.
+        behaviour: Id,
+        /// What; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
+        records: BTreeSet<RecordId>,
+    },
+    /// Gives a lock back, unless it ended already. Answered by `Done`.
+    Unlock {
+        /// In which behaviour.
+        behaviour: Id,
+        /// Which lock.
+        token: Token,
+    },
+    /// Somebody is typing in the editor of what they locked. Not answered.
+    Typing {
+        /// In which behaviour.
+        behaviour: Id,
+        /// Under which lock.
+        token: Token,
+    },
+    /// Asks whoever is editing a record to let this client edit it; silence means yes. Answered by `Asked`.
+    AskFor {
+        /// In which behaviour.
+        behaviour: Id,
+        /// What.
+        record: RecordId,
+    },
+    /// What the holder of a lock says to who asks for it. Answered by `Done`.
+    HandOver {
+        /// In which behaviour.
+        behaviour: Id,
+        /// Which lock.
+        token: Token,
+        /// True to hand it over, false for *not yet*.
+        yes: bool,
     },
     /// The changes after a revision, for a client that missed some. Answered by `Missed`, or by `Opened` if they are many.
     Since {

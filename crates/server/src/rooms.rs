@@ -14,14 +14,14 @@ use crate::support::message::encode;
 use crate::support::store_health::StoreHealth;
 use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
-use behaviour::{Behaviour, Change, Id, Room};
+use behaviour::{Behaviour, Change, Id, RecordId, Room, Token};
 use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
 use protocol::{LIBRARY, Pointer, Refused, Reply, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Arc, Mutex};
 use store::Store;
 use tokio::sync::{mpsc, oneshot, watch};
@@ -36,9 +36,11 @@ pub(crate) enum Note {
     /// Somebody comes in, asking with this number; who enters the library hears their secret.
     Join(Member, u32, Option<Id>),
     /// A link leaves.
-    Leave(u64),
-    /// A change is proposed.
-    Propose(Change, Answer),
+    Leave(u64, Parting),
+    /// A change is proposed, with the tokens of what its sender locked.
+    Propose(Change, Vec<Token>, Answer),
+    /// Something about who is editing what, from a link.
+    Locking(u64, Locking),
     /// The behaviour shall go to the bin; with the name of who says so.
     Remove(String, Answer),
     /// The changes after a revision are wanted.
@@ -47,6 +49,41 @@ pub(crate) enum Note {
     Present(u64, Option<Pointer>, Option<Id>),
     /// The server itself wants to see it as it is.
     Look(oneshot::Sender<Result<Look, Refused>>),
+}
+
+/// How a link leaves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Parting {
+    /// Somebody went elsewhere: nothing is kept for them.
+    Chosen,
+    /// The link ended: who it was may come back.
+    LinkEnded,
+}
+
+/// What a link wants with the locks of a behaviour.
+pub(crate) enum Locking {
+    /// To lock these records.
+    Take(BTreeSet<RecordId>, Answer),
+    /// To give a lock back.
+    Release(Token, Answer),
+    /// Somebody types under a lock.
+    Touch(Token),
+    /// To have what somebody else is editing.
+    Ask(RecordId, Answer),
+    /// To say yes or not yet to who asks.
+    Reply(Token, bool, Answer),
+}
+
+impl Locking {
+    /// Answers who waits that it cannot be.
+    pub(crate) fn refuse(self, no: Refused) {
+        match self {
+            Self::Take(_, answer) | Self::Release(_, answer) | Self::Ask(_, answer) | Self::Reply(.., answer) => {
+                answer.no(no)
+            }
+            Self::Touch(_) => {}
+        }
+    }
 }
 
 /// A behaviour as it is saved.
@@ -70,9 +107,10 @@ impl Note {
     fn refuse(self, no: Refused) {
         match self {
             Self::Join(member, ask, _) => member.link.send(encode(Some(ask), Reply::No { no })),
-            Self::Propose(_, answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
+            Self::Propose(.., answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
+            Self::Locking(_, locking) => locking.refuse(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
-            Self::Leave(_) | Self::Present(..) => {}
+            Self::Leave(..) | Self::Present(..) => {}
         }
     }
 }
@@ -181,7 +219,7 @@ impl Rooms {
     /// Proposes a change to the library in the server's own name.
     pub(crate) async fn propose_to_library(&self, change: Change) -> Result<(), Refused> {
         let (waiting, answer) = oneshot::channel();
-        self.tell(self.library(), Note::Propose(change, Answer::Server(waiting)));
+        self.tell(self.library(), Note::Propose(change, Vec::new(), Answer::Server(waiting)));
         match answer.await {
             Ok(Reply::No { no }) => Err(no),
             Ok(_) => Ok(()),

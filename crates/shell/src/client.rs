@@ -256,7 +256,7 @@ impl Client {
     pub async fn put(&self, label: &str, id: RecordId, record: Option<Record>) -> Result<Reply, Trouble> {
         let open = self.open().ok_or(Trouble::No(Refused::NothingOpen))?;
         let change = self.change(label, &open.records, vec![(id, record)]);
-        self.ask(Request::Propose { behaviour: open.behaviour, change }).await
+        self.ask(Request::Propose { behaviour: open.behaviour, change, tokens: Vec::new() }).await
     }
 
     /// A change with a name of its own that puts or takes away these records.

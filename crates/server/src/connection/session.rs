@@ -10,8 +10,8 @@ use crate::connection::Connections;
 use crate::connection::clients::Entered;
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
-use crate::rooms::Note;
 use crate::rooms::member::Member;
+use crate::rooms::{Note, Parting};
 use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
@@ -115,7 +115,10 @@ async fn serve(
     drop(reader);
     outbox.close.with(why);
     let _ = working.await;
-    connections.state.rooms.tell_open(connections.state.rooms.library(), Note::Leave(outbox.session));
+    connections
+        .state
+        .rooms
+        .tell_open(connections.state.rooms.library(), Note::Leave(outbox.session, Parting::LinkEnded));
     connections.clients.leave(&me.client, outbox.session);
     tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
 }
@@ -158,7 +161,7 @@ impl Reader<'_> {
             self.outbox.say(Some(ask), Reply::Done);
             return tracing::info!(by = self.by, "Stop");
         }
-        let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. });
+        let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. } | Request::Typing { .. });
         if (!self.rate.take() || !self.asking.ask(Ask { ask, request })) && matters {
             self.too_fast(Some(ask));
         }
@@ -205,7 +208,7 @@ impl Session {
                 Asked::Large(text, weight) => self.large(text, weight).await,
             }
         }
-        self.leave_open();
+        self.leave_open(Parting::LinkEnded);
     }
 
     /// Reads a large message among the other work, then does what it asks.
@@ -223,9 +226,9 @@ impl Session {
         }
     }
 
-    fn leave_open(&mut self) {
+    fn leave_open(&mut self, parting: Parting) {
         if let Some(open) = self.open.take() {
-            self.connections.state.rooms.tell_open(&open, Note::Leave(self.outbox.session));
+            self.connections.state.rooms.tell_open(&open, Note::Leave(self.outbox.session, parting));
         }
     }
 }

@@ -154,6 +154,7 @@ impl Writer {
         if let Some(feed) = &mut self.feed {
             texts.extend(newest(&mut feed.people));
             texts.extend(newest(&mut feed.problems));
+            texts.extend(newest(&mut feed.locks));
             if self.values_wanted {
                 texts.extend(values(&self.connections, &mut self.watching, &feed.behaviour, self.robot.as_ref()).await);
             }

@@ -67,6 +67,8 @@ pub(crate) struct Feed {
     pub(crate) people: watch::Receiver<Utf8Bytes>,
     /// Its problems.
     pub(crate) problems: watch::Receiver<Utf8Bytes>,
+    /// Who is editing what.
+    pub(crate) locks: watch::Receiver<Utf8Bytes>,
 }
 
 /// Who waits for an answer: a client, or this server itself.

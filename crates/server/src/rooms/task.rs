@@ -3,6 +3,7 @@
 
 mod change_log;
 mod jobs;
+mod locking;
 mod members;
 mod problems;
 mod saving;
@@ -17,6 +18,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Id, Room};
 use change_log::ChangeLog;
 use jobs::{Job, Saving, Waiting};
+use locking::LockBook;
 use problems::{Finding, Found};
 use protocol::Refused;
 use std::collections::BTreeMap;
@@ -41,6 +43,8 @@ struct RoomTask {
     id: Id,
     /// Shared with whoever looks at it or decides about it elsewhere just now.
     room: Arc<Room>,
+    /// Who is editing what.
+    locks: LockBook,
     /// By the number of their link.
     members: BTreeMap<u64, Member>,
     /// What waits for saving.
@@ -82,12 +86,13 @@ impl RoomTask {
     fn new(rooms: Rooms, id: Id, room: Room) -> Self {
         let around = Arc::clone(&rooms.around);
         let snapshot = around.snapshot.subscribe();
-        let revision = watch::Sender::new(room.revision());
+        let (revision, rooms_epoch) = (watch::Sender::new(room.revision()), around.epoch);
         Self {
             rooms,
             around,
             id,
             room: Arc::new(room),
+            locks: LockBook::new(rooms_epoch),
             members: BTreeMap::new(),
             waiting: Waiting::default(),
             saving: Saving::Idle,
@@ -118,6 +123,7 @@ impl RoomTask {
                 found = self.finding.answer() => self.found_problems(found),
                 Some(note) = inbox.recv() => self.take(note),
                 Ok(()) = self.snapshot.changed(), if !self.is_library() => self.finding.mark_due(),
+                () = self.locks.due() => self.tell_locks(),
                 () = stopping.cancelled(), if !stopping.is_cancelled() => {}
             }
         }
@@ -127,15 +133,16 @@ impl RoomTask {
     /// Never while saving; the library stays open until the server ends.
     fn may_go(&self) -> bool {
         let busy = self.saving.is_under_way() || !self.waiting.is_empty();
-        let needed = !self.members.is_empty() || self.is_library();
+        let needed = !self.members.is_empty() || self.is_library() || !self.locks.are_free();
         !busy && (!needed || self.around.tasks.ends())
     }
 
     fn take(&mut self, note: Note) {
         match note {
             Note::Join(member, ask, secret) => self.join(member, ask, secret),
-            Note::Leave(session) => self.leave(session),
-            Note::Propose(change, answer) => self.wait(Job::Save(change, answer)),
+            Note::Leave(session, parting) => self.leave(session, parting),
+            Note::Propose(change, tokens, answer) => self.wait(Job::Save(change, tokens, answer)),
+            Note::Locking(session, locking) => self.lock(session, locking),
             Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
             Note::Since(revision, answer) => self.since(revision, answer),
             Note::Present(session, pointer, selected) => self.present(session, pointer, selected),
@@ -154,6 +161,7 @@ impl RoomTask {
             revision: self.revision.subscribe(),
             people: self.people_text.subscribe(),
             problems: self.problems_text.subscribe(),
+            locks: self.locks.text(),
         }
     }
 

@@ -64,7 +64,7 @@ async fn who_saw_an_older_state_is_refused() {
     let before = aiko.open().unwrap().records;
     aiko.put("Rename", stream_id("a"), Some(plain("Two"))).await.unwrap();
     let late = aiko.change("Rename", &before, vec![(stream_id("a"), Some(plain("Three")))]);
-    let answer = aiko.ask(Request::Propose { behaviour: play, change: late }).await;
+    let answer = aiko.ask(Request::Propose { behaviour: play, change: late, tokens: Vec::new() }).await;
     assert_eq!(answer, Err(Trouble::No(Refused::Change(Refusal::Stale("“Two”".into())))));
     assert_eq!(aiko.open().unwrap().revision, 3);
     house.close().await;
@@ -76,7 +76,7 @@ async fn a_change_sent_twice_is_made_once_and_answered_the_same_also_after_a_res
     let house = House::at(folder.path()).await;
     let (aiko, play) = house.maker("Aiko").await;
     let change = aiko.change("Add", &aiko.open().unwrap().records, vec![(stream_id("a"), Some(plain("One")))]);
-    let propose = || Request::Propose { behaviour: play.clone(), change: change.clone() };
+    let propose = || Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() };
     let first = aiko.ask(propose()).await.unwrap();
     assert_eq!(aiko.ask(propose()).await.unwrap(), first);
     house.close().await;
@@ -160,13 +160,13 @@ async fn a_helper_in_use_cannot_be_removed_or_renamed() {
     let renamed = behaviour::Helper { name: "renamed".into(), ..record.clone() };
     for after in [None, Some(Record::Helper(renamed))] {
         let change = aiko.change("Remove", &library.records, vec![(used.clone(), after)]);
-        let no = aiko.ask(Request::Propose { behaviour: id("library"), change }).await.unwrap_err();
+        let no = aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap_err();
         let Trouble::No(Refused::Change(Refusal::HelperUsed(name, users))) = no else { panic!("{no:?}") };
         assert_eq!((name, users), (record.name.clone(), vec!["“Far”".to_owned()]));
     }
     let edited = behaviour::Helper { says: "Other words.".into(), ..record.clone() };
     let change = aiko.change("Edit", &library.records, vec![(used, Some(Record::Helper(edited)))]);
-    aiko.ask(Request::Propose { behaviour: id("library"), change }).await.unwrap();
+    aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap();
     house.close().await;
 }
 
@@ -182,7 +182,7 @@ async fn a_change_of_a_helper_is_told_to_everyone_and_shows_problems() {
     let emptied = behaviour::Helper { body: String::new(), ..record.clone() };
     let edit = (used, Some(Record::Helper(emptied)));
     let change = aiko.change("Empty", &library.records, vec![edit]);
-    aiko.ask(Request::Propose { behaviour: id("library"), change }).await.unwrap();
+    aiko.ask(Request::Propose { behaviour: id("library"), change, tokens: Vec::new() }).await.unwrap();
     let blocks = |reply: &Reply| matches!(reply, Reply::Problems { problems, .. } if problems.iter().any(|p| p.blocks));
     ben.until(blocks).await.unwrap();
     assert_eq!(ben.library(), aiko.library());

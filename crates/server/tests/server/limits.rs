@@ -67,7 +67,7 @@ async fn what_is_too_large_already_opens_for_everyone_and_can_be_made_smaller() 
     assert_eq!(play.records.records.len(), 1_801);
     let library = aiko.library().records;
     let change = aiko.change("Add", &library, vec![(key(Kind::Helper, 9_999), Some(helper(9_999, "v")))]);
-    let no = sentence(aiko.ask(Request::Propose { behaviour: id(LIBRARY), change }).await);
+    let no = sentence(aiko.ask(Request::Propose { behaviour: id(LIBRARY), change, tokens: Vec::new() }).await);
     assert!(no.contains("1000 helpers"), "{no}");
     let no = sentence(ben.put("Add", stream_id("s"), Some(plain("S"))).await);
     assert!(no.contains("6 MB"), "{no}");
@@ -77,7 +77,7 @@ async fn what_is_too_large_already_opens_for_everyone_and_can_be_made_smaller() 
     // What is removed is told with what it was, in one message: so many bytes at once are too many for a socket.
     assert!(serde_json::to_string(&change).unwrap().len() > protocol::MESSAGE_MAX_BYTES);
     let change = aiko.change("Remove", &library, vec![(key(Kind::Helper, 7), None)]);
-    aiko.ask(Request::Propose { behaviour: id(LIBRARY), change }).await.unwrap();
+    aiko.ask(Request::Propose { behaviour: id(LIBRARY), change, tokens: Vec::new() }).await.unwrap();
     assert_eq!(aiko.library().records.records.len(), 1_099);
     house.close().await;
 }
@@ -128,7 +128,7 @@ async fn a_change_while_somebody_is_still_told_the_whole_is_not_lost() {
     let now = aiko.open().unwrap();
     let last = (key(Kind::Note, 50), Some(note("the last")));
     let (change, behaviour) = (aiko.change("Shorten", &now.records, vec![last]), id("play"));
-    ben.ask(Request::Propose { behaviour, change }).await.unwrap();
+    ben.ask(Request::Propose { behaviour, change, tokens: Vec::new() }).await.unwrap();
     assert_eq!(ben.open(), aiko_when(&aiko, now.revision + 1).await);
     house.close().await;
 }
@@ -151,7 +151,7 @@ async fn large_changes_that_were_missed_come_in_pages() {
     for at in 0..60 {
         let notes = (0..10).map(|one| (key(Kind::Note, at * 10 + one), Some(note(&"n".repeat(4_000)))));
         let change = aiko.change("Add", &aiko.open().unwrap().records, notes.collect());
-        while aiko.ask(Request::Propose { behaviour: play.clone(), change: change.clone() }).await
+        while aiko.ask(Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() }).await
             == Err(Trouble::No(Refused::TooFast))
         {
             tokio::time::sleep(std::time::Duration::from_millis(50)).await;

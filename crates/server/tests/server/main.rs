@@ -8,6 +8,7 @@ mod http;
 mod limits;
 mod links;
 mod lists;
+mod locks;
 mod mutated;
 mod runs;
 mod slow;

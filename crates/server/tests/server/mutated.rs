@@ -29,8 +29,8 @@ fn samples() -> Vec<String> {
     let requests = [
         Request::List { query: ListQuery::default() },
         Request::Open { behaviour: id("b") },
-        Request::Propose { behaviour: id("b"), change: change.clone() },
-        Request::Propose { behaviour: id(protocol::LIBRARY), change },
+        Request::Propose { behaviour: id("b"), change: change.clone(), tokens: Vec::new() },
+        Request::Propose { behaviour: id(protocol::LIBRARY), change, tokens: Vec::new() },
         Request::Since { behaviour: id("b"), revision: 0 },
         Request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] },
         Request::Start { behaviour: id("b"), robot: None, record: true },

@@ -153,7 +153,7 @@ async fn a_slow_reader_is_cut_off_and_slows_nobody() {
         // Everyone edits notes of their own, which their mirror knows for certain.
         let records = writer.open().expect("it is open").records;
         let change = writer.change("Note", &records, big(at % writers.len(), at));
-        let answer = writer.ask(Request::Propose { behaviour: play.clone(), change }).await;
+        let answer = writer.ask(Request::Propose { behaviour: play.clone(), change, tokens: Vec::new() }).await;
         assert!(answer.is_ok(), "{at}: {answer:?}");
     }
     let last = |reply: &Reply| matches!(reply, Reply::Accepted { accepted, .. } if accepted.revision == 1_501);

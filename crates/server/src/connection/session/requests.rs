@@ -6,11 +6,11 @@ use crate::connection::start;
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
 use crate::library::{bin, insight, list, thumbnails};
-use crate::rooms::Note;
 use crate::rooms::member::Answer;
+use crate::rooms::{Locking, Note, Parting};
 use crate::state::ServerState;
 use crate::support::workers::Sender;
-use behaviour::{Change, Id};
+use behaviour::{Change, Id, Token};
 use protocol::{Refused, Reply, Request};
 use std::future::Future;
 use std::sync::Arc;
@@ -31,7 +31,14 @@ impl Session {
             Request::Leave => self.leave(ask),
             Request::Remove { behaviour } => self.remove(ask, &behaviour),
             Request::Restore { behaviour } => self.restore(ask, behaviour),
-            Request::Propose { behaviour, change } => self.propose(ask, &behaviour, change),
+            Request::Propose { behaviour, change, tokens } => self.propose(ask, &behaviour, change, tokens),
+            Request::Lock { behaviour, records } => self.locking(ask, &behaviour, |to| Locking::Take(records, to)),
+            Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
+            Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
+            Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| Locking::Ask(record, to)),
+            Request::HandOver { behaviour, token, yes } => {
+                self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
+            }
             Request::Since { behaviour, revision } => {
                 let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
                     return self.outbox.no(ask, Refused::TooFast);
@@ -176,23 +183,33 @@ impl Session {
         if behaviour == *self.state().rooms.library() {
             return self.outbox.no(ask, Refused::NoBehaviour);
         }
-        self.leave_open();
+        self.leave_open(Parting::Chosen);
         self.outbox.put(Out::Unfollow);
         self.state().rooms.tell(&behaviour, Note::Join(self.member(), ask, None));
         self.open = Some(behaviour);
     }
 
     fn leave(&mut self, ask: u32) {
-        self.leave_open();
+        self.leave_open(Parting::Chosen);
         self.outbox.put(Out::Unfollow);
         self.outbox.say(Some(ask), Reply::Done);
     }
 
     /// The author is who sends it, whatever the change says.
-    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change) {
+    fn propose(&mut self, ask: u32, behaviour: &Id, change: Change, tokens: Vec<Token>) {
         let change = Change { author: self.me.name.clone(), ..change };
         let answer = self.answer(ask);
-        self.state().rooms.tell(behaviour, Note::Propose(change, answer));
+        self.state().rooms.tell(behaviour, Note::Propose(change, tokens, answer));
+    }
+
+    /// Locks are of the behaviour that is open.
+    fn locking(&mut self, ask: u32, behaviour: &Id, wish: impl FnOnce(Answer) -> Locking) {
+        let locking = wish(self.answer(ask));
+        if self.open.as_ref() == Some(behaviour) {
+            self.state().rooms.tell(behaviour, Note::Locking(self.outbox.session, locking));
+        } else {
+            locking.refuse(Refused::NothingOpen);
+        }
     }
 
     fn remove(&mut self, ask: u32, behaviour: &Id) {

@@ -3,7 +3,7 @@
 use super::saving::{self, SaveOutcome, Saved};
 use super::{RoomTask, Stay};
 use crate::rooms::member::Answer;
-use behaviour::{Change, Kind, Refusal};
+use behaviour::{Change, Kind, Presented, Refusal, Token};
 use futures_util::future::BoxFuture;
 use protocol::{Refused, Reply};
 use std::collections::{BTreeMap, VecDeque};
@@ -16,8 +16,8 @@ const WAITING_PER_SENDER_MAX_JOBS: usize = 256;
 
 /// What has to be saved.
 pub(super) enum Job {
-    /// A change.
-    Save(Change, Answer),
+    /// A change, with the tokens of what its sender locked.
+    Save(Change, Vec<Token>, Answer),
     /// The behaviour goes to the bin; with who says so.
     Remove(String, Answer),
 }
@@ -26,13 +26,13 @@ impl Job {
     /// The link of who wants it; none is the server.
     fn sender(&self) -> Option<u64> {
         match self {
-            Self::Save(_, answer) | Self::Remove(_, answer) => answer.session(),
+            Self::Save(.., answer) | Self::Remove(_, answer) => answer.session(),
         }
     }
 
     fn no(self, no: Refused) {
         match self {
-            Self::Save(_, answer) | Self::Remove(_, answer) => answer.no(no),
+            Self::Save(.., answer) | Self::Remove(_, answer) => answer.no(no),
         }
     }
 }
@@ -123,9 +123,12 @@ impl RoomTask {
 
     /// Begins the next job: one at a time.
     pub(super) fn start_saving(&mut self) {
-        if self.saving.is_under_way() || self.waiting.is_empty() {
-            return;
+        while !self.saving.is_under_way() && !self.waiting.is_empty() {
+            self.start_next();
         }
+    }
+
+    fn start_next(&mut self) {
         if let Some(no) = self.around.health.away() {
             return self.waiting.take_all().into_iter().for_each(|job| job.no(no.clone()));
         }
@@ -135,19 +138,26 @@ impl RoomTask {
             return;
         }
         match self.waiting.take() {
-            Some(Job::Save(change, from)) => match self.stranger(&change) {
-                Some(stranger) => from.no(Refused::Change(Refusal::Malformed(stranger))),
-                None => {
-                    let deciding = saving::decide(around, id, Arc::clone(&self.room), change, from);
-                    self.saving = Saving::UnderWay(Box::pin(deciding));
-                }
-            },
+            Some(Job::Save(change, tokens, from)) => self.start_change(change, tokens, from),
             Some(Job::Remove(by, from)) => {
                 self.stay = Stay::Leaving;
                 self.saving = Saving::UnderWay(Box::pin(saving::remove(around, id, by, from)));
             }
             None => {}
         }
+    }
+
+    /// Others get no lock of what it touches until it is saved.
+    fn start_change(&mut self, change: Change, tokens: Vec<Token>, from: Answer) {
+        if let Some(stranger) = self.stranger(&change) {
+            return from.no(Refused::Change(Refusal::Malformed(stranger)));
+        }
+        let (around, id) = (Arc::clone(&self.around), self.id.clone());
+        let presented = Presented { session: from.session(), tokens };
+        self.saving = match self.locks.begin(&self.room, &change, &presented) {
+            Ok(()) => Saving::UnderWay(Box::pin(saving::decide(around, id, Arc::clone(&self.room), change, from))),
+            Err(locked) => Saving::UnderWay(Box::pin(saving::refuse(around, id, change, locked, from))),
+        };
     }
 
     /// A record that does not belong here: helpers live in the library, and nothing else does.
@@ -160,11 +170,13 @@ impl RoomTask {
     /// The store answered.
     pub(super) fn saved(&mut self, saved: Saved) {
         match saved {
-            Saved::Change { outcome, from } => {
+            Saved::Change { op, outcome, from } => {
                 if outcome.is_uncertain {
                     self.saving = Saving::Uncertain;
                 }
                 self.conclude(outcome, from);
+                self.locks.saved(&op);
+                self.tell_locks();
             }
             Saved::CaughtUp(Ok(news)) => news.iter().for_each(|news| self.commit(news, None, None)),
             Saved::CaughtUp(Err(no)) => {

@@ -2,6 +2,7 @@
 
 use super::change_log::page;
 use super::{RoomTask, Stay};
+use crate::rooms::Parting;
 use crate::rooms::member::{Answer, Member, Whole};
 use crate::rooms::shown::Shown;
 use crate::support::message::encode;
@@ -25,11 +26,13 @@ impl RoomTask {
             member.link.send_whole(ask, self.welcome(&member.person, secret));
         }
         let (session, link) = (member.link.session(), Arc::clone(&member.link));
+        let client = member.person.client.clone();
         self.members.insert(session, member);
         if !self.is_library() {
             link.send_whole(ask, self.opened());
             self.tell_people();
             link.follow(Some(Box::new(self.feed())));
+            self.locks.came(&client, session, link.as_ref());
         }
     }
 
@@ -67,10 +70,15 @@ impl RoomTask {
         Whole { reply, shown: self.shown() }
     }
 
-    pub(super) fn leave(&mut self, session: u64) {
-        if self.members.remove(&session).is_some() && !self.is_library() {
-            self.tell_people();
+    pub(super) fn leave(&mut self, session: u64, parting: Parting) {
+        let Some(gone) = self.members.remove(&session).filter(|_| !self.is_library()) else { return };
+        self.tell_people();
+        self.locks.left(session, parting);
+        // Their new link may have come before the old one went.
+        for member in self.members.values().filter(|member| member.person.client == gone.person.client) {
+            self.locks.came(&gone.person.client, member.link.session(), member.link.as_ref());
         }
+        self.tell_locks();
     }
 
     pub(super) fn present(&mut self, session: u64, pointer: Option<Pointer>, selected: Option<Id>) {

@@ -16,6 +16,8 @@ const MISSED_MAX_CHANGES: u32 = 10_000;
 pub(super) enum Saved {
     /// The store was asked to keep a change.
     Change {
+        /// The name of the change.
+        op: Id,
         /// What came of it.
         outcome: SaveOutcome,
         /// Who asked.
@@ -80,6 +82,7 @@ enum Decided {
 /// Decides about a change among the other work, then keeps it.
 pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, change: Change, from: Answer) -> Saved {
     let sender = from.session().map_or(Sender::Server, Sender::Link);
+    let op = change.op.clone();
     let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
     let decided = around.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
     let outcome = match decided {
@@ -89,7 +92,14 @@ pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, c
         Ok(Decided::Refuse(refusal)) => SaveOutcome::nothing(Err(Refused::Change(refusal))),
         Err(why) => SaveOutcome::nothing(Err(why.into())),
     };
-    Saved::Change { outcome, from }
+    Saved::Change { op, outcome, from }
+}
+
+/// Refuses a change of what somebody else is editing, unless it was made long ago and is sent again.
+pub(super) async fn refuse(around: Arc<Surroundings>, id: Id, change: Change, locked: Refusal, from: Answer) -> Saved {
+    let op = change.op.clone();
+    let outcome = SaveOutcome::nothing(settle(&around, &id, change, locked).await);
+    Saved::Change { op, outcome, from }
 }
 
 fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) -> Decided {

@@ -1,0 +1,171 @@
+//! Who is editing what in a room: what links want with locks, and who is told what happened to them.
+
+use super::RoomTask;
+use crate::rooms::member::{Answer, Recipient};
+use crate::rooms::{Locking, Parting};
+use crate::support::message::encode;
+use axum::extract::ws::Utf8Bytes;
+use behaviour::{Change, Denied, Grant, Held, Holder, Id, LockEvent, Locks, Presented, RecordId, Refusal, Room, Token};
+use protocol::{LockShown, Refused, Reply};
+use std::collections::BTreeSet;
+use std::time::Duration;
+use tokio::sync::watch;
+use tokio::time::Instant;
+
+/// The locks of a room, by its own clock, and what everyone there is told of them.
+pub(super) struct LockBook {
+    locks: Locks,
+    /// When the clock was 0.
+    began: Instant,
+    text: watch::Sender<Utf8Bytes>,
+}
+
+impl LockBook {
+    /// Nothing is locked.
+    pub(super) fn new(epoch: u64) -> Self {
+        Self { locks: Locks::new(epoch), began: Instant::now(), text: watch::Sender::default() }
+    }
+
+    fn now_ms(&self) -> u64 {
+        u64::try_from(self.began.elapsed().as_millis()).unwrap_or(u64::MAX)
+    }
+
+    /// What everyone in the room is told.
+    pub(super) fn text(&self) -> watch::Receiver<Utf8Bytes> {
+        let mut text = self.text.subscribe();
+        text.mark_changed();
+        text
+    }
+
+    /// Whether nobody holds a lock, also none that is kept for who may come back.
+    pub(super) fn are_free(&self) -> bool {
+        self.locks.held().next().is_none()
+    }
+
+    /// Waits until time does something to a lock.
+    pub(super) async fn due(&self) {
+        match self.locks.due() {
+            Some(at_ms) => tokio::time::sleep_until(self.began + Duration::from_millis(at_ms)).await,
+            None => std::future::pending().await,
+        }
+    }
+
+    /// A change is decided about and saved, if the locks let it in.
+    ///
+    /// # Errors
+    /// What is locked, and by whom.
+    pub(super) fn begin(&mut self, room: &Room, change: &Change, presented: &Presented) -> Result<(), Refusal> {
+        room.check_locks(change, presented, &self.locks)?;
+        self.locks.begin_saving(self.now_ms(), change, presented);
+        Ok(())
+    }
+
+    /// What was begun came to an end.
+    pub(super) fn saved(&mut self, op: &Id) {
+        self.locks.saved(self.now_ms(), op);
+    }
+
+    /// A link left.
+    pub(super) fn left(&mut self, session: u64, parting: Parting) {
+        let now_ms = self.now_ms();
+        if parting == Parting::Chosen {
+            let own = self.locks.held().filter(|held| held.holder.session == session);
+            let own: Vec<Token> = own.map(|held| held.token).collect();
+            for token in own {
+                self.locks.release(now_ms, session, token);
+            }
+        }
+        self.locks.leave(now_ms, session);
+    }
+
+    /// A client is there: what was kept for it is its own again.
+    pub(super) fn came(&mut self, client: &Id, session: u64, link: &dyn Recipient) {
+        for grant in self.locks.return_to(self.now_ms(), client, session) {
+            link.send(encode(None, Reply::Locked { grant }));
+        }
+    }
+
+    fn take(&mut self, holder: Holder, records: BTreeSet<RecordId>, room: &Room) -> Result<Grant, Refused> {
+        self.locks.take(self.now_ms(), holder, records).map_err(|denied| match denied {
+            Denied::Held { record, by } => Refused::Change(Refusal::Locked { what: room.name_of(&record), by }),
+            Denied::NoLock => Refused::NoLock,
+            Denied::TooMany => Refused::TooManyLocks,
+        })
+    }
+}
+
+impl RoomTask {
+    /// Does what a link wants with the locks, if it is here; helpers are not locked.
+    pub(super) fn lock(&mut self, session: u64, locking: Locking) {
+        let Some(holder) = self.holder(session) else { return locking.refuse(Refused::NoLock) };
+        let now_ms = self.locks.now_ms();
+        match locking {
+            Locking::Take(records, answer) => {
+                let taken = self.locks.take(holder, records, &self.room);
+                answer.give(taken.map_or_else(|no| Reply::No { no }, |grant| Reply::Locked { grant }));
+            }
+            Locking::Release(token, answer) => {
+                self.locks.locks.release(now_ms, session, token);
+                answer.give(Reply::Done);
+            }
+            Locking::Touch(token) => {
+                self.locks.locks.touch(now_ms, session, token);
+            }
+            Locking::Ask(record, answer) => {
+                let asked = self.locks.locks.ask(now_ms, holder, record);
+                answer.give(Reply::Asked { now_ms, asked });
+            }
+            Locking::Reply(token, yes, answer) => self.hand_over(session, token, yes, answer),
+        }
+        self.tell_locks();
+    }
+
+    fn hand_over(&mut self, session: u64, token: Token, yes: bool, answer: Answer) {
+        let (now_ms, locks) = (self.locks.now_ms(), &mut self.locks.locks);
+        let _had_ended_already =
+            if yes { locks.say_yes(now_ms, session, token) } else { locks.say_not_yet(now_ms, session, token) };
+        answer.give(Reply::Done);
+    }
+
+    fn holder(&self, session: u64) -> Option<Holder> {
+        let member = self.members.get(&session).filter(|_| !self.is_library())?;
+        Some(Holder { session, client: member.person.client.clone(), name: member.person.name.clone() })
+    }
+
+    /// Lets happen what is due, tells those whom it concerns, and everyone who is editing what.
+    pub(super) fn tell_locks(&mut self) {
+        let now_ms = self.locks.now_ms();
+        for event in self.locks.locks.tick(now_ms) {
+            if let Some(member) = self.members.get(&concerned(&event).session) {
+                let (behaviour, event) = (self.id.clone(), Box::new(event));
+                member.link.send(encode(None, Reply::LockNews { behaviour, now_ms, event }));
+            }
+        }
+        let locks = self.locks.locks.held().map(shown).collect();
+        let text = encode(None, Reply::Locks { behaviour: self.id.clone(), locks });
+        self.locks.text.send_if_modified(|old| {
+            let is_new = *old != text;
+            *old = text;
+            is_new
+        });
+    }
+}
+
+fn shown(held: Held) -> LockShown {
+    let Holder { client, name, .. } = held.holder.clone();
+    LockShown { client, name, records: held.records.clone(), away: held.is_kept }
+}
+
+/// Whom an event is for.
+fn concerned(event: &LockEvent) -> &Holder {
+    match event {
+        LockEvent::Granted { to, .. }
+        | LockEvent::Denied { to, .. }
+        | LockEvent::Postponed { to, .. }
+        | LockEvent::NotYet { to, .. } => to,
+        LockEvent::Freed { holder, .. }
+        | LockEvent::Asked { holder, .. }
+        | LockEvent::KeptFor { holder, .. }
+        | LockEvent::Warned { holder, .. } => holder,
+    }
+}

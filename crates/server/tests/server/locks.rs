@@ -1,0 +1,158 @@
+//! Who is editing what: locks over real sockets, for every way in.
+
+use crate::house::{House, id, plain, sentence, stream_id};
+use behaviour::{Asked, Grant, Id, LockEvent, RecordId, Token, Why};
+use protocol::{LockShown, Reply, Request};
+use shell::{Client, Trouble};
+use std::collections::BTreeSet;
+
+/// Aiko and Ben in a behaviour with two streams.
+async fn two(house: &House) -> (Client, Client, Id) {
+    let (aiko, play) = house.maker("Aiko").await;
+    for name in ["a", "b"] {
+        aiko.put("Add", stream_id(name), Some(plain(name))).await.unwrap();
+    }
+    let ben = house.person("Ben").await;
+    ben.load(&play).await.unwrap();
+    (aiko, ben, play)
+}
+
+async fn lock(client: &Client, play: &Id, names: &[&str]) -> Result<Reply, Trouble> {
+    let records = names.iter().map(|name| stream_id(name)).collect();
+    client.ask(Request::Lock { behaviour: play.clone(), records }).await
+}
+
+async fn grant(client: &Client, play: &Id, names: &[&str]) -> Grant {
+    match lock(client, play, names).await.unwrap() {
+        Reply::Locked { grant } => grant,
+        other => panic!("{other:?}"),
+    }
+}
+
+async fn rename(client: &Client, play: &Id, stream: &str, name: &str, tokens: &[Token]) -> Result<Reply, Trouble> {
+    let change = client.change("Rename", &client.open().unwrap().records, vec![(stream_id(stream), Some(plain(name)))]);
+    client.ask(Request::Propose { behaviour: play.clone(), change, tokens: tokens.to_vec() }).await
+}
+
+/// What everybody is told of the locks once somebody is told that so many are held.
+async fn shown(client: &mut Client, many: usize) -> Vec<LockShown> {
+    let told = client.until(|reply| matches!(reply, Reply::Locks { locks, .. } if locks.len() == many)).await;
+    let Reply::Locks { locks, .. } = told.unwrap() else { panic!() };
+    locks
+}
+
+async fn event(client: &mut Client) -> LockEvent {
+    let Reply::LockNews { event, .. } = client.until(|told| matches!(told, Reply::LockNews { .. })).await.unwrap()
+    else {
+        panic!()
+    };
+    *event
+}
+
+#[tokio::test]
+async fn what_somebody_is_editing_is_refused_to_others_by_name() {
+    let house = House::open().await;
+    let (aiko, mut ben, play) = two(&house).await;
+    let held = grant(&aiko, &play, &["a", "b"]).await;
+    let records = BTreeSet::from([stream_id("a"), stream_id("b")]);
+    let (client, name) = (aiko.you().client.clone(), "Aiko".to_owned());
+    assert_eq!(shown(&mut ben, 1).await, [LockShown { client, name, records, away: false }]);
+    let no = "Aiko is editing “a”. Ask, or wait until it is free.";
+    assert_eq!(sentence(lock(&ben, &play, &["a"]).await), no);
+    assert_eq!(sentence(rename(&ben, &play, "a", "mine", &[]).await), no);
+    assert_eq!(sentence(rename(&ben, &play, "a", "mine", &[held.token]).await), no, "a token is of one link");
+    assert_eq!(sentence(rename(&aiko, &play, "a", "hers", &[]).await), no, "another editor of her own");
+    rename(&aiko, &play, "a", "hers", &[held.token]).await.unwrap();
+    ben.put("Add", stream_id("c"), Some(plain("c"))).await.unwrap();
+    aiko.ask(Request::Unlock { behaviour: play.clone(), token: held.token }).await.unwrap();
+    assert_eq!(shown(&mut ben, 0).await, []);
+    rename(&ben, &play, "a", "mine", &[]).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn all_or_nothing_is_locked() {
+    let house = House::open().await;
+    let (aiko, mut ben, play) = two(&house).await;
+    grant(&aiko, &play, &["b"]).await;
+    assert!(sentence(lock(&ben, &play, &["a", "b"]).await).starts_with("Aiko is editing “b”"));
+    assert_eq!(shown(&mut ben, 1).await[0].records, BTreeSet::from([stream_id("b")]));
+    let position = BTreeSet::from([RecordId::new(behaviour::Kind::Place, &id("a"))]);
+    let no = sentence(aiko.ask(Request::Lock { behaviour: play.clone(), records: position }).await);
+    assert!(no.starts_with("This cannot be kept for one person."), "{no}");
+    let library = id(protocol::LIBRARY);
+    assert!(sentence(lock(&aiko, &library, &["a"]).await).starts_with("No behaviour is open."));
+    house.close().await;
+}
+
+#[tokio::test]
+async fn who_asks_gets_it_when_it_is_handed_over() {
+    let house = House::open().await;
+    let (mut aiko, mut ben, play) = two(&house).await;
+    let held = grant(&aiko, &play, &["a"]).await;
+    let ask = Request::AskFor { behaviour: play.clone(), record: stream_id("a") };
+    let Reply::Asked { now_ms, asked: Asked::Waiting { by_ms } } = ben.ask(ask.clone()).await.unwrap() else {
+        panic!()
+    };
+    assert_eq!(by_ms - now_ms, 10_000);
+    let told = event(&mut aiko).await;
+    assert!(matches!(&told, LockEvent::Asked { asker, .. } if asker.name == "Ben"), "{told:?}");
+    let say = |yes| Request::HandOver { behaviour: play.clone(), token: held.token, yes };
+    aiko.ask(say(false)).await.unwrap();
+    assert!(matches!(event(&mut ben).await, LockEvent::NotYet { by, .. } if by == "Aiko"));
+    assert!(matches!(ben.ask(ask).await.unwrap(), Reply::Asked { asked: Asked::TooSoon { .. }, .. }));
+    let carol = house.person("Carol").await;
+    carol.load(&play).await.unwrap();
+    carol.ask(Request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
+    aiko.ask(say(true)).await.unwrap();
+    let why = loop {
+        if let LockEvent::Freed { why, .. } = event(&mut aiko).await {
+            break why;
+        }
+    };
+    assert_eq!(why, Why::HandedOver { to: "Carol".to_owned() });
+    let mut carol = carol;
+    let LockEvent::Granted { grant: hers, .. } = event(&mut carol).await else { panic!() };
+    assert!(sentence(rename(&aiko, &play, "a", "late", &[held.token]).await).starts_with("Carol is editing"));
+    rename(&carol, &play, "a", "handed over", &[hers.token]).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn who_comes_back_has_what_was_kept() {
+    let house = House::open().await;
+    let (aiko, mut ben, play) = two(&house).await;
+    let held = grant(&aiko, &play, &["a"]).await;
+    let credential = aiko.credential();
+    drop(aiko);
+    while !shown(&mut ben, 1).await[0].away {}
+    assert!(sentence(rename(&ben, &play, "a", "mine", &[]).await).starts_with("Aiko is editing"));
+    let mut aiko = Client::connect_again(&house.url(), Some(credential), "Aiko").await.unwrap();
+    aiko.load(&play).await.unwrap();
+    let told = aiko.until(|reply| matches!(reply, Reply::Locked { .. })).await.unwrap();
+    assert_eq!(told, Reply::Locked { grant: held.clone() });
+    rename(&aiko, &play, "a", "hers", &[held.token]).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn what_was_made_before_the_lock_is_answered_as_made_after_it() {
+    let house = House::open().await;
+    let (aiko, ben, play) = two(&house).await;
+    let change = ben.change("Rename", &ben.open().unwrap().records, vec![(stream_id("a"), Some(plain("first")))]);
+    let propose = || Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() };
+    let made = ben.ask(propose()).await.unwrap();
+    grant(&aiko, &play, &["a"]).await;
+    assert_eq!(ben.ask(propose()).await.unwrap(), made, "sent twice, made once");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_lock_goes_with_the_behaviour_that_is_left() {
+    let house = House::open().await;
+    let (aiko, ben, play) = two(&house).await;
+    grant(&aiko, &play, &["a"]).await;
+    aiko.ask(Request::Leave).await.unwrap();
+    rename(&ben, &play, "a", "mine", &[]).await.unwrap();
+    house.close().await;
+}
