@@ -17,7 +17,7 @@ pub(crate) fn checked(committed: &Committed) -> Result<String, StoreError> {
     if let Some(edit) = change.edits.iter().find(|edit| edit.after.as_ref().is_some_and(|r| r.kind() != edit.id.kind)) {
         return Err(StoreError::Refused(format!("{} is a record of another kind", edit.id)));
     }
-    let json = encode(change).map_err(StoreError::Refused)?;
+    let json = encode(change).map_err(unwritable)?;
     match decode::<Change>(&json) {
         Ok(read) if read == *change => Ok(json),
         Ok(_) => Err(StoreError::Refused("it would read back differently".to_owned())),
@@ -25,12 +25,17 @@ pub(crate) fn checked(committed: &Committed) -> Result<String, StoreError> {
     }
 }
 
-pub(crate) fn encode(what: &impl Serialize) -> Result<String, String> {
-    serde_json::to_string(what).map_err(|error| error.to_string())
+pub(crate) fn encode(what: &impl Serialize) -> serde_json::Result<String> {
+    serde_json::to_string(what)
 }
 
-pub(crate) fn decode<T: DeserializeOwned>(json: &str) -> Result<T, String> {
-    serde_json::from_str(json).map_err(|error| error.to_string())
+pub(crate) fn decode<T: DeserializeOwned>(json: &str) -> serde_json::Result<T> {
+    serde_json::from_str(json)
+}
+
+/// What cannot be written as JSON cannot be kept.
+pub(crate) fn unwritable(error: serde_json::Error) -> StoreError {
+    StoreError::Refused(error.to_string())
 }
 
 #[cfg(test)]

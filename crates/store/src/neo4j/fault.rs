@@ -2,6 +2,7 @@
 
 use crate::StoreError;
 use neo4rs::{Error, Neo4jClientErrorKind, Neo4jError, Neo4jErrorKind};
+use std::fmt::Display;
 use std::io::ErrorKind;
 use std::time::Duration;
 
@@ -26,7 +27,7 @@ pub(super) enum Fault {
 
 impl Fault {
     /// What is in the database cannot be what we wrote.
-    pub(super) fn damaged(reason: &str) -> Self {
+    pub(super) fn damaged(reason: &impl Display) -> Self {
         Self::Said(StoreError::Damaged(format!("the Neo4j database: {reason}")))
     }
 }
@@ -39,7 +40,7 @@ impl From<Error> for Fault {
             Error::ConnectionError => Self::Passing("all connections are in use".to_owned()),
             Error::Neo4j(error) => of_server(&error),
             Error::AuthenticationError(_) => unknown_user(),
-            Error::DeserializationError(error) => Self::damaged(&error.to_string()),
+            Error::DeserializationError(error) => Self::damaged(&error),
             Error::ConversionError | Error::StringTooLong | Error::MapTooBig | Error::ListTooLong => {
                 Self::Said(StoreError::Refused("it holds a number or text that is too large".to_owned()))
             }
