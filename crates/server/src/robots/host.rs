@@ -144,7 +144,7 @@ impl Host {
         let (answer, answered) = oneshot::channel();
         self.thread(job, move |job| runner::run(job, answer))?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err(NoRun::Unprepared)),
+            Ok(answered) => answered.unwrap_or(Err(NoRun::Unprepared)),
             Err(_) => {
                 announced.cancel.cancel();
                 Err(NoRun::Late)
@@ -188,7 +188,7 @@ impl Host {
     pub(crate) async fn apply(&self, start: Start) -> Begun {
         let answered = self.launch_successor(start)?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err(NoRun::Unprepared)),
+            Ok(answered) => answered.unwrap_or(Err(NoRun::Unprepared)),
             Err(_) => Err(NoRun::StillApplying),
         }
     }

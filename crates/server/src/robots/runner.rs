@@ -153,7 +153,7 @@ pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, foll
     let (cancel, mailbox) = (job.cancel.clone(), mailbox.clone());
     job.shared.queue.open(Opening { run: job.run, behaviour, cancel, mailbox, devices, follows, answer });
     let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
-    waited.unwrap_or_else(|_| Err(NoRun::Silent))
+    waited.unwrap_or(Err(NoRun::Silent))
 }
 
 /// The sensor streams among the devices.

@@ -5,7 +5,7 @@ use super::nodes::{device_kind, label, of_connector, of_helper, of_settings, of_
 use crate::json::unwritable;
 use crate::query::name_key;
 use crate::usage::{uses, words};
-use crate::{LIBRARY, StoreError, search_text};
+use crate::{LIBRARY, StoreError, Unkept, search_text};
 use behaviour::{Behaviour, Committed, Connector, Helper, Id, Kind, Record, RecordId, Stream};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -63,7 +63,7 @@ impl Delta {
 
     fn edit(&mut self, key: &RecordId, record: Option<&Record>, is_old: bool) -> Result<(), StoreError> {
         if key.kind == Kind::Settings && *key != RecordId::settings() {
-            return Err(StoreError::Refused(format!("{key} is not the name of the settings")));
+            return Err(StoreError::Refused(Unkept::SettingsId(key.clone())));
         }
         if key.kind == Kind::Connector && is_old {
             self.put("connectors", json!(key.id));
