@@ -271,12 +271,12 @@ pub(crate) fn unfilled(why: &Unfilled) -> String {
         Unfilled::BodyBegun => finish_body().to_owned(),
         Unfilled::Start => start_is_no_value().to_owned(),
         Unfilled::Rate(ms) => Refusal::Rate(*ms).to_string(),
-        Unfilled::Param(reason) => sentence(reason),
+        Unfilled::Param(reason) => whole_sentence(reason),
     }
 }
 
 /// A reason with a capital letter and a full stop.
-fn sentence(reason: &str) -> String {
+fn whole_sentence(reason: &str) -> String {
     let mut rest = reason.chars();
     let first: String = rest.next().into_iter().flat_map(char::to_uppercase).collect();
     format!("{first}{}.", rest.as_str())
