@@ -1,6 +1,7 @@
 //! What is said on standard error when a command fails, in English.
 
 use crate::failure::{Failure, Senseless};
+use engine::Fault;
 use std::fmt;
 use std::path::Path;
 use store::backup::Difference;
@@ -16,9 +17,29 @@ impl fmt::Display for Failure {
             Self::ServerNotStarted(error) => write!(to, "The server could not start: {error}."),
             Self::Serve(error) => write!(to, "{error}"),
             Self::NoHome => to.write_str("There is no home folder. Say where the data is with --data DIR."),
-            Self::Id(reason) | Self::ServerSays(reason) | Self::Record(reason) | Self::Ended(reason) => {
-                to.write_str(reason)
+            Self::Store(error) => write!(to, "{error}"),
+            Self::Busy(folder) => {
+                write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())
             }
+            Self::Backup(error) => write!(to, "{error}"),
+            Self::Robots(why) => write!(to, "{why}"),
+            Self::NoRobotsFolder => {
+                to.write_str("There is no folder for the robots in the backup. Say one with --data DIR.")
+            }
+            Self::DataFolder(error) => {
+                write!(to, "The data folder cannot be written ({error}). Look at the disk, then do this again.")
+            }
+            Self::Differences(all) => differences(all, to),
+            Self::Unopened(path, error) => write!(to, "{} could not be opened: {error}.", path.display()),
+            Self::Unwritten(path, error) => write!(to, "{} could not be written: {error}.", path.display()),
+            Self::UnwrittenOut(error) => write!(to, "The file could not be written: {error}."),
+            Self::Untold(error) => write!(to, "{error}"),
+            Self::Unknown { wanted, names } => unknown(wanted, names, to),
+            Self::Several { wanted, ids } => {
+                write!(to, "Several behaviours are called “{wanted}”. Say which one by its id: {}.", ids.join(", "))
+            }
+            Self::Gone => to.write_str("The behaviour is gone. Choose another one."),
+            Self::NoXml(why) => write!(to, "{why}"),
             Self::Silent(address, error) => {
                 write!(to, "The rrp server at http://{address}/ does not answer ({error}). Look whether it runs.")
             }
@@ -31,81 +52,33 @@ impl fmt::Display for Failure {
             Self::StrangeAnswer(error) => {
                 write!(to, "The rrp server gave an answer that cannot be read ({error}). Is it of another version?")
             }
-            other => of_store(other, to),
+            Self::ServerSaysOf(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::TooLarge(path) => {
+                write!(to, "{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display())
+            }
+            Self::Faults(path, all) => faults(path, all, to),
+            Self::Present(name) => {
+                write!(to, "“{name}” is there already, perhaps in the bin. Import it without --restore to get a copy.")
+            }
+            Self::Unfit(why) => write!(to, "{why}"),
+            Self::Refused(refusal) => write!(to, "{refusal}"),
+            Self::Overtaken => to.write_str("Somebody else changed the store just now. Try again."),
+            Self::Unread(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::Large(path, bytes) => write!(to, "{}: it is larger than {bytes} bytes", path.display()),
+            Self::NoBehaviour(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::Engine(fault) => write!(to, "{fault}"),
+            Self::EngineOfFile(fault) => of_file(fault, to),
+            Self::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
+            Self::Id(reason) | Self::ServerSays(reason) | Self::Record(reason) | Self::Ended(reason) => {
+                to.write_str(reason)
+            }
+            Self::Traces { traces, behaviours } => {
+                write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
+            }
+            Self::NoReadings => to.write_str("the trace has no readings; give it at least one line"),
+            Self::TraceLine(number, why) => write!(to, "trace line {number}: {why}"),
+            Self::RecordingLine(number, why) => write!(to, "recording line {number}: {why}"),
         }
-    }
-}
-
-/// What is about stores, backups and what is in them.
-fn of_store(failure: &Failure, to: &mut fmt::Formatter) -> fmt::Result {
-    match failure {
-        Failure::Store(error) => write!(to, "{error}"),
-        Failure::Busy(folder) => {
-            write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())
-        }
-        Failure::Backup(error) => write!(to, "{error}"),
-        Failure::Robots(why) => write!(to, "{why}"),
-        Failure::NoRobotsFolder => {
-            to.write_str("There is no folder for the robots in the backup. Say one with --data DIR.")
-        }
-        Failure::DataFolder(error) => {
-            write!(to, "The data folder cannot be written ({error}). Look at the disk, then do this again.")
-        }
-        Failure::Differences(all) => differences(all, to),
-        Failure::Unknown { wanted, names } => {
-            write!(to, "There is no behaviour “{wanted}”. ")?;
-            choices(names, to)
-        }
-        Failure::Several { wanted, ids } => {
-            write!(to, "Several behaviours are called “{wanted}”. Say which one by its id: {}.", ids.join(", "))
-        }
-        Failure::Gone => to.write_str("The behaviour is gone. Choose another one."),
-        Failure::Overtaken => to.write_str("Somebody else changed the store just now. Try again."),
-        Failure::Present(name) => {
-            write!(to, "“{name}” is there already, perhaps in the bin. Import it without --restore to get a copy.")
-        }
-        other => of_files(other, to),
-    }
-}
-
-/// What is about files, and what is in them.
-fn of_files(failure: &Failure, to: &mut fmt::Formatter) -> fmt::Result {
-    match failure {
-        Failure::Unopened(path, error) => write!(to, "{} could not be opened: {error}.", path.display()),
-        Failure::Unwritten(path, error) => write!(to, "{} could not be written: {error}.", path.display()),
-        Failure::UnwrittenOut(error) => write!(to, "The file could not be written: {error}."),
-        Failure::Untold(error) => write!(to, "{error}"),
-        Failure::NoXml(why) => write!(to, "{why}"),
-        Failure::TooLarge(path) => {
-            write!(to, "{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display())
-        }
-        Failure::ServerSaysOf(path, error) => write!(to, "{}: {error}", path.display()),
-        Failure::Faults(path, all) => faults(path, all, to),
-        Failure::Unfit(why) => write!(to, "{why}"),
-        Failure::Refused(refusal) => write!(to, "{refusal}"),
-        Failure::Unread(path, error) => write!(to, "{}: {error}", path.display()),
-        Failure::Large(path, bytes) => write!(to, "{}: it is larger than {bytes} bytes", path.display()),
-        Failure::NoBehaviour(path, error) => write!(to, "{}: {error}", path.display()),
-        other => of_runs(other, to),
-    }
-}
-
-/// What is about running a behaviour with a trace.
-fn of_runs(failure: &Failure, to: &mut fmt::Formatter) -> fmt::Result {
-    match failure {
-        Failure::Engine(fault) => write!(to, "{fault}"),
-        Failure::EngineOfFile(fault) => match fault.reason.to_string().strip_prefix("line ") {
-            Some(rest) => write!(to, "{}: in its procedure, line {rest}", fault.id),
-            None => write!(to, "{fault}"),
-        },
-        Failure::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
-        Failure::Traces { traces, behaviours } => {
-            write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
-        }
-        Failure::NoReadings => to.write_str("the trace has no readings; give it at least one line"),
-        Failure::TraceLine(number, why) => write!(to, "trace line {number}: {why}"),
-        Failure::RecordingLine(number, why) => write!(to, "recording line {number}: {why}"),
-        _ => Ok(()),
     }
 }
 
@@ -137,11 +110,20 @@ fn faults(path: &Path, all: &[FileFault], to: &mut fmt::Formatter) -> fmt::Resul
     Ok(())
 }
 
-fn choices(names: &[String], to: &mut fmt::Formatter) -> fmt::Result {
+fn unknown(wanted: &str, names: &[String], to: &mut fmt::Formatter) -> fmt::Result {
+    write!(to, "There is no behaviour “{wanted}”. ")?;
     if names.is_empty() {
         return to.write_str("The store is empty; look whether --store or --data is right.");
     }
     let shown: Vec<_> = names.iter().take(NAMES_MAX).map(|name| format!("“{name}”")).collect();
     let more = if names.len() > NAMES_MAX { ", …" } else { "" };
     write!(to, "There are {}{more}.", shown.join(", "))
+}
+
+/// A line within a procedure is not one of the file.
+fn of_file(fault: &Fault, to: &mut fmt::Formatter) -> fmt::Result {
+    match fault.reason.to_string().strip_prefix("line ") {
+        Some(rest) => write!(to, "{}: in its procedure, line {rest}", fault.id),
+        None => write!(to, "{fault}"),
+    }
 }
