@@ -12,7 +12,7 @@ mod robots;
 mod tab;
 
 pub(crate) use document::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
-pub(crate) use library::{ProgramPage, file_address, first_file};
+pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
 
 use document::{Document, DocumentEvent};

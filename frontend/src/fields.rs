@@ -4,8 +4,10 @@ mod choice;
 mod code;
 mod params;
 mod text;
+mod unfilled;
 
 pub(crate) use choice::{Choice, Options, Select};
 pub(crate) use code::CodeField;
 pub(crate) use params::{ParamFields, ParamForm};
 pub(crate) use text::{NumberField, TextField};
+pub(crate) use unfilled::Unfilled;

@@ -4,7 +4,7 @@ mod socket;
 
 use crate::browser;
 use crate::desk::Desk;
-use protocol::{Ask, Assembly, Message, Reply, Request};
+use protocol::{Ask, Assembly, Message, Refused, Reply, Request};
 use socket::Socket;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -15,6 +15,15 @@ const BACK_OFF_MS: [f64; 2] = [250.0, 8_000.0];
 const SILENCE_MS: f64 = 6_000.0;
 /// How often it is looked whether the server still speaks, in milliseconds.
 const LISTEN_MS: i32 = 200;
+
+/// Why there is no answer to what was asked.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoAnswer {
+    /// The server says no.
+    Refused(Refused),
+    /// There is no link, or it broke.
+    Unreachable,
+}
 
 /// What is done with a reply; none when the link broke before it came.
 type Answer = Box<dyn FnOnce(Option<&Reply>)>;

@@ -1,5 +1,6 @@
 //! `rrp bench`: how fast one behaviour runs on this machine, as one line of JSON.
 
+use crate::failure::Failure;
 use crate::replay::{BEHAVIOUR_BYTES, Reading, Refused, TRACE_BYTES, parse_trace, read, refused};
 use behaviour::BehaviourFile;
 use clap::Args;
@@ -72,23 +73,22 @@ pub(crate) fn bench(args: &BenchArgs) -> ExitCode {
 }
 
 fn prepare(args: &BenchArgs) -> Result<(BehaviourFile, Vec<Reading>), Refused> {
-    let behaviour = |reason: String| Refused::Behaviour(vec![reason]);
+    let behaviour = |failure| Refused::Behaviour(vec![failure]);
     let text = read(&args.behaviour, BEHAVIOUR_BYTES).map_err(behaviour)?;
     let file: BehaviourFile =
-        serde_json::from_str(&text).map_err(|error| behaviour(format!("{}: {error}", args.behaviour.display())))?;
+        serde_json::from_str(&text).map_err(|error| behaviour(Failure::NoBehaviour(args.behaviour.clone(), error)))?;
     let run = build(args, &file)?;
     let text = read(&args.trace, TRACE_BYTES).map_err(Refused::Trace)?;
     let readings = parse_trace(&text, &run).map_err(Refused::Trace)?;
     if readings.is_empty() {
-        return Err(Refused::Trace("the trace has no readings; give it at least one line".to_owned()));
+        return Err(Refused::Trace(Failure::NoReadings));
     }
     Ok((file, readings))
 }
 
 fn build(args: &BenchArgs, file: &BehaviourFile) -> Result<Run, Refused> {
     let limits = Limits { compiled: !args.interpreted, ..Limits::default() };
-    let faults = |faults: Vec<engine::Fault>| Refused::Behaviour(faults.iter().map(ToString::to_string).collect());
-    Run::build(file, limits).map_err(faults)
+    Run::build(file, limits).map_err(Refused::engine)
 }
 
 fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[Reading]) -> Result<Measured, Refused> {
@@ -104,7 +104,7 @@ fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[Reading]) -> Resu
     (0..args.repeat).for_each(|_| trace.play(&mut run));
     let cpu = spent().saturating_sub(before);
     if let Some(reason) = run.fault() {
-        return Err(Refused::Behaviour(vec![reason]));
+        return Err(Refused::Behaviour(vec![Failure::Ended(reason.to_string())]));
     }
     let mut took = trace.timed(&mut run, args.repeat);
     Ok(Measured {

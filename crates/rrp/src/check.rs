@@ -1,5 +1,6 @@
 //! `rrp check`: everything that is wrong with a file, each with its place.
 
+use crate::failure::Failure;
 use crate::import::read;
 use behaviour::{Behaviour, BehaviourFile, Helper, Id, Room};
 use clap::Args;
@@ -45,10 +46,7 @@ pub(crate) fn check(args: &CheckArgs) -> ExitCode {
     let name = args.file.display().to_string();
     let bytes = match read(&args.file) {
         Ok(bytes) => bytes,
-        Err(sentence) => {
-            let _ = writeln!(std::io::stderr(), "{sentence}");
-            return ExitCode::from(4);
-        }
+        Err(failure) => return crate::failed(&[failure], 4),
     };
     let found = found(&store::files::look(&bytes));
     // Whoever reads may have seen enough.
@@ -70,30 +68,31 @@ fn found(looked: &Looked) -> Found {
 }
 
 /// The behaviour, if it could be imported.
-fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<String>> {
-    let behaviour = file.records(|_| None)?;
+fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<Failure>> {
+    let behaviour = file.records(|_| None).map_err(|faults| records(&faults))?;
     let mut number = 0;
     let new_id = || {
         number += 1;
         Id::from_uuid(uuid::Uuid::from_u128(number))
     };
-    let brought = store::files::import(file, Mode::Restore, &Behaviour::default(), "", new_id)?;
+    let brought = store::files::import(file, Mode::Restore, &Behaviour::default(), "", new_id);
+    let brought = brought.map_err(|faults| faults.into_iter().map(Failure::Unfit).collect::<Vec<_>>())?;
     let helpers = brought.library.as_slice();
     let keeps = |changes| Room::rehearse(changes, knowing);
     let refused = keeps(&brought.changes).and_then(|()| keeps(helpers)).err();
     let Some(refusal) = refused else { return Ok(behaviour) };
     // The engine knows most reasons with their place; the rule's sentence stands where it knows none.
     let placed = engine_says(file);
-    Err(if placed.is_empty() { vec![refusal.to_string()] } else { placed })
+    Err(if placed.is_empty() { vec![Failure::Refused(refusal)] } else { placed })
 }
 
 /// Why the engine would not run it, with ids; a line within a procedure is not one of the file.
-fn engine_says(file: &BehaviourFile) -> Vec<String> {
-    let said = |fault: &engine::Fault| match fault.reason.strip_prefix("line ") {
-        Some(rest) => format!("{}: in its procedure, line {rest}", fault.id),
-        None => fault.to_string(),
-    };
-    engine::validate(file).iter().map(said).collect()
+fn engine_says(file: &BehaviourFile) -> Vec<Failure> {
+    engine::validate(file).into_iter().map(Failure::EngineOfFile).collect()
+}
+
+fn records(faults: &[impl ToString]) -> Vec<Failure> {
+    faults.iter().map(|fault| Failure::Record(fault.to_string())).collect()
 }
 
 fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked, knowing: &Knowing) -> Found {
@@ -104,11 +103,11 @@ fn problems(file: &BehaviourFile, behaviour: &Behaviour, looked: &Looked, knowin
         let those = all.iter().filter(|problem| problem.blocks == blocks);
         those.map(|problem| format!("{}: {problem}", problem.at.id)).collect::<Vec<_>>()
     };
-    let mut blocks = said(true);
+    let mut blocks = looked.place(&said(true));
     if blocks.is_empty() {
-        blocks = engine_says(file);
+        blocks = looked.place(&engine_says(file));
     }
-    Found { refused: Vec::new(), blocks: looked.place(&blocks), hints: looked.place(&said(false)) }
+    Found { refused: Vec::new(), blocks, hints: looked.place(&said(false)) }
 }
 
 fn print(name: &str, found: &Found) -> std::io::Result<()> {

@@ -1,12 +1,13 @@
 //! `rrp export`: a behaviour with its helpers as a file to carry.
 
+use crate::failure::Failure;
 use crate::link::Link;
-use crate::store_at::{Named, StoreArgs, Way, find, listed, run};
+use crate::store_at::{Named, StoreArgs, Way, find, library, listed, run};
 use behaviour::{Behaviour, BehaviourFile, Helper, Id};
 use clap::{Args, ValueEnum};
 use std::io::Write;
 use std::path::PathBuf;
-use store::{LIBRARY, Store};
+use store::Store;
 
 /// Writes a behaviour with the helpers it uses as a file, to standard output or --out.
 ///
@@ -41,7 +42,7 @@ enum Format {
 }
 
 /// Exports, or says why not.
-pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
+pub(crate) fn export(args: &ExportArgs) -> Result<(), Failure> {
     let text = run(async {
         match args.at.way().await? {
             Way::Store(store) => {
@@ -52,8 +53,8 @@ pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
         }
     })?;
     let named = |error: std::io::Error| match &args.out {
-        Some(path) => format!("{} could not be written: {error}.", path.display()),
-        None => format!("The file could not be written: {error}."),
+        Some(path) => Failure::Unwritten(path.clone(), error),
+        None => Failure::UnwrittenOut(error),
     };
     match &args.out {
         Some(path) => std::fs::write(path, text).map_err(named),
@@ -61,20 +62,18 @@ pub(crate) fn export(args: &ExportArgs) -> Result<(), String> {
     }
 }
 
-fn written(file: &BehaviourFile, format: Format) -> Result<String, String> {
+fn written(file: &BehaviourFile, format: Format) -> Result<String, Failure> {
     match format {
         Format::Json => Ok(store::files::write_json(file)),
-        Format::Xml => store::files::write_xml(file),
+        Format::Xml => store::files::write_xml(file).map_err(Failure::NoXml),
         Format::Svg => Ok(store::files::write_svg(file)),
     }
 }
 
 /// The file as the server gives it that has the store.
-async fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
+async fn through(link: &Link, args: &ExportArgs) -> Result<String, Failure> {
     let listed: Vec<Named> =
-        serde_json::from_str(&link.get("/api/behaviours").await?.text().await?).map_err(|error| {
-            format!("The rrp server gave a list that cannot be read ({error}). Is it of another version?")
-        })?;
+        serde_json::from_str(&link.get("/api/behaviours").await?.text().await?).map_err(Failure::StrangeList)?;
     let ending = match args.format {
         Format::Json => "json",
         Format::Xml => "xml",
@@ -83,15 +82,14 @@ async fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
     let answer = link.get(&format!("/api/behaviours/{}.{ending}", find(&listed, &args.behaviour)?)).await?;
     let fine = answer.fine;
     let text = answer.text().await?;
-    if fine { Ok(text) } else { Err(text.trim().to_owned()) }
+    if fine { Ok(text) } else { Err(Failure::ServerSays(text.trim().to_owned())) }
 }
 
 /// The file of a behaviour, with its id.
-async fn file(store: &dyn Store, id: &Id) -> Result<BehaviourFile, String> {
-    let library = Id::new(LIBRARY)?;
-    let load = async |id: &Id| store.load(id).await.map_err(|error| error.to_string());
-    let behaviour = load(id).await?.ok_or("The behaviour is gone. Choose another one.")?.behaviour;
-    let library = load(&library).await?.map_or_else(Behaviour::default, |loaded| loaded.behaviour);
+async fn file(store: &dyn Store, id: &Id) -> Result<BehaviourFile, Failure> {
+    let library = library()?;
+    let behaviour = store.load(id).await?.ok_or(Failure::Gone)?.behaviour;
+    let library = store.load(&library).await?.map_or_else(Behaviour::default, |loaded| loaded.behaviour);
     let helpers: Vec<&Helper> = library.helpers().map(|(_, helper)| helper).collect();
     let mut file = BehaviourFile::of(&behaviour, &helpers);
     file.id = Some(id.to_string());

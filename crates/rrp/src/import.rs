@@ -1,7 +1,8 @@
 //! `rrp import`: files into a store, each as a new behaviour or as itself.
 
+use crate::failure::Failure;
 use crate::link::Link;
-use crate::store_at::{StoreArgs, Way, run};
+use crate::store_at::{self, StoreArgs, Way, run};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
 use server::{Knowing, free_name};
@@ -9,7 +10,7 @@ use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
-use store::files::{FILE_MAX_BYTES, Import, Looked, Mode};
+use store::files::{FILE_MAX_BYTES, FileFault, Import, Looked, Mode};
 use store::{Append, LIBRARY, Store};
 
 /// Brings files into a store: the behaviours, and the helpers that its library does not have yet.
@@ -52,11 +53,11 @@ pub(crate) fn import(args: &ImportArgs) -> ExitCode {
 }
 
 /// What to import: its name and its bytes.
-async fn given(args: &ImportArgs) -> Result<Vec<(PathBuf, Vec<u8>)>, String> {
+async fn given(args: &ImportArgs) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let Some(url) = &args.thesis else {
         return args.files.iter().map(|file| Ok((file.clone(), read(file)?))).collect();
     };
-    let programs = store::read_thesis(url).await.map_err(|error| error.to_string())?;
+    let programs = store::read_thesis(url).await?;
     let files = programs.into_iter().map(|file| (PathBuf::from(&file.name), store::files::write_json(&file).into()));
     Ok(files.collect())
 }
@@ -77,25 +78,23 @@ impl From<Import> for Brought {
 }
 
 /// Imports a file through the server that has the store.
-async fn through(link: &Link, path: &Path, bytes: Vec<u8>, restore: bool) -> Result<Brought, String> {
+async fn through(link: &Link, path: &Path, bytes: Vec<u8>, restore: bool) -> Result<Brought, Failure> {
     #[derive(serde::Deserialize)]
     struct No {
         error: String,
     }
     let mode = if restore { "restore" } else { "copy" };
     if bytes.len() > FILE_MAX_BYTES {
-        return Err(format!("{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display()));
+        return Err(Failure::TooLarge(path.to_owned()));
     }
     let answer = link.post(&format!("/api/import?mode={mode}&by=rrp%20import"), bytes).await?;
     let fine = answer.fine;
     let text = answer.text().await?;
-    let unread =
-        |error| format!("The rrp server gave an answer that cannot be read ({error}). Is it of another version?");
     if fine {
-        return serde_json::from_str(&text).map_err(unread);
+        return serde_json::from_str(&text).map_err(Failure::StrangeAnswer);
     }
-    let No { error } = serde_json::from_str(&text).map_err(unread)?;
-    Err(format!("{}: {error}", path.display()))
+    let No { error } = serde_json::from_str(&text).map_err(Failure::StrangeAnswer)?;
+    Err(Failure::ServerSaysOf(path.to_owned(), error))
 }
 
 fn tell(file: &Path, brought: &Brought) {
@@ -107,8 +106,8 @@ fn tell(file: &Path, brought: &Brought) {
 }
 
 /// The bytes of a file, or of standard input for `-`, one more than fit at most.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
-    let named = |error: std::io::Error| format!("{} could not be opened: {error}.", path.display());
+pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
+    let named = |error: std::io::Error| Failure::Unopened(path.to_owned(), error);
     let source: Box<dyn Read> = if path == Path::new("-") {
         Box::new(std::io::stdin().lock())
     } else {
@@ -119,21 +118,15 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, String> {
     Ok(bytes)
 }
 
-async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], restore: bool) -> Result<Import, String> {
+async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], restore: bool) -> Result<Import, Failure> {
     let mut looked = store::files::look(bytes);
-    let named = |faults: Vec<store::files::FileFault>| {
-        let line = |fault: &store::files::FileFault| {
-            format!("{}:{}:{}: {}", path.display(), fault.line, fault.column, fault.reason)
-        };
-        faults.iter().map(line).collect::<Vec<_>>().join("\n")
-    };
+    let named = |faults: Vec<FileFault>| Failure::Faults(path.to_owned(), faults);
     let Some(mut file) = looked.file.take() else { return Err(named(looked.faults)) };
     let mode = if restore { Mode::Restore } else { Mode::Copy };
     if restore {
         check_absent(store, &file).await?;
     }
-    let name = free_name(store, file.name.trim()).await;
-    file.name = name.map_err(|error| error.to_string())?;
+    file.name = free_name(store, file.name.trim()).await?;
     let library = library(store).await?;
     let brought = judged(&file, mode, library.behaviour(), &looked).map_err(named)?;
     save_library(store, library, &brought).await?;
@@ -141,57 +134,52 @@ async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], restore: bool)
     Ok(brought)
 }
 
-fn judged(
-    file: &BehaviourFile,
-    mode: Mode,
-    library: &Behaviour,
-    looked: &Looked,
-) -> Result<Import, Vec<store::files::FileFault>> {
+fn judged(file: &BehaviourFile, mode: Mode, library: &Behaviour, looked: &Looked) -> Result<Import, Vec<FileFault>> {
     file.records(|_| None).map_err(|faults| looked.place(&faults))?;
     let new_id = || Id::from_uuid(uuid::Uuid::new_v4());
     let brought = store::files::import(file, mode, library, "rrp import", new_id);
     let brought = brought.map_err(|faults| looked.place(&faults))?;
-    Room::rehearse(&brought.changes, &Knowing::default()).map_err(|refusal| looked.place(&[refusal.to_string()]))?;
+    Room::rehearse(&brought.changes, &Knowing::default()).map_err(|refusal| looked.place(&[refusal]))?;
     Ok(brought)
 }
 
-async fn check_absent(store: &dyn Store, file: &BehaviourFile) -> Result<(), String> {
+async fn check_absent(store: &dyn Store, file: &BehaviourFile) -> Result<(), Failure> {
     let Some(id) = file.id.as_deref().and_then(|id| Id::new(id).ok()) else { return Ok(()) };
-    let there = store.load(&id).await.map_err(|error| error.to_string())?;
+    let there = store.load(&id).await?;
     if there.is_none() && id.as_str() != LIBRARY {
         return Ok(());
     }
-    Err(format!("“{}” is there already, perhaps in the bin. Import it without --restore to get a copy.", file.name))
+    Err(Failure::Present(file.name.clone()))
 }
 
 /// The library as it is; a fresh store gets the helpers that come with the robot, as from a server.
-async fn library(store: &dyn Store) -> Result<Room, String> {
-    let id = Id::new(LIBRARY)?;
-    let mut loaded = store.load(&id).await.map_err(|error| error.to_string())?;
+async fn library(store: &dyn Store) -> Result<Room, Failure> {
+    let id = store_at::library()?;
+    let mut loaded = store.load(&id).await?;
     if loaded.is_none() {
         let (first, mut after) = (server::first_library(), Behaviour::default());
         after.apply(&first.change);
-        store.append(&id, &first, &after).await.map_err(|error| error.to_string())?;
-        loaded = store.load(&id).await.map_err(|error| error.to_string())?;
+        store.append(&id, &first, &after).await?;
+        loaded = store.load(&id).await?;
     }
     Ok(loaded
         .map_or_else(|| Room::open(Behaviour::default(), 0), |loaded| Room::open(loaded.behaviour, loaded.revision)))
 }
 
-async fn save_library(store: &dyn Store, library: Room, brought: &Import) -> Result<(), String> {
+async fn save_library(store: &dyn Store, library: Room, brought: &Import) -> Result<(), Failure> {
     let Some(change) = brought.library.clone() else { return Ok(()) };
     match library.propose(now_ms(), change, &Knowing::default()) {
         Decision::Save(made) => {
             let mut after = library.behaviour().clone();
             after.apply(&made.change);
-            append(store, &Id::new(LIBRARY)?, &made, &after).await
+            append(store, &store_at::library()?, &made, &after).await
         }
         Decision::Duplicate(_) => Ok(()),
-        Decision::Refuse(refusal) => Err(refusal.to_string()),
+        Decision::Refuse(refusal) => Err(Failure::Refused(refusal)),
     }
 }
 
-async fn save(store: &dyn Store, brought: &Import) -> Result<(), String> {
+async fn save(store: &dyn Store, brought: &Import) -> Result<(), Failure> {
     let (mut after, now_ms) = (Behaviour::default(), now_ms());
     for (revision, change) in (1..).zip(&brought.changes) {
         after.apply(change);
@@ -201,10 +189,10 @@ async fn save(store: &dyn Store, brought: &Import) -> Result<(), String> {
     Ok(())
 }
 
-async fn append(store: &dyn Store, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), String> {
-    match store.append(id, made, after).await.map_err(|error| error.to_string())? {
+async fn append(store: &dyn Store, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), Failure> {
+    match store.append(id, made, after).await? {
         Append::Applied | Append::Duplicate { .. } => Ok(()),
-        Append::Conflict { .. } => Err("Somebody else changed the store just now. Try again.".to_owned()),
+        Append::Conflict { .. } => Err(Failure::Overtaken),
     }
 }
 

@@ -1,5 +1,6 @@
 //! `rrp backup`, `rrp restore` and `rrp migrate`: a whole store at once.
 
+use crate::failure::Failure;
 use crate::link::Link;
 use crate::store_at::{StoreArgs, Way, open, run};
 use clap::Args;
@@ -57,27 +58,27 @@ pub(crate) struct MigrateArgs {
 }
 
 /// Backs up, or says why not.
-pub(crate) fn backup(args: &BackupArgs) -> Result<(), String> {
+pub(crate) fn backup(args: &BackupArgs) -> Result<(), Failure> {
     let (part, bar) = (part(&args.file), Bar::new());
     let done = run(async {
         match args.at.way().await? {
             Way::Store(store) => {
                 let robots = args.at.folder().map(|folder| server::robots_in(&folder)).unwrap_or_default();
-                write(&*store, &robots, &part, &bar).await.map_err(|error| error.to_string())
+                Ok(write(&*store, &robots, &part, &bar).await?)
             }
             Way::Server(link) => fetch(&link, &part).await,
         }
     });
     let done = done.and_then(|done| {
         let kept = store::disk::rename(&part, &args.file);
-        kept.map(|()| done).map_err(|error| format!("{} could not be written: {error}.", args.file.display()))
+        kept.map(|()| done).map_err(|error| Failure::Unwritten(args.file.clone(), error))
     });
     match done {
         Ok(done) => say(&format!("{} in {}.", counted(done), args.file.display())),
-        Err(sentence) => {
+        Err(failure) => {
             // It may not even have been begun.
             let _ = std::fs::remove_file(&part);
-            Err(sentence)
+            Err(failure)
         }
     }
 }
@@ -107,73 +108,66 @@ async fn write(store: &dyn Store, robots: &[Robot], part: &Path, bar: &Bar) -> R
 }
 
 /// Has a backup written by the server that has the store.
-async fn fetch(link: &Link, part: &Path) -> Result<Counted, String> {
-    let unwritten = |error| format!("{} could not be written: {error}.", part.display());
+async fn fetch(link: &Link, part: &Path) -> Result<Counted, Failure> {
+    let unwritten = |error| Failure::Unwritten(part.to_owned(), error);
     let mut file = BufWriter::new(store::disk::create(part).map_err(unwritten)?);
     link.get("/api/backup").await?.copy(&mut file).await?;
     let file = file.into_inner().map_err(|error| unwritten(error.into_error()))?;
     file.sync_all().map_err(unwritten)?;
     let mut written = BufReader::new(File::open(part).map_err(unwritten)?);
-    store::backup::verify(&mut written).map_err(|error| error.to_string())
+    Ok(store::backup::verify(&mut written)?)
 }
 
 /// Restores, or says why not.
-pub(crate) fn restore(args: &RestoreArgs) -> Result<(), String> {
-    let unopened = |error| format!("{} could not be opened: {error}.", args.file.display());
+pub(crate) fn restore(args: &RestoreArgs) -> Result<(), Failure> {
+    let unopened = |error| Failure::Unopened(args.file.clone(), error);
     let (file, bar) = (BufReader::new(File::open(&args.file).map_err(unopened)?), Bar::new());
     let done = run(async {
         let store = args.at.open().await?;
-        let said = |error: BackupError| error.to_string();
-        let backup = store::backup::read(file, &*store).await.map_err(said)?;
+        let backup = store::backup::read(file, &*store).await?;
         let robots = backup.robots().to_vec();
         let _beside = if robots.is_empty() { None } else { lock_beside(&args.at)? };
         let (url, folder) = (args.at.url()?, folder_for(&args.at, &robots)?);
         let marked = store::folder_of(&url).or(folder.as_deref());
-        let begun = marked.map(Unfinished::begin).transpose().map_err(|error| unmarked(&error))?;
-        let done = store::backup::restore(backup, &store, &|done, of| bar.at(done, of)).await.map_err(said)?;
-        folder.map_or(Ok(()), |folder| server::put_robots(&folder, &robots)).map_err(|error| unmarked(&error))?;
-        begun.map_or(Ok(()), Unfinished::end).map_err(|error| unmarked(&error))?;
+        let begun = marked.map(Unfinished::begin).transpose().map_err(Failure::DataFolder)?;
+        let done = store::backup::restore(backup, &store, &|done, of| bar.at(done, of)).await?;
+        folder.map_or(Ok(()), |folder| server::put_robots(&folder, &robots)).map_err(Failure::DataFolder)?;
+        begun.map_or(Ok(()), Unfinished::end).map_err(Failure::DataFolder)?;
         Ok(done)
     })?;
     say(&format!("{} from {}.", counted(done), args.file.display()))
 }
 
 /// Keeps servers away from the folder beside a store that is elsewhere.
-fn lock_beside(at: &StoreArgs) -> Result<Option<FolderLock>, String> {
+fn lock_beside(at: &StoreArgs) -> Result<Option<FolderLock>, Failure> {
     let (url, folder) = (at.url()?, at.folder());
     let folder = folder.filter(|folder| store::folder_of(&url).is_none_or(|own| !store::is_same_folder(own, folder)));
-    folder.map(|folder| store::lock_folder(&folder)).transpose().map_err(|error| error.to_string())
+    Ok(folder.map(|folder| store::lock_folder(&folder)).transpose()?)
 }
 
 /// Where the robots go.
-fn folder_for(at: &StoreArgs, robots: &[Robot]) -> Result<Option<PathBuf>, String> {
+fn folder_for(at: &StoreArgs, robots: &[Robot]) -> Result<Option<PathBuf>, Failure> {
     let folder = at.folder();
     match &folder {
-        Some(folder) => server::check_robots(folder, robots)?,
+        Some(folder) => server::check_robots(folder, robots).map_err(Failure::Robots)?,
         None if robots.is_empty() => {}
-        None => return Err("There is no folder for the robots in the backup. Say one with --data DIR.".to_owned()),
+        None => return Err(Failure::NoRobotsFolder),
     }
     Ok(folder)
 }
 
-fn unmarked(error: &std::io::Error) -> String {
-    format!("The data folder cannot be written ({error}). Look at the disk, then do this again.")
-}
-
 /// Copies, or says why not.
-pub(crate) fn migrate(args: &MigrateArgs) -> Result<(), String> {
+pub(crate) fn migrate(args: &MigrateArgs) -> Result<(), Failure> {
     let bar = Bar::new();
     let (done, differences) = run(async {
         if args.from == args.to {
-            return Err(BackupError::Same.to_string());
+            return Err(BackupError::Same.into());
         }
         let (from, to): (Arc<dyn Store>, _) = (open(&args.from).await?, open(&args.to).await?);
-        let copied = store::backup::migrate(&from, &to, &|done, of| bar.at(done, of)).await;
-        copied.map_err(|error| error.to_string())
+        Ok(store::backup::migrate(&from, &to, &|done, of| bar.at(done, of)).await?)
     })?;
-    let lines: Vec<_> = differences.iter().map(|one| format!("  {}: {} differs", one.behaviour, one.what)).collect();
-    if !lines.is_empty() {
-        return Err(format!("The stores are not the same. Empty the second one and try again:\n{}", lines.join("\n")));
+    if !differences.is_empty() {
+        return Err(Failure::Differences(differences));
     }
     say(&format!("{}; both stores hold the same: revisions, records, histories and bin.", counted(done)))
 }
@@ -183,8 +177,8 @@ fn counted(done: Counted) -> String {
     format!("{} with {}", some(done.behaviours, "behaviour"), some(done.changes, "change"))
 }
 
-fn say(sentence: &str) -> Result<(), String> {
-    writeln!(std::io::stdout().lock(), "{sentence}").map_err(|error| error.to_string())
+fn say(sentence: &str) -> Result<(), Failure> {
+    writeln!(std::io::stdout().lock(), "{sentence}").map_err(Failure::Untold)
 }
 
 /// How far it is, on a terminal only.

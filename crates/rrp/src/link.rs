@@ -1,12 +1,12 @@
 //! The way to a store through the running server that uses it.
 
+use crate::failure::{Failure, Foreign};
 use http_body_util::{BodyExt, Full};
 use hyper::body::{Bytes, Incoming};
 use hyper::client::conn::http1;
 use hyper::header::{HOST, ORIGIN};
 use hyper::{Method, Request, StatusCode};
 use hyper_util::rt::TokioIo;
-use std::fmt::Display;
 use std::io::Write;
 use std::net::SocketAddr;
 use std::time::Duration;
@@ -31,18 +31,18 @@ pub(crate) struct Answer {
 
 impl Answer {
     /// All of the text.
-    pub(crate) async fn text(self) -> Result<String, String> {
+    pub(crate) async fn text(self) -> Result<String, Failure> {
         let mut text = Vec::new();
         self.copy(&mut text).await?;
-        String::from_utf8(text).map_err(|error| broken(&error))
+        String::from_utf8(text).map_err(cut_off)
     }
 
     /// All of it into a file.
-    pub(crate) async fn copy(mut self, to: &mut impl Write) -> Result<(), String> {
-        while let Some(frame) = within(SILENT_MS, self.body.frame()).await.map_err(|error| broken(&error))? {
-            let frame = frame.map_err(|error| broken(&error))?;
+    pub(crate) async fn copy(mut self, to: &mut impl Write) -> Result<(), Failure> {
+        while let Some(frame) = within(SILENT_MS, self.body.frame()).await.map_err(cut_off)? {
+            let frame = frame.map_err(cut_off)?;
             let piece = frame.into_data().unwrap_or_default();
-            to.write_all(&piece).map_err(|error| broken(&error))?;
+            to.write_all(&piece).map_err(cut_off)?;
         }
         Ok(())
     }
@@ -50,24 +50,21 @@ impl Answer {
 
 impl Link {
     /// Asks for something.
-    pub(crate) async fn get(&self, path: &str) -> Result<Answer, String> {
+    pub(crate) async fn get(&self, path: &str) -> Result<Answer, Failure> {
         self.ask(Method::GET, path, Bytes::new()).await
     }
 
     /// Sends something.
-    pub(crate) async fn post(&self, path: &str, body: Vec<u8>) -> Result<Answer, String> {
+    pub(crate) async fn post(&self, path: &str, body: Vec<u8>) -> Result<Answer, Failure> {
         self.ask(Method::POST, path, body.into()).await
     }
 
-    async fn ask(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, String> {
+    async fn ask(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, Failure> {
         let answer = self.exchange(method, path, body).await;
-        answer.map_err(|error| {
-            let address = self.address;
-            format!("The rrp server at http://{address}/ does not answer ({error}). Look whether it runs.")
-        })
+        answer.map_err(|error| Failure::Silent(self.address, error))
     }
 
-    async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, ExchangeError> {
+    async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, Foreign> {
         let (address, origin) = (self.address, format!("http://{}", self.address));
         let request = Request::builder().method(method).uri(path);
         let request = request.header(HOST, address.to_string()).header(ORIGIN, origin).body(Full::new(body))?;
@@ -80,14 +77,11 @@ impl Link {
     }
 }
 
-/// What can be wrong with an exchange; only its sentence is told.
-type ExchangeError = Box<dyn std::error::Error + Send + Sync>;
-
 /// Waits, but not for ever.
 async fn within<T>(ms: u64, work: impl Future<Output = T>) -> Result<T, tokio::time::error::Elapsed> {
     tokio::time::timeout(Duration::from_millis(ms), work).await
 }
 
-fn broken(error: &impl Display) -> String {
-    format!("The rrp server stopped in the middle of its answer ({error}). Try again.")
+fn cut_off(error: impl Into<Foreign>) -> Failure {
+    Failure::CutOff(error.into())
 }

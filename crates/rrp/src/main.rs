@@ -4,6 +4,7 @@ mod bench;
 mod check;
 mod data_folder;
 mod export;
+mod failure;
 mod import;
 mod keep;
 mod link;
@@ -12,8 +13,10 @@ mod page;
 mod replay;
 mod serve;
 mod store_at;
+mod words;
 
 use clap::{Parser, Subcommand};
+use failure::Failure;
 use mimalloc::MiMalloc;
 use std::io::Write;
 use std::process::ExitCode;
@@ -82,15 +85,21 @@ fn main() -> ExitCode {
     }
 }
 
-/// Success, or a sentence on standard error and exit code 1.
-fn ended(done: Result<(), String>) -> ExitCode {
+/// Success, or what failed on standard error and exit code 1.
+fn ended(done: Result<(), Failure>) -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
-        Err(sentence) => {
-            let _ = writeln!(std::io::stderr(), "{sentence}");
-            ExitCode::FAILURE
-        }
+        Err(failure) => failed(&[failure], 1),
     }
+}
+
+/// Says on standard error what failed, a line each, and gives the exit code.
+fn failed(failures: &[Failure], code: u8) -> ExitCode {
+    let mut errors = std::io::stderr().lock();
+    for failure in failures {
+        let _ = writeln!(errors, "{failure}");
+    }
+    ExitCode::from(code)
 }
 
 fn console(url: &str) -> ExitCode {

@@ -4,13 +4,14 @@ mod play;
 mod printer;
 mod recording;
 
+use crate::failure::{Failure, Senseless};
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use clap::{Args, ValueEnum};
 use engine::{Limits, Run, StreamIx};
 use play::{Player, play};
 use printer::Printer;
 use robot::Millis;
-use std::io::{BufWriter, Read, Write};
+use std::io::{BufWriter, Read};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -74,8 +75,15 @@ enum Mode {
 
 /// Why a replay did not happen.
 pub(crate) enum Refused {
-    Behaviour(Vec<String>),
-    Trace(String),
+    Behaviour(Vec<Failure>),
+    Trace(Failure),
+}
+
+impl Refused {
+    /// A behaviour that the engine cannot run.
+    pub(crate) fn engine(faults: Vec<engine::Fault>) -> Self {
+        Self::Behaviour(faults.into_iter().map(Failure::Engine).collect())
+    }
 }
 
 /// A reading for a stream by index.
@@ -95,8 +103,8 @@ pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
             let printer = Printer::new(args, &files);
             // Whoever reads may have seen enough: a closed pipe ends the replay, and that is no failure.
             let _ = play(&mut players, printer, &mut BufWriter::new(std::io::stdout().lock()));
-            let faults: Vec<String> = players.iter().filter_map(|player| player.fault()).collect();
-            if faults.is_empty() { ExitCode::SUCCESS } else { refuse(&faults, 4) }
+            let faults: Vec<Failure> = players.iter().filter_map(|player| player.fault()).collect();
+            if faults.is_empty() { ExitCode::SUCCESS } else { crate::failed(&faults, 4) }
         }
         Err(reason) => refused(reason),
     }
@@ -105,24 +113,15 @@ pub(crate) fn replay(args: &ReplayArgs) -> ExitCode {
 /// Says why, and gives the exit code for it.
 pub(crate) fn refused(reason: Refused) -> ExitCode {
     match reason {
-        Refused::Behaviour(reasons) => refuse(&reasons, 2),
-        Refused::Trace(reason) => refuse(&[reason], 3),
+        Refused::Behaviour(reasons) => crate::failed(&reasons, 2),
+        Refused::Trace(reason) => crate::failed(&[reason], 3),
     }
-}
-
-fn refuse(reasons: &[String], code: u8) -> ExitCode {
-    let mut errors = std::io::stderr().lock();
-    for reason in reasons {
-        let _ = writeln!(errors, "{reason}");
-    }
-    ExitCode::from(code)
 }
 
 fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), Refused> {
     let read = |path: &PathBuf| read_behaviour(args, path).map_err(|reason| Refused::Behaviour(vec![reason]));
     let files = args.behaviour.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let faults = |faults: Vec<engine::Fault>| Refused::Behaviour(faults.iter().map(ToString::to_string).collect());
-    let build = |file: &BehaviourFile| Run::build(file, Limits::default()).map_err(faults);
+    let build = |file: &BehaviourFile| Run::build(file, Limits::default()).map_err(Refused::engine);
     let runs = files.iter().map(build).collect::<Result<Vec<_>, _>>()?;
     let traces = traces(args, &runs).map_err(Refused::Trace)?;
     let player = |((run, trace), file): ((Run, Trace), &BehaviourFile)| Player::new(args.until, file, run, trace);
@@ -130,10 +129,10 @@ fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), Refus
     Ok((files, players))
 }
 
-fn read_behaviour(args: &ReplayArgs, path: &Path) -> Result<BehaviourFile, String> {
+fn read_behaviour(args: &ReplayArgs, path: &Path) -> Result<BehaviourFile, Failure> {
     let text = read(path, BEHAVIOUR_BYTES)?;
     let file = serde_json::from_str::<BehaviourFile>(&text);
-    let mut file = file.map_err(|error| format!("{}: {error}", path.display()))?;
+    let mut file = file.map_err(|error| Failure::NoBehaviour(path.to_owned(), error))?;
     file.engine = Some(chosen_engine(args, file.engine.unwrap_or_default()));
     Ok(file)
 }
@@ -149,23 +148,23 @@ fn chosen_engine(args: &ReplayArgs, own: Engine) -> Engine {
 }
 
 /// A whole file, or standard input for `-`, up to a bound.
-pub(crate) fn read(path: &Path, bound: u64) -> Result<String, String> {
-    let named = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
+pub(crate) fn read(path: &Path, bound: u64) -> Result<String, Failure> {
+    let unread = |error| Failure::Unread(path.to_owned(), error);
     let source: Box<dyn Read> = if path == Path::new("-") {
         Box::new(std::io::stdin().lock())
     } else {
-        Box::new(std::fs::File::open(path).map_err(|error| named(&error))?)
+        Box::new(std::fs::File::open(path).map_err(unread)?)
     };
     let mut text = String::new();
-    source.take(bound + 1).read_to_string(&mut text).map_err(|error| named(&error))?;
+    source.take(bound + 1).read_to_string(&mut text).map_err(unread)?;
     if text.len() as u64 > bound {
-        return Err(named(&format!("it is larger than {bound} bytes")));
+        return Err(Failure::Large(path.to_owned(), bound));
     }
     Ok(text)
 }
 
 /// The trace of each behaviour.
-fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, String> {
+fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, Failure> {
     match &args.trace[..] {
         [shared] => {
             let text = read(shared, TRACE_BYTES)?;
@@ -176,26 +175,26 @@ fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, String> {
             let own = |(path, run): (&PathBuf, &Run)| parse(&read(path, TRACE_BYTES)?, run, &[run]);
             each.iter().zip(runs).map(own).collect()
         }
-        each => Err(format!("{} traces for {} behaviours; give one for all, or one for each", each.len(), runs.len())),
+        each => Err(Failure::Traces { traces: each.len(), behaviours: runs.len() }),
     }
 }
 
 /// What a trace has for a run. A plain one may name streams of these runs only.
-fn parse(text: &str, run: &Run, known: &[&Run]) -> Result<Trace, String> {
+fn parse(text: &str, run: &Run, known: &[&Run]) -> Result<Trace, Failure> {
     recording::parse(text, run)
         .unwrap_or_else(|| parse_lines(text, run, known).map(|readings| Trace { readings, closed: None }))
 }
 
 /// The readings of a trace for the only run that it is for.
-pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, String> {
+pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, Failure> {
     parse_lines(text, run, &[run])
 }
 
-fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<Reading>, String> {
+fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<Reading>, Failure> {
     let mut readings = Vec::new();
     let mut latest = 0;
     for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
-        let told = |reason| format!("trace line {number}: {reason}");
+        let told = |why| Failure::TraceLine(number, why);
         let (at, stream, value) = parse_line(line, latest).map_err(told)?;
         latest = at.0;
         match sensor(run, &stream) {
@@ -207,23 +206,23 @@ fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<Reading>, St
     Ok(readings)
 }
 
-fn parse_line(line: &str, latest: u64) -> Result<(Millis, String, Value), String> {
-    let line: Value = serde_json::from_str(line).map_err(|error| error.to_string())?;
-    let Some(&Value::Int(t)) = line.field("t") else { return Err("t must be a whole number".to_owned()) };
-    let t = u64::try_from(t).map_err(|_| "t must not be negative".to_owned())?;
-    let stream = line.field("stream").and_then(Value::as_text).ok_or("stream must be a text")?;
-    let value = line.field("value").cloned().ok_or("value is missing")?;
+fn parse_line(line: &str, latest: u64) -> Result<(Millis, String, Value), Senseless> {
+    let line: Value = serde_json::from_str(line)?;
+    let Some(&Value::Int(t)) = line.field("t") else { return Err(Senseless::Time) };
+    let t = u64::try_from(t).map_err(|_| Senseless::Negative)?;
+    let stream = line.field("stream").and_then(Value::as_text).ok_or(Senseless::Stream)?;
+    let value = line.field("value").cloned().ok_or(Senseless::Value)?;
     if t < latest {
-        return Err(format!("time goes back from {latest} to {t}"));
+        return Err(Senseless::Backwards { from: latest, to: t });
     }
     Ok((Millis(t), stream.to_owned(), value))
 }
 
 /// A sensor stream by its id.
-fn sensor(run: &Run, stream: &str) -> Result<StreamIx, String> {
-    let at = run.stream_index(stream).ok_or_else(|| format!("there is no stream {stream:?}"))?;
+fn sensor(run: &Run, stream: &str) -> Result<StreamIx, Senseless> {
+    let at = run.stream_index(stream).ok_or_else(|| Senseless::Unknown(stream.to_owned()))?;
     let is_sensor = run.streams()[at].kind == StreamKind::Sensor;
-    if is_sensor { Ok(at) } else { Err(format!("{stream:?} is no sensor stream")) }
+    if is_sensor { Ok(at) } else { Err(Senseless::NoSensor(stream.to_owned())) }
 }
 
 #[cfg(test)]
@@ -307,7 +306,8 @@ mod tests {
             ),
         ];
         for (trace, reason) in cases {
-            assert_eq!(parse_trace(trace, &run).err().as_deref(), Some(reason));
+            let refused = parse_trace(trace, &run).err().map(|why| why.to_string());
+            assert_eq!(refused.as_deref(), Some(reason));
         }
         assert!(parse_trace(r#"{"t":1,"stream":"a","value":1e999}"#, &run).is_err());
     }

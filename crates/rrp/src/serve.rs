@@ -1,6 +1,7 @@
 //! `rrp serve`: the server in the foreground, until Ctrl-C or SIGTERM.
 
 use crate::data_folder::data_folder;
+use crate::failure::Failure;
 use crate::log::{self, Log};
 use crate::page::page;
 use clap::Args;
@@ -43,13 +44,7 @@ pub(crate) struct ServeArgs {
 pub(crate) fn serve(args: ServeArgs) -> ExitCode {
     let log = log::start();
     more_files();
-    match run(args, &log) {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(sentence) => {
-            let _ = writeln!(std::io::stderr(), "{sentence}");
-            ExitCode::FAILURE
-        }
-    }
+    crate::ended(run(args, &log))
 }
 
 /// Allows as many open files and connections as the system lets us have; often it is few at first.
@@ -67,11 +62,11 @@ fn more_files() {
 #[cfg(not(unix))]
 fn more_files() {}
 
-fn run(args: ServeArgs, log: &Log) -> Result<(), String> {
+fn run(args: ServeArgs, log: &Log) -> Result<(), Failure> {
     let data = data_folder(args.store.as_deref(), args.data.as_deref(), usual_data().as_deref());
     let store = store_url(args.store, args.data)?;
     let config = Config { listen: args.listen, store, data, seed: args.seed, page };
-    let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("The server could not start: {error}."))?;
+    let runtime = tokio::runtime::Runtime::new().map_err(Failure::ServerNotStarted)?;
     let served: Result<(), ServeError> = runtime.block_on(async {
         tokio::select! {
             served = server::serve(config, ready, asked_to_stop()) => served,
@@ -79,13 +74,13 @@ fn run(args: ServeArgs, log: &Log) -> Result<(), String> {
         }
     });
     runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
-    served.map_err(|error| error.to_string())
+    served.map_err(Failure::Serve)
 }
 
 /// The address of the store: the one that was given, or a folder.
-pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<String, String> {
+pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<String, Failure> {
     let folder = || data.or_else(usual_data).map(|folder| folder.display().to_string());
-    store.or_else(folder).ok_or_else(|| "There is no home folder. Say where the data is with --data DIR.".to_owned())
+    store.or_else(folder).ok_or(Failure::NoHome)
 }
 
 /// The folder that is taken if none is said.

@@ -1,6 +1,7 @@
 //! Which store a command works on, and the way to it.
 
 use crate::data_folder::data_folder;
+use crate::failure::Failure;
 use crate::link::Link;
 use crate::serve::{store_url, usual_data};
 use behaviour::Id;
@@ -8,7 +9,7 @@ use clap::Args;
 use std::future::Future;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use store::{Store, StoreError};
+use store::{LIBRARY, Store, StoreError};
 
 /// The store to work on.
 #[derive(Debug, Default, Args)]
@@ -32,25 +33,25 @@ pub(crate) enum Way {
 
 impl StoreArgs {
     /// Opens it, or finds the running server that uses it.
-    pub(crate) async fn way(&self) -> Result<Way, String> {
+    pub(crate) async fn way(&self) -> Result<Way, Failure> {
         let url = self.finished()?;
         match store::open_url(&url).await {
             Ok(store) => Ok(Way::Store(store)),
             Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
                 Some(address) => Ok(Way::Server(Link { address })),
-                None => Err(busy(&folder)),
+                None => Err(Failure::Busy(folder)),
             },
-            Err(error) => Err(error.to_string()),
+            Err(error) => Err(error.into()),
         }
     }
 
     /// Opens it; a store that a server uses is not touched.
-    pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, String> {
+    pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, Failure> {
         open(&self.url()?).await
     }
 
     /// Its address.
-    pub(crate) fn url(&self) -> Result<String, String> {
+    pub(crate) fn url(&self) -> Result<String, Failure> {
         store_url(self.store.clone(), self.data.clone())
     }
 
@@ -60,25 +61,21 @@ impl StoreArgs {
     }
 
     /// Its address, if no restore into it is left half done.
-    fn finished(&self) -> Result<String, String> {
+    fn finished(&self) -> Result<String, Failure> {
         let url = self.url()?;
         for folder in store::folder_of(&url).map(Path::to_owned).into_iter().chain(self.folder()) {
-            store::backup::check_finished(&folder).map_err(|error| error.to_string())?;
+            store::backup::check_finished(&folder)?;
         }
         Ok(url)
     }
 }
 
 /// Opens a store by its address; one that a server uses is not touched.
-pub(crate) async fn open(url: &str) -> Result<Arc<dyn Store>, String> {
+pub(crate) async fn open(url: &str) -> Result<Arc<dyn Store>, Failure> {
     store::open_url(url).await.map_err(|error| match error {
-        StoreError::Busy(folder) => busy(&folder),
-        other => other.to_string(),
+        StoreError::Busy(folder) => Failure::Busy(folder),
+        other => Failure::Store(other),
     })
-}
-
-fn busy(folder: &Path) -> String {
-    format!("A running rrp server uses {}. Stop it, then do this again.", folder.display())
 }
 
 /// A behaviour.
@@ -88,20 +85,25 @@ pub(crate) struct Named {
     pub(crate) name: String,
 }
 
+/// The id of the library.
+pub(crate) fn library() -> Result<Id, Failure> {
+    Id::new(LIBRARY).map_err(|reason| Failure::Id(reason.to_string()))
+}
+
 /// Runs what waits for a store, to its end.
-pub(crate) fn run<T>(work: impl Future<Output = Result<T, String>>) -> Result<T, String> {
-    let runtime = tokio::runtime::Runtime::new().map_err(|error| format!("This could not start: {error}."))?;
+pub(crate) fn run<T>(work: impl Future<Output = Result<T, Failure>>) -> Result<T, Failure> {
+    let runtime = tokio::runtime::Runtime::new().map_err(Failure::NotStarted)?;
     runtime.block_on(work)
 }
 
 /// Id and name of everything that is not in the bin, by name.
-pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Named>, String> {
-    let names = server::names(store).await.map_err(|error| error.to_string())?;
+pub(crate) async fn listed(store: &dyn Store) -> Result<Vec<Named>, Failure> {
+    let names = server::names(store).await?;
     Ok(names.into_iter().map(|(id, name)| Named { id, name }).collect())
 }
 
 /// The one behaviour that has this id or name.
-pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, String> {
+pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, Failure> {
     if let Some(line) = listed.iter().find(|line| line.id.as_str() == wanted) {
         return Ok(line.id.clone());
     }
@@ -110,22 +112,14 @@ pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, String> {
     let near: Vec<_> = listed.iter().filter(|line| line.name.to_lowercase() == lower).collect();
     match (exact.as_slice(), near.as_slice()) {
         ([one], _) | ([], [one]) => Ok(one.id.clone()),
-        ([], []) => Err(format!("There is no behaviour “{wanted}”. {}", choices(listed))),
-        ([], many) | (many, _) => {
-            let ids: Vec<_> = many.iter().map(|line| line.id.as_str()).collect();
-            Err(format!("Several behaviours are called “{wanted}”. Say which one by its id: {}.", ids.join(", ")))
+        ([], []) => {
+            let names = listed.iter().map(|line| line.name.clone()).collect();
+            Err(Failure::Unknown { wanted: wanted.to_owned(), names })
         }
-    }
-}
-
-fn choices(listed: &[Named]) -> String {
-    const SHOWN: usize = 10;
-    let names: Vec<_> = listed.iter().take(SHOWN).map(|line| format!("“{}”", line.name)).collect();
-    let more = if listed.len() > SHOWN { ", …" } else { "" };
-    if names.is_empty() {
-        "The store is empty; look whether --store or --data is right.".to_owned()
-    } else {
-        format!("There are {}{more}.", names.join(", "))
+        ([], many) | (many, _) => {
+            let ids = many.iter().map(|line| line.id.to_string()).collect();
+            Err(Failure::Several { wanted: wanted.to_owned(), ids })
+        }
     }
 }
 
@@ -143,9 +137,10 @@ mod tests {
         let listed = [line("a1", "Greet"), line("b2", "Follow"), line("c3", "follow"), line("d4", "Greet")];
         assert_eq!(find(&listed, "b2").unwrap().as_str(), "b2");
         assert_eq!(find(&listed, "Follow").unwrap().as_str(), "b2");
-        assert!(find(&listed, "FOLLOW").unwrap_err().contains("b2, c3"));
-        assert!(find(&listed, "Greet").unwrap_err().contains("a1, d4"));
-        assert!(find(&listed, "Dance").unwrap_err().contains("There are “Greet”"));
-        assert!(find(&[], "Dance").unwrap_err().contains("empty"));
+        let refused = |listed: &[Named], wanted: &str| find(listed, wanted).unwrap_err().to_string();
+        assert!(refused(&listed, "FOLLOW").contains("b2, c3"));
+        assert!(refused(&listed, "Greet").contains("a1, d4"));
+        assert!(refused(&listed, "Dance").contains("There are “Greet”"));
+        assert!(refused(&[], "Dance").contains("empty"));
     }
 }

@@ -13,11 +13,12 @@ mod rooms;
 mod serve;
 mod state;
 mod support;
+mod words;
 
 pub use http::address::address_in;
 pub use http::page::{Page, PageFile};
 pub use library::create::first_library;
 pub use library::list::{free_name, names};
-pub use robots::{check_robots, put_robots, robots_in};
+pub use robots::{BackupMisfit, check_robots, put_robots, robots_in};
 pub use rooms::knowledge::Knowing;
 pub use serve::{Config, ServeError, serve, serve_with};

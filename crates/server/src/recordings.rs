@@ -14,9 +14,10 @@ pub(crate) use recorder::{Recorder, Step};
 use serde::Deserialize;
 use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
+pub(crate) use writer::Stuck;
 
 /// The largest a recording may grow, in bytes.
 pub(crate) const RECORDING_MAX_BYTES: u64 = 256 << 20;
@@ -39,6 +40,35 @@ pub(crate) struct Recordings {
     naming: Arc<Mutex<()>>,
     /// The files that are being written.
     open: Arc<Mutex<BTreeSet<String>>>,
+}
+
+/// Why something about a recording was not done.
+#[derive(Debug)]
+pub(crate) enum NotRecorded {
+    /// The server has no folder to record into.
+    NoFolder,
+    /// The folder of the recordings cannot be made.
+    NoneMade(PathBuf, io::Error),
+    /// There are as many recordings as may be, or as large.
+    Full,
+    /// The file cannot be made.
+    Unwritable(PathBuf, io::Error),
+    /// Every name that it could have is taken.
+    NameTaken,
+    /// Its first line could not be written.
+    NotBegun(io::Error),
+    /// It could not be removed.
+    NotRemoved(io::Error),
+    /// What shall be marked is not recorded.
+    Unrecorded,
+    /// The note of a mark is too long.
+    LongNote,
+}
+
+impl From<NotRecorded> for Refused {
+    fn from(why: NotRecorded) -> Self {
+        Self::CannotRecord(why.to_string())
+    }
 }
 
 /// A file that is being written, until this is dropped.
@@ -79,14 +109,14 @@ impl Recordings {
     /// Begins a recording: when this answers, its first line is on the disk. Nothing that was recorded gives way to it.
     ///
     /// # Errors
-    /// Why it cannot be recorded, and what to do.
-    pub(crate) fn begin(&self, about: &About) -> Result<Recorder, String> {
-        let folder = self.folder.as_deref().ok_or("this server has no data folder; start it with --data DIR")?;
+    /// Why it cannot be recorded.
+    pub(crate) fn begin(&self, about: &About) -> Result<Recorder, NotRecorded> {
+        let folder = self.folder.as_deref().ok_or(NotRecorded::NoFolder)?;
         let _naming = lock(&self.naming);
-        store::disk::make_folder(folder).map_err(|error| format!("{} cannot be made ({error})", folder.display()))?;
+        store::disk::make_folder(folder).map_err(|error| NotRecorded::NoneMade(folder.to_owned(), error))?;
         let (count, bytes) = taken(folder);
         if count >= KEPT_MAX || bytes + RECORDING_MAX_BYTES > ALL_MAX_BYTES {
-            return Err("there is no room for another recording; download and remove some first".to_owned());
+            return Err(NotRecorded::Full);
         }
         let began = clock::now();
         let (name, file) = create(folder, &began, about.file.name.as_str())?;
@@ -95,7 +125,7 @@ impl Recordings {
         started.map_err(|error| {
             // It has not begun; what is left of its file says nothing.
             let _none_is_fine = std::fs::remove_file(folder.join(&name));
-            format!("it cannot be recorded ({error}); free some space, or start it without recording")
+            NotRecorded::NotBegun(error)
         })
     }
 
@@ -127,7 +157,7 @@ impl Recordings {
         let path = self.find(name).ok_or(Refused::NoRecording)?;
         let removed = std::fs::remove_file(&path);
         let removed = removed.and_then(|()| store::disk::sync_names(path.parent().unwrap_or(Path::new(""))));
-        removed.map_err(|error| Refused::CannotRecord(format!("it cannot be removed ({error})")))
+        removed.map_err(|error| NotRecorded::NotRemoved(error).into())
     }
 }
 
@@ -147,7 +177,7 @@ fn taken(folder: &Path) -> (usize, u64) {
 }
 
 /// A new file, named by time and behaviour.
-fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File), String> {
+fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File), NotRecorded> {
     let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
     let words: String = behaviour.chars().take(40).map(plain).collect();
     let words = words.split('-').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-");
@@ -156,11 +186,11 @@ fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File),
         let name = format!("{name}{ENDING}");
         match store::disk::private().create_new(true).open(folder.join(&name)) {
             Ok(file) => return Ok((name, file)),
-            Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists => {}
-            Err(error) => return Err(format!("{} cannot be written ({error})", folder.join(name).display())),
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(NotRecorded::Unwritable(folder.join(name), error)),
         }
     }
-    Err("too many recordings have the same name; remove some first".to_owned())
+    Err(NotRecorded::NameTaken)
 }
 
 /// The first line of a recording, as far as it is shown.

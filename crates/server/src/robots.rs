@@ -11,6 +11,7 @@ mod host;
 mod live;
 mod mailbox;
 mod order;
+pub(crate) mod refusal;
 mod register;
 mod robot_thread;
 mod run_table;
@@ -27,14 +28,17 @@ mod tests;
 pub use backup::{check_robots, put_robots, robots_in};
 pub(crate) use host::{Host, Start};
 pub(crate) use live::{LiveValues, Seen};
+pub use refusal::BackupMisfit;
+pub(crate) use refusal::NoRun;
 
-use crate::recordings::Recordings;
+use crate::recordings::{NotRecorded, Recordings};
 use crate::support::lock;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use engine::Limits;
 use order::Order;
 use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, Refused, RobotState, RunState};
+use refusal::RobotsUnchanged;
 use register::{Known, Register};
 use robot::{Health, SceneEdit};
 use settling::Settling;
@@ -88,12 +92,11 @@ impl Robots {
         if register.known().iter().any(|known| known.robot == *robot) {
             return Ok(());
         }
-        let known = register.newcomer(robot, name).map_err(Refused::RobotNotAdded)?;
+        let known = register.newcomer(robot, name).map_err(RobotsUnchanged::not_added)?;
         if register.known().len() >= ROBOTS_MAX {
-            let full = format!("there are {ROBOTS_MAX} already; remove one first");
-            return Err(Refused::RobotNotAdded(full));
+            return Err(RobotsUnchanged::TooMany.not_added());
         }
-        let unkept = |error: std::io::Error| Refused::RobotNotAdded(format!("it could not be kept ({error})"));
+        let unkept = |error: std::io::Error| RobotsUnchanged::NewUnkept(error).not_added();
         register.add(known.clone()).map_err(unkept)?;
         let host = fleet.host(&known).inspect_err(|_| drop(register.remove(robot))).map_err(unkept)?;
         lock(&fleet.hosts).push(host);
@@ -108,12 +111,12 @@ impl Robots {
         let mut register = lock(&self.fleet.register);
         let host = self.meant(Some(robot))?;
         if register.known().len() == 1 {
-            return Err(Refused::RobotStays("it is the only one".to_owned()));
+            return Err(RobotsUnchanged::OnlyOne.stays());
         }
         if !host.is_idle() {
-            return Err(Refused::RobotStays("something runs on it; press Stop first".to_owned()));
+            return Err(RobotsUnchanged::InUse.stays());
         }
-        register.remove(robot).map_err(|error| Refused::RobotStays(format!("that could not be kept ({error})")))?;
+        register.remove(robot).map_err(|error| RobotsUnchanged::Unkept(error).stays())?;
         lock(&self.fleet.hosts).retain(|known| known.id() != robot);
         host.leave();
         Ok(())
@@ -182,7 +185,7 @@ impl Robots {
     /// If the behaviour does not run there or is not recorded, the note is too long, or that was too much at once.
     pub(crate) fn mark(&self, behaviour: &Id, robot: Option<&Id>, by: &str, note: &str) -> Result<(), Refused> {
         if note.chars().count() > MARK_MAX_CHARS {
-            return Err(Refused::CannotRecord(format!("a note has at most {MARK_MAX_CHARS} characters")));
+            return Err(NotRecorded::LongNote.into());
         }
         let hosts = self.running(behaviour, robot)?;
         hosts.iter().try_for_each(|host| host.mark(behaviour, by, note.trim()))

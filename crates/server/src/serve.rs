@@ -26,7 +26,6 @@ use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
 use crate::support::{data_folder, now_ms};
 use behaviour::{Behaviour, Id};
-use std::fmt;
 use std::future::Future;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -72,25 +71,6 @@ pub enum ServeError {
     Store(StoreError),
     /// The robot's thread, or the one for checking, did not start.
     Thread(std::io::Error),
-}
-
-impl fmt::Display for ServeError {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::NotLoopback(address) => write!(
-                to,
-                "This server listens on this computer only, as it has no accounts yet, and {} is an address for \
-                 others. Use 127.0.0.1:{}.",
-                address.ip(),
-                address.port()
-            ),
-            Self::Listen(address, error) => {
-                write!(to, "The address {address} cannot be used ({error}). Choose another port with --listen.")
-            }
-            Self::Store(error) => write!(to, "{error}"),
-            Self::Thread(error) => write!(to, "The robot could not be started: {error}."),
-        }
-    }
 }
 
 impl std::error::Error for ServeError {}
@@ -191,7 +171,7 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
 
 async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
-    let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
+    let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
     let health = StoreHealth::good();
     let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {
         // Everything can be looked at and stopped; nothing can be saved, which everyone is told.

@@ -8,7 +8,6 @@ pub use mirror::Mirror;
 use crate::client::link::{Line, Link};
 use behaviour::{Behaviour, Change, Id, Record, RecordId};
 use protocol::{Credential, ListQuery, Person, Refused, Reply, Request, RobotState, Summary, VERSION};
-use std::fmt;
 use std::hash::{BuildHasher, RandomState};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
@@ -30,16 +29,53 @@ const AWAITED_MS: u64 = 20_000;
 pub enum Trouble {
     /// The server said no.
     No(Refused),
-    /// The link failed; with a sentence.
-    Link(String),
+    /// The link failed.
+    Link(NoLink),
 }
 
-impl fmt::Display for Trouble {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::No(no) => write!(to, "{no}"),
-            Self::Link(sentence) => to.write_str(sentence),
-        }
+/// Why a link to a server failed. [`std::fmt::Display`] says it in one English sentence.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoLink {
+    /// There is no server at this address.
+    NoServer {
+        /// The address, as it was given.
+        url: String,
+        /// What the network says.
+        error: String,
+    },
+    /// The server at this address does not take the connection.
+    Silent(String),
+    /// An id of our own is none; with the reason.
+    Id(String),
+    /// The server answers the greeting with this.
+    Greeting(Box<Reply>),
+    /// The server answers with this when it is asked for programs.
+    NoList(Box<Reply>),
+    /// An answer did not come in time.
+    Unanswered,
+    /// Something to be told did not come in time.
+    Awaited,
+    /// It has ended, and nobody knows why.
+    Ended,
+    /// It was closed here.
+    Closed,
+    /// It was lost; with what the network says.
+    Lost(String),
+    /// The server ended it.
+    EndedByServer,
+    /// The server itself ended.
+    Restart,
+    /// What it was told was taken too slowly.
+    TooSlow,
+    /// The same client has another link.
+    Replaced,
+    /// The server ended it; with the reason it gives.
+    EndedBecause(String),
+}
+
+impl From<NoLink> for Trouble {
+    fn from(why: NoLink) -> Self {
+        Self::Link(why)
     }
 }
 
@@ -77,14 +113,14 @@ impl Client {
     /// If there is no server, or it refuses the greeting.
     pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, Trouble> {
         let (link, lines, told) = link::open(url).await?;
-        let nobody = Id::new("nobody").map_err(Trouble::Link)?;
+        let nobody = Id::new("nobody").map_err(|reason| NoLink::Id(reason.to_string()))?;
         let you = Person { client: nobody.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
         let welcome = Welcome { epoch: 0, you, secret: nobody };
         let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome };
         let hello = Request::Hello { version: VERSION, name: name.to_owned(), again };
         match this.ask(hello).await? {
             Reply::Welcome { epoch, you, secret, .. } => this.welcome = Welcome { epoch, you, secret },
-            other => return Err(Trouble::Link(format!("The server greets in a strange way: {other:?}"))),
+            other => return Err(NoLink::Greeting(Box::new(other)).into()),
         }
         Ok(this)
     }
@@ -119,7 +155,7 @@ impl Client {
             Ok(Ok(Reply::No { no })) => Err(Trouble::No(no)),
             Ok(Ok(reply)) => Ok(reply),
             Ok(Err(_)) => Err(self.ended()),
-            Err(_) => Err(Trouble::Link("The server does not answer. Try again.".to_owned())),
+            Err(_) => Err(NoLink::Unanswered.into()),
         }
     }
 
@@ -137,7 +173,7 @@ impl Client {
     }
 
     fn ended(&self) -> Trouble {
-        Trouble::Link(self.link.ended().unwrap_or_else(|| "The connection has ended. Connect again.".to_owned()))
+        self.link.ended().unwrap_or(NoLink::Ended).into()
     }
 
     /// The next thing told unasked; none when the link ended. What is not fetched waits, but pictures and live values
@@ -162,7 +198,7 @@ impl Client {
         match tokio::time::timeout(Duration::from_millis(AWAITED_MS), search).await {
             Ok(Some(reply)) => Ok(reply),
             Ok(None) => Err(self.ended()),
-            Err(_) => Err(Trouble::Link("What was awaited did not come.".to_owned())),
+            Err(_) => Err(NoLink::Awaited.into()),
         }
     }
 
@@ -235,7 +271,7 @@ impl Client {
                     found.extend(programs);
                     query.after = next;
                 }
-                Ok(other) => return Err(Trouble::Link(format!("The server gave no list of programs: {other:?}"))),
+                Ok(other) => return Err(NoLink::NoList(Box::new(other)).into()),
                 Err(Trouble::No(Refused::TooFast)) => {
                     tokio::time::sleep(Duration::from_millis(SLOWER_MS)).await;
                     continue;

@@ -36,6 +36,7 @@ mod watch;
 mod where_used;
 
 use crate::console::Console;
+use crate::refusal::NotDone;
 use futures_util::future::BoxFuture;
 
 /// All commands in the order of the thesis's table, then ours.
@@ -88,11 +89,11 @@ pub(crate) struct Command {
     pub(crate) run: for<'a> fn(&'a mut Console, &'a str) -> Doing<'a>,
 }
 
-/// A command under way: what to print, or why not, in a sentence.
-pub(crate) type Doing<'a> = BoxFuture<'a, Result<String, String>>;
+/// A command under way: what to print, or why not.
+pub(crate) type Doing<'a> = BoxFuture<'a, Result<String, NotDone>>;
 
 /// The command that a line means, and the rest of the line. A name typed out wins over beginnings of names.
-pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), String> {
+pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), NotDone> {
     let typed: Vec<String> = line.split_whitespace().map(str::to_lowercase).collect();
     let whole = ALL.iter().filter(|command| is_whole(command, &typed)).max_by_key(|command| command.name.len());
     let meant: Vec<_> = match whole {
@@ -100,14 +101,11 @@ pub(crate) fn read(line: &str) -> Result<(&'static Command, &str), String> {
         None => ALL.iter().copied().filter(|command| begins(command, &typed)).collect(),
     };
     match meant.as_slice() {
-        [] => {
-            let first = line.trim().chars().take(40).collect::<String>();
-            Err(format!("There is no command “{first}”. Type “show commands” to see all."))
-        }
+        [] => Err(NotDone::NoCommand(line.trim().chars().take(40).collect())),
         [command] => Ok((command, rest(line, command.name.split(' ').count()))),
         several => {
-            let names: Vec<_> = several.iter().map(|command| command.name).collect();
-            Err(format!("“{}” could be one of these: {}. Type more of it.", line.trim(), names.join(", ")))
+            let names = several.iter().map(|command| command.name).collect();
+            Err(NotDone::SeveralCommands { typed: line.trim().to_owned(), names })
         }
     }
 }
@@ -138,7 +136,7 @@ mod tests {
     use super::{ALL, read};
 
     fn name(line: &str) -> Result<(&'static str, &str), String> {
-        read(line).map(|(command, rest)| (command.name, rest))
+        read(line).map(|(command, rest)| (command.name, rest)).map_err(|why| why.to_string())
     }
 
     #[test]

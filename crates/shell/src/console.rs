@@ -1,6 +1,7 @@
 //! The console: what is connected, loaded and looked at, and where answers go.
 
 use crate::commands;
+use crate::refusal::{Answer, NotDone};
 use crate::{Client, Mirror};
 use behaviour::{Graph, Id};
 use protocol::{ListQuery, Reply, Request, RobotState, RunPhase, RunState, Summary};
@@ -47,10 +48,12 @@ impl Console {
         }
         let answer = match commands::read(line) {
             Ok((command, rest)) => (command.run)(self, rest).await,
-            Err(sentence) => Err(sentence),
+            Err(why) => Err(why),
         };
-        let (Ok(text) | Err(text)) = &answer;
-        self.say(text);
+        match &answer {
+            Ok(text) => self.say(text),
+            Err(why) => self.say(&why.to_string()),
+        }
         answer.is_ok()
     }
 
@@ -61,46 +64,46 @@ impl Console {
         }
     }
 
-    /// The server, or the sentence that there is none.
-    pub(crate) fn client(&mut self) -> Result<&mut Client, String> {
-        self.client.as_mut().ok_or_else(|| "Not connected. Type “connect” first.".to_owned())
+    /// The server, if there is a connection.
+    pub(crate) fn client(&mut self) -> Result<&mut Client, NotDone> {
+        self.client.as_mut().ok_or(NotDone::NotConnected)
     }
 
     /// Asks the server.
-    pub(crate) async fn ask(&mut self, request: Request) -> Result<Reply, String> {
-        self.client()?.ask(request).await.map_err(|trouble| trouble.to_string())
+    pub(crate) async fn ask(&mut self, request: Request) -> Result<Reply, NotDone> {
+        Ok(self.client()?.ask(request).await?)
     }
 
     /// At most so many programs that these words find, newest change first.
-    pub(crate) async fn programs(&mut self, words: &str, most: usize) -> Result<Vec<Summary>, String> {
+    pub(crate) async fn programs(&mut self, words: &str, most: usize) -> Result<Vec<Summary>, NotDone> {
         let query = ListQuery { words: words.to_owned(), ..ListQuery::default() };
-        self.client()?.programs(query, most).await.map_err(|trouble| trouble.to_string())
+        Ok(self.client()?.programs(query, most).await?)
     }
 
     /// The robots, oldest first.
-    pub(crate) async fn robots(&mut self) -> Result<Vec<RobotState>, String> {
-        self.client()?.robots().await.map_err(|trouble| trouble.to_string())
+    pub(crate) async fn robots(&mut self) -> Result<Vec<RobotState>, NotDone> {
+        Ok(self.client()?.robots().await?)
     }
 
     /// The robot of that name.
-    pub(crate) async fn robot_meant(&mut self, wanted: &str) -> Result<(String, Id), String> {
+    pub(crate) async fn robot_meant(&mut self, wanted: &str) -> Result<(String, Id), NotDone> {
         let robots = self.robots().await?;
         let all: Vec<_> = robots.into_iter().map(|robot| (robot.name, robot.robot)).collect();
-        crate::find::find("robot", wanted, &all)
+        Ok(crate::find::find("robot", wanted, &all)?)
     }
 
     /// What runs on the robot in use, or on all robots, each from the top of its order.
-    pub(crate) async fn running(&mut self) -> Result<Vec<RunState>, String> {
+    pub(crate) async fn running(&mut self) -> Result<Vec<RunState>, NotDone> {
         let mut running = self.all_running().await?;
         running.retain(|run| self.robot.as_ref().is_none_or(|robot| run.robot == *robot));
         Ok(running)
     }
 
     /// What runs on all robots, each from the top of its order.
-    pub(crate) async fn all_running(&mut self) -> Result<Vec<RunState>, String> {
+    pub(crate) async fn all_running(&mut self) -> Result<Vec<RunState>, NotDone> {
         let robots = self.robots().await?;
         let Reply::Runs { mut runs } = self.ask(Request::Runs).await? else {
-            return Err("The server did not say what runs. Try again.".to_owned());
+            return Err(NotDone::NoAnswer(Answer::Runs));
         };
         runs.retain(|run| run.phase == RunPhase::Running);
         let at = |run: &RunState| robots.iter().position(|robot| robot.robot == run.robot);
@@ -109,12 +112,12 @@ impl Console {
     }
 
     /// The loaded program as it is now.
-    pub(crate) fn program(&mut self) -> Result<Mirror, String> {
-        self.client()?.open().ok_or_else(|| "No program is loaded. Type “load program NAME” first.".to_owned())
+    pub(crate) fn program(&mut self) -> Result<Mirror, NotDone> {
+        self.client()?.open().ok_or(NotDone::NoProgram)
     }
 
     /// The program of that name, or the loaded one if none is named.
-    pub(crate) async fn meant(&mut self, wanted: &str) -> Result<(String, Id), String> {
+    pub(crate) async fn meant(&mut self, wanted: &str) -> Result<(String, Id), NotDone> {
         if wanted.is_empty() {
             let loaded = self.program()?;
             return Ok((loaded.records.name().to_owned(), loaded.behaviour));
@@ -125,11 +128,11 @@ impl Console {
         }
         let all: Vec<_> = programs.into_iter().map(|program| (program.name, program.id)).collect();
         let (name, id) = crate::find::find("program", wanted, &all)?;
-        Ok((name, Id::new(&id)?))
+        Ok((name, Id::new(&id).map_err(|reason| NotDone::Id(reason.to_string()))?))
     }
 
     /// The stream of that name in the loaded program, or the loaded one if none is named.
-    pub(crate) fn stream_meant(&mut self, wanted: &str) -> Result<(Mirror, Id), String> {
+    pub(crate) fn stream_meant(&mut self, wanted: &str) -> Result<(Mirror, Id), NotDone> {
         if wanted.is_empty() {
             return self.looked_at();
         }
@@ -141,10 +144,10 @@ impl Console {
     }
 
     /// The loaded stream in the program as it is now.
-    pub(crate) fn looked_at(&mut self) -> Result<(Mirror, Id), String> {
+    pub(crate) fn looked_at(&mut self) -> Result<(Mirror, Id), NotDone> {
         let program = self.program()?;
         let loaded = self.stream.clone().filter(|stream| program.records.stream(stream).is_some());
-        let stream = loaded.ok_or("No stream is loaded. Type “load stream NAME” first.")?;
+        let stream = loaded.ok_or(NotDone::NoStream)?;
         Ok((program, stream))
     }
 

@@ -1,13 +1,15 @@
 //! Finding what a person means by a name typed in part, in any case.
 
+use crate::refusal::NotFound;
+
 /// The one thing meant. Whole names win over beginnings, and these over parts.
 ///
 /// # Errors
 /// The choices, if it could be several, or all there are, if it is none.
-pub(crate) fn find<T: Clone>(what: &str, wanted: &str, all: &[(String, T)]) -> Result<(String, T), String> {
+pub(crate) fn find<T: Clone>(what: &'static str, wanted: &str, all: &[(String, T)]) -> Result<(String, T), NotFound> {
     let wanted = unquoted(wanted.trim());
     if wanted.is_empty() {
-        return Err(format!("Which {what}? {}", choices(what, all)));
+        return Err(NotFound::Nameless { what, names: names(all.iter()) });
     }
     let lower = wanted.to_lowercase();
     let fits: [fn(&str, &str) -> bool; 3] =
@@ -18,17 +20,16 @@ pub(crate) fn find<T: Clone>(what: &str, wanted: &str, all: &[(String, T)]) -> R
             [] => {}
             [one] => return Ok((*one).clone()),
             several => {
-                let names: Vec<_> = several.iter().map(|(name, _)| name.as_str()).collect();
-                return Err(format!("“{wanted}” could be one of these: {}. Type more of the name.", names.join(", ")));
+                let names = names(several.iter().copied());
+                return Err(NotFound::Several { wanted: wanted.to_owned(), names });
             }
         }
     }
-    Err(format!("There is no {what} “{wanted}”. {}", choices(what, all)))
+    Err(NotFound::Unknown { what, wanted: wanted.to_owned(), names: names(all.iter()) })
 }
 
-fn choices<T>(what: &str, all: &[(String, T)]) -> String {
-    let names: Vec<_> = all.iter().map(|(name, _)| name.as_str()).collect();
-    if names.is_empty() { format!("There is no {what} yet.") } else { format!("There are: {}.", names.join(", ")) }
+fn names<'a, T: 'a>(of: impl Iterator<Item = &'a (String, T)>) -> Vec<String> {
+    of.map(|(name, _)| name.clone()).collect()
 }
 
 /// Without the quotation marks around it.
@@ -43,7 +44,7 @@ mod tests {
     #[test]
     fn names_are_found_by_their_beginning_in_any_case() {
         let all: Vec<(String, ())> = ["Red ball", "Far", "Far away", "Head"].map(|name| (name.to_owned(), ())).to_vec();
-        let found = |wanted| find("stream", wanted, &all).map(|(name, ())| name);
+        let found = |wanted| find("stream", wanted, &all).map(|(name, ())| name).map_err(|why| why.to_string());
         assert_eq!(found("RED"), Ok("Red ball".into()));
         assert_eq!(found("far"), Ok("Far".into()), "a whole name wins");
         assert_eq!(found("ball"), Ok("Red ball".into()));

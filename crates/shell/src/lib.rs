@@ -5,10 +5,12 @@ mod client;
 mod commands;
 mod console;
 mod find;
+mod refusal;
 mod script;
 mod terminal;
+mod words;
 
-pub use client::{Client, DEFAULT_URL, Mirror, Trouble};
+pub use client::{Client, DEFAULT_URL, Mirror, NoLink, Trouble};
 pub use console::Console;
 
 use std::io::IsTerminal;

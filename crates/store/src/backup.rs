@@ -15,7 +15,7 @@ pub use robots::Robot;
 pub use unfinished::{Unfinished, check_finished};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
-use behaviour::Id;
+use behaviour::{Id, Refusal};
 use lines::{Line, Sum};
 use std::future::Future;
 use thiserror::Error;
@@ -34,15 +34,50 @@ pub enum BackupError {
     /// The file could not be read or written.
     #[error("The backup could not be read or written: {0}. Check the disk and try again.")]
     File(#[from] std::io::Error),
-    /// The file is no whole backup; with the line and the reason.
+    /// The file is no whole backup; with the line and what is wrong there.
     #[error("Line {0} of the backup: {1} Take another backup.")]
-    Broken(u64, String),
+    Broken(u64, Flaw),
     /// The store to fill holds something else already; with its id.
     #[error("The store is not empty: it holds “{0}”, which is not from here. Choose an empty one.")]
     NotEmpty(Id),
     /// Both stores are the same.
     #[error("Both addresses are the same store. Choose another one to fill.")]
     Same,
+}
+
+/// What is wrong with a line of a backup.
+#[derive(Debug, Error)]
+pub enum Flaw {
+    /// It does not begin as a backup does.
+    #[error("This is no {BACKUP_FORMAT}.")]
+    NoBackup,
+    /// It tells of more starts than a server can have had.
+    #[error("No server can have started so often.")]
+    Starts,
+    /// The sum at the end is another one than that of the lines.
+    #[error("Something before it was changed.")]
+    Changed,
+    /// It cannot come after the line before it.
+    #[error("It does not follow what is before it.")]
+    Order,
+    /// It has no end.
+    #[error("The file ends too early.")]
+    CutOff,
+    /// It is no line of a backup.
+    #[error("It cannot be read ({0}).")]
+    Unreadable(serde_json::Error),
+    /// It stands behind the last line.
+    #[error("It comes after the end.")]
+    AfterEnd,
+    /// Its behaviour was there before.
+    #[error("The same behaviour was there before.")]
+    Twice,
+    /// Its change does not fit what a record, which people call so, was before.
+    #[error("It does not fit what {0} was before.")]
+    Stale(String),
+    /// Its change breaks a rule.
+    #[error("No room would have made this change: {0}")]
+    Refused(Refusal),
 }
 
 /// How much was done.
@@ -135,7 +170,7 @@ pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError>
     }
     all.sort_by(|a, b| a.id.cmp(&b.id));
     all.dedup_by(|a, b| a.id == b.id);
-    let library = Id::new(LIBRARY).map_err(StoreError::Damaged)?;
+    let library = Id::new(LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
     if let Some(loaded) = store.load(&library).await? {
         all.insert(0, Shelf { id: library, revision: loaded.revision, removed: None });
     }

@@ -1,5 +1,6 @@
 //! Why the store could not do what it was asked, each in a sentence that says what to do.
 
+use behaviour::RecordId;
 use std::path::PathBuf;
 use thiserror::Error;
 
@@ -38,13 +39,48 @@ pub enum StoreError {
     Gone,
     /// The change holds something that cannot be kept; with the reason.
     #[error("This change cannot be saved: {0}.")]
-    Refused(String),
+    Refused(Unkept),
     /// The store cannot be used now; with the reason.
     #[error("The data cannot be used now: {0}. Try again later.")]
     Unavailable(String),
     /// The store did not answer in time.
     #[error("Saving takes too long. Check the disk, then try again.")]
     Timeout,
+}
+
+/// Why a change cannot be kept.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Unkept {
+    /// Its time is later than any that is kept.
+    #[error("its time is too far in the future")]
+    TooLate,
+    /// This record is not of the kind that its id says.
+    #[error("{0} is a record of another kind")]
+    OtherKind(RecordId),
+    /// It cannot be written as JSON; with the reason.
+    #[error("{0}")]
+    Unwritable(String),
+    /// It is written as something that cannot be read; with the reason.
+    #[error("it could not be read back, {0}")]
+    Unreadable(String),
+    /// It is written as something that is read as another change.
+    #[error("it would read back differently")]
+    Different,
+    /// These settings are not called as settings are.
+    #[error("{0} is not the name of the settings")]
+    SettingsId(RecordId),
+    /// One of its connectors has an end without a stream.
+    #[error("a connector leads to a stream that is not there")]
+    NoStream,
+    /// It removes a stream of a connector that stays.
+    #[error("a stream would go while a connector still uses it")]
+    StreamUsed,
+    /// A name in it is longer than the database can find.
+    #[error("a name in it is too long")]
+    LongName,
+    /// It holds more than the database takes at once.
+    #[error("it holds a number or text that is too large")]
+    TooLarge,
 }
 
 impl StoreError {

@@ -16,10 +16,10 @@ mod schemas;
 #[cfg(test)]
 mod tests;
 
-pub use import::{Import, Mode, import};
+pub use import::{Import, Mode, Unfit, import};
 pub use json::write::write_json;
 pub use svg::write_svg;
-pub use xml::write::write_xml;
+pub use xml::write::{NoXml, write_xml};
 
 use behaviour::{BEHAVIOUR_MAX_BYTES, BehaviourFile, LIBRARY_MAX_BYTES};
 use place::Lines;
@@ -62,17 +62,17 @@ pub struct Looked {
 }
 
 impl Looked {
-    /// Faults that begin with the id of what they are about, `id: reason`, with the place of it.
+    /// Faults that say first the id of what they are about, `id: reason`, with the place of it.
     #[must_use]
-    pub fn place(&self, faults: &[String]) -> Vec<FileFault> {
-        let place = |fault: &String| {
-            let (id, reason) = fault.split_once(": ").unwrap_or(("", fault));
+    pub fn place(&self, faults: &[impl fmt::Display]) -> Vec<FileFault> {
+        let place = |fault: String| {
+            let (id, reason) = fault.split_once(": ").unwrap_or(("", &fault));
             let known = self.places.get(id);
             let (line, column) = known.copied().unwrap_or((1, 1));
-            let reason = if known.is_some() { reason } else { fault };
+            let reason = if known.is_some() { reason } else { &fault };
             FileFault { line, column, reason: sentence(reason) }
         };
-        let mut placed: Vec<_> = faults.iter().map(place).collect();
+        let mut placed: Vec<_> = faults.iter().map(|fault| place(fault.to_string())).collect();
         placed.sort();
         placed.dedup();
         placed

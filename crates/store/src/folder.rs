@@ -11,7 +11,7 @@ use crate::{
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Committed, Id};
-use log::{Line, Logs};
+use log::{Line, Logs, Strange};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -56,12 +56,11 @@ impl FolderStore {
 }
 
 /// Takes a line of a file into memory; else says why it cannot follow the lines before it.
-fn take(kept: &MemoryStore, behaviour: &Id, line: Line) -> Result<(), String> {
+fn take(kept: &MemoryStore, behaviour: &Id, line: Line) -> Result<(), Strange> {
     match line {
-        Line::Change(committed) => match kept.judge(behaviour, &committed) {
-            Ok(Append::Applied) => kept.put(behaviour, &committed),
-            Ok(_) => return Err(format!("revision {} does not follow", committed.revision)),
-            Err(error) => return Err(error.to_string()),
+        Line::Change(committed) => match kept.judge(behaviour, &committed)? {
+            Append::Applied => kept.put(behaviour, &committed),
+            Append::Duplicate { .. } | Append::Conflict { .. } => return Err(Strange::Order(committed.revision)),
         },
         Line::Removed { at_ms, by } => drop(kept.removed(behaviour, at_ms, &by)),
         Line::Restored => drop(kept.restored(behaviour)),

@@ -1,6 +1,6 @@
 //! Changes and records as the JSON that is kept, and the check that lets in only what reads back the same.
 
-use crate::StoreError;
+use crate::{StoreError, Unkept};
 use behaviour::{Change, Committed};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -12,25 +12,30 @@ const TIME_MAX_MS: u64 = i64::MAX as u64;
 pub(crate) fn checked(committed: &Committed) -> Result<String, StoreError> {
     let change = &committed.change;
     if change.at_ms > TIME_MAX_MS {
-        return Err(StoreError::Refused("its time is too far in the future".to_owned()));
+        return Err(StoreError::Refused(Unkept::TooLate));
     }
     if let Some(edit) = change.edits.iter().find(|edit| edit.after.as_ref().is_some_and(|r| r.kind() != edit.id.kind)) {
-        return Err(StoreError::Refused(format!("{} is a record of another kind", edit.id)));
+        return Err(StoreError::Refused(Unkept::OtherKind(edit.id.clone())));
     }
-    let json = encode(change).map_err(StoreError::Refused)?;
+    let json = encode(change).map_err(unwritable)?;
     match decode::<Change>(&json) {
         Ok(read) if read == *change => Ok(json),
-        Ok(_) => Err(StoreError::Refused("it would read back differently".to_owned())),
-        Err(reason) => Err(StoreError::Refused(format!("it could not be read back, {reason}"))),
+        Ok(_) => Err(StoreError::Refused(Unkept::Different)),
+        Err(reason) => Err(StoreError::Refused(Unkept::Unreadable(reason.to_string()))),
     }
 }
 
-pub(crate) fn encode(what: &impl Serialize) -> Result<String, String> {
-    serde_json::to_string(what).map_err(|error| error.to_string())
+pub(crate) fn encode(what: &impl Serialize) -> serde_json::Result<String> {
+    serde_json::to_string(what)
 }
 
-pub(crate) fn decode<T: DeserializeOwned>(json: &str) -> Result<T, String> {
-    serde_json::from_str(json).map_err(|error| error.to_string())
+pub(crate) fn decode<T: DeserializeOwned>(json: &str) -> serde_json::Result<T> {
+    serde_json::from_str(json)
+}
+
+/// What cannot be written as JSON cannot be kept.
+pub(crate) fn unwritable(error: serde_json::Error) -> StoreError {
+    StoreError::Refused(Unkept::Unwritable(error.to_string()))
 }
 
 #[cfg(test)]

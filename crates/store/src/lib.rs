@@ -25,7 +25,7 @@ mod usage;
 
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
-pub use error::StoreError;
+pub use error::{StoreError, Unkept};
 pub use folder::FolderStore;
 pub use folder_lock::{FolderLock, lock_folder};
 pub use memory::MemoryStore;

@@ -6,7 +6,7 @@ mod lists;
 mod making;
 mod pictures;
 
-pub(crate) use files::{file_address, first_file};
+pub(crate) use files::{NotBrought, file_address, first_file};
 pub(crate) use lists::ProgramPage;
 
 use super::document::Document;

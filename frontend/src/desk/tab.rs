@@ -1,6 +1,7 @@
 //! What belongs to this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
-use crate::{link, words};
+use crate::link::{self, NoAnswer};
+use crate::words;
 use behaviour::connectors::Spec;
 use behaviour::{Id, Refusal};
 use leptos::prelude::*;
@@ -123,12 +124,12 @@ impl Tab {
         });
     }
 
-    /// Asks something that changes nothing; a no or a missing link is answered with a sentence.
-    pub(crate) fn look_up(&self, request: Request, then: impl FnOnce(Result<&Reply, String>) + 'static) {
+    /// Asks something that changes nothing; a no or a missing link is answered with that.
+    pub(crate) fn look_up(&self, request: Request, then: impl FnOnce(Result<&Reply, NoAnswer>) + 'static) {
         link::ask_even_down(request, move |reply| match reply {
-            Some(Reply::No { no }) => then(Err(no.to_string())),
+            Some(Reply::No { no }) => then(Err(NoAnswer::Refused(no.clone()))),
             Some(reply) => then(Ok(reply)),
-            None => then(Err(words::unreachable().to_owned())),
+            None => then(Err(NoAnswer::Unreachable)),
         });
     }
 

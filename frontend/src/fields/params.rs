@@ -1,6 +1,6 @@
 //! The parameters of a device as a form, straight from the catalogue.
 
-use super::{Choice, NumberField, TextField};
+use super::{Choice, NumberField, TextField, Unfilled};
 use behaviour::{Params, Value};
 use leptos::prelude::*;
 use robot::{Device, Param, ParamKind};
@@ -34,10 +34,10 @@ impl ParamForm {
     /// What was chosen.
     ///
     /// # Errors
-    /// A sentence, if something does not fit.
-    pub(crate) fn read(&self) -> Result<Params, String> {
+    /// If something does not fit.
+    pub(crate) fn read(&self) -> Result<Params, Unfilled> {
         let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).collect();
-        self.device.check(&params).map(|()| params).map_err(sentence)
+        self.device.check(&params).map(|()| params).map_err(|reason| Unfilled::Param(reason.to_string()))
     }
 }
 
@@ -86,16 +86,10 @@ fn text_of(value: &Value) -> String {
     }
 }
 
-/// A reason as a sentence.
-fn sentence(reason: String) -> String {
-    let mut rest = reason.chars();
-    let first: String = rest.next().into_iter().flat_map(char::to_uppercase).collect();
-    format!("{first}{}.", rest.as_str())
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{sentence, text_of};
+    use super::{Unfilled, text_of};
+    use crate::words;
     use behaviour::Value;
 
     #[test]
@@ -107,6 +101,7 @@ mod tests {
 
     #[test]
     fn a_reason_becomes_a_sentence() {
-        assert_eq!(sentence("speed must be a number".to_owned()), "Speed must be a number.");
+        let why = Unfilled::Param("speed must be a number".to_owned());
+        assert_eq!(words::unfilled(&why), "Speed must be a number.");
     }
 }

@@ -1,6 +1,9 @@
 //! The page in English.
 
-use behaviour::StreamKind;
+use crate::desk::NotBrought;
+use crate::fields::Unfilled;
+use crate::link::NoAnswer;
+use behaviour::{Refusal, StreamKind};
 
 sentences! {
     // The bar
@@ -256,6 +259,45 @@ sentences! {
     real_size: "Real size";
     fit: "Show everything";
     tidy: "Tidy";
+}
+
+/// Why a form cannot be taken.
+pub(crate) fn unfilled(why: &Unfilled) -> String {
+    match why {
+        Unfilled::Gone => stream_gone().to_owned(),
+        Unfilled::Name => name_missing().to_owned(),
+        Unfilled::Helper => choose_helper().to_owned(),
+        Unfilled::Body => write_body().to_owned(),
+        Unfilled::BodyBegun => finish_body().to_owned(),
+        Unfilled::Start => start_is_no_value().to_owned(),
+        Unfilled::Rate(ms) => Refusal::Rate(*ms).to_string(),
+        Unfilled::Param(reason) => whole_sentence(reason),
+    }
+}
+
+/// A reason with a capital letter and a full stop.
+fn whole_sentence(reason: &str) -> String {
+    let mut rest = reason.chars();
+    let first: String = rest.next().into_iter().flat_map(char::to_uppercase).collect();
+    format!("{first}{}.", rest.as_str())
+}
+
+/// Why there is no answer to what was asked.
+pub(crate) fn not_answered(why: &NoAnswer) -> String {
+    match why {
+        NoAnswer::Refused(no) => no.to_string(),
+        NoAnswer::Unreachable => unreachable().to_owned(),
+    }
+}
+
+/// Why a file did not become a program.
+pub(crate) fn not_brought(why: &NotBrought) -> String {
+    match why {
+        NotBrought::TooLarge => file_too_large().to_owned(),
+        NotBrought::Unreachable => unreachable().to_owned(),
+        NotBrought::Unclear => file_unclear().to_owned(),
+        NotBrought::Refused(said) => said.clone(),
+    }
 }
 
 pub(crate) fn offline(waiting: usize) -> String {

@@ -2,6 +2,7 @@
 
 use super::printer::Printer;
 use super::{Reading, Trace};
+use crate::failure::Failure;
 use behaviour::{BehaviourFile, Engine};
 use engine::{End, Run};
 use robot::Millis;
@@ -42,8 +43,8 @@ impl Player {
     }
 
     /// Why it ended by itself, if it did.
-    pub(super) fn fault(&self) -> Option<String> {
-        self.run.fault().map(|reason| format!("{}: {reason}", self.name))
+    pub(super) fn fault(&self) -> Option<Failure> {
+        self.run.fault().map(|reason| Failure::EndedOf(self.name.clone(), reason.to_string()))
     }
 }
 
@@ -71,7 +72,7 @@ impl Printer<'_> {
     /// Says that a run ended by itself, if it did just now.
     fn tell_end(&mut self, number: usize, run: &Run, was_running: bool) {
         if let (true, Some(End::Multiplied { at, stream }), Some(reason)) = (was_running, run.ended(), run.fault()) {
-            self.print_end(number, at, stream, &reason);
+            self.print_end(number, at, stream, &reason.to_string());
         }
     }
 }

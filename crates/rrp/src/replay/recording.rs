@@ -1,6 +1,7 @@
 //! Recordings of runs as traces: the readings are replayed, outputs and marks between them are left out.
 
 use super::{Reading, Trace, parse_line};
+use crate::failure::{Failure, Senseless};
 use behaviour::{StreamKind, Value};
 use engine::Run;
 use robot::Millis;
@@ -11,13 +12,13 @@ const FORMAT: &str = "rrp-recording/1";
 
 /// The readings of a recording; none if the text is no recording. Streams that the behaviour does not have are left
 /// out, as it may have been edited since; gaps, and what a replay cannot repeat, are told on standard error.
-pub(super) fn parse(text: &str, run: &Run) -> Option<Result<Trace, String>> {
+pub(super) fn parse(text: &str, run: &Run) -> Option<Result<Trace, Failure>> {
     let mut lines = (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty());
     let first = serde_json::from_str::<Value>(lines.next()?.1).ok()?;
     (first.field("format")?.as_text()? == FORMAT).then(|| {
         let mut reader = Reader { run, readings: Vec::new(), closed: None, lost: 0, late: 0, strange: 0 };
         for (number, line) in lines {
-            reader.read(line).map_err(|reason| format!("recording line {number}: {reason}"))?;
+            reader.read(line).map_err(|why| Failure::RecordingLine(number, why))?;
         }
         for warning in reader.warnings() {
             let _ = writeln!(std::io::stderr(), "{warning}");
@@ -37,8 +38,8 @@ struct Reader<'r> {
 }
 
 impl Reader<'_> {
-    fn read(&mut self, text: &str) -> Result<(), String> {
-        let line: Value = serde_json::from_str(text).map_err(|error| error.to_string())?;
+    fn read(&mut self, text: &str) -> Result<(), Senseless> {
+        let line: Value = serde_json::from_str(text)?;
         if line.field("mark").is_some() {
             self.mark(&line);
         } else if let Some(stream) = line.field("stream").and_then(Value::as_text) {

@@ -1,11 +1,12 @@
 //! Starting a behaviour: its problems first, then the robot gets the file of the revision that is saved.
 
-use crate::robots::Start;
+use crate::robots::{NoRun, Start};
 use crate::rooms::Look;
 use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
 use protocol::{Refused, Reply};
+use std::fmt::Display;
 use std::sync::Arc;
 
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
@@ -18,20 +19,19 @@ pub(crate) async fn start(
 ) -> Result<Reply, Refused> {
     let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
-    let announced = host.announce(&behaviour).map_err(Refused::CannotStart)?;
+    let announced = host.announce(&behaviour).map_err(NoRun::cannot_start)?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(state, &behaviour, look).await?;
-    let stopped = || Refused::CannotStart("Stop was pressed".to_owned());
     if announced.is_cancelled() || state.tasks.ends() {
-        return Err(stopped());
+        return Err(NoRun::StopPressed.cannot_start());
     }
     let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
     let begun = host.start_announced(&announced, start).await;
     if announced.is_cancelled() {
-        return Err(begun.err().map_or_else(stopped, Refused::CannotStart));
+        return Err(begun.err().unwrap_or(NoRun::StopPressed).cannot_start());
     }
-    begun.map_err(Refused::CannotStart)?;
+    begun.map_err(NoRun::cannot_start)?;
     tracing::info!(%behaviour, robot = %host.id(), revision, by, "a behaviour starts");
     Ok(Reply::Done)
 }
@@ -42,20 +42,20 @@ pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>,
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(state, &behaviour, look).await.map_err(|no| match no {
-        Refused::Problems(problems) => not_applied(problems.first().map(ToString::to_string).unwrap_or_default()),
+        Refused::Problems(problems) => not_applied(&problems.first().map(ToString::to_string).unwrap_or_default()),
         other => other,
     })?;
     let file = Arc::new(file);
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
-        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(not_applied)?;
+        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(|why| not_applied(&why))?;
     }
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
     Ok(Reply::Done)
 }
 
-fn not_applied(reason: String) -> Refused {
-    Refused::NotApplied(reason.trim_end_matches('.').to_owned())
+fn not_applied(why: &impl Display) -> Refused {
+    Refused::NotApplied(why.to_string().trim_end_matches('.').to_owned())
 }
 
 /// The file to run, if no problem stops it.

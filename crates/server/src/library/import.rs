@@ -4,7 +4,7 @@
 use super::Library;
 use super::create::{append, check_name};
 use super::list::free_name;
-use crate::rooms::knowledge::Knowing;
+use crate::rooms::knowledge::{Knowing, Unchecked};
 use crate::support::store_call::{bounded, store_no};
 use crate::support::workers::Sender;
 use axum::body::Bytes;
@@ -13,10 +13,9 @@ use behaviour::{
     without_unseen,
 };
 use protocol::Refused;
-use std::fmt;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-use store::files::{FileFault, Import, Looked, Mode};
+use store::files::{FileFault, Import, Looked, Mode, Unfit};
 use uuid::Uuid;
 
 /// How often a file is tried when others change the library at the same moment.
@@ -39,18 +38,6 @@ impl NotImported {
     /// Whether somebody else was quicker, so that it may go well another time.
     fn is_overtaken(&self) -> bool {
         matches!(self, Self::Refused(no) if is_overtaken(no))
-    }
-}
-
-impl fmt::Display for NotImported {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        match self {
-            Self::Fault(fault) => write!(to, "{fault}"),
-            Self::Present => to.write_str(
-                "This behaviour is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
-            ),
-            Self::Refused(no) => write!(to, "{no}"),
-        }
     }
 }
 
@@ -130,7 +117,7 @@ pub(crate) async fn judge(
     let judged = library.workers.run(sender.clone(), move |cancel| {
         let new_id = || Id::from_uuid(Uuid::new_v4());
         let brought = store::files::import(&file, mode, &helpers.behaviour, &by, new_id);
-        let brought = brought.map_err(|faults| Refused::Unreadable(faults.join("; ")))?;
+        let brought = brought.map_err(|faults| unreadable(&faults))?;
         let until = Instant::now() + Duration::from_millis(CHECK_MS);
         let judge = Judge { knowing: &knowing, is_cancelled: || cancel.is_cancelled(), until };
         Room::rehearse(&brought.changes, &judge).map_err(Refused::Change)?;
@@ -139,6 +126,10 @@ pub(crate) async fn judge(
         Ok(brought)
     });
     judged.await?
+}
+
+fn unreadable(faults: &[Unfit]) -> Refused {
+    Refused::Unreadable(faults.iter().map(Unfit::to_string).collect::<Vec<_>>().join("; "))
 }
 
 /// Saves what was judged. Whoever makes something else meanwhile waits only for this.
@@ -198,10 +189,10 @@ impl<C: Fn() -> bool> Knowledge for Judge<'_, C> {
 
     fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
         if (self.is_cancelled)() {
-            return Err("nobody waits for it any more".to_owned());
+            return Err(Unchecked::NobodyWaits.to_string());
         }
         if Instant::now() >= self.until {
-            return Err("checking all procedures of the file takes too long; try again, or split the file".to_owned());
+            return Err(Unchecked::TooSlow.to_string());
         }
         self.knowing.body(arguments, body)
     }

@@ -1,10 +1,12 @@
 //! Tries procedures. Done by workers: people's procedures never run on the threads that carry messages.
 
+use crate::rooms::knowledge::Unchecked;
 use behaviour::{
     Behaviour, BehaviourFile, Connector, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, Value, connectors,
 };
 use engine::Limits;
 use protocol::Reply;
+use std::fmt::Display;
 use std::time::{Duration, Instant};
 
 /// Sets of values in one trial.
@@ -25,26 +27,29 @@ pub(crate) struct Trial {
     pub(crate) helpers: Vec<FileHelper>,
 }
 
-fn failed(error: String) -> Reply {
-    Reply::Checked { error: Some(error), results: Vec::new() }
+fn failed(why: &impl Display) -> Reply {
+    Reply::Checked { error: Some(why.to_string()), results: Vec::new() }
 }
 
 /// Whether the procedure can run, and what it makes of the values.
 pub(crate) fn check(trial: &Trial) -> Reply {
     if trial.body.chars().count() > behaviour::BODY_MAX_CHARS {
-        return failed(format!("it is longer than {} characters", behaviour::BODY_MAX_CHARS));
+        return failed(&Unchecked::TooLong);
     }
     if let Err(reason) = engine::check_body(&trial.arguments, &trial.body) {
-        return failed(reason);
+        return failed(&reason);
     }
-    let results = trial.inputs.iter().take(INPUTS_MAX).map(|inputs| try_on(trial, inputs)).collect();
-    Reply::Checked { error: None, results }
+    let try_on = |inputs: &Vec<Value>| {
+        let Trial { helpers, arguments, body, .. } = trial;
+        engine::try_body(helpers, arguments, body, inputs, &limits()).map_err(|reason| reason.to_string())
+    };
+    Reply::Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect() }
 }
 
-fn try_on(trial: &Trial, inputs: &[Value]) -> Result<Value, String> {
+/// The limits of one call that begins now.
+fn limits() -> Limits {
     let end = Instant::now() + Duration::from_millis(CALL_MS);
-    let limits = Limits::default().interrupted_by(move || Instant::now() >= end);
-    engine::try_body(&trial.helpers, &trial.arguments, &trial.body, inputs, &limits)
+    Limits::default().interrupted_by(move || Instant::now() >= end)
 }
 
 /// The helpers that a procedure uses, also through other helpers.

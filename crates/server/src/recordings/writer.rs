@@ -4,7 +4,7 @@ use super::RECORDING_MAX_BYTES;
 use super::lines::{Line, Names};
 use crate::support::lock;
 use std::fs::File;
-use std::io::Write;
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::Receiver;
 use std::sync::{Arc, Mutex};
@@ -29,7 +29,7 @@ pub(super) struct Progress {
     /// Batches that were written, or lost.
     taken: AtomicU64,
     lost: AtomicU64,
-    trouble: Mutex<Option<String>>,
+    stuck: Mutex<Option<Stuck>>,
 }
 
 impl Progress {
@@ -48,28 +48,37 @@ impl Progress {
         self.lost.fetch_add(lines, Ordering::Relaxed);
     }
 
-    /// Why nothing more is written, if so.
+    /// Why nothing more is written, in words, if so.
     pub(super) fn trouble(&self) -> Option<String> {
-        lock(&self.trouble).clone()
+        lock(&self.stuck).as_ref().map(Stuck::to_string)
     }
+
+    fn is_stuck(&self) -> bool {
+        lock(&self.stuck).is_some()
+    }
+}
+
+/// Why nothing more is written of a recording.
+#[derive(Debug)]
+pub(crate) enum Stuck {
+    /// It has as many bytes as it may have.
+    Full(u64),
+    /// The disk takes no more.
+    Unwritable(io::Error),
 }
 
 /// Writes until nobody hands on any more, then makes sure that it is on disk. `bytes` are in the file already.
 pub(super) fn write(file: File, bytes: u64, batches: &Receiver<Batch>, progress: &Progress) {
     let mut pen = Pen { file, bytes, text: String::new() };
-    let mut done = Ok(());
     while let Ok(batch) = batches.recv() {
-        if done.is_ok() {
-            done = pen.take(&batch);
-        } else {
+        if progress.is_stuck() {
             progress.lose(batch.lines.len() as u64);
-        }
-        if let Err(why) = &done {
-            lock(&progress.trouble).get_or_insert_with(|| why.clone());
+        } else if let Err(why) = pen.take(&batch) {
+            *lock(&progress.stuck) = Some(why);
         }
         progress.taken.fetch_add(1, Ordering::Release);
     }
-    if done.and_then(|()| pen.file.sync_all().map_err(|error| error.to_string())).is_err() {
+    if progress.is_stuck() || pen.file.sync_all().is_err() {
         tracing::warn!("a recording is not complete");
     }
 }
@@ -81,7 +90,7 @@ struct Pen {
 }
 
 impl Pen {
-    fn take(&mut self, batch: &Batch) -> Result<(), String> {
+    fn take(&mut self, batch: &Batch) -> Result<(), Stuck> {
         if batch.missed > 0 {
             self.text.push_str(&format!("{{\"mark\":\"gap\",\"lost\":{}}}\n", batch.missed));
         }
@@ -90,16 +99,16 @@ impl Pen {
         }
         if self.bytes + self.text.len() as u64 + LAST_LINES_BYTES > RECORDING_MAX_BYTES {
             self.text = "{\"mark\":\"full\"}\n".to_owned();
-            self.write()?;
-            return Err(format!("it reached {} MiB and ends here", RECORDING_MAX_BYTES >> 20));
+            self.write().map_err(Stuck::Unwritable)?;
+            return Err(Stuck::Full(RECORDING_MAX_BYTES));
         }
-        self.write()
+        self.write().map_err(Stuck::Unwritable)
     }
 
-    fn write(&mut self) -> Result<(), String> {
+    fn write(&mut self) -> io::Result<()> {
         let written = self.file.write_all(self.text.as_bytes());
         self.bytes += self.text.len() as u64;
         self.text.clear();
-        written.map_err(|error| format!("it could not be written on ({error})"))
+        written
     }
 }

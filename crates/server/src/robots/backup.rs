@@ -1,6 +1,7 @@
 //! The robots of a data folder as a backup keeps them, without a server.
 
 use super::order::{ORDER_MAX, Order};
+use super::refusal::BackupMisfit;
 use super::register::{Known, Register};
 use behaviour::Id;
 use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
@@ -27,21 +28,20 @@ fn robot(data: &Path, known: &Known) -> Robot {
 /// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early.
 ///
 /// # Errors
-/// Why not, and what to do.
-pub fn check_robots(data: &Path, robots: &[Robot]) -> Result<(), String> {
+/// Why not.
+pub fn check_robots(data: &Path, robots: &[Robot]) -> Result<(), BackupMisfit> {
     let ids: BTreeSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
     let is_named = |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count());
     let fits = |robot: &Robot| is_named(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {
-        return Err("The robots in the backup are not as a server keeps them. Take another backup.".to_owned());
+        return Err(BackupMisfit::Malformed);
     }
     let goes_on = store::backup::check_finished(data).is_err();
     let here = robots_in(data);
     if goes_on || robots.is_empty() || here.is_empty() || here == robots {
         return Ok(());
     }
-    let folder = data.display();
-    Err(format!("{folder} has robots that are not those of the backup. Choose an empty folder with --data DIR."))
+    Err(BackupMisfit::Others(data.to_owned()))
 }
 
 /// Puts robots and their orders into a data folder.
@@ -78,7 +78,7 @@ mod tests {
         assert_eq!(check_robots(folder.path(), &robots), Ok(()), "once more is fine");
         assert_eq!(check_robots(folder.path(), &[]), Ok(()), "a backup of an older rrp has none");
         let refused = check_robots(folder.path(), &robots[..1]).unwrap_err();
-        assert!(refused.contains("Choose an empty folder"), "{refused}");
+        assert!(refused.to_string().contains("Choose an empty folder"), "{refused}");
     }
 
     #[test]

@@ -4,6 +4,7 @@
 use super::cancel_flag::CancelFlag;
 use super::fair::Fair;
 use super::mailbox::Mailbox;
+use super::refusal::NoRun;
 use crate::support::lock;
 use behaviour::{Id, Params, StreamKind, Value};
 use engine::{Claim, StreamIx};
@@ -61,7 +62,7 @@ pub(super) struct Opening {
     /// Whether it follows a run with the same number, whose devices it takes over as far as they are the same.
     pub(super) follows: bool,
     /// Gets the answer; never waited for.
-    pub(super) answer: SyncSender<Result<(), String>>,
+    pub(super) answer: SyncSender<Result<(), NoRun>>,
 }
 
 /// One device for one stream.

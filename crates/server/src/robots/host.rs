@@ -5,13 +5,14 @@ use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
 use super::mailbox::Keep;
 use super::order::Order;
+use super::refusal::NoRun;
 use super::robot_thread::{self, Make};
 use super::run_table;
 use super::runner::{self, Job};
 use super::shared::RobotShared;
 use super::status_feed::StatusFeed;
 use super::successor;
-use crate::recordings::Recordings;
+use crate::recordings::{NotRecorded, Recordings};
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use axum::extract::ws::Utf8Bytes;
@@ -75,7 +76,7 @@ impl Drop for Announced {
 }
 
 /// Whether a run began, or why not.
-type Begun = Result<RunState, String>;
+type Begun = Result<RunState, NoRun>;
 
 /// Ends the robot's thread with the last clone.
 pub(super) struct Owner {
@@ -123,38 +124,37 @@ impl Host {
     ///
     /// # Errors
     /// If too many run already.
-    pub(crate) fn announce(&self, behaviour: &Id) -> Result<Announced, String> {
+    pub(crate) fn announce(&self, behaviour: &Id) -> Result<Announced, NoRun> {
         let shared = self.shared().clone();
-        let busy = || "too many behaviours run already; stop one first".to_owned();
         if shared.threads() >= THREADS_MAX {
-            return Err(busy());
+            return Err(NoRun::TooMany);
         }
         let (run, cancel) = (shared.feed.next_run(), shared.cancel_flags.add(behaviour));
         let announced = Announced { run, cancel, shared };
         let has_room = lock(&announced.shared.table).announce(run, behaviour, &announced.cancel);
-        if has_room { Ok(announced) } else { Err(busy()) }
+        if has_room { Ok(announced) } else { Err(NoRun::TooMany) }
     }
 
     /// Starts an announced behaviour; one that runs already is replaced as soon as the new one is ready.
     ///
     /// # Errors
     /// Why it cannot start.
-    pub(crate) async fn start_announced(&self, announced: &Announced, start: Start) -> Result<RunState, String> {
+    pub(crate) async fn start_announced(&self, announced: &Announced, start: Start) -> Begun {
         let job = self.job(announced.run, start, announced.cancel.clone());
         let (answer, answered) = oneshot::channel();
         self.thread(job, move |job| runner::run(job, answer))?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
+            Ok(answered) => answered.unwrap_or(Err(NoRun::Unprepared)),
             Err(_) => {
                 announced.cancel.cancel();
-                Err("it took too long to prepare".to_owned())
+                Err(NoRun::Late)
             }
         }
     }
 
     /// Announces and starts a behaviour.
     #[cfg(test)]
-    pub(super) async fn start(&self, start: Start) -> Result<RunState, String> {
+    pub(super) async fn start(&self, start: Start) -> Begun {
         let announced = self.announce(&start.behaviour)?;
         self.start_announced(&announced, start).await
     }
@@ -165,7 +165,7 @@ impl Host {
     }
 
     /// A thread for a run.
-    fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), String> {
+    fn thread(&self, job: Job, work: impl FnOnce(&Job) + Send + 'static) -> Result<(), NoRun> {
         let shared = self.shared().clone();
         shared.threads.fetch_add(1, Ordering::SeqCst);
         let thread = std::thread::Builder::new().name(format!("run-{}", job.run)).stack_size(STACK_BYTES);
@@ -176,7 +176,7 @@ impl Host {
         });
         spawned.map(drop).map_err(|error| {
             shared.threads.fetch_sub(1, Ordering::SeqCst);
-            format!("there is no room for another run ({error})")
+            NoRun::NoThread(error)
         })
     }
 
@@ -185,22 +185,22 @@ impl Host {
     ///
     /// # Errors
     /// Why it was not applied.
-    pub(crate) async fn apply(&self, start: Start) -> Result<RunState, String> {
+    pub(crate) async fn apply(&self, start: Start) -> Begun {
         let answered = self.launch_successor(start)?;
         match tokio::time::timeout(Duration::from_millis(START_MAX_MS), answered).await {
-            Ok(answered) => answered.unwrap_or_else(|_| Err("it failed while it was prepared".to_owned())),
-            Err(_) => Err("it takes very long; look in a moment which revision runs".to_owned()),
+            Ok(answered) => answered.unwrap_or(Err(NoRun::Unprepared)),
+            Err(_) => Err(NoRun::StillApplying),
         }
     }
 
-    fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, String> {
+    fn launch_successor(&self, start: Start) -> Result<oneshot::Receiver<Begun>, NoRun> {
         let before = lock(&self.shared().table).running_of(&start.behaviour).cloned();
-        let before = before.ok_or("it does not run any more")?;
+        let before = before.ok_or(NoRun::Ended)?;
         if self.shared().threads() >= THREADS_MAX {
-            return Err("too many behaviours run already; stop one first".to_owned());
+            return Err(NoRun::TooMany);
         }
         if !before.applying.begin() {
-            return Err("somebody applies a change just now; try again in a moment".to_owned());
+            return Err(NoRun::AppliedJustNow);
         }
         let job = self.job(before.state.run, start, before.cancel.clone());
         let (answer, answered) = oneshot::channel();
@@ -259,7 +259,7 @@ impl Host {
         let table = lock(&self.shared().table);
         let entry = table.running_of(behaviour).ok_or(Refused::NotRunning)?;
         if entry.state.recording.is_none() {
-            return Err(Refused::CannotRecord("this run is not recorded; tick it before Start".to_owned()));
+            return Err(NotRecorded::Unrecorded.into());
         }
         if entry.mailbox.mark(by, note) { Ok(()) } else { Err(Refused::TooFast) }
     }

@@ -1,5 +1,6 @@
 //! Which robots there are, kept in the data folder before it counts.
 
+use super::refusal::RobotsUnchanged;
 use crate::support::atomic_file;
 use behaviour::{Id, has_unseen, numbered};
 use protocol::ROBOT_NAME_MAX_CHARS;
@@ -61,13 +62,13 @@ impl Register {
     ///
     /// # Errors
     /// What is wrong with the name.
-    pub(super) fn newcomer(&self, robot: &Id, name: &str) -> Result<Known, String> {
+    pub(super) fn newcomer(&self, robot: &Id, name: &str) -> Result<Known, RobotsUnchanged> {
         let name = name.trim();
         if name.is_empty() || has_unseen(name) {
-            return Err("it needs a name of letters and digits, all of which are seen".to_owned());
+            return Err(RobotsUnchanged::Nameless);
         }
         if name.chars().count() > ROBOT_NAME_MAX_CHARS {
-            return Err(format!("its name may have {ROBOT_NAME_MAX_CHARS} characters"));
+            return Err(RobotsUnchanged::LongName);
         }
         let is_free = |wanted: &String| self.known.iter().all(|known| known.name != *wanted);
         let name = numbered(name, " ").find(is_free).unwrap_or_default();

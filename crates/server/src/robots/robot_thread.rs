@@ -4,6 +4,7 @@
 use super::cancel_flag::CancelFlag;
 use super::command_queue::{Command, CommandQueue, Opening, Wanted};
 use super::mailbox::{Keep, Mailbox};
+use super::refusal::{NoRun, RunFailure};
 use super::shared::RobotShared;
 use behaviour::Id;
 use engine::{HeldBy, Precedence, StreamIx};
@@ -40,7 +41,7 @@ pub(super) fn keep(shared: &RobotShared, make: &Make) {
     while !shared.queue.is_ended() {
         let kept = catch_unwind(AssertUnwindSafe(|| RobotThread::new(shared, make(), Instant::now()).work()));
         if kept.is_err() {
-            shared.fault_all("the robot failed and is started again");
+            shared.fault_all(&RunFailure::Robot);
             let reason = "it failed and is started again".to_owned();
             shared.feed.edit(&shared.robot, |state| state.health = Health::Lost(reason));
             std::thread::sleep(Duration::from_millis(AGAIN_AFTER_MS));
@@ -169,7 +170,7 @@ impl<'a> RobotThread<'a> {
         } else if let Err(reason) = self.robot.command(user, &command.value, self.now())
             && let Some(known) = self.users.get(&user.run)
         {
-            known.mailbox.refuse(&user.stream, reason);
+            known.mailbox.refuse(&user.stream, reason.to_string());
         }
     }
 
@@ -226,12 +227,12 @@ impl<'a> RobotThread<'a> {
     }
 
     /// Opens devices; if one cannot be opened, none stays open.
-    fn open_all(&mut self, run: u64, devices: &[Wanted]) -> Result<(), String> {
+    fn open_all(&mut self, run: u64, devices: &[Wanted]) -> Result<(), NoRun> {
         for (at, wanted) in devices.iter().enumerate() {
             let user = Use { run, stream: wanted.stream.clone() };
             if let Err(reason) = self.robot.open(&user, &wanted.device, &wanted.params) {
                 self.close_all(run, &devices[..at]);
-                return Err(format!("“{}”: {reason}", wanted.name));
+                return Err(NoRun::Unopened { stream: wanted.name.clone(), reason: reason.to_string() });
             }
         }
         Ok(())
@@ -239,8 +240,8 @@ impl<'a> RobotThread<'a> {
 
     /// Opens what an edited behaviour uses beyond the one before it, and closes what it does not use any more. What
     /// stays the same is not touched; if something cannot be opened, everything stays as it was.
-    fn exchange(&mut self, run: u64, wanted: &[Wanted]) -> Result<(), String> {
-        let before = self.users.get(&run).ok_or("it was stopped meanwhile")?.devices.clone();
+    fn exchange(&mut self, run: u64, wanted: &[Wanted]) -> Result<(), NoRun> {
+        let before = self.users.get(&run).ok_or(NoRun::StoppedMeanwhile)?.devices.clone();
         let not_in = |these: &[Wanted], those: &[Wanted]| -> Vec<Wanted> {
             these.iter().filter(|this| !those.iter().any(|that| that.is_same_use(this))).cloned().collect()
         };

@@ -6,11 +6,12 @@ use super::emission_sink::EmissionSink;
 use super::host::Start;
 use super::live::LiveValues;
 use super::mailbox::{Arrived, Keep, Mailbox, Mark};
+use super::refusal::{NoRun, RunFailure};
 use super::run_table::{Applying, Entry, Senses};
 use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
 use super::tally::Tally;
-use crate::recordings::{About, Note, Recorder, Recordings};
+use crate::recordings::{About, NotRecorded, Note, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
 use engine::{Claim, Limits, Run};
@@ -50,7 +51,7 @@ pub(super) struct Job {
 /// How a run ended.
 enum End {
     /// By itself, with the reason.
-    Fault(String),
+    Fault(RunFailure),
     /// It was stopped, or did not come to be.
     Stopped,
     /// Another one goes on with its number and its devices.
@@ -58,7 +59,7 @@ enum End {
 }
 
 /// Runs to the end; `answer` hears whether it began. A panic ends this behaviour only.
-pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, String>>) {
+pub(super) fn run(job: &Job, answer: oneshot::Sender<Result<RunState, NoRun>>) {
     let done = catch_unwind(AssertUnwindSafe(|| match prepare(job) {
         Ok((runner, state)) => {
             drop(answer.send(Ok(state)));
@@ -83,16 +84,16 @@ fn clear_away(job: &Job, end: Option<End>) {
         Some(End::Followed) => return,
         Some(End::Fault(reason)) => reason,
         // A run that was stopped keeps that as its end; without a reason it came too late for the one who waited.
-        Some(End::Stopped) => "it took too long to prepare".to_owned(),
-        None => "it failed inside; please tell the people who make rrp".to_owned(),
+        Some(End::Stopped) => RunFailure::Late,
+        None => RunFailure::Inside,
     };
     lock(&shared.table).withdraw(job.run);
-    shared.fault(job.run, reason);
+    shared.fault(job.run, &reason);
     job.cancel.cancel();
     shared.queue.close(job.run);
 }
 
-fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
+fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
     let clock = Rc::new(Cell::new(Instant::now()));
     let run = build(job, &clock)?;
     let mailbox = Arc::new(Mailbox::default());
@@ -101,8 +102,7 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     let mut entry = entry(job, &run, &mailbox, &devices);
     let tally = Tally::new(entry.live.clone(), &run);
     let mut runner = Runner::new(job, run, mailbox, tally, clock);
-    let unkept = |error: std::io::Error| format!("its place in the order could not be kept ({error})");
-    job.shared.order.add(&job.start.behaviour).map_err(unkept)?;
+    job.shared.order.add(&job.start.behaviour).map_err(NoRun::Unordered)?;
     runner.sink.recorder = recorder(job)?;
     entry.state.recording = runner.sink.recorder.as_mut().and_then(Recorder::news);
     runner.began = Instant::now();
@@ -110,12 +110,11 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), String> {
     if job.shared.begin(entry) {
         return Ok((runner, state));
     }
-    let why = "it was stopped before it began";
-    runner.sink.end_recording(why);
-    Err(why.to_owned())
+    runner.sink.end_recording(&NoRun::StoppedBefore.to_string());
+    Err(NoRun::StoppedBefore)
 }
 
-fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
+fn recorder(job: &Job) -> Result<Option<Recorder>, NotRecorded> {
     let Start { behaviour, revision, file, record, by } = &job.start;
     let robot = &job.shared.feed.name(&job.shared.robot);
     let about = About { run: job.run, robot, behaviour, revision: *revision, by, file };
@@ -123,21 +122,16 @@ fn recorder(job: &Job) -> Result<Option<Recorder>, String> {
 }
 
 /// Compiles what is to run. `clock` says when the procedure that runs began.
-pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, String> {
+pub(super) fn build(job: &Job, clock: &Rc<Cell<Instant>>) -> Result<Run, NoRun> {
     let cancel = job.cancel.clone();
     let limits = (job.limits)().interrupted_by(interrupt(job.cancel.clone(), clock.clone()));
     let limits = limits.stopped_by(move || cancel.is_cancelled());
-    Run::build(&job.start.file, limits).map_err(|faults| in_one_sentence(&faults))
+    Run::build(&job.start.file, limits).map_err(NoRun::Faults)
 }
 
 /// Ends a procedure at its deadline, or at once when the run is stopped.
 fn interrupt(cancel: Arc<CancelFlag>, clock: Rc<Cell<Instant>>) -> impl Fn() -> bool {
     move || cancel.is_cancelled() || clock.get().elapsed() > Duration::from_millis(PROCEDURE_MAX_MS)
-}
-
-fn in_one_sentence(faults: &[engine::Fault]) -> String {
-    let first = faults.first().map_or_else(String::new, |fault| fault.reason.clone());
-    if faults.len() > 1 { format!("{first} (and {} more)", faults.len() - 1) } else { first }
 }
 
 /// The devices it uses, actions before senses, each in file order.
@@ -153,13 +147,13 @@ pub(super) fn devices(run: &Run, file: &BehaviourFile) -> Vec<Wanted> {
 }
 
 /// Asks the robot for devices; a run that follows another takes over the other's.
-pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, follows: bool) -> Result<(), String> {
+pub(super) fn open(job: &Job, mailbox: &Arc<Mailbox>, devices: Vec<Wanted>, follows: bool) -> Result<(), NoRun> {
     let (answer, opened) = sync_channel(1);
     let behaviour = (job.start.behaviour.clone(), job.start.file.name.clone());
     let (cancel, mailbox) = (job.cancel.clone(), mailbox.clone());
     job.shared.queue.open(Opening { run: job.run, behaviour, cancel, mailbox, devices, follows, answer });
     let waited = opened.recv_timeout(Duration::from_millis(OPEN_MAX_MS));
-    waited.unwrap_or_else(|_| Err("the robot does not answer".to_owned()))
+    waited.unwrap_or(Err(NoRun::Silent))
 }
 
 /// The sensor streams among the devices.
@@ -244,7 +238,7 @@ impl<'a> Runner<'a> {
             self.close_instants();
             self.mark(post.marks);
             self.sink.record(post.end_recording);
-            reason = self.run.fault().or_else(|| self.took_too_long());
+            reason = self.failure();
             if self.may_follow()
                 && let Some(successor) = self.successor.take_if(|_| reason.is_none())
             {
@@ -258,7 +252,8 @@ impl<'a> Runner<'a> {
         self.sink.tally.tell(&self.run, self.now_ms(), true);
         let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
-        self.sink.end_recording(reason.as_deref().unwrap_or("it was stopped"));
+        let why = reason.as_ref().map(RunFailure::to_string);
+        self.sink.end_recording(why.as_deref().unwrap_or("it was stopped"));
         reason.map_or(End::Stopped, End::Fault)
     }
 
@@ -275,8 +270,7 @@ impl<'a> Runner<'a> {
             began: self.began,
             open_ms: self.open_ms,
         };
-        let why = "it could not go on with what was applied; start it again";
-        if to.take(handover) { End::Followed } else { End::Fault(why.to_owned()) }
+        if to.take(handover) { End::Followed } else { End::Fault(RunFailure::NotFollowed) }
     }
 
     /// The live rule: a reading counts when it arrived, but never in an instant that is closed.
@@ -333,13 +327,18 @@ impl<'a> Runner<'a> {
         [due, self.sink.tally.next_telling(), recorded].into_iter().flatten().min()
     }
 
-    fn took_too_long(&mut self) -> Option<String> {
+    /// Why it ends by itself now, if it does.
+    fn failure(&mut self) -> Option<RunFailure> {
+        let fault = self.run.fault().map(|reason| RunFailure::Engine(reason.to_string()));
+        fault.or_else(|| self.took_too_long())
+    }
+
+    fn took_too_long(&mut self) -> Option<RunFailure> {
         let connector = self.sink.too_long.take()?;
         let in_a_row = self.run.stats().connectors.get(connector)?.deadlines_in_a_row;
         let info = self.run.connectors().get(connector)?;
         let name = &self.run.streams().get(info.output)?.name;
-        let why = "a procedure took too long three times";
-        (in_a_row >= TOO_LONG_MAX_CALLS).then(|| format!("{why}; look at the one that makes “{name}”"))
+        (in_a_row >= TOO_LONG_MAX_CALLS).then(|| RunFailure::TooLong(name.clone()))
     }
 
     fn now_ms(&self) -> u64 {

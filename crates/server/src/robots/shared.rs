@@ -4,6 +4,7 @@ use super::cancel_flag::CancelFlags;
 use super::command_queue::CommandQueue;
 use super::host::Start;
 use super::order::Order;
+use super::refusal::RunFailure;
 use super::run_table::{Entry, RunTable};
 use super::status_feed::StatusFeed;
 use crate::support::lock;
@@ -86,20 +87,21 @@ impl RobotShared {
     }
 
     /// Ends a run that failed by itself, with its actions safe.
-    pub(super) fn fault(&self, run: u64, reason: String) {
+    pub(super) fn fault(&self, run: u64, why: &RunFailure) {
         let mut table = lock(&self.table);
         // Its thread may notice a Stop before it is written down.
         let stopped_by = table.get(run).and_then(|entry| entry.cancel.stopped_by().map(str::to_owned));
-        let ended = table.end_run(run, stopped_by.map_or(RunPhase::Faulted(reason), RunPhase::Stopped));
+        let ended =
+            table.end_run(run, stopped_by.map_or_else(|| RunPhase::Faulted(why.to_string()), RunPhase::Stopped));
         self.clear_away(&table, ended.as_slice());
         self.show(&table);
     }
 
     /// Ends every run because the robot failed.
-    pub(super) fn fault_all(&self, reason: &str) {
+    pub(super) fn fault_all(&self, why: &RunFailure) {
         let mut table = lock(&self.table);
         table.cancel_all();
-        let ended = table.end(None, &RunPhase::Faulted(reason.to_owned()));
+        let ended = table.end(None, &RunPhase::Faulted(why.to_string()));
         self.clear_away(&table, &ended);
         self.show(&table);
     }

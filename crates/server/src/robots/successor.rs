@@ -2,6 +2,7 @@
 //! its own, then takes over between two instants. Until then, and if it is refused, the old one goes on.
 
 use super::mailbox::Mailbox;
+use super::refusal::NoRun;
 use super::run_table::{Entry, Senses};
 use super::runner::{self, Job, Runner, devices, open, senses};
 use super::shared::RobotShared;
@@ -44,9 +45,9 @@ impl Successor {
 }
 
 /// Follows the run of `before`; `answer` hears whether it took over. A panic before that leaves the old one running.
-pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<RunState, String>>) {
+pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<RunState, NoRun>>) {
     let took = catch_unwind(AssertUnwindSafe(|| take_over(job, before)));
-    match took.unwrap_or_else(|_| Err("it failed inside; please tell the people who make rrp".to_owned())) {
+    match took.unwrap_or_else(|_| Err(NoRun::Inside)) {
         Ok((runner, state)) => {
             before.applying.end();
             drop(answer.send(Ok(state)));
@@ -59,25 +60,25 @@ pub(super) fn follow(job: &Job, before: &Entry, answer: oneshot::Sender<Result<R
     }
 }
 
-fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState), String> {
+fn take_over<'a>(job: &'a Job, before: &Entry) -> Result<(Runner<'a>, RunState), NoRun> {
     let clock = Rc::new(Cell::new(Instant::now()));
     let run = runner::build(job, &clock)?;
     let matching = Matching::between(&before.file, &job.start.file);
     let mailbox = Arc::new(Mailbox::default());
     open(job, &mailbox, devices(&run, &job.start.file), true)?;
     let handover = handover(job, &run, &mailbox)?;
-    let state = job.shared.applied(job.run, &job.start).ok_or_else(stopped)?;
+    let state = job.shared.applied(job.run, &job.start).ok_or(NoRun::StoppedMeanwhile)?;
     Ok((go_on(job, run, handover, &matching, mailbox, clock), state))
 }
 
 /// From now on readings go to the new run, where they wait; the old one hands over after its last ones.
-fn handover(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<RunHandover, String> {
+fn handover(job: &Job, run: &Run, mailbox: &Arc<Mailbox>) -> Result<RunHandover, NoRun> {
     let (hand, handed) = sync_channel(1);
     let devices = devices(run, &job.start.file);
     let (senses, acts) = (senses(run, &devices), runner::acts(run, &devices));
-    let old = job.shared.redirect(job.run, mailbox, senses, acts).ok_or_else(stopped)?;
+    let old = job.shared.redirect(job.run, mailbox, senses, acts).ok_or(NoRun::StoppedMeanwhile)?;
     old.succeed(Successor(hand));
-    handed.recv().map_err(|_| stopped())
+    handed.recv().map_err(|_| NoRun::StoppedMeanwhile)
 }
 
 fn go_on<'a>(
@@ -92,10 +93,6 @@ fn go_on<'a>(
     run.resume_from(memory, matching);
     let tally = tally.succeeded(&run, matching);
     Runner::new(job, run, mailbox, tally, clock).since(began, open_ms, recorder)
-}
-
-fn stopped() -> String {
-    "it was stopped meanwhile".to_owned()
 }
 
 impl RobotShared {

@@ -17,6 +17,21 @@ const NEW_MAX_BYTES: usize = 128 << 10;
 const CHECK_MS: u64 = 2_000;
 
 type Question = (Vec<String>, String);
+/// What [`Knowledge`] answers.
+type Answer = Result<(), String>;
+
+/// Why a procedure was not checked.
+#[derive(Debug)]
+pub(crate) enum Unchecked {
+    /// It is longer than a procedure may be.
+    TooLong,
+    /// The change brings more procedures than are checked at once.
+    TooMuch,
+    /// Who asked is gone.
+    NobodyWaits,
+    /// The procedures of the file take more time than they may.
+    TooSlow,
+}
 
 /// Devices and procedures, as this rrp knows them.
 #[derive(Debug, Default)]
@@ -24,7 +39,7 @@ pub struct Knowing(Mutex<Answers>);
 
 #[derive(Debug, Default)]
 struct Answers {
-    known: BTreeMap<Arc<Question>, Result<(), String>>,
+    known: BTreeMap<Arc<Question>, Answer>,
     order: VecDeque<Arc<Question>>,
     bytes: usize,
 }
@@ -36,11 +51,11 @@ impl Knowing {
         Budgeted { knowing: self, bytes: Cell::new(NEW_MAX_BYTES), until }
     }
 
-    fn known(&self, question: &Question) -> Option<Result<(), String>> {
+    fn known(&self, question: &Question) -> Option<Answer> {
         lock(&self.0).known.get(question).cloned()
     }
 
-    fn find_out(&self, question: Question) -> Result<(), String> {
+    fn find_out(&self, question: Question) -> Answer {
         let answer = engine::check_body(&question.0, &question.1);
         lock(&self.0).keep(Arc::new(question), answer.clone());
         answer
@@ -48,11 +63,11 @@ impl Knowing {
 }
 
 impl Knowledge for Knowing {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Answer {
         robot::device(kind, device)?.check(params)
     }
 
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
+    fn body(&self, arguments: &[String], body: &str) -> Answer {
         let question = (arguments.to_vec(), body.to_owned());
         self.known(&question).unwrap_or_else(|| self.find_out(question))
     }
@@ -66,23 +81,23 @@ pub(crate) struct Budgeted<'a> {
 }
 
 impl Knowledge for Budgeted<'_> {
-    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Result<(), String> {
+    fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Answer {
         self.knowing.device(kind, device, params)
     }
 
-    fn body(&self, arguments: &[String], body: &str) -> Result<(), String> {
+    fn body(&self, arguments: &[String], body: &str) -> Answer {
         let question = (arguments.to_vec(), body.to_owned());
         if let Some(answer) = self.knowing.known(&question) {
             return answer;
         }
-        let too_much = || "there is too much to check at once; do it in smaller steps".to_owned();
+        let too_much = || Unchecked::TooMuch.to_string();
         self.bytes.set(self.bytes.get().checked_sub(body.len()).ok_or_else(too_much)?);
         if Instant::now() >= self.until { Err(too_much()) } else { self.knowing.find_out(question) }
     }
 }
 
 impl Answers {
-    fn keep(&mut self, question: Arc<Question>, answer: Result<(), String>) {
+    fn keep(&mut self, question: Arc<Question>, answer: Answer) {
         let bytes = size(&question);
         if self.known.insert(Arc::clone(&question), answer).is_none() {
             self.order.push_back(question);

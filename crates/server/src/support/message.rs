@@ -3,6 +3,7 @@
 use axum::extract::ws::Utf8Bytes;
 use protocol::{Message, Reply};
 use std::cell::RefCell;
+use std::fmt::Display;
 
 /// What a thread keeps to write the next message into, in bytes.
 const KEPT_MAX_BYTES: usize = 256 << 10;
@@ -15,14 +16,15 @@ thread_local! {
 pub(crate) fn encode(ask: Option<u32>, reply: Reply) -> Utf8Bytes {
     DRAFT.with_borrow_mut(|draft| {
         draft.clear();
-        let written = serde_json::to_writer(&mut *draft, &Message { ask, reply }).map_err(|error| error.to_string());
-        let read = written.and_then(|()| std::str::from_utf8(draft).map_err(|error| error.to_string()));
-        let text = read.map_or_else(failed, Utf8Bytes::from);
+        let text = match serde_json::to_writer(&mut *draft, &Message { ask, reply }) {
+            Ok(()) => std::str::from_utf8(draft).map_or_else(|error| failed(&error), Utf8Bytes::from),
+            Err(error) => failed(&error),
+        };
         draft.shrink_to(KEPT_MAX_BYTES);
         text
     })
 }
 
-fn failed(error: String) -> Utf8Bytes {
+fn failed(error: &impl Display) -> Utf8Bytes {
     format!("{{\"reply\":{{\"is\":\"no\",\"no\":{{\"why\":\"unreadable\",\"what\":\"{error}\"}}}}}}").into()
 }

@@ -1,6 +1,6 @@
 //! The task behind a client: carries messages both ways, answers pings, and keeps the mirrors.
 
-use super::Trouble;
+use super::NoLink;
 use super::mirror::Mirrors;
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Ask, Assembly, Message as Told, PATH, Reply, Request};
@@ -38,7 +38,7 @@ pub(super) struct Line {
 /// What client and task share.
 pub(super) struct Link {
     mirrors: Mutex<Mirrors>,
-    ended: Mutex<Option<String>>,
+    ended: Mutex<Option<NoLink>>,
 }
 
 impl Link {
@@ -46,8 +46,8 @@ impl Link {
         self.mirrors.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Why the link ended, in a sentence.
-    pub(super) fn ended(&self) -> Option<String> {
+    /// Why the link ended.
+    pub(super) fn ended(&self) -> Option<NoLink> {
         self.ended.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 }
@@ -55,7 +55,7 @@ impl Link {
 type Opened = (Arc<Link>, mpsc::Sender<Line>, mpsc::Receiver<Reply>);
 
 /// Connects and starts the task.
-pub(super) async fn open(url: &str) -> Result<Opened, Trouble> {
+pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
     let address = socket_address(url);
     let config =
         WebSocketConfig::default().max_message_size(Some(MESSAGE_MAX_BYTES)).max_frame_size(Some(MESSAGE_MAX_BYTES));
@@ -63,10 +63,10 @@ pub(super) async fn open(url: &str) -> Result<Opened, Trouble> {
     let connected = tokio::time::timeout(Duration::from_millis(CONNECT_MS), connecting).await;
     let (socket, _) = match connected {
         Ok(Ok(connected)) => connected,
-        Ok(Err(error)) => return Err(Trouble::Link(format!("There is no rrp server at {url} ({error})."))),
-        Err(_) => return Err(Trouble::Link(format!("The server at {url} does not answer."))),
+        Ok(Err(error)) => return Err(NoLink::NoServer { url: url.to_owned(), error: error.to_string() }),
+        Err(_) => return Err(NoLink::Silent(url.to_owned())),
     };
-    let mirrors = Mutex::new(Mirrors::empty().map_err(Trouble::Link)?);
+    let mirrors = Mutex::new(Mirrors::empty()?);
     let link = Arc::new(Link { mirrors, ended: Mutex::new(None) });
     let (lines, inbox) = mpsc::channel(LINES_MAX);
     let (tell, told) = mpsc::channel(TOLD_MAX);
@@ -97,14 +97,14 @@ impl Carrier {
             tokio::select! {
                 line = inbox.recv() => match line {
                     Some(line) => if let Err(error) = self.send(line).await { break lost(&error) },
-                    None => break "The connection was closed.".to_owned(),
+                    None => break NoLink::Closed,
                 },
                 message = self.socket.next() => match message {
                     Some(Ok(Message::Text(text))) => if let Err(error) = self.hear(&text).await { break lost(&error) },
                     Some(Ok(Message::Close(frame))) => break goodbye(frame),
                     Some(Ok(_)) => {}
                     Some(Err(error)) => break lost(&error),
-                    None => break "The server ended the connection. Connect again.".to_owned(),
+                    None => break NoLink::EndedByServer,
                 },
             }
         };
@@ -150,17 +150,17 @@ impl Carrier {
     }
 }
 
-fn lost(error: &Error) -> String {
-    format!("The connection was lost ({error}). Connect again.")
+fn lost(error: &Error) -> NoLink {
+    NoLink::Lost(error.to_string())
 }
 
-fn goodbye(frame: Option<CloseFrame>) -> String {
+fn goodbye(frame: Option<CloseFrame>) -> NoLink {
     match frame.as_ref().map(|frame| frame.reason.as_str()) {
-        Some("restart") => "The server ended. Connect again when it is back.".to_owned(),
-        Some("resync") => "This connection was too slow for the server (resync). Connect again.".to_owned(),
-        Some("replaced") => "The same client connected again elsewhere (replaced).".to_owned(),
-        Some(reason) if !reason.is_empty() => format!("The server ended the connection ({reason})."),
-        _ => "The server ended the connection. Connect again.".to_owned(),
+        Some("restart") => NoLink::Restart,
+        Some("resync") => NoLink::TooSlow,
+        Some("replaced") => NoLink::Replaced,
+        Some(reason) if !reason.is_empty() => NoLink::EndedBecause(reason.to_owned()),
+        _ => NoLink::EndedByServer,
     }
 }
 

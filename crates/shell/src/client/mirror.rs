@@ -1,5 +1,6 @@
 //! A behaviour as the server has it, kept by what the server tells.
 
+use super::NoLink;
 use behaviour::{Accepted, Behaviour, Id};
 use protocol::{LIBRARY, Reply, RobotState};
 
@@ -23,8 +24,9 @@ pub(super) struct Mirrors {
 }
 
 impl Mirrors {
-    pub(super) fn empty() -> Result<Self, String> {
-        let library = Mirror { behaviour: Id::new(LIBRARY)?, revision: 0, records: Behaviour::default() };
+    pub(super) fn empty() -> Result<Self, NoLink> {
+        let behaviour = Id::new(LIBRARY).map_err(|reason| NoLink::Id(reason.to_string()))?;
+        let library = Mirror { behaviour, revision: 0, records: Behaviour::default() };
         Ok(Self { open: None, library, robots: Vec::new() })
     }
 

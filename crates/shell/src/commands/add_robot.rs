@@ -3,6 +3,7 @@
 use super::Command;
 use crate::client::unique;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use behaviour::Id;
 use protocol::Request;
 
@@ -13,13 +14,13 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, name: &str) -> Result<String, String> {
+async fn run(console: &mut Console, name: &str) -> Result<String, NotDone> {
     if name.is_empty() {
-        return Err("Type “add robot NAME”.".to_owned());
+        return Err(NotDone::NoRobotName);
     }
-    let robot = Id::new(&format!("robot-{}", unique()))?;
+    let robot = Id::new(&format!("robot-{}", unique())).map_err(|reason| NotDone::Id(reason.to_string()))?;
     let name = crate::find::unquoted(name).to_owned();
     console.ask(Request::AddRobot { robot: robot.clone(), name }).await?;
-    let added = console.client()?.robot(Some(&robot)).await.map_err(|trouble| trouble.to_string())?;
+    let added = console.client()?.robot(Some(&robot)).await?;
     Ok(format!("{} is there", added.name))
 }

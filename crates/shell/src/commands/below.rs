@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, stream_lines};
+use crate::refusal::NotDone;
 use behaviour::Graph;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (program, stream) = console.stream_meant(wanted)?;
     let below = Graph::of(&program.records).below(&stream);
     let in_order = program.records.streams_in_order().into_iter().map(|(id, _)| id);

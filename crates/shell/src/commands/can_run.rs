@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "can run",
@@ -10,10 +11,10 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let chosen = console.robot.clone();
-    let robot = console.client()?.robot(chosen.as_ref()).await.map_err(|trouble| trouble.to_string())?;
+    let robot = console.client()?.robot(chosen.as_ref()).await?;
     let (name, missing) = (program.records.name(), robot::missing(&program.records, &robot.devices));
     if missing.is_empty() {
         return Ok(format!("{name} can run on {}.", robot.name));

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use crate::{Client, DEFAULT_URL};
 
 pub(crate) const COMMAND: Command = Command {
@@ -14,12 +15,12 @@ pub(crate) const COMMAND: Command = Command {
 /// What others see of this console.
 const NAME: &str = "Shell";
 
-async fn run(console: &mut Console, url: &str) -> Result<String, String> {
+async fn run(console: &mut Console, url: &str) -> Result<String, NotDone> {
     let url = if url.is_empty() { DEFAULT_URL } else { url };
-    let client = Client::connect(url, NAME).await.map_err(|trouble| trouble.to_string())?;
+    let client = Client::connect(url, NAME).await?;
     // The console asks; pictures and live values are for who watches.
     let quiet = protocol::Request::Watch { robot: None, scene: false, values: false };
-    client.ask(quiet).await.map_err(|trouble| trouble.to_string())?;
+    client.ask(quiet).await?;
     console.client = Some(client);
     (console.stream, console.robot) = (None, None);
     Ok(format!("Connected to {url}"))

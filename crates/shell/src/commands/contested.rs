@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
+use crate::refusal::{Answer, NotDone};
 use protocol::{Contested, Reply, Request};
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,12 +12,12 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     match console.ask(Request::Contested).await? {
         Reply::Contested { contested } => {
             Ok(or_nothing(contested.iter().map(line).collect(), "No two programs use the same action."))
         }
-        _ => Err("The server gave no actions. Try again.".to_owned()),
+        _ => Err(NotDone::NoAnswer(Answer::Actions)),
     }
 }
 

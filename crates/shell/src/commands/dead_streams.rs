@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, stream_lines};
+use crate::refusal::NotDone;
 use behaviour::Graph;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let dead = Graph::of(&program.records).dead_streams(&program.records);
     Ok(if dead.is_empty() { "Every stream leads to an action.".to_owned() } else { stream_lines(&program, dead) })

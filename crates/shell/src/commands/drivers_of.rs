@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
+use crate::refusal::{Answer, NotDone};
 use protocol::{Driver, Reply, Request};
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let all: Vec<_> = robot::actuators().map(|device| (device.name.to_owned(), ())).collect();
     let (actuator, ()) = crate::find::find("action", wanted, &all)?;
     match console.ask(Request::Drivers { actuator: actuator.clone() }).await? {
@@ -21,7 +22,7 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
             lines.extend((more > 0).then(|| format!("and {more} more")));
             Ok(or_nothing(lines, &format!("No program uses {actuator}.")))
         }
-        _ => Err("The server gave no programs. Try again.".to_owned()),
+        _ => Err(NotDone::NoAnswer(Answer::Programs)),
     }
 }
 

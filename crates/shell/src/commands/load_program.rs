@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{CHOICES_MAX, Console};
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "load program",
@@ -10,14 +11,15 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     if wanted.is_empty() {
         let programs = console.programs("", CHOICES_MAX).await?;
         let all: Vec<_> = programs.into_iter().map(|program| (program.name, ())).collect();
-        return crate::find::find("program", wanted, &all).map(|_| String::new());
+        crate::find::find("program", wanted, &all)?;
+        return Ok(String::new());
     }
     let (name, id) = console.meant(wanted).await?;
-    let program = console.client()?.load(&id).await.map_err(|trouble| trouble.to_string())?;
+    let program = console.client()?.load(&id).await?;
     console.stream = None;
     let (streams, connectors) = (program.records.streams().count(), program.records.connectors().count());
     Ok(format!("Loaded {name}: {streams} streams, {connectors} connectors, revision {}", program.revision))

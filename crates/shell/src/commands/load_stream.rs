@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "load stream",
@@ -10,7 +11,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let streams = program.records.streams_in_order().into_iter();
     let all: Vec<_> = streams.map(|(id, stream)| (stream.name.clone(), id.clone())).collect();

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use protocol::Request;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, note: &str) -> Result<String, String> {
+async fn run(console: &mut Console, note: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let (behaviour, robot) = (program.behaviour, console.robot.clone());
     console.ask(Request::Mark { behaviour, robot, note: note.to_owned() }).await?;

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
+use crate::refusal::NotDone;
 use protocol::{Request, RunState};
 use std::collections::BTreeSet;
 
@@ -12,7 +13,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let running = console.running().await?;
     let robots = console.robots().await?;
     let name = |run: &RunState| match robots.iter().find(|robot| robot.robot == run.robot) {
@@ -32,9 +33,9 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
     let pair = match way.to_lowercase().as_str() {
         "up" => at.checked_sub(1).map(|above| (at, above)),
         "down" => (at + 1 < running.len()).then_some((at + 1, at)),
-        _ => return Err("Type “order NAME up” or “order NAME down”.".to_owned()),
+        _ => return Err(NotDone::NoWay),
     };
-    let Some((moved, above)) = pair else { return Err(format!("{name} is there already.")) };
+    let Some((moved, above)) = pair else { return Err(NotDone::There(name)) };
     let (behaviour, above) = (running[moved].behaviour.clone(), Some(running[above].behaviour.clone()));
     console.ask(Request::Place { behaviour, robot: Some(found.robot), above }).await?;
     Ok(format!("{name} moved {}", way.to_lowercase()))

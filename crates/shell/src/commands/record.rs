@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use protocol::Request;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     match words.to_lowercase().as_str() {
         "on" => {
             console.records = true;
@@ -22,11 +23,11 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
             end_all(console).await?;
             Ok("Nothing is recorded".to_owned())
         }
-        _ => Err("Type “record on” or “record off”.".to_owned()),
+        _ => Err(NotDone::NeitherOnNorOff),
     }
 }
 
-async fn end_all(console: &mut Console) -> Result<(), String> {
+async fn end_all(console: &mut Console) -> Result<(), NotDone> {
     for run in console.running().await?.into_iter().filter(|run| run.recording.is_some()) {
         console.ask(Request::EndRecording { behaviour: run.behaviour, robot: Some(run.robot) }).await?;
     }

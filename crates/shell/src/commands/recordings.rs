@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
+use crate::refusal::{Answer, NotDone};
 use protocol::{RECORDINGS_PATH, Recording, Reply, Request};
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,9 +12,9 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let Reply::Recordings { recordings } = console.ask(Request::Recordings).await? else {
-        return Err("The server did not answer with a list. Try again.".to_owned());
+        return Err(NotDone::NoAnswer(Answer::Recordings));
     };
     Ok(or_nothing(recordings.iter().map(line).collect(), "No recordings. Type “record on” before “start”."))
 }

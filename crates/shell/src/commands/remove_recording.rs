@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use protocol::Request;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let file = words.rsplit('/').next().unwrap_or(words).to_owned();
     console.ask(Request::RemoveRecording { file: file.clone() }).await?;
     Ok(format!("{file} is removed"))

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use protocol::{Request, RobotState};
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,11 +12,11 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, robot) = console.robot_meant(wanted).await?;
     console.ask(Request::RemoveRobot { robot: robot.clone() }).await?;
     let is_gone = |robots: &[RobotState]| robots.iter().all(|known| known.robot != robot);
-    console.client()?.robots_that(is_gone).await.map_err(|trouble| trouble.to_string())?;
+    console.client()?.robots_that(is_gone).await?;
     console.robot.take_if(|chosen| *chosen == robot);
     Ok(format!("{name} is removed"))
 }

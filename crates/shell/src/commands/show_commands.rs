@@ -2,6 +2,7 @@
 
 use super::{ALL, Command};
 use crate::console::Console;
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "show commands",
@@ -10,7 +11,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(_: &mut Console, _: &str) -> Result<String, String> {
+async fn run(_: &mut Console, _: &str) -> Result<String, NotDone> {
     let typed = |command: &Command| format!("{} {}", command.name, command.words).trim_end().to_owned();
     let width = ALL.iter().map(|command| typed(command).len()).max().unwrap_or(0);
     let lines: Vec<_> = ALL.iter().map(|command| format!("{:width$}  {}", typed(command), command.help)).collect();

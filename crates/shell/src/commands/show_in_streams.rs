@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, stream_lines};
+use crate::refusal::NotDone;
 use behaviour::Graph;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let (program, stream) = console.looked_at()?;
     let graph = Graph::of(&program.records);
     let streams = graph.into_stream(&stream).iter().flat_map(|(_, connector)| &connector.inputs);

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, connector_lines};
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "show out ops",
@@ -10,7 +11,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let (program, stream) = console.looked_at()?;
     Ok(connector_lines(&program, &stream, true))
 }

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "show programs",
@@ -10,7 +11,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let names: Vec<_> = console.programs("", usize::MAX).await?.into_iter().map(|program| program.name).collect();
     Ok(if names.is_empty() { "No programs.".to_owned() } else { names.join("\n") })
 }

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use protocol::{RobotState, RunState};
 use robot::Health;
 
@@ -12,7 +13,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let (robots, running) = (console.robots().await?, console.all_running().await?);
     let lines = robots.iter().map(|robot| {
         let star = if console.robot.as_ref() == Some(&robot.robot) { "* " } else { "" };

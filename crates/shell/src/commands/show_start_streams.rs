@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, stream_lines};
+use crate::refusal::NotDone;
 use behaviour::StreamKind;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let streams = program.records.streams_in_order().into_iter();
     Ok(stream_lines(&program, streams.filter(|(_, stream)| stream.kind == StreamKind::Sensor).map(|(id, _)| id)))

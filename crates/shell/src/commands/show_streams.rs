@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, stream_lines};
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "show streams",
@@ -10,7 +11,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, _: &str) -> Result<String, String> {
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     Ok(stream_lines(&program, program.records.streams_in_order().into_iter().map(|(id, _)| id)))
 }

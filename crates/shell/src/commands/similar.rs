@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
+use crate::refusal::{Answer, NotDone};
 use protocol::{Reply, Request};
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let (name, behaviour) = console.meant(wanted).await?;
     match console.ask(Request::Similar { behaviour }).await? {
         Reply::Similar { similar } => {
@@ -21,6 +22,6 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
             });
             Ok(or_nothing(lines.collect(), &format!("No other program is like {name}.")))
         }
-        _ => Err("The server gave no programs. Try again.".to_owned()),
+        _ => Err(NotDone::NoAnswer(Answer::Programs)),
     }
 }

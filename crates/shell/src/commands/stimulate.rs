@@ -3,6 +3,7 @@
 use super::Command;
 use crate::console::Console;
 use crate::find::find;
+use crate::refusal::NotDone;
 use behaviour::{Id, Stream, StreamKind, Value};
 use protocol::Request;
 
@@ -13,7 +14,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let streams = program.records.streams_in_order().into_iter();
     let sensors = streams.filter(|(_, stream)| stream.kind == StreamKind::Sensor);
@@ -28,7 +29,7 @@ async fn run(console: &mut Console, words: &str) -> Result<String, String> {
 type Sensors = [(String, (Id, Stream))];
 
 /// `Red ball {"x": 1}`: the value begins where the rest is JSON and what is before it names a stream.
-fn read(words: &str, all: &Sensors) -> Result<(String, (Id, Value)), String> {
+fn read(words: &str, all: &Sensors) -> Result<(String, (Id, Value)), NotDone> {
     for (at, _) in words.char_indices().filter(|(_, c)| c.is_whitespace()) {
         let (name, value) = words.split_at(at);
         if let (Ok(value), Ok((name, (id, _)))) = (serde_json::from_str(value.trim()), find("sensor stream", name, all))
@@ -37,7 +38,8 @@ fn read(words: &str, all: &Sensors) -> Result<(String, (Id, Value)), String> {
         }
     }
     let (name, (id, stream)) = find("sensor stream", words, all)?;
-    let device = robot::device(StreamKind::Sensor, stream.device.as_deref().unwrap_or_default())?;
-    let example = serde_json::from_str(device.example).map_err(|error| error.to_string())?;
+    let device = robot::device(StreamKind::Sensor, stream.device.as_deref().unwrap_or_default());
+    let device = device.map_err(|reason| NotDone::NoSense(reason.to_string()))?;
+    let example = serde_json::from_str(device.example).map_err(NotDone::NoExample)?;
     Ok((name, (id, example)))
 }

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use protocol::Request;
 
 pub(crate) const COMMAND: Command = Command {
@@ -11,7 +12,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let named = if wanted.is_empty() { None } else { Some(console.meant(wanted).await?) };
     let (name, behaviour) = named.map_or(("Everything".to_owned(), None), |(name, id)| (name, Some(id)));
     let robot = console.robot.clone();

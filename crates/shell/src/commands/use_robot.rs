@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 
 pub(crate) const COMMAND: Command = Command {
     name: "use robot",
@@ -10,7 +11,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     if wanted.is_empty() {
         console.robot = None;
         return Ok("No robot is chosen".to_owned());

@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::Console;
+use crate::refusal::NotDone;
 use behaviour::Behaviour;
 use protocol::{Reply, Request, Values};
 use std::time::Duration;
@@ -18,10 +19,10 @@ const SECONDS: u64 = 5;
 /// The longest watch, in seconds.
 const SECONDS_MAX: u64 = 3_600;
 
-async fn run(console: &mut Console, words: &str) -> Result<String, String> {
+async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let seconds = if words.is_empty() { Ok(SECONDS) } else { words.parse() };
     let seconds = seconds.ok().filter(|seconds| (1..=SECONDS_MAX).contains(seconds));
-    let seconds = seconds.ok_or_else(|| format!("Type a number of seconds from 1 to {SECONDS_MAX}."))?;
+    let seconds = seconds.ok_or(NotDone::Seconds(SECONDS_MAX))?;
     let program = console.program()?;
     let watch = |robot, values| Request::Watch { robot, scene: false, values };
     console.ask(watch(console.robot.clone(), true)).await?;

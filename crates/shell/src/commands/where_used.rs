@@ -2,6 +2,7 @@
 
 use super::Command;
 use crate::console::{Console, or_nothing};
+use crate::refusal::{Answer, NotDone};
 use protocol::{LIBRARY, Reply, Request, Used};
 use std::collections::BTreeMap;
 
@@ -12,7 +13,7 @@ pub(crate) const COMMAND: Command = Command {
     run: |console, words| Box::pin(run(console, words)),
 };
 
-async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
+async fn run(console: &mut Console, wanted: &str) -> Result<String, NotDone> {
     let library = console.client()?.library();
     let all: Vec<_> = library.records.helpers().map(|(_, helper)| (helper.name.clone(), ())).collect();
     let (helper, ()) = crate::find::find("helper", wanted, &all)?;
@@ -23,7 +24,7 @@ async fn run(console: &mut Console, wanted: &str) -> Result<String, String> {
             lines.extend((more > 0).then(|| format!("and {more} more")));
             Ok(or_nothing(lines, &format!("Nothing uses {helper}.")))
         }
-        _ => Err("The server gave no uses. Try again.".to_owned()),
+        _ => Err(NotDone::NoAnswer(Answer::Uses)),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The lines of a backup, and the sum at its end that tells whether it is whole.
 
-use super::{BACKUP_FORMAT, BackupError, Counted, Robot, Shelf};
+use super::{BACKUP_FORMAT, BackupError, Counted, Flaw, Robot, Shelf};
 use behaviour::{Committed, Id};
 use serde::{Deserialize, Serialize};
 use std::io::BufRead;
@@ -100,9 +100,9 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
     let epoch = match reading.next()? {
         (_, Line::Start { format, epoch }) if format == BACKUP_FORMAT && epoch <= EPOCH_MAX => epoch,
         (_, Line::Start { format, .. }) if format == BACKUP_FORMAT => {
-            return reading.broken("No server can have started so often.".to_owned());
+            return reading.broken(Flaw::Starts);
         }
-        _ => return reading.broken(format!("This is no {BACKUP_FORMAT}.")),
+        _ => return reading.broken(Flaw::NoBackup),
     };
     let (mut robots, mut done, mut left) = (Vec::new(), Counted::default(), 0..0_u64);
     loop {
@@ -121,11 +121,11 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
             }
             Line::End { behaviours, changes, sum } if left.is_empty() => {
                 if (Counted { behaviours, changes }) != done || sum != format!("{:016x}", sum_before.0) {
-                    return reading.broken("Something before it was changed.".to_owned());
+                    return reading.broken(Flaw::Changed);
                 }
                 return reading.nothing_more().map(|()| Whole { epoch, robots, counted: done });
             }
-            _ => return reading.broken("It does not follow what is before it.".to_owned()),
+            _ => return reading.broken(Flaw::Order),
         }
     }
 }
@@ -137,14 +137,14 @@ struct Reading<'r> {
 }
 
 impl Reading<'_> {
-    fn broken<T>(&self, reason: String) -> Result<T, BackupError> {
-        Err(BackupError::Broken(self.number, reason))
+    fn broken<T>(&self, flaw: Flaw) -> Result<T, BackupError> {
+        Err(BackupError::Broken(self.number, flaw))
     }
 
     /// What the listener found wrong is wrong in this line.
     fn placed(&self, told: Result<(), BackupError>) -> Result<(), BackupError> {
         told.map_err(|error| match error {
-            BackupError::Broken(_, reason) => BackupError::Broken(self.number, reason),
+            BackupError::Broken(_, flaw) => BackupError::Broken(self.number, flaw),
             other => other,
         })
     }
@@ -155,13 +155,13 @@ impl Reading<'_> {
         std::io::Read::take(&mut *self.from, LINE_MAX_BYTES).read_until(b'\n', &mut bytes)?;
         self.number += 1;
         if bytes.last() != Some(&b'\n') {
-            return self.broken("The file ends too early.".to_owned());
+            return self.broken(Flaw::CutOff);
         }
         let before = self.sum;
         self.sum.add(&bytes);
         match serde_json::from_slice(&bytes) {
             Ok(line) => Ok((before, line)),
-            Err(error) => self.broken(format!("It cannot be read ({error}).")),
+            Err(error) => self.broken(Flaw::Unreadable(error)),
         }
     }
 
@@ -170,6 +170,6 @@ impl Reading<'_> {
             return Ok(());
         }
         self.number += 1;
-        self.broken("It comes after the end.".to_owned())
+        self.broken(Flaw::AfterEnd)
     }
 }

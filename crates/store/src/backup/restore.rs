@@ -2,7 +2,7 @@
 
 use super::copy::{Filling, Heads, finished, heads};
 use super::lines::{self, Listener, Whole};
-use super::{BackupError, Counted, Progress, Robot, Shelf};
+use super::{BackupError, Counted, Flaw, Progress, Robot, Shelf};
 use crate::{Store, StoreError};
 use behaviour::{Committed, History, Id, Refusal};
 use std::collections::BTreeSet;
@@ -127,7 +127,7 @@ impl Look {
 impl Listener for Look {
     fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError> {
         if !self.seen.insert(shelf.id.clone()) {
-            return Err(broken("The same behaviour was there before.".to_owned()));
+            return Err(broken(Flaw::Twice));
         }
         (self.now, self.history) = (Some(shelf.id), History::default());
         Ok(())
@@ -136,7 +136,7 @@ impl Listener for Look {
     fn change(&mut self, change: Committed) -> Result<(), BackupError> {
         let Some(id) = &self.now else { return Ok(()) };
         let taken = self.history.take(&change.change);
-        taken.map_err(|refusal| broken(unruly(&refusal)))?;
+        taken.map_err(|refusal| broken(unruly(refusal)))?;
         match self.heads.get(id) {
             Some((revision, op)) if *revision == change.revision => {
                 if *op != change.change.op {
@@ -150,16 +150,16 @@ impl Listener for Look {
     }
 }
 
-fn unruly(refusal: &Refusal) -> String {
+fn unruly(refusal: Refusal) -> Flaw {
     match refusal {
-        Refusal::Stale(record) => format!("It does not fit what {record} was before."),
-        refusal => format!("No room would have made this change: {refusal}"),
+        Refusal::Stale(record) => Flaw::Stale(record),
+        refusal => Flaw::Refused(refusal),
     }
 }
 
 /// The reader of the lines knows which one it is.
-fn broken(reason: String) -> BackupError {
-    BackupError::Broken(0, reason)
+fn broken(flaw: Flaw) -> BackupError {
+    BackupError::Broken(0, flaw)
 }
 
 /// Gathers behaviours and passes each on when it is whole.

@@ -203,7 +203,7 @@ async fn what_no_server_can_have_written_is_refused_though_its_sum_is_right() {
         let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
         let refused = given(&text, &to).await.expect_err("this is refused");
         assert!(
-            matches!(&refused, BackupError::Broken(line, reason) if *line > 0 && reason.contains(why)),
+            matches!(&refused, BackupError::Broken(line, flaw) if *line > 0 && flaw.to_string().contains(why)),
             "{refused}"
         );
         assert!(super::shelves(&*to).await.expect("an answer").is_empty());

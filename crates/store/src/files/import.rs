@@ -4,6 +4,7 @@ mod helpers;
 
 use behaviour::{Behaviour, BehaviourFile, Change, EDITS_MAX, Edit, Id, NAME_MAX_CHARS, Record, RecordId};
 use helpers::Shelved;
+use thiserror::Error;
 
 /// Whose ids the imported behaviour gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +46,20 @@ impl Import {
     }
 }
 
+/// Why a file cannot be imported; said with the id of what it is about first, `id: reason`.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum Unfit {
+    /// A helper of this name calls itself, also through others.
+    #[error("{0}: it calls itself, also through others. Change its body.")]
+    Circle(String),
+    /// The behaviour's own id is none; with the reason.
+    #[error("id: {0}")]
+    OwnId(String),
+    /// Its records are not as they should be; with what `behaviour` says, id first.
+    #[error("{0}")]
+    Record(String),
+}
+
 fn label(name: &str) -> String {
     format!("Import {name}").chars().take(NAME_MAX_CHARS).collect()
 }
@@ -52,26 +67,32 @@ fn label(name: &str) -> String {
 /// What importing `file` changes, given the library as it is now and a source of new ids.
 ///
 /// # Errors
-/// One sentence for every reason, each beginning with the id of what it is about.
+/// Every reason.
 pub fn import(
     file: &BehaviourFile,
     mode: Mode,
     library: &Behaviour,
     by: &str,
     mut new_id: impl FnMut() -> Id,
-) -> Result<Import, Vec<String>> {
+) -> Result<Import, Vec<Unfit>> {
     let Shelved { names, change } = helpers::shelve(file, library, by, &mut new_id).map_err(|reason| vec![reason])?;
     let file = helpers::renamed(file, &names);
     let records = match mode {
-        Mode::Copy => file.records(|_| Some(new_id()))?,
-        Mode::Restore => file.records(|_| None)?,
+        Mode::Copy => file.records(|_| Some(new_id())),
+        Mode::Restore => file.records(|_| None),
     };
+    let records = records.map_err(|faults| unfit(&faults))?;
     let own = file.id.as_deref().filter(|_| mode == Mode::Restore);
-    let behaviour = own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![format!("id: {reason}")])?;
+    let behaviour =
+        own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![Unfit::OwnId(reason.to_string())])?;
     let changes = from_nothing(&records, &file.name, by, &mut new_id);
     let renamed = names.into_iter().filter(|(old, new)| old != new).collect();
     let library = Some(change).filter(|change| !change.edits.is_empty());
     Ok(Import { behaviour, name: file.name, library, changes, renamed })
+}
+
+fn unfit(records: &[impl ToString]) -> Vec<Unfit> {
+    records.iter().map(|fault| Unfit::Record(fault.to_string())).collect()
 }
 
 /// The changes that make all records, streams before what needs them.
@@ -91,7 +112,7 @@ fn from_nothing(records: &Behaviour, name: &str, by: &str, new_id: &mut impl FnM
 
 #[cfg(test)]
 mod tests {
-    use super::{Import, Mode, import};
+    use super::{Import, Mode, Unfit, import};
     use crate::files::samples::templates;
     use behaviour::{
         Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, StreamKind,
@@ -146,6 +167,10 @@ mod tests {
             });
         }
         file
+    }
+
+    fn said(refused: &[Unfit]) -> Vec<String> {
+        refused.iter().map(Unfit::to_string).collect()
     }
 
     fn done(made: &Import) -> Behaviour {
@@ -249,11 +274,11 @@ mod tests {
     fn helpers_that_call_each_other_in_a_circle_and_missing_streams_are_refused() {
         let circle = file(vec![helper("a", "b(x)"), helper("b", "a(x)")], &[]);
         let refused = import(&circle, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
-        assert_eq!(refused, ["a: it calls itself, also through others. Change its body."]);
+        assert_eq!(said(&refused), ["a: it calls itself, also through others. Change its body."]);
         let mut dangling = file(vec![], &[Procedure::body("1")]);
         dangling.connectors[0].inputs = vec!["nobody".to_owned()];
         let refused = import(&dangling, Mode::Copy, &library(&[]), "Aiko", ids()).unwrap_err();
-        assert_eq!(refused, ["c0: there is no stream \"nobody\""]);
+        assert_eq!(said(&refused), ["c0: there is no stream \"nobody\""]);
     }
 
     #[test]

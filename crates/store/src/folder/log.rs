@@ -4,9 +4,12 @@ use crate::disk::{self, told};
 use crate::{StoreError, json};
 use behaviour::{Committed, Id};
 use serde::{Deserialize, Serialize};
+use std::fmt::Display;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
+use std::str::Utf8Error;
+use thiserror::Error;
 
 const PREFIX: &str = "b-";
 const SUFFIX: &str = ".jsonl";
@@ -36,6 +39,23 @@ pub(super) enum Line {
     Epoch(u64),
 }
 
+/// Why a line of a file is not one that was written there.
+#[derive(Debug, Error)]
+pub(super) enum Strange {
+    /// It is no text.
+    #[error("{0}")]
+    Bytes(#[from] Utf8Error),
+    /// It is none of our lines.
+    #[error("{0}")]
+    Form(#[from] serde_json::Error),
+    /// Its change does not come after the one before it; with its revision.
+    #[error("revision {0} does not follow")]
+    Order(u64),
+    /// Its change cannot be made.
+    #[error("{0}")]
+    Refused(#[from] StoreError),
+}
+
 /// The files of a folder.
 pub(super) struct Logs {
     folder: PathBuf,
@@ -47,7 +67,7 @@ pub(super) struct Logs {
 
 impl Logs {
     /// Reads every file, each line through `take`.
-    pub(super) fn open(folder: &Path, take: impl Fn(&Id, Line) -> Result<(), String>) -> Result<Self, StoreError> {
+    pub(super) fn open(folder: &Path, take: impl Fn(&Id, Line) -> Result<(), Strange>) -> Result<Self, StoreError> {
         let logs = Self { folder: folder.to_owned(), broken: None, wants_bytes: ROOM_MIN_BYTES };
         for (id, path) in logs.files()? {
             let length = read(&path, |line| take(&id, line))?;
@@ -55,7 +75,8 @@ impl Logs {
         }
         let epoch = logs.folder.join(EPOCH);
         if let Ok(text) = std::fs::read_to_string(&epoch) {
-            let line = json::decode(&text).and_then(|line| take(&library()?, line));
+            let library = Id::new(crate::LIBRARY).map_err(|reason| damaged(&epoch, 1, &reason))?;
+            let line = json::decode(&text).map_err(Strange::from).and_then(|line| take(&library, line));
             line.map_err(|reason| damaged(&epoch, 1, &reason))?;
         }
         Ok(logs)
@@ -80,7 +101,7 @@ impl Logs {
             return Err(broken.clone());
         }
         let path = self.folder.join(name_of(id));
-        let mut text = json::encode(line).map_err(StoreError::Refused)?;
+        let mut text = json::encode(line).map_err(json::unwritable)?;
         text.push('\n');
         let was = std::fs::metadata(&path).map_or(0, |about| about.len());
         let written = write(&path, text.as_bytes()).and_then(|()| if was == 0 { self.sync_names() } else { Ok(()) });
@@ -102,7 +123,7 @@ impl Logs {
     /// Keeps the number of the server's start.
     pub(super) fn set_epoch(&mut self, epoch: u64) -> Result<(), StoreError> {
         let path = self.folder.join(EPOCH);
-        let text = json::encode(&Line::Epoch(epoch)).map_err(StoreError::Refused)?;
+        let text = json::encode(&Line::Epoch(epoch)).map_err(json::unwritable)?;
         disk::put(&path, text.as_bytes()).map_err(|error| told(&path, &error))
     }
 
@@ -117,10 +138,6 @@ impl Logs {
     fn sync_names(&self) -> io::Result<()> {
         disk::sync_names(&self.folder)
     }
-}
-
-fn library() -> Result<Id, String> {
-    Id::new(crate::LIBRARY)
 }
 
 fn name_of(id: &Id) -> String {
@@ -150,7 +167,7 @@ fn id_of(name: &str) -> Option<Id> {
 }
 
 /// Reads the lines of a file; says how many bytes are whole lines.
-fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), String>) -> Result<u64, StoreError> {
+fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), Strange>) -> Result<u64, StoreError> {
     let mut from = BufReader::new(File::open(path).map_err(|error| told(path, &error))?);
     let (mut length, mut text) = (0, Vec::new());
     for number in 1.. {
@@ -159,11 +176,14 @@ fn read(path: &Path, mut take: impl FnMut(Line) -> Result<(), String>) -> Result
         if text.pop() != Some(b'\n') {
             break;
         }
-        let line = std::str::from_utf8(&text).map_err(|error| error.to_string()).and_then(json::decode);
-        line.and_then(&mut take).map_err(|reason| damaged(path, number, &reason))?;
+        line(&text).and_then(&mut take).map_err(|reason| damaged(path, number, &reason))?;
         length += bytes as u64;
     }
     Ok(length)
+}
+
+fn line(text: &[u8]) -> Result<Line, Strange> {
+    Ok(json::decode(std::str::from_utf8(text)?)?)
 }
 
 fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
@@ -184,6 +204,6 @@ fn cut(path: &Path, length: u64) -> io::Result<()> {
     }
 }
 
-fn damaged(path: &Path, line: u64, reason: &str) -> StoreError {
+fn damaged(path: &Path, line: u64, reason: &impl Display) -> StoreError {
     StoreError::Damaged(format!("{} line {line}: {reason}", path.display()))
 }

@@ -2,9 +2,10 @@
 
 use super::link::Params;
 use super::nodes::{device_kind, label, of_connector, of_helper, of_settings, of_stream, relationship, whole};
+use crate::json::unwritable;
 use crate::query::name_key;
 use crate::usage::{uses, words};
-use crate::{LIBRARY, StoreError, search_text};
+use crate::{LIBRARY, StoreError, Unkept, search_text};
 use behaviour::{Behaviour, Committed, Connector, Helper, Id, Kind, Record, RecordId, Stream};
 use serde_json::{Value, json};
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,9 +31,9 @@ impl Delta {
         let edits: BTreeMap<&RecordId, Option<&Record>> =
             committed.change.edits.iter().map(|edit| (&edit.id, edit.after.as_ref())).collect();
         for (key, record) in &edits {
-            delta.edit(key, *record, committed.revision > 1).map_err(StoreError::Refused)?;
+            delta.edit(key, *record, committed.revision > 1)?;
         }
-        delta.summarise(committed, after).map_err(StoreError::Refused)?;
+        delta.summarise(committed, after).map_err(unwritable)?;
         let helpers: BTreeSet<&Id> = edits.keys().filter(|key| key.kind == Kind::Helper).map(|key| &key.id).collect();
         if delta.program.as_str() == LIBRARY && !helpers.is_empty() {
             delta.link_helpers(&helpers, after);
@@ -60,17 +61,19 @@ impl Delta {
         self.lists.entry(list).or_default().push(what);
     }
 
-    fn edit(&mut self, key: &RecordId, record: Option<&Record>, is_old: bool) -> Result<(), String> {
+    fn edit(&mut self, key: &RecordId, record: Option<&Record>, is_old: bool) -> Result<(), StoreError> {
         if key.kind == Kind::Settings && *key != RecordId::settings() {
-            return Err(format!("{key} is not the name of the settings"));
+            return Err(StoreError::Refused(Unkept::SettingsId(key.clone())));
         }
         if key.kind == Kind::Connector && is_old {
             self.put("connectors", json!(key.id));
         }
         match record {
             None => self.take(key),
-            Some(Record::Stream(stream)) => self.put_stream(&key.id, stream)?,
-            Some(record @ Record::Connector(connector)) => self.put_connector(&key.id, record, connector)?,
+            Some(Record::Stream(stream)) => self.put_stream(&key.id, stream).map_err(unwritable)?,
+            Some(record @ Record::Connector(connector)) => {
+                self.put_connector(&key.id, record, connector).map_err(unwritable)?;
+            }
             Some(record @ Record::Helper(helper)) => {
                 let properties = of_helper(&self.program, &key.id, record, helper);
                 self.put("helpers", json!({ "id": key.id, "properties": properties }));
@@ -92,7 +95,7 @@ impl Delta {
         }
     }
 
-    fn put_stream(&mut self, id: &Id, stream: &Stream) -> Result<(), String> {
+    fn put_stream(&mut self, id: &Id, stream: &Stream) -> serde_json::Result<()> {
         let properties = of_stream(&self.program, id, stream)?;
         let kind = device_kind(stream.kind);
         let device = stream.device.as_ref().map(|name| json!({ "kind": kind, "name": name }));
@@ -102,7 +105,7 @@ impl Delta {
         Ok(())
     }
 
-    fn put_connector(&mut self, id: &Id, record: &Record, connector: &Connector) -> Result<(), String> {
+    fn put_connector(&mut self, id: &Id, record: &Record, connector: &Connector) -> serde_json::Result<()> {
         let properties = of_connector(&self.program, id, record, connector)?;
         let (label, output) = (connector.operation.spec().graph.label, &connector.output);
         if let Some(kind) = relationship(connector) {
@@ -144,7 +147,7 @@ impl Delta {
     }
 
     /// What lists and searches show; a move changes nothing there but the time.
-    fn summarise(&mut self, committed: &Committed, after: &Behaviour) -> Result<(), String> {
+    fn summarise(&mut self, committed: &Committed, after: &Behaviour) -> serde_json::Result<()> {
         let change = &committed.change;
         let mut put = |name: &str, value: Value| self.summary.insert(name.to_owned(), value);
         put("changed_ms", whole(change.at_ms));

@@ -1,7 +1,8 @@
 //! What Neo4j and its driver complain about, in the words of the store.
 
-use crate::StoreError;
+use crate::{StoreError, Unkept};
 use neo4rs::{Error, Neo4jClientErrorKind, Neo4jError, Neo4jErrorKind};
+use std::fmt::Display;
 use std::io::ErrorKind;
 use std::time::Duration;
 
@@ -26,7 +27,7 @@ pub(super) enum Fault {
 
 impl Fault {
     /// What is in the database cannot be what we wrote.
-    pub(super) fn damaged(reason: &str) -> Self {
+    pub(super) fn damaged(reason: &impl Display) -> Self {
         Self::Said(StoreError::Damaged(format!("the Neo4j database: {reason}")))
     }
 }
@@ -39,9 +40,9 @@ impl From<Error> for Fault {
             Error::ConnectionError => Self::Passing("all connections are in use".to_owned()),
             Error::Neo4j(error) => of_server(&error),
             Error::AuthenticationError(_) => unknown_user(),
-            Error::DeserializationError(error) => Self::damaged(&error.to_string()),
+            Error::DeserializationError(error) => Self::damaged(&error),
             Error::ConversionError | Error::StringTooLong | Error::MapTooBig | Error::ListTooLong => {
-                Self::Said(StoreError::Refused("it holds a number or text that is too large".to_owned()))
+                Self::Said(StoreError::Refused(Unkept::TooLarge))
             }
             other => Self::Said(StoreError::Unavailable(format!("Neo4j: {other}"))),
         }
@@ -72,15 +73,15 @@ fn of_server(error: &Neo4jError) -> Fault {
 /// The guard of a change divides by zero when one of its ends is missing; the rest is said by Neo4j itself.
 fn refused(code: &str, message: &str) -> StoreError {
     let why = if code.ends_with("Statement.ArithmeticError") {
-        "a connector leads to a stream that is not there"
+        Unkept::NoStream
     } else if code.ends_with("ConstraintValidationFailed") && message.contains("still has relationships") {
-        "a stream would go while a connector still uses it"
+        Unkept::StreamUsed
     } else if message.contains("too large to index") {
-        "a name in it is too long"
+        Unkept::LongName
     } else {
         return StoreError::Unavailable(format!("Neo4j says: {}", message.lines().next().unwrap_or(code)));
     };
-    StoreError::Refused(why.to_owned())
+    StoreError::Refused(why)
 }
 
 /// What to tell when no further attempt is made.

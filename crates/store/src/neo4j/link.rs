@@ -141,8 +141,8 @@ impl Link {
         let mut stream = self.graph.execute(statement).await?;
         let mut rows = Vec::new();
         while let Some(row) = stream.next().await? {
-            let row: Value = row.to().map_err(|error| Fault::damaged(&error.to_string()))?;
-            rows.push(serde_json::from_value(row).map_err(|error| Fault::damaged(&error.to_string()))?);
+            let row: Value = row.to().map_err(|error| Fault::damaged(&error))?;
+            rows.push(serde_json::from_value(row).map_err(|error| Fault::damaged(&error))?);
         }
         Ok(rows)
     }

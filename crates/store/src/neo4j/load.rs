@@ -98,6 +98,8 @@ pub(super) async fn history(link: &Link, id: &Id, since: u64, most: u32) -> Resu
 }
 
 fn committed(made: Made) -> Result<Committed, StoreError> {
-    let damaged = |reason| StoreError::Damaged(format!("the Neo4j database: change {}: {reason}", made.revision));
+    let damaged = |reason: serde_json::Error| {
+        StoreError::Damaged(format!("the Neo4j database: change {}: {reason}", made.revision))
+    };
     Ok(Committed { revision: made.revision, change: json::decode(&made.change).map_err(damaged)? })
 }

@@ -61,7 +61,7 @@ pub(super) fn with_relationships(statement: &str) -> String {
 }
 
 /// The properties of a stream's node.
-pub(super) fn of_stream(program: &Id, id: &Id, stream: &Stream) -> Result<Value, String> {
+pub(super) fn of_stream(program: &Id, id: &Id, stream: &Stream) -> serde_json::Result<Value> {
     let params = if stream.params.is_empty() { None } else { Some(json::encode(&stream.params)?) };
     Ok(json!({
         "program_id": program, "id": id, "name": stream.name, "order": stream.order, "device": stream.device,
@@ -71,7 +71,7 @@ pub(super) fn of_stream(program: &Id, id: &Id, stream: &Stream) -> Result<Value,
 }
 
 /// The properties of a connector's node or relationship.
-pub(super) fn of_connector(program: &Id, id: &Id, record: &Record, connector: &Connector) -> Result<Value, String> {
+pub(super) fn of_connector(program: &Id, id: &Id, record: &Record, connector: &Connector) -> serde_json::Result<Value> {
     let (body, args, helper) = match connector.operation.procedure() {
         Some(Procedure::Body { body, args }) => (Some(body), args.as_ref(), None),
         Some(Procedure::Helper(name)) => (None, None, Some(name)),
@@ -95,7 +95,7 @@ pub(super) fn of_helper(program: &Id, id: &Id, record: &Record, helper: &Helper)
 }
 
 /// The properties of the settings, on the node of their behaviour; all null without settings.
-pub(super) fn of_settings(settings: Option<&Settings>) -> Result<Value, String> {
+pub(super) fn of_settings(settings: Option<&Settings>) -> serde_json::Result<Value> {
     let engine = settings.map(|settings| json::encode(&settings.engine)).transpose()?;
     let name = settings.map(|settings| &settings.name);
     Ok(json!({ "name": name, "robot": settings.map(|settings| &settings.robot), "engine_json": engine }))

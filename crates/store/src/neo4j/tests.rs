@@ -4,7 +4,7 @@ use super::address::Address;
 use super::link::Link;
 use super::peer::{Answer, Door, Peer, Value};
 use super::{append, bin, load};
-use crate::{Append, StoreError, json};
+use crate::{Append, StoreError, Unkept, json};
 use behaviour::{Behaviour, Change, Committed, Id};
 use std::future::Future;
 use std::time::Duration;
@@ -134,7 +134,7 @@ async fn what_neo4j_undid_is_done_again() {
 async fn what_will_never_go_well_is_tried_once() {
     let peer = Peer::start(Door::Open, [Answer::Fails(ZERO)], saved()).await;
     let refused = save(&link(&peer, LONG), 1).await.expect_err("a refusal");
-    assert_eq!(refused, StoreError::Refused("a connector leads to a stream that is not there".to_owned()));
+    assert_eq!(refused, StoreError::Refused(Unkept::NoStream));
     assert_eq!(peer.statements(), 1);
 }
 

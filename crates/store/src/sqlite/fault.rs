@@ -2,6 +2,7 @@
 
 use crate::StoreError;
 use rusqlite::ErrorCode;
+use std::fmt::Display;
 use std::path::Path;
 
 /// Extended result codes that SQLite gives when the disk is full while it sizes its shared memory.
@@ -31,6 +32,11 @@ impl From<StoreError> for Fault {
 }
 
 impl Fault {
+    /// What was read is not what was written, for this reason.
+    pub(super) fn content(reason: &impl Display) -> Self {
+        Self::Content(reason.to_string())
+    }
+
     /// What to tell about it, for the database in `file`.
     pub(super) fn told(self, file: &Path) -> StoreError {
         match self {

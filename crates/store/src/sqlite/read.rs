@@ -26,15 +26,15 @@ fn records(at: &Connection, id: &Id) -> Result<Behaviour, Fault> {
 }
 
 fn record(row: &Row, column: usize) -> Result<Record, Fault> {
-    json::decode(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(Fault::Content)
+    json::decode(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(|reason| Fault::content(&reason))
 }
 
 fn record_id(text: &str) -> Result<RecordId, Fault> {
-    text.parse().map_err(Fault::Content)
+    text.parse().map_err(|reason| Fault::content(&reason))
 }
 
 fn wrong_type(error: rusqlite::types::FromSqlError) -> Fault {
-    Fault::Content(error.to_string())
+    Fault::content(&error)
 }
 
 /// Every behaviour, also in the bin, and the library.
@@ -50,7 +50,7 @@ pub(super) fn ids(at: &Connection) -> Result<Vec<Id>, Fault> {
 
 /// An id in a column.
 pub(super) fn id(row: &Row, column: usize) -> Result<Id, Fault> {
-    Id::new(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(Fault::Content)
+    Id::new(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(|reason| Fault::content(&reason))
 }
 
 /// Changes after a revision, oldest first.
@@ -62,7 +62,7 @@ pub(super) fn history(at: &Connection, id: &Id, since: u64, most: u32) -> Result
     let mut changes = Vec::new();
     while let Some(row) = rows.next()? {
         let json = row.get_ref(1)?.as_str().map_err(wrong_type)?;
-        let change = json::decode(json).map_err(Fault::Content)?;
+        let change = json::decode(json).map_err(|reason| Fault::content(&reason))?;
         changes.push(Committed { revision: read(row.get(0)?), change });
     }
     Ok(changes)

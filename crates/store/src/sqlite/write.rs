@@ -107,7 +107,7 @@ fn put_edit(at: &Connection, id: &Id, revision: u64, edit: &Edit) -> Result<(), 
     let (behaviour, key) = (id.as_str(), edit.id.to_string());
     at.prepare_cached("DELETE FROM record WHERE behaviour = ?1 AND id = ?2")?.execute([behaviour, &key])?;
     let Some(record) = &edit.after else { return Ok(()) };
-    let json = json::encode(record).map_err(StoreError::Refused)?;
+    let json = json::encode(record).map_err(json::unwritable)?;
     at.prepare_cached("INSERT INTO record (behaviour, id, version, json) VALUES (?1, ?2, ?3, ?4)")?
         .execute(params![behaviour, key, kept(revision), json])?;
     let mut put = at.prepare_cached("INSERT INTO used (word, behaviour, record) VALUES (?1, ?2, ?3)")?;

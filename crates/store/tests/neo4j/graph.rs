@@ -4,7 +4,7 @@ use crate::samples::{change, connector, follow, id, named, next, now, save, stre
 use crate::shared;
 use behaviour::{Kind, Procedure, connectors};
 use serde_json::{Value, json};
-use store::{Append, LIBRARY, Store, StoreError};
+use store::{Append, LIBRARY, Store, StoreError, Unkept};
 
 #[tokio::test(flavor = "multi_thread")]
 async fn the_printed_query_of_the_thesis_returns_a_program_with_its_streams() {
@@ -118,11 +118,11 @@ async fn a_change_that_would_break_the_graph_is_refused_whole() {
     for edit in dangling {
         let made = change("op2", &now(&store, "a").await, vec![stream("extra", "Extra", ""), edit]);
         let refused = next(&store, "a", made).await.expect_err("a refusal");
-        assert_eq!(refused, StoreError::Refused("a connector leads to a stream that is not there".to_owned()));
+        assert_eq!(refused, StoreError::Refused(Unkept::NoStream));
         assert!(!refused.is_open());
     }
     let cut = take(&store, "a", "op2", &[(Kind::Stream, "near")]).await;
-    assert_eq!(cut, Err(StoreError::Refused("a stream would go while a connector still uses it".to_owned())));
+    assert_eq!(cut, Err(StoreError::Refused(Unkept::StreamUsed)));
     assert_eq!(neo4j.rows(EVERYTHING).await, before, "nothing of it was done");
     let whole = [(Kind::Connector, "c2"), (Kind::Connector, "c3"), (Kind::Stream, "near")];
     assert_eq!(take(&store, "a", "op2", &whole).await, Ok(Append::Applied));

@@ -27,6 +27,19 @@ struct Refused {
     error: String,
 }
 
+/// Why a file did not become a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum NotBrought {
+    /// It is larger than any that the server takes.
+    TooLarge,
+    /// The server does not answer.
+    Unreachable,
+    /// What the server answers cannot be read.
+    Unclear,
+    /// The server refuses it; with what it says.
+    Refused(String),
+}
+
 /// Where a behaviour is to be had as a file.
 pub(crate) fn file_address(id: &Id, ending: &str) -> String {
     format!("/api/behaviours/{id}.{ending}")
@@ -48,7 +61,7 @@ impl Library {
                     library.document.open_program(&brought.id);
                     library.tab.say(&words::file_opened(&brought.name, &brought.renamed_helpers), false);
                 }
-                Err(sentence) => library.tab.say(&sentence, true),
+                Err(why) => library.tab.say(&words::not_brought(&why), true),
             }
         });
     }
@@ -94,17 +107,17 @@ fn carries_file(event: &JsValue) -> bool {
 }
 
 /// Sends the file to the server.
-async fn bring(file: &JsValue, by: &str) -> Result<Brought, String> {
+async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrought> {
     let size = Reflect::get(file, &"size".into()).ok().and_then(|size| size.as_f64()).unwrap_or(0.0);
     if size > FILE_MAX_BYTES {
-        return Err(words::file_too_large().to_owned());
+        return Err(NotBrought::TooLarge);
     }
-    let (good, text) = post(file, by).await.ok_or_else(|| words::unreachable().to_owned())?;
+    let (good, text) = post(file, by).await.ok_or(NotBrought::Unreachable)?;
     if good {
-        return serde_json::from_str(&text).map_err(|_| words::file_unclear().to_owned());
+        return serde_json::from_str(&text).map_err(|_| NotBrought::Unclear);
     }
-    let refused = serde_json::from_str::<Refused>(&text).map(|refused| refused.error);
-    Err(refused.unwrap_or_else(|_| words::file_unclear().to_owned()))
+    let refused = serde_json::from_str::<Refused>(&text).map(|refused| NotBrought::Refused(refused.error));
+    Err(refused.unwrap_or(NotBrought::Unclear))
 }
 
 async fn post(file: &JsValue, by: &str) -> Option<(bool, String)> {

@@ -2,6 +2,7 @@
 
 use super::Library;
 use crate::desk::tab::set_if_new;
+use crate::link::NoAnswer;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Cursor, ListQuery, Reply, Request, Summary};
@@ -43,14 +44,14 @@ impl Library {
         self.programs.update(|programs| programs.retain(|program| program.id != id.as_str()));
     }
 
-    /// Asks for a page of the list; with a sentence if none comes.
-    pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<ProgramPage, String>) + 'static) {
+    /// Asks for a page of the list.
+    pub(crate) fn ask_page(&self, query: ListQuery, then: impl FnOnce(Result<ProgramPage, NoAnswer>) + 'static) {
         self.tab.look_up(Request::List { query }, move |answer| match answer {
             Ok(Reply::Programs { programs, next, total }) => {
                 then(Ok(ProgramPage { lines: programs.clone(), next: next.clone(), total: *total }));
             }
             Ok(_) => {}
-            Err(sentence) => then(Err(sentence)),
+            Err(why) => then(Err(why)),
         });
     }
 }

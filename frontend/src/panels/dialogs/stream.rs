@@ -3,7 +3,7 @@
 use super::frame::{Feet, Frame, Refused, close};
 use super::gone::{self, Gone};
 use crate::desk::Desk;
-use crate::fields::{Options, ParamFields, ParamForm, Select, TextField};
+use crate::fields::{Options, ParamFields, ParamForm, Select, TextField, Unfilled};
 use crate::panels::hold::{Hold, hold};
 use crate::words;
 use behaviour::{Id, Refusal, Stream, StreamKind};
@@ -104,10 +104,10 @@ fn form_of(fields: Fields, kind: StreamKind) -> Option<ParamForm> {
     Some(ParamForm::new(device, &given))
 }
 
-fn edited(fields: Fields) -> Result<Stream, String> {
+fn edited(fields: Fields) -> Result<Stream, Unfilled> {
     let name = fields.name.get_untracked().trim().to_owned();
     if name.is_empty() {
-        return Err(words::name_missing().to_owned());
+        return Err(Unfilled::Name);
     }
     let mut stream = Stream { name, ..fields.stream.get_value() };
     if let Some(form) = fields.params.get_untracked() {
@@ -130,7 +130,7 @@ fn save(desk: Hold, fields: Fields) {
             };
             desk.desk().document.edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, look_again);
         }
-        Err(why) => fields.refusal.set(Some(why)),
+        Err(why) => fields.refusal.set(Some(words::unfilled(&why))),
     }
 }
 

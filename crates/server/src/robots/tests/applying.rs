@@ -46,14 +46,14 @@ async fn the_edited_behaviour_takes_over_with_the_same_run_and_the_same_devices(
 async fn a_refused_edit_leaves_what_runs_as_it_is() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
-    assert_eq!(robots.apply(filtered("one", "true")).await.unwrap_err(), "it does not run any more");
+    assert_eq!(robots.apply(filtered("one", "true")).await.unwrap_err().to_string(), "it does not run any more");
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
-    let bad = robots.apply(edited(filtered("one", "true"), body("ball >"))).await.unwrap_err();
+    let bad = robots.apply(edited(filtered("one", "true"), body("ball >"))).await.unwrap_err().to_string();
     assert!(bad.contains("line 1"), "{bad}");
     puppet.refuse("Tracker");
     let tracker = |file: &mut BehaviourFile| file.streams[2].device = Some("Tracker".to_owned());
     let refused = robots.apply(edited(filtered("one", "true"), tracker)).await.unwrap_err();
-    assert_eq!(refused, "“page”: it has no Tracker");
+    assert_eq!(refused.to_string(), "“page”: it has no Tracker");
     assert_eq!(state(&robots, &run).revision, 1);
     shows_until_told(&puppet, &run, 5).await;
     assert_eq!(puppet.users(), [run.run].into());

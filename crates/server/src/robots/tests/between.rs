@@ -6,6 +6,7 @@ use crate::robots::cancel_flag::CancelFlag;
 use crate::robots::command_queue::{Command, Opening, Wanted};
 use crate::robots::mailbox::Mailbox;
 use crate::robots::order::Order;
+use crate::robots::refusal::NoRun;
 use crate::robots::robot_thread::{Make, RobotThread, RoomRobot, keep};
 use crate::robots::shared::RobotShared;
 use crate::robots::status_feed::StatusFeed;
@@ -47,7 +48,7 @@ impl Still {
         }));
     }
 
-    fn open(&self) -> Receiver<Result<(), String>> {
+    fn open(&self) -> Receiver<Result<(), NoRun>> {
         let claim = Claim { resources: Vec::new(), priority: 0, hold_ms: 0 };
         let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
         let devices = vec![Wanted { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
@@ -81,7 +82,7 @@ async fn whoever_puts_something_in_the_queue_waits_for_no_step() {
     let mut still = Still::new();
     still.begin();
     let opened = still.open();
-    until("the devices are open", || opened.try_recv() == Ok(Ok(()))).await;
+    until("the devices are open", || matches!(opened.try_recv(), Ok(Ok(())))).await;
     for value in [5, 6] {
         still.command(value);
         until("the robot is told", || still.puppet.told(1).last() == Some(&Value::Int(value))).await;
@@ -131,7 +132,7 @@ async fn what_a_run_does_ends_before_anything_else_that_waits() {
     let mut still = Still::new();
     still.begin();
     let opened = still.open();
-    until("the devices are open", || opened.try_recv() == Ok(Ok(()))).await;
+    until("the devices are open", || matches!(opened.try_recv(), Ok(Ok(())))).await;
     let (shared, cancel, puppet) = (still.shared.clone(), still.cancel.clone(), still.puppet.clone());
     let seen = Arc::new(Mutex::new(None));
     let at_last = seen.clone();

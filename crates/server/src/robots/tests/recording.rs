@@ -152,7 +152,7 @@ async fn before_the_first_reading_it_is_listed_and_can_be_marked() {
 async fn without_a_place_to_record_a_recorded_start_is_refused() {
     let robots = Puppet::default().robots(Limits::default);
     let no = robots.start(recorded(filtered("one", "true"))).await.unwrap_err();
-    assert_eq!(no, "this server has no data folder; start it with --data DIR");
+    assert_eq!(no.to_string(), "this server has no data folder; start it with --data DIR");
     assert!(!robots.is_running(&id("one")));
 }
 

@@ -25,7 +25,7 @@ async fn what_cannot_start_says_why() {
     let robots = puppet.robots(Limits::default);
     assert!(robots.start(filtered("one", "ball >")).await.is_err());
     puppet.refuse("Print");
-    assert_eq!(robots.start(filtered("one", "true")).await.unwrap_err(), "“page”: it has no Print");
+    assert_eq!(robots.start(filtered("one", "true")).await.unwrap_err().to_string(), "“page”: it has no Print");
     assert!(!robots.is_running(&id("one")) && robots.runs().borrow().is_empty());
     until("the devices are given back", || puppet.users().is_empty()).await;
 }
@@ -144,5 +144,5 @@ async fn too_many_behaviours_are_refused() {
     for number in 0..16 {
         robots.start(filtered(&format!("b{number}"), "true")).await.unwrap();
     }
-    assert!(robots.start(filtered("one-more", "true")).await.unwrap_err().starts_with("too many"));
+    assert!(robots.start(filtered("one-more", "true")).await.unwrap_err().to_string().starts_with("too many"));
 }

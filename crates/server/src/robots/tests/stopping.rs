@@ -99,7 +99,7 @@ async fn a_panic_ends_only_the_behaviour_that_caused_it() {
     let puppet = Puppet::default();
     let robots = puppet.robots(|| if std::thread::current().name() == Some("run-1") { panic!() } else { endless() });
     let failed = robots.start(filtered("bad", "true")).await;
-    assert_eq!(failed.unwrap_err(), "it failed while it was prepared");
+    assert_eq!(failed.unwrap_err().to_string(), "it failed while it was prepared");
     let run = robots.start(filtered("good", "true")).await.unwrap();
     shows_until_told(&puppet, &run, 5).await;
     assert!(!robots.is_running(&id("bad")));

@@ -1,5 +1,6 @@
 //! The helpers of a file in a library that may have others of the same name.
 
+use super::Unfit;
 use behaviour::{
     Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, called_names, numbered,
     rename_helpers,
@@ -21,7 +22,7 @@ pub(super) fn shelve(
     library: &Behaviour,
     by: &str,
     new_id: &mut impl FnMut() -> Id,
-) -> Result<Shelved, String> {
+) -> Result<Shelved, Unfit> {
     let mut there: BTreeMap<String, Helper> = library.helpers().map(|(_, h)| (h.name.clone(), h.clone())).collect();
     let mut change = Change::of(new_id(), by, "Import helpers");
     let mut names = BTreeMap::new();
@@ -56,7 +57,7 @@ fn name_for(wanted: &Helper, there: &BTreeMap<String, Helper>, in_file: &BTreeSe
 }
 
 /// Every helper after those that it calls; each body is read once.
-fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, String> {
+fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, Unfit> {
     let places: BTreeMap<&str, usize> = helpers.iter().enumerate().map(|(at, helper)| (&*helper.name, at)).collect();
     let mut callers: Vec<Vec<usize>> = vec![Vec::new(); helpers.len()];
     let mut waits = vec![0_usize; helpers.len()];
@@ -78,7 +79,7 @@ fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, String> {
         }
     }
     match helpers.iter().zip(waits).find(|(_, waits)| *waits > 0) {
-        Some((helper, _)) => Err(format!("{}: it calls itself, also through others. Change its body.", helper.name)),
+        Some((helper, _)) => Err(Unfit::Circle(helper.name.clone())),
         None => Ok(sorted),
     }
 }

@@ -88,7 +88,7 @@ impl Parser<'_, '_> {
             Event::CData(text) => self.text(at, &of_element(&String::from_utf8_lossy(&text)))?,
             Event::GeneralRef(name) => {
                 let read = reference(&String::from_utf8_lossy(&name));
-                let c = read.map_err(|reason| self.lines.fault(at, reason))?;
+                let c = read.map_err(|why| self.lines.fault(at, why.to_string()))?;
                 self.text(at, c.encode_utf8(&mut [0; 4]))?;
             }
             Event::Decl(declared) => self.declared(at, &declared)?,
@@ -149,7 +149,8 @@ impl Parser<'_, '_> {
             }
             let raw = String::from_utf8_lossy(&attribute.value);
             let value_at = at + 1 + inside(start, &attribute.value);
-            let text = of_attribute(&raw).map_err(|(within, reason)| self.lines.fault(value_at + within, reason))?;
+            let text =
+                of_attribute(&raw).map_err(|(within, why)| self.lines.fault(value_at + within, why.to_string()))?;
             all.push((name, at + 1 + key, text));
         }
         Ok(all)

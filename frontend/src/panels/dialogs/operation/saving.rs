@@ -4,6 +4,7 @@ use super::actuator::{Chosen, chosen};
 use super::draft;
 use super::form::Form;
 use crate::desk::{ConnectPlan, Dialog, Output};
+use crate::fields::Unfilled;
 use crate::words;
 use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Refusal, Value};
 use leptos::prelude::*;
@@ -17,19 +18,19 @@ pub(super) fn save(form: Form) {
     form.refusal.set(None);
     let tried = untrack(|| if form.is_edit() { edit(form) } else { connect(form) });
     if let Err(why) = tried {
-        form.refusal.set(Some(why));
+        form.refusal.set(Some(words::unfilled(&why)));
     }
 }
 
-fn connect(form: Form) -> Result<(), String> {
+fn connect(form: Form) -> Result<(), Unfilled> {
     let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)? };
     let answered = answered(form);
     form.desk.desk().document.connect(plan, answered);
     Ok(())
 }
 
-fn edit(form: Form) -> Result<(), String> {
-    let (id, connector) = form.edits.get_value().ok_or_else(|| words::stream_gone().to_owned())?;
+fn edit(form: Form) -> Result<(), Unfilled> {
+    let (id, connector) = form.edits.get_value().ok_or(Unfilled::Gone)?;
     let operation = operation(form)?;
     let name = named(form)?;
     let renamed = Some(name.as_str()).filter(|name| form.name_at_first.with_value(|first| first != name));
@@ -85,7 +86,7 @@ fn look_again(form: Form) {
     });
 }
 
-fn operation(form: Form) -> Result<Operation, String> {
+fn operation(form: Form) -> Result<Operation, Unfilled> {
     let spec = form.kind.get();
     let procedure = spec.takes.procedure.map(|takes| procedure(form, takes.is_optional)).transpose()?.flatten();
     let period_ms = spec.takes.period.map(|_| period(form)).transpose()?;
@@ -93,7 +94,7 @@ fn operation(form: Form) -> Result<Operation, String> {
     Ok(spec.with(Parameters { procedure, period_ms, start }))
 }
 
-fn procedure(form: Form, is_optional: bool) -> Result<Option<Procedure>, String> {
+fn procedure(form: Form, is_optional: bool) -> Result<Option<Procedure>, Unfilled> {
     if form.way.get() == "helper" {
         return helper(form.helper.get());
     }
@@ -102,39 +103,39 @@ fn procedure(form: Form, is_optional: bool) -> Result<Option<Procedure>, String>
     Ok(body.map(|body| Procedure::Body { body, args: form.given_arguments(&form.inputs.get()) }))
 }
 
-fn helper(name: String) -> Result<Option<Procedure>, String> {
-    if name.is_empty() { Err(words::choose_helper().to_owned()) } else { Ok(Some(Procedure::Helper(name))) }
+fn helper(name: String) -> Result<Option<Procedure>, Unfilled> {
+    if name.is_empty() { Err(Unfilled::Helper) } else { Ok(Some(Procedure::Helper(name))) }
 }
 
 /// The body as it was typed, if it is one; nothing where none is needed.
-fn typed(body: &str, begun: &str, is_optional: bool) -> Result<Option<String>, String> {
+fn typed(body: &str, begun: &str, is_optional: bool) -> Result<Option<String>, Unfilled> {
     match body.trim() {
         "" if is_optional => Ok(None),
-        "" => Err(words::write_body().to_owned()),
-        body if body == begun.trim() => Err(words::finish_body().to_owned()),
+        "" => Err(Unfilled::Body),
+        body if body == begun.trim() => Err(Unfilled::BodyBegun),
         body => Ok(Some(body.to_owned())),
     }
 }
 
 /// The value to start from, as JSON or as nothing at all.
-fn start(typed: &str) -> Result<Value, String> {
+fn start(typed: &str) -> Result<Value, Unfilled> {
     match typed.trim() {
         "" => Ok(Value::Null),
-        typed => serde_json::from_str(typed).map_err(|_| words::start_is_no_value().to_owned()),
+        typed => serde_json::from_str(typed).map_err(|_| Unfilled::Start),
     }
 }
 
-fn period(form: Form) -> Result<u64, String> {
+fn period(form: Form) -> Result<u64, Unfilled> {
     let typed = form.period.get().trim().parse::<u64>().unwrap_or_default();
-    if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Refusal::Rate(typed).to_string()) }
+    if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Unfilled::Rate(typed)) }
 }
 
-fn named(form: Form) -> Result<String, String> {
+fn named(form: Form) -> Result<String, Unfilled> {
     let name = form.name.get().trim().to_owned();
-    if name.is_empty() { Err(words::name_missing().to_owned()) } else { Ok(name) }
+    if name.is_empty() { Err(Unfilled::Name) } else { Ok(name) }
 }
 
-fn output(form: Form) -> Result<Output, String> {
+fn output(form: Form) -> Result<Output, Unfilled> {
     if !form.kind.get().acts() {
         return Ok(Output::New { name: named(form)?, device: None, params: Params::new() });
     }
@@ -145,13 +146,13 @@ fn output(form: Form) -> Result<Output, String> {
             let name = form.desk.desk().document.name_for(device.name);
             Ok(Output::New { name, device: Some(device.name.to_owned()), params })
         }
-        None => Err(words::stream_gone().to_owned()),
+        None => Err(Unfilled::Gone),
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{start, typed};
+    use super::{Unfilled, start, typed};
     use behaviour::Value;
 
     #[test]
@@ -170,7 +171,7 @@ mod tests {
             assert_eq!(start(text), Ok(value), "{text}");
         }
         for text in ["red", "1 +", "'red'", "#{size: 0}", "NaN", "1 2"] {
-            assert!(start(text).is_err_and(|why| why.ends_with('.')), "{text}");
+            assert_eq!(start(text), Err(Unfilled::Start), "{text}");
         }
     }
 

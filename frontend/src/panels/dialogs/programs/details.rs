@@ -2,6 +2,7 @@
 
 use super::line::when;
 use super::shelf::Shown;
+use crate::link::NoAnswer;
 use crate::panels::dialogs::frame::close;
 use crate::panels::empty::ProgramPicture;
 use crate::panels::focus;
@@ -49,13 +50,13 @@ pub(super) fn Details(shown: Shown, program: Summary) -> impl IntoView {
 #[component]
 fn SimilarPrograms(id: String) -> impl IntoView {
     let desk = hold();
-    let found: RwSignal<Option<Result<Vec<Similar>, String>>> = RwSignal::new(None);
+    let found: RwSignal<Option<Result<Vec<Similar>, NoAnswer>>> = RwSignal::new(None);
     if let Ok(behaviour) = Id::new(&id) {
         desk.desk().look_up(Request::Similar { behaviour }, move |answer| {
             let answer = match answer {
                 Ok(Reply::Similar { similar }) => Ok(similar.clone()),
                 Ok(_) => Ok(Vec::new()),
-                Err(sentence) => Err(sentence),
+                Err(why) => Err(why),
             };
             found.try_set(Some(answer));
         });
@@ -79,7 +80,7 @@ fn SimilarPrograms(id: String) -> impl IntoView {
     };
     let list = move || match found.get() {
         None => view! { <p class="second">{words::loading_list()}</p> }.into_any(),
-        Some(Err(sentence)) => view! { <p class="refusal" role="alert">{sentence}</p> }.into_any(),
+        Some(Err(why)) => view! { <p class="refusal" role="alert">{words::not_answered(&why)}</p> }.into_any(),
         Some(Ok(none)) if none.is_empty() => view! { <p class="second">{words::none_similar()}</p> }.into_any(),
         Some(Ok(all)) => view! { <ul class="big-list">{all.into_iter().map(line).collect_view()}</ul> }.into_any(),
     };

@@ -4,6 +4,7 @@ use super::bar::SEARCH_ID;
 use super::line::Line;
 use super::shelf::{Loading, Place, Shown};
 use super::window::{LINE_PX, drawn, is_near_end, scroll_to};
+use crate::link::NoAnswer;
 use crate::panels::focus;
 use crate::words;
 use leptos::prelude::*;
@@ -17,7 +18,7 @@ const HEIGHT_PX: f64 = 600.0;
 pub(super) fn List(shown: Shown) -> impl IntoView {
     let content = move || match shown.loading.get() {
         Loading::Begins => view! { <p class="shelf-note second" role="status">{words::loading_list()}</p> }.into_any(),
-        Loading::Failed(sentence) => view! { <Failed shown sentence /> }.into_any(),
+        Loading::Failed(why) => view! { <Failed shown why /> }.into_any(),
         Loading::Done if shown.lines.read().is_empty() => view! { <Nothing shown /> }.into_any(),
         Loading::Done => view! { <Lines shown /> }.into_any(),
     };
@@ -30,10 +31,10 @@ pub(super) fn List(shown: Shown) -> impl IntoView {
 }
 
 #[component]
-fn Failed(shown: Shown, sentence: String) -> impl IntoView {
+fn Failed(shown: Shown, why: NoAnswer) -> impl IntoView {
     view! {
         <div class="shelf-note">
-            <p class="refusal" role="alert">{sentence}</p>
+            <p class="refusal" role="alert">{words::not_answered(&why)}</p>
             <button class="button" type="button" on:click=move |_| {
                 shown.loading.set(Loading::Begins);
                 shown.reload();

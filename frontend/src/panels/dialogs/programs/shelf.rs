@@ -1,6 +1,7 @@
 //! What the dialog shows of the list: what is looked for, the lines that came so far, and how loading goes.
 
 use crate::desk::ProgramPage;
+use crate::link::NoAnswer;
 use crate::panels::hold::{Hold, Soon};
 use crate::words;
 use leptos::html::Div;
@@ -22,13 +23,13 @@ pub(super) enum Place {
 }
 
 /// How loading goes.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(super) enum Loading {
     /// Nothing came yet.
     Begins,
     Done,
-    /// With a sentence.
-    Failed(String),
+    /// With the reason.
+    Failed(NoAnswer),
 }
 
 /// The list as it is shown.
@@ -157,7 +158,7 @@ impl Shown {
         });
     }
 
-    fn take(self, page: Result<ProgramPage, String>, below: bool) {
+    fn take(self, page: Result<ProgramPage, NoAnswer>, below: bool) {
         match page {
             Ok(ProgramPage { lines, next, total }) => {
                 self.next.set(next);
@@ -172,7 +173,7 @@ impl Shown {
                 let last = self.lines.with_untracked(Vec::len).saturating_sub(1);
                 self.active.update(|active| *active = (*active).min(last));
             }
-            Err(sentence) => self.loading.set(Loading::Failed(sentence)),
+            Err(why) => self.loading.set(Loading::Failed(why)),
         }
     }
 

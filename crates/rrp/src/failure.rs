@@ -1,0 +1,166 @@
+//! Why a command did not do what it should. What is said about it stands in `words.rs`; only `main` prints it.
+
+use behaviour::Refusal;
+use server::{BackupMisfit, ServeError};
+use std::error::Error;
+use std::io;
+use std::net::SocketAddr;
+use std::path::PathBuf;
+use store::StoreError;
+use store::backup::{BackupError, Difference};
+use store::files::{FileFault, NoXml, Unfit};
+
+/// Why a command did not do what it should.
+#[derive(Debug)]
+pub(crate) enum Failure {
+    /// There are no threads to work with.
+    NotStarted(io::Error),
+    /// There are no threads to serve with.
+    ServerNotStarted(io::Error),
+    /// The server did not start, or ended.
+    Serve(ServeError),
+    /// Nobody said where the data is, and there is no home folder.
+    NoHome,
+    /// The store could not do it.
+    Store(StoreError),
+    /// A running server uses the store in this folder.
+    Busy(PathBuf),
+    /// A backup, a restore or a migration did not come to its end.
+    Backup(BackupError),
+    /// The robots of the backup cannot go where they should.
+    Robots(BackupMisfit),
+    /// There is no folder for the robots of the backup.
+    NoRobotsFolder,
+    /// The data folder cannot be written.
+    DataFolder(io::Error),
+    /// In these the copied store differs from the first one.
+    Differences(Vec<Difference>),
+    /// This file could not be opened.
+    Unopened(PathBuf, io::Error),
+    /// This file could not be written.
+    Unwritten(PathBuf, io::Error),
+    /// What should go to standard output did not.
+    UnwrittenOut(io::Error),
+    /// What was done could not be told.
+    Untold(io::Error),
+    /// No behaviour has this id or name.
+    Unknown {
+        /// What was asked for.
+        wanted: String,
+        /// The names that there are.
+        names: Vec<String>,
+    },
+    /// Several behaviours have this name.
+    Several {
+        /// What was asked for.
+        wanted: String,
+        /// The ids of all of them.
+        ids: Vec<String>,
+    },
+    /// The behaviour went while it was looked for.
+    Gone,
+    /// It cannot be written as XML.
+    NoXml(NoXml),
+    /// An id of our own is none; with the reason.
+    Id(String),
+    /// The running server does not answer.
+    Silent(SocketAddr, Foreign),
+    /// The running server ended its answer too early.
+    CutOff(Foreign),
+    /// The running server's list cannot be read.
+    StrangeList(serde_json::Error),
+    /// The running server's answer cannot be read.
+    StrangeAnswer(serde_json::Error),
+    /// The running server refused; with what it says.
+    ServerSays(String),
+    /// The running server refused this file; with what it says.
+    ServerSaysOf(PathBuf, String),
+    /// This file is larger than any that is imported.
+    TooLarge(PathBuf),
+    /// What is wrong with this file.
+    Faults(PathBuf, Vec<FileFault>),
+    /// The behaviour of this name is in the store already.
+    Present(String),
+    /// A record of the file is not as it should be; said with its id first.
+    Record(String),
+    /// The file cannot be imported.
+    Unfit(Unfit),
+    /// The rules refuse it.
+    Refused(Refusal),
+    /// Somebody else changed the store meanwhile.
+    Overtaken,
+    /// This file cannot be read.
+    Unread(PathBuf, io::Error),
+    /// This file has more bytes than are read.
+    Large(PathBuf, u64),
+    /// This file is no behaviour.
+    NoBehaviour(PathBuf, serde_json::Error),
+    /// The engine cannot run it.
+    Engine(engine::Fault),
+    /// The engine cannot run what a file holds, whose lines are not those of a procedure.
+    EngineOfFile(engine::Fault),
+    /// It ended by itself; with the engine's reason.
+    Ended(String),
+    /// The behaviour of this name ended by itself; with the engine's reason.
+    EndedOf(String, String),
+    /// There are neither as many traces as behaviours nor one.
+    Traces {
+        /// How many traces there are.
+        traces: usize,
+        /// How many behaviours there are.
+        behaviours: usize,
+    },
+    /// The trace has nothing to play.
+    NoReadings,
+    /// This line of a trace makes no sense.
+    TraceLine(usize, Senseless),
+    /// This line of a recording makes no sense.
+    RecordingLine(usize, Senseless),
+}
+
+/// Why a line of a trace makes no sense.
+#[derive(Debug)]
+pub(crate) enum Senseless {
+    /// It is no JSON.
+    Json(serde_json::Error),
+    /// Its time is no whole number.
+    Time,
+    /// Its time is before the start.
+    Negative,
+    /// It names no stream.
+    Stream,
+    /// It has no value.
+    Value,
+    /// Its time is before that of the line before it.
+    Backwards {
+        /// The time before, in milliseconds.
+        from: u64,
+        /// Its own time, in milliseconds.
+        to: u64,
+    },
+    /// The behaviour has no such stream.
+    Unknown(String),
+    /// The stream is none of a sensor.
+    NoSensor(String),
+}
+
+/// What a library complains about.
+pub(crate) type Foreign = Box<dyn Error + Send + Sync>;
+
+impl From<StoreError> for Failure {
+    fn from(error: StoreError) -> Self {
+        Self::Store(error)
+    }
+}
+
+impl From<BackupError> for Failure {
+    fn from(error: BackupError) -> Self {
+        Self::Backup(error)
+    }
+}
+
+impl From<serde_json::Error> for Senseless {
+    fn from(error: serde_json::Error) -> Self {
+        Self::Json(error)
+    }
+}

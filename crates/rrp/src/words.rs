@@ -1,0 +1,129 @@
+//! What is said on standard error when a command fails, in English.
+
+use crate::failure::{Failure, Senseless};
+use engine::Fault;
+use std::fmt;
+use std::path::Path;
+use store::backup::Difference;
+use store::files::{FILE_MAX_BYTES, FileFault};
+
+/// Names that are shown to somebody who looks for another one.
+const NAMES_MAX: usize = 10;
+
+impl fmt::Display for Failure {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::NotStarted(error) => write!(to, "This could not start: {error}."),
+            Self::ServerNotStarted(error) => write!(to, "The server could not start: {error}."),
+            Self::Serve(error) => write!(to, "{error}"),
+            Self::NoHome => to.write_str("There is no home folder. Say where the data is with --data DIR."),
+            Self::Store(error) => write!(to, "{error}"),
+            Self::Busy(folder) => {
+                write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())
+            }
+            Self::Backup(error) => write!(to, "{error}"),
+            Self::Robots(why) => write!(to, "{why}"),
+            Self::NoRobotsFolder => {
+                to.write_str("There is no folder for the robots in the backup. Say one with --data DIR.")
+            }
+            Self::DataFolder(error) => {
+                write!(to, "The data folder cannot be written ({error}). Look at the disk, then do this again.")
+            }
+            Self::Differences(all) => differences(all, to),
+            Self::Unopened(path, error) => write!(to, "{} could not be opened: {error}.", path.display()),
+            Self::Unwritten(path, error) => write!(to, "{} could not be written: {error}.", path.display()),
+            Self::UnwrittenOut(error) => write!(to, "The file could not be written: {error}."),
+            Self::Untold(error) => write!(to, "{error}"),
+            Self::Unknown { wanted, names } => unknown(wanted, names, to),
+            Self::Several { wanted, ids } => {
+                write!(to, "Several behaviours are called “{wanted}”. Say which one by its id: {}.", ids.join(", "))
+            }
+            Self::Gone => to.write_str("The behaviour is gone. Choose another one."),
+            Self::NoXml(why) => write!(to, "{why}"),
+            Self::Silent(address, error) => {
+                write!(to, "The rrp server at http://{address}/ does not answer ({error}). Look whether it runs.")
+            }
+            Self::CutOff(error) => {
+                write!(to, "The rrp server stopped in the middle of its answer ({error}). Try again.")
+            }
+            Self::StrangeList(error) => {
+                write!(to, "The rrp server gave a list that cannot be read ({error}). Is it of another version?")
+            }
+            Self::StrangeAnswer(error) => {
+                write!(to, "The rrp server gave an answer that cannot be read ({error}). Is it of another version?")
+            }
+            Self::ServerSaysOf(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::TooLarge(path) => {
+                write!(to, "{} is larger than {FILE_MAX_BYTES} bytes. Split it into several.", path.display())
+            }
+            Self::Faults(path, all) => faults(path, all, to),
+            Self::Present(name) => {
+                write!(to, "“{name}” is there already, perhaps in the bin. Import it without --restore to get a copy.")
+            }
+            Self::Unfit(why) => write!(to, "{why}"),
+            Self::Refused(refusal) => write!(to, "{refusal}"),
+            Self::Overtaken => to.write_str("Somebody else changed the store just now. Try again."),
+            Self::Unread(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::Large(path, bytes) => write!(to, "{}: it is larger than {bytes} bytes", path.display()),
+            Self::NoBehaviour(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::Engine(fault) => write!(to, "{fault}"),
+            Self::EngineOfFile(fault) => of_file(fault, to),
+            Self::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
+            Self::Id(reason) | Self::ServerSays(reason) | Self::Record(reason) | Self::Ended(reason) => {
+                to.write_str(reason)
+            }
+            Self::Traces { traces, behaviours } => {
+                write!(to, "{traces} traces for {behaviours} behaviours; give one for all, or one for each")
+            }
+            Self::NoReadings => to.write_str("the trace has no readings; give it at least one line"),
+            Self::TraceLine(number, why) => write!(to, "trace line {number}: {why}"),
+            Self::RecordingLine(number, why) => write!(to, "recording line {number}: {why}"),
+        }
+    }
+}
+
+impl fmt::Display for Senseless {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Json(error) => write!(to, "{error}"),
+            Self::Time => to.write_str("t must be a whole number"),
+            Self::Negative => to.write_str("t must not be negative"),
+            Self::Stream => to.write_str("stream must be a text"),
+            Self::Value => to.write_str("value is missing"),
+            Self::Backwards { from, to: back } => write!(to, "time goes back from {from} to {back}"),
+            Self::Unknown(stream) => write!(to, "there is no stream {stream:?}"),
+            Self::NoSensor(stream) => write!(to, "{stream:?} is no sensor stream"),
+        }
+    }
+}
+
+fn differences(all: &[Difference], to: &mut fmt::Formatter) -> fmt::Result {
+    to.write_str("The stores are not the same. Empty the second one and try again:")?;
+    all.iter().try_for_each(|one| write!(to, "\n  {}: {} differs", one.behaviour, one.what))
+}
+
+fn faults(path: &Path, all: &[FileFault], to: &mut fmt::Formatter) -> fmt::Result {
+    for (number, FileFault { line, column, reason }) in all.iter().enumerate() {
+        let end = if number == 0 { "" } else { "\n" };
+        write!(to, "{end}{}:{line}:{column}: {reason}", path.display())?;
+    }
+    Ok(())
+}
+
+fn unknown(wanted: &str, names: &[String], to: &mut fmt::Formatter) -> fmt::Result {
+    write!(to, "There is no behaviour “{wanted}”. ")?;
+    if names.is_empty() {
+        return to.write_str("The store is empty; look whether --store or --data is right.");
+    }
+    let shown: Vec<_> = names.iter().take(NAMES_MAX).map(|name| format!("“{name}”")).collect();
+    let more = if names.len() > NAMES_MAX { ", …" } else { "" };
+    write!(to, "There are {}{more}.", shown.join(", "))
+}
+
+/// A line within a procedure is not one of the file.
+fn of_file(fault: &Fault, to: &mut fmt::Formatter) -> fmt::Result {
+    match fault.reason.to_string().strip_prefix("line ") {
+        Some(rest) => write!(to, "{}: in its procedure, line {rest}", fault.id),
+        None => write!(to, "{fault}"),
+    }
+}

@@ -1,0 +1,121 @@
+//! Why the robots and what runs on them stay as they are, and why a run ended by itself.
+
+use crate::recordings::NotRecorded;
+use engine::Fault;
+use protocol::Refused;
+use std::io;
+use std::path::PathBuf;
+
+/// Why a behaviour did not begin on a robot, or why an edited one was not applied.
+#[derive(Debug)]
+pub(crate) enum NoRun {
+    /// As many run as may run.
+    TooMany,
+    /// There is no thread for it.
+    NoThread(io::Error),
+    /// Its thread ended before it answered.
+    Unprepared,
+    /// Preparing it took longer than it may.
+    Late,
+    /// The engine cannot run it.
+    Faults(Vec<Fault>),
+    /// The robot does not answer in time.
+    Silent,
+    /// The robot cannot open a device, of the stream that people call so; with the robot's reason.
+    Unopened {
+        /// The name of the stream.
+        stream: String,
+        /// What the robot says.
+        reason: String,
+    },
+    /// Its place in the order on the robot could not be kept.
+    Unordered(io::Error),
+    /// It cannot be recorded, and should be.
+    NotRecorded(NotRecorded),
+    /// Stop was pressed before anything was prepared.
+    StopPressed,
+    /// Stop was pressed while it was prepared.
+    StoppedBefore,
+    /// What it should follow was stopped.
+    StoppedMeanwhile,
+    /// What it should follow does not run.
+    Ended,
+    /// Another edited behaviour is about to follow.
+    AppliedJustNow,
+    /// Nobody knows yet whether it was applied.
+    StillApplying,
+    /// The server itself failed.
+    Inside,
+}
+
+impl From<NotRecorded> for NoRun {
+    fn from(why: NotRecorded) -> Self {
+        Self::NotRecorded(why)
+    }
+}
+
+impl NoRun {
+    /// This as why a behaviour cannot start.
+    pub(crate) fn cannot_start(self) -> Refused {
+        Refused::CannotStart(self.to_string())
+    }
+}
+
+/// Why a run ended by itself.
+#[derive(Debug)]
+pub(crate) enum RunFailure {
+    /// The engine ended it; with the engine's reason.
+    Engine(String),
+    /// A procedure takes too long again and again: the one that makes the stream that people call so.
+    TooLong(String),
+    /// It was ready when nobody waited for it any more.
+    Late,
+    /// The run that should follow it is gone.
+    NotFollowed,
+    /// The robot failed.
+    Robot,
+    /// The server itself failed.
+    Inside,
+}
+
+/// Why a robot was not added or not removed.
+#[derive(Debug)]
+pub(crate) enum RobotsUnchanged {
+    /// It has no name that people can read.
+    Nameless,
+    /// Its name is too long.
+    LongName,
+    /// There are as many as may be.
+    TooMany,
+    /// The new one could not be written down, or has no thread.
+    NewUnkept(io::Error),
+    /// There is no other one.
+    OnlyOne,
+    /// Something runs on it.
+    InUse,
+    /// That one is gone could not be written down.
+    Unkept(io::Error),
+}
+
+impl RobotsUnchanged {
+    /// This as why a robot was not added.
+    pub(crate) fn not_added(self) -> Refused {
+        Refused::RobotNotAdded(self.to_string())
+    }
+
+    /// This as why a robot stays.
+    pub(crate) fn stays(self) -> Refused {
+        Refused::RobotStays(self.to_string())
+    }
+}
+
+/// Why the robots of a backup cannot be put into a data folder. [`std::fmt::Display`] says it and what to do.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BackupMisfit {
+    /// No server keeps robots like these.
+    Malformed,
+    /// This folder has other robots.
+    Others(PathBuf),
+}
+
+impl std::error::Error for BackupMisfit {}

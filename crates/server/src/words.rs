@@ -1,0 +1,163 @@
+//! Why the server did not do something, each reason said in English. What a reason is, its own folder knows.
+
+use crate::library::import::NotImported;
+use crate::recordings::{NotRecorded, Stuck};
+use crate::robots::refusal::{BackupMisfit, NoRun, RobotsUnchanged, RunFailure};
+use crate::rooms::knowledge::Unchecked;
+use crate::serve::ServeError;
+use behaviour::BODY_MAX_CHARS;
+use engine::Fault;
+use protocol::{MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
+use std::fmt;
+
+impl fmt::Display for ServeError {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::NotLoopback(address) => write!(
+                to,
+                "This server listens on this computer only, as it has no accounts yet, and {} is an address for \
+                 others. Use 127.0.0.1:{}.",
+                address.ip(),
+                address.port()
+            ),
+            Self::Listen(address, error) => {
+                write!(to, "The address {address} cannot be used ({error}). Choose another port with --listen.")
+            }
+            Self::Store(error) => write!(to, "{error}"),
+            Self::Thread(error) => write!(to, "The robot could not be started: {error}."),
+        }
+    }
+}
+
+impl fmt::Display for NotImported {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Fault(fault) => write!(to, "{fault}"),
+            Self::Present => to.write_str(
+                "This behaviour is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
+            ),
+            Self::Refused(no) => write!(to, "{no}"),
+        }
+    }
+}
+
+impl fmt::Display for Unchecked {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::TooLong => write!(to, "it is longer than {BODY_MAX_CHARS} characters"),
+            Self::TooMuch => to.write_str("there is too much to check at once; do it in smaller steps"),
+            Self::NobodyWaits => to.write_str("nobody waits for it any more"),
+            Self::TooSlow => {
+                to.write_str("checking all procedures of the file takes too long; try again, or split the file")
+            }
+        }
+    }
+}
+
+impl fmt::Display for NotRecorded {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::NoFolder => to.write_str("this server has no data folder; start it with --data DIR"),
+            Self::NoneMade(folder, error) => write!(to, "{} cannot be made ({error})", folder.display()),
+            Self::Full => to.write_str("there is no room for another recording; download and remove some first"),
+            Self::Unwritable(file, error) => write!(to, "{} cannot be written ({error})", file.display()),
+            Self::NameTaken => to.write_str("too many recordings have the same name; remove some first"),
+            Self::NotBegun(error) => {
+                write!(to, "it cannot be recorded ({error}); free some space, or start it without recording")
+            }
+            Self::NotRemoved(error) => write!(to, "it cannot be removed ({error})"),
+            Self::Unrecorded => to.write_str("this run is not recorded; tick it before Start"),
+            Self::LongNote => write!(to, "a note has at most {MARK_MAX_CHARS} characters"),
+        }
+    }
+}
+
+impl fmt::Display for Stuck {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Full(bytes) => write!(to, "it reached {} MiB and ends here", bytes >> 20),
+            Self::Unwritable(error) => write!(to, "it could not be written on ({error})"),
+        }
+    }
+}
+
+impl fmt::Display for NoRun {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::TooMany => to.write_str("too many behaviours run already; stop one first"),
+            Self::NoThread(error) => write!(to, "there is no room for another run ({error})"),
+            Self::Unprepared => to.write_str("it failed while it was prepared"),
+            Self::Late => to.write_str("it took too long to prepare"),
+            Self::Faults(faults) => first_of(faults, to),
+            Self::Silent => to.write_str("the robot does not answer"),
+            Self::Unopened { stream, reason } => write!(to, "“{stream}”: {reason}"),
+            Self::Unordered(error) => write!(to, "its place in the order could not be kept ({error})"),
+            Self::NotRecorded(why) => write!(to, "{why}"),
+            Self::StopPressed => to.write_str("Stop was pressed"),
+            Self::StoppedBefore => to.write_str("it was stopped before it began"),
+            Self::StoppedMeanwhile => to.write_str("it was stopped meanwhile"),
+            Self::Ended => to.write_str("it does not run any more"),
+            Self::AppliedJustNow => to.write_str("somebody applies a change just now; try again in a moment"),
+            Self::StillApplying => to.write_str("it takes very long; look in a moment which revision runs"),
+            Self::Inside => inside(to),
+        }
+    }
+}
+
+impl fmt::Display for RunFailure {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Engine(reason) => to.write_str(reason),
+            Self::TooLong(stream) => {
+                write!(to, "a procedure took too long three times; look at the one that makes “{stream}”")
+            }
+            Self::Late => write!(to, "{}", NoRun::Late),
+            Self::NotFollowed => to.write_str("it could not go on with what was applied; start it again"),
+            Self::Robot => to.write_str("the robot failed and is started again"),
+            Self::Inside => inside(to),
+        }
+    }
+}
+
+impl fmt::Display for RobotsUnchanged {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Nameless => to.write_str("it needs a name of letters and digits, all of which are seen"),
+            Self::LongName => write!(to, "its name may have {ROBOT_NAME_MAX_CHARS} characters"),
+            Self::TooMany => write!(to, "there are {ROBOTS_MAX} already; remove one first"),
+            Self::NewUnkept(error) => write!(to, "it could not be kept ({error})"),
+            Self::OnlyOne => to.write_str("it is the only one"),
+            Self::InUse => to.write_str("something runs on it; press Stop first"),
+            Self::Unkept(error) => write!(to, "that could not be kept ({error})"),
+        }
+    }
+}
+
+impl fmt::Display for BackupMisfit {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Malformed => {
+                to.write_str("The robots in the backup are not as a server keeps them. Take another backup.")
+            }
+            Self::Others(folder) => {
+                let folder = folder.display();
+                write!(
+                    to,
+                    "{folder} has robots that are not those of the backup. Choose an empty folder with --data DIR."
+                )
+            }
+        }
+    }
+}
+
+fn first_of(faults: &[Fault], to: &mut fmt::Formatter) -> fmt::Result {
+    match faults {
+        [] => Ok(()),
+        [one] => write!(to, "{}", one.reason),
+        [first, others @ ..] => write!(to, "{} (and {} more)", first.reason, others.len()),
+    }
+}
+
+fn inside(to: &mut fmt::Formatter) -> fmt::Result {
+    to.write_str("it failed inside; please tell the people who make rrp")
+}

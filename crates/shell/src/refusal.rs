@@ -1,0 +1,100 @@
+//! Why a line that was typed is not obeyed. What is said about it stands in `words.rs`.
+
+use crate::Trouble;
+
+/// Why a line that was typed is not obeyed.
+#[derive(Debug)]
+pub(crate) enum NotDone {
+    /// The server did not do it.
+    Trouble(Trouble),
+    /// No command is called like what was typed.
+    NoCommand(String),
+    /// Several commands begin like what was typed.
+    SeveralCommands {
+        /// What was typed.
+        typed: String,
+        /// The names of these commands.
+        names: Vec<&'static str>,
+    },
+    /// No one thing is called like what was typed.
+    NotFound(NotFound),
+    /// There is no connection.
+    NotConnected,
+    /// No program is loaded.
+    NoProgram,
+    /// No stream is loaded.
+    NoStream,
+    /// The server answered something else than this.
+    NoAnswer(Answer),
+    /// The robot to add has no name.
+    NoRobotName,
+    /// It is said neither up nor down.
+    NoWay,
+    /// What is called so cannot be moved further.
+    There(String),
+    /// It is said neither on nor off.
+    NeitherOnNorOff,
+    /// The time is no number of seconds up to this one.
+    Seconds(u64),
+    /// An id is none; with the reason.
+    Id(String),
+    /// There is no such sense; with what the catalogue says.
+    NoSense(String),
+    /// The catalogue's own example is no value.
+    NoExample(serde_json::Error),
+}
+
+/// What the server was asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Answer {
+    /// What runs.
+    Runs,
+    /// Actions.
+    Actions,
+    /// Programs.
+    Programs,
+    /// Who uses a helper.
+    Uses,
+    /// The recordings.
+    Recordings,
+}
+
+/// Why no one thing is meant by a name.
+#[derive(Debug)]
+pub(crate) enum NotFound {
+    /// No name was typed.
+    Nameless {
+        /// What kind of thing is looked for.
+        what: &'static str,
+        /// The names of all there are.
+        names: Vec<String>,
+    },
+    /// Several things fit.
+    Several {
+        /// What was typed.
+        wanted: String,
+        /// The names of those that fit.
+        names: Vec<String>,
+    },
+    /// Nothing fits.
+    Unknown {
+        /// What kind of thing is looked for.
+        what: &'static str,
+        /// What was typed.
+        wanted: String,
+        /// The names of all there are.
+        names: Vec<String>,
+    },
+}
+
+impl From<Trouble> for NotDone {
+    fn from(trouble: Trouble) -> Self {
+        Self::Trouble(trouble)
+    }
+}
+
+impl From<NotFound> for NotDone {
+    fn from(why: NotFound) -> Self {
+        Self::NotFound(why)
+    }
+}
