@@ -37,7 +37,7 @@ impl ParamForm {
     /// A sentence, if something does not fit.
     pub(crate) fn read(&self) -> Result<Params, String> {
         let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).collect();
-        self.device.check(&params).map(|()| params).map_err(sentence)
+        self.device.check(&params).map(|()| params).map_err(|fault| sentence(fault.to_string()))
     }
 }
 

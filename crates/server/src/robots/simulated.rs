@@ -11,8 +11,8 @@ pub(super) fn nao(seed: u64) -> SimulatedNao {
 
 impl RoomRobot for SimulatedNao {
     fn edit(&mut self, edit: &SceneEdit) {
-        if let Err(reason) = Self::edit(self, edit) {
-            tracing::debug!(reason, "nothing changed in the room");
+        if let Err(fault) = Self::edit(self, edit) {
+            tracing::debug!(%fault, "nothing changed in the room");
         }
     }
 }

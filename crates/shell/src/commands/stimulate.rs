@@ -37,7 +37,8 @@ fn read(words: &str, all: &Sensors) -> Result<(String, (Id, Value)), String> {
         }
     }
     let (name, (id, stream)) = find("sensor stream", words, all)?;
-    let device = robot::device(StreamKind::Sensor, stream.device.as_deref().unwrap_or_default())?;
+    let device = robot::device(StreamKind::Sensor, stream.device.as_deref().unwrap_or_default());
+    let device = device.map_err(|fault| fault.to_string())?;
     let example = serde_json::from_str(device.example).map_err(|error| error.to_string())?;
     Ok((name, (id, example)))
 }

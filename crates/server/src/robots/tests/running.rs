@@ -25,7 +25,10 @@ async fn what_cannot_start_says_why() {
     let robots = puppet.robots(Limits::default);
     assert!(robots.start(filtered("one", "ball >")).await.is_err());
     puppet.refuse("Print");
-    assert_eq!(robots.start(filtered("one", "true")).await.unwrap_err(), "“page”: it has no Print");
+    assert_eq!(
+        robots.start(filtered("one", "true")).await.unwrap_err(),
+        "“page”: this robot has no device called “Print”"
+    );
     assert!(!robots.is_running(&id("one")) && robots.runs().borrow().is_empty());
     until("the devices are given back", || puppet.users().is_empty()).await;
 }
@@ -112,7 +115,7 @@ async fn a_fault_and_a_command_that_the_robot_drops_are_shown_on_their_connector
         let values = live.since(&mut Seen::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id("show"))?.error
     };
-    until("the dropped command", || dropped().as_deref() == Some("13 brings bad luck")).await;
+    until("the dropped command", || dropped().as_deref() == Some("this action needs a number")).await;
 }
 
 #[tokio::test]
