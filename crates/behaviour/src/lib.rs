@@ -30,10 +30,10 @@ mod words;
 
 pub use change::{Change, Edit};
 pub use fields::{Fields, Names};
-pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
+pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Flaw, FlawKind};
 pub use graph::Graph;
 pub use history::History;
-pub use ids::{Id, Kind, LIBRARY, RecordId};
+pub use ids::{BadId, Id, Kind, LIBRARY, RecordId};
 pub use names::{
     argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
 };

@@ -72,7 +72,7 @@ pub(crate) fn bench(args: &BenchArgs) -> ExitCode {
 }
 
 fn prepare(args: &BenchArgs) -> Result<(BehaviourFile, Vec<Reading>), Refused> {
-    let behaviour = |reason: String| Refused::Behaviour(vec![reason]);
+    let behaviour = |reason: String| Refused::Behaviour(vec![reason.to_string()]);
     let text = read(&args.behaviour, BEHAVIOUR_BYTES).map_err(behaviour)?;
     let file: BehaviourFile =
         serde_json::from_str(&text).map_err(|error| behaviour(format!("{}: {error}", args.behaviour.display())))?;
@@ -104,7 +104,7 @@ fn measure(args: &BenchArgs, file: &BehaviourFile, readings: &[Reading]) -> Resu
     (0..args.repeat).for_each(|_| trace.play(&mut run));
     let cpu = spent().saturating_sub(before);
     if let Some(reason) = run.fault() {
-        return Err(Refused::Behaviour(vec![reason]));
+        return Err(Refused::Behaviour(vec![reason.to_string()]));
     }
     let mut took = trace.timed(&mut run, args.repeat);
     Ok(Measured {

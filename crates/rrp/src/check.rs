@@ -71,7 +71,8 @@ fn found(looked: &Looked) -> Found {
 
 /// The behaviour, if it could be imported.
 fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<String>> {
-    let behaviour = file.records(|_| None)?;
+    let behaviour =
+        file.records(|_| None).map_err(|flaws| flaws.iter().map(ToString::to_string).collect::<Vec<_>>())?;
     let mut number = 0;
     let new_id = || {
         number += 1;
@@ -89,7 +90,7 @@ fn graph(file: &BehaviourFile, knowing: &Knowing) -> Result<Behaviour, Vec<Strin
 
 /// Why the engine would not run it, with ids; a line within a procedure is not one of the file.
 fn engine_says(file: &BehaviourFile) -> Vec<String> {
-    let said = |fault: &engine::Fault| match fault.reason.strip_prefix("line ") {
+    let said = |fault: &engine::Fault| match fault.reason.to_string().strip_prefix("line ") {
         Some(rest) => format!("{}: in its procedure, line {rest}", fault.id),
         None => fault.to_string(),
     };

@@ -88,7 +88,7 @@ async fn through(link: &Link, args: &ExportArgs) -> Result<String, String> {
 
 /// The file of a behaviour, with its id.
 async fn file(store: &dyn Store, id: &Id) -> Result<BehaviourFile, String> {
-    let library = Id::new(LIBRARY)?;
+    let library = Id::new(LIBRARY).map_err(|bad| bad.to_string())?;
     let load = async |id: &Id| store.load(id).await.map_err(|error| error.to_string());
     let behaviour = load(id).await?.ok_or("The behaviour is gone. Choose another one.")?.behaviour;
     let library = load(&library).await?.map_or_else(Behaviour::default, |loaded| loaded.behaviour);

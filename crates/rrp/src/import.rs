@@ -147,7 +147,8 @@ fn judged(
     library: &Behaviour,
     looked: &Looked,
 ) -> Result<Import, Vec<store::files::FileFault>> {
-    file.records(|_| None).map_err(|faults| looked.place(&faults))?;
+    let said = |flaws: Vec<behaviour::Flaw>| flaws.iter().map(ToString::to_string).collect::<Vec<_>>();
+    file.records(|_| None).map_err(|flaws| looked.place(&said(flaws)))?;
     let new_id = || Id::from_uuid(uuid::Uuid::new_v4());
     let brought = store::files::import(file, mode, library, "rrp import", new_id);
     let brought = brought.map_err(|faults| looked.place(&faults))?;
@@ -166,7 +167,7 @@ async fn check_absent(store: &dyn Store, file: &BehaviourFile) -> Result<(), Str
 
 /// The library as it is; a fresh store gets the helpers that come with the robot, as from a server.
 async fn library(store: &dyn Store) -> Result<Room, String> {
-    let id = Id::new(LIBRARY)?;
+    let id = Id::new(LIBRARY).map_err(|bad| bad.to_string())?;
     let mut loaded = store.load(&id).await.map_err(|error| error.to_string())?;
     if loaded.is_none() {
         let (first, mut after) = (server::first_library(), Behaviour::default());
@@ -184,7 +185,7 @@ async fn save_library(store: &dyn Store, library: Room, brought: &Import) -> Res
         Decision::Save(made) => {
             let mut after = library.behaviour().clone();
             after.apply(&made.change);
-            append(store, &Id::new(LIBRARY)?, &made, &after).await
+            append(store, &Id::new(LIBRARY).map_err(|bad| bad.to_string())?, &made, &after).await
         }
         Decision::Duplicate(_) => Ok(()),
         Decision::Refuse(refusal) => Err(refusal.to_string()),

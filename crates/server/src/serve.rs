@@ -191,7 +191,7 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
 
 async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
-    let library = Id::new(protocol::LIBRARY).map_err(|reason| ServeError::Store(StoreError::Damaged(reason)))?;
+    let library = Id::new(protocol::LIBRARY).map_err(|bad| ServeError::Store(StoreError::Damaged(bad.to_string())))?;
     let health = StoreHealth::good();
     let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {
         // Everything can be looked at and stopped; nothing can be saved, which everyone is told.

@@ -77,7 +77,7 @@ impl Client {
     /// If there is no server, or it refuses the greeting.
     pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, Trouble> {
         let (link, lines, told) = link::open(url).await?;
-        let nobody = Id::new("nobody").map_err(Trouble::Link)?;
+        let nobody = Id::new("nobody").map_err(|bad| Trouble::Link(bad.to_string()))?;
         let you = Person { client: nobody.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
         let welcome = Welcome { epoch: 0, you, secret: nobody };
         let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome };

@@ -125,7 +125,7 @@ impl Console {
         }
         let all: Vec<_> = programs.into_iter().map(|program| (program.name, program.id)).collect();
         let (name, id) = crate::find::find("program", wanted, &all)?;
-        Ok((name, Id::new(&id)?))
+        Ok((name, Id::new(&id).map_err(|bad| bad.to_string())?))
     }
 
     /// The stream of that name in the loaded program, or the loaded one if none is named.

@@ -135,7 +135,7 @@ pub(crate) async fn shelves(store: &dyn Store) -> Result<Vec<Shelf>, StoreError>
     }
     all.sort_by(|a, b| a.id.cmp(&b.id));
     all.dedup_by(|a, b| a.id == b.id);
-    let library = Id::new(LIBRARY).map_err(StoreError::Damaged)?;
+    let library = Id::new(LIBRARY).map_err(|bad| StoreError::Damaged(bad.to_string()))?;
     if let Some(loaded) = store.load(&library).await? {
         all.insert(0, Shelf { id: library, revision: loaded.revision, removed: None });
     }

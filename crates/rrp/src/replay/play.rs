@@ -71,7 +71,7 @@ impl Printer<'_> {
     /// Says that a run ended by itself, if it did just now.
     fn tell_end(&mut self, number: usize, run: &Run, was_running: bool) {
         if let (true, Some(End::Multiplied { at, stream }), Some(reason)) = (was_running, run.ended(), run.fault()) {
-            self.print_end(number, at, stream, &reason);
+            self.print_end(number, at, stream, &reason.to_string());
         }
     }
 }

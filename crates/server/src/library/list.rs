@@ -67,7 +67,7 @@ pub async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreE
 /// The names that begin like this one in any case: in order of name they stand together.
 async fn names_from(store: &dyn Store, wanted: &str) -> Result<BTreeSet<String>, StoreError> {
     let key = wanted.to_lowercase();
-    let first = Id::new(FIRST_ID).map_err(StoreError::Damaged)?;
+    let first = Id::new(FIRST_ID).map_err(|bad| StoreError::Damaged(bad.to_string()))?;
     let just_before = store::Cursor { changed_ms: 0, name_key: key.clone(), id: first };
     let mut query = Query { sort: store::Sort::Name, after: Some(just_before), ..Query::default() };
     let mut names = BTreeSet::new();

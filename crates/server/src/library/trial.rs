@@ -34,8 +34,8 @@ pub(crate) fn check(trial: &Trial) -> Reply {
     if trial.body.chars().count() > behaviour::BODY_MAX_CHARS {
         return failed(format!("it is longer than {} characters", behaviour::BODY_MAX_CHARS));
     }
-    if let Err(reason) = engine::check_body(&trial.arguments, &trial.body) {
-        return failed(reason);
+    if let Err(fault) = engine::check_body(&trial.arguments, &trial.body) {
+        return failed(fault.to_string());
     }
     let results = trial.inputs.iter().take(INPUTS_MAX).map(|inputs| try_on(trial, inputs)).collect();
     Reply::Checked { error: None, results }
@@ -44,7 +44,7 @@ pub(crate) fn check(trial: &Trial) -> Reply {
 fn try_on(trial: &Trial, inputs: &[Value]) -> Result<Value, String> {
     let end = Instant::now() + Duration::from_millis(CALL_MS);
     let limits = Limits::default().interrupted_by(move || Instant::now() >= end);
-    engine::try_body(&trial.helpers, &trial.arguments, &trial.body, inputs, &limits)
+    engine::try_body(&trial.helpers, &trial.arguments, &trial.body, inputs, &limits).map_err(|fault| fault.to_string())
 }
 
 /// The helpers that a procedure uses, also through other helpers.

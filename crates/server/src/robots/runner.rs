@@ -136,7 +136,7 @@ fn interrupt(cancel: Arc<CancelFlag>, clock: Rc<Cell<Instant>>) -> impl Fn() -> 
 }
 
 fn in_one_sentence(faults: &[engine::Fault]) -> String {
-    let first = faults.first().map_or_else(String::new, |fault| fault.reason.clone());
+    let first = faults.first().map_or_else(String::new, |fault| fault.reason.to_string());
     if faults.len() > 1 { format!("{first} (and {} more)", faults.len() - 1) } else { first }
 }
 
@@ -244,7 +244,7 @@ impl<'a> Runner<'a> {
             self.close_instants();
             self.mark(post.marks);
             self.sink.record(post.end_recording);
-            reason = self.run.fault().or_else(|| self.took_too_long());
+            reason = self.run.fault().map(|fault| fault.to_string()).or_else(|| self.took_too_long());
             if self.may_follow()
                 && let Some(successor) = self.successor.take_if(|_| reason.is_none())
             {

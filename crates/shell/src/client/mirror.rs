@@ -24,7 +24,8 @@ pub(super) struct Mirrors {
 
 impl Mirrors {
     pub(super) fn empty() -> Result<Self, String> {
-        let library = Mirror { behaviour: Id::new(LIBRARY)?, revision: 0, records: Behaviour::default() };
+        let behaviour = Id::new(LIBRARY).map_err(|bad| bad.to_string())?;
+        let library = Mirror { behaviour, revision: 0, records: Behaviour::default() };
         Ok(Self { open: None, library, robots: Vec::new() })
     }
 

@@ -17,7 +17,7 @@ async fn run(console: &mut Console, name: &str) -> Result<String, String> {
     if name.is_empty() {
         return Err("Type “add robot NAME”.".to_owned());
     }
-    let robot = Id::new(&format!("robot-{}", unique()))?;
+    let robot = Id::new(&format!("robot-{}", unique())).map_err(|bad| bad.to_string())?;
     let name = crate::find::unquoted(name).to_owned();
     console.ask(Request::AddRobot { robot: robot.clone(), name }).await?;
     let added = console.client()?.robot(Some(&robot)).await.map_err(|trouble| trouble.to_string())?;

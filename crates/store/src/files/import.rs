@@ -63,9 +63,10 @@ pub fn import(
     let Shelved { names, change } = helpers::shelve(file, library, by, &mut new_id).map_err(|reason| vec![reason])?;
     let file = helpers::renamed(file, &names);
     let records = match mode {
-        Mode::Copy => file.records(|_| Some(new_id()))?,
-        Mode::Restore => file.records(|_| None)?,
+        Mode::Copy => file.records(|_| Some(new_id())),
+        Mode::Restore => file.records(|_| None),
     };
+    let records = records.map_err(|flaws| flaws.iter().map(ToString::to_string).collect::<Vec<_>>())?;
     let own = file.id.as_deref().filter(|_| mode == Mode::Restore);
     let behaviour = own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![format!("id: {reason}")])?;
     let changes = from_nothing(&records, &file.name, by, &mut new_id);

@@ -120,7 +120,7 @@ impl Logs {
 }
 
 fn library() -> Result<Id, String> {
-    Id::new(crate::LIBRARY)
+    Id::new(crate::LIBRARY).map_err(|bad| bad.to_string())
 }
 
 fn name_of(id: &Id) -> String {

@@ -4,7 +4,7 @@ use super::fault::Fault;
 use super::write::{kept, read};
 use crate::usage::{in_order, usage, uses};
 use crate::{Loaded, Used, json};
-use behaviour::{Behaviour, Committed, Id, Record, RecordId};
+use behaviour::{BadId, Behaviour, Committed, Id, Record, RecordId};
 use rusqlite::{Connection, OptionalExtension, Row, params};
 
 /// A behaviour as it is now.
@@ -26,11 +26,11 @@ fn records(at: &Connection, id: &Id) -> Result<Behaviour, Fault> {
 }
 
 fn record(row: &Row, column: usize) -> Result<Record, Fault> {
-    json::decode(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(Fault::Content)
+    json::decode(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(|bad| Fault::Content(bad.to_string()))
 }
 
 fn record_id(text: &str) -> Result<RecordId, Fault> {
-    text.parse().map_err(Fault::Content)
+    text.parse().map_err(|bad: BadId| Fault::Content(bad.to_string()))
 }
 
 fn wrong_type(error: rusqlite::types::FromSqlError) -> Fault {
@@ -50,7 +50,7 @@ pub(super) fn ids(at: &Connection) -> Result<Vec<Id>, Fault> {
 
 /// An id in a column.
 pub(super) fn id(row: &Row, column: usize) -> Result<Id, Fault> {
-    Id::new(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(Fault::Content)
+    Id::new(row.get_ref(column)?.as_str().map_err(wrong_type)?).map_err(|bad| Fault::Content(bad.to_string()))
 }
 
 /// Changes after a revision, oldest first.
