@@ -12,14 +12,15 @@ type Arrows<'a> = &'a [(&'a str, &'a [&'a str])];
 const CRATES: &[(&str, Arrows)] = &[("crates/engine/src", ENGINE), ("crates/server/src", SERVER)];
 
 const ENGINE: Arrows = &[
-    ("run", &["cost", "procedure", "program", "timeline", "values"]),
-    ("timeline", &["connectors", "cost", "procedure", "program", "values"]),
-    ("program", &["connectors", "cost", "procedure", "rhai", "values"]),
-    ("connectors", &["procedure", "values"]),
-    ("procedure", &["cost", "rhai", "values"]),
-    ("rhai", &["cost"]),
+    ("run", &["cost", "faults", "procedure", "program", "timeline", "values"]),
+    ("timeline", &["connectors", "cost", "faults", "procedure", "program", "values"]),
+    ("program", &["connectors", "cost", "faults", "procedure", "rhai", "values"]),
+    ("connectors", &["faults", "procedure", "values"]),
+    ("procedure", &["cost", "faults", "rhai", "values"]),
+    ("rhai", &["cost", "faults"]),
     ("cost", &[]),
-    ("values", &[]),
+    ("values", &["faults"]),
+    ("faults", &[]),
     ("arbitration", &[]),
 ];
 

@@ -142,5 +142,5 @@ impl Visitor {
 
 /// An id from a text.
 pub(crate) fn id(text: &str) -> Outcome<Id> {
-    Id::new(text).map_err(Trouble)
+    Ok(Id::new(text)?)
 }

@@ -86,7 +86,7 @@ fn records(names: Names, count: usize) -> Outcome<Vec<(RecordId, Record)>> {
 }
 
 fn id(text: &str) -> Outcome<Id> {
-    Id::new(text).map_err(Trouble)
+    Ok(Id::new(text)?)
 }
 
 /// A greeted socket.

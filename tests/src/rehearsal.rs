@@ -61,7 +61,7 @@ pub fn rehearse(file: &BehaviourFile, seed: u64, script: &Script, until: Millis)
     let mut edits = edits.into_iter().peekable();
     for now in (0..=until.0).step_by(STEP_MS as usize).map(Millis) {
         while let Some((_, edit)) = edits.next_if(|edit| edit.0 <= now) {
-            rehearsal.robot.edit(edit).map_err(Trouble)?;
+            rehearsal.robot.edit(edit).map_err(|fault| Trouble(fault.to_string()))?;
         }
         rehearsal.step(now);
     }
@@ -98,7 +98,7 @@ impl Rehearsal {
             Emission::Value { at, stream, value } => {
                 emitted.extend(actions.get(&stream).map(|user| (at, user, value.clone())));
             }
-            Emission::Fault { at, error, .. } => report.troubles.push((at, error.to_owned())),
+            Emission::Fault { at, error, .. } => report.troubles.push((at, error.to_string())),
         };
         for reading in self.readings.drain(..) {
             if let Some(stream) = self.run.stream_index(reading.to.stream.as_str()) {
@@ -128,7 +128,7 @@ impl Rehearsal {
 fn open(robot: &mut SimulatedNao, run: &Run, kind: StreamKind) -> Outcome<BTreeMap<StreamIx, Use>> {
     let mut uses = BTreeMap::new();
     for (index, info) in run.streams().enumerate().filter(|(_, info)| info.kind == kind) {
-        let user = Use { run: RUN, stream: Id::new(&info.id).map_err(Trouble)? };
+        let user = Use { run: RUN, stream: Id::new(&info.id)? };
         let device = info.device.as_deref().unwrap_or_default();
         let opened = robot.open(&user, device, &info.params);
         opened.map_err(|reason| Trouble(format!("“{}”: {reason}", info.name)))?;

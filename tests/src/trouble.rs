@@ -53,6 +53,12 @@ impl From<serde_json::Error> for Trouble {
     }
 }
 
+impl From<behaviour::BadId> for Trouble {
+    fn from(bad: behaviour::BadId) -> Trouble {
+        Trouble(bad.to_string())
+    }
+}
+
 impl From<shell::Trouble> for Trouble {
     fn from(error: shell::Trouble) -> Trouble {
         Trouble(error.to_string())

@@ -4,6 +4,8 @@ mod fingerprint;
 mod of;
 mod records;
 
+pub use records::{Flaw, FlawKind};
+
 use crate::{Engine, Params, Place, StreamKind, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

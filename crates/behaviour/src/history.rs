@@ -89,12 +89,8 @@ fn check_record(record: &Record) -> Result<(), Refusal> {
 fn check_stream(stream: &Stream) -> Result<(), Refusal> {
     let has_device = stream.device.is_some();
     match stream.kind {
-        StreamKind::Ordinary if has_device => {
-            Err(Refusal::Device("an ordinary stream has no sense or action".to_owned()))
-        }
-        StreamKind::Sensor | StreamKind::Actuator if !has_device => {
-            Err(Refusal::Device(format!("“{}” has no sense or action", stream.name)))
-        }
+        StreamKind::Ordinary if has_device => Err(Refusal::OrdinaryDevice),
+        StreamKind::Sensor | StreamKind::Actuator if !has_device => Err(Refusal::NoDevice(stream.name.clone())),
         StreamKind::Ordinary | StreamKind::Sensor | StreamKind::Actuator => Ok(()),
     }
 }

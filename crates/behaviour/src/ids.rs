@@ -12,6 +12,19 @@ pub const LIBRARY: &str = "library";
 /// The longest id, in characters.
 pub(crate) const ID_MAX_CHARS: usize = 64;
 
+/// Why a text is no id. [`std::fmt::Display`] says it in a few English words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BadId {
+    /// This text is empty, longer than 64 characters or has a character outside the set.
+    Id(String),
+    /// This text is not written like the id of a record.
+    RecordId(String),
+    /// No kind of record has this word.
+    Kind(String),
+}
+
+impl std::error::Error for BadId {}
+
 /// A short text that names one thing for ever. 1 to 64 characters out of `A-Z a-z 0-9 _ -`.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Id(Arc<str>);
@@ -20,15 +33,11 @@ impl Id {
     /// An id from a text.
     ///
     /// # Errors
-    /// A sentence, if the text is empty, longer than 64 characters or has a character outside the set.
-    pub fn new(text: &str) -> Result<Self, String> {
+    /// The text, if it is empty, longer than 64 characters or has a character outside the set.
+    pub fn new(text: &str) -> Result<Self, BadId> {
         let fits = (1..=ID_MAX_CHARS).contains(&text.len())
             && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_' || byte == b'-');
-        if fits {
-            Ok(Self(Arc::from(text)))
-        } else {
-            Err(format!("an id has 1 to {ID_MAX_CHARS} letters, digits, - or _; {text:?} does not"))
-        }
+        if fits { Ok(Self(Arc::from(text))) } else { Err(BadId::Id(text.to_owned())) }
     }
 
     /// The id of a UUID handed in by the caller.
@@ -51,8 +60,8 @@ impl fmt::Display for Id {
 }
 
 impl FromStr for Id {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
+    type Err = BadId;
+    fn from_str(text: &str) -> Result<Self, BadId> {
         Self::new(text)
     }
 }
@@ -134,11 +143,11 @@ impl fmt::Display for RecordId {
 }
 
 impl FromStr for RecordId {
-    type Err = String;
-    fn from_str(text: &str) -> Result<Self, String> {
-        let (word, id) = text.split_once('/').ok_or_else(|| format!("{text:?} is not a record id like stream/3f2a"))?;
+    type Err = BadId;
+    fn from_str(text: &str) -> Result<Self, BadId> {
+        let (word, id) = text.split_once('/').ok_or_else(|| BadId::RecordId(text.to_owned()))?;
         let kind = WORDS.iter().find(|(_, known)| *known == word).map(|(kind, _)| *kind);
-        let kind = kind.ok_or_else(|| format!("{word:?} is no kind of record"))?;
+        let kind = kind.ok_or_else(|| BadId::Kind(word.to_owned()))?;
         Ok(Self { kind, id: Id::new(id)? })
     }
 }

@@ -31,10 +31,10 @@ mod words;
 
 pub use change::{Change, Edit};
 pub use fields::{Fields, Names};
-pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
+pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Flaw, FlawKind};
 pub use graph::Graph;
 pub use history::History;
-pub use ids::{Id, Kind, LIBRARY, RecordId};
+pub use ids::{BadId, Id, Kind, LIBRARY, RecordId};
 pub use locks::{
     Asked, Denied, Grant, Held, Holder, LOCKED_MAX, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks,
     Presented, Token, Why,

@@ -42,6 +42,8 @@ pub enum ProblemKind {
         /// How many it would get.
         gets: usize,
     },
+    /// A helper without a procedure.
+    EmptyHelper(String),
     /// A helper that cannot run; with the reason.
     Helper {
         /// The helper.
@@ -158,7 +160,7 @@ fn helper_problem(
         return Some(ProblemKind::HelperInputs { helper: name.to_owned(), takes: helper.params.len(), gets });
     }
     if helper.body.trim().is_empty() {
-        return Some(ProblemKind::Helper { helper: name.to_owned(), reason: "it has no procedure yet".to_owned() });
+        return Some(ProblemKind::EmptyHelper(name.to_owned()));
     }
     let reason = knowledge.body(&helper.params, &helper.body).err()?;
     Some(ProblemKind::Helper { helper: name.to_owned(), reason })

@@ -92,6 +92,14 @@ pub enum Refusal {
     InputTwice(String),
     /// The beat in milliseconds is outside its range.
     Rate(u64),
+    /// A parameter of a device is no finite number.
+    Infinite,
+    /// No device is chosen for the stream of this kind and name.
+    NeedsDevice(StreamKind, String),
+    /// The sensor or actuator stream of this name has no device.
+    NoDevice(String),
+    /// An ordinary stream has a device.
+    OrdinaryDevice,
     /// The device or its parameters do not fit; with the reason.
     Device(String),
     /// The body cannot run; with the reason and its place.
@@ -203,13 +211,12 @@ fn shortened(text: &str) -> String {
 fn check_stream(stream: &Stream, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
     check_name(&stream.name)?;
     if stream.params.values().any(|value| !value.is_finite()) {
-        return Err(Refusal::Device("a parameter is not a finite number".into()));
+        return Err(Refusal::Infinite);
     }
     match (stream.kind, &stream.device) {
         (StreamKind::Ordinary, None) => Ok(()),
-        (StreamKind::Ordinary, Some(_)) => Err(Refusal::Device("an ordinary stream has no sense or action".into())),
-        (StreamKind::Sensor, None) => Err(Refusal::Device(format!("choose a sense for “{}”", stream.name))),
-        (StreamKind::Actuator, None) => Err(Refusal::Device(format!("choose an action for “{}”", stream.name))),
+        (StreamKind::Ordinary, Some(_)) => Err(Refusal::OrdinaryDevice),
+        (kind, None) => Err(Refusal::NeedsDevice(kind, stream.name.clone())),
         (kind, Some(device)) => knowledge.device(kind, device, &stream.params).map_err(Refusal::Device),
     }
 }

@@ -1,6 +1,7 @@
 //! Every refusal and problem in one English sentence that says what to do.
 
-use crate::{Problem, ProblemKind, Refusal, connectors};
+use crate::ids::ID_MAX_CHARS;
+use crate::{BadId, FORMAT, Flaw, FlawKind, Problem, ProblemKind, Refusal, StreamKind, connectors};
 use std::fmt;
 
 impl fmt::Display for Refusal {
@@ -49,6 +50,13 @@ impl fmt::Display for Refusal {
             }
             Self::InputTwice(name) => write!(to, "“{name}” is chosen twice. Choose every stream once."),
             Self::Rate(_) => to.write_str("The rate must be from 1 to 3,600,000 milliseconds."),
+            Self::Infinite => to.write_str("A parameter is not a finite number."),
+            Self::NeedsDevice(kind, name) => {
+                let what = if *kind == StreamKind::Sensor { "a sense" } else { "an action" };
+                write!(to, "Choose {what} for “{name}”.")
+            }
+            Self::NoDevice(name) => write!(to, "“{name}” has no sense or action."),
+            Self::OrdinaryDevice => to.write_str("An ordinary stream has no sense or action."),
             Self::Device(reason) => write!(to, "{}.", capital(reason)),
             Self::Body(reason) => write!(to, "This procedure cannot run: {reason}."),
             Self::Identifier(name) => {
@@ -83,6 +91,9 @@ impl fmt::Display for Problem {
                 write!(to, "The helper “{helper}” takes {takes} values, but gets {gets}. Choose another.")
             }
             ProblemKind::Helper { helper, reason } => write!(to, "The helper “{helper}” cannot run: {reason}."),
+            ProblemKind::EmptyHelper(helper) => {
+                write!(to, "The helper “{helper}” cannot run: it has no procedure yet.")
+            }
             ProblemKind::Body(reason) => write!(to, "The procedure of {name} cannot run: {reason}."),
             ProblemKind::Device(reason) => write!(to, "{}.", capital(reason)),
             ProblemKind::NoSource => write!(to, "“{name}” gets no values. Lead a connector to it."),
@@ -95,6 +106,40 @@ impl fmt::Display for Problem {
                      the same stream together there, or put a sample before it."
                 )
             }
+        }
+    }
+}
+
+impl fmt::Display for BadId {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Id(text) => write!(to, "an id has 1 to {ID_MAX_CHARS} letters, digits, - or _; {text:?} does not"),
+            Self::RecordId(text) => write!(to, "{text:?} is not a record id like stream/3f2a"),
+            Self::Kind(word) => write!(to, "{word:?} is no kind of record"),
+        }
+    }
+}
+
+impl fmt::Display for Flaw {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        write!(to, "{}: {}", self.at, self.kind)
+    }
+}
+
+impl fmt::Display for FlawKind {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Format(format) => write!(to, "{format:?} is not {FORMAT}"),
+            Self::Id(bad) => write!(to, "{bad}"),
+            Self::IdTwice => to.write_str("this id is used twice"),
+            Self::Order { here, above } => {
+                write!(to, "its order {here} comes before {above}, the one above it; leave order out of the file")
+            }
+            Self::OrderOfNothing => to.write_str("order names it, but there is no such stream or connector"),
+            Self::NoStream(id) => write!(to, "there is no stream {id:?}"),
+            Self::NoConnector(word) => write!(to, "there is no connector {word:?}"),
+            Self::NoPeriod(word) => write!(to, "{word} needs a periodMs of 1 or more"),
+            Self::BodyAndHelper => to.write_str("it has both a body and a helper"),
         }
     }
 }

@@ -1,8 +1,8 @@
 //! A behaviour as a file and back: nothing that its records hold is lost.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Connector, Id, Kind, Note, Params, Place, Procedure, Record, RecordId, Settings, Stream,
-    StreamKind, connectors,
+    Behaviour, BehaviourFile, Connector, Flaw, FlawKind, Id, Kind, Note, Params, Place, Procedure, Record, RecordId,
+    Settings, Stream, StreamKind, connectors,
 };
 
 fn id(text: &str) -> Id {
@@ -65,6 +65,7 @@ fn creation_numbers_that_contradict_the_file_are_refused() {
     let mut file = BehaviourFile::of(&full(), &[]);
     file.order.insert("s2".to_owned(), 99);
     let faults = file.records(|_| None).unwrap_err();
+    let faults: Vec<_> = faults.iter().map(ToString::to_string).collect();
     assert_eq!(faults, ["s0: its order 5 comes before 99, the one above it; leave order out of the file"]);
     file.order = [("nobody".to_owned(), 1)].into();
     assert_eq!(file.records(|_| None).unwrap_err().len(), 1);
@@ -74,5 +75,6 @@ fn creation_numbers_that_contradict_the_file_are_refused() {
 fn an_id_names_one_thing() {
     let mut file = BehaviourFile::of(&full(), &[]);
     file.notes[0].id = "c0".to_owned();
-    assert_eq!(file.records(|_| None).unwrap_err(), ["c0: this id is used twice"]);
+    let twice = Flaw { at: "c0".to_owned(), kind: FlawKind::IdTwice };
+    assert_eq!(file.records(|_| None).unwrap_err(), [twice]);
 }

@@ -201,6 +201,7 @@ fn a_file_with_faults_says_which() {
         {"id":"a","kind":"ordinary","name":"B"}],"connectors":[{"id":"c","type":"fly","inputs":["a"],"output":"zz"}]}"#;
     let file: BehaviourFile = serde_json::from_str(text).unwrap();
     let faults = file.records(|_| None).unwrap_err();
+    let faults: Vec<_> = faults.iter().map(ToString::to_string).collect();
     assert_eq!(faults, ["a: this id is used twice", "c: there is no connector \"fly\""]);
     assert!(
         serde_json::from_str::<BehaviourFile>(&text.replace("\"name\":\"x\"", "\"name\":\"x\",\"extra\":1")).is_err()

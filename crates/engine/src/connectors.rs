@@ -16,7 +16,7 @@ mod subscribe;
 mod timestamp;
 mod with_latest;
 
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
 use behaviour::Value;
 use robot::Millis;
@@ -73,7 +73,7 @@ pub(crate) trait Connector {
     ///
     /// # Errors
     /// The fault that dropped a value; already counted.
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>>;
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>>;
 
     /// When it gives something by itself next, if it will.
     fn due(&self) -> Option<Millis> {

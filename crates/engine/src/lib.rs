@@ -7,6 +7,7 @@
 mod arbitration;
 mod connectors;
 mod cost;
+mod faults;
 mod procedure;
 mod program;
 mod rhai;
@@ -16,7 +17,10 @@ mod values;
 
 pub use arbitration::{Claim, HeldBy, Precedence};
 pub use cost::Limits;
-pub use procedure::{Fault, check_body, try_body};
+pub use faults::{
+    BodyFault, CallFault, Fault, Misuse, Place, Reason, RunFault, Syntax, TrialFault, ValueFault, ValueKind,
+};
+pub use procedure::{check_body, try_body};
 pub use program::{ConnectorInfo, Program, StreamInfo, validate};
 pub use run::{Handover, Matching, Run};
 pub use timeline::{Emission, End};

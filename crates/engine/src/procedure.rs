@@ -3,26 +3,24 @@
 mod calls;
 mod closures;
 pub(crate) mod compiled;
-mod fault;
 pub(crate) mod helpers;
 mod parse;
 mod trial;
 mod walk;
 
-pub use fault::Fault;
 pub use trial::{check_body, try_body};
 
 use crate::rhai::conversion::{from_rhai, put_rhai};
 use crate::values::in_place::Number;
 
 use crate::cost::variable_cost::VariableCost;
-use crate::rhai::sandbox::is_interrupted;
-use crate::rhai::words;
+use crate::faults::{BodyFault, CallFault};
+use crate::rhai::faults::fault;
 use behaviour::Value;
 use compiled::{Compiled, Short};
 use helpers::{Functions, Helpers};
 use parse::{compile, scope_of};
-use rhai::{AST, Dynamic, Engine, EvalAltResult, Scope};
+use rhai::{AST, Dynamic, Engine, Scope};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 
@@ -50,18 +48,9 @@ struct Parsed {
     slots: Scope<'static>,
 }
 
-/// Why a call gave no value.
-#[derive(Debug, PartialEq)]
-pub(crate) struct Failed {
-    /// In plain words.
-    pub(crate) reason: String,
-    /// True if the caller's interrupt ended it.
-    pub(crate) deadline: bool,
-}
-
 impl Procedure {
     /// Compiles a body that may call `helpers`.
-    pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, String> {
+    pub(crate) fn compile(engine: &Engine, helpers: &Helpers, names: &[String], body: &str) -> Result<Self, BodyFault> {
         let ast = compile(engine, names, body)?;
         helpers.check(&ast)?;
         let compiled = helpers.compiled().and_then(|compiled| Compiled::of(&ast, names, compiled));
@@ -97,7 +86,7 @@ impl Procedure {
     }
 
     /// What the procedure makes of the inputs.
-    pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+    pub(crate) fn call(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let compiled = self.compiled.as_ref().and_then(|compiled| compiled.call(inputs));
         compiled.map_or_else(|| self.interpret(engine, inputs), Ok)
     }
@@ -109,9 +98,9 @@ impl Procedure {
     }
 
     /// What Rhai makes of the inputs.
-    pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+    pub(crate) fn interpret(&mut self, engine: &Engine, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let Interpreted { names, parsed, cost, .. } =
-            self.interpreted.ready(engine).map_err(|reason| failed(&reason))?;
+            self.interpreted.ready(engine).map_err(|fault| CallFault::Unread(Box::new(fault)))?;
         let Some(Parsed { ast, slots }) = parsed.as_deref_mut() else { return Ok(Value::Null) };
         for (name, input) in names.iter().zip(inputs) {
             if let Some(slot) = slots.get_mut(name) {
@@ -123,38 +112,22 @@ impl Procedure {
         let result = catch_unwind(AssertUnwindSafe(run));
         drop(counting);
         slots.rewind(names.len());
-        let made = result.map_err(|_| failed("it broke the procedure language; write it another way"))?;
-        from_rhai(made.map_err(|error| fault(&error))?).map_err(|reason| failed(&reason))
+        let made = result.map_err(|_| CallFault::Broken)?;
+        Ok(from_rhai(made.map_err(|error| fault(&error))?).map_err(CallFault::Value)?)
     }
 }
 
 impl Interpreted {
-    fn parsed_of(&self, engine: &Engine, ast: AST) -> Result<Parsed, String> {
+    fn parsed_of(&self, engine: &Engine, ast: AST) -> Result<Parsed, BodyFault> {
         Ok(Parsed { ast: self.functions.joined(engine, ast)?, slots: scope_of(&self.names) })
     }
 
     /// Reads the body with Rhai unless that is done.
-    fn ready(&mut self, engine: &Engine) -> Result<&mut Self, String> {
+    fn ready(&mut self, engine: &Engine) -> Result<&mut Self, BodyFault> {
         if self.parsed.is_none() {
             let ast = compile(engine, &self.names, &self.body)?;
             self.parsed = Some(Box::new(self.parsed_of(engine, ast)?));
         }
         Ok(self)
     }
-}
-
-fn fault(error: &EvalAltResult) -> Box<Failed> {
-    Box::new(Failed { reason: words::fault(error), deadline: is_interrupt(error) })
-}
-
-fn is_interrupt(error: &EvalAltResult) -> bool {
-    match error {
-        EvalAltResult::ErrorTerminated(token, _) => is_interrupted(token),
-        EvalAltResult::ErrorInFunctionCall(_, _, inner, _) => is_interrupt(inner),
-        _ => false,
-    }
-}
-
-fn failed(reason: &str) -> Box<Failed> {
-    Box::new(Failed { reason: reason.to_owned(), deadline: false })
 }

@@ -7,9 +7,9 @@ pub use handover::Handover;
 pub use matching::Matching;
 
 use crate::cost::Limits;
-use crate::procedure::Fault;
+use crate::faults::{Fault, RunFault};
 use crate::program::{ConnectorInfo, Program, StreamInfo};
-use crate::timeline::{Core, Emission, End, Event, Frame, multiplied};
+use crate::timeline::{Core, Emission, End, Event, Frame};
 use crate::values::{ConnectorIx, IndexVec, Stats, StreamIx};
 use behaviour::{BehaviourFile, Engine, StreamKind, Value};
 use robot::Millis;
@@ -126,12 +126,12 @@ impl Run {
         self.core.end
     }
 
-    /// What went wrong if it ended by itself and nobody stopped it, and what to do about it; without a dot at the end.
+    /// What went wrong if it ended by itself and nobody stopped it.
     #[must_use]
-    pub fn fault(&self) -> Option<String> {
+    pub fn fault(&self) -> Option<RunFault> {
         match self.core.end? {
             End::Stopped => None,
-            End::Multiplied { stream, .. } => Some(multiplied(&self.core.graph.streams[stream].name)),
+            End::Multiplied { stream, .. } => Some(RunFault::Multiplied(self.core.graph.streams[stream].name.clone())),
         }
     }
 

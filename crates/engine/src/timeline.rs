@@ -9,13 +9,13 @@ mod memory;
 mod plan;
 mod schedule;
 
+use crate::faults::CallFault;
 use crate::values::{ConnectorIx, StreamIx};
 use behaviour::Value;
 use robot::Millis;
 
 pub(crate) use self::core::Core;
 pub use end::End;
-pub(crate) use end::multiplied;
 pub(crate) use event::Event;
 pub(crate) use frame::Frame;
 pub(crate) use memory::RunMemory;
@@ -38,8 +38,8 @@ pub enum Emission<'a> {
         at: Millis,
         /// The connector.
         connector: ConnectorIx,
-        /// In plain words.
-        error: &'a str,
+        /// What went wrong.
+        error: &'a CallFault,
         /// True if the caller's interrupt ended the procedure.
         deadline: bool,
     },

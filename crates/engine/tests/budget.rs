@@ -62,7 +62,7 @@ fn values_that_multiply_end_the_run_at_the_same_value_everywhere() {
     let told = play(&mut run);
     let at = run.stream_index("m15").unwrap();
     assert_eq!(run.ended(), Some(End::Multiplied { at: Millis(5), stream: at }));
-    let fault = run.fault().unwrap();
+    let fault = run.fault().unwrap().to_string();
     assert!(fault.starts_with("values multiply at “Merged m15”: one reading became more than 100,000"), "{fault}");
     assert!((50_000..110_000).contains(&told.0), "{}", told.0);
     let again = play(&mut run);

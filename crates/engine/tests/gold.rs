@@ -39,7 +39,7 @@ fn play(case: &Path, mode: Engine, compiled: bool) -> Vec<Json> {
                 serde_json::json!({"t": at.0, "stream": streams[stream.index()], "value": value})
             }
             Emission::Fault { at, connector, error, .. } => {
-                serde_json::json!({"t": at.0, "connector": connectors[connector.index()], "error": error})
+                serde_json::json!({"t": at.0, "connector": connectors[connector.index()], "error": error.to_string()})
             }
         });
     };

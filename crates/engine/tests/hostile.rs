@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{BehaviourFile, FileHelper, Value};
-use engine::{Emission, Limits, Run, check_body, try_body};
+use engine::{CallFault, Emission, Limits, Run, TrialFault, check_body, try_body};
 use robot::Millis;
 use serde_json::json;
 use std::cell::Cell;
@@ -19,7 +19,7 @@ const STACK: usize = 1024 * 1024;
 const PATIENCE: u32 = 3;
 
 fn run(body: &str, limits: &Limits) -> Result<Value, String> {
-    try_body(&[], &["x".to_owned()], body, &[Value::Int(1)], limits)
+    try_body(&[], &["x".to_owned()], body, &[Value::Int(1)], limits).map_err(|fault| fault.to_string())
 }
 
 /// What is wrong with the verdict on a body, if anything. How deep a value gets is asked without a limit of steps.
@@ -27,7 +27,7 @@ fn judge(body: &str, verdict: &Verdict) -> Option<String> {
     let operations = if scripts::is_nested(body) { u64::MAX } else { Limits::default().operations };
     let (checked, made) = (check_body(&["x".to_owned()], body), run(body, &Limits { operations, ..Limits::default() }));
     let right = match verdict {
-        Refused(text) => checked.as_ref().is_err_and(|reason| reason.contains(text)),
+        Refused(text) => checked.as_ref().is_err_and(|fault| fault.to_string().contains(text)),
         Fault(text) => checked.is_ok() && made.as_ref().is_err_and(|reason| reason.contains(text)),
         Endless => checked.is_ok() && made.as_ref().is_err_and(|reason| reason.contains("too many steps")),
         Gives(value) => checked.is_ok() && made.as_ref().is_ok_and(|made| made.to_string() == *value),
@@ -94,7 +94,7 @@ fn a_helper_with_the_name_of_a_list_function_is_not_trusted_with_closures() {
     let keeps = FileHelper { name: "map".into(), params: vec!["f".into()], body: "f".into(), says: String::new() };
     let body = "let a = 1; a = map(|| a); 2";
     let made = try_body(&[keeps], &[], body, &[], &Limits::default());
-    assert!(made.is_err_and(|reason| reason.contains("only be called or handed to a list")));
+    assert!(made.is_err_and(|fault| fault.to_string().contains("only be called or handed to a list")));
 }
 
 #[test]
@@ -150,8 +150,8 @@ fn calls_at_the_limit_of_depth_fit_the_stack() {
             let sum = i64::try_from(length * depth + 1).unwrap();
             assert_eq!(run(length, depth), Ok(Value::Int(sum)), "{length} helpers of depth {depth}");
         }
-        assert!(run(40, 10).is_err_and(|reason| reason.contains("calls are nested too deep")));
-        assert!(run(1, 40).is_err_and(|reason| reason.contains("nested too deep")));
+        assert_eq!(run(40, 10), Err(TrialFault::Call(Box::new(CallFault::Nested))));
+        assert!(run(1, 40).is_err_and(|fault| fault.to_string().contains("nested too deep")));
     });
 }
 
@@ -171,7 +171,7 @@ fn the_interrupt_ends_a_procedure_that_runs() {
         counter.get() == 10
     });
     let made = try_body(&[], &[], "loop { try { loop { } } catch { } }", &[], &limits);
-    assert!(made.is_err_and(|reason| reason.contains("took too long")));
+    assert_eq!(made, Err(TrialFault::Call(Box::new(CallFault::Interrupted))));
     assert_eq!(asked.get(), 10);
 }
 
@@ -195,7 +195,7 @@ fn hand(run: &mut Run, values: impl Iterator<Item = Value>) -> (Vec<Value>, Vec<
     let mut hear = |emission: Emission| match emission {
         Emission::Value { stream, value, .. } if stream == b => made.push(value.clone()),
         Emission::Value { .. } => {}
-        Emission::Fault { error, .. } => faults.push(error.to_owned()),
+        Emission::Fault { error, .. } => faults.push(error.to_string()),
     };
     let mut at = 0;
     for value in values {

@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "a test may give up")]
 
 use behaviour::{BehaviourFile, Value};
-use engine::{ConnectorIx, Emission, Limits, Run, StreamIx, validate};
+use engine::{CallFault, ConnectorIx, Emission, Limits, Run, StreamIx, validate};
 use robot::Millis;
 use std::cell::Cell;
 use std::rc::Rc;
@@ -121,7 +121,7 @@ fn a_faulting_combine_keeps_the_new_value() {
     assert_eq!((stats.fired, stats.faults, run.last_output(ConnectorIx::of(0))), (1, 2, Some(&Value::Int(4))));
     let fault = stats.last_fault.as_ref().unwrap();
     assert_eq!(fault.at, Millis(2));
-    assert_eq!(fault.error, "division by zero has no result; check first that the number is not 0");
+    assert_eq!(fault.error, CallFault::ByZero);
     assert_eq!(fault.inputs, [Value::Int(2), Value::Int(0)]);
     assert_eq!(run.stats().streams[StreamIx::of(0)].count, 2);
 }

@@ -2,14 +2,14 @@
 //! procedure takes the same number of steps everywhere.
 
 use behaviour::Value;
-use engine::{Limits, try_body};
+use engine::{Limits, TrialFault, try_body};
 
 /// More steps than any procedure here takes.
 const MANY: u64 = 1 << 22;
 /// A tenth of the steps that a procedure has.
 const TENTH: u64 = 1_000;
 
-fn run(body: &str, x: &Value, operations: u64) -> Result<Value, String> {
+fn run(body: &str, x: &Value, operations: u64) -> Result<Value, TrialFault> {
     let limits = Limits { operations, ..Limits::default() };
     try_body(&[], &["x".to_owned()], body, std::slice::from_ref(x), &limits)
 }

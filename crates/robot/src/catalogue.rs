@@ -1,6 +1,6 @@
 //! The catalogue: every sense and action, declared once; palette, forms, checks and help are drawn from it.
 
-use crate::params::{Param, check_params};
+use crate::params::{DeviceFault, Param, check_params};
 use crate::{Shape::Object, devices};
 use behaviour::connectors::Carries;
 use behaviour::{Params, StreamKind, Value};
@@ -141,8 +141,8 @@ impl Device {
     /// Whether these parameters fit: known names, right kinds, inside their ranges.
     ///
     /// # Errors
-    /// A sentence for the person.
-    pub fn check(&self, params: &Params) -> Result<(), String> {
+    /// The first parameter that does not fit.
+    pub fn check(&self, params: &Params) -> Result<(), DeviceFault> {
         check_params(self.params, params)
     }
 }
@@ -160,12 +160,8 @@ pub fn actuators() -> impl Iterator<Item = &'static Device> {
 /// One device by kind and name.
 ///
 /// # Errors
-/// A sentence, if there is none.
-pub fn device(kind: StreamKind, name: &str) -> Result<&'static Device, String> {
+/// Its kind and name, if there is none.
+pub fn device(kind: StreamKind, name: &str) -> Result<&'static Device, DeviceFault> {
     let found = devices::ALL.iter().copied().find(|device| device.kind == kind && device.name == name);
-    found.ok_or_else(|| {
-        let what = if kind == StreamKind::Sensor { "sense" } else { "action" };
-        let shown: String = name.chars().take(40).collect();
-        format!("there is no {what} called “{shown}”; choose one from the list")
-    })
+    found.ok_or_else(|| DeviceFault::Unknown(kind, name.to_owned()))
 }

@@ -1,11 +1,11 @@
 //! Whether a behaviour can run on a robot, and what is missing if not.
 
-use crate::device;
+use crate::{DeviceFault, device};
 use behaviour::{Behaviour, Id, StreamKind};
 use std::fmt;
 
 /// A stream that a robot cannot serve. [`fmt::Display`] says it in one English sentence.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Missing {
     /// The stream.
     pub stream: Id,
@@ -16,14 +16,14 @@ pub struct Missing {
 }
 
 /// Why a robot cannot serve a stream.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Why {
     /// No device is chosen.
     NotChosen,
     /// The robot does not have this device.
     NotThere(String),
-    /// The device does not fit; with the reason.
-    DoesNotFit(String),
+    /// The device does not fit.
+    DoesNotFit(DeviceFault),
 }
 
 impl fmt::Display for Missing {

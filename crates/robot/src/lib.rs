@@ -4,6 +4,7 @@
 
 mod catalogue;
 mod devices;
+mod fault;
 mod fits;
 mod helpers;
 mod params;
@@ -13,9 +14,10 @@ mod scene;
 pub use catalogue::{
     Device, Example, Field, NextStep, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
+pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
-pub use params::{Param, ParamKind, with_defaults};
+pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Person, Scene, SceneEdit};
 
 use behaviour::{Id, Params, Value};
@@ -74,19 +76,19 @@ pub trait Robot {
     /// Starts or prepares a device for a stream.
     ///
     /// # Errors
-    /// A sentence, if the robot does not have the device or cannot use it with these parameters.
-    fn open(&mut self, user: &Use, device: &str, params: &Params) -> Result<(), String>;
+    /// Why not, if the robot does not have the device or cannot use it with these parameters.
+    fn open(&mut self, user: &Use, device: &str, params: &Params) -> Result<(), RobotFault>;
 
     /// Ends the use at once and safely, and nobody else's: what it says is cut unless another use wants the same said,
     /// what it follows ends, and the joints that it moved last hold where they are. Unknown uses are ignored.
     fn close(&mut self, user: &Use);
 
     /// Tells the actuator of a stream a value at robot time `now`: the time of the next [`Robot::poll`], also if it is
-    /// told long before that one is due. Values that make no sense for the device are dropped with a sentence.
+    /// told long before that one is due. Values that make no sense for the device are dropped.
     ///
     /// # Errors
-    /// A sentence, if the value was dropped.
-    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), String>;
+    /// Why, if the value was dropped.
+    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), RobotFault>;
 
     /// Brings the robot to `now` (a simulation computes up to there) and appends what its senses read, in order.
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>);

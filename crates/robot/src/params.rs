@@ -1,6 +1,36 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
-use behaviour::{Params, Value};
+use behaviour::{Params, StreamKind, Value};
+use std::fmt;
+
+/// Why a device, or what was chosen for it, does not fit. [`std::fmt::Display`] says it in a few English words.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DeviceFault {
+    /// There is no device of this kind and name.
+    Unknown(StreamKind, String),
+    /// The device has no parameter of this name.
+    NoParam(String),
+    /// The parameter of this label is none of these, as people call them.
+    Choice(&'static str, &'static [(&'static str, &'static str)]),
+    /// The parameter is no number within its range.
+    Number {
+        /// What a person calls it.
+        label: &'static str,
+        /// The smallest.
+        min: f64,
+        /// The largest.
+        max: f64,
+        /// Its unit.
+        unit: &'static str,
+    },
+    /// The parameter of this label is no text.
+    Text(&'static str),
+    /// The text of the parameter of this label is longer than so many characters.
+    TooLong(&'static str, usize),
+}
+
+/// The longest name that a sentence shows, in characters.
+const SHOWN_MAX_CHARS: usize = 40;
 
 /// One parameter.
 #[derive(Clone, Copy, Debug)]
@@ -51,33 +81,55 @@ impl Param {
         }
     }
 
-    fn check(&self, value: &Value) -> Result<(), String> {
+    fn check(&self, value: &Value) -> Result<(), DeviceFault> {
+        let label = self.label;
         match self.kind {
             ParamKind::Choice(options) if options.iter().any(|option| value.as_text() == Some(option.0)) => Ok(()),
-            ParamKind::Choice(options) => {
-                let words: Vec<_> = options.iter().map(|option| option.1).collect();
-                Err(format!("{} must be one of: {}", self.label, words.join(", ")))
-            }
+            ParamKind::Choice(options) => Err(DeviceFault::Choice(label, options)),
             ParamKind::Number { min, max, .. } if value.as_number().is_some_and(|n| (min..=max).contains(&n)) => Ok(()),
-            ParamKind::Number { min, max, unit, .. } => {
-                Err(format!("{} must be a number from {min} to {max} {unit}", self.label).trim_end().to_owned())
-            }
+            ParamKind::Number { min, max, unit, .. } => Err(DeviceFault::Number { label, min, max, unit }),
             ParamKind::Text { max_chars, .. } => match value.as_text() {
                 Some(text) if text.chars().count() <= max_chars => Ok(()),
-                Some(_) => Err(format!("{} may have {max_chars} characters", self.label)),
-                None => Err(format!("{} must be a text", self.label)),
+                Some(_) => Err(DeviceFault::TooLong(label, max_chars)),
+                None => Err(DeviceFault::Text(label)),
             },
         }
     }
 }
 
-pub(crate) fn check_params(known: &[Param], given: &Params) -> Result<(), String> {
+pub(crate) fn check_params(known: &[Param], given: &Params) -> Result<(), DeviceFault> {
     for (name, value) in given {
         let param = known.iter().find(|param| param.name == name);
-        let shown: String = name.chars().take(40).collect();
-        param.ok_or_else(|| format!("there is no setting called “{shown}” here"))?.check(value)?;
+        param.ok_or_else(|| DeviceFault::NoParam(name.clone()))?.check(value)?;
     }
     Ok(())
+}
+
+impl std::error::Error for DeviceFault {}
+
+impl fmt::Display for DeviceFault {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Unknown(kind, name) => {
+                let what = if *kind == StreamKind::Sensor { "sense" } else { "action" };
+                write!(to, "there is no {what} called “{}”; choose one from the list", shown(name))
+            }
+            Self::NoParam(name) => write!(to, "there is no setting called “{}” here", shown(name)),
+            Self::Choice(label, options) => {
+                let words: Vec<_> = options.iter().map(|option| option.1).collect();
+                write!(to, "{label} must be one of: {}", words.join(", "))
+            }
+            Self::Number { label, min, max, unit: "" } => write!(to, "{label} must be a number from {min} to {max}"),
+            Self::Number { label, min, max, unit } => write!(to, "{label} must be a number from {min} to {max} {unit}"),
+            Self::Text(label) => write!(to, "{label} must be a text"),
+            Self::TooLong(label, max_chars) => write!(to, "{label} may have {max_chars} characters"),
+        }
+    }
+}
+
+/// A name, or its beginning.
+pub(crate) fn shown(name: &str) -> String {
+    name.chars().take(SHOWN_MAX_CHARS).collect()
 }
 
 /// The given parameters with defaults where nobody chose.

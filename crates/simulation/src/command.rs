@@ -4,14 +4,14 @@ use crate::device::{Act, words};
 use crate::eyes::color;
 use crate::nao::{PRINTED_MAX, SimulatedNao};
 use behaviour::Value;
-use robot::Use;
+use robot::{RobotFault, Use};
 
 /// Longest printed text in characters.
 const PRINT_MAX_CHARS: usize = 200;
 
 impl SimulatedNao {
     /// Does what an action does with a finite value.
-    pub(crate) fn act(&mut self, user: &Use, act: &Act, value: &Value) -> Result<(), String> {
+    pub(crate) fn act(&mut self, user: &Use, act: &Act, value: &Value) -> Result<(), RobotFault> {
         match act {
             Act::Track { target, mode, effector } => {
                 self.engage(user, (*target, *mode, *effector), value);
@@ -30,7 +30,7 @@ impl SimulatedNao {
         }
     }
 
-    fn move_joint(&mut self, user: &Use, motor: usize, speed: f32, value: &Value) -> Result<(), String> {
+    fn move_joint(&mut self, user: &Use, motor: usize, speed: f32, value: &Value) -> Result<(), RobotFault> {
         let angle = number(value)?;
         self.take_joint(motor);
         self.movers.take([motor], user);
@@ -38,9 +38,9 @@ impl SimulatedNao {
         Ok(())
     }
 
-    fn remember_face(&mut self) -> Result<(), String> {
+    fn remember_face(&mut self) -> Result<(), RobotFault> {
         let Some((person, _)) = self.see_face() else {
-            return Err("no face is in view, so none was remembered".to_owned());
+            return Err(RobotFault::NoFace);
         };
         self.known[person] = true;
         Ok(())
@@ -55,6 +55,6 @@ impl SimulatedNao {
     }
 }
 
-fn number(value: &Value) -> Result<f64, String> {
-    value.as_number().ok_or_else(|| "this action needs a number".to_owned())
+fn number(value: &Value) -> Result<f64, RobotFault> {
+    value.as_number().ok_or(RobotFault::NoNumber)
 }

@@ -4,7 +4,7 @@ use crate::body::Side;
 use crate::follow::{Effector, Mode, Target};
 use crate::model::motor;
 use behaviour::{Params, Value};
-use robot::with_defaults;
+use robot::{RobotFault, with_defaults};
 use std::sync::Arc;
 
 /// Names of the devices it has.
@@ -62,18 +62,17 @@ pub(crate) enum Act {
 }
 
 /// A device by name with its parameters checked.
-pub(crate) fn device(name: &str, given: &Params) -> Result<Device, String> {
+pub(crate) fn device(name: &str, given: &Params) -> Result<Device, RobotFault> {
     let known = robot::sensors().chain(robot::actuators()).find(|known| known.name == name);
     let Some(known) = known.filter(|_| NAMES.contains(&name)) else {
-        let shown: String = name.chars().take(40).collect();
-        return Err(format!("this robot has no device called “{shown}”"));
+        return Err(RobotFault::NoDevice(name.to_owned()));
     };
     known.check(given)?;
     let params = with_defaults(known.params, given);
     sense(name, &params)
         .map(Device::Sense)
         .or_else(|| act(name, &params).map(Device::Act))
-        .ok_or_else(|| format!("this robot cannot use “{name}” with these settings"))
+        .ok_or_else(|| RobotFault::Unusable(name.to_owned()))
 }
 
 fn text(params: &Params, name: &str) -> Option<Arc<str>> {
@@ -131,11 +130,11 @@ fn track(params: &Params) -> Option<Act> {
 }
 
 /// The words of a value that can be spoken: a text, a number, or true or false.
-pub(crate) fn words(value: &Value) -> Result<String, String> {
+pub(crate) fn words(value: &Value) -> Result<String, RobotFault> {
     match value {
         Value::Text(text) => Ok(text.to_string()),
         Value::Bool(_) | Value::Int(_) | Value::Float(_) => Ok(value.to_string()),
-        Value::Null | Value::List(_) | Value::Map(_) => Err("only a text or a number can be said".to_owned()),
+        Value::Null | Value::List(_) | Value::Map(_) => Err(RobotFault::NotSayable),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The eye lights: a colour and a brightness.
 
 use behaviour::Value;
+use robot::RobotFault;
 
 /// Both eyes; white and bright at first.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,13 +39,13 @@ fn named(name: &str) -> Option<[f32; 3]> {
 }
 
 /// The colour a setting and a value mean.
-pub(crate) fn color(setting: &str, value: &Value) -> Result<[f32; 3], String> {
+pub(crate) fn color(setting: &str, value: &Value) -> Result<[f32; 3], RobotFault> {
     let wanted = if setting == "Value" { value.as_text() } else { Some(setting) };
     let found = match wanted {
         Some(name) => named(name.trim()),
         None => parts(value),
     };
-    found.ok_or_else(|| "a colour is a name like “red”, or r, g and b from 0 to 1".to_owned())
+    found.ok_or(RobotFault::NoColor)
 }
 
 fn parts(value: &Value) -> Option<[f32; 3]> {

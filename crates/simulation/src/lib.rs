@@ -31,6 +31,7 @@ mod table;
 mod track;
 mod world;
 
+pub use edit::RoomFault;
 pub use nao::SimulatedNao;
 pub use noise::Noise;
 pub use speech::Spoken;

@@ -33,12 +33,3 @@ pub(crate) fn nearer(from: f32, to: f32, step: f32) -> f32 {
 pub(crate) fn across(vector: Vector) -> f32 {
     libm::hypotf(vector.x, vector.y)
 }
-
-/// Three finite numbers, or a sentence.
-pub(crate) fn finite(numbers: &[f32]) -> Result<(), String> {
-    if numbers.iter().all(|number| number.is_finite()) {
-        Ok(())
-    } else {
-        Err("a place needs finite numbers".to_owned())
-    }
-}

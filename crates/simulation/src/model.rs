@@ -1,7 +1,7 @@
 //! The table of the robot: links, joints with limits and speeds, camera and posture, compiled in.
 
 use crate::math::{Pose, Vector, pose, vector};
-use crate::table::{JointRow, Link, Table};
+use crate::table::{JointRow, Link, Table, TableFault};
 use robot::JOINTS;
 use std::sync::OnceLock;
 
@@ -54,21 +54,22 @@ impl Model {
     pub(crate) fn nao() -> &'static Self {
         static NAO: OnceLock<Model> = OnceLock::new();
         NAO.get_or_init(|| {
-            Self::read(include_str!("nao_body.toml")).expect("the compiled-in table is read by every test")
+            let read = Self::read(include_str!("nao_body.toml"));
+            read.unwrap_or_else(|fault| panic!("the compiled-in table, which every test reads: {fault}"))
         })
     }
 
-    fn read(text: &str) -> Result<Self, String> {
-        let table: Table = toml::from_str(text).map_err(|error| error.to_string())?;
+    fn read(text: &str) -> Result<Self, TableFault> {
+        let table: Table = toml::from_str(text).map_err(TableFault::Unreadable)?;
         let names: Vec<&str> = table.joints.iter().map(|joint| joint.name.as_str()).collect();
         if names != JOINTS[..REVOLUTE] {
-            return Err("the joints of the table are not in the order of robot::JOINTS".to_owned());
+            return Err(TableFault::Order);
         }
         Ok(Self {
             hinges: hinges(&table)?,
             motors: motors(&table),
             camera: camera(&table)?,
-            stand: table.postures.stand_init.try_into().map_err(|_| "a posture has 26 angles")?,
+            stand: table.postures.stand_init.try_into().map_err(|_| TableFault::Posture)?,
             head_pitch_by_yaw: table.head_pitch_by_yaw,
             links: table.links,
         })
@@ -85,11 +86,11 @@ pub(crate) fn motor(name: &str) -> Option<usize> {
     JOINTS.iter().position(|joint| *joint == name)
 }
 
-fn link_of(table: &Table, name: &str) -> Result<usize, String> {
-    table.links.iter().position(|link| link.name == name).ok_or_else(|| format!("no link {name}"))
+fn link_of(table: &Table, name: &str) -> Result<usize, TableFault> {
+    table.links.iter().position(|link| link.name == name).ok_or_else(|| TableFault::NoLink(name.to_owned()))
 }
 
-fn hinges(table: &Table) -> Result<Vec<Hinge>, String> {
+fn hinges(table: &Table) -> Result<Vec<Hinge>, TableFault> {
     let hinge = |row: &JointRow| {
         Ok(Hinge {
             parent: link_of(table, &row.parent)?,
@@ -111,8 +112,8 @@ fn motors(table: &Table) -> Vec<Motor> {
     joints.chain(hands).collect()
 }
 
-fn camera(table: &Table) -> Result<Camera, String> {
-    let row = table.cameras.iter().find(|row| row.name == "CameraTop").ok_or("no top camera")?;
+fn camera(table: &Table) -> Result<Camera, TableFault> {
+    let row = table.cameras.iter().find(|row| row.name == "CameraTop").ok_or(TableFault::NoCamera)?;
     let link = link_of(table, &row.link)?;
     Ok(Camera { link, mount: pose(vector(row.at), Vector::Y, row.pitch_down), half: [row.hfov / 2.0, row.vfov / 2.0] })
 }

@@ -4,7 +4,7 @@ use crate::body::Side;
 use crate::device::{Device, NAMES, device};
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
-use robot::{Ball, Body, Health, Millis, Person, Reading, Robot, Scene, Use};
+use robot::{Ball, Body, Health, Millis, Person, Reading, Robot, RobotFault, Scene, Use};
 
 /// Most open devices.
 const USES_MAX: usize = 512;
@@ -20,11 +20,11 @@ impl Robot for SimulatedNao {
         NAMES.to_vec()
     }
 
-    fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), String> {
+    fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), RobotFault> {
         let device = device(name, params)?;
         self.close(user);
         if self.senses.len() + self.acts.len() >= USES_MAX {
-            return Err(format!("this robot serves {USES_MAX} streams at most"));
+            return Err(RobotFault::Full(USES_MAX));
         }
         self.safe = false;
         match device {
@@ -45,15 +45,12 @@ impl Robot for SimulatedNao {
     }
 
     /// Takes effect at the robot time computed so far, at most one step behind the caller's.
-    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
+    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), RobotFault> {
         let Some(act) = self.acts.get(user).cloned() else {
-            let sense = self.senses.has(user);
-            return Err(
-                if sense { "a sense cannot be told a value" } else { "no action is open for this stream" }.into()
-            );
+            return Err(if self.senses.has(user) { RobotFault::IntoSense } else { RobotFault::NotOpen });
         };
         if !value.is_finite() {
-            return Err("a number that is not finite was left out".to_owned());
+            return Err(RobotFault::Infinite);
         }
         self.act(user, &act, value)?;
         self.safe = false;

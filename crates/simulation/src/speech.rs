@@ -2,7 +2,7 @@
 
 use crate::follow::digest_use;
 use crate::hash::Digest;
-use robot::{Millis, Use};
+use robot::{Millis, RobotFault, Use};
 use std::collections::VecDeque;
 
 /// Most texts that wait.
@@ -50,13 +50,13 @@ struct Wish {
 
 impl Speech {
     /// Says a text, or queues it. The same text again, while it is said or last in the queue, is not said twice.
-    pub(crate) fn say(&mut self, text: &str, user: &Use, now: u64) -> Result<(), String> {
+    pub(crate) fn say(&mut self, text: &str, user: &Use, now: u64) -> Result<(), RobotFault> {
         let text = text.trim();
         if text.is_empty() {
-            return Err("there is nothing to say".to_owned());
+            return Err(RobotFault::NothingToSay);
         }
         if text.chars().count() > TEXT_MAX_CHARS {
-            return Err(format!("a text to say may have {TEXT_MAX_CHARS} characters"));
+            return Err(RobotFault::TextTooLong(TEXT_MAX_CHARS));
         }
         if let Some(users) = self.users_of(text) {
             if !users.contains(user) {
@@ -65,7 +65,7 @@ impl Speech {
             return Ok(());
         }
         if self.waiting.len() >= QUEUE_MAX {
-            return Err(format!("{QUEUE_MAX} texts already wait to be said, so this one is left out"));
+            return Err(RobotFault::TextsWait(QUEUE_MAX));
         }
         self.waiting.push_back(Wish { text: text.to_owned(), users: vec![user.clone()] });
         self.step(now);

@@ -1,6 +1,33 @@
 //! The rows of `nao_body.toml`, as they are written there.
 
 use serde::Deserialize;
+use std::fmt;
+
+/// Why the file is no table of the robot.
+#[derive(Debug)]
+pub(crate) enum TableFault {
+    /// It is not written as one.
+    Unreadable(toml::de::Error),
+    /// Its joints are not in the order of [`robot::JOINTS`].
+    Order,
+    /// A posture has too few angles, or too many.
+    Posture,
+    /// It has no link of this name.
+    NoLink(String),
+    NoCamera,
+}
+
+impl fmt::Display for TableFault {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Unreadable(error) => write!(to, "{error}"),
+            Self::Order => to.write_str("the joints of the table are not in the order of robot::JOINTS"),
+            Self::Posture => to.write_str("a posture has 26 angles"),
+            Self::NoLink(name) => write!(to, "no link {name}"),
+            Self::NoCamera => to.write_str("no top camera"),
+        }
+    }
+}
 
 /// What the file says.
 #[derive(Deserialize)]

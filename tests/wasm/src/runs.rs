@@ -125,7 +125,7 @@ fn play(file: &BehaviourFile, readings: &[Reading]) -> Vec<u8> {
                 json!({"t": at.0, "stream": streams[stream.index()], "value": value})
             }
             Emission::Fault { at, connector, error, .. } => {
-                json!({"t": at.0, "connector": connector.index(), "error": error})
+                json!({"t": at.0, "connector": connector.index(), "error": error.to_string()})
             }
         };
         lines.push_str(&line.to_string());

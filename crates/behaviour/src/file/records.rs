@@ -2,32 +2,69 @@
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
 use crate::{
-    Behaviour, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId, Settings, Stream,
-    connectors,
+    BadId, Behaviour, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId, Settings,
+    Stream, connectors,
 };
 use std::collections::{BTreeMap, BTreeSet};
+
+/// Something in a file of which no records can be made. [`std::fmt::Display`] says it in one line: `id: reason`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Flaw {
+    /// The id of the stream, connector or note, or `format`.
+    pub at: String,
+    /// What is wrong with it.
+    pub kind: FlawKind,
+}
+
+/// What is wrong with a part of a file. [`std::fmt::Display`] says it in a few English words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum FlawKind {
+    /// The file has this format, which is another one.
+    Format(String),
+    /// Its id is none.
+    Id(BadId),
+    /// Something else in the file has this id too.
+    IdTwice,
+    /// Its creation number is lower than the one above it in the file.
+    Order {
+        /// Its own number.
+        here: i64,
+        /// The number of the one above it.
+        above: i64,
+    },
+    /// The file gives it a creation number, but it is not there.
+    OrderOfNothing,
+    /// It names this stream, which is not there.
+    NoStream(String),
+    /// There is no connector with this word.
+    NoConnector(String),
+    /// A connector of this word needs a period, and has none or one of 0.
+    NoPeriod(&'static str),
+    /// It has a body, and the name of a helper too.
+    BodyAndHelper,
+}
 
 impl BehaviourFile {
     /// The records of the file, with new ids from `new_id` (asked once per stream, connector and note) or, if it
     /// returns none, the file's own. Under a new id the creation number is the position in the file.
     ///
     /// # Errors
-    /// One line per fault: `id: reason`.
-    pub fn records(&self, mut new_id: impl FnMut(&str) -> Option<Id>) -> Result<Behaviour, Vec<String>> {
-        let mut faults = Vec::new();
+    /// Every flaw of the file.
+    pub fn records(&self, mut new_id: impl FnMut(&str) -> Option<Id>) -> Result<Behaviour, Vec<Flaw>> {
+        let mut flaws = Vec::new();
         if self.format != FORMAT {
-            faults.push(format!("format: {:?} is not {FORMAT}", self.format));
+            flaws.push(flaw("format", FlawKind::Format(self.format.clone())));
         }
         let mut ids = BTreeMap::new();
         for name in self.ids() {
             match new_id(name).map_or_else(|| Id::new(name), Ok) {
                 Ok(id) if ids.insert(name.clone(), id.clone()).is_none() => {}
-                Ok(_) => faults.push(format!("{name}: this id is used twice")),
-                Err(reason) => faults.push(format!("{name}: {reason}")),
+                Ok(_) => flaws.push(flaw(name, FlawKind::IdTwice)),
+                Err(bad) => flaws.push(flaw(name, FlawKind::Id(bad))),
             }
         }
-        self.check_order(&mut faults);
-        let mut records = self.to_records(&ids, &mut faults);
+        self.check_order(&mut flaws);
+        let mut records = self.to_records(&ids, &mut flaws);
         for (name, place) in &self.layout {
             // A place of something that is gone keeps its own id, or is left behind.
             let own = || new_id(name).map_or_else(|| Id::new(name).ok(), |_| None);
@@ -35,10 +72,10 @@ impl BehaviourFile {
                 records.insert(RecordId::new(Kind::Place, &id), Record::Place(*place));
             }
         }
-        if faults.is_empty() { Ok(Behaviour { records }) } else { Err(faults) }
+        if flaws.is_empty() { Ok(Behaviour { records }) } else { Err(flaws) }
     }
 
-    fn to_records(&self, ids: &BTreeMap<String, Id>, faults: &mut Vec<String>) -> BTreeMap<RecordId, Record> {
+    fn to_records(&self, ids: &BTreeMap<String, Id>, flaws: &mut Vec<Flaw>) -> BTreeMap<RecordId, Record> {
         let mut records = BTreeMap::new();
         let mut settings = Settings::named(&self.name);
         settings.robot = self.robot.clone().unwrap_or(settings.robot);
@@ -54,7 +91,7 @@ impl BehaviourFile {
                 Ok((id, record)) => {
                     drop(records.insert(RecordId::new(Kind::Connector, &id), Record::Connector(record)))
                 }
-                Err(reason) => faults.push(format!("{}: {reason}", connector.id)),
+                Err(kind) => flaws.push(flaw(&connector.id, kind)),
             }
         }
         for (note, id) in self.notes.iter().filter_map(|n| Some((n, ids.get(&n.id)?))) {
@@ -80,20 +117,20 @@ impl BehaviourFile {
     }
 
     /// The order of the file and the creation numbers must tell the same.
-    fn check_order(&self, faults: &mut Vec<String>) {
+    fn check_order(&self, flaws: &mut Vec<Flaw>) {
         let streams: Vec<&str> = self.streams.iter().map(|stream| stream.id.as_str()).collect();
         let connectors: Vec<&str> = self.connectors.iter().map(|connector| connector.id.as_str()).collect();
         for names in [streams, connectors] {
             let numbered: Vec<_> = (0..).zip(names).map(|(at, name)| (self.order_of(name, at), name)).collect();
             let wrong = numbered.windows(2).filter(|pair| pair[0] > pair[1]);
-            faults.extend(wrong.map(|pair| {
+            flaws.extend(wrong.map(|pair| {
                 let ((above, _), (here, name)) = (pair[0], pair[1]);
-                format!("{name}: its order {here} comes before {above}, the one above it; leave order out of the file")
+                flaw(name, FlawKind::Order { here, above })
             }));
         }
         let ids: BTreeSet<_> = self.ids().collect();
         for name in self.order.keys().filter(|name| !ids.contains(name)) {
-            faults.push(format!("{name}: order names it, but there is no such stream or connector"));
+            flaws.push(flaw(name, FlawKind::OrderOfNothing));
         }
     }
 
@@ -108,6 +145,10 @@ impl BehaviourFile {
         };
         self.helpers.iter().map(helper).collect()
     }
+}
+
+fn flaw(at: &str, kind: FlawKind) -> Flaw {
+    Flaw { at: at.to_owned(), kind }
 }
 
 impl FileStream {
@@ -126,8 +167,8 @@ impl FileStream {
 }
 
 impl FileConnector {
-    fn record(&self, order: i64, ids: &BTreeMap<String, Id>) -> Result<(Id, Connector), String> {
-        let find = |name: &String| ids.get(name).cloned().ok_or_else(|| format!("there is no stream {name:?}"));
+    fn record(&self, order: i64, ids: &BTreeMap<String, Id>) -> Result<(Id, Connector), FlawKind> {
+        let find = |name: &String| ids.get(name).cloned().ok_or_else(|| FlawKind::NoStream(name.clone()));
         let inputs = self.inputs.iter().map(find).collect::<Result<_, _>>()?;
         let connector = Connector { operation: self.operation()?, inputs, output: find(&self.output)?, order };
         Ok((find(&self.id)?, connector))
@@ -136,21 +177,21 @@ impl FileConnector {
     /// What it does.
     ///
     /// # Errors
-    /// Why it is no connector, in plain words.
-    pub fn operation(&self) -> Result<Operation, String> {
+    /// Why it is no connector.
+    pub fn operation(&self) -> Result<Operation, FlawKind> {
         let word = &self.operation;
-        let spec = connectors::spec(word).ok_or_else(|| format!("there is no connector {word:?}"))?;
+        let spec = connectors::spec(word).ok_or_else(|| FlawKind::NoConnector(word.clone()))?;
         let procedure = if spec.takes.procedure.is_some() { self.procedure()? } else { None };
         if spec.takes.period.is_some() && self.period_ms.is_none() {
-            return Err(format!("{word} needs a periodMs of 1 or more"));
+            return Err(FlawKind::NoPeriod(spec.word));
         }
         Ok(spec.with(Parameters { procedure, period_ms: self.period_ms, start: self.start.clone() }))
     }
 
     /// The procedure, if there is one.
-    fn procedure(&self) -> Result<Option<Procedure>, String> {
+    fn procedure(&self) -> Result<Option<Procedure>, FlawKind> {
         match (&self.body, &self.helper) {
-            (Some(_), Some(_)) => Err("it has both a body and a helper".to_owned()),
+            (Some(_), Some(_)) => Err(FlawKind::BodyAndHelper),
             (None, Some(helper)) => Ok(Some(Procedure::Helper(helper.clone()))),
             (Some(body), None) => Ok(Some(Procedure::Body { body: body.clone(), args: self.args.clone() })),
             (None, None) => Ok(None),

@@ -56,7 +56,7 @@ fn stall(body: &str) -> (u64, Option<String>) {
     let begin = cpu();
     let limits = Limits::default().interrupted_by(move || cpu() - begin > Duration::from_millis(DEADLINE_MS));
     let made = try_body(&[], &x, body, &[Value::Int(1)], &limits);
-    (u64::try_from((cpu() - begin).as_micros()).unwrap(), made.err())
+    (u64::try_from((cpu() - begin).as_micros()).unwrap(), made.err().map(|fault| fault.to_string()))
 }
 
 /// Prints the worst of them; true if all are within the bar.

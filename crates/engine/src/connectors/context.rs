@@ -1,7 +1,8 @@
 //! What connectors work with: the procedures, the last value of every stream, and the counts.
 
 use super::op::Turn;
-use crate::procedure::{Failed, Procedure};
+use crate::faults::CallFault;
+use crate::procedure::Procedure;
 use crate::values::in_place::{Number, Output};
 use crate::values::{ConnectorIx, IndexVec, Stats};
 use behaviour::Value;
@@ -16,7 +17,7 @@ pub(crate) enum Outcome {
     /// It put none there, and when it gives something by itself may have changed.
     Waits,
     /// A fault dropped it; already counted.
-    Failed(Box<Failed>),
+    Failed(Box<CallFault>),
 }
 
 /// Procedures, values and counts of a run.
@@ -101,10 +102,10 @@ impl Context {
         &mut self,
         at: Millis,
         connector: ConnectorIx,
-        failed: Box<Failed>,
+        failed: Box<CallFault>,
         inputs: &[&Value],
     ) -> Outcome {
-        self.stats.connectors[connector].fault(at, &failed.reason, failed.deadline, inputs);
+        self.stats.connectors[connector].fault(at, &failed, inputs);
         Outcome::Failed(failed)
     }
 
@@ -112,7 +113,7 @@ impl Context {
     ///
     /// # Errors
     /// Why it makes nothing.
-    pub(super) fn made(&mut self, connector: ConnectorIx, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+    pub(super) fn made(&mut self, connector: ConnectorIx, inputs: &[&Value]) -> Result<Value, Box<CallFault>> {
         let procedure = self.procedures[connector].as_mut();
         procedure.map_or(Ok(Value::Null), |procedure| procedure.call(&self.engine, inputs))
     }
@@ -121,7 +122,12 @@ impl Context {
     ///
     /// # Errors
     /// The fault that dropped the value; counted.
-    pub(super) fn call(&mut self, at: Millis, connector: ConnectorIx, inputs: &[&Value]) -> Result<Value, Box<Failed>> {
+    pub(super) fn call(
+        &mut self,
+        at: Millis,
+        connector: ConnectorIx,
+        inputs: &[&Value],
+    ) -> Result<Value, Box<CallFault>> {
         let made = self.made(connector, inputs);
         self.counted(at, connector, made, inputs)
     }
@@ -131,13 +137,13 @@ impl Context {
         &mut self,
         at: Millis,
         connector: ConnectorIx,
-        made: Result<T, Box<Failed>>,
+        made: Result<T, Box<CallFault>>,
         inputs: &[&Value],
-    ) -> Result<T, Box<Failed>> {
+    ) -> Result<T, Box<CallFault>> {
         let stats = &mut self.stats.connectors[connector];
         match &made {
             Ok(_) => stats.deadlines_in_a_row = 0,
-            Err(failed) => stats.fault(at, &failed.reason, failed.deadline, inputs),
+            Err(failed) => stats.fault(at, failed, inputs),
         }
         made
     }
@@ -149,7 +155,7 @@ fn make(
     of: &mut Option<Procedure>,
     inputs: &[&Value],
     spare: &mut Value,
-) -> Result<Output, Box<Failed>> {
+) -> Result<Output, Box<CallFault>> {
     let Some(procedure) = of else { return Ok(Output::Value(Value::Null)) };
     if let Some(number) = procedure.number(inputs) {
         return Ok(Output::Value(number.value()));

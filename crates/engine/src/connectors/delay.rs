@@ -4,7 +4,7 @@ use super::context::{Context, Outcome};
 use super::memory::{Memory, Waiting};
 use super::op::{Op, Turn};
 use super::{Choice, Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::Carried;
 use robot::Millis;
 use std::collections::VecDeque;
@@ -26,11 +26,9 @@ impl Delay {
     }
 
     /// Lets a value wait, unless too many do.
-    fn add(&mut self, carried: Carried, at: Millis) -> Result<(), Box<Failed>> {
+    fn add(&mut self, carried: Carried, at: Millis) -> Result<(), Box<CallFault>> {
         if self.waiting.len() >= WAITING_MAX_VALUES {
-            let reason =
-                "more than 10,000 values wait; put a sample before it, or let it wait for less time".to_owned();
-            return Err(Box::new(Failed { reason, deadline: false }));
+            return Err(Box::new(CallFault::Waiting));
         }
         self.waiting.push_back(Waiting { carried, due: Millis(at.0.saturating_add(self.period)) });
         Ok(())
@@ -46,7 +44,7 @@ impl Connector for Delay {
         }
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         let added = self.add(frame.newest.clone(), frame.at);
         cx.counted(frame.at, frame.connector, added, &[&frame.newest.value]).map(|()| None)
     }

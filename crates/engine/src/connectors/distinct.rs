@@ -4,7 +4,7 @@ use super::context::{Context, Outcome};
 use super::memory::Memory;
 use super::op::{Op, Turn};
 use super::{Choice, Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::{Carried, ConnectorIx};
 use behaviour::Value;
 use robot::Millis;
@@ -32,7 +32,7 @@ impl Distinct {
         at: Millis,
         connector: ConnectorIx,
         value: &Value,
-    ) -> Result<bool, Box<Failed>> {
+    ) -> Result<bool, Box<CallFault>> {
         let key = if self.has_procedure { cx.call(at, connector, &[value])? } else { value.clone() };
         let passes = !self.last.as_ref().is_some_and(|last| is_same(last, &key));
         if passes {
@@ -52,7 +52,7 @@ impl Connector for Distinct {
         }
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         let passes = self.passes(cx, frame.at, frame.connector, &frame.newest.value)?;
         Ok(passes.then(|| frame.newest.clone()))
     }

@@ -3,16 +3,13 @@
 use super::context::{Context, Outcome};
 use super::op::{Op, Turn};
 use super::{Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::procedure::compiled::Comparison;
 use crate::values::{Carried, ConnectorIx};
 use behaviour::Value;
 use robot::Millis;
 
 pub(super) const KIND: Kind = Kind { word: "filter", op: Op::Filter, make: |_| Box::new(Filter) };
-
-/// The longest value that a fault shows, in characters.
-const SHOWN_MAX: usize = 40;
 
 /// Remembers nothing.
 struct Filter;
@@ -22,7 +19,7 @@ impl Connector for Filter {
         take(cx, at, turn)
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         let value = &frame.newest.value;
         let passes = test(cx, frame.connector, value);
         let passes = cx.counted(frame.at, frame.connector, passes, &[value])?;
@@ -65,17 +62,9 @@ fn tested(cx: &mut Context, at: Millis, turn: &Turn, passes: bool) -> Outcome {
     Outcome::Kept
 }
 
-fn test(cx: &mut Context, connector: ConnectorIx, value: &Value) -> Result<bool, Box<Failed>> {
+fn test(cx: &mut Context, connector: ConnectorIx, value: &Value) -> Result<bool, Box<CallFault>> {
     match cx.made(connector, &[value])? {
         Value::Bool(passes) => Ok(passes),
-        other => {
-            let reason = format!("a filter must answer true or false, not {}", shortened(&other));
-            Err(Box::new(Failed { reason, deadline: false }))
-        }
+        other => Err(Box::new(CallFault::NoTruth(other))),
     }
-}
-
-fn shortened(value: &Value) -> String {
-    let text = value.to_string();
-    if text.chars().count() <= SHOWN_MAX { text } else { text.chars().take(SHOWN_MAX - 1).chain(['…']).collect() }
 }

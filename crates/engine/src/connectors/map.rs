@@ -3,7 +3,7 @@
 use super::context::{Context, Outcome};
 use super::op::{Op, Turn};
 use super::{Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::procedure::compiled::Operator;
 use crate::values::Carried;
 use crate::values::in_place::Number;
@@ -19,7 +19,7 @@ impl Connector for Map {
         take(cx, at, turn)
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         let Carried { value, origin } = frame.newest;
         let value = cx.call(frame.at, frame.connector, &[value])?;
         Ok(Some(Carried { value, origin: *origin }))

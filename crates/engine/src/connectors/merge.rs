@@ -3,7 +3,7 @@
 use super::context::{Context, Outcome};
 use super::op::{Op, Turn};
 use super::{Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::Carried;
 use robot::Millis;
 
@@ -17,7 +17,7 @@ impl Connector for Merge {
         cx.pass(at, turn)
     }
 
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         Ok(Some(frame.newest.clone()))
     }
 }

@@ -4,7 +4,7 @@ use super::context::{Context, Outcome};
 use super::memory::{Memory, Waiting};
 use super::op::{Op, Turn};
 use super::{Choice, Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::Carried;
 use robot::Millis;
 
@@ -37,7 +37,7 @@ impl Connector for Sample {
     }
 
     /// A beat in the frame comes after the value.
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         self.hold(frame.newest.clone(), frame.at.0 - frame.length);
         Ok(None)
     }

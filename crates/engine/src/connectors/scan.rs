@@ -4,7 +4,7 @@ use super::context::{Context, Outcome};
 use super::memory::Memory;
 use super::op::{Op, Turn};
 use super::{Choice, Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::Carried;
 use behaviour::Value;
 use robot::Millis;
@@ -32,7 +32,7 @@ impl Connector for Scan {
         outcome
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         let Carried { value, origin } = frame.newest;
         self.so_far = cx.call(frame.at, frame.connector, &[&self.so_far, value])?;
         Ok(Some(Carried { value: self.so_far.clone(), origin: *origin }))

@@ -3,7 +3,7 @@
 use super::context::{Context, Outcome};
 use super::op::{Op, Turn};
 use super::{Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::Carried;
 use crate::values::in_place::{Number, Output, copy, own_values, put_number};
 use behaviour::{Fields, Names, Value};
@@ -43,7 +43,7 @@ impl Connector for Timestamp {
         cx.give(at, turn, |value, spare| self.stamp(at, value, spare))
     }
 
-    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, _: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         let Carried { value, origin } = frame.newest;
         Ok(Some(Carried { value: self.stamped(frame.at, value), origin: *origin }))
     }

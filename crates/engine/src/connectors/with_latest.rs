@@ -5,7 +5,7 @@ use super::context::{Context, Outcome};
 use super::memory::Memory;
 use super::op::{Op, Turn};
 use super::{Choice, Connector, Frame, Kind};
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::values::Carried;
 use crate::values::in_place::copy_some;
 use behaviour::Value;
@@ -34,7 +34,7 @@ impl Connector for WithLatest {
         with_known(&self.known, |inputs| cx.give_made_of(at, turn, inputs)).unwrap_or(Outcome::Kept)
     }
 
-    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<CallFault>> {
         for (known, &input) in self.known.iter_mut().zip(frame.inputs) {
             if let Some(carried) = &frame.now[input] {
                 *known = Some(carried.value.clone());

@@ -4,15 +4,12 @@
 //! freed, and chains, which overflow the stack when they are. Its `curry` copies without a bound.
 
 use crate::cost::callers::is_caller;
-use crate::rhai::words::placed;
+use crate::faults::{BodyFault, Misuse};
 use rhai::{AST, ASTNode, BinaryExpr, Expr, FnCallExpr, Position, Stmt, StmtBlock};
 use std::collections::BTreeSet;
 
-/// The sentence for a closure that could be kept.
-const WHY: &str = "a closure that uses a value around it can only be called or handed to a list";
-
 /// Refuses closures that could outlive the place where they are written, also by a helper with the name of a caller.
-pub(crate) fn check_closures(ast: &AST, helpers: &BTreeSet<String>) -> Result<(), String> {
+pub(crate) fn check_closures(ast: &AST, helpers: &BTreeSet<String>) -> Result<(), BodyFault> {
     let mut found = Found { helpers, kept: BTreeSet::new(), refused: None };
     ast.walk(&mut |path: &[ASTNode]| {
         found.look(path);
@@ -32,12 +29,12 @@ struct Found<'h> {
     /// Variables that begin as such a closure.
     kept: BTreeSet<String>,
     /// The first reason.
-    refused: Option<String>,
+    refused: Option<BodyFault>,
 }
 
 impl Found<'_> {
-    fn refuse(&mut self, at: Position, reason: &str) {
-        self.refused.get_or_insert_with(|| placed(at, reason));
+    fn refuse(&mut self, at: Position, what: Misuse) {
+        self.refused.get_or_insert_with(|| BodyFault::misuse(at, what));
     }
 
     fn look(&mut self, path: &[ASTNode]) {
@@ -46,13 +43,13 @@ impl Found<'_> {
                 self.place(parent, block.position());
             }
             [.., ASTNode::Stmt(Stmt::Share(shared))] => {
-                self.refuse(shared.first().map_or(Position::NONE, |(variable, _)| variable.pos), WHY);
+                self.refuse(shared.first().map_or(Position::NONE, |(variable, _)| variable.pos), Misuse::KeptClosure);
             }
             [.., ASTNode::Expr(Expr::FnCall(call, at) | Expr::MethodCall(call, at))]
             | [.., ASTNode::Stmt(Stmt::FnCall(call, at))]
                 if call.name == "curry" && !captures(path) =>
             {
-                self.refuse(*at, "“curry” cannot be used in a procedure");
+                self.refuse(*at, Misuse::Refused("curry".to_owned()));
             }
             _ => {}
         }
@@ -63,7 +60,7 @@ impl Found<'_> {
         match parent {
             ASTNode::Stmt(Stmt::Var(variable, ..)) => drop(self.kept.insert(variable.0.name.to_string())),
             parent if self.calls_only(parent) => {}
-            _ => self.refuse(at, WHY),
+            _ => self.refuse(at, Misuse::KeptClosure),
         }
     }
 
@@ -76,7 +73,7 @@ impl Found<'_> {
     fn look_at_use(&mut self, path: &[ASTNode], kept: &BTreeSet<String>) {
         let [.., parent, ASTNode::Expr(used @ Expr::Variable(variable, _, at))] = path else { return };
         if kept.contains(variable.1.as_str()) && !is_called(parent, used) && !self.calls_only(parent) {
-            self.refuse(*at, WHY);
+            self.refuse(*at, Misuse::KeptClosure);
         }
     }
 }

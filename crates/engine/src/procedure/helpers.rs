@@ -5,7 +5,7 @@ mod reach;
 use crate::cost::Limits;
 use crate::cost::callers::is_caller;
 use crate::cost::variable_cost::VariableCost;
-use crate::procedure::Fault;
+use crate::faults::{BodyFault, Fault, Reason, Syntax};
 use crate::procedure::calls::{called_first, circular};
 use crate::procedure::closures::check_closures;
 use crate::procedure::compiled::CompiledHelpers;
@@ -60,7 +60,7 @@ impl Helpers {
         let (mut all, mut names) = (BTreeMap::new(), BTreeSet::new());
         for helper in helpers {
             let twice = !names.insert(helper.name.as_str());
-            match if twice { Err("this name is used twice".to_owned()) } else { compile_one(engine, helper) } {
+            match if twice { Err(Reason::NameTwice) } else { compile_one(engine, helper).map_err(Reason::Body) } {
                 Ok(read) => {
                     texts.push(read.function.clone());
                     all.insert(helper.name.as_str(), read);
@@ -74,8 +74,8 @@ impl Helpers {
         let all = in_order(all, &called_first(&calls));
         let mut made = Self { callers, reach: reach(&all), ..Self::default() };
         faults.extend(all.iter().filter_map(|(name, read)| {
-            let reason = made.check(&read.body).err()?;
-            Some(Fault { id: (*name).to_owned(), reason })
+            let fault = made.check(&read.body).err()?;
+            Some(Fault { id: (*name).to_owned(), reason: fault.into() })
         }));
         if !faults.is_empty() {
             return Err(faults);
@@ -88,7 +88,7 @@ impl Helpers {
 
     /// Refuses closures that a helper could keep, and calls with so many values that only a helper could take them, where
     /// there is no such helper.
-    pub(crate) fn check(&self, body: &AST) -> Result<(), String> {
+    pub(crate) fn check(&self, body: &AST) -> Result<(), BodyFault> {
         walk::check_widths(body, &|name, values| self.takes(name, values))?;
         if self.callers.is_empty() { Ok(()) } else { check_closures(body, &self.callers) }
     }
@@ -129,8 +129,8 @@ impl Functions {
     /// The body with all helpers within reach.
     ///
     /// # Errors
-    /// Why Rhai cannot read them, in plain words.
-    pub(crate) fn joined(&self, engine: &Engine, body: AST) -> Result<AST, String> {
+    /// Why Rhai cannot read them.
+    pub(crate) fn joined(&self, engine: &Engine, body: AST) -> Result<AST, BodyFault> {
         if self.texts.is_empty() {
             return Ok(body);
         }
@@ -142,7 +142,7 @@ impl Functions {
         })
     }
 
-    fn read(&self, engine: &Engine) -> Result<&AST, String> {
+    fn read(&self, engine: &Engine) -> Result<&AST, BodyFault> {
         if let Some(read) = self.read.get() {
             return Ok(read);
         }
@@ -154,13 +154,13 @@ impl Functions {
     }
 }
 
-fn read_function(engine: &Engine, text: &str, params: &[String]) -> Result<AST, String> {
-    engine.compile(text).map_err(|error| crate::rhai::words::refusal(&error, params))
+fn read_function(engine: &Engine, text: &str, params: &[String]) -> Result<AST, BodyFault> {
+    engine.compile(text).map_err(|error| BodyFault::Syntax(Syntax::of(error, params)))
 }
 
-fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, String> {
+fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, BodyFault> {
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !is_identifier(name)) {
-        return Err(format!("“{bad}” cannot be a name in a procedure"));
+        return Err(BodyFault::Name(bad.clone()));
     }
     check_distinct(&helper.params)?;
     // By itself first: only a text that is whole by itself may be put between the brackets of a function.
@@ -203,16 +203,15 @@ fn reach(all: &[(&str, Read)]) -> Reach {
 }
 
 /// Refuses two equal names among arguments.
-pub(crate) fn check_distinct(names: &[String]) -> Result<(), String> {
+pub(crate) fn check_distinct(names: &[String]) -> Result<(), BodyFault> {
     let twice = names.iter().enumerate().find(|(at, name)| names[..*at].contains(name));
-    twice.map_or(Ok(()), |(_, name)| Err(format!("two arguments have the name “{name}”")))
+    twice.map_or(Ok(()), |(_, name)| Err(BodyFault::NameTwice(name.clone())))
 }
 
 /// Helpers that call themselves, also through others, in the order of the file.
 fn recursion(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, calls: &[Vec<usize>]) -> Vec<Fault> {
     let looping: BTreeSet<&str> =
         all.keys().copied().zip(circular(calls)).filter(|(_, is)| *is).map(|(n, _)| n).collect();
-    let words = |helper: &FileHelper| format!("the helper “{}” calls itself, perhaps through others", helper.name);
     let faulty = helpers.iter().filter(|helper| looping.contains(helper.name.as_str()));
-    faulty.map(|helper| Fault { id: helper.name.clone(), reason: words(helper) }).collect()
+    faulty.map(|helper| Fault { id: helper.name.clone(), reason: Reason::CallsItself(helper.name.clone()) }).collect()
 }

@@ -1,7 +1,7 @@
 //! From the text of a body to what Rhai has read, if it is one that may run.
 
+use crate::faults::{BodyFault, Syntax};
 use crate::procedure::walk;
-use crate::rhai::words;
 use behaviour::BODY_MAX_CHARS;
 use rhai::{AST, Dynamic, Engine, Position, Scope, Token};
 
@@ -9,18 +9,18 @@ use rhai::{AST, Dynamic, Engine, Position, Scope, Token};
 const BLOCKS_MAX: usize = 200;
 
 /// Compiles a body by itself.
-pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<AST, String> {
+pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<AST, BodyFault> {
     if body.trim().is_empty() {
-        return Err("it has no procedure yet".to_owned());
+        return Err(BodyFault::Empty);
     }
     if body.chars().count() > BODY_MAX_CHARS {
-        return Err(format!("it is longer than {BODY_MAX_CHARS} characters"));
+        return Err(BodyFault::TooLong);
     }
     if bare_blocks(engine, body) > BLOCKS_MAX {
-        return Err(format!("it has more than {BLOCKS_MAX} blocks {{ }} in a row; move a part into a helper"));
+        return Err(BodyFault::Blocks(BLOCKS_MAX));
     }
     let scope = scope_of(names);
-    let ast = engine.compile_with_scope(&scope, body).map_err(|error| words::refusal(&error, names))?;
+    let ast = engine.compile_with_scope(&scope, body).map_err(|error| BodyFault::Syntax(Syntax::of(error, names)))?;
     walk::check_calls(&ast)?;
     Ok(ast)
 }

@@ -1,6 +1,7 @@
 //! Procedures outside a run: whether a body is one, and what it makes of some inputs.
 
 use crate::cost::Limits;
+use crate::faults::{BodyFault, TrialFault};
 use crate::procedure::Procedure;
 use crate::procedure::helpers::{Helpers, check_distinct};
 use crate::procedure::parse::compile;
@@ -16,8 +17,8 @@ thread_local! {
 /// Whether a body with these arguments is a procedure.
 ///
 /// # Errors
-/// One short reason with its place: `line 1, column 12: a closing ) is missing`.
-pub fn check_body(arguments: &[String], body: &str) -> Result<(), String> {
+/// The first reason why not.
+pub fn check_body(arguments: &[String], body: &str) -> Result<(), BodyFault> {
     check_distinct(arguments)?;
     CHECKING.with(|engine| compile(engine, arguments, body).map(drop))
 }
@@ -25,23 +26,22 @@ pub fn check_body(arguments: &[String], body: &str) -> Result<(), String> {
 /// What a body makes of some inputs, for the preview beside the editor.
 ///
 /// # Errors
-/// A short reason, if it is no procedure or faults on these inputs.
+/// Why not, if it is no procedure or faults on these inputs.
 pub fn try_body(
     helpers: &[FileHelper],
     arguments: &[String],
     body: &str,
     inputs: &[Value],
     limits: &Limits,
-) -> Result<Value, String> {
+) -> Result<Value, TrialFault> {
     check_distinct(arguments)?;
     if arguments.len() != inputs.len() {
-        return Err(format!("it takes {} values, but gets {}", arguments.len(), inputs.len()));
+        return Err(TrialFault::Inputs { takes: arguments.len(), gets: inputs.len() });
     }
     let mut engine = hardened_engine(limits);
     let powers = has_power(body) || helpers.iter().any(|helper| has_power(&helper.body));
     engine.set_fast_operators(!powers);
-    let first = |faults: Vec<crate::Fault>| faults.first().map_or_else(String::new, ToString::to_string);
-    let helpers = Helpers::compile(&engine, helpers, limits).map_err(first)?;
+    let helpers = Helpers::compile(&engine, helpers, limits).map_err(TrialFault::Helpers)?;
     let mut procedure = Procedure::compile(&engine, &helpers, arguments, body)?;
-    procedure.call(&engine, &inputs.iter().collect::<Vec<_>>()).map_err(|failed| failed.reason)
+    procedure.call(&engine, &inputs.iter().collect::<Vec<_>>()).map_err(TrialFault::Call)
 }

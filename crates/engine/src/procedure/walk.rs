@@ -1,9 +1,9 @@
 //! What a procedure calls, and whether it may.
 
 use crate::cost::callers::is_caller;
+use crate::faults::{BodyFault, Misuse};
 use crate::procedure::closures::check_closures;
 use crate::rhai::library::is_refused;
-use crate::rhai::words::placed;
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
 use std::collections::BTreeSet;
 
@@ -62,28 +62,28 @@ pub(crate) fn search(ast: &AST) -> Search {
 
 /// Refuses calls with more values than the library takes, unless a helper does, and closures that use too many values
 /// around them.
-pub(crate) fn check_widths(ast: &AST, takes: &dyn Fn(&str, usize) -> bool) -> Result<(), String> {
+pub(crate) fn check_widths(ast: &AST, takes: &dyn Fn(&str, usize) -> bool) -> Result<(), BodyFault> {
     let mut refused = None;
     each_call(ast, &mut |Call { name, values, at, .. }| {
         if refused.is_none() && values > VALUES_MAX && !takes(name, values) {
             let why = match name {
-                "call" => format!("a closure can be called with at most {VALUES_MAX} values"),
-                name => format!("there is no helper “{name}” that takes {values} values"),
+                "call" => Misuse::ClosureValues(VALUES_MAX),
+                name => Misuse::HelperValues(name.to_owned(), values),
             };
-            refused = Some(placed(at, &why));
+            refused = Some(BodyFault::misuse(at, why));
         }
     });
     refused.map_or(Ok(()), Err)
 }
 
-fn check_captures(ast: &AST) -> Result<(), String> {
+fn check_captures(ast: &AST) -> Result<(), BodyFault> {
     let mut refused = None;
     ast.walk(&mut |path: &[ASTNode]| {
         if let Some(ASTNode::Stmt(Stmt::Share(captures))) = path.last()
             && captures.len() > CAPTURES_MAX
         {
             let at = captures.first().map_or(Position::NONE, |(variable, _)| variable.pos);
-            refused = Some(placed(at, &format!("a closure can use at most {CAPTURES_MAX} values around it")));
+            refused = Some(BodyFault::misuse(at, Misuse::Captures(CAPTURES_MAX)));
         }
         refused.is_none()
     });
@@ -121,14 +121,14 @@ pub(crate) fn length(ast: &AST, helper: &dyn Fn(&str) -> Option<Option<u64>>) ->
 }
 
 /// Refuses functions of its own and calls that are not allowed.
-pub(crate) fn check_calls(ast: &AST) -> Result<(), String> {
+pub(crate) fn check_calls(ast: &AST) -> Result<(), BodyFault> {
     if ast.iter_functions().any(|function| !function.name.starts_with("anon$")) {
-        return Err("a procedure cannot define functions; add a helper for it".to_owned());
+        return Err(BodyFault::Functions);
     }
     let mut refused = None;
     each_call(ast, &mut |Call { name, at, .. }| {
         if refused.is_none() && is_refused(name) {
-            refused = Some(placed(at, &format!("“{name}” cannot be used in a procedure")));
+            refused = Some(BodyFault::misuse(at, Misuse::Refused(name.to_owned())));
         }
     });
     refused.map_or_else(|| check_captures(ast), Err)?;

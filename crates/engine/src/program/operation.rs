@@ -2,7 +2,7 @@
 
 use crate::connectors::{Choice, Kind, kind};
 use behaviour::connectors::{Inputs, Spec};
-use behaviour::{FileConnector, Operation, Procedure};
+use behaviour::{FileConnector, FlawKind, Operation, Procedure};
 
 /// A connector of a file, read once.
 pub(super) struct Declared {
@@ -14,13 +14,13 @@ impl Declared {
     /// Reads a connector.
     ///
     /// # Errors
-    /// Why it is none, in plain words.
-    pub(super) fn of(connector: &FileConnector) -> Result<Self, String> {
+    /// Why it is none.
+    pub(super) fn of(connector: &FileConnector) -> Result<Self, FlawKind> {
         let operation = connector.operation()?;
         if operation.period_ms() == Some(0) {
-            return Err(format!("{} needs a periodMs of 1 or more", operation.word()));
+            return Err(FlawKind::NoPeriod(operation.word()));
         }
-        let kind = kind(operation.word()).ok_or_else(|| format!("there is no connector {:?}", operation.word()))?;
+        let kind = kind(operation.word()).ok_or_else(|| FlawKind::NoConnector(operation.word().to_owned()))?;
         Ok(Self { operation, kind })
     }
 
@@ -29,16 +29,11 @@ impl Declared {
         self.operation.spec()
     }
 
-    /// How many streams it takes from, in words; nothing if so many are right.
-    pub(super) fn wants_inputs(&self, many: usize) -> Option<&'static str> {
+    /// How many streams it takes from; nothing if so many are right.
+    pub(super) fn wants_inputs(&self, many: usize) -> Option<Inputs> {
         let inputs = self.spec().inputs;
         let fits = many >= inputs.least() && (many == 1 || inputs.are_many());
-        let words = match inputs {
-            Inputs::One => "exactly one input",
-            Inputs::OneOrMore => "one input or more",
-            Inputs::TwoOrMore => "two inputs or more",
-        };
-        (!fits).then_some(words)
+        (!fits).then_some(inputs)
     }
 
     /// Its procedure, if it has one.

@@ -5,12 +5,15 @@ use super::model::{ConnectorInfo, Graph, StreamInfo};
 use super::operation::Declared;
 use super::reserved::without_reserved;
 use crate::cost::Limits;
+use crate::faults::{BodyFault, Fault, Reason};
+use crate::procedure::Procedure;
 use crate::procedure::helpers::{Helpers, check_distinct};
-use crate::procedure::{Fault, Procedure};
 use crate::rhai::maths::has_power;
 use crate::rhai::sandbox::hardened_engine;
 use crate::values::{ConnectorIx, StreamIx};
-use behaviour::{BehaviourFile, Engine, FORMAT, FileConnector, Procedure as Written, StreamKind, is_identifier};
+use behaviour::{
+    BehaviourFile, Engine, FORMAT, FileConnector, FlawKind, Procedure as Written, StreamKind, is_identifier,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Everything that keeps a behaviour from running, in the order of the file; empty if it can run.
@@ -70,7 +73,7 @@ struct Check<'f> {
 }
 
 impl Check<'_> {
-    fn fault(&mut self, id: &str, reason: impl Into<String>) {
+    fn fault(&mut self, id: &str, reason: impl Into<Reason>) {
         self.faults.push(Fault { id: id.to_owned(), reason: reason.into() });
     }
 
@@ -81,12 +84,12 @@ impl Check<'_> {
 
     fn file(&mut self) {
         if self.file.format != FORMAT {
-            self.fault("format", format!("{:?} is not {FORMAT}", self.file.format));
+            self.fault("format", FlawKind::Format(self.file.format.clone()));
         }
         if let Some(Engine::Frame { frame_ms }) = self.file.engine
             && !(1..=1000).contains(&frame_ms)
         {
-            self.fault("engine", "a frame has 1 to 1000 milliseconds");
+            self.fault("engine", Reason::FrameLength);
         }
     }
 
@@ -95,7 +98,7 @@ impl Check<'_> {
         let ids = self.file.streams.iter().map(|s| &s.id).chain(self.file.connectors.iter().map(|c| &c.id));
         let twice: Vec<_> = ids.filter(|id| !seen.insert(id.as_str())).collect();
         for id in twice {
-            self.fault(id, "this id is used twice");
+            self.fault(id, FlawKind::IdTwice);
         }
     }
 
@@ -121,48 +124,46 @@ impl Check<'_> {
         declared: &Declared,
         connector: &FileConnector,
         fed: &mut BTreeSet<StreamIx>,
-    ) -> Result<ConnectorInfo, String> {
+    ) -> Result<ConnectorInfo, Reason> {
         let inputs = connector.inputs.iter().map(|id| self.stream(id)).collect::<Result<Vec<_>, _>>()?;
         let output = self.stream(&connector.output)?;
         self.check_inputs(declared, connector, &inputs)?;
         self.check_output(declared, output)?;
         if !fed.insert(output) && declared.spec().ends == StreamKind::Ordinary {
-            return Err(format!("the stream {} already has an incoming connector", connector.output));
+            return Err(Reason::SecondInput(connector.output.clone()));
         }
         let (spec, op) = (declared.spec(), declared.kind.op);
         let (word, gives) = (spec.word, spec.gives);
         Ok(ConnectorInfo { id: connector.id.clone(), word, inputs, output, gives, op })
     }
 
-    fn stream(&self, id: &str) -> Result<StreamIx, String> {
-        self.streams.get(id).copied().ok_or_else(|| format!("there is no stream {id:?}"))
+    fn stream(&self, id: &str) -> Result<StreamIx, FlawKind> {
+        self.streams.get(id).copied().ok_or_else(|| FlawKind::NoStream(id.to_owned()))
     }
 
-    fn check_inputs(&self, of: &Declared, connector: &FileConnector, inputs: &[StreamIx]) -> Result<(), String> {
-        if let Some(wanted) = of.wants_inputs(inputs.len()) {
-            return Err(format!("{} takes {wanted}, not {}", of.spec().word, inputs.len()));
+    fn check_inputs(&self, of: &Declared, connector: &FileConnector, inputs: &[StreamIx]) -> Result<(), Reason> {
+        if let Some(takes) = of.wants_inputs(inputs.len()) {
+            return Err(Reason::Inputs { word: of.spec().word, takes, gets: inputs.len() });
         }
         let mut seen = BTreeSet::new();
         for (input, id) in inputs.iter().zip(&connector.inputs) {
             if !seen.insert(input) {
-                return Err(format!("the input {id} is there twice"));
+                return Err(Reason::InputTwice(id.clone()));
             }
             if self.file.streams[input.index()].kind == StreamKind::Actuator {
-                return Err(format!("nothing can come out of the actuator stream {id}"));
+                return Err(Reason::OutOfActuator(id.clone()));
             }
         }
         Ok(())
     }
 
-    fn check_output(&self, of: &Declared, output: StreamIx) -> Result<(), String> {
+    fn check_output(&self, of: &Declared, output: StreamIx) -> Result<(), Reason> {
         let stream = &self.file.streams[output.index()];
         match (stream.kind, of.spec().ends) {
-            (StreamKind::Sensor, _) => Err(format!("nothing can lead into the sensor stream {}", stream.id)),
+            (StreamKind::Sensor, _) => Err(Reason::IntoSensor(stream.id.clone())),
             (StreamKind::Actuator, StreamKind::Actuator) => Ok(()),
-            (StreamKind::Actuator, _) => Err(format!("only subscribe leads into the actuator stream {}", stream.id)),
-            (StreamKind::Ordinary, StreamKind::Actuator) => {
-                Err(format!("{} must lead to an actuator stream, and {} is none", of.spec().word, stream.id))
-            }
+            (StreamKind::Actuator, _) => Err(Reason::OnlySubscribe(stream.id.clone())),
+            (StreamKind::Ordinary, StreamKind::Actuator) => Err(Reason::NoActuator(of.spec().word, stream.id.clone())),
             (StreamKind::Ordinary, _) => Ok(()),
         }
     }
@@ -171,7 +172,7 @@ impl Check<'_> {
     fn wired(&mut self, connectors: Vec<ConnectorInfo>) -> Option<Graph> {
         let streams = self.file.streams.iter().map(StreamInfo::of).collect();
         let circle = |at: ConnectorIx| {
-            self.fault(&self.file.connectors[at.index()].id, "values would flow in a circle through it");
+            self.fault(&self.file.connectors[at.index()].id, Reason::Circle);
         };
         Graph::of(streams, connectors).map_err(circle).ok()
     }
@@ -184,20 +185,20 @@ impl Check<'_> {
         of: &FileConnector,
     ) -> Option<Procedure> {
         let text = self.text(declared, declared.procedure()?, of);
-        let compiled = text.and_then(|(names, body)| Procedure::compile(engine, helpers, &names, &body));
+        let compiled = text.and_then(|(names, body)| Ok(Procedure::compile(engine, helpers, &names, &body)?));
         compiled.map_err(|reason| self.fault(&of.id, reason)).ok()
     }
 
     /// The arguments and body of a connector; a helper counts as a body of its own.
-    fn text(&self, of: &Declared, procedure: &Written, at: &FileConnector) -> Result<(Vec<String>, String), String> {
+    fn text(&self, of: &Declared, procedure: &Written, at: &FileConnector) -> Result<(Vec<String>, String), Reason> {
         let arguments = || of.arguments(at.inputs.iter().map(|id| self.name(id)));
         match procedure {
             Written::Helper(name) => {
                 let helper = self.file.helpers.iter().find(|helper| helper.name == *name);
-                let helper = helper.ok_or_else(|| format!("there is no helper “{name}”"))?;
+                let helper = helper.ok_or_else(|| Reason::NoHelper(name.clone()))?;
                 let (takes, many) = (helper.params.len(), of.spec().argument_count(at.inputs.len()));
                 if takes != many {
-                    return Err(format!("the helper “{name}” takes {takes} values, but gets {many}"));
+                    return Err(Reason::HelperInputs { helper: name.clone(), takes, gets: many });
                 }
                 Ok((helper.params.clone(), helper.body.clone()))
             }
@@ -218,14 +219,14 @@ impl Check<'_> {
 }
 
 /// Whether arguments that a file names can be those of a procedure with so many of them, for so many inputs.
-fn check_arguments(names: &[String], many: usize, inputs: usize) -> Result<(), String> {
+fn check_arguments(names: &[String], many: usize, inputs: usize) -> Result<(), Reason> {
     if names.len() != many {
-        return Err(format!("it names {} arguments for {inputs} inputs", names.len()));
+        return Err(Reason::Arguments { names: names.len(), inputs });
     }
     if let Some(bad) = names.iter().find(|name| !is_identifier(name)) {
-        return Err(format!("“{bad}” cannot be a name in a procedure"));
+        return Err(BodyFault::Name(bad.clone()).into());
     }
-    check_distinct(names)
+    Ok(check_distinct(names)?)
 }
 
 #[cfg(test)]

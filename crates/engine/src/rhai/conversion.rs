@@ -1,6 +1,7 @@
 //! Between the values of a run and the values of Rhai.
 
 use crate::cost::limits::{TEXT_BYTES, VALUE_DEPTH};
+use crate::faults::{ValueFault, ValueKind};
 use behaviour::{Fields, Value};
 use rhai::{Array, Dynamic, ImmutableString, Map};
 use std::sync::Arc;
@@ -45,11 +46,11 @@ fn goes_over(older: &mut Map, fields: &Fields) -> bool {
 /// A value from Rhai.
 ///
 /// # Errors
-/// A few plain words, if it cannot flow: a number that is not finite, a closure, a range, nesting without end, names
+/// Why it cannot flow: a number that is not finite, a closure, a range, nesting without end, names
 /// of fields that are longer than a text may be.
-pub(crate) fn from_rhai(made: Dynamic) -> Result<Value, String> {
+pub(crate) fn from_rhai(made: Dynamic) -> Result<Value, ValueFault> {
     if names_bytes(&made, VALUE_DEPTH) > TEXT_BYTES {
-        return Err("the names in the result are too long; use shorter ones".to_owned());
+        return Err(ValueFault::LongNames);
     }
     from_nested(made, VALUE_DEPTH)
 }
@@ -64,7 +65,7 @@ fn names_bytes(made: &Dynamic, depth: usize) -> usize {
     fields.iter().map(|(name, value)| name.len() + names_bytes(value, depth)).sum()
 }
 
-fn from_nested(made: Dynamic, depth: usize) -> Result<Value, String> {
+fn from_nested(made: Dynamic, depth: usize) -> Result<Value, ValueFault> {
     let made = made.flatten();
     if let Ok(number) = made.as_float() {
         return finite(number);
@@ -81,23 +82,22 @@ fn from_nested(made: Dynamic, depth: usize) -> Result<Value, String> {
     from_composite(made, depth)
 }
 
-fn finite(number: f64) -> Result<Value, String> {
+fn finite(number: f64) -> Result<Value, ValueFault> {
     if number.is_nan() {
-        Err("the result is not a number (NaN); check what it divides or takes the root of".to_owned())
+        Err(ValueFault::NotANumber)
     } else if number.is_infinite() {
-        Err("the result is an infinite number; check what it divides by".to_owned())
+        Err(ValueFault::Infinite)
     } else {
         Ok(Value::Float(number))
     }
 }
 
-fn from_composite(made: Dynamic, depth: usize) -> Result<Value, String> {
+fn from_composite(made: Dynamic, depth: usize) -> Result<Value, ValueFault> {
     let made = match made.try_cast_result::<ImmutableString>() {
         Ok(text) => return Ok(Value::text(text)),
         Err(made) => made,
     };
-    let deeper =
-        depth.checked_sub(1).ok_or("the result is nested too deep; put fewer lists and objects into each other");
+    let deeper = depth.checked_sub(1).ok_or(ValueFault::TooDeep);
     if made.is_array() {
         return made.try_cast::<Array>().map_or(Ok(Value::Null), |items| from_array(items, deeper?));
     }
@@ -107,25 +107,23 @@ fn from_composite(made: Dynamic, depth: usize) -> Result<Value, String> {
     if let Ok(letter) = made.as_char() {
         return Ok(Value::text(letter.encode_utf8(&mut [0; 4])));
     }
-    Err(format!(
-        "{} cannot flow in a stream; end with a number, a text, a list or an object",
-        crate::rhai::words::kind_of(made.type_name())
-    ))
+    Err(ValueFault::Kind(ValueKind::of(made.type_name())))
 }
 
-fn from_array(items: Array, depth: usize) -> Result<Value, String> {
+fn from_array(items: Array, depth: usize) -> Result<Value, ValueFault> {
     let items = items.into_iter().map(|item| from_nested(item, depth));
     Ok(Value::List(Arc::new(items.collect::<Result<_, _>>()?)))
 }
 
-fn from_map(fields: Map, depth: usize) -> Result<Value, String> {
+fn from_map(fields: Map, depth: usize) -> Result<Value, ValueFault> {
     let fields = fields.into_iter().map(|(name, value)| Ok((name, from_nested(value, depth)?)));
-    Ok(Value::Map(Fields::of(fields.collect::<Result<Vec<_>, String>>()?)))
+    Ok(Value::Map(Fields::of(fields.collect::<Result<Vec<_>, ValueFault>>()?)))
 }
 
 #[cfg(test)]
 mod tests {
     use super::{from_rhai, put_rhai, to_rhai};
+    use crate::faults::{ValueFault, ValueKind};
     use behaviour::Value;
 
     #[test]
@@ -157,10 +155,10 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_flow_is_told_in_words() {
-        assert!(from_rhai(rhai::Dynamic::from_float(f64::NAN)).is_err_and(|reason| reason.contains("NaN")));
-        assert!(from_rhai(rhai::Dynamic::from(0_i64..3)).is_err_and(|reason| reason.contains("a range")));
+    fn what_cannot_flow_is_told() {
+        assert_eq!(from_rhai(rhai::Dynamic::from_float(f64::NAN)), Err(ValueFault::NotANumber));
+        assert_eq!(from_rhai(rhai::Dynamic::from(0_i64..3)), Err(ValueFault::Kind(ValueKind::Range)));
         let nested = (0..40).fold(Value::Null, |inner, _| Value::list([inner]));
-        assert!(from_rhai(to_rhai(&nested)).is_err_and(|reason| reason.contains("too deep")));
+        assert_eq!(from_rhai(to_rhai(&nested)), Err(ValueFault::TooDeep));
     }
 }

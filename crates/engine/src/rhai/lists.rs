@@ -184,10 +184,10 @@ impl Writer<'_, '_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Limits, try_body};
+    use crate::{Limits, TrialFault, try_body};
     use behaviour::Value;
 
-    fn run(body: &str) -> Result<Value, String> {
+    fn run(body: &str) -> Result<Value, TrialFault> {
         try_body(&[], &[], body, &[], &Limits::default())
     }
 
@@ -222,7 +222,7 @@ mod tests {
     #[test]
     fn deep_nesting_ends_neither_the_stack_nor_the_time() {
         let deep = "let l = []; for i in 0..60 { l = [l]; } ";
-        assert!(run(&format!("{deep} l == l")).is_err_and(|reason| reason.contains("nested too deep")));
+        assert!(run(&format!("{deep} l == l")).is_err_and(|fault| fault.to_string().contains("nested too deep")));
         let text = run(&format!("{deep} l.to_string()")).map(|text| text.to_string().contains("[…]"));
         assert_eq!(text, Ok(true));
     }

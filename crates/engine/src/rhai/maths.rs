@@ -61,7 +61,7 @@ fn log_to_base(x: f64, base: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::{BINARY, UNARY};
-    use crate::{Limits, try_body};
+    use crate::{Limits, TrialFault, try_body};
     use behaviour::Value;
 
     /// Rhai's and ours agree on most numbers; over enough of them a difference shows whose function runs.
@@ -114,7 +114,7 @@ mod tests {
         }
     }
 
-    fn run(body: &str) -> Result<Value, String> {
+    fn run(body: &str) -> Result<Value, TrialFault> {
         try_body(&[], &[], body, &[], &Limits::default())
     }
 

@@ -19,14 +19,6 @@ pub enum End {
     },
 }
 
-/// What happened at a stream of this name, and what to do about it.
-pub(crate) fn multiplied(name: &str) -> String {
-    format!(
-        "values multiply at “{name}”: one reading became more than 100,000 values; lead fewer ways of the same stream \
-         together there, or put a sample before it"
-    )
-}
-
 /// The stream at which values that began on `start` become too many.
 pub(crate) fn multiplying(graph: &Graph, start: StreamIx, handed_max: u64) -> StreamIx {
     let inputs: Vec<Vec<usize>> = graph.connectors.iter().map(ConnectorInfo::input_places).collect();

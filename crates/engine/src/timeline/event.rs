@@ -115,8 +115,8 @@ impl Event {
                     step.past as usize
                 }
                 Outcome::Failed(failed) => {
-                    let (connector, error) = (step.turn.connector, &failed.reason);
-                    out(Emission::Fault { at, connector, error, deadline: failed.deadline });
+                    let (connector, deadline) = (step.turn.connector, failed.is_deadline());
+                    out(Emission::Fault { at, connector, error: &failed, deadline });
                     step.past as usize
                 }
             }

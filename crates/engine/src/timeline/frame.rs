@@ -6,7 +6,7 @@ use super::end::End;
 use super::memory::RunMemory;
 use super::schedule::Schedule;
 use crate::connectors;
-use crate::procedure::Failed;
+use crate::faults::CallFault;
 use crate::program::Graph;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
 use behaviour::flow::Gives;
@@ -33,7 +33,7 @@ pub(crate) struct Frame {
 
 enum Said {
     Value(StreamIx, Value),
-    Fault(ConnectorIx, Box<Failed>),
+    Fault(ConnectorIx, Box<CallFault>),
 }
 
 impl Frame {
@@ -122,7 +122,7 @@ impl Frame {
             match said {
                 Said::Value(stream, value) => core.emit(at, stream, &value, out),
                 Said::Fault(connector, failed) => {
-                    out(Emission::Fault { at, connector, error: &failed.reason, deadline: failed.deadline });
+                    out(Emission::Fault { at, connector, error: &failed, deadline: failed.is_deadline() });
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::in_place::{Number, Output, copy, put_number};
 use super::index::{ConnectorIx, IndexVec, StreamIx};
+use crate::faults::CallFault;
 use behaviour::Value;
 use robot::Millis;
 use std::mem::{replace, swap};
@@ -44,8 +45,8 @@ pub struct ConnectorStats {
 pub struct LastFault {
     /// When.
     pub at: Millis,
-    /// In plain words.
-    pub error: String,
+    /// What went wrong.
+    pub error: CallFault,
     /// The values the procedure got, in the order of the inputs.
     pub inputs: Vec<Value>,
 }
@@ -135,10 +136,10 @@ impl ConnectorStats {
     }
 
     /// Counts a fault.
-    pub(crate) fn fault(&mut self, at: Millis, error: &str, deadline: bool, inputs: &[&Value]) {
+    pub(crate) fn fault(&mut self, at: Millis, error: &CallFault, inputs: &[&Value]) {
         self.faults += 1;
-        self.deadlines_in_a_row = if deadline { self.deadlines_in_a_row + 1 } else { 0 };
+        self.deadlines_in_a_row = if error.is_deadline() { self.deadlines_in_a_row + 1 } else { 0 };
         let inputs = inputs.iter().map(|&input| input.clone()).collect();
-        self.last_fault = Some(Box::new(LastFault { at, error: error.to_owned(), inputs }));
+        self.last_fault = Some(Box::new(LastFault { at, error: error.clone(), inputs }));
     }
 }

@@ -29,7 +29,7 @@ impl<'a> Printer<'a> {
             Emission::Value { at, stream, value } => self.print_value(number, at, stream, value),
             Emission::Fault { at, connector, error, .. } if self.args.errors => {
                 let id = quoted(&self.files[number].connectors[connector.index()].id);
-                self.line(number, at, &format!("\"connector\":{id},\"error\":{}", quoted(error)));
+                self.line(number, at, &format!("\"connector\":{id},\"error\":{}", quoted(&error.to_string())));
             }
             Emission::Fault { .. } => {}
         }

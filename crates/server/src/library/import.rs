@@ -91,7 +91,8 @@ fn read(body: &[u8]) -> Result<BehaviourFile, NotImported> {
 
 /// What the records say of themselves, with the line.
 fn check_records(file: &BehaviourFile, looked: &Looked) -> Result<(), NotImported> {
-    let faults = file.records(|_| None).err().unwrap_or_default();
+    let flaws = file.records(|_| None).err().unwrap_or_default();
+    let faults: Vec<_> = flaws.iter().map(ToString::to_string).collect();
     looked.place(&faults).into_iter().next().map_or(Ok(()), |fault| Err(fault.into()))
 }
 

@@ -30,8 +30,8 @@ impl Step {
     }
 
     /// A procedure dropped a value.
-    pub(crate) fn fault(&mut self, at_ms: u64, connector: ConnectorIx, error: &str) {
-        self.0.push(Line::Fault { at_ms, connector, error: error.to_owned() });
+    pub(crate) fn fault(&mut self, at_ms: u64, connector: ConnectorIx, error: String) {
+        self.0.push(Line::Fault { at_ms, connector, error });
     }
 }
 

@@ -63,7 +63,7 @@ impl<'a> EmissionSink<'a> {
             Emission::Fault { at, connector, error, deadline } => {
                 self.tally.failed();
                 if self.recorder.is_some() {
-                    self.step.fault(at.0, connector, error);
+                    self.step.fault(at.0, connector, error.to_string());
                 }
                 if deadline {
                     self.too_long = Some(connector);

@@ -167,10 +167,10 @@ impl<'a> RobotThread<'a> {
         }
         if let Err(held) = self.may_move(user) {
             self.hold_back(user, held);
-        } else if let Err(reason) = self.robot.command(user, &command.value, self.now())
+        } else if let Err(fault) = self.robot.command(user, &command.value, self.now())
             && let Some(known) = self.users.get(&user.run)
         {
-            known.mailbox.refuse(&user.stream, reason.to_string());
+            known.mailbox.refuse(&user.stream, fault.to_string());
         }
     }
 

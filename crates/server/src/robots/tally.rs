@@ -149,7 +149,7 @@ impl ConnectorTally {
             return None;
         }
         self.told = (stats.fired, faults);
-        let own = stats.last_fault.as_ref().map(|fault| fault.error.clone());
+        let own = stats.last_fault.as_ref().map(|fault| fault.error.to_string());
         let error = self.refusal.clone().or(own);
         Some(ConnectorSample { connector: self.id.clone()?, fired: stats.fired, faults, error })
     }

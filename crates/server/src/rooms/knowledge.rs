@@ -56,7 +56,7 @@ impl Knowing {
     }
 
     fn find_out(&self, question: Question) -> Answer {
-        let answer = engine::check_body(&question.0, &question.1);
+        let answer = engine::check_body(&question.0, &question.1).map_err(|fault| fault.to_string());
         lock(&self.0).keep(Arc::new(question), answer.clone());
         answer
     }
@@ -64,7 +64,7 @@ impl Knowing {
 
 impl Knowledge for Knowing {
     fn device(&self, kind: StreamKind, device: &str, params: &Params) -> Answer {
-        robot::device(kind, device)?.check(params)
+        robot::device(kind, device).and_then(|device| device.check(params)).map_err(|fault| fault.to_string())
     }
 
     fn body(&self, arguments: &[String], body: &str) -> Answer {

@@ -1,7 +1,7 @@
 //! A bench: a simulated robot with a clock, so that tests read like sentences.
 
 use behaviour::{Id, Params, Value};
-use robot::{Millis, Reading, Robot, SceneEdit, Use};
+use robot::{Millis, Reading, Robot, RobotFault, SceneEdit, Use};
 use simulation::SimulatedNao;
 
 /// A robot and the readings so far.
@@ -30,7 +30,7 @@ impl Bench {
         self.try_tell(stream, value).expect("it takes this value");
     }
 
-    pub(crate) fn try_tell(&mut self, stream: &str, value: impl Into<Value>) -> Result<(), String> {
+    pub(crate) fn try_tell(&mut self, stream: &str, value: impl Into<Value>) -> Result<(), RobotFault> {
         self.nao.command(&user(stream), &value.into(), Millis(self.now))
     }
 

@@ -35,7 +35,8 @@ fn balls_stay_where_they_are_put_inside_the_room_and_outside_the_robot() {
     bench.wait(20);
     assert_eq!(bench.nao.scene().balls[0].at, [0.16, 0.0, 0.3]);
     let missing = SceneEdit::MoveBall { id: "pink".to_owned(), at: [0.0; 3] };
-    assert_eq!(bench.nao.edit(&missing), Err("there is no ball called “pink”".to_owned()));
+    let refused = bench.nao.edit(&missing).expect_err("there is no such ball");
+    assert_eq!(refused.to_string(), "there is no ball called “pink”");
 }
 
 #[test]

@@ -157,8 +157,8 @@ fn readings_come_in_order_of_time() {
 #[test]
 fn what_the_robot_does_not_have_or_cannot_do_is_refused_with_a_sentence() {
     let mut bench = Bench::new();
-    let sentence = bench.nao.open(&super::bench::user("x"), "Wings", &Default::default()).expect_err("it has no wings");
-    assert_eq!(sentence, "this robot has no device called “Wings”");
+    let fault = bench.nao.open(&super::bench::user("x"), "Wings", &Default::default()).expect_err("it has no wings");
+    assert_eq!(fault.to_string(), "this robot has no device called “Wings”");
     let params = [("color".to_owned(), Value::text("pink"))].into_iter().collect();
     assert!(bench.nao.open(&super::bench::user("x"), "Blob", &params).is_err());
     bench.open("ball", "RedBall", &[]);

@@ -52,7 +52,7 @@ impl Document {
     ) {
         match Id::new(LIBRARY) {
             Ok(library) => self.propose_to(library, change, on_answer),
-            Err(reason) => on_answer(Err(Refused::Unreadable(reason))),
+            Err(bad) => on_answer(Err(Refused::Unreadable(bad.to_string()))),
         }
     }
 

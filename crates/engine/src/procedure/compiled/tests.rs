@@ -7,6 +7,7 @@ use self::procedures::{BINARY, Chance, HELPERS, NAMES, OPERATORS, UNARY, procedu
 use self::values::inputs;
 use super::{Compiled, CompiledHelpers, Short};
 use crate::cost::Limits;
+use crate::faults::{CallFault, TrialFault};
 use crate::procedure::Procedure;
 use crate::procedure::helpers::Helpers;
 use crate::procedure::parse::compile;
@@ -199,7 +200,7 @@ fn helpers_that_call_many_helpers_stay_bounded() {
         |at| FileHelper { name: format!("h{at}"), params: vec!["v".into()], body: call(at), says: String::new() };
     let helpers: Vec<_> = (0..12).map(helper).collect();
     let made = crate::try_body(&helpers, &["a".to_owned()], "h11(a)", &[Value::Int(1)], &Limits::default());
-    assert_eq!(made.err().as_deref().map(|reason| reason.contains("too many steps")), Some(true));
+    assert_eq!(made, Err(TrialFault::Call(Box::new(CallFault::Steps))));
 }
 
 /// Values at the edges: zeros, neighbours within and beyond the tolerance, the largest, every other kind.

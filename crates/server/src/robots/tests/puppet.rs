@@ -9,7 +9,7 @@ use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
-use robot::{Health, Millis, Reading, Robot, Scene, SceneEdit, Use};
+use robot::{Health, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
@@ -125,10 +125,10 @@ impl Robot for Puppet {
         vec!["RedBall", "Print"]
     }
 
-    fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), String> {
+    fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {
         let mut strings = lock(&self.0);
         if strings.refuses == Some(device) {
-            return Err(format!("it has no {device}"));
+            return Err(RobotFault::NoDevice(device.to_owned()));
         }
         strings.opened += 1;
         strings.open.insert(user.clone());
@@ -139,12 +139,12 @@ impl Robot for Puppet {
         lock(&self.0).open.remove(user);
     }
 
-    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), String> {
+    fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), RobotFault> {
         let mut strings = lock(&self.0);
         strings.strays += usize::from(now.0 != strings.steps * STEP_MS);
         strings.log.push(format!("told {value}"));
         if *value == Value::Int(13) {
-            return Err("13 brings bad luck".to_owned());
+            return Err(RobotFault::NoNumber);
         }
         strings.told.push((user.clone(), value.clone()));
         let hook = strings.hook.clone();

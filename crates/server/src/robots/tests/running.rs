@@ -112,7 +112,7 @@ async fn a_fault_and_a_command_that_the_robot_drops_are_shown_on_their_connector
         let values = live.since(&mut Seen::default())?;
         values.connectors.into_iter().find(|sample| sample.connector == id("show"))?.error
     };
-    until("the dropped command", || dropped().as_deref() == Some("13 brings bad luck")).await;
+    until("the dropped command", || dropped().as_deref() == Some("this action needs a number")).await;
 }
 
 #[tokio::test]

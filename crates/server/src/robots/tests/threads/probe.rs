@@ -10,7 +10,7 @@ use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
-use robot::{Health, Millis, Reading, Robot, Scene, SceneEdit, Use};
+use robot::{Health, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
 use simulation::SimulatedNao;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
@@ -95,7 +95,7 @@ impl Robot for ProbedRobot {
         vec!["RedBall", "Print"]
     }
 
-    fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), String> {
+    fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {
         if device == "RedBall" {
             lock(&self.notes).ball = Some(user.clone());
         }
@@ -106,7 +106,7 @@ impl Robot for ProbedRobot {
         lock(&self.notes).ball.take_if(|ball| ball == user);
     }
 
-    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), String> {
+    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), RobotFault> {
         let at = Instant::now();
         lock(&self.notes).told.push(Told { stream: user.stream.to_string(), value: value.clone(), at });
         Ok(())

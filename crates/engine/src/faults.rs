@@ -1,0 +1,16 @@
+//! Why a behaviour is refused, and what goes wrong while it runs: as data, and in words for people.
+
+mod body;
+mod call;
+mod graph;
+mod kind;
+mod syntax;
+mod trial;
+mod words;
+
+pub use body::{BodyFault, Misuse, Place};
+pub use call::{CallFault, ValueFault};
+pub use graph::{Fault, Reason, RunFault};
+pub use kind::ValueKind;
+pub use syntax::Syntax;
+pub use trial::TrialFault;

@@ -1,0 +1,65 @@
+//! Why a text is no procedure.
+
+use super::Syntax;
+use rhai::Position;
+
+/// Why a text is no procedure. [`std::fmt::Display`] says it in a few English words, with its place if it has one: `line
+/// 1, column 12: a closing ) is missing`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum BodyFault {
+    /// There is no text.
+    Empty,
+    /// It has more than [`behaviour::BODY_MAX_CHARS`] characters.
+    TooLong,
+    /// It has more than so many blocks in a row.
+    Blocks(usize),
+    /// This name of a helper or an argument cannot be one in a procedure.
+    Name(String),
+    /// Two arguments have this name.
+    NameTwice(String),
+    /// It defines functions.
+    Functions,
+    /// It cannot be read.
+    Syntax(Syntax),
+    /// It does at this place what no procedure may do.
+    Misuse(Place, Misuse),
+}
+
+/// What no procedure may do. [`std::fmt::Display`] says it in a few English words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Misuse {
+    /// Using the function of this name.
+    Refused(String),
+    /// Keeping a closure that uses a value around it.
+    KeptClosure,
+    /// A closure that uses more than so many values around it.
+    Captures(usize),
+    /// Calling a closure with more than so many values.
+    ClosureValues(usize),
+    /// Calling a function of this name with so many values: the library has none, and no helper takes so many.
+    HelperValues(String, usize),
+}
+
+/// A place in a text, counted from 1. [`std::fmt::Display`] says it with a colon behind it, if it is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Place {
+    /// The line, if it is known.
+    pub line: Option<usize>,
+    /// The column, if it is known.
+    pub column: Option<usize>,
+}
+
+impl std::error::Error for BodyFault {}
+
+impl BodyFault {
+    /// A procedure does there what it may not.
+    pub(crate) fn misuse(at: Position, misuse: Misuse) -> Self {
+        Self::Misuse(at.into(), misuse)
+    }
+}
+
+impl From<Position> for Place {
+    fn from(at: Position) -> Self {
+        Self { line: at.line(), column: at.position() }
+    }
+}

@@ -1,0 +1,29 @@
+//! Why a body that is tried makes no value.
+
+use super::{BodyFault, CallFault, Fault};
+
+/// Why a body that is tried makes no value. [`std::fmt::Display`] says it in a few English words.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TrialFault {
+    /// It has another number of arguments than of inputs.
+    Inputs {
+        /// How many arguments it has.
+        takes: usize,
+        /// How many inputs it would get.
+        gets: usize,
+    },
+    /// These helpers cannot run.
+    Helpers(Vec<Fault>),
+    /// It is no procedure.
+    Body(BodyFault),
+    /// It faults on these inputs.
+    Call(Box<CallFault>),
+}
+
+impl std::error::Error for TrialFault {}
+
+impl From<BodyFault> for TrialFault {
+    fn from(fault: BodyFault) -> Self {
+        Self::Body(fault)
+    }
+}
