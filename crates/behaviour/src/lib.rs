@@ -24,6 +24,7 @@ mod room;
 mod rules;
 mod size;
 mod spec;
+mod undo;
 mod unseen;
 mod value;
 pub mod walk;
@@ -51,5 +52,6 @@ pub use record::{
 pub use room::{Accepted, Committed, Decision, Room};
 pub use rules::{BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX};
 pub use size::{BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes};
+pub use undo::{UNDO_MAX, UndoLog};
 pub use unseen::{has_unseen, without_unseen};
 pub use value::Value;
