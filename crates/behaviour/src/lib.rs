@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod change;
+mod checkpoints;
 pub mod connectors;
 mod fields;
 mod file;
@@ -31,6 +32,7 @@ pub mod walk;
 mod words;
 
 pub use change::{Change, Edit};
+pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
 pub use graph::Graph;
