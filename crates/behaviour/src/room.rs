@@ -285,7 +285,7 @@ mod tests {
         let mut locks = Locks::new(1);
         let yuki = Holder { session: 3, client: id("y"), name: "Yuki".into() };
         let grant = locks.take(0, yuki, records.iter().cloned().collect::<BTreeSet<_>>()).unwrap();
-        (locks, Presented { session: Some(3), tokens: vec![grant.token] })
+        (locks, Presented { client: Some(id("y")), tokens: vec![grant.token] })
     }
 
     fn refused(room: &Room, change: &Change, presented: &Presented, locks: &Locks) -> Option<String> {

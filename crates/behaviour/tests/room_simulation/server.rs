@@ -268,7 +268,7 @@ impl Server {
             self.sessions.iter().filter(|(_, known)| known.client == client).map(|(earlier, _)| *earlier).collect();
         earlier.into_iter().try_for_each(|earlier| self.close(earlier))?;
         self.sessions.insert(session, Session { client, was_heard: true, missed: 0 });
-        self.witness.welcomed(session, client);
+        self.witness.welcomed(session, client_id(client));
         let grants = self.locks.return_to(self.clock(), &client_id(client), session);
         self.tell_of_locks()?;
         grants.iter().for_each(|_| self.count("kept"));
@@ -299,7 +299,7 @@ impl Server {
             self.room = Room::open(self.room.behaviour().clone(), self.room.revision());
         }
         let op = job.wish.op().clone();
-        let presented = Presented { session: Some(job.session), tokens: job.tokens };
+        let presented = Presented { client: Some(client_id(job.client)), tokens: job.tokens };
         let decision = match self.answered(&job.wish) {
             Some(decision) => decision,
             None => match self.wanted(job.client, job.wish) {
@@ -344,8 +344,10 @@ impl Server {
             true => self.room.propose(self.now_ms, change, &Anything),
             false => self.room.propose_by(self.now_ms, change, presented, &self.locks, &Anything),
         };
-        if let Decision::Save(committed) = &decision {
-            self.witness.let_in(&sent, &committed.change, presented)?;
+        match &decision {
+            Decision::Save(committed) => self.witness.let_in(&sent, &committed.change, presented)?,
+            Decision::Refuse(Refusal::Locked { .. }) => self.witness.kept_out(&sent, presented)?,
+            Decision::Refuse(_) | Decision::Duplicate(_) => {}
         }
         Ok(decision)
     }

@@ -1,7 +1,7 @@
 //! Watches what is granted, let in and saved, and compares it with what was promised. Knows nothing of how rooms do it.
 
 use crate::gestures::check_rules;
-use behaviour::{Behaviour, Change, Committed, Grant, Id, Kind, Presented, RecordId, Token};
+use behaviour::{Behaviour, Change, Committed, Edit, Grant, Id, Kind, Presented, RecordId, Token};
 use std::collections::BTreeMap;
 
 /// What went wrong, if something did.
@@ -15,14 +15,14 @@ const DEAD_MAX_MS: u64 = 25_000;
 pub(crate) struct Witness {
     holders: BTreeMap<RecordId, (Token, u64)>,
     /// Whose each link is.
-    clients: BTreeMap<u64, usize>,
+    clients: BTreeMap<u64, Id>,
     /// Links that carry nothing any more, and since when.
     dead: BTreeMap<u64, u64>,
 }
 
 impl Witness {
     /// A client is let in by a link.
-    pub(crate) fn welcomed(&mut self, session: u64, client: usize) {
+    pub(crate) fn welcomed(&mut self, session: u64, client: Id) {
         self.clients.insert(session, client);
     }
 
@@ -63,13 +63,21 @@ impl Witness {
         *self = Self::default();
     }
 
+    /// The first record of a change that another holds, if it came without what shows that it may.
+    fn other(&self, change: &Change, presented: &Presented) -> Option<RecordId> {
+        let mut edits = change.edits.iter().filter(|edit| edit.id.kind != Kind::Place);
+        let found = edits.find(|edit| {
+            self.holders.get(&edit.id).is_some_and(|(token, session)| {
+                presented.client.as_ref() != self.clients.get(session) || !presented.tokens.contains(token)
+            })
+        });
+        found.map(|edit| edit.id.clone())
+    }
+
     /// A change is let in.
     pub(crate) fn let_in(&self, sent: &Change, made: &Change, presented: &Presented) -> Check {
-        for edit in sent.edits.iter().filter(|edit| edit.id.kind != Kind::Place) {
-            let Some((token, session)) = self.holders.get(&edit.id) else { continue };
-            if presented.session != Some(*session) || !presented.tokens.contains(token) {
-                return Err(format!("{} let somebody edit {}, which another holds", made.op, edit.id));
-            }
+        if let Some(record) = self.other(sent, presented) {
+            return Err(format!("{} let somebody edit {record}, which another holds", made.op));
         }
         if sent.edits == made.edits {
             Ok(())
@@ -78,16 +86,20 @@ impl Witness {
         }
     }
 
-    /// A change is saved.
+    /// A change is refused because of a lock.
+    pub(crate) fn kept_out(&self, sent: &Change, presented: &Presented) -> Check {
+        let other = self.other(sent, presented);
+        other.map_or_else(|| Err(format!("{} is refused, and nobody else holds anything of it", sent.op)), |_| Ok(()))
+    }
+
+    /// A change is saved. Who sent it may have got a lock meanwhile, nobody else.
     pub(crate) fn saved(&self, change: &Change, presented: &Presented) -> Check {
-        for edit in change.edits.iter().filter(|edit| edit.id.kind != Kind::Place) {
-            let Some((token, session)) = self.holders.get(&edit.id) else { continue };
-            let (is_same, sender) = (presented.tokens.contains(token), presented.session);
-            if !is_same && sender.and_then(|sender| self.clients.get(&sender)) != self.clients.get(session) {
-                return Err(format!("{} was got by another while {} was saved", edit.id, change.op));
-            }
-        }
-        Ok(())
+        let holder = |edit: &Edit| self.holders.get(&edit.id).and_then(|(_, session)| self.clients.get(session));
+        let edits = change.edits.iter().filter(|edit| edit.id.kind != Kind::Place);
+        let mut others =
+            edits.filter(|edit| holder(edit).is_some_and(|holder| presented.client.as_ref() != Some(holder)));
+        let other = others.next().map(|edit| format!("{} was got by another while {} was saved", edit.id, change.op));
+        other.map_or(Ok(()), Err)
     }
 
     /// Time passed.
