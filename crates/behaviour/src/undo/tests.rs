@@ -140,6 +140,23 @@ fn a_change_that_only_says_it_takes_one_back_is_a_change() {
 }
 
 #[test]
+fn taking_back_by_hand_what_is_another_s_now_is_a_change_of_its_own() {
+    let mut desk = Desk::new();
+    desk.writes("Aiko", &["a"], "one");
+    let aikos = desk.room.behaviour().records[&note("a")].clone();
+    desk.writes("Ben", &["a"], "two");
+    let op = desk.op();
+    let back = Change { by: Some(id("Ben")), ..Change::of(op, "Ben", "Write") };
+    desk.save(back.put(desk.room.behaviour(), note("a"), aikos));
+    let op = desk.op();
+    let by_hand = desk.log[0].change.swapped(op, "Undo");
+    desk.save(by_hand);
+    assert!(matches!(desk.undoes("Ben"), Err(Refusal::ChangedSince { by, .. }) if by == "Aiko"));
+    assert_eq!(desk.undoes("Aiko").unwrap().label, "Undo: Undo");
+    assert_eq!(desk.says("a"), "Aiko: one");
+}
+
+#[test]
 fn something_new_ends_what_can_be_done_again() {
     let mut desk = Desk::new();
     desk.writes("Aiko", &["a"], "one");

@@ -76,6 +76,11 @@ impl Client {
         self.locks.keys().nth(nth.checked_rem(many)? as usize).copied()
     }
 
+    /// Its tokens, as a server before this one would have given them.
+    pub(crate) fn older_tokens(&self) -> Vec<Token> {
+        self.locks.keys().map(|token| Token { epoch: token.epoch.wrapping_sub(1), ..*token }).collect()
+    }
+
     /// It gives a lock back.
     pub(crate) fn forget(&mut self, token: Token) {
         self.locks.remove(&token);

@@ -122,6 +122,16 @@ fn a_refusal_that_is_forgotten_is_noticed() {
 }
 
 #[test]
+fn a_token_of_somebody_else_that_is_taken_is_noticed() {
+    is_noticed(Mutant::TokenAlone);
+}
+
+#[test]
+fn a_token_of_another_server_that_is_taken_is_noticed() {
+    is_noticed(Mutant::AnyEpoch);
+}
+
+#[test]
 fn a_plan_is_played_again_as_it_was_written() {
     let plan = Plan::of(7, Some(Mutant::NoCas));
     let path = plan.save(plan.steps.len());

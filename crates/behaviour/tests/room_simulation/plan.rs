@@ -25,6 +25,8 @@ pub(crate) enum Step {
     Wait { ms: u64, flowing: bool },
     /// Somebody edits what they see, as `gesture` says.
     Edit { who: u64, gesture: u64 },
+    /// Somebody edits with the tokens of everybody, or with their own of another server before this one.
+    Forge { who: u64, gesture: u64, others: bool },
     /// Somebody takes back their last change, or does it again.
     Undo { who: u64, again: bool },
     /// Somebody opens editors of records.
@@ -108,7 +110,8 @@ impl Plan {
 fn step(dice: &mut Dice) -> Step {
     let who = dice.roll(720_720);
     match dice.roll(100) {
-        0..=17 => Step::Edit { who, gesture: dice.roll(1 << 40) },
+        0 => Step::Forge { who, gesture: dice.roll(1 << 40), others: dice.roll(2) == 0 },
+        1..=17 => Step::Edit { who, gesture: dice.roll(1 << 40) },
         18..=20 => Step::Undo { who, again: dice.roll(3) == 0 },
         21..=36 => lock_step(dice, who),
         37..=55 => Step::Flush { who },

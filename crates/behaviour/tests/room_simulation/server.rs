@@ -36,6 +36,10 @@ pub(crate) enum Mutant {
     GrantWhileSaving,
     /// A copy of a refused change is decided anew.
     ForgottenRefusal,
+    /// A token is good whoever brings it.
+    TokenAlone,
+    /// A token is good whichever server gave it.
+    AnyEpoch,
 }
 
 /// What somebody wants to be made.
@@ -342,7 +346,10 @@ impl Server {
         }
         let decision = match self.is(Mutant::NoFencing) {
             true => self.room.propose(self.now_ms, change, &Anything),
-            false => self.room.propose_by(self.now_ms, change, presented, &self.locks, &Anything),
+            false => {
+                let presented = self.presented(presented);
+                self.room.propose_by(self.now_ms, change, &presented, &self.locks, &Anything)
+            }
         };
         match &decision {
             Decision::Save(committed) => self.witness.let_in(&sent, &committed.change, presented)?,
@@ -350,6 +357,17 @@ impl Server {
             Decision::Refuse(_) | Decision::Duplicate(_) => {}
         }
         Ok(decision)
+    }
+
+    /// What the locks are told was presented.
+    fn presented(&self, presented: &Presented) -> Presented {
+        let Presented { client, mut tokens } = presented.clone();
+        if self.is(Mutant::AnyEpoch) {
+            tokens.iter_mut().for_each(|token| token.epoch = self.disk.epoch);
+        }
+        let owner = self.locks.held().find(|held| self.is(Mutant::TokenAlone) && tokens.contains(&held.token));
+        let client = owner.map(|held| held.holder.client.clone()).or(client);
+        Presented { client, tokens }
     }
 
     fn begin(&mut self, session: u64, committed: Committed, presented: Presented) -> Check {

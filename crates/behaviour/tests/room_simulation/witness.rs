@@ -48,6 +48,11 @@ impl Witness {
         self.holders.keys().nth(number.checked_rem(many)? as usize).cloned()
     }
 
+    /// Every token that is good for something.
+    pub(crate) fn tokens(&self) -> Vec<Token> {
+        self.holders.values().map(|(token, _)| *token).collect()
+    }
+
     /// A link carries nothing any more.
     pub(crate) fn dies(&mut self, session: u64, now_ms: u64) {
         self.dead.entry(session).or_insert(now_ms);

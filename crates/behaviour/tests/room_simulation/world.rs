@@ -63,6 +63,7 @@ impl World {
         match *step {
             Step::Wait { ms, flowing } => self.wait(ms, flowing)?,
             Step::Edit { who, gesture } => self.wish(who, |client, now_ms| client.edit(now_ms, gesture)),
+            Step::Forge { who, gesture, others } => self.forge(who, gesture, others),
             Step::Undo { who, again } => self.wish(who, |client, _| client.undo(again)),
             Step::Pass { link, up, nth } => self.pass(link, up, nth)?,
             Step::Lose { link, up, nth } => self.lose(link, up, nth),
@@ -84,6 +85,17 @@ impl World {
         }
         self.carry();
         Ok(())
+    }
+
+    fn forge(&mut self, who: u64, gesture: u64, others: bool) {
+        let tokens = match others {
+            true => self.server.witness.tokens(),
+            false => self.clients[self.who(who)].older_tokens(),
+        };
+        self.wish(who, |client, now_ms| {
+            let ups = client.edit(now_ms, gesture).into_iter();
+            ups.map(|up| if let Up::Propose(wish, _) = up { Up::Propose(wish, tokens.clone()) } else { up }).collect()
+        });
     }
 
     /// A client wants something.
