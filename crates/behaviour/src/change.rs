@@ -29,6 +29,13 @@ pub struct Change {
     pub label: String,
     /// When it was made, in milliseconds since 1970, as the server's clock had it on arrival.
     pub at_ms: u64,
+    /// The id of the person, which stays when their name does not. The server says it, whatever its sender wrote; none in
+    /// changes that nobody can take back as their own, such as those of older versions.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by: Option<Id>,
+    /// The change that this one takes back; if that took one back itself, this one does it again.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub undoes: Option<Id>,
     /// What it touches; each record at most once.
     pub edits: Vec<Edit>,
 }
@@ -37,7 +44,8 @@ impl Change {
     /// A change without edits yet.
     #[must_use]
     pub fn of(op: Id, author: &str, label: &str) -> Self {
-        Self { op, author: author.to_owned(), label: label.to_owned(), at_ms: 0, edits: Vec::new() }
+        let (author, label) = (author.to_owned(), label.to_owned());
+        Self { op, author, label, at_ms: 0, by: None, undoes: None, edits: Vec::new() }
     }
 
     /// Also puts `after` where `behaviour` has what it has now. Touching a record again replaces what this change
@@ -71,7 +79,8 @@ impl Change {
         let edits = self.edits.iter().rev();
         let edits =
             edits.map(|edit| Edit { id: edit.id.clone(), before: edit.after.clone(), after: edit.before.clone() });
-        Self { op, label: label.to_owned(), author: self.author.clone(), at_ms: 0, edits: edits.collect() }
+        let (by, undoes) = (self.by.clone(), Some(self.op.clone()));
+        Self { by, undoes, edits: edits.collect(), ..Self::of(op, &self.author, label) }
     }
 }
 
@@ -108,6 +117,14 @@ mod tests {
         assert_eq!(behaviour.records.len(), 1);
         behaviour.apply(&change.swapped(Id::new("op2").unwrap(), "Undo"));
         assert_eq!(behaviour, start);
+    }
+
+    #[test]
+    fn a_change_of_an_older_version_is_read_and_written_as_it_was() {
+        let old = r#"{"op":"a","author":"Aiko","label":"x","at_ms":1,"edits":[]}"#;
+        let change: Change = serde_json::from_str(old).unwrap();
+        assert_eq!((&change.by, &change.undoes), (&None, &None));
+        assert_eq!(serde_json::to_string(&change).unwrap(), old);
     }
 
     #[test]

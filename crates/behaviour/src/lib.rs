@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod change;
+mod checkpoints;
 pub mod connectors;
 mod fields;
 mod file;
@@ -24,12 +25,14 @@ mod room;
 mod rules;
 mod size;
 mod spec;
+mod undo;
 mod unseen;
 mod value;
 pub mod walk;
 mod words;
 
 pub use change::{Change, Edit};
+pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Flaw, FlawKind};
 pub use graph::Graph;
@@ -51,5 +54,6 @@ pub use record::{
 pub use room::{Accepted, Committed, Decision, Room};
 pub use rules::{BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX};
 pub use size::{BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes};
+pub use undo::{UNDO_MAX, UndoLog};
 pub use unseen::{has_unseen, without_unseen};
 pub use value::Value;

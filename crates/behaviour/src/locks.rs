@@ -71,8 +71,9 @@ pub enum Denied {
 /// What comes with a change to show that its sender may touch what is locked.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Presented {
-    /// The link it came by; none for what has no link: a request over HTTP, an import, the server itself.
-    pub session: Option<u64>,
+    /// The client it came from, by whichever of its links; none for what is no client: a request over HTTP, an import,
+    /// the server itself.
+    pub client: Option<Id>,
     /// The tokens that came with it.
     pub tokens: Vec<Token>,
 }
@@ -109,7 +110,7 @@ struct Lock {
 /// A change on its way into the store.
 #[derive(Clone, Debug)]
 struct Saving {
-    session: Option<u64>,
+    client: Option<Id>,
     by: String,
     records: BTreeSet<RecordId>,
 }
@@ -150,7 +151,7 @@ impl Locks {
         if let Some(grant) = self.given_before(holder.session, &records) {
             return Ok(grant);
         }
-        self.check_free(holder.session, &records)?;
+        self.check_free(&holder.client, &records)?;
         self.check_room(holder.session, records.len())?;
         Ok(self.give(holder, records))
     }
@@ -224,13 +225,16 @@ impl Locks {
 
     /// A change was let in and goes to the store. Until [`Self::saved`], nobody else gets what it touches.
     pub fn begin_saving(&mut self, now_ms: u64, change: &Change, presented: &Presented) {
-        if let Some(session) = presented.session {
-            for token in &presented.tokens {
+        self.advance(now_ms);
+        for token in &presented.tokens {
+            let session = self.held.get(&token.counter).map(|lock| &lock.holder);
+            let session = session.filter(|holder| presented.client.as_ref() == Some(&holder.client));
+            if let Some(session) = session.map(|holder| holder.session) {
                 self.touch(now_ms, session, *token);
             }
         }
         let records = lockable(change).cloned().collect();
-        let saving = Saving { session: presented.session, by: change.author.clone(), records };
+        let saving = Saving { client: presented.client.clone(), by: change.author.clone(), records };
         self.saving.insert(change.op.clone(), saving);
     }
 
@@ -249,7 +253,7 @@ impl Locks {
         let other = lockable(change).find_map(|record| {
             let counter = *self.by_record.get(record)?;
             let (holder, token) = (&self.held[&counter].holder, Token { epoch: self.epoch, counter });
-            let is_theirs = presented.session == Some(holder.session) && presented.tokens.contains(&token);
+            let is_theirs = presented.client.as_ref() == Some(&holder.client) && presented.tokens.contains(&token);
             (!is_theirs).then_some((record, holder))
         });
         other.map_or(Ok(()), Err)
@@ -277,26 +281,33 @@ impl Locks {
         Some(lock).filter(|lock| lock.holder.session == session)
     }
 
-    fn given_before(&self, session: u64, records: &BTreeSet<RecordId>) -> Option<Grant> {
+    /// The lock of this set that this link has already; also one given back that could not end yet, as its last edit is
+    /// still being saved, if nobody waits for it.
+    fn given_before(&mut self, session: u64, records: &BTreeSet<RecordId>) -> Option<Grant> {
         let counter = *self.by_record.get(records.first()?)?;
-        let lock = self.held.get(&counter)?;
-        let is_same = lock.holder.session == session && lock.records == *records && lock.ending.is_none();
-        is_same.then(|| Grant { token: Token { epoch: self.epoch, counter }, records: records.clone() })
+        let lock = self.held.get_mut(&counter)?;
+        let is_same = lock.holder.session == session && lock.records == *records;
+        let is_wanted = lock.ending.is_some() && !lock.asks.is_empty();
+        if !is_same || is_wanted {
+            return None;
+        }
+        lock.ending = None;
+        Some(Grant { token: Token { epoch: self.epoch, counter }, records: records.clone() })
     }
 
-    fn check_free(&self, session: u64, records: &BTreeSet<RecordId>) -> Result<(), Denied> {
+    fn check_free(&self, client: &Id, records: &BTreeSet<RecordId>) -> Result<(), Denied> {
         if records.is_empty() || records.iter().any(|record| record.kind == Kind::Place) {
             return Err(Denied::NoLock);
         }
-        records.iter().try_for_each(|record| match self.busy(session, record) {
+        records.iter().try_for_each(|record| match self.busy(client, record) {
             Some(by) => Err(Denied::Held { record: record.clone(), by: by.to_owned() }),
             None => Ok(()),
         })
     }
 
     /// Who locked a record, or who else's change of it is being saved.
-    fn busy(&self, session: u64, record: &RecordId) -> Option<&str> {
-        let mut others = self.saving.values().filter(|saving| saving.session != Some(session));
+    fn busy(&self, client: &Id, record: &RecordId) -> Option<&str> {
+        let mut others = self.saving.values().filter(|saving| saving.client.as_ref() != Some(client));
         let saver = || others.find(|saving| saving.records.contains(record)).map(|saving| saving.by.as_str());
         self.holder(record).map(|holder| holder.name.as_str()).or_else(saver)
     }

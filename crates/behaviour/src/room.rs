@@ -102,7 +102,7 @@ impl Room {
     /// touched record as its sender saw it, the rules. Locks are asked by [`Self::propose_by`].
     #[must_use]
     pub fn propose(&self, now_ms: u64, change: Change, knowledge: &dyn Knowledge) -> Decision {
-        if let Some(decision) = self.answered_before(&change.op) {
+        if let Some(decision) = self.answer(&change.op) {
             return decision;
         }
         match self.judge(&change, knowledge) {
@@ -154,7 +154,9 @@ impl Room {
         self.call(id, None)
     }
 
-    fn answered_before(&self, op: &Id) -> Option<Decision> {
+    /// How a change of this name was answered lately, if it was.
+    #[must_use]
+    pub fn answer(&self, op: &Id) -> Option<Decision> {
         self.answered.get(op).map(|answer| match answer {
             Answer::Made(revision) => Decision::Duplicate(*revision),
             Answer::Refused(refusal) => Decision::Refuse(refusal.clone()),
@@ -178,7 +180,7 @@ impl Room {
     }
 
     /// What a person calls a record, as it is now or as they saw it.
-    fn call(&self, id: &RecordId, seen: Option<&Record>) -> String {
+    pub(crate) fn call(&self, id: &RecordId, seen: Option<&Record>) -> String {
         let record = self.behaviour.records.get(id).or(seen);
         match record {
             Some(Record::Stream(stream)) => format!("“{}”", stream.name),
@@ -283,7 +285,7 @@ mod tests {
         let mut locks = Locks::new(1);
         let yuki = Holder { session: 3, client: id("y"), name: "Yuki".into() };
         let grant = locks.take(0, yuki, records.iter().cloned().collect::<BTreeSet<_>>()).unwrap();
-        (locks, Presented { session: Some(3), tokens: vec![grant.token] })
+        (locks, Presented { client: Some(id("y")), tokens: vec![grant.token] })
     }
 
     fn refused(room: &Room, change: &Change, presented: &Presented, locks: &Locks) -> Option<String> {

@@ -52,6 +52,15 @@ pub enum Refusal {
         /// The name of who is editing it.
         by: String,
     },
+    /// Somebody changed this since, so it cannot be taken back.
+    ChangedSince {
+        /// What a person calls it.
+        what: String,
+        /// The name of who changed it.
+        by: String,
+    },
+    /// Nothing of this person is left to take back, or to do again.
+    NothingToUndo,
     /// The behaviour is gone.
     Gone,
     /// The change has no edits, or too many.

@@ -199,7 +199,9 @@ impl Change {
             let records = [&edit.before, &edit.after].into_iter().flatten();
             ITEM_BYTES + records.map(|record| record_bytes(&edit.id, record)).sum::<usize>()
         };
-        let texts = text_bytes(&self.author) + text_bytes(&self.label) + self.op.as_str().len();
+        let names = [Some(&self.op), self.by.as_ref(), self.undoes.as_ref()].into_iter().flatten();
+        let names = names.map(|name| ITEM_BYTES + name.as_str().len()).sum::<usize>();
+        let texts = text_bytes(&self.author) + text_bytes(&self.label) + names;
         STREAM_BYTES + texts + self.edits.iter().map(edit).sum::<usize>()
     }
 }

@@ -9,6 +9,10 @@ impl fmt::Display for Refusal {
         match self {
             Self::Stale(what) => write!(to, "Somebody changed {what} just now. Look at it and try again."),
             Self::Locked { what, by } => write!(to, "{by} is editing {what}. Ask, or wait until it is free."),
+            Self::ChangedSince { what, by } => {
+                write!(to, "{by} changed {what} since then, so your change cannot be taken back. Change it by hand.")
+            }
+            Self::NothingToUndo => to.write_str("There is nothing more of yours to take back or to do again."),
             Self::Gone => to.write_str("This behaviour was removed. Open another one."),
             Self::Edits(0) => to.write_str("There was nothing to change."),
             Self::Edits(many) => write!(to, "{many} edits at once are too many. Do it in smaller steps."),

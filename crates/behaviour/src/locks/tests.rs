@@ -34,7 +34,7 @@ fn change(names: &[&str]) -> Change {
 }
 
 fn with(session: u64, grant: &Grant) -> Presented {
-    Presented { session: Some(session), tokens: vec![grant.token] }
+    Presented { client: Some(who(session).client), tokens: vec![grant.token] }
 }
 
 fn held_by(name: &str, by: &str) -> Denied {
@@ -92,16 +92,16 @@ fn a_position_and_nothing_have_no_lock() {
 }
 
 #[test]
-fn what_is_locked_takes_exactly_its_token_from_exactly_its_link() {
+fn what_is_locked_takes_exactly_its_token_from_exactly_its_client() {
     let (locks, grant) = aikos();
     let edit = change(&["b"]);
     assert_eq!(locks.check(&edit, &with(AIKO, &grant)), Ok(()));
     assert_eq!(locks.check(&change(&["c"]), &Presented::default()), Ok(()), "what nobody locked is free");
     let no = Err((&edit.edits[0].id, &who(AIKO)));
     let older = Grant { token: Token { epoch: 6, counter: 1 }, ..grant.clone() };
-    let session = Some(AIKO);
-    for wrong in [with(BEN, &grant), with(AIKO, &older), Presented { session, tokens: vec![] }, Presented::default()] {
-        assert_eq!(locks.check(&edit, &wrong).map_err(|(id, who)| (id, who)), no, "{wrong:?}");
+    let client = Some(who(AIKO).client);
+    for wrong in [with(BEN, &grant), with(AIKO, &older), Presented { client, tokens: vec![] }, Presented::default()] {
+        assert_eq!(locks.check(&edit, &wrong), no, "{wrong:?}");
     }
 }
 
@@ -135,8 +135,8 @@ fn a_lock_waits_a_moment_for_a_client_whose_link_ended() {
     assert_eq!(locks.news(), [LockEvent::KeptFor { holder: who(AIKO), token: grant.token, until_ms: 15_000 }]);
     assert!(locks.return_to(6_000, &who(BEN).client, 9).is_empty());
     assert_eq!(locks.return_to(14_999, &who(AIKO).client, 11), std::slice::from_ref(&grant));
-    assert_eq!(locks.check(&change(&["a"]), &with(11, &grant)), Ok(()));
-    assert!(locks.check(&change(&["a"]), &with(AIKO, &grant)).is_err(), "the old link is void");
+    assert_eq!(locks.check(&change(&["a"]), &with(AIKO, &grant)), Ok(()), "by whichever of its links");
+    assert!(!locks.release(15_000, AIKO, grant.token), "the old link is void");
     locks.leave(20_000, 11);
     assert_eq!(locks.due(), Some(30_000));
     assert!(locks.return_to(30_000, &who(AIKO).client, 12).is_empty());
@@ -224,6 +224,16 @@ fn nobody_gets_what_is_being_saved() {
     locks.saved(500_001, &id("op"));
     assert_eq!(granted(&locks.news())[0].0, BEN);
     assert!(locks.take(500_002, who(YUKI), set(&["c"])).is_ok());
+}
+
+#[test]
+fn who_opens_again_what_is_still_being_saved_has_it() {
+    let (mut locks, grant) = aikos();
+    locks.begin_saving(1_000, &change(&["b"]), &with(AIKO, &grant));
+    locks.release(1_001, AIKO, grant.token);
+    assert_eq!(locks.take(1_002, who(AIKO), set(&["a", "b"])).as_ref(), Ok(&grant));
+    locks.saved(1_003, &id("op"));
+    assert!(locks.news().is_empty() && locks.holder(&note("a")) == Some(&who(AIKO)));
 }
 
 #[test]

@@ -1,0 +1,162 @@
+//! One's own undo and redo, read from the log: they survive a reload, and go on at another device of the same person.
+//!
+//! Whose a value is follows from the log too: taking a change back makes a record again what it was, and again the value of
+//! who made it so. So a change can be taken back exactly if everything it made is still there.
+
+use crate::{Change, Committed, Id, NAME_MAX_CHARS, RecordId, Refusal, Room};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Changes that one person can take back.
+pub const UNDO_MAX: usize = 100;
+
+const UNDO: &str = "Undo: ";
+const REDO: &str = "Redo: ";
+
+/// Which change made a record what it is. Revision 0 is from before the log.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Version {
+    revision: u64,
+    author: Arc<str>,
+}
+
+/// A change, and which version of each record it found and left.
+#[derive(Clone, Debug)]
+struct Step {
+    change: Change,
+    versions: BTreeMap<RecordId, (Version, Version)>,
+}
+
+/// What one person can take back and do again; the newest is last.
+#[derive(Clone, Debug, Default)]
+struct Steps {
+    done: Vec<Step>,
+    undone: Vec<Step>,
+}
+
+/// The log as undo reads it. Made of all changes or of the newest ones, in order; what a person did before those stays done.
+#[derive(Clone, Debug, Default)]
+pub struct UndoLog {
+    versions: BTreeMap<RecordId, Version>,
+    people: BTreeMap<Id, Steps>,
+}
+
+impl UndoLog {
+    /// What the changes of a log say, the oldest first.
+    #[must_use]
+    pub fn of<'a>(log: impl IntoIterator<Item = &'a Committed>) -> Self {
+        let mut read = Self::default();
+        log.into_iter().for_each(|committed| read.take(committed));
+        read
+    }
+
+    /// Reads one more change.
+    pub fn take(&mut self, committed: &Committed) {
+        let Committed { revision, change } = committed;
+        let taken_back = self.taken_back(change);
+        let new = Version { revision: *revision, author: Arc::from(change.author.as_str()) };
+        let versions = change.edits.iter().map(|edit| {
+            let earlier = taken_back.as_ref().and_then(|(_, step)| step.versions.get(&edit.id));
+            let after = earlier.map_or_else(|| new.clone(), |(before, _)| before.clone());
+            (edit.id.clone(), (self.version(&edit.id), after))
+        });
+        let step = Step { versions: versions.collect(), change: change.clone() };
+        self.versions.extend(step.versions.iter().map(|(id, (_, after))| (id.clone(), after.clone())));
+        let Some(steps) = change.by.as_ref().map(|by| self.people.entry(by.clone()).or_default()) else { return };
+        match taken_back {
+            Some((Side::Done, _)) => steps.undone.push(step),
+            Some((Side::Undone, _)) => steps.done.push(step),
+            None => {
+                steps.undone.clear();
+                steps.done.push(step);
+            }
+        }
+        let many = steps.done.len().saturating_sub(UNDO_MAX);
+        steps.done.drain(..many);
+    }
+
+    /// The change named `op` that takes back the last change of `by` which is not taken back yet, as a whole.
+    ///
+    /// # Errors
+    /// Who changed something of it since, or that there is none.
+    pub fn undo(&self, by: &Id, op: Id, room: &Room) -> Result<Change, Refusal> {
+        let last = self.people.get(by).and_then(|steps| steps.done.last());
+        self.opposite(last, op, UNDO, room)
+    }
+
+    /// The change named `op` that does again what `by` took back last and did nothing new since.
+    ///
+    /// # Errors
+    /// Who changed something of it since, or that there is none.
+    pub fn redo(&self, by: &Id, op: Id, room: &Room) -> Result<Change, Refusal> {
+        let last = self.people.get(by).and_then(|steps| steps.undone.last());
+        self.opposite(last, op, REDO, room)
+    }
+
+    /// The last change of a person that is not taken back yet: what [`Self::undo`] would take back.
+    #[must_use]
+    pub fn last(&self, by: &Id) -> Option<&Change> {
+        self.people.get(by)?.done.last().map(|step| &step.change)
+    }
+
+    fn opposite(&self, step: Option<&Step>, op: Id, word: &str, room: &Room) -> Result<Change, Refusal> {
+        let step = step.ok_or(Refusal::NothingToUndo)?;
+        if let Some((id, version)) = self.changed_since(step) {
+            let seen = step.change.edits.iter().find(|edit| edit.id == *id);
+            let seen = seen.and_then(|edit| edit.after.as_ref().or(edit.before.as_ref()));
+            return Err(Refusal::ChangedSince { what: room.call(id, seen), by: version.author.to_string() });
+        }
+        Ok(step.change.swapped(op, &label(word, &step.change.label)))
+    }
+
+    /// The first record that is not as this step left it, and what it is now.
+    fn changed_since<'a>(&self, step: &'a Step) -> Option<(&'a RecordId, Version)> {
+        let now = step.versions.iter().map(|(id, (_, after))| (id, self.version(id), after));
+        now.filter(|(_, now, after)| now != *after).map(|(id, now, _)| (id, now)).next()
+    }
+
+    fn version(&self, id: &RecordId) -> Version {
+        self.versions.get(id).cloned().unwrap_or_else(|| Version { revision: 0, author: Arc::from("Somebody") })
+    }
+
+    /// The step that a change takes back, out of where it was. What a change says of itself counts only if it is true.
+    fn taken_back(&mut self, change: &Change) -> Option<(Side, Step)> {
+        let (by, undoes) = (change.by.as_ref()?, change.undoes.as_ref()?);
+        let steps = self.people.get(by)?;
+        let find = |steps: &[Step]| steps.iter().position(|step| step.change.op == *undoes);
+        let (side, at) = find(&steps.done)
+            .map(|at| (Side::Done, at))
+            .or_else(|| find(&steps.undone).map(|at| (Side::Undone, at)))?;
+        let step = steps.of(side).get(at)?;
+        let is_true = step.change.swapped(change.op.clone(), "").edits == change.edits;
+        if !is_true || self.changed_since(step).is_some() {
+            return None;
+        }
+        let steps = self.people.get_mut(by)?;
+        Some((side, steps.of_mut(side).remove(at)))
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    Done,
+    Undone,
+}
+
+impl Steps {
+    fn of(&self, side: Side) -> &Vec<Step> {
+        if side == Side::Done { &self.done } else { &self.undone }
+    }
+
+    fn of_mut(&mut self, side: Side) -> &mut Vec<Step> {
+        if side == Side::Done { &mut self.done } else { &mut self.undone }
+    }
+}
+
+fn label(word: &str, of: &str) -> String {
+    let of = of.strip_prefix(UNDO).or_else(|| of.strip_prefix(REDO)).unwrap_or(of);
+    word.chars().chain(of.chars()).take(NAME_MAX_CHARS).collect()
+}
+
+#[cfg(test)]
+mod tests;
