@@ -11,7 +11,7 @@ use tokio::sync::mpsc;
 
 /// Messages that may wait for one client: answers to the 200 that it may ask at once, and some of what others do
 /// meanwhile. Each takes memory of its own, however short it is.
-const QUEUE_MAX_MESSAGES: usize = 320;
+const QUEUE_MAX_MESSAGES: usize = 1_024;
 /// What may wait for one client before another message is put behind it, in bytes.
 const QUEUE_MAX_BYTES: usize = 2 << 20;
 /// What may wait for all clients together before each is left its share only, in bytes.

@@ -197,7 +197,7 @@ impl Session {
 
     /// The author is who sends it, whatever the change says.
     fn propose(&mut self, ask: u32, behaviour: &Id, change: Change, tokens: Vec<Token>) {
-        let change = Change { author: self.me.name.clone(), ..change };
+        let change = Change { author: self.me.name.clone(), by: Some(self.me.client.clone()), ..change };
         let answer = self.answer(ask);
         self.state().rooms.tell(behaviour, Note::Propose(change, tokens, answer));
     }

@@ -153,7 +153,8 @@ impl RoomTask {
             return from.no(Refused::Change(Refusal::Malformed(stranger)));
         }
         let (around, id) = (Arc::clone(&self.around), self.id.clone());
-        let presented = Presented { session: from.session(), tokens };
+        let member = from.session().and_then(|session| self.members.get(&session));
+        let presented = Presented { client: member.map(|member| member.person.client.clone()), tokens };
         self.saving = match self.locks.begin(&self.room, &change, &presented) {
             Ok(()) => Saving::UnderWay(Box::pin(saving::decide(around, id, Arc::clone(&self.room), change, from))),
             Err(locked) => Saving::UnderWay(Box::pin(saving::refuse(around, id, change, locked, from))),

@@ -74,9 +74,8 @@ struct Keep {
 enum Decided {
     Save(Box<Keep>),
     Duplicate(u64),
-    /// Not as its sender saw it; it may be one that was made long ago.
-    Stale(Change, Refusal),
-    Refuse(Refusal),
+    /// Not made; it may be one that was made long ago.
+    Refuse(Change, Refusal),
 }
 
 /// Decides about a change among the other work, then keeps it.
@@ -88,8 +87,7 @@ pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, c
     let outcome = match decided {
         Ok(Decided::Save(keep)) => save(&around, &id, *keep).await,
         Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(&around, &id, revision).await),
-        Ok(Decided::Stale(change, refusal)) => SaveOutcome::nothing(settle(&around, &id, change, refusal).await),
-        Ok(Decided::Refuse(refusal)) => SaveOutcome::nothing(Err(Refused::Change(refusal))),
+        Ok(Decided::Refuse(change, refusal)) => SaveOutcome::nothing(settle(&around, &id, change, refusal).await),
         Err(why) => SaveOutcome::nothing(Err(why.into())),
     };
     Saved::Change { op, outcome, from }
@@ -111,8 +109,7 @@ fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) ->
             Decided::Save(Box::new(Keep { committed, after: Arc::new(after), helpers }))
         }
         Decision::Duplicate(revision) => Decided::Duplicate(revision),
-        Decision::Refuse(refusal @ Refusal::Stale(_)) => Decided::Stale(change, refusal),
-        Decision::Refuse(refusal) => Decided::Refuse(refusal),
+        Decision::Refuse(refusal) => Decided::Refuse(change, refusal),
     }
 }
 
