@@ -14,7 +14,6 @@ mod sample;
 mod scan;
 mod subscribe;
 mod timestamp;
-mod with_latest;
 
 use crate::procedure::Failed;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
@@ -38,7 +37,6 @@ const ALL: &[&Kind] = &[
     &scan::KIND,
     &subscribe::KIND,
     &timestamp::KIND,
-    &with_latest::KIND,
 ];
 
 /// A kind of connector, as the engine runs it.
