@@ -14,6 +14,7 @@ pub mod sample;
 pub mod scan;
 pub mod subscribe;
 pub mod timestamp;
+pub mod with_latest;
 
 pub use crate::spec::{
     Carries, GraphForm, Help, Icon, Inputs, Offered, PERIOD_MS, Passes, Procedural, ResultUse, Spec, Takes,
@@ -32,6 +33,7 @@ pub const ALL: &[&Spec] = &[
     &scan::SPEC,
     &debounce::SPEC,
     &delay::SPEC,
+    &with_latest::SPEC,
 ];
 
 /// A connector by its word in files.

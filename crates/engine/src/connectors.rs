@@ -14,6 +14,7 @@ mod sample;
 mod scan;
 mod subscribe;
 mod timestamp;
+mod with_latest;
 
 use crate::procedure::Failed;
 use crate::values::{Carried, ConnectorIx, IndexVec, StreamIx};
@@ -37,6 +38,7 @@ const ALL: &[&Kind] = &[
     &scan::KIND,
     &subscribe::KIND,
     &timestamp::KIND,
+    &with_latest::KIND,
 ];
 
 /// A kind of connector, as the engine runs it.

@@ -1,0 +1,56 @@
+//! withLatest: passes on what its procedure makes of a value of the first input and the newest values of the others.
+
+use super::combine_latest::with_known;
+use super::context::{Context, Outcome};
+use super::memory::Memory;
+use super::op::{Op, Turn};
+use super::{Choice, Connector, Frame, Kind};
+use crate::procedure::Failed;
+use crate::values::Carried;
+use crate::values::in_place::copy_some;
+use behaviour::Value;
+use robot::Millis;
+
+pub(super) const KIND: Kind =
+    Kind { word: "withLatest", op: Op::Take, make: |choice| Box::new(WithLatest::of(choice)) };
+
+/// Remembers the newest value of each input; the first one counts only while it comes.
+struct WithLatest {
+    known: Vec<Option<Value>>,
+}
+
+impl WithLatest {
+    fn of(choice: &Choice) -> Self {
+        Self { known: vec![None; choice.inputs] }
+    }
+}
+
+impl Connector for WithLatest {
+    fn take(&mut self, cx: &mut Context, at: Millis, turn: &Turn) -> Outcome {
+        copy_some(&mut self.known[turn.slot as usize], cx.stats.value(turn.input));
+        if turn.slot > 0 {
+            return Outcome::Kept;
+        }
+        with_known(&self.known, |inputs| cx.give_made_of(at, turn, inputs)).unwrap_or(Outcome::Kept)
+    }
+
+    fn frame(&mut self, cx: &mut Context, frame: &Frame) -> Result<Option<Carried>, Box<Failed>> {
+        for (known, &input) in self.known.iter_mut().zip(frame.inputs) {
+            if let Some(carried) = &frame.now[input] {
+                *known = Some(carried.value.clone());
+            }
+        }
+        let first = frame.inputs.first().and_then(|&first| frame.now[first].as_ref());
+        let Some(origin) = first.map(|first| first.origin) else { return Ok(None) };
+        let made = with_known(&self.known, |inputs| cx.call(frame.at, frame.connector, inputs)).transpose()?;
+        Ok(made.map(|value| Carried { value, origin }))
+    }
+
+    fn memory(&self) -> Memory {
+        Memory { known: self.known.clone(), ..Memory::default() }
+    }
+
+    fn resume(&mut self, memory: Memory) {
+        self.known = memory.known;
+    }
+}
