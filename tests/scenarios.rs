@@ -188,6 +188,16 @@ fn goodbye_is_said_when_nobody_was_seen_for_five_seconds() -> Outcome<()> {
 }
 
 #[test]
+fn a_touch_tells_the_color_that_was_seen_last() -> Outcome<()> {
+    let moves = [at(2_000, ball("red", BEHIND)), at(3_000, ball("green", AHEAD)), at(6_000, ball("green", BEHIND))];
+    let script = [touch(1_000), moves.into(), touch(2_500), touch(4_000), touch(8_000)].concat();
+    let report = play("touch_to_tell_the_color", &script, 10_000)?;
+    assert_eq!(words(&report), ["red", "red", "green", "green"]);
+    assert_eq!(times(&report, "say").len(), 4, "only when touched");
+    Ok(())
+}
+
+#[test]
 fn every_template_is_rehearsed() -> Outcome<()> {
     let folder = std::fs::read_dir(house::root().join("tests/behaviours"))?;
     let files = folder.map(|file| Ok(file?.path().file_stem().unwrap_or_default().to_string_lossy().into_owned()));
@@ -215,7 +225,7 @@ fn what_cannot_be_done_is_said() {
     assert!(rehearse(&file, SEED, &[], Millis(u64::MAX)).is_err());
 }
 
-const NAMES: [&str; 11] = [
+const NAMES: [&str; 12] = [
     "reflect_ball_color",
     "say_ball_color",
     "say_ball_color_merge",
@@ -227,6 +237,7 @@ const NAMES: [&str; 11] = [
     "count_my_touches",
     "hello_once",
     "goodbye",
+    "touch_to_tell_the_color",
 ];
 
 fn read(name: &str) -> Outcome<BehaviourFile> {

@@ -117,6 +117,7 @@ mod tests {
             ("scan", "remember"),
             ("debounce", "settle"),
             ("delay", "delay"),
+            ("withLatest", "with latest"),
         ] {
             assert_eq!(named(word), Some(name));
         }

@@ -266,6 +266,7 @@ mod tests {
             ),
             (connectors::debounce::SPEC.with(Parameters::period(5_000)), r#"{"debounce":{"periodMs":5000}}"#),
             (connectors::delay::SPEC.with(Parameters::period(1)), r#"{"delay":{"periodMs":1}}"#),
+            (connectors::with_latest::SPEC.with(Procedure::body("x")), r#"{"withLatest":{"body":{"body":"x"}}}"#),
         ];
         for (operation, text) in cases {
             assert_eq!(serde_json::to_string(&operation).unwrap(), text);
@@ -286,6 +287,7 @@ mod tests {
             r#"{"debounce":{}}"#,
             r#"{"distinct":{"start":1,"body":{"body":"x"}}}"#,
             r#"{"scan":{"start":0}}"#,
+            r#""withLatest""#,
             r#"{"sample":{"periodMs":-1}}"#,
             r#"{"merge":{"body":{"body":"x"}}}"#,
             r#"{"merge":null,"map":{"helper":"near"}}"#,

@@ -214,5 +214,6 @@ mod tests {
         assert_eq!(shown(connectors::distinct::SPEC.with(Procedure::body("face.id"))), "distinct (face.id)");
         assert_eq!(shown(connectors::debounce::SPEC.with(Parameters::period(5_000))), "debounce (5000 ms)");
         assert_eq!(shown(connectors::delay::SPEC.with(Parameters::period(1))), "delay (1 ms)");
+        assert_eq!(shown(connectors::with_latest::SPEC.with(Procedure::Helper("far".into()))), "withLatest (far)");
     }
 }

@@ -44,6 +44,9 @@ const GOLD: [Case; 27] = [
     gold!("more-7-debounce-behind-sample"),
     gold!("more-8-delay-order"),
     gold!("more-9-ticks-by-rank"),
+    gold!("more-10-with-latest"),
+    gold!("more-11-with-latest-diamond"),
+    gold!("more-12-frame-origins"),
 ];
 /// What a machine could compute otherwise than another one: `x` is a measured number.
 const NUMBERS: [&str; 12] = [

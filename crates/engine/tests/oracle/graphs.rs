@@ -90,6 +90,7 @@ fn connector(chance: &mut Chance, sources: &[String], output: &str) -> Json {
         8 => scan(chance, &one, output),
         9 => json!({"type": "debounce", "inputs": one, "output": output, "periodMs": period}),
         10 => json!({"type": "delay", "inputs": one, "output": output, "periodMs": period}),
+        11 if many.len() > 1 => combine(chance, "withLatest", &many, output),
         _ => combine(chance, "combineLatest", &many, output),
     }
 }

@@ -97,6 +97,11 @@ const TEMPLATES: &[Template] = &[
         says: "Says goodbye when it has seen nobody for five seconds.",
         json: include_str!("../../../../tests/behaviours/goodbye.json"),
     },
+    Template {
+        name: "Touch to tell the color",
+        says: "Touched on the head, it says the color of the ball that it saw last.",
+        json: include_str!("../../../../tests/behaviours/touch_to_tell_the_color.json"),
+    },
 ];
 
 #[cfg(test)]

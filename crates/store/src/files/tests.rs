@@ -85,7 +85,8 @@ const MORE: &str = r#"{
     {"id": "c3", "type": "scan", "inputs": ["a"], "output": "d", "body": "soFar.n + n", "args": ["soFar", "n"], "start": {"n": 0.0, "t": ["<", null]}},
     {"id": "c4", "type": "scan", "inputs": ["a"], "output": "e", "helper": "larger"},
     {"id": "c5", "type": "debounce", "inputs": ["a"], "output": "f", "periodMs": 5000},
-    {"id": "c6", "type": "delay", "inputs": ["a"], "output": "g", "periodMs": 1}
+    {"id": "c6", "type": "delay", "inputs": ["a"], "output": "g", "periodMs": 1},
+    {"id": "c7", "type": "withLatest", "inputs": ["a", "b"], "output": "h", "body": "b"}
   ],
   "layout": {
     "a": {"x": 0, "y": 40}
@@ -100,6 +101,7 @@ const MORE_XML: &str = r#"
     <scan id="c4" to="e" helper="larger"><from stream="a"/></scan>
     <debounce id="c5" to="f" period="5000ms"><from stream="a"/></debounce>
     <delay id="c6" to="g" period="1ms"><from stream="a"/></delay>
+    <withLatest id="c7" to="h"><from stream="a"/><from stream="b"/><body>b</body></withLatest>
 "#;
 
 #[test]

@@ -79,6 +79,8 @@ fn connectors() -> Vec<(RecordId, Record)> {
         started(Procedure::Helper("near".to_owned()), start()),
         connectors::debounce::SPEC.with(Parameters::period(u64::MAX)),
         connectors::delay::SPEC.with(Parameters::period(1)),
+        connectors::with_latest::SPEC.with(body(Some(Vec::new()))),
+        connectors::with_latest::SPEC.with(Procedure::Helper("near".to_owned())),
     ];
     assert!(connectors::ALL.iter().all(|spec| operations.iter().any(|operation| operation.spec() == *spec)));
     let inputs: [&[&str]; 3] = [&["s0"], &["s1", "s0", "s1"], &[]];
