@@ -34,7 +34,7 @@ const SERVER: Arrows = &[
     ("robots", &["recordings", "support"]),
     ("recordings", &["support"]),
     ("support", &[]),
-    ("words", &["library", "recordings", "robots", "rooms", "serve"]),
+    ("words", &["http", "library", "recordings", "robots", "rooms", "serve"]),
 ];
 
 #[test]

@@ -1,5 +1,6 @@
 //! Why the server did not do something, each reason said in English. What a reason is, its own folder knows.
 
+use crate::http::origin::NotAllowed;
 use crate::library::import::NotImported;
 use crate::recordings::{NotRecorded, Stuck};
 use crate::robots::refusal::{BackupMisfit, NoRun, RobotsUnchanged, RunFailure};
@@ -9,6 +10,7 @@ use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
 use protocol::{MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
 use std::fmt;
+use store::files::FILE_MAX_BYTES;
 
 impl fmt::Display for ServeError {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
@@ -29,6 +31,18 @@ impl fmt::Display for ServeError {
     }
 }
 
+impl fmt::Display for NotAllowed {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str(match self {
+            Self::Unreadable => "the request cannot be read",
+            Self::NoHost => "the request does not say for which host it is",
+            Self::OtherHost => "this server answers under localhost only",
+            Self::NoOrigin => "the request does not say from which page it is",
+            Self::OtherPage => "another page may not use this server",
+        })
+    }
+}
+
 impl fmt::Display for NotImported {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
@@ -36,6 +50,10 @@ impl fmt::Display for NotImported {
             Self::Present => to.write_str(
                 "This behaviour is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
             ),
+            Self::TooLarge => {
+                write!(to, "The file is larger than {FILE_MAX_BYTES} bytes. Split it into several.")
+            }
+            Self::NotWhole => to.write_str("The file did not come whole, or took too long. Try again."),
             Self::Refused(no) => write!(to, "{no}"),
         }
     }

@@ -5,6 +5,21 @@ use axum::extract::Request;
 use axum::http::{HeaderMap, HeaderName, header};
 use std::net::IpAddr;
 
+/// Why somebody may not come in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NotAllowed {
+    /// The request cannot be read.
+    Unreadable,
+    /// It does not say for which host it is.
+    NoHost,
+    /// It is for another host than this computer.
+    OtherHost,
+    /// It does not say from which page it is.
+    NoOrigin,
+    /// Another page sends it.
+    OtherPage,
+}
+
 /// Tells who may come in to the server on this port.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct OriginGuard {
@@ -21,7 +36,7 @@ impl OriginGuard {
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_stop(self, host: Option<&str>, origin: Option<&str>) -> Result<(), &'static str> {
+    pub(crate) fn may_stop(self, host: Option<&str>, origin: Option<&str>) -> Result<(), NotAllowed> {
         check(self.port, host, origin, Origin::Optional)
     }
 
@@ -30,13 +45,13 @@ impl OriginGuard {
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_enter(self, request: &Request) -> Result<(), &'static str> {
+    pub(crate) fn may_enter(self, request: &Request) -> Result<(), NotAllowed> {
         let of = |name: HeaderName| request.headers().get(name).map(|value| value.to_str().unwrap_or("?"));
         let path = request.uri().path();
         let free = request.method().is_safe() || path == protocol::STOP_PATH;
         let need = if free { Origin::Optional } else { Origin::Required };
         check(self.port, of(header::HOST), of(header::ORIGIN), need)?;
-        if is_from_another_page(request.headers(), path) { Err("another page may not use this server") } else { Ok(()) }
+        if is_from_another_page(request.headers(), path) { Err(NotAllowed::OtherPage) } else { Ok(()) }
     }
 }
 
@@ -60,16 +75,16 @@ enum Origin {
 }
 
 /// Whether the Host is this computer and this port, and the Origin the same.
-fn check(port: u16, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), &'static str> {
-    let host = host.ok_or("the request does not say for which host it is")?;
+fn check(port: u16, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
+    let host = host.ok_or(NotAllowed::NoHost)?;
     if !is_here(host, port) {
-        return Err("this server answers under localhost only");
+        return Err(NotAllowed::OtherHost);
     }
     match origin {
         Some(origin) if origin.strip_prefix("http://") == Some(host) => Ok(()),
-        Some(_) => Err("another page may not use this server"),
+        Some(_) => Err(NotAllowed::OtherPage),
         None if need == Origin::Optional => Ok(()),
-        None => Err("the request does not say from which page it is"),
+        None => Err(NotAllowed::NoOrigin),
     }
 }
 

@@ -102,7 +102,7 @@ async fn guard_all(State(app): State<AppState>, request: Request, next: Next) ->
     match app.guard.may_enter(&request) {
         Ok(()) => next.run(request).await,
         Err(why) => {
-            tracing::warn!(why, "a request was turned away");
+            tracing::warn!(%why, "a request was turned away");
             (StatusCode::FORBIDDEN, format!("Refused: {why}.\n")).into_response()
         }
     }

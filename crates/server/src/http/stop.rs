@@ -1,7 +1,7 @@
 //! Answers one Stop: reads its head, lets the robots hold, says so, and only then has anything else done.
 
 use super::headers::HEADERS;
-use crate::http::origin::OriginGuard;
+use crate::http::origin::{NotAllowed, OriginGuard};
 use crate::robots::Robots;
 use axum::extract::Query;
 use axum::http::Uri;
@@ -64,10 +64,10 @@ async fn head(stream: &mut TcpStream) -> Option<Vec<u8>> {
 
 /// What is to stop, unless somebody asks who may not. An id that is none stops everything: better too much than too
 /// little.
-fn asked(head: &[u8], guard: &OriginGuard) -> Result<StopTarget, &'static str> {
+fn asked(head: &[u8], guard: &OriginGuard) -> Result<StopTarget, NotAllowed> {
     let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
     let mut request = httparse::Request::new(&mut lines);
-    request.parse(head).map_err(|_| "the request cannot be read")?;
+    request.parse(head).map_err(|_| NotAllowed::Unreadable)?;
     let of = |name: &str| {
         let line = request.headers.iter().find(|line| line.name.eq_ignore_ascii_case(name));
         line.map(|line| std::str::from_utf8(line.value).unwrap_or("?"))

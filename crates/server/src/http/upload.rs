@@ -13,7 +13,7 @@ use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
 use std::time::Duration;
-use store::files::{FILE_MAX_BYTES, Import, Mode};
+use store::files::{Import, Mode};
 
 /// How long a file may take to come.
 const UPLOAD_MS: u64 = 20_000;
@@ -48,13 +48,8 @@ pub(super) async fn upload(
     let taken = tokio::time::timeout(Duration::from_millis(UPLOAD_MS), Bytes::from_request(request, &()));
     match place.hold(taken).await {
         Some(Ok(Ok(body))) => answer(bring(library, sender, how, body).await),
-        Some(Ok(Err(error))) if error.status() == StatusCode::PAYLOAD_TOO_LARGE => {
-            let sentence = format!("The file is larger than {FILE_MAX_BYTES} bytes. Split it into several.");
-            refusal(StatusCode::PAYLOAD_TOO_LARGE, &sentence)
-        }
-        Some(Ok(Err(_)) | Err(_)) | None => {
-            refusal(StatusCode::REQUEST_TIMEOUT, "The file did not come whole, or took too long. Try again.")
-        }
+        Some(Ok(Err(error))) if error.status() == StatusCode::PAYLOAD_TOO_LARGE => answer(Err(NotImported::TooLarge)),
+        Some(Ok(Err(_)) | Err(_)) | None => answer(Err(NotImported::NotWhole)),
     }
 }
 
@@ -72,7 +67,7 @@ fn answer(imported: Result<Import, NotImported>) -> Response {
             tracing::info!(%behaviour, "a behaviour was imported");
             Json(serde_json::json!({"id": behaviour, "name": name, "renamedHelpers": renamed})).into_response()
         }
-        Err(why) => refusal(status(&why), &why.to_string()),
+        Err(why) => (status(&why), Json(serde_json::json!({ "error": why.to_string() }))).into_response(),
     }
 }
 
@@ -80,11 +75,9 @@ fn status(why: &NotImported) -> StatusCode {
     match why {
         NotImported::Fault(_) => StatusCode::BAD_REQUEST,
         NotImported::Present => StatusCode::CONFLICT,
+        NotImported::TooLarge => StatusCode::PAYLOAD_TOO_LARGE,
+        NotImported::NotWhole => StatusCode::REQUEST_TIMEOUT,
         NotImported::Refused(Refused::Store(_) | Refused::TooFast) => StatusCode::SERVICE_UNAVAILABLE,
         NotImported::Refused(_) => StatusCode::UNPROCESSABLE_ENTITY,
     }
-}
-
-fn refusal(status: StatusCode, sentence: &str) -> Response {
-    (status, Json(serde_json::json!({ "error": sentence }))).into_response()
 }

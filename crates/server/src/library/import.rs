@@ -30,6 +30,10 @@ pub(crate) enum NotImported {
     Fault(FileFault),
     /// The behaviour is here already.
     Present,
+    /// It is larger than any that is taken.
+    TooLarge,
+    /// It did not come to its end, or too slowly.
+    NotWhole,
     /// What the file asks for is refused.
     Refused(Refused),
 }

@@ -4,7 +4,7 @@ pub(super) mod write;
 
 use super::FileFault;
 use super::place::Lines;
-use super::tree::{DEPTH_MAX, NODES_MAX, Node, TOO_MANY, What};
+use super::tree::{DEPTH_MAX, NODES_MAX, NoNumber, Node, TOO_MANY, What};
 use behaviour::Value;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::value::RawValue;
@@ -18,14 +18,13 @@ pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
 }
 
 /// A number as JSON writes it: whole, or measured and finite.
-pub(super) fn number(text: &str) -> Result<Value, &'static str> {
+pub(super) fn number(text: &str) -> Result<Value, NoNumber> {
     let whole = text.strip_prefix('-').unwrap_or(text).bytes().all(|byte| byte.is_ascii_digit());
-    let too_large = "This number is too large. Use a smaller one.";
     match serde_json::from_str(text) {
-        Ok(Value::Float(float)) if whole && float != 0.0 => Err(too_large),
+        Ok(Value::Float(float)) if whole && float != 0.0 => Err(NoNumber::TooLarge),
         Ok(value @ (Value::Int(_) | Value::Float(_))) => Ok(value),
-        Err(_) if text.bytes().all(|byte| byte.is_ascii_digit() || b"-+.eE".contains(&byte)) => Err(too_large),
-        Ok(_) | Err(_) => Err("This must be a number, such as 12 or 0.5."),
+        Err(_) if text.bytes().all(|byte| byte.is_ascii_digit() || b"-+.eE".contains(&byte)) => Err(NoNumber::TooLarge),
+        Ok(_) | Err(_) => Err(NoNumber::Other),
     }
 }
 
@@ -59,7 +58,7 @@ impl Reader<'_, '_> {
                     items.map_err(bad)?.into_iter().map(|raw| self.node(raw, depth + 1)).collect::<Result<_, _>>()?,
                 )
             }
-            Some(b'-' | b'0'..=b'9') => What::Plain(number(text).map_err(|reason| self.lines.fault(at, reason))?),
+            Some(b'-' | b'0'..=b'9') => What::Plain(number(text).map_err(|why| self.lines.fault(at, why.to_string()))?),
             _ => What::Plain(serde_json::from_str(text).map_err(bad)?),
         };
         Ok(Node { at, what })

@@ -1,6 +1,7 @@
 //! A file as a tree of named things, each with its place: what JSON and XML have in common.
 
 use behaviour::Value;
+use thiserror::Error;
 
 /// How deep things may lie in each other.
 pub(super) const DEPTH_MAX: usize = 32;
@@ -10,6 +11,20 @@ pub(super) const NODES_MAX: usize = 250_000;
 
 /// What is said of a file that has more.
 pub(super) const TOO_MANY: &str = "The file has more things in it than a behaviour may have. Split it into several.";
+
+/// Why a text is no number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
+pub(super) enum NoNumber {
+    /// It is none at all.
+    #[error("This must be a number, such as 12 or 0.5.")]
+    Other,
+    /// It is larger than any that is kept.
+    #[error("This number is too large. Use a smaller one.")]
+    TooLarge,
+    /// It is no length of time.
+    #[error("This must be a whole number of milliseconds, such as 500ms.")]
+    NoMillis,
+}
 
 /// A thing in the file.
 #[derive(Debug)]

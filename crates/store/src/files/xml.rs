@@ -7,7 +7,7 @@ pub(super) mod write;
 use super::FileFault;
 use super::json::number;
 use super::place::Lines;
-use super::tree::{Node, What};
+use super::tree::{NoNumber, Node, What};
 use behaviour::{FORMAT, Value};
 use element::{Element, root};
 #[cfg(test)]
@@ -240,7 +240,7 @@ impl Door<'_, '_> {
                 let reason = format!("“{name}” is not known here; <{}> has {may}. Leave it out.", element.name);
                 return Err(self.lines.fault(*at, reason));
             };
-            let node = read(*how, text, *at).map_err(|reason| self.lines.fault(*at, reason))?;
+            let node = read(*how, text, *at).map_err(|why| self.lines.fault(*at, why.to_string()))?;
             fields.push(((*field).to_owned(), node));
         }
         Ok(fields)
@@ -279,14 +279,14 @@ impl Door<'_, '_> {
     }
 }
 
-fn read(how: How, text: &str, at: usize) -> Result<Node, &'static str> {
+fn read(how: How, text: &str, at: usize) -> Result<Node, NoNumber> {
     let plain = |value| Node { at, what: What::Plain(value) };
     match how {
         How::Text => Ok(Node::text(at, text)),
         How::Number => number(text).map(plain),
         How::Millis => match text.strip_suffix("ms").map(number) {
             Some(Ok(value @ Value::Int(_))) => Ok(plain(value)),
-            _ => Err("This must be a whole number of milliseconds, such as 500ms."),
+            _ => Err(NoNumber::NoMillis),
         },
         How::Names => {
             let names = text.split(' ').filter(|name| !name.is_empty());
