@@ -53,7 +53,7 @@ async fn a_refused_edit_leaves_what_runs_as_it_is() {
     puppet.refuse("Tracker");
     let tracker = |file: &mut BehaviourFile| file.streams[2].device = Some("Tracker".to_owned());
     let refused = robots.apply(edited(filtered("one", "true"), tracker)).await.unwrap_err();
-    assert_eq!(refused.to_string(), "“page”: it has no Tracker");
+    assert_eq!(refused.to_string(), "“page”: this robot has no device called “Tracker”");
     assert_eq!(state(&robots, &run).revision, 1);
     shows_until_told(&puppet, &run, 5).await;
     assert_eq!(puppet.users(), [run.run].into());
