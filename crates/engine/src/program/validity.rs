@@ -41,10 +41,11 @@ impl Program {
             procedures.map(|(declared, of)| check.procedure(&engine, &helpers, declared.as_ref()?, of)).collect();
         let Some(infos) = infos else { return Err(check.faults) };
         let graph = check.wired(infos);
-        let made = |(declared, of): (Option<Declared>, &FileConnector)| {
-            declared.map(|declared| (declared.kind.make)(&declared.choice(of.inputs.len())))
+        let made = |(declared, of): (&Option<Declared>, &FileConnector)| {
+            declared.as_ref().map(|declared| (declared.kind.make)(&declared.choice(of.inputs.len())))
         };
-        let connectors = declared.into_iter().zip(&file.connectors).filter_map(made).collect();
+        // Not out of the list itself, whose memory a run would keep.
+        let connectors = declared.iter().zip(&file.connectors).filter_map(made).collect();
         match graph {
             Some(graph) if check.faults.is_empty() => {
                 let mode = file.engine.unwrap_or_default();
@@ -105,7 +106,8 @@ impl Check<'_> {
     /// What every connector of the file is, unless it is none; and all of them with their ends, unless an end is missing.
     fn connectors(&mut self) -> (Vec<Option<Declared>>, Option<Vec<ConnectorInfo>>) {
         let mut fed = BTreeSet::new();
-        let (mut all, mut infos) = (Vec::new(), Vec::new());
+        let many = self.file.connectors.len();
+        let (mut all, mut infos) = (Vec::with_capacity(many), Vec::with_capacity(many));
         for connector in &self.file.connectors {
             let declared = Declared::of(connector).map_err(|reason| self.fault(&connector.id, reason)).ok();
             match declared.as_ref().map(|declared| self.connector(declared, connector, &mut fed)) {

@@ -25,7 +25,10 @@ async fn what_cannot_start_says_why() {
     let robots = puppet.robots(Limits::default);
     assert!(robots.start(filtered("one", "ball >")).await.is_err());
     puppet.refuse("Print");
-    assert_eq!(robots.start(filtered("one", "true")).await.unwrap_err().to_string(), "“page”: this robot has no device called “Print”");
+    assert_eq!(
+        robots.start(filtered("one", "true")).await.unwrap_err().to_string(),
+        "“page”: this robot has no device called “Print”"
+    );
     assert!(!robots.is_running(&id("one")) && robots.runs().borrow().is_empty());
     until("the devices are given back", || puppet.users().is_empty()).await;
 }
