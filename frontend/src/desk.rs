@@ -11,7 +11,9 @@ mod library;
 mod robots;
 mod tab;
 
-pub(crate) use document::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
+pub(crate) use document::{
+    Asking, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, StreamSignals, Writing,
+};
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
 
@@ -68,6 +70,8 @@ impl Desk {
         crate::link::start(self.clone());
         let robots = self.robots.clone();
         crate::browser::every(500, move || robots.tick());
+        let document = self.document.clone();
+        crate::browser::every(500, move || document.tick_lock());
     }
 
     /// Hands on what the document tells.

@@ -61,6 +61,7 @@ fn App() -> impl IntoView {
         <panels::Files />
         <panels::Dialogs />
         <panels::Notices />
+        <panels::Editors />
     }
 }
 

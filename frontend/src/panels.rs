@@ -1,6 +1,7 @@
 //! Everything around the canvas: the bar, the left list, the right column, dialogs, notices and the outline.
 
 mod dialogs;
+mod editors;
 mod empty;
 mod files;
 mod focus;
@@ -24,6 +25,7 @@ mod tools;
 mod trials;
 
 pub(crate) use dialogs::Dialogs;
+pub(crate) use editors::Editors;
 pub(crate) use empty::EmptyStage;
 pub(crate) use files::Files;
 pub(crate) use notices::Notices;

@@ -7,6 +7,7 @@ mod edits;
 mod graph_database;
 mod help;
 mod library;
+mod locks;
 mod order;
 mod quick;
 mod record;

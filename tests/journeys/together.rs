@@ -41,7 +41,7 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
 }
 
 /// Makes a program with a map whose body is 1.
-async fn add_map(page: &Page) -> Outcome<()> {
+pub(crate) async fn add_map(page: &Page) -> Outcome<()> {
     add_program(page, "Ours").await?;
     add_sense(page, "RedBall").await?;
     thunderbolt(page, "RedBall", "map").await?;
@@ -55,12 +55,17 @@ async fn a_stale_edit_is_refused_and_its_draft_stays() -> Outcome<()> {
         return Ok(());
     }
     let stage = Stage::set().await?;
-    let aiko = stage.person("aiko").await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
     add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
     write_body(&aiko, "map (1), connector*", "2 + 2").await?;
     write_body(&ben, "map (1), connector*", "3").await?;
     save(&ben, "Operation").await?;
+    socket.mend().await?;
+    silent(&aiko, "Offline").await?;
     aiko.find("button", "map (3), connector*").await?;
     let dialog = aiko.within("dialog", "Operation");
     dialog.press("button", "Save").await?;
@@ -68,8 +73,7 @@ async fn a_stale_edit_is_refused_and_its_draft_stays() -> Outcome<()> {
     assert!(sentence.starts_with("Somebody changed") && sentence.ends_with("try again."), "{sentence}");
     assert_eq!(dialog.text("textbox", "Body").await?, "2 + 2");
     aiko.find("button", "map (3), connector*").await?;
-    calm(&ben)?;
-    calm(&aiko)
+    calm(&ben)
 }
 
 #[tokio::test]
@@ -131,7 +135,7 @@ async fn what_is_done_offline_is_sent_later() -> Outcome<()> {
 }
 
 /// Chooses one's own name behind one's own sign in the bar.
-async fn call_myself(page: &Page, name: &str) -> Outcome<()> {
+pub(crate) async fn call_myself(page: &Page, name: &str) -> Outcome<()> {
     page.within("toolbar", "Main tools").press("button", "G*").await?;
     page.within("dialog", "Your name").fill("textbox", "Name*", name).await?;
     page.within("dialog", "Your name").press("button", "Save").await?;
@@ -159,7 +163,7 @@ async fn drag_aside(one: &Page, other: &Page, stream: &str) -> Outcome<()> {
 }
 
 /// Opens a connector's dialog and writes another body, without saving.
-async fn write_body(page: &Page, chip: &str, body: &str) -> Outcome<()> {
+pub(crate) async fn write_body(page: &Page, chip: &str, body: &str) -> Outcome<()> {
     page.press("button", chip).await?;
     next(page, "map", "Edit").await?;
     page.within("dialog", "Operation").fill("textbox", "Body", body).await

@@ -7,6 +7,7 @@ use std::process::Command;
 
 use crate::steps::*;
 use crate::stop::running_ball;
+use crate::together::{add_map, write_body};
 
 const FAILS: &str = "throw 1";
 
@@ -110,30 +111,47 @@ fn signal(stage: &Stage, signal: &str) -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn a_dialog_says_who_removed_its_stream() -> Outcome<()> {
+    if !skip::ready("journey: who removed it") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_map(&aiko).await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    select(&aiko, "1").await?;
+    next(&aiko, "1", "Edit").await?;
+    aiko.within("dialog", "Edit stream").fill("textbox", "Name", "Mine").await?;
+    select(&ben, "1").await?;
+    next(&ben, "1", "Remove").await?;
+    says(&aiko, " removed this. What you wrote is still here: copy it, or close.").await?;
+    let sentence = aiko.within("dialog", "Edit stream").text("alert", "").await?;
+    assert!(sentence.starts_with("Guest "), "it says who: {sentence}");
+    calm(&aiko)
+}
+
+#[tokio::test]
 async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written() -> Outcome<()> {
     if !skip::ready("journey: removed under the hand") {
         return Ok(());
     }
     let stage = Stage::set().await?;
-    let aiko = stage.person("aiko").await?;
-    add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
-    save(&aiko, "Operation").await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
+    add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
     let chip = "map (1), connector*";
-    aiko.press("button", chip).await?;
-    next(&aiko, "map", "Edit").await?;
+    // Without a link there is no lock, so that it can be removed meanwhile.
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
+    write_body(&aiko, chip, "2 + 2").await?;
     let dialog = aiko.within("dialog", "Operation");
-    dialog.fill("textbox", "Body", "2 + 2").await?;
     ben.press("button", chip).await?;
     next(&ben, "map", "Remove").await?;
     ben.gone("button", chip).await?;
+    socket.mend().await?;
 
     says(&aiko, " removed this. What you wrote is still here: copy it, or close.").await?;
-    let sentence = dialog.text("alert", "").await?;
-    assert!(sentence.starts_with("Guest "), "it says who: {sentence}");
     assert!(dialog.find("button", "Save").await?.disabled);
     aiko.key("Control+Enter").await?;
     assert_eq!(dialog.text("textbox", "Body").await?, "2 + 2");
@@ -145,7 +163,7 @@ async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written()
     silent(&aiko, " removed this.").await?;
     save(&aiko, "Operation").await?;
     ben.find("button", "map (2 + 2), connector*").await?;
-    calm(&aiko)
+    calm(&ben)
 }
 
 #[tokio::test]

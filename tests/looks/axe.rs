@@ -40,7 +40,7 @@ async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
     page.no_errors()
 }
 
-async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {
+pub(crate) async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {
     let violations = page.axe("").await?;
     let line = |violation: house::Violation| {
         let nodes = violation.nodes.join("\n      ");

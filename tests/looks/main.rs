@@ -3,6 +3,7 @@
 mod axe;
 mod graphs;
 mod load;
+mod locks;
 mod rules;
 mod screens;
 mod sizes;

@@ -28,7 +28,7 @@ const HELP: [&str; 6] = ["subscribe", "map", "combine", "timestamp", "remember",
 pub(crate) struct Stage {
     pub(crate) page: Page,
     pub(crate) server: Server,
-    _browser: Browser,
+    pub(crate) browser: Browser,
     _folder: TempDir,
 }
 
@@ -41,7 +41,7 @@ impl Stage {
         page.size(1440, 900, false).await?;
         page.goto(&server.url()).await?;
         usable(&page).await?;
-        Ok(Stage { page, server, _browser: browser, _folder: folder })
+        Ok(Stage { page, server, browser, _folder: folder })
     }
 }
 
@@ -164,12 +164,12 @@ pub(crate) async fn operation(page: &Page) -> Outcome<()> {
 }
 
 /// Selects a stream on the canvas.
-async fn selected(page: &Page, stream: &str) -> Outcome<()> {
+pub(crate) async fn selected(page: &Page, stream: &str) -> Outcome<()> {
     page.press("button", &format!("{stream}, *")).await
 }
 
 /// Presses Edit beside what is selected.
-async fn edit(page: &Page) -> Outcome<()> {
+pub(crate) async fn edit(page: &Page) -> Outcome<()> {
     let press = "[...document.querySelectorAll('.right button')].find(button => button.textContent.trim() === 'Edit')";
     page.until(&format!("!!{press}"), "Edit is offered").await?;
     page.eval(&format!("{press}.click()")).await.map(drop)

@@ -6,7 +6,7 @@ use house::{Outcome, skip};
 use std::cell::RefCell;
 
 /// What is smaller than `least` on the screen, measured by where it can be hit.
-const SMALL: &str = "(async least => {
+pub(crate) const SMALL: &str = "(async least => {
     const wanted = 'a[href], button, input, select, textarea, [role=button], [role=menuitem], [tabindex=\"0\"]';
     const found = [];
     const frame = () => new Promise(done => requestAnimationFrame(done));

@@ -2,7 +2,7 @@
 
 use super::Stage;
 use super::curve::{chip_place, curves};
-use super::node::{OthersRing, ProblemBadge, problem_memo};
+use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo};
 use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::icons::Icon;
@@ -85,6 +85,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)))
     };
     let ring = unused.clone();
+    let editor = editor_memo(&stage, &id);
+    let locked = editor.clone();
     let said = said_memo(&desk, &id, &signals, &unused);
     let tells = said.clone();
     let describes = move || {
@@ -106,14 +108,19 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             data-chip=id.to_string()
             role="button"
             tabindex=move || if reached() { "0" } else { "-1" }
-            aria-label=move || label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)))
+            aria-label=move || {
+                let editor = editor.get();
+                let name = label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)));
+                words::with_editor(name, editor.as_deref())
+            }
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
             aria-description=describes
             style:min-width=move || format!("{:.0}px", wide.with(chip_width))
         >
             {move || {
-                let icon = record.with(|connector| connector.operation.spec().icon.name);
+                let is_locked = locked.get().is_some();
+                let icon = if is_locked { "lock" } else { record.with(|connector| connector.operation.spec().icon.name) };
                 view! { <span class="icon"><Icon name=icon /></span> }
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>

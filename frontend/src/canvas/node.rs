@@ -1,6 +1,7 @@
 //! One stream: its shape, its name, what happens on it now.
 
 use super::Stage;
+use super::stage::Edited;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
@@ -47,6 +48,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     };
     let problem = problem_memo(&desk, RecordId::new(Kind::Stream, &id));
     let troubles = problem.clone();
+    let editor = editor_memo(&stage, &id);
     view! {
         <div
             class=move || format!("at {}", kind_class(at_kind.with(|stream| stream.kind)))
@@ -59,7 +61,11 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             data-node=id.to_string()
             role="button"
             tabindex=move || if is_stop() { "0" } else { "-1" }
-            aria-label=move || by_label.with(|stream| words::stream_name(&stream.name, &what_it_is(stream), stream.kind))
+            aria-label=move || {
+                let editor = editor.get();
+                let name = by_label.with(|stream| words::stream_name(&stream.name, &what_it_is(stream), stream.kind));
+                words::with_editor(name, editor.as_deref())
+            }
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
             aria-description=move || troubles.get().map(|(sentence, _)| sentence)
@@ -187,21 +193,34 @@ pub(super) fn ProblemBadge(problem: ArcMemo<Option<(String, bool)>>) -> impl Int
     }
 }
 
-/// A ring in the colour of somebody else who selected this.
+/// The name of who else is editing this. Reactive.
+pub(super) fn editor_memo(stage: &Stage, id: &Id) -> ArcMemo<Option<String>> {
+    let (edited, id) = (stage.edited.clone(), id.clone());
+    ArcMemo::new(move |_| edited.with(|edited| edited.get(&id).filter(|at| at.is_it).map(|at| at.editor.name.clone())))
+}
+
+/// A ring in the colour of somebody else who is editing this, what leads to it, or has selected it.
 #[component]
 pub(super) fn OthersRing(id: Id) -> impl IntoView {
     let stage = expect_context::<Stage>();
-    let who = ArcMemo::new(move |_| {
+    let ring = ArcMemo::new(move |_| {
+        let edited = stage.edited.with(|edited| edited.get(&id).cloned());
+        if let Some(Edited { editor, is_it }) = edited {
+            return Some((editor.color, is_it.then(|| (true, words::is_editing(&editor.name)))));
+        }
         stage.others.with(|others| {
             let (_, color, name) = others.iter().find(|(selected, ..)| *selected == id)?;
-            Some((*color, name.clone()))
+            Some((*color, Some((false, name.clone()))))
         })
     });
+    let tag = |(locked, text): (bool, String)| {
+        view! { <span class="tag">{locked.then(|| view! { <Icon name="lock" /> })}<span class="cut">{text}</span></span> }
+    };
     move || {
-        who.get().map(|(color, name)| {
+        ring.get().map(|(color, text)| {
             view! {
                 <span class="ring" aria-hidden="true" style=("--person", format!("var(--people-{})", color % 8))>
-                    <span class="tag">{name}</span>
+                    {text.map(tag)}
                 </span>
             }
         })

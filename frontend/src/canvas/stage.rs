@@ -5,7 +5,7 @@ use super::cull::{Cells, drawn};
 use super::room::{self, Side};
 use super::view::{Bounds, View};
 use crate::browser;
-use crate::desk::{Desk, Selected};
+use crate::desk::{Desk, Editor, Selected};
 use crate::layout::{CHIP_HEIGHT, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, stream_width};
 use behaviour::{Id, Place};
 use leptos::prelude::*;
@@ -37,6 +37,8 @@ pub(crate) struct Stage {
     pub(super) running: ArcMemo<bool>,
     /// Who else selected what: what, their colour, their name.
     pub(super) others: ArcMemo<Vec<(Id, u8, String)>>,
+    /// What somebody else is editing, and where that leads to.
+    pub(super) edited: ArcMemo<BTreeMap<Id, Edited>>,
     /// The view moves by itself and slowly.
     pub(super) glides: ArcRwSignal<bool>,
     /// What the strip keeps clear of: streams, in canvas units.
@@ -72,6 +74,7 @@ impl Stage {
             glides: ArcRwSignal::new(false),
             shapes,
             others: others_memo(desk.clone()),
+            edited: edited_memo(desk.clone()),
             stop: ArcRwSignal::default(),
             dragged,
             moves: Arc::default(),
@@ -386,6 +389,28 @@ fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
     });
     let places = ends.iter().filter_map(|end| Some(desk.document.stream(end)?.place.get_untracked()));
     Bounds::around(places.map(|place| around(place, LEVEL)))
+}
+
+/// Somebody else is editing something.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Edited {
+    pub(super) editor: Editor,
+    /// True for what is edited, false for the stream that it leads to.
+    pub(super) is_it: bool,
+}
+
+fn edited_memo(desk: Desk) -> ArcMemo<BTreeMap<Id, Edited>> {
+    ArcMemo::new(move |_| {
+        let mut edited = BTreeMap::new();
+        for (record, editor) in desk.document.edited_by_others() {
+            let output = desk.document.connector(&record.id).map(|signals| signals.record.with(|at| at.output.clone()));
+            if let Some(output) = output {
+                edited.entry(output).or_insert_with(|| Edited { editor: editor.clone(), is_it: false });
+            }
+            edited.insert(record.id, Edited { editor, is_it: true });
+        }
+        edited
+    })
 }
 
 fn others_memo(desk: Desk) -> ArcMemo<Vec<(Id, u8, String)>> {

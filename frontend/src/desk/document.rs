@@ -2,9 +2,11 @@
 
 mod address;
 mod build;
+mod editing;
 mod gestures;
 mod history;
 mod kinds;
+mod locks;
 mod opening;
 mod presence;
 mod procedures;
@@ -16,13 +18,15 @@ mod signals;
 mod silence;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
+pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
+pub(crate) use locks::Editor;
 
 use super::tab::Tab;
 use behaviour::{Behaviour, Id, Place, Problem};
 use leptos::prelude::*;
-use protocol::{Person, Pointer};
+use protocol::{LockShown, Person, Pointer};
 use std::collections::BTreeMap;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -47,6 +51,12 @@ pub(crate) struct Fields {
     pub(crate) fingerprint: ArcRwSignal<u32>,
     /// Who removed what of the open behaviour and of the library, by its id.
     pub(crate) removed_by: ArcRwSignal<BTreeMap<Id, String>>,
+    /// Who is editing what, this tab included.
+    pub(crate) locks: ArcRwSignal<Vec<LockShown>>,
+    /// The editor that is open here.
+    pub(crate) editing: ArcRwSignal<Option<Editing>>,
+    /// Moves while something is counted down beside the editor; on the clock of the page.
+    pub(crate) lock_clock: ArcRwSignal<f64>,
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
     pub(crate) saving: ArcRwSignal<Saving>,
     pub(crate) can_undo: ArcRwSignal<bool>,
@@ -72,6 +82,10 @@ struct State {
     wanted: Option<Id>,
     pointer: Option<Pointer>,
     presence_planned: bool,
+    /// How many editors were opened in this tab.
+    editors: u32,
+    /// When typing was told last.
+    typed_ms: f64,
 }
 
 /// What others on the desk follow.
@@ -111,6 +125,9 @@ impl Document {
             problems: ArcRwSignal::default(),
             fingerprint: ArcRwSignal::default(),
             removed_by: ArcRwSignal::default(),
+            locks: ArcRwSignal::default(),
+            editing: ArcRwSignal::default(),
+            lock_clock: ArcRwSignal::default(),
             selected: ArcRwSignal::default(),
             saving: ArcRwSignal::default(),
             can_undo: ArcRwSignal::default(),

@@ -34,6 +34,9 @@ impl Desk {
                 self.document.hear_problems(&behaviour, problems);
             }
             Reply::People { behaviour, people } => self.document.hear_people(&behaviour, people),
+            Reply::Locks { behaviour, locks } => self.document.hear_locks(&behaviour, locks),
+            Reply::Locked { grant } => self.document.hear_grant(&grant),
+            Reply::LockNews { behaviour, now_ms, event } => self.document.hear_lock_event(&behaviour, now_ms, &event),
             Reply::Removed { behaviour, by } => {
                 self.library.removed(&behaviour);
                 self.document.removed(&behaviour, &by);
@@ -56,6 +59,7 @@ impl Desk {
             | Reply::Recordings { .. }
             | Reply::Created { .. }
             | Reply::Checked { .. }
+            | Reply::Asked { .. }
             | Reply::Records { .. }
             | Reply::Done
             | Reply::No { .. } => {}

@@ -2,6 +2,7 @@
 
 mod frame;
 mod gone;
+mod held;
 mod helper;
 mod helpers;
 mod names;

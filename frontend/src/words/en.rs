@@ -152,6 +152,20 @@ sentences! {
     gone_close: "What you wrote is still here: copy it, or close.";
     you_removed: "You removed this.";
     somebody_removed: "Somebody removed this.";
+    silence_means_yes: "No answer for 10 seconds means yes.";
+    nobody_edits: "Nobody is editing it any more.";
+    text_stays: "Your text stays here until you close.";
+    free_text_stays: "Nobody is editing it now. Your text stays here until you close.";
+    edit_it: "Edit it";
+    go_on_editing: "Go on editing";
+    asked_before: "Asked. Somebody asked before you.";
+    enough_wait: "Enough people are waiting for it already.";
+    yours_now: "You can edit it now.";
+    hand_over: "Hand over";
+    keep_it: "Keep it";
+    still_editing: "Still editing";
+    idle_free: "Still editing? It is free for others soon.";
+    copy: "Copy";
     stream_gone: "Somebody removed this stream meanwhile. Close this and choose another one.";
     earlier: "Earlier in the order";
 
@@ -648,6 +662,48 @@ pub(crate) fn helper_called(name: &str) -> String {
 
 pub(crate) fn is_editing(name: &str) -> String {
     format!("{name} is editing")
+}
+
+/// `map (1), connector from RedBall to Distance, Yuki is editing`
+pub(crate) fn with_editor(what: String, name: Option<&str>) -> String {
+    match name {
+        Some(name) => format!("{what}, {}", is_editing(name)),
+        None => what,
+    }
+}
+
+/// Said once when somebody begins to edit something.
+pub(crate) fn is_editing_this(name: &str, what: &str) -> String {
+    format!("{} {what}.", is_editing(name))
+}
+
+/// What one sees of what somebody else is editing.
+pub(crate) fn until_saved(name: &str) -> String {
+    format!("It is as {name} left it until {name} saves.")
+}
+
+pub(crate) fn ask_person(name: &str) -> String {
+    format!("Ask {name}")
+}
+
+pub(crate) fn asked_yours_in(seconds: u32) -> String {
+    format!("Asked. Yours in {seconds} s.")
+}
+
+pub(crate) fn keeps_for_now(name: &str) -> String {
+    format!("{name} keeps it for now.")
+}
+
+pub(crate) fn ask_again_in(seconds: u32) -> String {
+    format!("You can ask again in {seconds} s.")
+}
+
+pub(crate) fn would_like_to_edit(name: &str) -> String {
+    format!("{name} would like to edit this.")
+}
+
+pub(crate) fn free_for_others_in(seconds: u32) -> String {
+    format!("Still editing? It is free for others in {seconds} s.")
 }
 
 pub(crate) fn helper_item(name: &str, params: &str) -> String {

@@ -84,6 +84,7 @@ impl Document {
         set_if_new(&self.open, None);
         self.revision.set(0);
         set_if_new(&self.people, Vec::new());
+        set_if_new(&self.locks, Vec::new());
         set_if_new(&self.problems, Vec::new());
         set_if_new(&self.name, String::new());
         self.show_whole(Behaviour::default());

@@ -106,7 +106,9 @@ impl Document {
         };
         let Some(next) = next else { return };
         let (document, op) = (self.clone(), next.change.op.clone());
-        let sent = link::ask(Request::Propose { behaviour: next.behaviour, change: next.change }, move |reply| {
+        let tokens = self.tokens(&next.behaviour);
+        let request = Request::Propose { behaviour: next.behaviour, change: next.change, tokens };
+        let sent = link::ask(request, move |reply| {
             if let Some(Reply::No { no }) = reply {
                 document.answered(&op, Err(no.clone()));
             }
@@ -208,6 +210,7 @@ impl Document {
     /// The link broke; what waits is shown until it is back.
     pub(in crate::desk) fn link_lost(&self) {
         self.hold_back(SaveEvent::LinkLost);
+        self.forget_locks();
     }
 
     /// Nothing can be saved now: what was under way waits again, and what waits is shown.

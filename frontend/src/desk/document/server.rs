@@ -26,6 +26,7 @@ impl Document {
             set_if_new(&self.problems, problems);
             set_if_new(&self.people, people);
             set_if_new(&self.open, Some(id.clone()));
+            self.lock_again();
         }
         is_wanted
     }

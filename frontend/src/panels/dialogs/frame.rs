@@ -12,9 +12,10 @@ use web_sys::{HtmlElement, HtmlInputElement, HtmlTextAreaElement, KeyboardEvent}
 const TITLE_ID: &str = "dialog-title";
 /// What gets the keyboard first, best first.
 const FIRST: [&str; 3] = [
-    "[data-first]",
-    ".dialog-body input:not([type='radio']):not(:disabled), .dialog-body input:checked, .dialog-body select",
-    ".dialog-body button, button[type='submit']",
+    "[data-first]:not(:disabled)",
+    ".dialog-body input:not([type='radio']):not(:disabled), .dialog-body input:checked:not(:disabled), \
+     .dialog-body select:not(:disabled)",
+    ".dialog-body button:not(:disabled), button[type='submit']:not(:disabled)",
 ];
 
 /// The frame of a dialog. `save` is called for Enter and the Save button, wherever that is.
@@ -53,7 +54,7 @@ pub(super) fn Frame(
         <div class="veil" aria-hidden="true" on:pointerdown=move |_| close(desk)></div>
         <div class="dialog-place">
             <div class="dialog" class:narrow=narrow class:wide=wide role="dialog" aria-labelledby=TITLE_ID tabindex="-1" node_ref=dialog
-                on:keydown=keys>
+                on:keydown=keys on:input=move |_| desk.desk().document.typing()>
                 <form class="dialog-form" novalidate=true autocomplete="off" on:submit=submit>
                     <div class="dialog-head">
                         <h2 id=TITLE_ID>{title}</h2>
@@ -123,11 +124,28 @@ pub(super) fn close(desk: Hold) {
 }
 
 fn focus_first(dialog: NodeRef<Div>) {
-    let Some(dialog) = dialog.try_get_untracked().flatten() else { return };
-    if focus::active().is_some_and(|active| dialog.contains(Some(&active))) {
+    if let Some(dialog) = dialog.try_get_untracked().flatten() {
+        give_focus(&dialog);
+    }
+}
+
+/// Gives the open dialog the keyboard again, after what had it cannot have it any more.
+pub(super) fn focus_again() {
+    let _ = request_animation_frame(|| {
+        let dialog = document().query_selector(".dialog").ok().flatten();
+        if let Some(dialog) = dialog.and_then(|dialog| dialog.dyn_into::<HtmlElement>().ok()) {
+            give_focus(&dialog);
+        }
+    });
+}
+
+fn give_focus(dialog: &HtmlElement) {
+    let can_stay =
+        |active: &HtmlElement| dialog.contains(Some(active)) && !active.matches(":disabled").unwrap_or_default();
+    if focus::active().as_ref().is_some_and(can_stay) {
         return;
     }
-    let found = FIRST.iter().find_map(|selector| focus::all(&dialog, selector).into_iter().next());
+    let found = FIRST.iter().find_map(|selector| focus::all(dialog, selector).into_iter().next());
     match found.filter(|_| !focus::is_coarse()) {
         Some(first) => {
             focus::focus(&first);
@@ -135,7 +153,7 @@ fn focus_first(dialog: NodeRef<Div>) {
                 field.select();
             }
         }
-        None => focus::focus(dialog.unchecked_ref::<HtmlElement>()),
+        None => focus::focus(dialog),
     }
 }
 

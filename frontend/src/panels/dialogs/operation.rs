@@ -12,13 +12,14 @@ mod saving;
 
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{self, Gone};
+use super::held::{Held, Holding};
 use super::stream::EditStream;
 use crate::fields::{NumberField, TextField};
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
 use behaviour::connectors::{self, Spec};
-use behaviour::{Id, RATE_MS};
+use behaviour::{Id, Kind, RATE_MS, RecordId};
 use form::Form;
 use leptos::prelude::*;
 
@@ -42,14 +43,18 @@ pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec) -
 #[component]
 fn OperationForm(form: Form) -> impl IntoView {
     let desk = hold();
-    draft::keep(form);
+    let edited = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| RecordId::new(Kind::Connector, id)));
+    let held = Held::of(desk, edited);
+    draft::keep(form, held);
+    follow_saved(form, held);
     let gone = gone_memo(form);
     let save = Callback::new(move |()| {
-        if gone.get_untracked().is_none() {
+        if gone.get_untracked().is_none() && !held.reads.get_untracked() {
             saving::save(form);
         }
     });
-    let written = move || if *form.way.read() == "body" { form.body.get() } else { String::new() };
+    let written = move || if *form.way.read() == "body" { form.body.get() } else { form.helper.get() };
+    let written = Signal::derive(written);
     let from = move || {
         let names = form
             .inputs
@@ -62,7 +67,9 @@ fn OperationForm(form: Form) -> impl IntoView {
     view! {
         <Frame title=words::operation() save>
             <p class="dialog-under">{words::from()}" "<b>{from}</b></p>
-            <div class="dialog-body">
+            <Holding held written />
+            <div class="dialog-body" tabindex=move || held.reads.get().then_some("0")>
+              <fieldset class="held-fields" disabled=move || held.reads.get()>
                 <draft::Found form />
                 <Picker form />
                 <how::HowItWorks form />
@@ -80,12 +87,26 @@ fn OperationForm(form: Form) -> impl IntoView {
                     <TextField label=words::output_stream_name() value=form.name
                         proposed=Signal::derive(move || form.name.get() == form.offered.get()) />
                 </Show>
+              </fieldset>
                 <Refused why=form.refusal />
-                <Gone who=gone written=Signal::derive(written) />
+                <Gone who=gone written />
             </div>
-            <Feet busy=form.busy nothing=Signal::derive(move || gone.read().is_some()) />
+            <Feet busy=form.busy nothing=Signal::derive(move || gone.read().is_some() || held.reads.get()) />
         </Frame>
     }
+}
+
+/// While somebody else is editing the connector, what is saved of it is shown.
+fn follow_saved(form: Form, held: Held) {
+    let desk = form.desk;
+    Effect::new(move |_| {
+        let edited = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| id.clone()));
+        let signals = edited.filter(|_| held.follows.get()).and_then(|id| desk.desk().document.connector(&id));
+        if let Some(signals) = signals {
+            let record = signals.record.get();
+            untrack(|| form.show_saved(record));
+        }
+    });
 }
 
 /// Who removed the edited connector, or the stream that a new one was to come out of.

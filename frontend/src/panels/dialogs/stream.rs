@@ -2,11 +2,12 @@
 
 use super::frame::{Feet, Frame, Refused, close};
 use super::gone::{self, Gone};
+use super::held::{Held, Holding};
 use crate::desk::Desk;
 use crate::fields::{Options, ParamFields, ParamForm, Select, TextField, Unfilled};
 use crate::panels::hold::{Hold, hold};
 use crate::words;
-use behaviour::{Id, Refusal, Stream, StreamKind};
+use behaviour::{Id, Kind, RecordId, Refusal, Stream, StreamKind};
 use leptos::prelude::*;
 use protocol::Refused;
 
@@ -51,16 +52,20 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
     };
     Effect::new(move |_| fields.params.set(form_of(fields, kind)));
     let id = fields.id.get_value();
+    let held = Held::of(desk, has_device.then(|| RecordId::new(Kind::Stream, &id)));
+    follow_saved(desk, fields, held);
     let gone = gone::gone(desk, id.clone(), move || gone::has_stream(desk, &id));
     let save = Callback::new(move |()| {
-        if gone.get_untracked().is_none() {
+        if gone.get_untracked().is_none() && !held.reads.get_untracked() {
             save(desk, fields);
         }
     });
     let says = move || robot::device(kind, &fields.device.read()).map(|device| device.says).ok();
     view! {
         <Frame title=title(kind) narrow=true save>
-            <div class="dialog-body">
+            <Holding held written=fields.name />
+            <div class="dialog-body" tabindex=move || held.reads.get().then_some("0")>
+              <fieldset class="held-fields" disabled=move || held.reads.get()>
                 {has_device.then(|| view! {
                     <div class="field">
                         <Select label=words::type_label() options=Signal::stored(types(kind)) value=fields.device />
@@ -69,12 +74,27 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
                 })}
                 <TextField label=words::name() value=fields.name />
                 {move || fields.params.get().map(|form| view! { <ParamFields form /> })}
+              </fieldset>
                 <Refused why=fields.refusal />
                 <Gone who=gone written=fields.name />
             </div>
-            <Feet busy=fields.busy nothing=Signal::derive(move || gone.read().is_some()) />
+            <Feet busy=fields.busy nothing=Signal::derive(move || gone.read().is_some() || held.reads.get()) />
         </Frame>
     }
+}
+
+/// While somebody else is editing the stream, what is saved of it is shown.
+fn follow_saved(desk: Hold, fields: Fields, held: Held) {
+    Effect::new(move |_| {
+        let signals = desk.desk().document.stream(&fields.id.get_value()).filter(|_| held.follows.get());
+        if let Some(signals) = signals {
+            let stream = signals.record.get();
+            fields.name.set(stream.name.clone());
+            let device = stream.device.clone().unwrap_or_default();
+            fields.stream.set_value(stream);
+            fields.device.set(device);
+        }
+    });
 }
 
 fn title(kind: StreamKind) -> &'static str {

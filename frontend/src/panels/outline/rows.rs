@@ -9,7 +9,7 @@ use crate::live::{rate_words, short_value};
 use crate::panels::hold::{Hold, hold};
 use crate::panels::inspector::{device_icon, kind_class};
 use crate::words;
-use behaviour::Id;
+use behaviour::{Id, Kind, RecordId};
 use leptos::prelude::*;
 
 /// After so many milliseconds without a value a stream is quiet.
@@ -82,25 +82,29 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
         <button class="twig" type="button" aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
             on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))>
             {children()}
-            {move || other_person(desk, &people).map(|(name, color)| view! {
-                <span class="who-tag" style=("--person", format!("var(--people-{color})"))>
-                    <Icon name="lock" />
-                    {words::is_editing(&name)}
-                </span>
+            {move || other_person(desk, &people).map(|(icon, text, color)| view! {
+                <span class="who-tag" style=("--person", format!("var(--people-{color})"))><Icon name=icon />{text}</span>
             })}
         </button>
     }
 }
 
-/// Somebody else who has chosen it. Reactive.
-fn other_person(desk: Hold, what: &Selected) -> Option<(String, u8)> {
+/// Somebody else who is editing it or has chosen it, in words and with a sign and a colour. Reactive.
+fn other_person(desk: Hold, what: &Selected) -> Option<(&'static str, String, u8)> {
     let desk = desk.desk();
+    let kind = match what {
+        Selected::Stream(_) => Kind::Stream,
+        Selected::Connector(_) => Kind::Connector,
+    };
+    if let Some(editor) = desk.document.editor_of(&RecordId::new(kind, what.id())) {
+        return Some(("lock", words::is_editing(&editor.name), editor.color));
+    }
     let me = desk.me.get().map(|me| me.client);
     let people = desk.document.people.get();
     let other = people
         .into_iter()
         .find(|person| Some(&person.client) != me.as_ref() && person.selected.as_ref() == Some(what.id()));
-    other.map(|person| (person.name, person.color.min(7)))
+    other.map(|person| ("user", person.name, person.color % 8))
 }
 
 fn problem_of(desk: Hold, what: &Selected) -> Option<String> {

@@ -2,6 +2,7 @@
 
 use super::form::Form;
 use crate::browser::Keep;
+use crate::panels::dialogs::held::Held;
 use crate::words;
 use behaviour::connectors;
 use leptos::prelude::*;
@@ -37,15 +38,15 @@ fn read(form: Form) -> Draft {
     }
 }
 
-/// Shows the draft of last time, then keeps what changes.
-pub(super) fn keep(form: Form) {
+/// Shows the draft of last time, then keeps what changes; what somebody else writes is no draft.
+pub(super) fn keep(form: Form, held: Held) {
     let key = key(form);
     let first: StoredValue<Option<Draft>> = StoredValue::new(None);
     form.untouched.set_value(Some(untrack(|| read(form))));
     restore(form, &key);
     Effect::new(move |_| {
         let now = read(form);
-        let Some(was) = first.get_value() else {
+        let Some(was) = first.get_value().filter(|_| !held.follows.get_untracked()) else {
             first.set_value(Some(now));
             return;
         };

@@ -86,6 +86,30 @@ impl Form {
         form
     }
 
+    /// Shows the edited connector as it is saved now, in place of whatever was shown.
+    pub(super) fn show_saved(&self, connector: Connector) {
+        let operation = connector.operation.clone();
+        let (way, body, helper) = procedure_texts(Some(&operation));
+        self.kind.set(operation.spec());
+        self.inputs.set(connector.inputs.clone());
+        self.way.set(way.to_owned());
+        self.body.set(body);
+        self.helper.set(helper);
+        self.period.set(operation.period_ms().unwrap_or(PERIOD_MS).to_string());
+        self.start.set(serde_json::to_string(operation.start().unwrap_or(&START)).unwrap_or_default());
+        if let Some(output) = self.desk.desk().document.stream(&connector.output) {
+            let name = output.record.with_untracked(|stream| stream.name.clone());
+            self.name_at_first.set_value(name.clone());
+            self.name.set(name);
+        }
+        self.edits.update_value(|edits| {
+            if let Some((_, seen)) = edits {
+                *seen = connector;
+            }
+        });
+        self.from_draft.set(false);
+    }
+
     pub(super) fn is_edit(&self) -> bool {
         self.edits.with_value(Option::is_some)
     }

@@ -1,0 +1,289 @@
+//! The editor that is open in this tab, and who may write in it: pure, with times on the clock of the page.
+
+use behaviour::{Asked, Grant, Id, LockEvent, RecordId, Token, Why};
+use protocol::LockShown;
+
+/// The editor of one record.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Editing {
+    /// Counts the editors of this tab, so that the late end of an old one is recognised.
+    pub(crate) number: u32,
+    pub(super) behaviour: Id,
+    pub(super) record: RecordId,
+    pub(crate) writing: Writing,
+}
+
+/// Whether a person may write in an open editor.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Writing {
+    /// It was just opened and its lock is asked for; one may write already.
+    Opening,
+    /// Without a lock: the server is not reached, or gives none. What is saved meanwhile is found by comparing.
+    Free,
+    /// Nobody else may write.
+    Own(Own),
+    /// Somebody else may, so this one only reads.
+    No(Reading),
+}
+
+/// A lock of one's own.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Own {
+    pub(super) token: Token,
+    /// Who asks for it, if somebody does.
+    pub(crate) asker: Option<String>,
+    /// When it will be free for others, as nothing was typed for long.
+    pub(crate) free_ms: Option<f64>,
+}
+
+/// Reading what others may change.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Reading {
+    /// Who is editing; nobody any more if it is none.
+    pub(crate) by: Option<String>,
+    /// It was one's own until now: what was written stays to be seen.
+    pub(crate) was_own: bool,
+    pub(crate) asking: Asking,
+}
+
+/// What became of asking for it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Asking {
+    /// Nothing was asked.
+    No,
+    /// The holder is asked; silence until then means yes.
+    Waits { until_ms: f64 },
+    /// Others asked before.
+    Queued,
+    /// The holder keeps it; one may ask again then.
+    Kept { again_ms: f64 },
+    /// Enough others are waiting for it.
+    Full,
+}
+
+impl Editing {
+    /// Just opened: to be written in unless it is known already that somebody else is editing.
+    pub(super) fn open(number: u32, behaviour: Id, record: RecordId, by: Option<String>) -> Self {
+        let writing = by.map_or(Writing::Opening, |by| Writing::No(Reading::of(Some(by), false)));
+        Self { number, behaviour, record, writing }
+    }
+
+    /// The token of one's own lock.
+    pub(super) fn token(&self) -> Option<Token> {
+        match &self.writing {
+            Writing::Own(own) => Some(own.token),
+            Writing::Opening | Writing::Free | Writing::No(_) => None,
+        }
+    }
+
+    /// Whether there is a lock for what is edited, which is the one's own now.
+    pub(super) fn granted(&mut self, grant: &Grant) -> bool {
+        let is_mine = grant.records.contains(&self.record);
+        if is_mine && self.token() != Some(grant.token) {
+            self.writing = Writing::Own(Own { token: grant.token, asker: None, free_ms: None });
+        }
+        is_mine
+    }
+
+    /// Somebody else is editing it.
+    pub(super) fn denied(&mut self, by: &str) {
+        let was_own = match &self.writing {
+            Writing::Opening => false,
+            Writing::Free | Writing::Own(_) => true,
+            Writing::No(reading) => reading.was_own,
+        };
+        self.writing = Writing::No(Reading::of(Some(by.to_owned()), was_own));
+    }
+
+    /// There is no lock to be had: everybody writes, and comparing finds who was late.
+    pub(super) fn not_locked(&mut self) {
+        if self.writing == Writing::Opening {
+            self.writing = Writing::Free;
+        }
+    }
+
+    /// The link broke: what was locked may be lost, and what was asked is forgotten.
+    pub(super) fn link_lost(&mut self) {
+        match &mut self.writing {
+            Writing::Opening | Writing::Own(_) => self.writing = Writing::Free,
+            Writing::No(reading) => reading.asking = Asking::No,
+            Writing::Free => {}
+        }
+    }
+
+    /// Who is editing what now, as everyone is told.
+    pub(super) fn shown(&mut self, locks: &[LockShown], me: Option<&Id>) {
+        let Writing::No(reading) = &mut self.writing else { return };
+        let lock = locks.iter().find(|lock| lock.records.contains(&self.record));
+        let is_mine = lock.is_some_and(|lock| Some(&lock.client) == me);
+        if !is_mine {
+            reading.by = lock.map(|lock| lock.name.clone());
+        }
+    }
+
+    /// What the server answered to asking. True if it can be had at once.
+    pub(super) fn asked(&mut self, asked: &Asked, at: impl Fn(u64) -> f64) -> bool {
+        let Writing::No(reading) = &mut self.writing else { return false };
+        reading.asking = match asked {
+            Asked::Waiting { by_ms } => Asking::Waits { until_ms: at(*by_ms) },
+            Asked::Queued { .. } => Asking::Queued,
+            Asked::TooSoon { again_ms } => Asking::Kept { again_ms: at(*again_ms) },
+            Asked::Full => Asking::Full,
+            Asked::Free | Asked::Yours => Asking::No,
+        };
+        matches!(asked, Asked::Free | Asked::Yours)
+    }
+
+    /// Something happened to a lock that is held or wanted here.
+    pub(super) fn hear(&mut self, event: &LockEvent, at: impl Fn(u64) -> f64) {
+        match event {
+            LockEvent::Freed { grant, why, .. } if self.token() == Some(grant.token) => self.freed(why),
+            LockEvent::Asked { token, asker, .. } if self.token() == Some(*token) => {
+                self.own(|own| own.asker = Some(asker.name.clone()));
+            }
+            LockEvent::Warned { token, free_ms, .. } if self.token() == Some(*token) => {
+                self.own(|own| own.free_ms = Some(at(*free_ms)));
+            }
+            LockEvent::Postponed { record, by_ms, .. } if *record == self.record => {
+                self.asks(Asking::Waits { until_ms: at(*by_ms) });
+            }
+            LockEvent::NotYet { record, again_ms, .. } if *record == self.record => {
+                self.asks(Asking::Kept { again_ms: at(*again_ms) });
+            }
+            LockEvent::Denied { .. } => self.asks(Asking::Full),
+            LockEvent::Granted { .. }
+            | LockEvent::Freed { .. }
+            | LockEvent::Asked { .. }
+            | LockEvent::Warned { .. }
+            | LockEvent::Postponed { .. }
+            | LockEvent::NotYet { .. }
+            | LockEvent::KeptFor { .. } => {}
+        }
+    }
+
+    fn freed(&mut self, why: &Why) {
+        let by = match why {
+            Why::HandedOver { to } => Some(to.clone()),
+            Why::TakenOver { by } => Some(by.clone()),
+            Why::Released | Why::Idle | Why::Left => None,
+        };
+        self.writing = Writing::No(Reading::of(by, true));
+    }
+
+    /// Does something with one's own lock, if there is one.
+    pub(super) fn own(&mut self, act: impl FnOnce(&mut Own)) {
+        if let Writing::Own(own) = &mut self.writing {
+            act(own);
+        }
+    }
+
+    fn asks(&mut self, now: Asking) {
+        if let Writing::No(reading) = &mut self.writing {
+            reading.asking = now;
+        }
+    }
+
+    /// Time goes on: after a while one may ask again.
+    pub(super) fn tick(&mut self, now_ms: f64) {
+        if let Writing::No(Reading { asking: asking @ Asking::Kept { .. }, .. }) = &mut self.writing
+            && matches!(asking, Asking::Kept { again_ms } if *again_ms <= now_ms)
+        {
+            *asking = Asking::No;
+        }
+    }
+}
+
+impl Reading {
+    fn of(by: Option<String>, was_own: bool) -> Self {
+        Self { by, was_own, asking: Asking::No }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Asking, Editing, Own, Reading, Writing};
+    use behaviour::{Asked, Grant, Holder, Id, Kind, LockEvent, RecordId, Token, Why};
+    use protocol::LockShown;
+    use std::collections::BTreeSet;
+
+    fn id(text: &str) -> Id {
+        Id::new(text).unwrap()
+    }
+
+    fn record() -> RecordId {
+        RecordId::new(Kind::Connector, &id("c"))
+    }
+
+    fn opened(by: Option<&str>) -> Editing {
+        Editing::open(1, id("b"), record(), by.map(str::to_owned))
+    }
+
+    fn grant(counter: u64) -> Grant {
+        Grant { token: Token { epoch: 1, counter }, records: BTreeSet::from([record()]) }
+    }
+
+    fn yuki() -> Holder {
+        Holder { session: 1, client: id("y"), name: "Yuki".into() }
+    }
+
+    fn reading(by: Option<&str>, was_own: bool, asking: Asking) -> Writing {
+        Writing::No(Reading { by: by.map(str::to_owned), was_own, asking })
+    }
+
+    #[test]
+    fn who_comes_second_reads_until_it_is_handed_over() {
+        let mut editing = opened(None);
+        editing.denied("Yuki");
+        assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::No));
+        assert!(!editing.asked(&Asked::Waiting { by_ms: 10 }, |ms| ms as f64));
+        let later = LockEvent::Postponed { to: yuki(), record: record(), by_ms: 20 };
+        editing.hear(&later, |ms| ms as f64);
+        assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::Waits { until_ms: 20.0 }));
+        assert!(editing.granted(&grant(2)));
+        assert_eq!(editing.token(), Some(grant(2).token));
+    }
+
+    #[test]
+    fn what_is_kept_can_be_asked_for_again_after_a_while() {
+        let mut editing = opened(Some("Yuki"));
+        let kept = LockEvent::NotYet { to: yuki(), record: record(), by: "Yuki".into(), again_ms: 30 };
+        editing.hear(&kept, |ms| ms as f64);
+        editing.tick(29.0);
+        assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::Kept { again_ms: 30.0 }));
+        editing.tick(30.0);
+        assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::No));
+    }
+
+    #[test]
+    fn what_was_handed_over_stays_to_be_seen() {
+        let mut editing = opened(None);
+        editing.granted(&grant(1));
+        let freed = |grant, why| LockEvent::Freed { holder: yuki(), grant, why };
+        editing.hear(&freed(grant(7), Why::Idle), |ms| ms as f64);
+        assert!(matches!(&editing.writing, Writing::Own(Own { .. })), "another lock's end is none of it");
+        editing.hear(&freed(grant(1), Why::HandedOver { to: "Aiko".into() }), |ms| ms as f64);
+        assert_eq!(editing.writing, reading(Some("Aiko"), true, Asking::No));
+        editing.shown(&[], None);
+        assert_eq!(editing.writing, reading(None, true, Asking::No));
+    }
+
+    #[test]
+    fn without_a_link_one_writes_and_who_has_it_on_return_is_named() {
+        let mut editing = opened(None);
+        editing.granted(&grant(1));
+        editing.link_lost();
+        assert_eq!(editing.writing, Writing::Free);
+        editing.denied("Yuki");
+        assert_eq!(editing.writing, reading(Some("Yuki"), true, Asking::No));
+    }
+
+    #[test]
+    fn ones_own_lock_is_nobody_elses() {
+        let mut editing = opened(Some("Yuki"));
+        let mine = LockShown { client: id("me"), name: "Aiko".into(), records: [record()].into(), away: false };
+        editing.shown(std::slice::from_ref(&mine), Some(&id("me")));
+        assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::No));
+        editing.shown(&[mine], Some(&id("other")));
+        assert_eq!(editing.writing, reading(Some("Aiko"), false, Asking::No));
+    }
+}

@@ -1,0 +1,98 @@
+//! How it looks when two people want to edit one thing: ring, padlock, who reads, who is asked, who lost it.
+
+use crate::axe::check;
+use crate::rules::list;
+use crate::screens::{Stage, edit, nothing, rests, run_template, usable};
+use crate::targets::SMALL;
+use house::{Outcome, Page, skip};
+use std::path::PathBuf;
+
+/// The connector that both want.
+const CHIP: &str = "filter (distance < 0.5), connector*";
+
+#[tokio::test]
+async fn axe_finds_nothing_while_somebody_else_is_editing() -> Outcome<()> {
+    if !skip::ready("axe on locks") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = &stage.page;
+    run_template(aiko).await?;
+    let yuki = stage.browser.person("yuki").await?;
+    yuki.size(1440, 900, false).await?;
+    yuki.goto(&stage.server.url()).await?;
+    yuki.eval("localStorage.setItem('rrp.name', 'Yuki')").await?;
+    yuki.goto(&aiko.address().await?).await?;
+    yuki.reload().await?;
+    usable(&yuki).await?;
+    let mut found = Vec::new();
+    open_filter(&yuki).await?;
+    aiko.until("!!document.querySelector('.ring .tag svg')", "the ring is there").await?;
+    found.extend(look(aiko, "ring").await?);
+    open_filter(aiko).await?;
+    aiko.find("button", "Ask Yuki").await?;
+    found.extend(look(aiko, "reading").await?);
+    aiko.press("button", "Ask Yuki").await?;
+    yuki.press("button", "Keep it").await?;
+    aiko.until("document.body.innerText.includes('keeps it for now')", "Yuki keeps it").await?;
+    found.extend(look(aiko, "kept").await?);
+    nothing("findings about locks", &found)
+}
+
+#[tokio::test]
+async fn axe_finds_nothing_when_something_is_handed_over() -> Outcome<()> {
+    if !skip::ready("axe on handing over") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let yuki = &stage.page;
+    run_template(yuki).await?;
+    let aiko = stage.browser.person("aiko").await?;
+    aiko.goto(&yuki.address().await?).await?;
+    usable(&aiko).await?;
+    open_filter(yuki).await?;
+    open_filter(&aiko).await?;
+    aiko.press("button", "Ask*").await?;
+    yuki.find("button", "Hand over").await?;
+    let mut found = check(yuki, "asked").await?;
+    picture(yuki, "asked").await?;
+    picture(&aiko, "waiting").await?;
+    yuki.press("button", "Hand over").await?;
+    yuki.find("button", "Ask*").await?;
+    found.extend(look(yuki, "handed-over").await?);
+    nothing("findings about handing over", &found)
+}
+
+async fn open_filter(page: &Page) -> Outcome<()> {
+    page.press("button", CHIP).await?;
+    edit(page).await?;
+    page.find("dialog", "Operation").await.map(drop)
+}
+
+/// Looks at a state in light and dark, on a desktop and on a phone.
+async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    for (size, width, height, touch) in [("desktop", 1440, 900, false), ("phone", 390, 844, true)] {
+        page.size(width, height, touch).await?;
+        for dark in [false, true] {
+            page.theme(dark).await?;
+            rests(page).await?;
+            let place = format!("{state}-{size}-{}", if dark { "dark" } else { "light" });
+            found.extend(check(page, &place).await?);
+            picture(page, &place).await?;
+        }
+        let least = if touch { 44 } else { 24 };
+        found.extend(list(page, &format!("{SMALL}({least})"), &format!("{state}, {size}")).await?);
+    }
+    page.theme(false).await?;
+    page.size(1440, 900, false).await?;
+    Ok(found)
+}
+
+/// Keeps a picture where `LOOKS_PICTURES` says, if it says so.
+async fn picture(page: &Page, name: &str) -> Outcome<()> {
+    match std::env::var_os("LOOKS_PICTURES") {
+        Some(folder) => page.screenshot(&PathBuf::from(folder).join(format!("{name}.png"))).await,
+        None => Ok(()),
+    }
+}
