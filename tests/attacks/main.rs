@@ -88,7 +88,7 @@ async fn under(target: &Target, name: &str, attacks: &[Attack], report: &mut Str
         let measured = stops::measure(target, STOPS)?;
         let more_kib = target.most_memory_kib()?.saturating_sub(rest_kib);
         drop(attackers);
-        let back = back(target, rest_kib).await?;
+        let back = back(target, rest_kib).await.map_err(|error| format!("After {name}: {error}"))?;
         target.still_works().await?;
         sentence = format!("{name}: {measured}, {} MiB more, back after {} s", more_kib >> 10, back.as_secs());
         if measured.kept() && more_kib <= MORE_MAX_KIB {

@@ -131,6 +131,11 @@ impl Outbox {
         self.put(Out::Text(encode(ask, reply)));
     }
 
+    /// Whether the link ended.
+    pub(crate) fn is_gone(&self) -> bool {
+        self.queue.is_closed()
+    }
+
     /// Says why not.
     pub(crate) fn no(&self, ask: u32, no: Refused) {
         self.say(Some(ask), Reply::No { no });
@@ -150,6 +155,10 @@ impl Outbox {
 impl Recipient for Outbox {
     fn session(&self) -> u64 {
         self.session
+    }
+
+    fn is_gone(&self) -> bool {
+        Outbox::is_gone(self)
     }
 
     fn send(&self, text: Utf8Bytes) {

@@ -12,6 +12,8 @@ use tokio::sync::{oneshot, watch};
 pub(crate) trait Recipient: Send + Sync {
     /// The number of the link, never used twice.
     fn session(&self) -> u64;
+    /// Whether the link ended, so that nobody hears what is sent.
+    fn is_gone(&self) -> bool;
     /// Sends a message.
     fn send(&self, text: Utf8Bytes);
     /// Sends all of a behaviour, as the answer to `ask`.
@@ -106,6 +108,14 @@ impl Answer {
                 drop(held);
             }
             Self::Server(waiting) => drop(waiting.send(whole.reply)),
+        }
+    }
+
+    /// Whether whoever asked is gone.
+    pub(crate) fn is_unwanted(&self) -> bool {
+        match self {
+            Self::Client { to, .. } => to.is_gone(),
+            Self::Server(waiting) => waiting.is_closed(),
         }
     }
 

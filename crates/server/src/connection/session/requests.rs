@@ -130,9 +130,12 @@ impl Session {
 
     /// What the store knows of all behaviours.
     fn look_up(&self, ask: u32, request: Request) {
-        let state = Arc::clone(self.state());
+        let (state, outbox) = (Arc::clone(self.state()), self.outbox.clone());
         self.later(ask, async move {
             let _turn = state.lookups.turn().await;
+            if outbox.is_gone() {
+                return Ok(Reply::Done);
+            }
             match request {
                 Request::List { query } => list::list(&*state.store, query).await,
                 Request::Pictures { of } => thumbnails::pictures(&*state.store, &state.thumbnails, of).await,

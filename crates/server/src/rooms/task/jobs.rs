@@ -238,6 +238,10 @@ mod tests {
             self.0
         }
 
+        fn is_gone(&self) -> bool {
+            false
+        }
+
         fn send(&self, _: Utf8Bytes) {}
 
         fn send_whole(&self, _: u32, _: Whole) {}

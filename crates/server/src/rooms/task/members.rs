@@ -114,6 +114,10 @@ impl RoomTask {
         let around = Arc::clone(&self.around);
         self.around.tasks.spawn(async move {
             let _turn = around.lookups.turn().await;
+            // Who was cut off and came again asks again: nothing is looked up for who they were.
+            if answer.is_unwanted() {
+                return;
+            }
             let most = u32::try_from(wanted.min(FETCHED_MAX_CHANGES)).unwrap_or(u32::MAX);
             match bounded(store.history(&id, revision, most)).await {
                 Ok(changes) => answer.give(missed(id, page(changes), here)),
