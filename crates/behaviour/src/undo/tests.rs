@@ -114,8 +114,8 @@ fn what_somebody_changed_since_is_refused_with_their_name() {
     assert!(desk.room.behaviour().records.is_empty());
 }
 
-#[test]
-fn a_value_that_somebody_wrote_anew_is_theirs() {
+/// Aiko wrote one, Ben two, and then one again.
+fn aikos_value_written_by_ben() -> Desk {
     let mut desk = Desk::new();
     desk.writes("Aiko", &["a"], "one");
     let aikos = desk.room.behaviour().records[&note("a")].clone();
@@ -123,6 +123,12 @@ fn a_value_that_somebody_wrote_anew_is_theirs() {
     let op = desk.op();
     let back = Change { by: Some(id("Ben")), ..Change::of(op, "Ben", "Write") };
     desk.save(back.put(desk.room.behaviour(), note("a"), aikos));
+    desk
+}
+
+#[test]
+fn a_value_that_somebody_wrote_anew_is_theirs() {
+    let mut desk = aikos_value_written_by_ben();
     assert!(matches!(desk.undoes("Aiko"), Err(Refusal::ChangedSince { by, .. }) if by == "Ben"));
 }
 
@@ -141,13 +147,7 @@ fn a_change_that_only_says_it_takes_one_back_is_a_change() {
 
 #[test]
 fn taking_back_by_hand_what_is_another_s_now_is_a_change_of_its_own() {
-    let mut desk = Desk::new();
-    desk.writes("Aiko", &["a"], "one");
-    let aikos = desk.room.behaviour().records[&note("a")].clone();
-    desk.writes("Ben", &["a"], "two");
-    let op = desk.op();
-    let back = Change { by: Some(id("Ben")), ..Change::of(op, "Ben", "Write") };
-    desk.save(back.put(desk.room.behaviour(), note("a"), aikos));
+    let mut desk = aikos_value_written_by_ben();
     let op = desk.op();
     let by_hand = desk.log[0].change.swapped(op, "Undo");
     desk.save(by_hand);
