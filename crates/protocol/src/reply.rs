@@ -1,9 +1,10 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Contested, Cursor, Driver, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used, Values,
+    Contested, Cursor, Driver, HistoryLine, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used,
+    Values,
 };
-use behaviour::{Accepted, Asked, Behaviour, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
+use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -105,7 +106,7 @@ pub enum Reply {
         /// Who is there, this client included.
         people: Vec<Person>,
     },
-    /// More records of the `Welcome` or `Opened` before it, which is told in parts; nothing that needs the whole comes in
+    /// More records of the `Welcome`, `Opened` or `At` before it, which is told in parts; nothing that needs the whole comes in
     /// between. [`crate::Assembly`] puts them together.
     Records {
         /// Which part, from 1: the first records came before.
@@ -132,6 +133,35 @@ pub enum Reply {
         /// True if there are newer ones: ask `Since` again.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         more: bool,
+    },
+    /// A page of the history of a behaviour.
+    History {
+        /// Of which behaviour.
+        behaviour: Id,
+        /// Newest first, at most [`crate::HISTORY_MAX_LINES`].
+        lines: Vec<HistoryLine>,
+        /// True if there are older ones.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
+    },
+    /// A behaviour as it was after a change.
+    At {
+        /// Which.
+        behaviour: Id,
+        /// After which revision.
+        revision: u64,
+        /// Its records then, or the first of them.
+        records: Box<Behaviour>,
+        /// True if the others follow as [`Reply::Records`].
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
+    },
+    /// The versions of a behaviour that have a name; told to who opens it and whenever they change, newest wins.
+    Versions {
+        /// Of which behaviour.
+        behaviour: Id,
+        /// All of them, in order of their revisions.
+        versions: Vec<Checkpoint>,
     },
     /// The problems of a behaviour after a change to it or to the library.
     Problems {

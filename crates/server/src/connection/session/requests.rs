@@ -32,6 +32,13 @@ impl Session {
             Request::Remove { behaviour } => self.remove(ask, &behaviour),
             Request::Restore { behaviour } => self.restore(ask, behaviour),
             Request::Propose { behaviour, change, tokens } => self.propose(ask, &behaviour, change, tokens),
+            Request::TakeBack { .. }
+            | Request::History { .. }
+            | Request::At { .. }
+            | Request::GoBack { .. }
+            | Request::BringBack { .. }
+            | Request::NameVersion { .. }
+            | Request::UnnameVersion { .. } => self.outbox.no(ask, Refused::NoBehaviour),
             Request::Lock { behaviour, records } => self.locking(ask, &behaviour, |to| Locking::Take(records, to)),
             Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
             Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
