@@ -122,7 +122,7 @@ pub async fn serve_with(
     let address = listener.local_addr().map_err(listening)?;
     let _data = data_folder::take(&config.store, config.data.as_deref())?;
     let state = open(store, &config).await?;
-    let served = Connections::of(Arc::clone(&state));
+    let served = Connections::of(Arc::clone(&state), config.data.as_deref());
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
     let guard = OriginGuard::of(address.port());
     let accepted = accept::start(listener, guard, state.robots.clone(), closing.clone());
