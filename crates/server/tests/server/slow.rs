@@ -13,11 +13,14 @@ use std::time::{Duration, Instant};
 use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Used};
 use tokio_tungstenite::tungstenite::Message;
 
+/// How often others get their turn while something is looked up in a history.
+const LOOK_TURNS: usize = 200;
+
 /// A store that can be made to hang.
 #[derive(Default)]
 pub(crate) struct Hanging {
     inside: MemoryStore,
-    pub(crate) hangs: AtomicBool,
+    hangs: AtomicBool,
     /// Lookups in a history that are under way, and the most that ever were.
     looking: AtomicUsize,
     pub(crate) looked_most: AtomicUsize,
@@ -48,6 +51,10 @@ impl Store for Hanging {
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
         let looking = self.looking.fetch_add(1, Ordering::SeqCst) + 1;
         self.looked_most.fetch_max(looking, Ordering::SeqCst);
+        // Whatever may go on meanwhile does.
+        for _ in 0..LOOK_TURNS {
+            tokio::task::yield_now().await;
+        }
         self.wait().await;
         self.looking.fetch_sub(1, Ordering::SeqCst);
         self.inside.history(behaviour, since, most).await
