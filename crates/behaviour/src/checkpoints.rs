@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 
 /// The longest name of a checkpoint, in characters.
 pub const CHECKPOINT_NAME_MAX_CHARS: usize = 80;
-/// Checkpoints of one behaviour.
-pub const CHECKPOINTS_MAX: usize = 500;
+/// Checkpoints of one behaviour: so many that all of them, with the longest names, fit into one message.
+pub const CHECKPOINTS_MAX: usize = 400;
 
 /// A revision with a name.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -50,7 +50,7 @@ impl Checkpoints {
             return Err(Refusal::Malformed(format!("there is no revision {} yet", wanted.revision)));
         }
         if self.0.len() >= CHECKPOINTS_MAX {
-            return Err(Refusal::TooMany("checkpoints".into(), CHECKPOINTS_MAX));
+            return Err(Refusal::TooMany("named versions".into(), CHECKPOINTS_MAX));
         }
         let (name, by) = (self.check_name(&wanted.name)?, without_unseen(&wanted.by));
         let made = Checkpoint { name, by, ..wanted };
@@ -120,6 +120,6 @@ mod tests {
         let mut all = Checkpoints::default();
         (0..CHECKPOINTS_MAX).for_each(|number| drop(all.add(1, named(1, &format!("n{number}"))).unwrap()));
         let no = all.add(1, named(1, "one more")).unwrap_err();
-        assert_eq!(no.to_string(), "A behaviour holds at most 500 checkpoints. Remove some first.");
+        assert_eq!(no.to_string(), "A behaviour holds at most 400 named versions. Remove some first.");
     }
 }

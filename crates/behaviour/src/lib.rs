@@ -4,6 +4,7 @@
 //! so the same code decides in the server, in the page and in a test.
 #![warn(missing_docs)]
 
+mod back;
 mod change;
 mod checkpoints;
 pub mod connectors;
@@ -31,6 +32,7 @@ mod value;
 pub mod walk;
 mod words;
 
+pub use back::what_went;
 pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use fields::{Fields, Names};

@@ -163,7 +163,7 @@ impl Room {
         })
     }
 
-    fn judge(&self, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+    pub(crate) fn judge(&self, change: &Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
         check_whole(change)?;
         for edit in &change.edits {
             let current = self.behaviour.records.get(&edit.id);

@@ -4,6 +4,7 @@
 //! request travels in an [`Ask`] with a number of the client's choice; the reply that answers it carries the same number.
 #![warn(missing_docs)]
 
+mod history;
 mod library;
 mod live;
 mod parts;
@@ -13,6 +14,7 @@ mod request;
 
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
+pub use history::{HISTORY_MAX_LINES, HistoryLine};
 pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
@@ -23,7 +25,7 @@ pub use reply::{LockShown, Message, Person, Refused, Reply};
 pub use request::{Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

@@ -1,4 +1,4 @@
-//! Large behaviours in parts: how the records of a welcome or an opened behaviour are cut, and put together again.
+//! Large behaviours in parts: how the records of a welcome, or of a behaviour as it is or was, are cut, and put together again.
 
 use crate::{Message, Reply};
 use behaviour::{Behaviour, RecordId, record_bytes};
@@ -49,19 +49,21 @@ impl Parts {
 }
 
 impl Reply {
-    /// A welcome or an opened behaviour with its first part.
+    /// A welcome, or a behaviour as it is or was, with its first part.
     #[must_use]
     pub fn with(mut self, part: Part) -> Self {
-        if let Self::Welcome { library: records, more, .. } | Self::Opened { records, more, .. } = &mut self {
-            (**records, *more) = (part.records, part.more);
+        if let Some((records, more)) = self.records() {
+            (*records, *more) = (part.records, part.more);
         }
         self
     }
 
-    /// The records of a welcome or an opened behaviour, and whether more follow.
+    /// The records of a reply that comes in parts, and whether more follow.
     fn records(&mut self) -> Option<(&mut Behaviour, &mut bool)> {
         match self {
-            Self::Welcome { library: records, more, .. } | Self::Opened { records, more, .. } => Some((records, more)),
+            Self::Welcome { library: records, more, .. }
+            | Self::Opened { records, more, .. }
+            | Self::At { records, more, .. } => Some((records, more)),
             _ => None,
         }
     }

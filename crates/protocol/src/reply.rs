@@ -1,9 +1,10 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Contested, Cursor, Driver, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used, Values,
+    Contested, Cursor, Driver, HistoryLine, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used,
+    Values,
 };
-use behaviour::{Accepted, Asked, Behaviour, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
+use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -105,7 +106,7 @@ pub enum Reply {
         /// Who is there, this client included.
         people: Vec<Person>,
     },
-    /// More records of the `Welcome` or `Opened` before it, which is told in parts; nothing that needs the whole comes in
+    /// More records of the `Welcome`, `Opened` or `At` before it, which is told in parts; nothing that needs the whole comes in
     /// between. [`crate::Assembly`] puts them together.
     Records {
         /// Which part, from 1: the first records came before.
@@ -132,6 +133,35 @@ pub enum Reply {
         /// True if there are newer ones: ask `Since` again.
         #[serde(default, skip_serializing_if = "std::ops::Not::not")]
         more: bool,
+    },
+    /// A page of the history of a behaviour.
+    History {
+        /// Of which behaviour.
+        behaviour: Id,
+        /// Newest first, at most [`crate::HISTORY_MAX_LINES`].
+        lines: Vec<HistoryLine>,
+        /// True if there are older ones.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
+    },
+    /// A behaviour as it was after a change.
+    At {
+        /// Which.
+        behaviour: Id,
+        /// After which revision.
+        revision: u64,
+        /// Its records then, or the first of them.
+        records: Box<Behaviour>,
+        /// True if the others follow as [`Reply::Records`].
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        more: bool,
+    },
+    /// The versions of a behaviour that have a name; told to who opens it and whenever they change, newest wins.
+    Versions {
+        /// Of which behaviour.
+        behaviour: Id,
+        /// All of them, in order of their revisions.
+        versions: Vec<Checkpoint>,
     },
     /// The problems of a behaviour after a change to it or to the library.
     Problems {
@@ -260,6 +290,12 @@ pub enum Refused {
     NoTemplate(String),
     /// The change breaks a rule.
     Change(Refusal),
+    /// There is no such version of the behaviour.
+    NoVersion,
+    /// Going back there would change too much at once.
+    FarBack,
+    /// All that was removed there is here again, or nothing was removed.
+    NothingGone,
     /// Positions are not locked, and neither are helpers.
     NoLock,
     /// This client is editing as much as it may, or the behaviour is.
@@ -306,6 +342,11 @@ impl std::fmt::Display for Refused {
             Self::NoBehaviour => to.write_str("There is no such behaviour any more. Choose another one."),
             Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
             Self::Change(refusal) => write!(to, "{refusal}"),
+            Self::NoVersion => to.write_str("There is no such version of this behaviour. Look at its history again."),
+            Self::FarBack => to.write_str(
+                "Too much changed since then to go back in one step. Go back to a version in between first.",
+            ),
+            Self::NothingGone => to.write_str("Nothing that was removed there is missing now."),
             Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
             Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
             Self::Problems(problems) => {

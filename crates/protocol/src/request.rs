@@ -139,6 +139,78 @@ pub enum Request {
         /// The last revision the client has.
         revision: u64,
     },
+    /// The person's own undo, or redo: the last change of theirs that is not taken back yet is taken back as a whole, or
+    /// what they took back last is done again, as the server's log says. Answered as `Propose`.
+    TakeBack {
+        /// Of which behaviour, or [`crate::LIBRARY`].
+        behaviour: Id,
+        /// The name of the change that comes of it, chosen by the client: sent twice, it is done once.
+        op: Id,
+        /// True to do again what was taken back.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        again: bool,
+        /// Of the locks that this client holds there.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        tokens: Vec<Token>,
+    },
+    /// A page of the history of a behaviour, newest first. Answered by `History`.
+    History {
+        /// Which behaviour, or [`crate::LIBRARY`].
+        behaviour: Id,
+        /// Only changes before this revision; none begins with the newest one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        before: Option<u64>,
+    },
+    /// A behaviour as it was after a change. Answered by `At`.
+    At {
+        /// Which behaviour.
+        behaviour: Id,
+        /// After which revision, from 1.
+        revision: u64,
+    },
+    /// Makes a behaviour again what it was after a change, as one new change. Answered as `Propose`.
+    GoBack {
+        /// Which behaviour.
+        behaviour: Id,
+        /// After which revision.
+        revision: u64,
+        /// The name of the new change, chosen by the client: sent twice, it is made once.
+        op: Id,
+        /// What its author calls that revision, such as the time of day where they are; its own name if it has one.
+        #[serde(default, skip_serializing_if = "String::is_empty")]
+        called: String,
+        /// Of the locks that this client holds there.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        tokens: Vec<Token>,
+    },
+    /// Brings back what a change removed and is still not there, as one new change. Answered as `Propose`.
+    BringBack {
+        /// Which behaviour, or [`crate::LIBRARY`].
+        behaviour: Id,
+        /// What the change of this revision removed.
+        revision: u64,
+        /// The name of the new change, chosen by the client: sent twice, it is made once.
+        op: Id,
+        /// Of the locks that this client holds there.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        tokens: Vec<Token>,
+    },
+    /// Gives a revision a name. Answered by `Done`; everyone there is told `Versions`.
+    NameVersion {
+        /// Which behaviour.
+        behaviour: Id,
+        /// Which revision, from 1.
+        revision: u64,
+        /// Unique among the names of its versions; at most [`behaviour::CHECKPOINT_NAME_MAX_CHARS`].
+        name: String,
+    },
+    /// Takes a name away, unless it is gone already; the revision stays. Answered by `Done`.
+    UnnameVersion {
+        /// Which behaviour.
+        behaviour: Id,
+        /// Which name.
+        name: String,
+    },
     /// Whether a procedure can run, and what it makes of given values. Answered by `Checked`.
     Check {
         /// Argument names.

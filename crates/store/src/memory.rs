@@ -1,5 +1,7 @@
 //! A store in memory, for tests and for trying things out. Clones share what they keep.
 
+mod checkpoints;
+
 use crate::insight::{devices_of, sensors_of};
 use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
@@ -8,7 +10,7 @@ use crate::{
     json, search_text,
 };
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id, StreamKind};
+use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -32,6 +34,7 @@ struct Shelf {
     /// Every op id with the revision it made.
     ops: BTreeMap<Id, u64>,
     removed: Option<(u64, String)>,
+    checkpoints: BTreeMap<String, Checkpoint>,
 }
 
 impl MemoryStore {
@@ -121,6 +124,26 @@ impl Store for MemoryStore {
         let kept = self.kept();
         let changes = kept.behaviours.get(behaviour).map_or(&[][..], |shelf| &shelf.history);
         Ok(changes.iter().filter(|made| made.revision > since).take(most as usize).cloned().collect())
+    }
+
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+        let kept = self.kept();
+        let found = kept.behaviours.get(behaviour).map(|shelf| shelf.checkpoints.values().cloned().collect());
+        Ok(crate::checkpoints::in_order(found.unwrap_or_default()))
+    }
+
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
+        crate::checkpoints::check(checkpoint)?;
+        let (is_kept, is_new) = self.judge_checkpoint(behaviour, checkpoint);
+        if is_kept && is_new {
+            self.put_checkpoint(behaviour, checkpoint);
+        }
+        Ok(is_kept)
+    }
+
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError> {
+        self.take_checkpoint(behaviour, name);
+        Ok(())
     }
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {

@@ -61,6 +61,9 @@ impl Desk {
             | Reply::Checked { .. }
             | Reply::Asked { .. }
             | Reply::Records { .. }
+            | Reply::History { .. }
+            | Reply::At { .. }
+            | Reply::Versions { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }
