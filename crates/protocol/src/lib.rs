@@ -23,7 +23,7 @@ pub use reply::{LockShown, Message, Person, Refused, Reply};
 pub use request::{Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
