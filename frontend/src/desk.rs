@@ -12,8 +12,8 @@ mod robots;
 mod tab;
 
 pub(crate) use document::{
-    Asking, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected, StreamSignals,
-    Writing, draft_key,
+    Asking, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected,
+    StreamSignals, Writing, draft_key,
 };
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};

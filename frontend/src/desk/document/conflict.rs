@@ -56,10 +56,13 @@ fn is_part(id: &RecordId) -> bool {
 /// author saw.
 pub(super) fn since_seen(log: Vec<Accepted>, mine: &Change) -> Vec<Accepted> {
     let needs = needed(mine);
-    let touches = |accepted: &Accepted| accepted.change.op != mine.op && touched(&accepted.change).any(|id| needs.contains(id));
+    let touches =
+        |accepted: &Accepted| accepted.change.op != mine.op && touched(&accepted.change).any(|id| needs.contains(id));
     let mut log: Vec<Accepted> = log.into_iter().filter(touches).collect();
     let leaves_it = |accepted: &Accepted| {
-        mine.edits.iter().any(|edit| accepted.change.edits.iter().any(|their| their.id == edit.id && their.before == edit.before))
+        mine.edits
+            .iter()
+            .any(|edit| accepted.change.edits.iter().any(|their| their.id == edit.id && their.before == edit.before))
             || accepted.change.edits.iter().any(|their| their.after.is_none() && needs.contains(&their.id))
     };
     let first = log.iter().position(leaves_it).unwrap_or_else(|| log.len().saturating_sub(1));
@@ -99,14 +102,22 @@ fn ends(record: &Record) -> Vec<RecordId> {
 }
 
 /// What of these is gone, put back as it was: whole changes that removed it, taken back as far as they still stand.
-pub(super) fn brought_back(now: &Behaviour, log: &[Accepted], missing: impl Fn(&Behaviour) -> BTreeSet<RecordId>) -> Behaviour {
+pub(super) fn brought_back(
+    now: &Behaviour,
+    log: &[Accepted],
+    missing: impl Fn(&Behaviour) -> BTreeSet<RecordId>,
+) -> Behaviour {
     let mut whole = now.clone();
     for accepted in log.iter().rev() {
         let gone = missing(&whole);
         let removes = |edit: &Edit| edit.after.is_none() && gone.contains(&edit.id);
         if accepted.change.edits.iter().any(removes) {
-            let stands: Vec<&Edit> =
-                accepted.change.edits.iter().filter(|edit| whole.records.get(&edit.id) == edit.after.as_ref()).collect();
+            let stands: Vec<&Edit> = accepted
+                .change
+                .edits
+                .iter()
+                .filter(|edit| whole.records.get(&edit.id) == edit.after.as_ref())
+                .collect();
             for edit in stands {
                 put(&mut whole, &edit.id, edit.before.clone());
             }
@@ -136,7 +147,13 @@ pub(super) fn between(now: &Behaviour, then: &Behaviour, start: Change) -> Chang
 
 impl Conflict {
     /// A refused change, with what others saved since and the behaviour as it is now.
-    pub(super) fn of(behaviour: Id, mine: Change, (made_ms, offline): (f64, bool), theirs: Vec<Accepted>, now: &Behaviour) -> Option<Self> {
+    pub(super) fn of(
+        behaviour: Id,
+        mine: Change,
+        (made_ms, offline): (f64, bool),
+        theirs: Vec<Accepted>,
+        now: &Behaviour,
+    ) -> Option<Self> {
         let parts = || mine.edits.iter().filter(|edit| is_part(&edit.id));
         let late = parts().find(|edit| now.records.get(&edit.id) != edit.before.as_ref());
         let about = late.or_else(|| parts().next())?.id.clone();
@@ -186,6 +203,16 @@ impl Conflict {
     /// Whether it makes something that was not there before.
     pub(crate) fn is_new(&self) -> bool {
         self.mine_of(&self.about).is_some_and(|(seen, _)| seen.is_none())
+    }
+
+    /// Whether it edits a stream or connector.
+    pub(super) fn edits(&self, id: &Id) -> bool {
+        touched(&self.mine).any(|edited| is_part(edited) && edited.id == *id)
+    }
+
+    /// Whether a stream has to be there for it.
+    pub(super) fn rests_on(&self, stream: &Id) -> bool {
+        needed(&self.mine).contains(&RecordId::new(Kind::Stream, stream))
     }
 
     /// Whether it was put on top and is not answered yet.

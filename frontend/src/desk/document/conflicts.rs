@@ -1,6 +1,6 @@
 //! Refused changes that wait for their author: found out who was first, kept over reloads, marked, decided.
 
-use super::conflict::{CONFLICTS_MAX, Conflict, brought_back, between, is_shown_beside, since_seen};
+use super::conflict::{CONFLICTS_MAX, Conflict, between, brought_back, is_shown_beside, since_seen};
 use super::queue::Waiting;
 use super::{Document, Mark};
 use crate::browser::Keep;
@@ -25,7 +25,10 @@ impl Document {
         let document = self.clone();
         self.look_back(waiting.behaviour.clone(), waiting.revision, move |log| {
             let theirs = since_seen(log, &waiting.change);
-            if waiting.behaviour.as_str() != LIBRARY && is_shown_beside(&waiting.change, &no) && document.keeps(&waiting, &theirs) {
+            if waiting.behaviour.as_str() != LIBRARY
+                && is_shown_beside(&waiting.change, &no)
+                && document.keeps(&waiting, &theirs)
+            {
                 return;
             }
             say(Refused::Change(no.clone()));
@@ -37,7 +40,8 @@ impl Document {
 
     /// What somebody is called who saved a change: *you*, if it was in another window.
     pub(crate) fn called(&self, change: &Change) -> String {
-        let is_me = self.tab.me.with_untracked(|me| me.as_ref().is_some_and(|me| Some(&me.client) == change.by.as_ref()));
+        let is_me =
+            self.tab.me.with_untracked(|me| me.as_ref().is_some_and(|me| Some(&me.client) == change.by.as_ref()));
         if is_me { words::you_elsewhere().to_owned() } else { change.author.clone() }
     }
 
@@ -86,14 +90,15 @@ impl Document {
 
     /// The editor in which the change was made gives its place to the comparison.
     fn replace_its_editor(&self, conflict: &Conflict) {
-        let id = &conflict.about.id;
+        let output = |connector: &Id| {
+            self.connector(connector).map(|signals| signals.record.with_untracked(|at| at.output.clone()))
+        };
         let is_its = |dialog: &Dialog| match dialog {
-            Dialog::Operation { connector: Some(connector), .. } => connector == id,
-            Dialog::Operation { connector: None, input, .. } => {
-                let now = self.with_confirmed(Behaviour::clone);
-                now.stream(input).is_none() && conflict.is_removed(&now)
+            Dialog::Operation { connector: Some(connector), .. } => {
+                conflict.edits(connector) || output(connector).is_some_and(|output| conflict.edits(&output))
             }
-            Dialog::EditStream(stream) => stream == id,
+            Dialog::Operation { connector: None, input, .. } => conflict.is_new() && conflict.rests_on(input),
+            Dialog::EditStream(stream) => conflict.edits(stream),
             _ => false,
         };
         if self.tab.dialog.with_untracked(|dialog| dialog.as_ref().is_some_and(is_its)) {
@@ -142,7 +147,9 @@ impl Document {
     /// Puts one's own on top of what there is now; `on_no` hears why that cannot be.
     pub(crate) fn keep_mine(&self, op: &Id, on_no: impl FnOnce(Refused) + 'static) {
         let mut all = self.conflicts.get_untracked();
-        let Some(conflict) = all.iter_mut().find(|conflict| conflict.mine.op == *op && conflict.retry.is_none()) else { return };
+        let Some(conflict) = all.iter_mut().find(|conflict| conflict.mine.op == *op && conflict.retry.is_none()) else {
+            return;
+        };
         let top = conflict.on_top(&self.behaviour(), self.change(&conflict.mine.label));
         if top.edits.is_empty() {
             return self.drop_conflict(op);
@@ -210,7 +217,11 @@ impl Document {
         let document = self.clone();
         self.look_back(open, self.revision.get_untracked(), move |log| {
             let removes = |accepted: &&Accepted| {
-                accepted.change.edits.iter().any(|edit| edit.after.is_none() && edit.id.id == id && edit.id.kind != Kind::Place)
+                accepted
+                    .change
+                    .edits
+                    .iter()
+                    .any(|edit| edit.after.is_none() && edit.id.id == id && edit.id.kind != Kind::Place)
             };
             if let Some(removal) = log.iter().rev().find(removes) {
                 document.note_removed(removal);

@@ -78,7 +78,9 @@ fn what(conflict: &Conflict) -> &'static str {
 fn Window(both: Both, title: String) -> impl IntoView {
     let theirs_shown = RwSignal::new(false);
     let refusal = RwSignal::new(None::<String>);
-    let more = Memo::new(move |_| both.desk.desk().document.conflicts_here().iter().filter(|other| other.waits_unseen()).count());
+    let more = Memo::new(move |_| {
+        both.desk.desk().document.conflicts_here().iter().filter(|other| other.waits_unseen()).count()
+    });
     let again = move || both.conflict.read().as_ref().is_some_and(|conflict| conflict.again);
     view! {
         <Frame title beside=true save=Callback::new(|()| {})>
@@ -105,7 +107,9 @@ fn meanwhile(both: Both, conflict: &Conflict) -> impl IntoView + use<> {
     let did = match conflict.mine_of(&conflict.about) {
         _ if both.removed.get() => words::did_remove(),
         Some((_, Some(Record::Connector(connector)))) if connector.operation.spec().is_test() => words::saved_test(),
-        Some((_, Some(Record::Connector(connector)))) if connector.operation.procedure().is_some() => words::saved_procedure(),
+        Some((_, Some(Record::Connector(connector)))) if connector.operation.procedure().is_some() => {
+            words::saved_procedure()
+        }
         _ => words::saved_settings(),
     };
     let subject = subject(conflict, &both.now.read());
@@ -119,7 +123,8 @@ fn subject(conflict: &Conflict, now: &Behaviour) -> String {
         Some(Record::Connector(connector)) => connector.output.clone(),
         _ => conflict.about.id.clone(),
     };
-    let known = now.records.get(&RecordId::new(Kind::Stream, &stream)).or(conflict.wanted(&stream)).or(conflict.gone(&stream));
+    let known =
+        now.records.get(&RecordId::new(Kind::Stream, &stream)).or(conflict.wanted(&stream)).or(conflict.gone(&stream));
     match known {
         Some(Record::Stream(stream)) => stream.name.clone(),
         _ => what(conflict).to_owned(),
@@ -154,7 +159,8 @@ fn theirs_of(both: Both) -> String {
 
 #[component]
 fn Table(both: Both, theirs_shown: RwSignal<bool>) -> impl IntoView {
-    let all = Memo::new(move |_| both.conflict.get().map_or_else(Vec::new, |conflict| rows(&conflict, &both.now.read())));
+    let all =
+        Memo::new(move |_| both.conflict.get().map_or_else(Vec::new, |conflict| rows(&conflict, &both.now.read())));
     let questions = Memo::new(move |_| questions(both.desk, &both.conflict.get()?, &both.now.read()));
     view! {
         <table class="compare" aria-label=words::compare_name() class:theirs=move || theirs_shown.get()>
@@ -219,7 +225,8 @@ fn cell([head, middle, tail]: Pieces, code: bool) -> impl IntoView {
 fn Choice(both: Both, refusal: RwSignal<Option<String>>) -> impl IntoView {
     let document = move || both.desk.desk().document;
     let copied = RwSignal::new(false);
-    let copy = move |_| copied.set(both.conflict.get_untracked().is_some_and(|conflict| browser::copy(&text_of(&conflict))));
+    let copy =
+        move |_| copied.set(both.conflict.get_untracked().is_some_and(|conflict| browser::copy(&text_of(&conflict))));
     let busy = move || both.conflict.read().as_ref().is_some_and(Conflict::is_under_way);
     let take = move |_| document().drop_conflict(&both.op.get_value());
     let keep = move |_| {
@@ -252,7 +259,9 @@ fn Choice(both: Both, refusal: RwSignal<Option<String>>) -> impl IntoView {
 /// One's own, to be put elsewhere: the procedure, or the name.
 fn text_of(conflict: &Conflict) -> String {
     match conflict.mine_of(&conflict.about) {
-        Some((_, Some(Record::Connector(connector)))) => connector.operation.procedure().map(procedure_text).unwrap_or_default(),
+        Some((_, Some(Record::Connector(connector)))) => {
+            connector.operation.procedure().map(procedure_text).unwrap_or_default()
+        }
         Some((_, Some(Record::Stream(stream)))) => stream.name.clone(),
         _ => String::new(),
     }

@@ -42,7 +42,9 @@ impl Facet {
 pub(super) fn rows(conflict: &Conflict, now: &Behaviour) -> Vec<Row> {
     let Some((seen, mine)) = conflict.mine_of(&conflict.about) else { return Vec::new() };
     let theirs = now.records.get(&conflict.about);
-    let facets = |record: Option<&Record>, name: &dyn Fn(&Id) -> String| record.map_or_else(Vec::new, |record| facets(record, name));
+    let facets = |record: Option<&Record>, name: &dyn Fn(&Id) -> String| {
+        record.map_or_else(Vec::new, |record| facets(record, name))
+    };
     let wanted = |id: &Id| name_in(conflict.wanted(id), now, id);
     let saved = |id: &Id| name_in(None, now, id);
     let (seen, mine, theirs) = (facets(seen, &saved), facets(mine, &wanted), facets(theirs, &saved));
@@ -92,7 +94,8 @@ fn of_connector(connector: &Connector, name: &dyn Fn(&Id) -> String) -> Vec<Face
     let inputs: Vec<String> = connector.inputs.iter().map(name).collect();
     let start = operation.start().map(|start| Facet::of(words::start_label(), short_value(start)));
     let every = operation.period_ms().map(|ms| Facet::of(words::every_label(), words::milliseconds_of(ms)));
-    let first = [Facet::of(words::connector_label(), spec.name.to_owned()), Facet::of(words::takes_from(), inputs.join(", "))];
+    let first =
+        [Facet::of(words::connector_label(), spec.name.to_owned()), Facet::of(words::takes_from(), inputs.join(", "))];
     let last = Facet::of(words::leads_to(), name(&connector.output)).always();
     procedure.into_iter().chain(first).chain(start).chain(every).chain([last]).collect()
 }
@@ -116,7 +119,8 @@ fn of_stream(stream: &Stream) -> Vec<Facet> {
     let other = (&stream.resources, stream.priority, stream.hold_ms);
     if other != (&None, None, None) {
         let parts = other.0.iter().flatten().cloned();
-        let numbers = other.1.map(|priority| priority.to_string()).into_iter().chain(other.2.map(words::milliseconds_of));
+        let numbers =
+            other.1.map(|priority| priority.to_string()).into_iter().chain(other.2.map(words::milliseconds_of));
         all.push(Facet::of(words::other_settings(), parts.chain(numbers).collect::<Vec<_>>().join(" · ")));
     }
     all
@@ -153,7 +157,8 @@ fn tokens(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let end = if is_word(first) { rest.find(|letter| !is_word(letter)).unwrap_or(rest.len()) } else { first.len_utf8() };
+        let end =
+            if is_word(first) { rest.find(|letter| !is_word(letter)).unwrap_or(rest.len()) } else { first.len_utf8() };
         let (token, after) = rest.split_at(end);
         found.push(token);
         rest = after;

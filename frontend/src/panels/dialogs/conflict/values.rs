@@ -14,7 +14,8 @@ type Tried = [Trial; 2];
 /// Both procedures, if both can be tried on the same values.
 pub(super) fn questions(desk: Hold, conflict: &Conflict, now: &Behaviour) -> Option<[Question; 2]> {
     let (_, mine) = conflict.mine_of(&conflict.about)?;
-    let (Some(Record::Connector(mine)), Some(Record::Connector(theirs))) = (mine, now.records.get(&conflict.about)) else {
+    let (Some(Record::Connector(mine)), Some(Record::Connector(theirs))) = (mine, now.records.get(&conflict.about))
+    else {
         return None;
     };
     let both = [question_of(desk, mine)?, question_of(desk, theirs)?];
