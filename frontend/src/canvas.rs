@@ -5,6 +5,7 @@ mod cull;
 mod curve;
 mod hand;
 mod keys;
+mod mark;
 mod menu;
 mod node;
 mod people;

@@ -2,11 +2,13 @@
 
 mod apply;
 mod away;
+mod conflicts;
 mod disk_full;
 mod edits;
 mod graph_database;
 mod help;
 mod library;
+mod link;
 mod locks;
 mod order;
 mod quick;

@@ -2,6 +2,7 @@
 
 use super::Stage;
 use super::curve::{chip_place, curves};
+use super::mark::{self, MarkBadge, mark_memo};
 use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo};
 use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
@@ -87,6 +88,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     let ring = unused.clone();
     let editor = editor_memo(&stage, &id);
     let locked = editor.clone();
+    let mark = mark_memo(&desk, RecordId::new(Kind::Connector, &id));
+    let marked = mark.clone();
     let said = said_memo(&desk, &id, &signals, &unused);
     let tells = said.clone();
     let describes = move || {
@@ -95,6 +98,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         let mut all: Vec<String> = troubles.get().map(|(sentence, _)| sentence).into_iter().collect();
         all.extend(tells.get().map(|said| said.text));
         all.extend(waits.then(|| words::not_used_yet().to_owned()));
+        all.extend(marked.get().map(|mark| mark::said(mark).to_owned()));
         (!all.is_empty()).then(|| all.join(" "))
     };
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
@@ -128,6 +132,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
+            <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
             <Bubble id=id said=said />
         </div>

@@ -1,6 +1,7 @@
 //! One stream: its shape, its name, what happens on it now.
 
 use super::Stage;
+use super::mark::{self, MarkBadge, mark_memo};
 use super::stage::Edited;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
@@ -48,6 +49,13 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     };
     let problem = problem_memo(&desk, RecordId::new(Kind::Stream, &id));
     let troubles = problem.clone();
+    let mark = mark_memo(&desk, RecordId::new(Kind::Stream, &id));
+    let marked = mark.clone();
+    let describes = move || {
+        let marked = marked.get().map(|mark| mark::said(mark).to_owned());
+        let all: Vec<_> = troubles.get().map(|(sentence, _)| sentence).into_iter().chain(marked).collect();
+        (!all.is_empty()).then(|| all.join(" "))
+    };
     let editor = editor_memo(&stage, &id);
     view! {
         <div
@@ -68,7 +76,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
-            aria-description=move || troubles.get().map(|(sentence, _)| sentence)
+            aria-description=describes
             style:min-width=move || format!("{:.0}px", by_width.with(stream_width))
         >
             {move || by_icon.with(device_icon).map(|icon| view! { <span class="icon"><Icon name=icon /></span> })}
@@ -79,6 +87,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             </span>
         </div>
             <ProblemBadge problem=problem />
+            <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
             <LiveValue id=id.clone() signals=signals />
         </div>

@@ -2,6 +2,8 @@
 
 mod address;
 mod build;
+mod conflict;
+mod conflicts;
 mod editing;
 mod gestures;
 mod history;
@@ -18,16 +20,18 @@ mod signals;
 mod silence;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
+pub(crate) use conflict::Conflict;
+pub(crate) use conflicts::draft_key;
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
-pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
+pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Mark, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
 
 use super::tab::Tab;
-use behaviour::{Behaviour, Id, Place, Problem};
+use behaviour::{Behaviour, Id, Place, Problem, RecordId};
 use leptos::prelude::*;
 use protocol::{LockShown, Person, Pointer};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -59,6 +63,10 @@ pub(crate) struct Fields {
     pub(crate) lock_clock: ArcRwSignal<f64>,
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
     pub(crate) saving: ArcRwSignal<Saving>,
+    /// Changes of this tab that were refused because somebody was first, in any program.
+    pub(super) conflicts: ArcRwSignal<Vec<Conflict>>,
+    /// What of the open behaviour has changes that wait to be sent.
+    waits: ArcRwSignal<BTreeSet<RecordId>>,
     pub(crate) can_undo: ArcRwSignal<bool>,
     pub(crate) can_redo: ArcRwSignal<bool>,
     state: Mutex<State>,
@@ -130,6 +138,8 @@ impl Document {
             lock_clock: ArcRwSignal::default(),
             selected: ArcRwSignal::default(),
             saving: ArcRwSignal::default(),
+            conflicts: ArcRwSignal::default(),
+            waits: ArcRwSignal::default(),
             can_undo: ArcRwSignal::default(),
             can_redo: ArcRwSignal::default(),
             state: Mutex::default(),

@@ -1,5 +1,9 @@
 //! The page in English.
 
+mod conflicts;
+
+pub(crate) use conflicts::*;
+
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;

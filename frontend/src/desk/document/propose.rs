@@ -1,6 +1,6 @@
 //! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
 
-use super::save_state::SaveEvent;
+use super::save_state::{SaveEvent, SaveState};
 use super::{Document, DocumentEvent};
 use crate::browser::Keep;
 use crate::desk::tab::set_if_new;
@@ -64,12 +64,18 @@ impl Document {
             return on_answer(Err(Refused::Change(Refusal::Edits(change.edits.len()))));
         }
         let (op, touched) = (change.op.clone(), touched(&change));
+        let revision = if self.is_open(&to) { self.revision.get_untracked() } else { 0 };
         let room = {
             let mut state = self.state();
             if to.as_str() != LIBRARY {
                 state.history.proposed(&change);
             }
-            state.queue.push(to, change)
+            let offline = matches!(state.saves, SaveState::Lost(_));
+            let room = state.queue.push(to, change);
+            if room {
+                state.queue.made(revision, crate::browser::today_ms(), offline);
+            }
+            room
         };
         self.show_history();
         if !room {
@@ -129,6 +135,7 @@ impl Document {
         let Some(waiting) = waiting else { return };
         match &answer {
             Ok(()) => {
+                self.conflict_saved(op);
                 let silence = &mut self.state().silence;
                 *silence = silence.after_sending();
             }
@@ -136,9 +143,13 @@ impl Document {
         }
         self.show_history();
         let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(op));
-        match on_answer {
-            Some(on_answer) => on_answer(answer),
-            None => self.tab.say_refusal(answer),
+        let tab = self.tab.clone();
+        let on_answer = on_answer.unwrap_or_else(|| Box::new(move |answer| tab.say_refusal(answer)));
+        match answer {
+            Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream))) => {
+                self.came_late(waiting, no, move |no| on_answer(Err(no)));
+            }
+            answer => on_answer(answer),
         }
         self.say_back();
         self.pump();
@@ -237,6 +248,7 @@ impl Document {
             state.saves.told(state.queue.len())
         };
         set_if_new(&self.saving, saving);
+        self.show_waits();
     }
 
     fn keep_queue(&self) {
