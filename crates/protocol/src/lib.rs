@@ -4,6 +4,7 @@
 //! request travels in an [`Ask`] with a number of the client's choice; the reply that answers it carries the same number.
 #![warn(missing_docs)]
 
+mod invitation;
 mod library;
 mod live;
 mod parts;
@@ -13,6 +14,7 @@ mod request;
 
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
+pub use invitation::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
@@ -23,11 +25,13 @@ pub use reply::{LockShown, Message, Person, Refused, Reply};
 pub use request::{Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 6;
+pub const VERSION: u32 = 7;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
+pub const COME_IN_PATH: &str = "/come-in";
 /// Where recordings are, as plain GETs: the list, and under it each file.
 pub const RECORDINGS_PATH: &str = "/api/recordings";
 /// The largest message either side accepts, in bytes.

@@ -61,6 +61,8 @@ impl Desk {
             | Reply::Checked { .. }
             | Reply::Asked { .. }
             | Reply::Records { .. }
+            | Reply::Invited { .. }
+            | Reply::Invitations { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }

@@ -11,12 +11,12 @@ use crate::connection::clients::Entered;
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
 use crate::rooms::member::Member;
-use crate::rooms::{Note, Parting};
+use crate::rooms::{Entering, Note, Parting};
 use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
-use protocol::{Ask, Person, Refused, Reply, Request, VERSION};
+use protocol::{Ask, Person, Refused, Reply, Request, Role, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, mpsc};
@@ -104,7 +104,11 @@ async fn serve(
     tracing::info!(name = me.name, session = outbox.session, "somebody comes");
     connections.state.rooms.tell(
         connections.state.rooms.library(),
-        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(secret)),
+        Note::Join(
+            Member { person: me.clone(), link: Arc::new(outbox.clone()) },
+            ask,
+            Some(Entering { secret, role: Role::Host }),
+        ),
     );
     let (asking, asked) = inbox();
     let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone());

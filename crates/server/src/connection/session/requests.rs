@@ -36,6 +36,12 @@ impl Session {
             Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
             Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
             Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| Locking::Ask(record, to)),
+            Request::TakeOver { behaviour, record } => {
+                self.locking(ask, &behaviour, |to| Locking::TakeOver(record, to))
+            }
+            Request::Invite { .. } => self.outbox.no(ask, Refused::NobodyComes),
+            Request::Revoke { .. } => self.outbox.no(ask, Refused::NoInvitation),
+            Request::Invitations => self.outbox.say(Some(ask), Reply::Invitations { invitations: Vec::new() }),
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
