@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod history;
+mod invitation;
 mod library;
 mod live;
 mod parts;
@@ -15,6 +16,7 @@ mod request;
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
 pub use history::{HISTORY_MAX_LINES, HistoryLine};
+pub use invitation::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
@@ -30,6 +32,10 @@ pub const VERSION: u32 = 7;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// The code with which the server closes the socket of who came by an invitation that ended.
+pub const CLOSE_REVOKED: u16 = 4001;
+/// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
+pub const COME_IN_PATH: &str = "/come-in";
 /// Where recordings are, as plain GETs: the list, and under it each file.
 pub const RECORDINGS_PATH: &str = "/api/recordings";
 /// The largest message either side accepts, in bytes.

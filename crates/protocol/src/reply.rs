@@ -1,8 +1,8 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Contested, Cursor, Driver, HistoryLine, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used,
-    Values,
+    Contested, Cursor, Driver, HistoryLine, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState,
+    Similar, Summary, Used, Values,
 };
 use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
@@ -31,6 +31,8 @@ pub enum Reply {
         epoch: u64,
         /// Who this client is to others.
         you: Person,
+        /// What this client may do.
+        role: Role,
         /// Proves that it is them on a later link: see [`crate::Credential`].
         secret: Id,
         /// The helper library, or its first records.
@@ -244,6 +246,22 @@ pub enum Reply {
         /// Newest first.
         recordings: Vec<Recording>,
     },
+    /// An invitation was made. Its link is told this once and kept nowhere.
+    Invited {
+        /// The invitation.
+        invitation: Box<Invitation>,
+        /// The link to give to who is invited.
+        link: String,
+        /// That link as a QR code: a row of `0` and `1` each, without the quiet zone of four around it.
+        qr: Vec<String>,
+        /// The SHA-256 of the server's certificate, as browsers show it, if it made that itself.
+        fingerprint: Option<String>,
+    },
+    /// The invitations that are kept; also told to whoever may invite when they change.
+    Invitations {
+        /// Newest first.
+        invitations: Vec<Invitation>,
+    },
     /// Live values of the open behaviour on the watched robot.
     Values {
         /// What changed since the last.
@@ -328,6 +346,18 @@ pub enum Refused {
     Store(String),
     /// Nothing is open.
     NothingOpen,
+    /// Only somebody who may more may do this; at least this.
+    Role(Role),
+    /// Who asks was not invited, or not any more.
+    NotInvited,
+    /// Nobody else can come in, as the server answers this computer only.
+    NobodyComes,
+    /// There is no such invitation any more, or never was.
+    NoInvitation,
+    /// There are as many invitations as there may be.
+    TooManyInvitations,
+    /// The invitations could not be kept; with the reason.
+    InvitationsNotKept(String),
 }
 
 impl std::fmt::Display for Refused {
@@ -370,6 +400,21 @@ impl std::fmt::Display for Refused {
                 write!(to, "The behaviours cannot be reached just now ({reason}). Try again in a moment.")
             }
             Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
+            Self::Role(Role::Host) => write!(to, "Only {} may do this. Ask them.", Role::Host),
+            Self::Role(role) => write!(to, "Only {role} may do this. Ask {} for another invitation.", Role::Host),
+            Self::NotInvited => write!(to, "Your invitation ended. Ask {} for another one.", Role::Host),
+            Self::NobodyComes => to.write_str(
+                "Nobody else can reach this server. Start it with --listen and this computer’s address in the network.",
+            ),
+            Self::NoInvitation => to.write_str("There is no such invitation any more. Look at the list again."),
+            Self::TooManyInvitations => to.write_str("There are too many invitations. Revoke one first."),
+            Self::InvitationsNotKept(reason) => {
+                write!(
+                    to,
+                    "The invitations could not be kept ({reason}). What was revoked is out for now; free some space and \
+                     do this again."
+                )
+            }
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What a client may ask.
 
-use crate::{ListQuery, PictureOf};
+use crate::{Lasts, ListQuery, PictureOf, Role};
 use behaviour::{Change, Id, RecordId, Token, Value};
 use robot::SceneEdit;
 use serde::{Deserialize, Serialize};
@@ -131,6 +131,13 @@ pub enum Request {
         token: Token,
         /// True to hand it over, false for *not yet*.
         yes: bool,
+    },
+    /// Takes the lock of a record from whoever is editing it, who is told. Answered by `Locked`. Only for [`Role::Host`].
+    TakeOver {
+        /// In which behaviour.
+        behaviour: Id,
+        /// What.
+        record: RecordId,
     },
     /// The changes after a revision, for a client that missed some. Answered by `Missed`, or by `Opened` if they are many.
     Since {
@@ -325,6 +332,22 @@ pub enum Request {
     RemoveRobot {
         /// Which.
         robot: Id,
+    },
+    /// Makes an invitation. Answered by `Invited`. Only for [`Role::Host`], as are the two that follow.
+    Invite {
+        /// What who comes by it may do; not [`Role::Host`].
+        role: Role,
+        /// How long it lasts.
+        lasts: Lasts,
+        /// For whom it is, at most [`crate::LABEL_MAX_CHARS`]; may be empty.
+        label: String,
+    },
+    /// The invitations that are kept. Answered by `Invitations`.
+    Invitations,
+    /// Ends an invitation: whoever came by it is out. Answered by `Done`.
+    Revoke {
+        /// Which.
+        invitation: Id,
     },
     /// Which robot is watched, and whether pictures of its room and live values of what runs on it are wanted. At first
     /// it is both of the first robot. Answered by `Done`.

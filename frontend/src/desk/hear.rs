@@ -64,6 +64,8 @@ impl Desk {
             | Reply::History { .. }
             | Reply::At { .. }
             | Reply::Versions { .. }
+            | Reply::Invited { .. }
+            | Reply::Invitations { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }

@@ -3,6 +3,7 @@
 use super::Session;
 use crate::connection::outbox::Out;
 use crate::connection::start;
+use crate::invitations::Asked;
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
 use crate::library::{bin, insight, list, thumbnails};
@@ -17,7 +18,15 @@ use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
 
 impl Session {
+    /// Does what is asked, if whoever asks may: the one way of every request of a socket.
     pub(super) fn request(&mut self, ask: u32, request: Request) {
+        match self.entry.may(Asked::Socket(&request)) {
+            Ok(()) => self.allowed(ask, request),
+            Err(no) => self.outbox.no(ask, no),
+        }
+    }
+
+    fn allowed(&mut self, ask: u32, request: Request) {
         match request {
             Request::Hello { .. } => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
             Request::List { .. }
@@ -43,6 +52,10 @@ impl Session {
             Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
             Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
             Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| Locking::Ask(record, to)),
+            Request::TakeOver { behaviour, record } => {
+                self.locking(ask, &behaviour, |to| Locking::TakeOver(record, to))
+            }
+            Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => self.invitations(ask, request),
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
@@ -115,7 +128,7 @@ impl Session {
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
-    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
+    pub(super) fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
         let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
             return self.outbox.no(ask, Refused::TooFast);
         };

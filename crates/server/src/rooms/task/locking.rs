@@ -5,9 +5,8 @@ use crate::rooms::member::{Answer, Recipient};
 use crate::rooms::{Locking, Parting};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Change, Denied, Grant, Held, Holder, Id, LockEvent, Locks, Presented, RecordId, Refusal, Room, Token};
+use behaviour::{Change, Denied, Grant, Held, Holder, Id, LockEvent, Locks, Presented, Refusal, Room, Token};
 use protocol::{LockShown, Refused, Reply};
-use std::collections::BTreeSet;
 use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::Instant;
@@ -84,14 +83,20 @@ impl LockBook {
             link.send(encode(None, Reply::Locked { grant }));
         }
     }
+}
 
-    fn take(&mut self, holder: Holder, records: BTreeSet<RecordId>, room: &Room) -> Result<Grant, Refused> {
-        self.locks.take(self.now_ms(), holder, records).map_err(|denied| match denied {
-            Denied::Held { record, by } => Refused::Change(Refusal::Locked { what: room.name_of(&record), by }),
-            Denied::NoLock => Refused::NoLock,
-            Denied::TooMany => Refused::TooManyLocks,
-        })
+/// Why a lock was not given.
+fn refused(denied: Denied, room: &Room) -> Refused {
+    match denied {
+        Denied::Held { record, by } => Refused::Change(Refusal::Locked { what: room.name_of(&record), by }),
+        Denied::NoLock => Refused::NoLock,
+        Denied::TooMany => Refused::TooManyLocks,
     }
+}
+
+/// The answer to who wanted a lock.
+fn locked(given: Result<Grant, Denied>, room: &Room) -> Reply {
+    given.map_or_else(|denied| Reply::No { no: refused(denied, room) }, |grant| Reply::Locked { grant })
 }
 
 impl RoomTask {
@@ -101,8 +106,12 @@ impl RoomTask {
         let now_ms = self.locks.now_ms();
         match locking {
             Locking::Take(records, answer) => {
-                let taken = self.locks.take(holder, records, &self.room);
-                answer.give(taken.map_or_else(|no| Reply::No { no }, |grant| Reply::Locked { grant }));
+                let taken = self.locks.locks.take(now_ms, holder, records);
+                answer.give(locked(taken, &self.room));
+            }
+            Locking::TakeOver(record, answer) => {
+                let taken = self.locks.locks.take_over(now_ms, holder, record);
+                answer.give(locked(taken, &self.room));
             }
             Locking::Release(token, answer) => {
                 self.locks.locks.release(now_ms, session, token);

@@ -2,9 +2,9 @@
 
 use super::change_log::page;
 use super::{RoomTask, Stay};
-use crate::rooms::Parting;
 use crate::rooms::member::{Answer, Member, Whole};
 use crate::rooms::shown::Shown;
+use crate::rooms::{Entering, Parting};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
@@ -18,12 +18,12 @@ const FETCHED_MAX_CHANGES: u64 = 32;
 
 impl RoomTask {
     /// The answer goes into the member's queue here, so that no change can come before it.
-    pub(super) fn join(&mut self, member: Member, ask: u32, secret: Option<Id>) {
+    pub(super) fn join(&mut self, member: Member, ask: u32, entering: Option<Entering>) {
         if self.stay == Stay::Gone {
             return member.link.send(encode(Some(ask), Reply::No { no: Refused::NoBehaviour }));
         }
-        if let Some(secret) = secret {
-            member.link.send_whole(ask, self.welcome(&member.person, secret));
+        if let Some(entering) = entering {
+            member.link.send_whole(ask, self.welcome(&member.person, entering));
         }
         let (session, link) = (member.link.session(), Arc::clone(&member.link));
         let client = member.person.client.clone();
@@ -36,11 +36,12 @@ impl RoomTask {
         }
     }
 
-    fn welcome(&mut self, you: &Person, secret: Id) -> Whole {
+    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering) -> Whole {
         let reply = Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.around.epoch,
             you: you.clone(),
+            role,
             secret,
             library: Box::default(),
             more: false,
