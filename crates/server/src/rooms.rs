@@ -70,6 +70,8 @@ pub(crate) enum Locking {
     Touch(Token),
     /// To have what somebody else is editing.
     Ask(RecordId, Answer),
+    /// To have it no more.
+    Withdraw(RecordId, Answer),
     /// To say yes or not yet to who asks.
     Reply(Token, bool, Answer),
 }
@@ -78,9 +80,11 @@ impl Locking {
     /// Answers who waits that it cannot be.
     pub(crate) fn refuse(self, no: Refused) {
         match self {
-            Self::Take(_, answer) | Self::Release(_, answer) | Self::Ask(_, answer) | Self::Reply(.., answer) => {
-                answer.no(no)
-            }
+            Self::Take(_, answer)
+            | Self::Release(_, answer)
+            | Self::Ask(_, answer)
+            | Self::Withdraw(_, answer)
+            | Self::Reply(.., answer) => answer.no(no),
             Self::Touch(_) => {}
         }
     }

@@ -141,6 +141,7 @@ impl Editing {
             LockEvent::Asked { token, asker, .. } if self.token() == Some(*token) => {
                 self.own(|own| own.asker = Some(asker.name.clone()));
             }
+            LockEvent::Withdrawn { token, .. } if self.token() == Some(*token) => self.own(|own| own.asker = None),
             LockEvent::Warned { token, free_ms, .. } if self.token() == Some(*token) => {
                 self.own(|own| own.free_ms = Some(at(*free_ms)));
             }
@@ -154,6 +155,7 @@ impl Editing {
             LockEvent::Granted { .. }
             | LockEvent::Freed { .. }
             | LockEvent::Asked { .. }
+            | LockEvent::Withdrawn { .. }
             | LockEvent::Warned { .. }
             | LockEvent::Postponed { .. }
             | LockEvent::NotYet { .. }

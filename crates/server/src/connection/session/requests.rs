@@ -36,6 +36,9 @@ impl Session {
             Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
             Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
             Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| Locking::Ask(record, to)),
+            Request::Withdraw { behaviour, record } => {
+                self.locking(ask, &behaviour, |to| Locking::Withdraw(record, to))
+            }
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
