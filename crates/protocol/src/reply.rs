@@ -309,7 +309,9 @@ impl std::fmt::Display for Refused {
             Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
             Self::Change(refusal) => write!(to, "{refusal}"),
             Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
-            Self::NothingThere => to.write_str("This is not there any more, or not yet. Look again, and choose what is there."),
+            Self::NothingThere => {
+                to.write_str("This is not there any more, or not yet. Look again, and choose what is there.")
+            }
             Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
             Self::Problems(problems) => {
                 let first = problems.first().map(ToString::to_string).unwrap_or_default();

@@ -1,5 +1,9 @@
 //! The page in English.
 
+mod locks;
+
+pub(crate) use locks::*;
+
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;
