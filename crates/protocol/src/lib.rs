@@ -42,8 +42,11 @@ pub const RECORDINGS_PATH: &str = "/api/recordings";
 pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 /// How often live values and pictures of the room are sent at most, per second and client.
 pub const UPDATES_PER_SECOND_MAX: u64 = 30;
-/// How often the server pings, in milliseconds.
+/// How often the server says that it is there and which revisions there are, in milliseconds.
 pub const PING_MS: u64 = 500;
+/// How often the server asks whether the client is there, by a ping of the WebSocket that a browser answers by itself,
+/// in milliseconds. Who answers none of two is gone.
+pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
 /// The most robots of a server.

@@ -316,6 +316,8 @@ pub enum Refused {
     NothingGone,
     /// Positions are not locked, and neither are helpers.
     NoLock,
+    /// Only what is there is locked; this is not.
+    NothingThere,
     /// This client is editing as much as it may, or the behaviour is.
     TooManyLocks,
     /// These problems stop Start.
@@ -378,6 +380,9 @@ impl std::fmt::Display for Refused {
             ),
             Self::NothingGone => to.write_str("Nothing that was removed there is missing now."),
             Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
+            Self::NothingThere => {
+                to.write_str("This is not there any more, or not yet. Look again, and choose what is there.")
+            }
             Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
             Self::Problems(problems) => {
                 let first = problems.first().map(ToString::to_string).unwrap_or_default();

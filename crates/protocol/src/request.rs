@@ -99,7 +99,7 @@ pub enum Request {
     Lock {
         /// Which behaviour.
         behaviour: Id,
-        /// What; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
+        /// What, all of it there already; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
         records: BTreeSet<RecordId>,
     },
     /// Gives a lock back, unless it ended already. Answered by `Done`.
@@ -123,13 +123,20 @@ pub enum Request {
         /// What.
         record: RecordId,
     },
+    /// Who asked for a record wants it no more. Answered by `Done`.
+    Withdraw {
+        /// In which behaviour.
+        behaviour: Id,
+        /// What was asked for.
+        record: RecordId,
+    },
     /// What the holder of a lock says to who asks for it. Answered by `Done`.
     HandOver {
         /// In which behaviour.
         behaviour: Id,
         /// Which lock.
         token: Token,
-        /// True to hand it over, false for *not yet*.
+        /// True to hand it over, false for *not yet*, which counts for a minute from when somebody asked first.
         yes: bool,
     },
     /// Takes the lock of a record from whoever is editing it, who is told. Answered by `Locked`. Only for [`Role::Host`].

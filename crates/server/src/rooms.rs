@@ -84,6 +84,8 @@ pub(crate) enum Locking {
     Ask(RecordId, Answer),
     /// To take what somebody else is editing from them; who asks may.
     TakeOver(RecordId, Answer),
+    /// To have it no more.
+    Withdraw(RecordId, Answer),
     /// To say yes or not yet to who asks.
     Reply(Token, bool, Answer),
 }
@@ -96,6 +98,7 @@ impl Locking {
             | Self::Release(_, answer)
             | Self::Ask(_, answer)
             | Self::TakeOver(_, answer)
+            | Self::Withdraw(_, answer)
             | Self::Reply(.., answer) => answer.no(no),
             Self::Touch(_) => {}
         }

@@ -1,8 +1,10 @@
 //! The page in English.
 
 mod conflicts;
+mod locks;
 
 pub(crate) use conflicts::*;
+pub(crate) use locks::*;
 
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;

@@ -19,15 +19,15 @@ use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
-use protocol::{Ask, Person, Refused, Reply, Request, VERSION};
+use protocol::{ALIVE_MS, Ask, Person, Refused, Reply, Request, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, mpsc};
 
 /// How long the greeting may take.
 const GREETING_MS: u64 = 2_000;
-/// How long a client may be silent, though it is pinged all the while.
-const SILENT_MS: u64 = 12_000;
+/// How long a client may be silent: two pings of the WebSocket.
+const SILENT_MS: u64 = 2 * ALIVE_MS;
 /// Requests of one client that may be under way.
 const UNDER_WAY_MAX: usize = 8;
 

@@ -15,7 +15,7 @@ use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
 use futures_util::SinkExt;
 use futures_util::stream::SplitSink;
-use protocol::{PING_MS, Reply, Role};
+use protocol::{ALIVE_MS, PING_MS, Reply, Role};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{mpsc, watch};
@@ -98,8 +98,10 @@ impl Writer {
     async fn run(&mut self, inbox: &mut mpsc::Receiver<Out>) -> CloseReason {
         let mut beat = tokio::time::interval(Duration::from_millis(BEAT_MS));
         let mut ping = tokio::time::interval(Duration::from_millis(PING_MS));
-        beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-        ping.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        let mut alive = tokio::time::interval(Duration::from_millis(ALIVE_MS));
+        for interval in [&mut beat, &mut ping, &mut alive] {
+            interval.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        }
         let mut batch = Vec::new();
         loop {
             let write = tokio::select! {
@@ -111,6 +113,7 @@ impl Writer {
                     self.deliver(&mut batch).await
                 }
                 _ = ping.tick(), if self.welcomed => self.ping().await,
+                _ = alive.tick() => self.write([Message::Ping(Bytes::new())]).await,
                 _ = beat.tick(), if self.welcomed => self.news().await,
             };
             if let Err(why) = write {
@@ -172,7 +175,7 @@ impl Writer {
         let behaviour = self.feed.as_ref().map(|feed| (feed.behaviour.clone(), *feed.revision.borrow()));
         let library_revision = self.connections.state.rooms.snapshot().revision;
         let text = encode(None, Reply::Ping { behaviour, library_revision });
-        self.write([Message::Text(text), Message::Ping(Bytes::new())]).await
+        self.write([Message::Text(text)]).await
     }
 
     async fn send(&mut self, texts: Vec<Utf8Bytes>) -> Result<(), CloseReason> {

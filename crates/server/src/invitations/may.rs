@@ -156,6 +156,7 @@ fn of_request(request: &Request) -> Role {
         | Request::Unlock { .. }
         | Request::Typing { .. }
         | Request::AskFor { .. }
+        | Request::Withdraw { .. }
         | Request::HandOver { .. } => Role::Editor,
         // Other people.
         Request::TakeOver { .. } | Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => Role::Host,

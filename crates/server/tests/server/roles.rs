@@ -30,6 +30,7 @@ fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "unlock", "behaviour": "none", "token": token}), Editor),
         (json!({"is": "typing", "behaviour": "none", "token": token}), Editor),
         (json!({"is": "askFor", "behaviour": "none", "record": "stream/a"}), Editor),
+        (json!({"is": "withdraw", "behaviour": "none", "record": "stream/a"}), Editor),
         (json!({"is": "handOver", "behaviour": "none", "token": token, "yes": true}), Editor),
         (json!({"is": "takeOver", "behaviour": "none", "record": "stream/a"}), Host),
         (json!({"is": "since", "behaviour": "none", "revision": 0}), Viewer),

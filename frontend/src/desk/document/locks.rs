@@ -209,6 +209,14 @@ impl Document {
         }
     }
 
+    /// One no longer wants what was asked for.
+    pub(crate) fn ask_no_more(&self) {
+        if let Some((behaviour, record)) = self.edited(|at| (at.behaviour.clone(), at.record.clone())) {
+            self.tab.ask_or_say(Request::Withdraw { behaviour, record }, |_| {});
+            self.change_editing(Editing::withdrawn);
+        }
+    }
+
     /// Says to who asks that they may edit, or that they may not yet.
     pub(crate) fn hand_over(&self, yes: bool) {
         if let Some((behaviour, Some(token))) = self.edited(|now| (now.behaviour.clone(), now.token())) {

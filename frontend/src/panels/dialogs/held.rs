@@ -54,6 +54,11 @@ impl Held {
         }
     }
 
+    /// Whether one asked and was not answered yet.
+    fn waits(self) -> bool {
+        self.reading().is_some_and(|reading| matches!(reading.asking, Asking::Waits { .. } | Asking::Queued))
+    }
+
     fn own(self) -> Option<Own> {
         match self.writing.get() {
             Some(Writing::Own(own)) => Some(own),
@@ -97,6 +102,7 @@ fn ReadOnly(held: Held, written: Signal<String>) -> impl IntoView {
             </p>
             <div class="row">
                 <AskButton held />
+                <Show when=move || held.waits()><AskNoMore held /></Show>
                 <button class="button" type="button" on:click=copy>
                     {move || if copied.get() { words::copied() } else { words::copy() }}
                 </button>
@@ -143,17 +149,27 @@ fn AskButton(held: Held) -> impl IntoView {
     }
 }
 
+/// Takes the question back.
+#[component]
+fn AskNoMore(held: Held) -> impl IntoView {
+    let press = move |_| held.desk.desk().document.ask_no_more();
+    view! { <button class="button" type="button" on:click=press>{words::ask_no_more()}</button> }
+}
+
 /// Somebody asks for what is edited here.
 #[component]
 fn Wanted(held: Held, asker: Memo<Option<String>>) -> impl IntoView {
     let answer = move |yes: bool| held.desk.desk().document.hand_over(yes);
+    let is_last = Memo::new(move |_| held.own().is_some_and(|own| own.is_last));
+    let meaning = move || if is_last.get() { words::last_moment() } else { words::silence_means_yes() };
+    let keep = move || view! { <button class="button" type="button" on:click=move |_| answer(false)>{words::keep_it()}</button> };
     view! {
         <div class="held wanted">
             <p><b>{move || asker.get().map(|name| words::would_like_to_edit(&name))}</b></p>
             <div class="row">
                 <button class="button" type="button" on:click=move |_| answer(true)>{words::hand_over()}</button>
-                <button class="button" type="button" on:click=move |_| answer(false)>{words::keep_it()}</button>
-                <span class="faint">{words::silence_means_yes()}</span>
+                <Show when=move || !is_last.get()>{keep()}</Show>
+                <span class="faint">{meaning}</span>
             </div>
         </div>
     }

@@ -56,6 +56,9 @@ impl Session {
                 self.locking(ask, &behaviour, |to| Locking::TakeOver(record, to))
             }
             Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => self.invitations(ask, request),
+            Request::Withdraw { behaviour, record } => {
+                self.locking(ask, &behaviour, |to| Locking::Withdraw(record, to))
+            }
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
