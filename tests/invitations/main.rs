@@ -4,7 +4,6 @@
 //! The network is made of what Linux gives to everybody: the test starts itself again as the root of a user namespace with
 //! an empty network, adds another one, and lays a wire between the two. Nothing outside is touched.
 
-#[expect(dead_code, reason = "the tests of the server use all of it")]
 #[path = "../../crates/server/tests/server/browser.rs"]
 mod browser;
 mod wire;
@@ -76,7 +75,7 @@ async fn scene() -> Outcome<()> {
     assert!(link.starts_with(&format!("https://{}:", wire::HERE)), "{link}");
     let far = Browser::new(folder.path(), &link);
 
-    let stranger = far.clone();
+    let stranger = far.stranger();
     network.from_there(async move { without_an_invitation(&stranger).await }).await?;
 
     let (mut browser, play) = (far.clone(), home.play.clone());
@@ -134,7 +133,7 @@ async fn as_a_viewer(browser: &mut Browser, link: &str, play: &Id) -> Socket {
     let mut chie = browser.socket("Chie").await.unwrap_or_else(|status| panic!("{status}"));
     let opened = chie.ask(Request::Open { behaviour: play.clone() }).await;
     assert!(matches!(opened, Reply::Opened { .. }), "{opened:?}");
-    let change = json!({"op": "o1", "label": "x", "author": "x", "edits": []});
+    let change = json!({"op": "o1", "label": "x", "author": "x", "at_ms": 0, "edits": []});
     let writes = [
         (json!({"is": "create", "behaviour": "made", "name": "x", "template": null}), Role::Editor),
         (json!({"is": "remove", "behaviour": play}), Role::Editor),

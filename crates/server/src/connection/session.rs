@@ -28,6 +28,8 @@ use tokio::sync::{Semaphore, mpsc};
 const GREETING_MS: u64 = 2_000;
 /// How long a client may be silent: two pings of the WebSocket.
 const SILENT_MS: u64 = 2 * ALIVE_MS;
+/// How long who is told to go may take to hear it.
+const LINGER_MS: u64 = 500;
 /// Requests of one client that may be under way.
 const UNDER_WAY_MAX: usize = 8;
 
@@ -123,6 +125,10 @@ async fn serve(
     };
     drop(reader);
     outbox.close.with(why);
+    if why == CloseReason::Revoked {
+        let lingers = linger(&connections, stream, &me.name);
+        let _ = tokio::time::timeout(Duration::from_millis(LINGER_MS), lingers).await;
+    }
     let _ = working.await;
     connections
         .state
@@ -130,6 +136,21 @@ async fn serve(
         .tell_open(connections.state.rooms.library(), Note::Leave(outbox.session, Parting::LinkEnded));
     connections.clients.leave(&me.client, outbox.session);
     tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+}
+
+/// Hears the other side until it went, so that it hears why it has to; its Stop still counts.
+async fn linger(connections: &Connections, stream: &mut SplitStream<WebSocket>, by: &str) {
+    loop {
+        match hear(stream.next().await) {
+            Heard::Ask(ask) => {
+                if let Request::Stop { behaviour, robot } = ask.request {
+                    connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
+                }
+            }
+            Heard::Large(_) | Heard::Nonsense(..) | Heard::Nothing => {}
+            Heard::End(_) => return,
+        }
+    }
 }
 
 /// Shows who invited that a guest is here.

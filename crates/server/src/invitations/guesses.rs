@@ -1,13 +1,13 @@
 //! How often somebody may try links that do not work, from one place. Who is in already is never asked this.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::net::{IpAddr, Ipv6Addr};
 
 /// Links that do not work which a place may try at once.
 const TRIES_MAX: u64 = 10;
 /// How long until it may try one more, in milliseconds.
 const AGAIN_MS: u64 = 6_000;
-/// Places that are remembered; the one that tried longest ago is forgotten.
+/// Places that are remembered; the one that is forgiven first is forgotten.
 const PLACES_MAX: usize = 4_096;
 
 /// Where a connection comes from: an address, or the network of 64 bits that one computer may have all addresses of.
@@ -24,9 +24,14 @@ impl Source {
     }
 }
 
-/// What was tried in vain: by place, when all of it will be forgiven.
+/// What was tried in vain.
 #[derive(Debug, Default)]
-pub(super) struct Guesses(BTreeMap<Source, u64>);
+pub(super) struct Guesses {
+    /// When all of it will be forgiven, by place.
+    forgiven_ms: BTreeMap<Source, u64>,
+    /// The same, whoever is forgiven first.
+    order: BTreeSet<(u64, Source)>,
+}
 
 impl Guesses {
     /// Whether a place may try a link.
@@ -34,7 +39,7 @@ impl Guesses {
     /// # Errors
     /// The seconds that it has to wait.
     pub(super) fn check(&self, now_ms: u64, from: Source) -> Result<(), u64> {
-        let owed_ms = self.0.get(&from).map_or(0, |forgiven_ms| forgiven_ms.saturating_sub(now_ms));
+        let owed_ms = self.forgiven_ms.get(&from).map_or(0, |forgiven_ms| forgiven_ms.saturating_sub(now_ms));
         match owed_ms.checked_sub((TRIES_MAX - 1) * AGAIN_MS).filter(|wait_ms| *wait_ms > 0) {
             None => Ok(()),
             Some(wait_ms) => Err(wait_ms.div_ceil(1_000)),
@@ -43,17 +48,16 @@ impl Guesses {
 
     /// A place tried one that does not work.
     pub(super) fn failed(&mut self, now_ms: u64, from: Source) {
-        if self.0.len() >= PLACES_MAX && !self.0.contains_key(&from) {
-            self.0.retain(|_, forgiven_ms| *forgiven_ms > now_ms);
-        }
-        if self.0.len() >= PLACES_MAX
-            && !self.0.contains_key(&from)
-            && let Some(oldest) = self.0.iter().min_by_key(|(_, forgiven_ms)| **forgiven_ms).map(|(from, _)| *from)
+        let before_ms = self.forgiven_ms.remove(&from).unwrap_or(0);
+        self.order.remove(&(before_ms, from));
+        if self.forgiven_ms.len() >= PLACES_MAX
+            && let Some((_, first)) = self.order.pop_first()
         {
-            self.0.remove(&oldest);
+            self.forgiven_ms.remove(&first);
         }
-        let forgiven_ms = self.0.entry(from).or_default();
-        *forgiven_ms = (*forgiven_ms).max(now_ms).saturating_add(AGAIN_MS);
+        let forgiven_ms = before_ms.max(now_ms).saturating_add(AGAIN_MS);
+        self.forgiven_ms.insert(from, forgiven_ms);
+        self.order.insert((forgiven_ms, from));
     }
 }
 
@@ -82,7 +86,7 @@ mod tests {
         let mut guesses = Guesses::default();
         for number in 0..100_000 {
             guesses.failed(u64::from(number), Source::of(IpAddr::V4(Ipv4Addr::from_bits(number))));
-            assert!(guesses.0.len() <= PLACES_MAX);
+            assert!(guesses.forgiven_ms.len() <= PLACES_MAX && guesses.order.len() <= PLACES_MAX);
         }
     }
 

@@ -48,6 +48,11 @@ impl Browser {
         Self { tls: TlsConnector::from(Arc::new(config)), address: place.parse().unwrap(), cookie: None }
     }
 
+    /// Somebody else at the same computer, without our cookie.
+    pub(crate) fn stranger(&self) -> Self {
+        Self { cookie: None, ..self.clone() }
+    }
+
     async fn connect(&self) -> TlsStream<TcpStream> {
         let stream = TcpStream::connect(self.address).await.unwrap();
         self.tls.connect(ServerName::from(self.address.ip()), stream).await.unwrap()

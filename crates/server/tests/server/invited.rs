@@ -237,7 +237,7 @@ async fn stop_is_heard_while_links_are_guessed_and_guessing_is_slowed() {
     let (browser, _) = scene.guest(Role::Viewer).await;
     let mut socket = browser.socket("Ben").await.unwrap();
     let guesses = tokio::spawn({
-        let stranger = Browser { cookie: None, ..browser.clone() };
+        let stranger = browser.stranger();
         async move {
             let mut answers = Vec::new();
             for guess in 0..150 {

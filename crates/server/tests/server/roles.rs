@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 fn requests() -> Vec<(Value, Role)> {
     use Role::{Editor, Host, Operator, Viewer};
     let token = json!({"epoch": 1, "counter": 1});
-    let change = json!({"op": "o1", "label": "x", "author": "x", "edits": []});
+    let change = json!({"op": "o1", "label": "x", "author": "x", "at_ms": 0, "edits": []});
     vec![
         (json!({"is": "hello", "version": 1, "name": "x"}), Viewer),
         (json!({"is": "list"}), Viewer),
@@ -53,7 +53,7 @@ fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "apply", "behaviour": "none"}), Operator),
         (json!({"is": "stop", "behaviour": null}), Viewer),
         (json!({"is": "stimulate", "behaviour": "none", "stream": "a", "value": 1}), Operator),
-        (json!({"is": "scene", "edit": {"is": "tap", "part": "head"}}), Operator),
+        (json!({"is": "scene", "edit": {"do": "touchHead", "down": false}}), Operator),
         (json!({"is": "addRobot", "robot": "other", "name": "Other"}), Operator),
         (json!({"is": "removeRobot", "robot": "none"}), Operator),
         (json!({"is": "invite", "role": "viewer", "lasts": "day", "label": ""}), Host),
