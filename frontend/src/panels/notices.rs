@@ -75,7 +75,7 @@ fn Offline() -> impl IntoView {
     let show = move |_| desk.desk().dialog.set(Some(Dialog::Waiting));
     // The button stands beside what is said, so that only the words are said when they change.
     view! {
-        <div class="offline-place">
+        <div class="offline-place" role="region" aria-label=words::connection_name()>
             <div class="offline" class:there=move || there.get()>
                 <Show when=move || there.get()><Icon name="offline" /></Show>
                 <p role="status">{line}</p>
