@@ -1,8 +1,8 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Contested, Cursor, Driver, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState, Similar, Summary,
-    Used, Values,
+    Area, Contested, Cursor, Driver, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState, Similar,
+    Summary, Used, Values,
 };
 use behaviour::{Accepted, Asked, Behaviour, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
@@ -403,4 +403,7 @@ pub struct Person {
     /// Selected stream or connector.
     #[serde(default)]
     pub selected: Option<Id>,
+    /// What part of the canvas they see.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub view: Option<Area>,
 }

@@ -18,7 +18,7 @@ use behaviour::{Behaviour, Change, Id, RecordId, Room, Token};
 use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
-use protocol::{LIBRARY, Pointer, Refused, Reply, Role, Summary};
+use protocol::{Area, LIBRARY, Pointer, Refused, Reply, Role, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,8 +45,10 @@ pub(crate) enum Note {
     Remove(String, Answer),
     /// The changes after a revision are wanted.
     Since(u64, Answer),
-    /// A link's pointer and selection.
-    Present(u64, Option<Pointer>, Option<Id>),
+    /// Where a link's person is.
+    Present(u64, Whereabouts),
+    /// A link's person is called something else from now on.
+    Rename(u64, String),
     /// The server itself wants to see it as it is.
     Look(oneshot::Sender<Result<Look, Refused>>),
 }
@@ -57,6 +59,13 @@ pub(crate) struct Entering {
     pub(crate) secret: Id,
     /// What they may do.
     pub(crate) role: Role,
+}
+
+/// Where somebody points, what they selected and what they see.
+pub(crate) struct Whereabouts {
+    pub(crate) pointer: Option<Pointer>,
+    pub(crate) selected: Option<Id>,
+    pub(crate) view: Option<Area>,
 }
 
 /// How a link leaves.
@@ -122,7 +131,7 @@ impl Note {
             Self::Propose(.., answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
             Self::Locking(_, locking) => locking.refuse(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
-            Self::Leave(..) | Self::Present(..) => {}
+            Self::Leave(..) | Self::Present(..) | Self::Rename(..) => {}
         }
     }
 }

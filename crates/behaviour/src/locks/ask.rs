@@ -48,7 +48,7 @@ pub enum Asked {
 /// Somebody wants a record.
 #[derive(Clone, Debug)]
 pub(super) struct Ask {
-    asker: Holder,
+    pub(super) asker: Holder,
     record: RecordId,
     /// When it was put before the holder.
     since_ms: u64,
