@@ -12,7 +12,8 @@ mod robots;
 mod tab;
 
 pub(crate) use document::{
-    Asking, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, StreamSignals, Writing,
+    Asking, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, Sign, StreamSignals,
+    Writing, signs,
 };
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
@@ -64,6 +65,7 @@ impl Desk {
 
     /// Connects, and opens what the address or this browser remembers.
     pub(crate) fn start_up(&self) {
+        self.name_wanted.set(identity::is_name_wanted());
         self.document.restore_queue();
         self.library.hear_drops();
         self.document.follow_address();

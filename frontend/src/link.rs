@@ -119,12 +119,6 @@ pub(crate) fn tell(request: Request) {
     }
 }
 
-/// Greets anew, after a new name was chosen.
-pub(crate) fn again() {
-    lose(with(|link| link.generation));
-    hurry();
-}
-
 fn send(number: u32, request: Request) -> bool {
     let Ok(text) = serde_json::to_string(&Ask { ask: number, request }) else { return false };
     text.len() <= protocol::MESSAGE_MAX_BYTES && with(|link| link.socket.as_ref().is_some_and(|s| s.send(&text)))

@@ -9,6 +9,7 @@ mod hold;
 mod insight;
 mod inspector;
 mod menu;
+mod name_card;
 mod notices;
 mod outline;
 mod palette;

@@ -35,6 +35,7 @@ impl Pointers {
     }
 
     pub(super) fn down(&self, event: &PointerEvent) {
+        self.desk.document.unfollow();
         let target = element(event);
         let own = target.as_ref().is_some_and(|target| target.closest(INTERACTIVE).ok().flatten().is_some());
         if own || !matches!(event.button(), 0 | 1) {
@@ -152,6 +153,7 @@ impl Pointers {
             return;
         }
         event.prevent_default();
+        self.desk.document.unfollow();
         let line = if event.delta_mode() == WheelEvent::DOM_DELTA_LINE { 16.0 } else { 1.0 };
         let (dx, dy) = (event.delta_x() * line, event.delta_y() * line);
         let view = self.stage.view.get_untracked();

@@ -55,6 +55,8 @@ pub(crate) enum Dialog {
     RemoveRobot,
     /// What others see as one's name.
     MyName,
+    /// Everyone who is here.
+    People,
     /// Keys and gestures.
     Help,
 }
@@ -80,6 +82,8 @@ pub(crate) struct Fields {
     /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
     pub(crate) unheard: ArcRwSignal<Option<u32>>,
     pub(crate) me: ArcRwSignal<Option<Person>>,
+    /// Whether this person has not said yet what the others shall see as their name.
+    pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
 }

@@ -8,6 +8,7 @@ mod helpers;
 mod names;
 mod operation;
 mod other;
+mod people;
 mod programs;
 mod save_file;
 mod sensors;
@@ -45,6 +46,7 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
+        Dialog::People => view! { <people::People /> }.into_any(),
         Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
         Dialog::Problems => view! { <other::AllProblems /> }.into_any(),
         Dialog::Help => view! { <other::Help /> }.into_any(),

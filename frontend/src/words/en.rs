@@ -1,5 +1,9 @@
 //! The page in English.
 
+mod people;
+
+pub(crate) use people::*;
+
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;

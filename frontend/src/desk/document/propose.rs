@@ -211,6 +211,7 @@ impl Document {
     pub(in crate::desk) fn link_lost(&self) {
         self.hold_back(SaveEvent::LinkLost);
         self.forget_locks();
+        self.unfollow();
     }
 
     /// Nothing can be saved now: what was under way waits again, and what waits is shown.
