@@ -30,6 +30,8 @@ pub const VERSION: u32 = 7;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// The code with which the server closes the socket of who came by an invitation that ended.
+pub const CLOSE_REVOKED: u16 = 4001;
 /// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
 pub const COME_IN_PATH: &str = "/come-in";
 /// Where recordings are, as plain GETs: the list, and under it each file.

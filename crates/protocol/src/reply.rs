@@ -313,6 +313,8 @@ pub enum Refused {
     NothingOpen,
     /// Only somebody who may more may do this; at least this.
     Role(Role),
+    /// Who asks was not invited, or not any more.
+    NotInvited,
     /// Nobody else can come in, as the server answers this computer only.
     NobodyComes,
     /// There is no such invitation any more, or never was.
@@ -360,13 +362,18 @@ impl std::fmt::Display for Refused {
             Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
             Self::Role(Role::Host) => write!(to, "Only {} may do this. Ask them.", Role::Host),
             Self::Role(role) => write!(to, "Only {role} may do this. Ask {} for another invitation.", Role::Host),
+            Self::NotInvited => write!(to, "Your invitation ended. Ask {} for another one.", Role::Host),
             Self::NobodyComes => to.write_str(
                 "Nobody else can reach this server. Start it with --listen and this computer’s address in the network.",
             ),
             Self::NoInvitation => to.write_str("There is no such invitation any more. Look at the list again."),
             Self::TooManyInvitations => to.write_str("There are too many invitations. Revoke one first."),
             Self::InvitationsNotKept(reason) => {
-                write!(to, "The invitations stay as they were, as they could not be kept ({reason}).")
+                write!(
+                    to,
+                    "The invitations could not be kept ({reason}). What was revoked is out for now; free some space and \
+                     do this again."
+                )
             }
         }
     }

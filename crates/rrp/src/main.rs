@@ -8,6 +8,7 @@ mod failure;
 mod import;
 mod keep;
 mod link;
+mod listening;
 mod log;
 mod page;
 mod replay;

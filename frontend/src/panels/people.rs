@@ -56,10 +56,10 @@ pub(super) fn in_color(sign: &Sign) -> String {
 #[component]
 fn Own(sign: Sign) -> impl IntoView {
     let desk = hold();
-    let title = format!("{} ({})", sign.name, words::you());
+    let (title, color) = (format!("{} ({})", sign.name, words::you()), in_color(&sign));
     let label = format!("{}: {title}", sign.letters);
     view! {
-        <button class="avatar" type="button" data-stop="" tabindex="-1" style=("--person", in_color(&sign)) title=title
+        <button class="avatar" type="button" data-stop="" tabindex="-1" style=("--person", color) title=title
             aria-label=label on:click=move |_| desk.desk().dialog.set(Some(Dialog::MyName))>
             <span aria-hidden="true">{sign.letters}</span>
         </button>
@@ -70,10 +70,10 @@ fn Own(sign: Sign) -> impl IntoView {
 fn Other(sign: Sign) -> impl IntoView {
     let desk = hold();
     let pressed = is_followed(desk, sign.client.clone());
-    let label = words::follow_person(&sign.name);
+    let (label, color) = (words::follow_person(&sign.name), in_color(&sign));
     let client = sign.client.clone();
     view! {
-        <button class="avatar not-phone" type="button" data-stop="" tabindex="-1" style=("--person", in_color(&sign))
+        <button class="avatar not-phone" type="button" data-stop="" tabindex="-1" style=("--person", color)
             title=label.clone() aria-label=label aria-pressed=move || pressed.get().to_string()
             on:click=move |_| follow_or_end(desk, &client)>
             <span aria-hidden="true">{sign.letters}</span>

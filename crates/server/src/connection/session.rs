@@ -1,6 +1,7 @@
 //! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
 //! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
 
+mod inviting;
 mod requests;
 
 use super::hear::{Heard, hear, read};
@@ -10,13 +11,14 @@ use crate::connection::Connections;
 use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
+use crate::invitations::{Entry, Here};
 use crate::rooms::member::Member;
 use crate::rooms::{Entering, Note, Parting};
 use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
-use protocol::{Ask, Person, Refused, Reply, Request, Role, VERSION};
+use protocol::{Ask, Person, Refused, Reply, Request, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, mpsc};
@@ -28,8 +30,8 @@ const SILENT_MS: u64 = 12_000;
 /// Requests of one client that may be under way.
 const UNDER_WAY_MAX: usize = 8;
 
-/// Serves one socket.
-pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
+/// Serves one socket of somebody who is in.
+pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry) {
     let (sink, mut stream) = socket.split();
     let (outbox, told, waiting) = Outbox::new(connections.number(), connections.waiting.clone());
     let writing = connections.state.tasks.tracker.spawn(super::writer::write(
@@ -37,15 +39,16 @@ pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
         outbox.session,
         sink,
         told,
-        waiting,
+        (waiting, entry.role()),
         outbox.close.clone(),
     ));
     let greeted = tokio::select! {
         () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
+        () = entry.until_over() => Err(CloseReason::Revoked),
         greeted = half_open(&connections, &outbox, &mut stream) => greeted,
     };
     match greeted {
-        Ok((entered, ask)) => serve(connections, outbox, entered, ask, &mut stream).await,
+        Ok((entered, ask)) => serve(connections, outbox, entered, (ask, entry), &mut stream).await,
         Err(why) => outbox.close.with(why),
     }
     let _ = writing.await;
@@ -97,25 +100,26 @@ async fn serve(
     connections: Arc<Connections>,
     outbox: Outbox,
     entered: Entered,
-    ask: u32,
+    (ask, entry): (u32, Entry),
     stream: &mut SplitStream<WebSocket>,
 ) {
     let Entered { person: me, secret } = entered;
+    let Some(role) = entry.role() else { return outbox.close.with(CloseReason::Unwelcome) };
+    let _here = here(&connections, &entry, &me.name);
     tracing::info!(name = me.name, session = outbox.session, "somebody comes");
     connections.state.rooms.tell(
         connections.state.rooms.library(),
-        Note::Join(
-            Member { person: me.clone(), link: Arc::new(outbox.clone()) },
-            ask,
-            Some(Entering { secret, role: Role::Host }),
-        ),
+        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(Entering { secret, role })),
     );
     let (asking, asked) = inbox();
-    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone());
+    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), entry.clone());
     let working = connections.state.tasks.spawn(session.work(asked));
     let mut reader =
         Reader { connections: &connections, outbox: &outbox, by: me.name.clone(), rate: RateLimit::full(), asking };
-    let why = reader.read(stream).await;
+    let why = tokio::select! {
+        why = reader.read(stream) => why,
+        () = entry.until_over() => CloseReason::Revoked,
+    };
     drop(reader);
     outbox.close.with(why);
     let _ = working.await;
@@ -125,6 +129,12 @@ async fn serve(
         .tell_open(connections.state.rooms.library(), Note::Leave(outbox.session, Parting::LinkEnded));
     connections.clients.leave(&me.client, outbox.session);
     tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+}
+
+/// Shows who invited that a guest is here.
+fn here(connections: &Connections, entry: &Entry, name: &str) -> Option<Here> {
+    let Entry::Guest(guest) = entry else { return None };
+    Some(connections.state.invitations.arrive(guest, name))
 }
 
 /// Hears one client.
@@ -190,6 +200,8 @@ struct Session {
     connections: Arc<Connections>,
     outbox: Outbox,
     me: Person,
+    /// As whom they are in.
+    entry: Entry,
     /// The behaviour that is open.
     open: Option<behaviour::Id>,
     under_way: Arc<Semaphore>,
@@ -198,9 +210,9 @@ struct Session {
 }
 
 impl Session {
-    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person) -> Self {
+    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person, entry: Entry) -> Self {
         let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
-        Self { connections, outbox, me, open: None, under_way, weight: None }
+        Self { connections, outbox, me, entry, open: None, under_way, weight: None }
     }
 
     fn member(&self) -> Member {

@@ -33,10 +33,10 @@ impl House {
         let (stop, stopped) = oneshot::channel::<()>();
         let (tell, ready) = oneshot::channel();
         let listen = "127.0.0.1:0".parse().unwrap();
-        let config = Config { listen, store: "unused".into(), data: None, seed: 1, page: |_| None };
+        let config = Config { listen, network: None, store: "unused".into(), data: None, seed: 1, page: |_| None };
         let serving = tokio::spawn(async move {
             let stopped = async { drop(stopped.await) };
-            serve_with(store, config, |address| tell.send(address).unwrap(), stopped).await.unwrap();
+            serve_with(store, config, |ready| tell.send(ready.address).unwrap(), stopped).await.unwrap();
         });
         Self { address: ready.await.unwrap(), stop, serving }
     }

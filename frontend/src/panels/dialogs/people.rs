@@ -1,6 +1,6 @@
 //! The list of people: everyone who is here, whom to follow, and one's own name.
 
-use super::frame::{Feet, Frame, close};
+use super::frame::{Frame, close};
 use crate::desk::{Dialog, Sign};
 use crate::panels::hold::hold;
 use crate::panels::people::{follow_or_end, in_color, is_followed};
@@ -24,7 +24,6 @@ pub(super) fn People() -> impl IntoView {
                     <For each=move || signs.get() key=Clone::clone children=one />
                 </ul>
             </div>
-            <Feet save=words::done() />
         </Frame>
     }
 }
@@ -33,7 +32,7 @@ pub(super) fn People() -> impl IntoView {
 fn Line(sign: Sign, is_me: bool) -> impl IntoView {
     let desk = hold();
     let name = if is_me { format!("{} ({})", sign.name, words::you()) } else { sign.name.clone() };
-    let label = words::follow_person(&sign.name);
+    let (label, color) = (words::follow_person(&sign.name), in_color(&sign));
     let pressed = is_followed(desk, sign.client.clone());
     let client = sign.client.clone();
     let follow = move |_| {
@@ -42,7 +41,7 @@ fn Line(sign: Sign, is_me: bool) -> impl IntoView {
     };
     view! {
         <li>
-            <span class="avatar" aria-hidden="true" style=("--person", in_color(&sign))>{sign.letters}</span>
+            <span class="avatar" aria-hidden="true" style=("--person", color)>{sign.letters}</span>
             <span class="cut">{name}</span>
             {if is_me {
                 view! {

@@ -4,6 +4,7 @@ use super::Session;
 use crate::connection::clients::tidy_name;
 use crate::connection::outbox::Out;
 use crate::connection::start;
+use crate::invitations::{Asked, Entry};
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
 use crate::library::{bin, insight, list, thumbnails};
@@ -18,7 +19,15 @@ use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
 
 impl Session {
+    /// Does what is asked, if whoever asks may: the one way of every request of a socket.
     pub(super) fn request(&mut self, ask: u32, request: Request) {
+        match self.entry.may(Asked::Socket(&request)) {
+            Ok(()) => self.allowed(ask, request),
+            Err(no) => self.outbox.no(ask, no),
+        }
+    }
+
+    fn allowed(&mut self, ask: u32, request: Request) {
         match request {
             Request::Hello { .. } => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
             Request::List { .. }
@@ -40,9 +49,7 @@ impl Session {
             Request::TakeOver { behaviour, record } => {
                 self.locking(ask, &behaviour, |to| Locking::TakeOver(record, to))
             }
-            Request::Invite { .. } => self.outbox.no(ask, Refused::NobodyComes),
-            Request::Revoke { .. } => self.outbox.no(ask, Refused::NoInvitation),
-            Request::Invitations => self.outbox.say(Some(ask), Reply::Invitations { invitations: Vec::new() }),
+            Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => self.invitations(ask, request),
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
@@ -107,7 +114,7 @@ impl Session {
         }
     }
 
-    fn state(&self) -> &Arc<ServerState> {
+    pub(super) fn state(&self) -> &Arc<ServerState> {
         &self.connections.state
     }
 
@@ -122,7 +129,7 @@ impl Session {
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
-    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
+    pub(super) fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
         let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
             return self.outbox.no(ask, Refused::TooFast);
         };
@@ -214,7 +221,12 @@ impl Session {
     fn call_me(&mut self, ask: u32, name: &str) {
         self.me.name = tidy_name(name);
         self.tell_open(Note::Rename(self.outbox.session, self.me.name.clone()));
-        self.outbox.say(Some(ask), Reply::Done);
+        let Entry::Guest(guest) = &self.entry else { return self.outbox.say(Some(ask), Reply::Done) };
+        let (all, guest, name) = (Arc::clone(&self.state().invitations), guest.clone(), self.me.name.clone());
+        self.later(ask, async move {
+            let _kept_or_logged = tokio::task::spawn_blocking(move || all.call(&guest, &name)).await;
+            Ok(Reply::Done)
+        });
     }
 
     /// The author is who sends it, whatever the change says.
