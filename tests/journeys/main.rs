@@ -9,6 +9,7 @@ mod help;
 mod library;
 mod locks;
 mod order;
+mod presence;
 mod quick;
 mod record;
 mod robots;

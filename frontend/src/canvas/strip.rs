@@ -309,7 +309,7 @@ fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
         };
         desk.document.revision.track();
         let streams = stage.shapes.with(others);
-        let message = desk.notice.with(Option::is_some);
+        let message = desk.notice.with(Option::is_some) || desk.asks_for_name();
         Others { streams, chips: stage.chips_at(&id, false), message }
     })
 }

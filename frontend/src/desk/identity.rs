@@ -33,6 +33,11 @@ impl Desk {
         self.keep_my_name();
     }
 
+    /// Whether to ask what the others shall see: there are others, and nobody said it here. Reactive.
+    pub(crate) fn asks_for_name(&self) -> bool {
+        self.name_wanted.get() && !self.document.others().is_empty()
+    }
+
     /// The name is fine as it is; nobody is asked again.
     pub(crate) fn keep_my_name(&self) {
         Keep::Browser.put(ASKED_KEY, "1");

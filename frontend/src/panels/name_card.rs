@@ -15,8 +15,7 @@ pub(super) fn NameCard() -> impl IntoView {
     let desk = hold();
     let is_asked = Memo::new(move |_| {
         let desk = desk.desk();
-        let alone = desk.document.others().is_empty();
-        desk.name_wanted.get() && !alone && desk.dialog.with(Option::is_none)
+        desk.asks_for_name() && desk.dialog.with(Option::is_none)
     });
     let said = move || {
         let me = desk.desk().me.get().map(|me| me.name).unwrap_or_default();

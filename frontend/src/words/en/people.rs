@@ -7,7 +7,6 @@ sentences! {
     everyone_here: "Everyone who is here";
     follow: "Follow";
     end_following: "End";
-    no_graph_to_follow: "looks at a list";
     how_following_ends: "Press Escape or touch the graph to end.";
 }
 
