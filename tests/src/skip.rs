@@ -17,6 +17,23 @@ pub fn ready(part: &str) -> bool {
     proceed(part, missing) && ready_browser(part)
 }
 
+/// Whether the server's binary alone is here, for tests without a browser.
+///
+/// # Panics
+/// When it is missing and `CI` is `true`.
+pub fn built(part: &str) -> bool {
+    let server = paths::server();
+    possible(part, (!server.is_file()).then(|| format!("the server is not built at {}", server.display())))
+}
+
+/// Whether nothing is `missing`, for tests that need something of their own.
+///
+/// # Panics
+/// When something is and `CI` is `true`.
+pub fn possible(part: &str, missing: Option<String>) -> bool {
+    proceed(part, missing)
+}
+
 /// Whether the browser alone is here, for tests that bring their own page.
 ///
 /// # Panics

@@ -211,7 +211,7 @@ impl Invitations {
         let mut live = lock(&self.live);
         let (invitation, role, ends_ms) = self.book.borrow().guest(&pass, now_ms())?;
         let over = live.over(&invitation);
-        Some(Guest { invitation, role, pass, ends_ms, over })
+        Some(Guest { role, pass, ends_ms, over })
     }
 
     /// A guest is here, under this name, until what is returned is dropped.

@@ -96,6 +96,8 @@ impl From<StoreError> for ServeError {
 pub struct Ready {
     /// Where this computer reaches it.
     pub address: SocketAddr,
+    /// Where others do, or the proxy through which they come.
+    pub network: Option<SocketAddr>,
     /// How the first one comes in from elsewhere, if others may.
     pub invited: Option<Invited>,
 }
@@ -160,6 +162,7 @@ pub async fn serve_with(
         })
     });
     let network = network.transpose()?;
+    let reached = network.as_ref().map(|network| network.address);
     let state = open(store, &config, Arc::clone(&invitations)).await?;
     let served = Connections::of(Arc::clone(&state));
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
@@ -182,7 +185,7 @@ pub async fn serve_with(
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
     bin::keep(&state.library, config.data.as_deref());
     tracing::info!(%address, epoch = state.epoch, "the server is ready");
-    ready(Ready { address, invited });
+    ready(Ready { address, network: reached, invited });
     stop.await;
     end(&state, &closing, &connections).await;
     let threads = move || accepting.into_iter().for_each(|thread| drop(thread.join()));

@@ -40,8 +40,9 @@ pub struct Network {
 /// A network that is listened on and does not accept yet.
 pub(crate) struct Opened {
     listener: std::net::TcpListener,
-    /// The way in.
-    pub(crate) door: Door,
+    /// Where it listens.
+    pub(crate) address: SocketAddr,
+    door: Door,
     certificate: Option<Certificate>,
     /// Where those who are in come from.
     known: Arc<Known>,
@@ -73,7 +74,7 @@ pub(crate) fn open(
     };
     tracing::info!(%address, origin = way.origin, "others can come in by invitation");
     invitations.open(way);
-    Ok(Opened { listener, door, certificate, known })
+    Ok(Opened { listener, address, door, certificate, known })
 }
 
 /// Why a network was not opened.
@@ -115,13 +116,13 @@ impl Opened {
     /// # Errors
     /// If a thread cannot be made.
     pub(crate) fn start(self, robots: &Robots, ending: &CancellationToken) -> io::Result<Started> {
-        let Self { listener, door, certificate, known } = self;
+        let Self { listener, door, certificate, known, .. } = self;
         let acceptor = certificate.map(|certificate| certificate.acceptor);
         let mut threads = Vec::new();
         let mut lane = |name: &str, is_of_strangers: bool| {
             let (waiting, arriving) = mpsc::channel(WAITING_MAX);
             let (others, handed) = mpsc::channel(HANDED_OVER_MAX);
-            let lane = Lane::new(door.clone(), robots.clone(), acceptor.clone(), others, is_of_strangers);
+            let lane = Lane::new(door.clone(), robots.clone(), acceptor.clone(), others);
             let priority = is_of_strangers.then_some(Priority::Run);
             threads.push(thread(name, priority, lane.work(arriving, ending.clone()))?);
             Ok::<_, io::Error>((waiting, handed))

@@ -12,8 +12,6 @@ use tokio_util::sync::CancellationToken;
 /// Somebody who came by an invitation.
 #[derive(Clone, Debug)]
 pub(crate) struct Guest {
-    /// Which.
-    pub(crate) invitation: Id,
     /// What they may do.
     pub(crate) role: Role,
     pub(super) pass: Digest,

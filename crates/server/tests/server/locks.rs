@@ -50,6 +50,22 @@ async fn event(client: &mut Client) -> LockEvent {
 }
 
 #[tokio::test]
+async fn who_is_at_the_computer_takes_over_and_the_other_is_told() {
+    let house = House::open().await;
+    let (aiko, mut ben, play) = two(&house).await;
+    let held = grant(&ben, &play, &["a"]).await;
+    let over = Request::TakeOver { behaviour: play.clone(), record: stream_id("a") };
+    let Reply::Locked { grant: taken } = aiko.ask(over).await.unwrap() else { panic!() };
+    assert!(taken.token > held.token);
+    let LockEvent::Freed { why, grant, .. } = event(&mut ben).await else { panic!() };
+    assert_eq!((why, grant.token), (Why::TakenOver { by: "Aiko".into() }, held.token));
+    let no = "Aiko is editing “a”. Ask, or wait until it is free.";
+    assert_eq!(sentence(rename(&ben, &play, "a", "A", &[held.token]).await), no);
+    rename(&aiko, &play, "a", "A", &[taken.token]).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
 async fn what_somebody_is_editing_is_refused_to_others_by_name() {
     let house = House::open().await;
     let (aiko, mut ben, play) = two(&house).await;

@@ -8,7 +8,7 @@ use crate::http::stop;
 use crate::invitations::Source;
 use crate::robots::Robots;
 use crate::support::lock;
-use crate::support::places::Places;
+use crate::support::places::{Place, Places};
 use std::collections::BTreeMap;
 use std::io;
 use std::net::IpAddr;
@@ -19,7 +19,7 @@ use tokio::sync::mpsc;
 use tokio_rustls::TlsAcceptor;
 use tokio_util::sync::CancellationToken;
 
-/// Connections of one place that have not said yet what they want, among strangers.
+/// Connections from one place that have not said yet what they want: so many may agree on TLS before a Stop from there.
 const SILENT_OF_ONE_MAX: usize = 32;
 /// What is read before anybody knows what somebody wants, in bytes.
 const FIRST_BYTES: usize = 1_024;
@@ -33,8 +33,8 @@ pub(super) struct Lane {
     silent: Arc<Places>,
     stops: Arc<Places>,
     others: mpsc::Sender<(Line, Came)>,
-    /// How many of one place have not said yet what they want, if that is counted.
-    by_place: Option<Mutex<BTreeMap<Source, usize>>>,
+    /// None where everybody comes from one place, a proxy.
+    by_place: Option<Arc<ByPlace>>,
 }
 
 impl Lane {
@@ -43,10 +43,8 @@ impl Lane {
         robots: Robots,
         tls: Option<TlsAcceptor>,
         others: mpsc::Sender<(Line, Came)>,
-        is_of_strangers: bool,
     ) -> Arc<Self> {
-        // Everybody behind a proxy comes from one place.
-        let by_place = (is_of_strangers && tls.is_some()).then(Mutex::default);
+        let by_place = tls.is_some().then(Arc::default);
         let (silent, stops) = (Places::of(SILENT_MAX), Places::of(STOPS_MAX));
         Arc::new(Self { door, robots, tls, silent, stops, others, by_place })
     }
@@ -63,12 +61,18 @@ impl Lane {
     }
 
     async fn admit(self: Arc<Self>, stream: std::net::TcpStream, peer: IpAddr) {
-        let Some(_counted) = Counted::one_more(&self, Source::of(peer)) else { return };
-        let place = self.silent.take();
+        let (place, own) = (self.silent.take(), self.by_place.as_ref().map(|places| places.take(Source::of(peer))));
         let begun = tokio::time::timeout(Duration::from_millis(SILENT_MS), self.begin(stream));
-        match place.hold(begun).await {
+        let begun = place.hold(async {
+            match &own {
+                Some(own) => own.place.hold(begun).await,
+                None => Some(begun.await),
+            }
+        });
+        let begun = begun.await.flatten();
+        drop((place, own));
+        match begun {
             Some(Ok(Ok(Wants::Stop(mut stream)))) => {
-                drop(place);
                 let place = self.stops.take();
                 place.hold(stop::answer(&mut *stream, &self.door, &self.robots)).await;
             }
@@ -114,34 +118,57 @@ async fn first<S: AsyncRead + Unpin>(mut stream: S) -> io::Result<(bool, Begun<S
     }
 }
 
-/// One connection of a place, until it has said what it wants.
-struct Counted<'a>(&'a Lane, Source);
+/// Connections that have not said yet what they want, of each place where there are any.
+#[derive(Default)]
+struct ByPlace(Mutex<BTreeMap<Source, (Arc<Places>, usize)>>);
 
-impl<'a> Counted<'a> {
-    /// None if there are too many of this place.
-    fn one_more(lane: &'a Lane, from: Source) -> Option<Self> {
-        if let Some(by_place) = &lane.by_place {
-            let mut by_place = lock(by_place);
-            let count = by_place.entry(from).or_default();
-            if *count >= SILENT_OF_ONE_MAX {
-                return None;
-            }
-            *count += 1;
-        }
-        Some(Self(lane, from))
+impl ByPlace {
+    /// A place among those of where somebody comes from; the oldest of these gives way.
+    fn take(self: &Arc<Self>, from: Source) -> Silent {
+        let mut all = lock(&self.0);
+        let (places, count) = all.entry(from).or_insert_with(|| (Places::of(SILENT_OF_ONE_MAX), 0));
+        *count += 1;
+        Silent { place: places.take(), from, all: Arc::clone(self) }
     }
 }
 
-impl Drop for Counted<'_> {
+/// A connection that has not said yet what it wants.
+struct Silent {
+    place: Place,
+    from: Source,
+    all: Arc<ByPlace>,
+}
+
+impl Drop for Silent {
     fn drop(&mut self) {
-        if let Some(by_place) = &self.0.by_place {
-            let mut by_place = lock(by_place);
-            if let Some(count) = by_place.get_mut(&self.1) {
-                *count -= 1;
-                if *count == 0 {
-                    by_place.remove(&self.1);
-                }
+        let mut all = lock(&self.all.0);
+        if let Some((_, count)) = all.get_mut(&self.from) {
+            *count -= 1;
+            if *count == 0 {
+                all.remove(&self.from);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ByPlace, SILENT_OF_ONE_MAX, lock};
+    use crate::invitations::Source;
+    use std::future::{pending, ready};
+    use std::sync::Arc;
+
+    #[tokio::test]
+    async fn who_holds_many_connections_takes_them_from_nobody_else() {
+        let all = Arc::new(ByPlace::default());
+        let of = |text: &str| Source::of(text.parse().unwrap());
+        let other = all.take(of("10.0.0.2"));
+        let many: Vec<_> = (0..=SILENT_OF_ONE_MAX).map(|_| all.take(of("10.0.0.1"))).collect();
+        assert_eq!(many[0].place.hold(pending::<()>()).await, None, "their own oldest gives way");
+        for silent in [&other, &many[1], &many[SILENT_OF_ONE_MAX]] {
+            assert_eq!(silent.place.hold(ready(1)).await, Some(1));
+        }
+        drop((other, many));
+        assert!(lock(&all.0).is_empty(), "and is forgotten");
     }
 }
