@@ -7,14 +7,17 @@
 mod document;
 mod hear;
 mod identity;
+mod inviting;
 mod library;
 mod robots;
+mod roles;
 mod tab;
 
 pub(crate) use document::{
     Asking, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, Sign, StreamSignals,
     Writing, signs,
 };
+pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
 
@@ -97,6 +100,11 @@ impl Desk {
     pub(crate) fn link_lost(&self) {
         self.online.set(LinkState::Offline);
         self.document.link_lost();
+    }
+
+    /// The invitation ended by which this person came.
+    pub(crate) fn end(&self) {
+        self.revoked.set(true);
     }
 
     /// Nothing was heard for so long; 0 with every word.

@@ -278,7 +278,7 @@ pub enum Request {
         /// For whom it is, at most [`crate::LABEL_MAX_CHARS`]; may be empty.
         label: String,
     },
-    /// The invitations that are kept. Answered by `Invitations`.
+    /// The invitations that are kept. Answered by `Invitations`, or by `No` where nobody else can come in.
     Invitations,
     /// Ends an invitation: whoever came by it is out. Answered by `Done`.
     Revoke {

@@ -118,6 +118,11 @@ impl Invitations {
         let _once = self.way.set(way);
     }
 
+    /// Whether others can come in at all.
+    pub(crate) fn lets_in(&self) -> bool {
+        self.way.get().is_some()
+    }
+
     /// All of them, newest first, told anew whenever they change.
     pub(crate) fn told(&self) -> watch::Receiver<Arc<Vec<Invitation>>> {
         self.told.subscribe()

@@ -7,7 +7,7 @@ use crate::desk::{Desk, Dialog, Selected};
 use crate::layout::snapped;
 use behaviour::{Id, Place};
 use leptos::prelude::*;
-use protocol::Pointer;
+use protocol::{Pointer, Role};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::JsCast;
@@ -41,7 +41,8 @@ impl Pointers {
         if own || !matches!(event.button(), 0 | 1) {
             return;
         }
-        let stream = target.and_then(|target| marked(&target, "data-node")).filter(|_| event.button() == 0);
+        let drags = event.button() == 0 && untrack(|| self.desk.may(Role::Editor));
+        let stream = target.and_then(|target| marked(&target, "data-node")).filter(|_| drags);
         let act =
             self.hand.borrow_mut().down(event.pointer_id(), at(event), stream.map_or(Target::Other, Target::Stream));
         self.act(act, event);

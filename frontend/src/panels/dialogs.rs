@@ -5,6 +5,7 @@ mod gone;
 mod held;
 mod helper;
 mod helpers;
+mod invite;
 mod names;
 mod operation;
 mod other;
@@ -18,15 +19,47 @@ use super::focus;
 use super::hold::hold;
 use crate::desk::Dialog;
 use leptos::prelude::*;
+use protocol::Role;
 use web_sys::HtmlElement;
 
 /// The open dialog, if any.
 #[component]
 pub(crate) fn Dialogs() -> impl IntoView {
     let desk = hold();
-    let open = Memo::new(move |_| desk.desk().dialog.get());
+    let open = Memo::new(move |_| desk.desk().dialog.get().filter(|dialog| desk.desk().may(least(dialog))));
+    // However it was to be opened, by the keyboard too.
+    Effect::new(move |_| {
+        let refused = desk.desk().dialog.get().is_some_and(|dialog| desk.desk().refuses(least(&dialog)));
+        if refused {
+            desk.desk().dialog.set(None);
+        }
+    });
     give_focus_back(open);
     move || open.get().map(content)
+}
+
+/// What somebody must be to open a dialog at all; in the others who may not edit reads.
+fn least(dialog: &Dialog) -> Role {
+    match dialog {
+        Dialog::Operation { connector: None, .. }
+        | Dialog::AddSensor
+        | Dialog::Helper(None)
+        | Dialog::AddProgram
+        | Dialog::RemoveProgram
+        | Dialog::RenameProgram => Role::Editor,
+        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RemoveRobot => Role::Operator,
+        Dialog::Invite => Role::Host,
+        Dialog::Operation { connector: Some(_), .. }
+        | Dialog::EditStream(_)
+        | Dialog::Helper(Some(_))
+        | Dialog::Helpers
+        | Dialog::Programs
+        | Dialog::SaveFile
+        | Dialog::Problems
+        | Dialog::MyName
+        | Dialog::People
+        | Dialog::Help => Role::Viewer,
+    }
 }
 
 fn content(dialog: Dialog) -> AnyView {
@@ -47,6 +80,7 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::People => view! { <people::People /> }.into_any(),
+        Dialog::Invite => view! { <invite::Invite /> }.into_any(),
         Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
         Dialog::Problems => view! { <other::AllProblems /> }.into_any(),
         Dialog::Help => view! { <other::Help /> }.into_any(),

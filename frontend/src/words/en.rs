@@ -1,7 +1,9 @@
 //! The page in English.
 
+mod invite;
 mod people;
 
+pub(crate) use invite::*;
 pub(crate) use people::*;
 
 use crate::desk::NotBrought;
