@@ -6,6 +6,7 @@ mod disk_full;
 mod edits;
 mod graph_database;
 mod help;
+mod invite;
 mod library;
 mod locks;
 mod order;

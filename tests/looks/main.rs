@@ -2,8 +2,10 @@
 
 mod axe;
 mod graphs;
+mod invite;
 mod load;
 mod locks;
+mod presence;
 mod rules;
 mod screens;
 mod sizes;
