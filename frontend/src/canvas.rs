@@ -3,6 +3,7 @@
 mod chip;
 mod cull;
 mod curve;
+mod follow;
 mod hand;
 mod keys;
 mod mark;
@@ -25,6 +26,7 @@ use crate::desk::use_desk;
 use crate::panels::EmptyStage;
 use crate::words;
 use chip::{Chip, Edge};
+use follow::Following;
 use leptos::prelude::*;
 use node::StreamNode;
 use people::Pointers;
@@ -47,6 +49,8 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow_size(root);
     stage.follow_open(&desk);
     stage.follow_selection(&desk);
+    stage.tell_view(&desk);
+    stage.follow(&desk);
     let glides = stage.glides.clone();
     let pointers = pointers::Pointers::new(stage.clone(), desk.clone());
     let [down, moved, up, cancel, lost] = [(); 5].map(|()| pointers.clone());
@@ -84,6 +88,7 @@ pub(crate) fn Canvas() -> impl IntoView {
                 <Pointers />
             </div>
             <Strip />
+            <Following />
             <Zoom />
             <EmptyStage />
         </main>

@@ -63,6 +63,7 @@ fn App() -> impl IntoView {
         <panels::Dialogs />
         <panels::Notices />
         <panels::Editors />
+        <panels::Revoked />
     }
 }
 

@@ -3,8 +3,10 @@
 mod axe;
 mod conflicts;
 mod graphs;
+mod invite;
 mod load;
 mod locks;
+mod presence;
 mod rules;
 mod screens;
 mod sizes;

@@ -228,6 +228,14 @@ impl Locks {
         back
     }
 
+    /// A client is called something else: what it holds and asks for is told by that name.
+    pub fn rename(&mut self, client: &Id, name: &str) {
+        let holders = self.held.values_mut().flat_map(|Lock { holder, asks, .. }| {
+            std::iter::once(holder).chain(asks.iter_mut().map(|ask| &mut ask.asker))
+        });
+        holders.filter(|holder| holder.client == *client).for_each(|holder| name.clone_into(&mut holder.name));
+    }
+
     /// A change was let in and goes to the store. Until [`Self::saved`], nobody else gets what it touches.
     pub fn begin_saving(&mut self, now_ms: u64, change: &Change, presented: &Presented) {
         self.advance(now_ms);

@@ -24,7 +24,7 @@ pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, Stream
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use recording::{Recorded, Recording};
 pub use reply::{LockShown, Message, Person, Refused, Reply};
-pub use request::{Ask, Credential, Pointer, Request};
+pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
 pub const VERSION: u32 = 7;
@@ -49,6 +49,8 @@ pub const PING_MS: u64 = 500;
 pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
+/// How far from its origin anything on the canvas is pointed at or looked at, in canvas units.
+pub const CANVAS_MAX: f64 = 10_000_000.0;
 /// The most robots of a server.
 pub const ROBOTS_MAX: usize = 8;
 /// The longest name of a robot, in characters.

@@ -1,7 +1,7 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Contested, Cursor, Driver, HistoryLine, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState,
+    Area, Contested, Cursor, Driver, HistoryLine, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState,
     Similar, Summary, Used, Values,
 };
 use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
@@ -455,4 +455,7 @@ pub struct Person {
     /// Selected stream or connector.
     #[serde(default)]
     pub selected: Option<Id>,
+    /// What part of the canvas they see.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub view: Option<Area>,
 }

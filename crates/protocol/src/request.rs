@@ -240,6 +240,14 @@ pub enum Request {
         pointer: Option<Pointer>,
         /// Selected stream or connector.
         selected: Option<Id>,
+        /// What part of the canvas is in view, for who follows; none where there is no canvas.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        view: Option<Area>,
+    },
+    /// What others see as this person's name from now on, also beside what they are editing. Answered by `Done`.
+    CallMe {
+        /// Tidied as that of the greeting.
+        name: String,
     },
     /// Runs a behaviour on a robot. Answered by `Done` once it runs, or by `No`.
     Start {
@@ -349,7 +357,7 @@ pub enum Request {
         /// For whom it is, at most [`crate::LABEL_MAX_CHARS`]; may be empty.
         label: String,
     },
-    /// The invitations that are kept. Answered by `Invitations`.
+    /// The invitations that are kept. Answered by `Invitations`, or by `No` where nobody else can come in.
     Invitations,
     /// Ends an invitation: whoever came by it is out. Answered by `Done`.
     Revoke {
@@ -385,4 +393,17 @@ pub struct Pointer {
     pub x: f64,
     /// Downwards.
     pub y: f64,
+}
+
+/// A part of the canvas, in canvas units; no side of it is larger than [`crate::CANVAS_MAX`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Area {
+    /// Its left end.
+    pub x: f64,
+    /// Its upper end.
+    pub y: f64,
+    /// To the right of that.
+    pub width: f64,
+    /// Downwards.
+    pub height: f64,
 }

@@ -118,6 +118,11 @@ impl Invitations {
         let _once = self.way.set(way);
     }
 
+    /// Whether others can come in at all.
+    pub(crate) fn lets_in(&self) -> bool {
+        self.way.get().is_some()
+    }
+
     /// All of them, newest first, told anew whenever they change.
     pub(crate) fn told(&self) -> watch::Receiver<Arc<Vec<Invitation>>> {
         self.told.subscribe()
@@ -218,20 +223,23 @@ impl Invitations {
     pub(crate) fn arrive(self: &Arc<Self>, guest: &Guest, name: &str) -> Here {
         lock(&self.live).arrive(&guest.pass);
         self.tell();
-        if self.book.borrow().book.is_named(&guest.pass, name) {
-            return Here::of(Arc::clone(self), guest.pass);
-        }
-        let (all, pass, name) = (Arc::clone(self), guest.pass, name.to_owned());
-        tokio::task::spawn_blocking(move || {
-            let named = all.change(|book| {
-                book.name(&pass, &name, now_ms());
-                Ok(())
-            });
-            if let Err(why) = named {
-                tracing::warn!(%why, "who came by an invitation could not be kept");
-            }
-        });
+        let (all, name, named) = (Arc::clone(self), name.to_owned(), guest.clone());
+        tokio::task::spawn_blocking(move || all.call(&named, &name));
         Here::of(Arc::clone(self), guest.pass)
+    }
+
+    /// A guest is called this from now on, which is kept.
+    pub(crate) fn call(&self, guest: &Guest, name: &str) {
+        if self.book.borrow().book.is_named(&guest.pass, name) {
+            return;
+        }
+        let named = self.change(|book| {
+            book.name(&guest.pass, name, now_ms());
+            Ok(())
+        });
+        if let Err(why) = named {
+            tracing::warn!(%why, "who came by an invitation could not be kept");
+        }
     }
 
     fn leave(&self, pass: &Digest) {

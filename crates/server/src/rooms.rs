@@ -20,7 +20,7 @@ use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
 use past::Past;
-use protocol::{LIBRARY, Pointer, Refused, Reply, Role, Summary};
+use protocol::{Area, LIBRARY, Pointer, Refused, Reply, Role, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -49,8 +49,10 @@ pub(crate) enum Note {
     Remove(String, Answer),
     /// The changes after a revision are wanted.
     Since(u64, Answer),
-    /// A link's pointer and selection.
-    Present(u64, Option<Pointer>, Option<Id>),
+    /// Where a link's person is.
+    Present(u64, Whereabouts),
+    /// A link's person is called something else from now on.
+    Rename(u64, String),
     /// The server itself wants to see it as it is.
     Look(oneshot::Sender<Result<Look, Refused>>),
 }
@@ -61,6 +63,13 @@ pub(crate) struct Entering {
     pub(crate) secret: Id,
     /// What they may do.
     pub(crate) role: Role,
+}
+
+/// Where somebody points, what they selected and what they see.
+pub(crate) struct Whereabouts {
+    pub(crate) pointer: Option<Pointer>,
+    pub(crate) selected: Option<Id>,
+    pub(crate) view: Option<Area>,
 }
 
 /// How a link leaves.
@@ -131,7 +140,7 @@ impl Note {
             }
             Self::Locking(_, locking) => locking.refuse(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
-            Self::Leave(..) | Self::Present(..) => {}
+            Self::Leave(..) | Self::Present(..) | Self::Rename(..) => {}
         }
     }
 }

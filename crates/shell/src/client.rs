@@ -118,7 +118,8 @@ impl Client {
     pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, Trouble> {
         let (link, lines, told, carrier) = link::open(url).await?;
         let nobody = Id::new("nobody").map_err(|reason| NoLink::Id(reason.to_string()))?;
-        let you = Person { client: nobody.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
+        let client = nobody.clone();
+        let you = Person { client, name: name.to_owned(), color: 0, pointer: None, selected: None, view: None };
         let welcome = Welcome { epoch: 0, you, secret: nobody };
         let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome, carrier };
         let hello = Request::Hello { version: VERSION, name: name.to_owned(), again };

@@ -17,6 +17,7 @@ mod queue;
 mod save_state;
 mod server;
 mod signals;
+mod signs;
 mod silence;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
@@ -26,11 +27,12 @@ pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Mark, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
+pub(crate) use signs::{Sign, initials, signs};
 
 use super::tab::Tab;
 use behaviour::{Behaviour, Id, Place, Problem, RecordId};
 use leptos::prelude::*;
-use protocol::{LockShown, Person, Pointer};
+use protocol::{LockShown, Person};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -47,6 +49,8 @@ pub(crate) struct Fields {
     pub(crate) revision: ArcRwSignal<u64>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
+    /// Whose view is looked at here.
+    pub(crate) following: ArcRwSignal<Option<Id>>,
     /// In file order; changes only when one is added, removed or moved in order.
     pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,
     pub(crate) connector_ids: ArcRwSignal<Vec<Id>>,
@@ -88,8 +92,7 @@ struct State {
     history: history::History,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
-    pointer: Option<Pointer>,
-    presence_planned: bool,
+    presence: presence::Presence,
     /// How many editors were opened in this tab.
     editors: u32,
     /// When typing was told last.
@@ -128,6 +131,7 @@ impl Document {
             name: ArcRwSignal::default(),
             revision: ArcRwSignal::default(),
             people: ArcRwSignal::default(),
+            following: ArcRwSignal::default(),
             stream_ids: ArcRwSignal::default(),
             connector_ids: ArcRwSignal::default(),
             problems: ArcRwSignal::default(),

@@ -10,10 +10,12 @@ impl Desk {
     /// Hears one reply.
     pub(crate) fn hear(&self, reply: Reply) {
         match reply {
-            Reply::Welcome { you, secret, library, library_revision, templates, .. } => {
+            Reply::Welcome { you, role, secret, library, library_revision, templates, .. } => {
+                self.role.set(Some(role));
                 keep_credential(&you.client, &secret);
                 self.welcome(you, *library, library_revision, templates);
             }
+            Reply::Invitations { invitations } => self.invitations.set(invitations),
             Reply::ProgramsChanged => self.library.programs_changed(),
             Reply::Opened { behaviour, revision, records, problems, fingerprint, people, .. } => {
                 if self.document.opened(&behaviour, (revision, *records), problems, people) {
@@ -65,7 +67,6 @@ impl Desk {
             | Reply::At { .. }
             | Reply::Versions { .. }
             | Reply::Invited { .. }
-            | Reply::Invitations { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }

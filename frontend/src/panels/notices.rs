@@ -1,6 +1,7 @@
 //! One sentence for the person, away from Stop; and the offline line at every size.
 
 use super::hold::hold;
+use super::name_card::NameCard;
 use crate::browser;
 use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
@@ -18,6 +19,7 @@ pub(crate) fn Notices() -> impl IntoView {
         <div class="notices" role="region" aria-label=words::notices_name()>
             <Sentence bad=false />
             <Sentence bad=true />
+            <NameCard />
         </div>
         <Offline />
     }

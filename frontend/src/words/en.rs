@@ -1,10 +1,14 @@
 //! The page in English.
 
 mod conflicts;
+mod invite;
 mod locks;
+mod people;
 
 pub(crate) use conflicts::*;
+pub(crate) use invite::*;
 pub(crate) use locks::*;
+pub(crate) use people::*;
 
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;

@@ -68,7 +68,7 @@ impl PutOff {
 /// Somebody wants a record.
 #[derive(Clone, Debug)]
 pub(super) struct Ask {
-    asker: Holder,
+    pub(super) asker: Holder,
     record: RecordId,
     /// When it was first put before the holder, also if that one said *not yet* since.
     since_ms: u64,

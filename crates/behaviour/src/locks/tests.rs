@@ -158,6 +158,16 @@ fn silence_means_yes_and_the_old_token_is_void() {
 }
 
 #[test]
+fn a_new_name_is_told_of_what_somebody_holds_and_asks_for() {
+    let (mut locks, _) = aikos();
+    locks.ask(1_000, who(BEN), note("a"));
+    locks.rename(&who(AIKO).client, "Airi");
+    locks.rename(&who(BEN).client, "Benedikt");
+    assert_eq!(locks.take(2_000, who(YUKI), set(&["b"])), Err(held_by("b", "Airi")));
+    assert_eq!(whys(&locks.tick(11_000)), [&Why::HandedOver { to: "Benedikt".into() }]);
+}
+
+#[test]
 fn typing_means_not_yet_for_a_minute() {
     let (mut locks, grant) = aikos();
     locks.ask(0, who(BEN), note("a"));

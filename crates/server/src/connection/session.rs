@@ -9,7 +9,7 @@ use super::hear::{Heard, hear, read};
 use super::inbox::{Asked, Inbox, Weight, inbox};
 use super::rate_limit::RateLimit;
 use crate::connection::Connections;
-use crate::connection::clients::Entered;
+use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
 use crate::invitations::{Entry, Here};
@@ -118,7 +118,7 @@ async fn serve(
     let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), entry.clone());
     let working = connections.state.tasks.spawn(session.work(asked));
     let mut reader =
-        Reader { connections: &connections, outbox: &outbox, by: &me.name, rate: RateLimit::full(), asking };
+        Reader { connections: &connections, outbox: &outbox, by: me.name.clone(), rate: RateLimit::full(), asking };
     let why = tokio::select! {
         why = reader.read(stream) => why,
         () = entry.until_over() => CloseReason::Revoked,
@@ -163,7 +163,7 @@ fn here(connections: &Connections, entry: &Entry, name: &str) -> Option<Here> {
 struct Reader<'a> {
     connections: &'a Connections,
     outbox: &'a Outbox,
-    by: &'a str,
+    by: String,
     rate: RateLimit,
     asking: Inbox,
 }
@@ -193,9 +193,12 @@ impl Reader<'_> {
     /// Stop always gets through, before all that waits; anything else has to keep to its share.
     fn hear(&mut self, Ask { ask, request }: Ask) {
         if let Request::Stop { behaviour, robot } = request {
-            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
+            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.by);
             self.outbox.say(Some(ask), Reply::Done);
             return tracing::info!(by = self.by, "Stop");
+        }
+        if let Request::CallMe { name } = &request {
+            self.by = tidy_name(name);
         }
         let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. } | Request::Typing { .. });
         if (!self.rate.take() || !self.asking.ask(Ask { ask, request })) && matters {

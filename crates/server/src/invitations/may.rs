@@ -127,6 +127,7 @@ fn of_request(request: &Request) -> Role {
         | Request::At { .. }
         | Request::Check { .. }
         | Request::Present { .. }
+        | Request::CallMe { .. }
         | Request::Runs
         | Request::Recordings
         | Request::Watch { .. }

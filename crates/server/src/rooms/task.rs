@@ -168,7 +168,8 @@ impl RoomTask {
             Note::Locking(session, locking) => self.lock(session, locking),
             Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
             Note::Since(revision, answer) => self.since(revision, answer),
-            Note::Present(session, pointer, selected) => self.present(session, pointer, selected),
+            Note::Present(session, whereabouts) => self.present(session, whereabouts),
+            Note::Rename(session, name) => self.rename(session, name),
             Note::Look(waiting) => self.look(waiting),
         }
     }

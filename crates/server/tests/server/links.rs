@@ -2,7 +2,9 @@
 
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Refused, Reply, Request};
+use protocol::{
+    Area, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply, Request,
+};
 use shell::{Client, NoLink, Trouble};
 use std::time::Duration;
 use tokio::net::TcpStream;
@@ -100,12 +102,36 @@ async fn people_see_each_other_and_each_others_pointers() {
     assert_eq!((ben.you().name.as_str(), aiko.you().color, ben.you().color), ("Ben", 0, 1));
     ben.load(&play).await.unwrap();
     let pointer = Some(Pointer { x: 3.0, y: 4.0 });
-    aiko.tell(Request::Present { pointer, selected: Some(id("s1")) }).await.unwrap();
-    let seen =
-        |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer));
+    let view = Some(Area { x: -50.0, y: 0.0, width: 800.0, height: 600.0 });
+    aiko.tell(Request::Present { pointer, selected: Some(id("s1")), view }).await.unwrap();
+    let seen = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer && p.view == view));
     ben.until(seen).await.unwrap();
+    let (pointer, nowhere) =
+        (Some(Pointer { x: 5.0, y: 1e300 }), Some(Area { x: 0.0, y: 0.0, width: 0.0, height: 1.0 }));
+    aiko.tell(Request::Present { pointer, selected: Some(id("s2")), view: nowhere }).await.unwrap();
+    let left_out = |p: &Person| p.selected == Some(id("s2")) && p.pointer.is_none() && p.view.is_none();
+    ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.iter().any(left_out))).await.unwrap();
     drop(aiko);
     ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.len() == 1)).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_new_name_is_told_at_once_and_stands_beside_what_is_edited() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Guest").await;
+    aiko.put("Add", stream_id("s"), Some(plain("s"))).await.unwrap();
+    let mut ben = house.person("Ben").await;
+    ben.load(&play).await.unwrap();
+    aiko.ask(Request::Lock { behaviour: play.clone(), records: [stream_id("s")].into() }).await.unwrap();
+    aiko.ask(Request::CallMe { name: " Aiko\n".into() }).await.unwrap();
+    let is_called = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people[0].name == "Aiko");
+    ben.until(is_called).await.unwrap();
+    let edits = |reply: &Reply| matches!(reply, Reply::Locks { locks, .. } if locks.iter().any(|l| l.name == "Aiko"));
+    ben.until(edits).await.unwrap();
+    aiko.put("Add", stream_id("t"), Some(plain("t"))).await.unwrap();
+    let added = |reply: &Reply| matches!(reply, Reply::Accepted { accepted, .. } if accepted.change.author == "Aiko");
+    ben.until(added).await.unwrap();
     house.close().await;
 }
 

@@ -43,6 +43,7 @@ fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "unnameVersion", "behaviour": "none", "name": "x"}), Editor),
         (json!({"is": "check", "arguments": [], "body": "1", "inputs": []}), Viewer),
         (json!({"is": "present", "pointer": null, "selected": null}), Viewer),
+        (json!({"is": "callMe", "name": "Ben"}), Viewer),
         (json!({"is": "start", "behaviour": "none"}), Operator),
         (json!({"is": "endRecording", "behaviour": "none"}), Operator),
         (json!({"is": "mark", "behaviour": "none", "note": ""}), Operator),

@@ -183,6 +183,12 @@ impl Document {
         is_due
     }
 
+    /// Takes it from whoever is editing, who keeps what they wrote.
+    pub(crate) fn take_over(&self) {
+        let Some((behaviour, record)) = self.edited(|at| (at.behaviour.clone(), at.record.clone())) else { return };
+        self.tab.ask_or_say(Request::TakeOver { behaviour, record }, |_| {});
+    }
+
     /// Asks whoever is editing to let this person edit.
     pub(crate) fn ask_for(&self) {
         let Some((number, behaviour, record)) = self.edited(|at| (at.number, at.behaviour.clone(), at.record.clone()))

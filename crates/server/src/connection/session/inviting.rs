@@ -15,6 +15,7 @@ impl Session {
                 Ok(Reply::Invited { invitation: Box::new(invitation), link, qr, fingerprint })
             }
             Request::Revoke { invitation } => all.revoke(&invitation).map(|()| Reply::Done),
+            _ if !all.lets_in() => Err(Refused::NobodyComes),
             _ => Ok(Reply::Invitations { invitations: all.told().borrow().to_vec() }),
         };
         let failed = |error: tokio::task::JoinError| Err(Refused::InvitationsNotKept(error.to_string()));

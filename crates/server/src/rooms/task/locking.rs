@@ -99,6 +99,11 @@ impl LockBook {
         self.locks.saved(self.now_ms(), op);
     }
 
+    /// A client is called something else.
+    pub(super) fn rename(&mut self, client: &Id, name: &str) {
+        self.locks.rename(client, name);
+    }
+
     /// A link left.
     pub(super) fn left(&mut self, session: u64, parting: Parting) {
         let now_ms = self.now_ms();
