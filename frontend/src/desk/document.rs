@@ -12,19 +12,26 @@ mod presence;
 mod procedures;
 mod propose;
 mod queue;
+mod reading;
 mod save_state;
 mod server;
 mod signals;
 mod silence;
+mod steps;
+mod undo;
+mod versions;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
+pub(crate) use history::History;
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
+pub(crate) use steps::bare;
+pub(crate) use versions::{Compared, Comparing, Version};
 
 use super::tab::Tab;
-use behaviour::{Behaviour, Id, Place, Problem};
+use behaviour::{Behaviour, Checkpoint, Id, Place, Problem};
 use leptos::prelude::*;
 use protocol::{LockShown, Person, Pointer};
 use std::collections::BTreeMap;
@@ -59,8 +66,16 @@ pub(crate) struct Fields {
     pub(crate) lock_clock: ArcRwSignal<f64>,
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
     pub(crate) saving: ArcRwSignal<Saving>,
-    pub(crate) can_undo: ArcRwSignal<bool>,
-    pub(crate) can_redo: ArcRwSignal<bool>,
+    /// What undo would take back, and redo do again, in words; none if there is nothing.
+    pub(crate) undoable: ArcRwSignal<Option<String>>,
+    pub(crate) redoable: ArcRwSignal<Option<String>>,
+    /// What is known of what was done, by whom and when.
+    pub(crate) history: ArcRwSignal<History>,
+    /// The versions that have a name.
+    pub(crate) versions: ArcRwSignal<Vec<Checkpoint>>,
+    /// Which versions are looked at here, and how they differ once both are there.
+    pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
+    pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
     state: Mutex<State>,
     listener: OnceLock<Listener>,
 }
@@ -77,7 +92,9 @@ struct State {
     queue: queue::Queue,
     saves: save_state::SaveState,
     silence: silence::Silence,
-    history: history::History,
+    mine: undo::Mine,
+    /// A page of the history is asked for.
+    reads_history: bool,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
     pointer: Option<Pointer>,
@@ -130,8 +147,12 @@ impl Document {
             lock_clock: ArcRwSignal::default(),
             selected: ArcRwSignal::default(),
             saving: ArcRwSignal::default(),
-            can_undo: ArcRwSignal::default(),
-            can_redo: ArcRwSignal::default(),
+            undoable: ArcRwSignal::default(),
+            redoable: ArcRwSignal::default(),
+            history: ArcRwSignal::default(),
+            versions: ArcRwSignal::default(),
+            comparing: ArcRwSignal::default(),
+            compared: ArcRwSignal::default(),
             state: Mutex::default(),
             listener: OnceLock::new(),
         }))

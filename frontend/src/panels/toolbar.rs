@@ -165,8 +165,8 @@ fn Tool(
 #[component]
 fn Back() -> impl IntoView {
     let desk = hold();
-    let cannot_undo = move || !desk.desk().document.can_undo.get();
-    let cannot_redo = move || !desk.desk().document.can_redo.get();
+    let cannot_undo = move || desk.desk().document.undoable.read().is_none();
+    let cannot_redo = move || desk.desk().document.redoable.read().is_none();
     view! {
         <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::undo()
             aria-label=words::undo() disabled=cannot_undo on:click=move |_| desk.desk().document.undo()>
@@ -229,9 +229,9 @@ fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
             <MenuItem label=words::edit_helper() icon="fx" choose=opens(desk, Dialog::Helpers) />
             <MenuItem label=words::add_helper() icon="plus" choose=opens(desk, Dialog::Helper(None)) />
             <div class="menu-rule" role="separator"></div>
-            <MenuItem label=words::undo() icon="undo" disabled=!desk.desk().document.can_undo.get_untracked()
+            <MenuItem label=words::undo() icon="undo" disabled=!desk.desk().document.undoable.with_untracked(Option::is_some)
                 choose=Callback::new(move |()| desk.desk().document.undo()) />
-            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().document.can_redo.get_untracked()
+            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().document.redoable.with_untracked(Option::is_some)
                 choose=Callback::new(move |()| desk.desk().document.redo()) />
             <div class="menu-rule" role="separator"></div>
             <MenuItem label=words::problems() icon="warn" choose=opens(desk, Dialog::Problems) />

@@ -1,11 +1,12 @@
 //! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
 
+use super::queue::{Waiting, Way};
 use super::save_state::SaveEvent;
 use super::{Document, DocumentEvent};
 use crate::browser::Keep;
 use crate::desk::tab::set_if_new;
 use crate::link;
-use behaviour::{Change, Id, RecordId, Refusal};
+use behaviour::{Change, Id, RecordId, Refusal, Token};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request};
 use std::cell::RefCell;
@@ -63,20 +64,25 @@ impl Document {
         if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
             return on_answer(Err(Refused::Change(Refusal::Edits(change.edits.len()))));
         }
+        if to.as_str() != LIBRARY {
+            self.state().mine.begin_anew();
+        }
+        self.queue_up(to, (change, Way::Propose), on_answer);
+    }
+
+    /// Puts a change into the queue, to be asked for when its turn comes.
+    pub(super) fn queue_up(
+        &self,
+        to: Id,
+        (change, way): (Change, Way),
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) {
         let (op, touched) = (change.op.clone(), touched(&change));
-        let room = {
-            let mut state = self.state();
-            if to.as_str() != LIBRARY {
-                state.history.proposed(&change);
-            }
-            state.queue.push(to, change)
-        };
-        self.show_history();
+        let room = self.state().queue.push(to, change, way);
         if !room {
-            self.state().history.not_queued(&op);
-            self.show_history();
             return on_answer(Err(Refused::TooFast));
         }
+        self.show_steps();
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
         let shows = self.state().saves.shows_waiting();
         if shows {
@@ -107,8 +113,7 @@ impl Document {
         let Some(next) = next else { return };
         let (document, op) = (self.clone(), next.change.op.clone());
         let tokens = self.tokens(&next.behaviour);
-        let request = Request::Propose { behaviour: next.behaviour, change: next.change, tokens };
-        let sent = link::ask(request, move |reply| {
+        let sent = link::ask(request(next, tokens), move |reply| {
             if let Some(Reply::No { no }) = reply {
                 document.answered(&op, Err(no.clone()));
             }
@@ -132,23 +137,32 @@ impl Document {
                 let silence = &mut self.state().silence;
                 *silence = silence.after_sending();
             }
-            Err(_) => self.take_back(&waiting.change),
+            Err(no) => self.not_made(&waiting, no),
         }
-        self.show_history();
-        let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(op));
-        match on_answer {
-            Some(on_answer) => on_answer(answer),
-            None => self.tab.say_refusal(answer),
-        }
+        self.settle(&waiting.change, answer);
         self.say_back();
         self.pump();
     }
 
-    /// A change was refused: what it touched is shown as it is without it.
-    fn take_back(&self, change: &Change) {
-        self.state().history.refused(&change.op);
+    /// A change was refused, and with it go the steps that wait to take it back.
+    fn not_made(&self, waiting: &Waiting, no: &Refused) {
+        let steps = self.state().queue.forget_steps_of(&waiting.change.op);
         self.happened(DocumentEvent::NotSaved);
+        steps.into_iter().for_each(|step| self.settle(&step.change, Ok(())));
+        if *no == Refused::Change(Refusal::NothingToUndo) {
+            self.forget_history();
+        }
+    }
+
+    /// A change does not wait any more: what it touches is shown as it is without it, and who asked is told.
+    pub(super) fn settle(&self, change: &Change, answer: Result<(), Refused>) {
         self.refresh(&touched(change));
+        self.show_steps();
+        let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(&change.op));
+        match on_answer {
+            Some(on_answer) => on_answer(answer),
+            None => self.tab.say_refusal(answer),
+        }
     }
 
     /// Whether what is proposed can be saved now.
@@ -256,6 +270,19 @@ impl Document {
         if let Some(queue) = kept {
             self.state().queue = queue;
         }
+    }
+}
+
+/// How the server is asked for what waits.
+fn request(waiting: Waiting, tokens: Vec<Token>) -> Request {
+    let Waiting { behaviour, change, way, .. } = waiting;
+    let op = change.op.clone();
+    match way {
+        Way::Propose => Request::Propose { behaviour, change, tokens },
+        Way::TakeBack => Request::TakeBack { behaviour, op, again: false, tokens },
+        Way::DoAgain => Request::TakeBack { behaviour, op, again: true, tokens },
+        Way::GoBack { revision, called } => Request::GoBack { behaviour, revision, op, called, tokens },
+        Way::BringBack { revision } => Request::BringBack { behaviour, revision, op, tokens },
     }
 }
 

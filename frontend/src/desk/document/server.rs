@@ -26,6 +26,8 @@ impl Document {
             set_if_new(&self.problems, problems);
             set_if_new(&self.people, people);
             set_if_new(&self.open, Some(id.clone()));
+            self.begin_history(revision);
+            self.compare_again();
             self.lock_again();
         }
         is_wanted
@@ -41,15 +43,13 @@ impl Document {
             self.ask_newer(to.clone());
             return false;
         }
-        {
-            let mut state = self.state();
-            state.confirmed.apply(&accepted.change);
-            state.history.accepted(&accepted.change.op);
-        }
+        self.state().confirmed.apply(&accepted.change);
         let touched: Vec<_> = accepted.change.edits.iter().map(|edit| edit.id.clone()).collect();
         self.note_removed(accepted);
         self.refresh(&touched);
         self.revision.set(accepted.revision);
+        self.note_history(accepted);
+        self.compare_again();
         true
     }
 
