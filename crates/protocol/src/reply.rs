@@ -290,6 +290,12 @@ pub enum Refused {
     NoTemplate(String),
     /// The change breaks a rule.
     Change(Refusal),
+    /// There is no such version of the behaviour.
+    NoVersion,
+    /// Going back there would change too much at once.
+    FarBack,
+    /// All that was removed there is here again, or nothing was removed.
+    NothingGone,
     /// Positions are not locked, and neither are helpers.
     NoLock,
     /// This client is editing as much as it may, or the behaviour is.
@@ -336,6 +342,11 @@ impl std::fmt::Display for Refused {
             Self::NoBehaviour => to.write_str("There is no such behaviour any more. Choose another one."),
             Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
             Self::Change(refusal) => write!(to, "{refusal}"),
+            Self::NoVersion => to.write_str("There is no such version of this behaviour. Look at its history again."),
+            Self::FarBack => to.write_str(
+                "Too much changed since then to go back in one step. Go back to a version in between first.",
+            ),
+            Self::NothingGone => to.write_str("Nothing that was removed there is missing now."),
             Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
             Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
             Self::Problems(problems) => {

@@ -6,6 +6,7 @@ mod hear;
 mod inbox;
 mod outbox;
 mod rate_limit;
+mod secrets;
 pub(crate) mod session;
 mod start;
 mod topics;
@@ -17,6 +18,8 @@ use crate::support::places::Places;
 use clients::Clients;
 use inbox::Weights;
 use outbox::AllWaiting;
+use secrets::Secrets;
+use std::path::Path;
 use std::sync::Arc;
 use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use topics::Topics;
@@ -45,12 +48,12 @@ pub(crate) struct Connections {
 
 impl Connections {
     /// Nobody is connected yet; what everyone will be told is kept new from now on.
-    pub(crate) fn of(state: Arc<ServerState>) -> Arc<Self> {
+    pub(crate) fn of(state: Arc<ServerState>, data: Option<&Path>) -> Arc<Self> {
         let topics = Topics::of(&state.robots);
         topics.keep(&state.robots, state.rooms.news(), &state.tasks);
         Arc::new(Self {
             state,
-            clients: Clients::default(),
+            clients: Clients::proved_by(Secrets::within(data)),
             topics,
             half_open: Places::of(HALF_OPEN_MAX),
             weights: Weights::default(),

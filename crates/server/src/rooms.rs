@@ -4,6 +4,7 @@
 pub(crate) mod knowledge;
 pub(crate) mod list_news;
 pub(crate) mod member;
+pub(crate) mod past;
 pub(crate) mod shown;
 pub(crate) mod snapshot;
 mod task;
@@ -18,6 +19,7 @@ use behaviour::{Behaviour, Change, Id, RecordId, Room, Token};
 use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
+use past::Past;
 use protocol::{LIBRARY, Pointer, Refused, Reply, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
@@ -41,6 +43,8 @@ pub(crate) enum Note {
     Propose(Change, Vec<Token>, Answer),
     /// Something about who is editing what, from a link.
     Locking(u64, Locking),
+    /// Something of its past is wanted.
+    Past(Past, Answer),
     /// The behaviour shall go to the bin; with the name of who says so.
     Remove(String, Answer),
     /// The changes after a revision are wanted.
@@ -107,7 +111,9 @@ impl Note {
     fn refuse(self, no: Refused) {
         match self {
             Self::Join(member, ask, _) => member.link.send(encode(Some(ask), Reply::No { no })),
-            Self::Propose(.., answer) | Self::Remove(_, answer) | Self::Since(_, answer) => answer.no(no),
+            Self::Propose(.., answer) | Self::Past(_, answer) | Self::Remove(_, answer) | Self::Since(_, answer) => {
+                answer.no(no);
+            }
             Self::Locking(_, locking) => locking.refuse(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
             Self::Leave(..) | Self::Present(..) => {}
@@ -127,8 +133,12 @@ pub(crate) struct Surroundings {
     pub(crate) workers: Workers,
     /// Turns for what has to be looked up in the store.
     pub(crate) lookups: Lookups,
+    /// Turns for finding out how a behaviour was.
+    pub(crate) replays: Lookups,
     /// What is shown to those who open behaviours.
     pub(crate) shown: AllShown,
+    /// What is shown to those who look at behaviours as they were.
+    pub(crate) past_shown: AllShown,
     /// Where rooms run, and how they learn that the server ends.
     pub(crate) tasks: Tasks,
     /// The id of the helper library.

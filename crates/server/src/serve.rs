@@ -122,7 +122,7 @@ pub async fn serve_with(
     let address = listener.local_addr().map_err(listening)?;
     let _data = data_folder::take(&config.store, config.data.as_deref())?;
     let state = open(store, &config).await?;
-    let served = Connections::of(Arc::clone(&state));
+    let served = Connections::of(Arc::clone(&state), config.data.as_deref());
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
     let guard = OriginGuard::of(address.port());
     let accepted = accept::start(listener, guard, state.robots.clone(), closing.clone());
@@ -190,7 +190,9 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>
         knowing: Arc::new(Knowing::default()),
         workers: Workers::start().map_err(ServeError::Thread)?,
         lookups: Lookups::default(),
+        replays: Lookups::of_replays(),
         shown: AllShown::default(),
+        past_shown: AllShown::of_the_past(),
         tasks: Tasks::here(),
         library,
         snapshot: watch::Sender::new(Arc::new(snapshot)),

@@ -15,7 +15,7 @@ pub use robots::Robot;
 pub use unfinished::{Unfinished, check_finished};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
-use behaviour::{Id, Refusal};
+use behaviour::{Checkpoint, Id, Refusal};
 use lines::{Line, Sum};
 use std::future::Future;
 use thiserror::Error;
@@ -75,6 +75,9 @@ pub enum Flaw {
     /// Its change does not fit what a record, which people call so, was before.
     #[error("It does not fit what {0} was before.")]
     Stale(String),
+    /// A revision cannot have got this name.
+    #[error("Nobody can have named a version so: {0}")]
+    Named(Refusal),
     /// Its change breaks a rule.
     #[error("No room would have made this change: {0}")]
     Refused(Refusal),
@@ -132,6 +135,9 @@ where
                 put(sum.line(&Line::Change(change))).await?;
             }
         }
+        for checkpoint in named(store, shelf).await? {
+            put(sum.line(&Line::Named(checkpoint))).await?;
+        }
         done.behaviours += 1;
         progress(done, shelves.len() as u64);
     }
@@ -148,6 +154,13 @@ async fn page(store: &dyn Store, shelf: &Shelf, since: u64) -> Result<Vec<behavi
         return Err(StoreError::Damaged(lost).into());
     }
     Ok(page)
+}
+
+/// The named versions of a behaviour, up to the revision that it had at first.
+async fn named(store: &dyn Store, shelf: &Shelf) -> Result<Vec<Checkpoint>, StoreError> {
+    let mut named = store.checkpoints(&shelf.id).await?;
+    named.retain(|one| one.revision <= shelf.revision);
+    Ok(named)
 }
 
 /// Everything that the store holds, the library first, then in order of id.

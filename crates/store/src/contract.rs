@@ -2,6 +2,7 @@
 
 mod bin;
 mod changes;
+mod checkpoints;
 mod crowd;
 mod insight;
 mod large;
@@ -24,6 +25,7 @@ where
 {
     changes::check(&make).await;
     bin::check(&make).await;
+    checkpoints::check(&make).await;
     usage::check(&make).await;
     lists::check(&make).await;
     insight::check(&make).await;

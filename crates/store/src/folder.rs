@@ -7,10 +7,10 @@ mod tests;
 
 use crate::{
     Append, Contested, Driver, FolderLock, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError,
-    Used, json, lock_folder,
+    Used, checkpoints, json, lock_folder,
 };
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use log::{Line, Logs, Strange};
 use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -64,6 +64,12 @@ fn take(kept: &MemoryStore, behaviour: &Id, line: Line) -> Result<(), Strange> {
         },
         Line::Removed { at_ms, by } => drop(kept.removed(behaviour, at_ms, &by)),
         Line::Restored => drop(kept.restored(behaviour)),
+        Line::Named(checkpoint) => match kept.judge_checkpoint(behaviour, &checkpoint) {
+            (true, true) => kept.put_checkpoint(behaviour, &checkpoint),
+            _ => return Err(Strange::Name(checkpoint.name)),
+        },
+        Line::Unnamed { name } if kept.take_checkpoint(behaviour, &name) => {}
+        Line::Unnamed { name } => return Err(Strange::Name(name)),
         Line::Epoch(epoch) => kept.set_epoch(epoch),
     }
     Ok(())
@@ -95,6 +101,36 @@ impl Store for FolderStore {
 
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
         self.kept.history(behaviour, since, most).await
+    }
+
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+        self.kept.checkpoints(behaviour).await
+    }
+
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
+        let (id, checkpoint) = (behaviour.clone(), checkpoint.clone());
+        self.write(move |kept, logs| {
+            checkpoints::check(&checkpoint)?;
+            let (is_kept, is_new) = kept.judge_checkpoint(&id, &checkpoint);
+            if is_kept && is_new {
+                logs.add(&id, &Line::Named(checkpoint.clone()))?;
+                kept.put_checkpoint(&id, &checkpoint);
+            }
+            Ok(is_kept)
+        })
+        .await
+    }
+
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError> {
+        let (id, name) = (behaviour.clone(), name.to_owned());
+        self.write(move |kept, logs| {
+            if kept.has_checkpoint(&id, &name) {
+                logs.add(&id, &Line::Unnamed { name: name.clone() })?;
+                kept.take_checkpoint(&id, &name);
+            }
+            Ok(())
+        })
+        .await
     }
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {

@@ -8,12 +8,15 @@ use serde::de::DeserializeOwned;
 /// The latest time that is kept; also the largest whole number of SQLite.
 const TIME_MAX_MS: u64 = i64::MAX as u64;
 
+/// Whether a time is one that is kept.
+pub(crate) fn check_time(at_ms: u64) -> Result<(), StoreError> {
+    if at_ms > TIME_MAX_MS { Err(StoreError::Refused(Unkept::TooLate)) } else { Ok(()) }
+}
+
 /// The JSON of a change that surely reads back as the same change.
 pub(crate) fn checked(committed: &Committed) -> Result<String, StoreError> {
     let change = &committed.change;
-    if change.at_ms > TIME_MAX_MS {
-        return Err(StoreError::Refused(Unkept::TooLate));
-    }
+    check_time(change.at_ms)?;
     if let Some(edit) = change.edits.iter().find(|edit| edit.after.as_ref().is_some_and(|r| r.kind() != edit.id.kind)) {
         return Err(StoreError::Refused(Unkept::OtherKind(edit.id.clone())));
     }

@@ -7,6 +7,7 @@
 #![warn(missing_docs)]
 
 pub mod backup;
+mod checkpoints;
 #[cfg(any(test, feature = "contract"))]
 pub mod contract;
 pub mod disk;
@@ -35,7 +36,7 @@ pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
 
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Checkpoint, Committed, Id};
 
 /// A place that keeps behaviours with their whole history.
 #[async_trait]
@@ -58,6 +59,16 @@ pub trait Store: Send + Sync {
 
     /// At most `most` changes with a revision above `since`, oldest first.
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError>;
+
+    /// The revisions of a behaviour that have a name, also in the bin: by revision, then as they were named.
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError>;
+
+    /// Keeps a revision with its name; durable when it answers. True also if it was kept before, false if another one has
+    /// the name or there is no such revision. It is no change, goes with its behaviour, and what a name may be is not asked.
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError>;
+
+    /// Lets a name go, if it is there; durable when it answers. The revision stays.
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError>;
 
     /// Moves a behaviour to the bin. False if it is not there, already in the bin, or the library.
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError>;

@@ -5,10 +5,10 @@ use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
 use crate::{
     Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Store, StoreError, Used,
-    json, search_text,
+    checkpoints, json, search_text,
 };
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id, StreamKind};
+use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -32,6 +32,7 @@ struct Shelf {
     /// Every op id with the revision it made.
     ops: BTreeMap<Id, u64>,
     removed: Option<(u64, String)>,
+    checkpoints: BTreeMap<String, Checkpoint>,
 }
 
 impl MemoryStore {
@@ -68,6 +69,33 @@ impl MemoryStore {
     /// Takes a behaviour out of the bin. False if it is not there.
     pub(crate) fn restored(&self, behaviour: &Id) -> bool {
         self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.removed.take().is_some())
+    }
+
+    /// What [`Store::keep_checkpoint`] would answer, and whether it would be new.
+    pub(crate) fn judge_checkpoint(&self, behaviour: &Id, wanted: &Checkpoint) -> (bool, bool) {
+        let kept = self.kept();
+        let Some(shelf) = kept.behaviours.get(behaviour) else { return (false, false) };
+        match shelf.checkpoints.get(&wanted.name) {
+            Some(there) => (there == wanted, false),
+            None => ((1..=shelf.head()).contains(&wanted.revision), true),
+        }
+    }
+
+    /// Keeps a named revision that was judged to be new.
+    pub(crate) fn put_checkpoint(&self, behaviour: &Id, new: &Checkpoint) {
+        if let Some(shelf) = self.kept().behaviours.get_mut(behaviour) {
+            shelf.checkpoints.insert(new.name.clone(), new.clone());
+        }
+    }
+
+    /// Lets a name go. False if there is none.
+    pub(crate) fn take_checkpoint(&self, behaviour: &Id, name: &str) -> bool {
+        self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.checkpoints.remove(name).is_some())
+    }
+
+    /// Whether there is such a name.
+    pub(crate) fn has_checkpoint(&self, behaviour: &Id, name: &str) -> bool {
+        self.kept().behaviours.get(behaviour).is_some_and(|shelf| shelf.checkpoints.contains_key(name))
     }
 
     /// Deletes a behaviour for ever.
@@ -121,6 +149,26 @@ impl Store for MemoryStore {
         let kept = self.kept();
         let changes = kept.behaviours.get(behaviour).map_or(&[][..], |shelf| &shelf.history);
         Ok(changes.iter().filter(|made| made.revision > since).take(most as usize).cloned().collect())
+    }
+
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+        let kept = self.kept();
+        let found = kept.behaviours.get(behaviour).map(|shelf| shelf.checkpoints.values().cloned().collect());
+        Ok(checkpoints::in_order(found.unwrap_or_default()))
+    }
+
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
+        checkpoints::check(checkpoint)?;
+        let (is_kept, is_new) = self.judge_checkpoint(behaviour, checkpoint);
+        if is_kept && is_new {
+            self.put_checkpoint(behaviour, checkpoint);
+        }
+        Ok(is_kept)
+    }
+
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError> {
+        self.take_checkpoint(behaviour, name);
+        Ok(())
     }
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {

@@ -4,6 +4,7 @@
 mod address;
 mod append;
 mod bin;
+mod checkpoints;
 mod delta;
 mod fault;
 mod insight;
@@ -22,7 +23,7 @@ use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar,
 use address::Address;
 pub(crate) use address::is_neo4j;
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use link::Link;
 use std::sync::Arc;
 use std::time::Duration;
@@ -86,6 +87,19 @@ impl Store for Neo4jStore {
 
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
         load::history(&self.link, behaviour, since, most).await
+    }
+
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+        checkpoints::all(&self.link, behaviour).await
+    }
+
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
+        crate::checkpoints::check(checkpoint)?;
+        checkpoints::keep(&self.link, behaviour, checkpoint).await
+    }
+
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError> {
+        checkpoints::drop(&self.link, behaviour, name).await
     }
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {

@@ -1,5 +1,6 @@
 //! The embedded store: one SQLite database in the data directory.
 
+mod checkpoints;
 mod connect;
 mod fault;
 mod insight;
@@ -16,7 +17,7 @@ use crate::{
     Append, Contested, Driver, FolderLock, Listing, Loaded, Query, Similar, Store, StoreError, Used, disk, lock_folder,
 };
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use fault::Fault;
 use readers::Readers;
 use rusqlite::Connection;
@@ -158,6 +159,22 @@ impl Store for SqliteStore {
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
         let id = behaviour.clone();
         self.readers.ask(move |at| read::history(at, &id, since, most)).await
+    }
+
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+        let id = behaviour.clone();
+        self.readers.ask(move |at| checkpoints::all(at, &id)).await
+    }
+
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
+        crate::checkpoints::check(checkpoint)?;
+        let (id, checkpoint) = (behaviour.clone(), checkpoint.clone());
+        self.write(0, move |at| checkpoints::keep(at, &id, &checkpoint)).await
+    }
+
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError> {
+        let (id, name) = (behaviour.clone(), name.to_owned());
+        self.write(0, move |at| checkpoints::drop(at, &id, &name)).await
     }
 
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {

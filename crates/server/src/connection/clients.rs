@@ -1,34 +1,25 @@
 //! Who is connected: one link per client, a colour for each, and links that can be ended.
 
 use crate::connection::close_signal::{CloseReason, CloseSignal};
+use crate::connection::secrets::Secrets;
 use crate::support::lock;
 use behaviour::{Id, without_unseen};
 use protocol::{Credential, Person};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::BTreeMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
-use uuid::Uuid;
 
 /// Colours for people.
 const COLORS: u8 = 8;
 /// The longest name of a person, in characters.
 const NAME_MAX_CHARS: usize = 40;
 
-/// Clients that went and may come back as who they were.
-const GONE_MAX: usize = 4_096;
-
 /// Everyone who is connected.
 #[derive(Debug, Default)]
 pub(crate) struct Clients {
     links: AtomicU64,
-    known: Mutex<Known>,
-}
-
-#[derive(Debug, Default)]
-struct Known {
-    here: BTreeMap<Id, Link>,
-    /// Secrets of those who went, oldest last link first.
-    gone: VecDeque<Credential>,
+    here: Mutex<BTreeMap<Id, Link>>,
+    secrets: Secrets,
 }
 
 #[derive(Debug)]
@@ -36,7 +27,6 @@ struct Link {
     session: u64,
     color: u8,
     close: CloseSignal,
-    secret: Id,
 }
 
 /// Somebody who came in.
@@ -49,6 +39,11 @@ pub(crate) struct Entered {
 }
 
 impl Clients {
+    /// Nobody is here yet.
+    pub(crate) fn proved_by(secrets: Secrets) -> Self {
+        Self { secrets, ..Self::default() }
+    }
+
     /// A number for a new link.
     pub(crate) fn number(&self) -> u64 {
         self.links.fetch_add(1, Ordering::Relaxed) + 1
@@ -57,37 +52,24 @@ impl Clients {
     /// Somebody came. Who proves to be the client of an older link ends that one and is who they were; anybody else is
     /// somebody new, whatever they say.
     pub(crate) fn enter(&self, again: Option<&Credential>, name: &str, session: u64, close: CloseSignal) -> Entered {
-        let mut known = lock(&self.known);
-        let new = || Credential { client: Id::from_uuid(Uuid::new_v4()), secret: Id::from_uuid(Uuid::new_v4()) };
-        let Credential { client, secret } = again.filter(|again| known.proves(again)).cloned().unwrap_or_else(new);
-        known.gone.retain(|gone| gone.client != client);
-        let before = known.here.remove(&client);
-        let color = before.as_ref().map_or_else(|| free_color(&known.here), |link| link.color);
+        let proved = again.filter(|again| self.secrets.proves(again)).cloned();
+        let Credential { client, secret } = proved.unwrap_or_else(|| self.secrets.new_client());
+        let mut here = lock(&self.here);
+        let before = here.remove(&client);
+        let color = before.as_ref().map_or_else(|| free_color(&here), |link| link.color);
         if let Some(before) = before {
             before.close.with(CloseReason::Replaced);
         }
-        known.here.insert(client.clone(), Link { session, color, close, secret: secret.clone() });
+        here.insert(client.clone(), Link { session, color, close });
         Entered { person: Person { client, name: tidy_name(name), color, pointer: None, selected: None }, secret }
     }
 
     /// The link ended; the client may have come back on another one meanwhile.
     pub(crate) fn leave(&self, client: &Id, session: u64) {
-        let mut known = lock(&self.known);
-        if known.here.get(client).is_some_and(|link| link.session == session)
-            && let Some(link) = known.here.remove(client)
-        {
-            known.gone.push_back(Credential { client: client.clone(), secret: link.secret });
-            if known.gone.len() > GONE_MAX {
-                known.gone.pop_front();
-            }
+        let mut here = lock(&self.here);
+        if here.get(client).is_some_and(|link| link.session == session) {
+            here.remove(client);
         }
-    }
-}
-
-impl Known {
-    fn proves(&self, said: &Credential) -> bool {
-        let here = self.here.get(&said.client).is_some_and(|link| link.secret == said.secret);
-        here || self.gone.contains(said)
     }
 }
 

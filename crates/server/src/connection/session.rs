@@ -1,6 +1,7 @@
 //! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
 //! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
 
+mod past;
 mod requests;
 
 use super::hear::{Heard, hear, read};

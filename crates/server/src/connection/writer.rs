@@ -155,6 +155,7 @@ impl Writer {
             texts.extend(newest(&mut feed.people));
             texts.extend(newest(&mut feed.problems));
             texts.extend(newest(&mut feed.locks));
+            texts.extend(newest(&mut feed.versions));
             if self.values_wanted {
                 texts.extend(values(&self.connections, &mut self.watching, &feed.behaviour, self.robot.as_ref()).await);
             }

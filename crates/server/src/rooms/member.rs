@@ -30,7 +30,7 @@ pub(crate) struct Member {
     pub(crate) link: Arc<dyn Recipient>,
 }
 
-/// A welcome or an opened behaviour with all its records, shared by all who get it until they are written.
+/// A welcome, or a behaviour as it is or was, with all its records, shared by all who get it until they are written.
 #[derive(Debug)]
 pub(crate) struct Whole {
     /// The reply without records.
@@ -71,6 +71,8 @@ pub(crate) struct Feed {
     pub(crate) problems: watch::Receiver<Utf8Bytes>,
     /// Who is editing what.
     pub(crate) locks: watch::Receiver<Utf8Bytes>,
+    /// Its versions with a name.
+    pub(crate) versions: watch::Receiver<Utf8Bytes>,
 }
 
 /// Who waits for an answer: a client, or this server itself.
@@ -82,7 +84,7 @@ pub(crate) enum Answer {
         /// The number of its request.
         ask: u32,
         /// The memory that its message takes until it is answered.
-        held: Option<Box<dyn Send>>,
+        held: Option<Box<dyn Send + Sync>>,
     },
     /// The server.
     Server(oneshot::Sender<Reply>),

@@ -10,6 +10,9 @@ use std::sync::{Arc, Mutex, Weak};
 /// What all of them may take together, in bytes of their records; the newest is always kept.
 const ALL_MAX_BYTES: usize = 48 << 20;
 
+/// The same for those that are looked at as they were.
+const PAST_MAX_BYTES: usize = 24 << 20;
+
 /// A behaviour at one revision.
 #[derive(Debug)]
 pub(crate) struct Shown {
@@ -22,8 +25,17 @@ pub(crate) struct Shown {
 pub(crate) struct GaveWay;
 
 /// All that is still shown to somebody, oldest first. A clone is the same.
-#[derive(Clone, Debug, Default)]
-pub(crate) struct AllShown(Arc<Mutex<VecDeque<Weak<Shown>>>>);
+#[derive(Clone, Debug)]
+pub(crate) struct AllShown {
+    all: Arc<Mutex<VecDeque<Weak<Shown>>>>,
+    most_bytes: usize,
+}
+
+impl Default for AllShown {
+    fn default() -> Self {
+        Self { all: Arc::default(), most_bytes: ALL_MAX_BYTES }
+    }
+}
 
 impl Shown {
     /// The room at that revision.
@@ -37,17 +49,22 @@ impl Shown {
 }
 
 impl AllShown {
+    /// For those that are looked at as they were.
+    pub(crate) fn of_the_past() -> Self {
+        Self { most_bytes: PAST_MAX_BYTES, ..Self::default() }
+    }
+
     /// Shows a room: as the one `before` if that is the same revision.
     pub(crate) fn show(&self, room: &Arc<Room>, before: &Weak<Shown>) -> Arc<Shown> {
         if let Some(before) = before.upgrade().filter(|before| before.is(room)) {
             return before;
         }
         let shown = Arc::new(Shown { room: Mutex::new(Some(Arc::clone(room))), bytes: room.bytes() });
-        let mut all = lock(&self.0);
+        let mut all = lock(&self.all);
         all.retain(|shown| shown.strong_count() > 0);
         all.push_back(Arc::downgrade(&shown));
         let mut bytes: usize = all.iter().filter_map(Weak::upgrade).map(|shown| shown.bytes).sum();
-        while bytes > ALL_MAX_BYTES && all.len() > 1 {
+        while bytes > self.most_bytes && all.len() > 1 {
             if let Some(oldest) = all.pop_front().and_then(|oldest| oldest.upgrade()) {
                 bytes -= oldest.bytes;
                 lock(&oldest.room).take();
@@ -59,7 +76,7 @@ impl AllShown {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL_MAX_BYTES, AllShown, GaveWay};
+    use super::{ALL_MAX_BYTES, AllShown, GaveWay, PAST_MAX_BYTES};
     use behaviour::{Behaviour, Id, Kind, Note, Record, RecordId, Room};
     use std::sync::{Arc, Weak};
 
@@ -82,14 +99,17 @@ mod tests {
 
     #[test]
     fn the_oldest_gives_way_to_too_many() {
+        for (all, most_bytes) in [(AllShown::default(), ALL_MAX_BYTES), (AllShown::of_the_past(), PAST_MAX_BYTES)] {
+            let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new())).collect();
+            let kept = held.iter().filter(|shown| shown.room().is_ok()).count();
+            assert!(kept < 60 && kept * (1 << 20) <= most_bytes && kept > 10, "{kept}");
+        }
         let all = AllShown::default();
         let held: Vec<_> = (0..100).map(|_| all.show(&room(), &Weak::new())).collect();
-        let kept = held.iter().filter(|shown| shown.room().is_ok()).count();
-        assert!(kept < 60 && kept * (1 << 20) <= ALL_MAX_BYTES && kept > 20, "{kept}");
         assert_eq!(held[0].room().err(), Some(GaveWay));
         assert!(held[99].room().is_ok());
         drop(held);
         all.show(&room(), &Weak::new());
-        assert_eq!(all.0.lock().unwrap().len(), 1, "what nobody waits for is forgotten");
+        assert_eq!(all.all.lock().unwrap().len(), 1, "what nobody waits for is forgotten");
     }
 }

@@ -4,8 +4,12 @@
 mod change_log;
 mod jobs;
 mod locking;
+mod making;
 mod members;
+mod naming;
+mod past;
 mod problems;
+mod replay;
 mod saving;
 
 use super::member::{Feed, Member};
@@ -15,7 +19,7 @@ use super::{Look, Note, Rooms, Surroundings};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Accepted, Id, Room};
+use behaviour::{Accepted, Checkpoints, Id, Room};
 use change_log::ChangeLog;
 use jobs::{Job, Saving, Waiting};
 use locking::LockBook;
@@ -23,6 +27,7 @@ use problems::{Finding, Found};
 use protocol::Refused;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
+use store::StoreError;
 use tokio::sync::{mpsc, oneshot, watch};
 
 /// Whether a behaviour is there.
@@ -60,18 +65,20 @@ struct RoomTask {
     revision: watch::Sender<u64>,
     people_text: watch::Sender<Utf8Bytes>,
     problems_text: watch::Sender<Utf8Bytes>,
+    /// Its versions with a name.
+    versions: Checkpoints,
+    versions_text: watch::Sender<Utf8Bytes>,
 }
 
 /// Runs a room until nobody needs it.
 pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
-    let loaded = bounded(rooms.around.store.load(&id)).await;
-    let no = match loaded {
-        Ok(Some(loaded)) if loaded.removed_ms.is_none() => {
-            let mut task = RoomTask::new(rooms, id.clone(), Room::open(loaded.behaviour, loaded.revision));
+    let no = match load(&rooms.around, &id).await {
+        Ok(Some((room, versions))) => {
+            let mut task = RoomTask::new(rooms, id.clone(), room, versions);
             task.find_problems_at_first().await;
             return task.live(inbox).await;
         }
-        Ok(_) => Refused::NoBehaviour,
+        Ok(None) => Refused::NoBehaviour,
         Err(error) => store_no(&error),
     };
     tracing::info!(behaviour = %id, %no, "a room did not open");
@@ -82,10 +89,19 @@ pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
     }
 }
 
+/// A behaviour that is not in the bin, with its named versions.
+async fn load(around: &Surroundings, id: &Id) -> Result<Option<(Room, Checkpoints)>, StoreError> {
+    let loaded = bounded(around.store.load(id)).await?.filter(|loaded| loaded.removed_ms.is_none());
+    let Some(loaded) = loaded else { return Ok(None) };
+    let versions = naming::kept(&*around.store, id).await?;
+    Ok(Some((Room::open(loaded.behaviour, loaded.revision), versions)))
+}
+
 impl RoomTask {
-    fn new(rooms: Rooms, id: Id, room: Room) -> Self {
+    fn new(rooms: Rooms, id: Id, room: Room, versions: Checkpoints) -> Self {
         let around = Arc::clone(&rooms.around);
         let snapshot = around.snapshot.subscribe();
+        let versions_text = watch::Sender::new(naming::text(&id, &versions));
         let (revision, rooms_epoch) = (watch::Sender::new(room.revision()), around.epoch);
         Self {
             rooms,
@@ -105,6 +121,8 @@ impl RoomTask {
             revision,
             people_text: watch::Sender::new(Utf8Bytes::default()),
             problems_text: watch::Sender::new(Utf8Bytes::default()),
+            versions,
+            versions_text,
         }
     }
 
@@ -142,6 +160,7 @@ impl RoomTask {
             Note::Join(member, ask, secret) => self.join(member, ask, secret),
             Note::Leave(session, parting) => self.leave(session, parting),
             Note::Propose(change, tokens, answer) => self.wait(Job::Save(change, tokens, answer)),
+            Note::Past(past, answer) => self.past(past, answer),
             Note::Locking(session, locking) => self.lock(session, locking),
             Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
             Note::Since(revision, answer) => self.since(revision, answer),
@@ -156,12 +175,15 @@ impl RoomTask {
     }
 
     fn feed(&self) -> Feed {
+        let mut versions = self.versions_text.subscribe();
+        versions.mark_changed();
         Feed {
             behaviour: self.id.clone(),
             revision: self.revision.subscribe(),
             people: self.people_text.subscribe(),
             problems: self.problems_text.subscribe(),
             locks: self.locks.text(),
+            versions,
         }
     }
 

@@ -4,7 +4,7 @@ use crate::house::{House, plain, stream_id};
 use crate::http::raw;
 use crate::links::socket;
 use async_trait::async_trait;
-use behaviour::{Behaviour, Committed, Id, Kind, Note, Record, RecordId};
+use behaviour::{Behaviour, Checkpoint, Committed, Id, Kind, Note, Record, RecordId};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Reply, Request};
 use std::sync::Arc;
@@ -45,6 +45,17 @@ impl Store for Hanging {
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
         self.wait().await;
         self.inside.history(behaviour, since, most).await
+    }
+    async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
+        self.inside.checkpoints(behaviour).await
+    }
+    async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
+        self.wait().await;
+        self.inside.keep_checkpoint(behaviour, checkpoint).await
+    }
+    async fn drop_checkpoint(&self, behaviour: &Id, name: &str) -> Result<(), StoreError> {
+        self.wait().await;
+        self.inside.drop_checkpoint(behaviour, name).await
     }
     async fn remove(&self, behaviour: &Id, now_ms: u64, by: &str) -> Result<bool, StoreError> {
         self.inside.remove(behaviour, now_ms, by).await

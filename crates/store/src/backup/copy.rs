@@ -1,8 +1,8 @@
 //! Behaviour by behaviour into another store, several at a time, and the proof that both hold the same.
 
-use super::{BackupError, Counted, Progress, Shelf, page, shelves};
+use super::{BackupError, Counted, Progress, Shelf, named, page, shelves};
 use crate::{Append, Store, StoreError};
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 use tokio::task::JoinSet;
@@ -75,7 +75,7 @@ async fn copy(from: Arc<dyn Store>, to: Arc<dyn Store>, shelf: Shelf) -> Result<
             filling.put(&change).await?;
         }
     }
-    filling.end().await
+    filling.end(&named(&*from, &shelf).await?).await
 }
 
 /// One behaviour on its way into a store.
@@ -111,8 +111,17 @@ impl<'s> Filling<'s> {
         }
     }
 
-    /// Into the bin, if it belongs there; answers with the number of changes.
-    pub(super) async fn end(self) -> Result<u64, BackupError> {
+    /// Its named versions, and into the bin, if it belongs there; answers with the number of changes.
+    pub(super) async fn end(self, named: &[Checkpoint]) -> Result<u64, BackupError> {
+        for checkpoint in named {
+            let mut kept = self.to.keep_checkpoint(&self.shelf.id, checkpoint).await;
+            if kept.as_ref().is_err_and(StoreError::is_open) {
+                kept = self.to.keep_checkpoint(&self.shelf.id, checkpoint).await;
+            }
+            if !kept? {
+                return Err(BackupError::NotEmpty(self.shelf.id.clone()));
+            }
+        }
         if let Some((at_ms, by)) = &self.shelf.removed {
             self.to.remove(&self.shelf.id, *at_ms, by).await?;
         }
@@ -144,7 +153,7 @@ async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Resu
     Ok(())
 }
 
-/// Where two stores differ: in revision, records, history or bin of a behaviour.
+/// Where two stores differ: in revision, records, history, named versions or bin of a behaviour.
 ///
 /// # Errors
 /// What the stores fail with.
@@ -183,6 +192,9 @@ async fn difference(one: &dyn Store, other: &dyn Store, shelf: &Shelf) -> Result
             return Ok(Some("its history"));
         }
         since = page.last().map_or(shelf.revision, |last| last.revision);
+    }
+    if named(one, shelf).await? != named(other, shelf).await? {
+        return Ok(Some("its named versions"));
     }
     Ok(None)
 }

@@ -1,7 +1,7 @@
 //! The lines of a backup, and the sum at its end that tells whether it is whole.
 
 use super::{BACKUP_FORMAT, BackupError, Counted, Flaw, Robot, Shelf};
-use behaviour::{Committed, Id};
+use behaviour::{Checkpoint, Checkpoints, Committed, Id, Refusal};
 use serde::{Deserialize, Serialize};
 use std::io::BufRead;
 
@@ -24,6 +24,8 @@ pub(super) enum Line {
     Behaviour { id: Id, revision: u64, removed: Option<Removed> },
     /// The next change of it.
     Change(Committed),
+    /// A revision of it that has a name; all of them come after its changes.
+    Named(Checkpoint),
     /// The last one.
     End { behaviours: u64, changes: u64, sum: String },
 }
@@ -80,6 +82,8 @@ pub(super) trait Listener {
     fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError>;
     /// Its next change.
     fn change(&mut self, change: Committed) -> Result<(), BackupError>;
+    /// A named version of it, after all changes.
+    fn named(&mut self, checkpoint: Checkpoint);
 }
 
 /// What a backup says besides its behaviours.
@@ -105,19 +109,24 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
         _ => return reading.broken(Flaw::NoBackup),
     };
     let (mut robots, mut done, mut left) = (Vec::new(), Counted::default(), 0..0_u64);
+    let mut names = Checkpoints::default();
     loop {
         let (sum_before, line) = reading.next()?;
         match line {
             Line::Robot(robot) if done.behaviours == 0 && robots.len() < ROBOTS_MAX => robots.push(robot),
             Line::Behaviour { id, revision, removed } if left.is_empty() && revision > 0 => {
                 done.behaviours += 1;
-                left = 0..revision;
+                (left, names) = (0..revision, Checkpoints::default());
                 let removed = removed.map(|removed| (removed.at_ms, removed.by));
                 reading.placed(to.behaviour(Shelf { id, revision, removed }))?;
             }
             Line::Change(change) if left.next().is_some_and(|before| change.revision == before + 1) => {
                 done.changes += 1;
                 reading.placed(to.change(change))?;
+            }
+            Line::Named(checkpoint) if left.is_empty() && done.behaviours > 0 => {
+                reading.placed(check_name(&mut names, left.end, &checkpoint))?;
+                to.named(checkpoint);
             }
             Line::End { behaviours, changes, sum } if left.is_empty() => {
                 if (Counted { behaviours, changes }) != done || sum != format!("{:016x}", sum_before.0) {
@@ -127,6 +136,16 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
             }
             _ => return reading.broken(Flaw::Order),
         }
+    }
+}
+
+/// A version is named as a room would have named it.
+fn check_name(names: &mut Checkpoints, newest: u64, checkpoint: &Checkpoint) -> Result<(), BackupError> {
+    let broken = |refusal| BackupError::Broken(0, Flaw::Named(refusal));
+    match names.add(newest, checkpoint.clone()) {
+        Ok(made) if made == *checkpoint && made.revision > 0 => Ok(()),
+        Ok(made) => Err(broken(Refusal::Name(made.name))),
+        Err(refusal) => Err(broken(refusal)),
     }
 }
 

@@ -4,7 +4,7 @@ use super::copy::{Filling, Heads, finished, heads};
 use super::lines::{self, Listener, Whole};
 use super::{BackupError, Counted, Flaw, Progress, Robot, Shelf};
 use crate::{Store, StoreError};
-use behaviour::{Committed, History, Id, Refusal};
+use behaviour::{Checkpoint, Committed, History, Id, Refusal};
 use std::collections::BTreeSet;
 use std::io::{BufRead, Seek};
 use std::sync::Arc;
@@ -14,8 +14,8 @@ use tokio::task::JoinSet;
 /// Behaviours that are filled at the same time.
 const AT_ONCE: usize = 16;
 
-/// A behaviour with its history.
-type Filled = (Shelf, Vec<Committed>);
+/// A behaviour with its history and its named versions.
+type Filled = (Shelf, Vec<Committed>, Vec<Checkpoint>);
 
 /// A backup that was read to its end, found whole, and fits the store that it is for.
 #[derive(Debug)]
@@ -68,11 +68,11 @@ where
         gather.pass_on()
     });
     let (mut done, mut filling) = (Counted::default(), JoinSet::new());
-    while let Some((shelf, changes)) = told.recv().await {
+    while let Some(filled) = told.recv().await {
         if filling.len() >= AT_ONCE {
             finished(&mut filling, &mut done, whole.counted.behaviours, progress).await?;
         }
-        filling.spawn(fill(Arc::clone(to), shelf, changes));
+        filling.spawn(fill(Arc::clone(to), filled));
     }
     while !filling.is_empty() {
         finished(&mut filling, &mut done, whole.counted.behaviours, progress).await?;
@@ -95,12 +95,12 @@ fn stopped(error: &tokio::task::JoinError) -> StoreError {
     StoreError::Unavailable(format!("restoring stopped: {error}"))
 }
 
-async fn fill(to: Arc<dyn Store>, shelf: Shelf, changes: Vec<Committed>) -> Result<u64, BackupError> {
+async fn fill(to: Arc<dyn Store>, (shelf, changes, named): Filled) -> Result<u64, BackupError> {
     let mut filling = Filling::of(&*to, &shelf).await?;
     for change in &changes {
         filling.put(change).await?;
     }
-    filling.end().await
+    filling.end(&named).await
 }
 
 /// Looks whether what the store has is the beginning of what the backup has, and whether that keeps the rules.
@@ -148,6 +148,8 @@ impl Listener for Look {
         }
         Ok(())
     }
+
+    fn named(&mut self, _: Checkpoint) {}
 }
 
 fn unruly(refusal: Refusal) -> Flaw {
@@ -179,14 +181,20 @@ impl Gather {
 impl Listener for Gather {
     fn behaviour(&mut self, shelf: Shelf) -> Result<(), BackupError> {
         self.pass_on()?;
-        self.whole = Some((shelf, Vec::new()));
+        self.whole = Some((shelf, Vec::new(), Vec::new()));
         Ok(())
     }
 
     fn change(&mut self, change: Committed) -> Result<(), BackupError> {
-        if let Some((_, changes)) = &mut self.whole {
+        if let Some((_, changes, _)) = &mut self.whole {
             changes.push(change);
         }
         Ok(())
+    }
+
+    fn named(&mut self, checkpoint: Checkpoint) {
+        if let Some((.., named)) = &mut self.whole {
+            named.push(checkpoint);
+        }
     }
 }

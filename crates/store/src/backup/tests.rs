@@ -2,7 +2,7 @@
 
 use super::{BackupError, Counted, Robot, Unfinished, backup, check_finished, compare, migrate, read, restore};
 use crate::{FolderStore, LIBRARY, MemoryStore, Store, StoreError};
-use behaviour::{Behaviour, Change, Committed, Helper, Id, Kind, Note, Record, RecordId, Settings};
+use behaviour::{Behaviour, Change, Checkpoint, Committed, Helper, Id, Kind, Note, Record, RecordId, Settings};
 use std::io::Cursor;
 use std::sync::{Arc, Mutex};
 
@@ -45,8 +45,16 @@ async fn filled() -> Arc<dyn Store> {
             change(&*store, name).await;
         }
     }
+    for (to, revision, name) in [("b", 300, "Works"), ("b", 7, "First try"), ("c", 2, "Works"), ("d", 1, "赤")] {
+        name_version(&*store, to, revision, name).await;
+    }
     assert!(store.remove(&id("c"), 77, "Ben").await.expect("an answer"));
     store
+}
+
+async fn name_version(store: &dyn Store, to: &str, revision: u64, name: &str) {
+    let named = Checkpoint { revision, name: name.to_owned(), by: "Aiko".to_owned(), at_ms: 5 };
+    assert_eq!(store.keep_checkpoint(&id(to), &named).await, Ok(true));
 }
 
 fn robots() -> Vec<Robot> {
@@ -102,6 +110,7 @@ async fn what_is_no_whole_backup_is_refused_before_anything_is_changed() {
         text.replacen("Aiko", "Yuki", 1),
         text.clone() + "more\n",
         text.replacen("\"revision\":2", "\"revision\":3", 1),
+        text.replacen("First try", "First\u{200b}try", 1),
     ];
     broken.extend((0..lines.len()).step_by(37).chain([lines.len() - 1]).map(without));
     for text in broken {

@@ -2,7 +2,7 @@
 
 use crate::disk::{self, told};
 use crate::{StoreError, json};
-use behaviour::{Committed, Id};
+use behaviour::{Checkpoint, Committed, Id};
 use serde::{Deserialize, Serialize};
 use std::fmt::Display;
 use std::fs::File;
@@ -35,6 +35,13 @@ pub(super) enum Line {
     },
     /// It came back from the bin.
     Restored,
+    /// A revision got a name.
+    Named(Checkpoint),
+    /// A name went.
+    Unnamed {
+        /// Which.
+        name: String,
+    },
     /// How often a server started; in a file of its own.
     Epoch(u64),
 }
@@ -51,6 +58,9 @@ pub(super) enum Strange {
     /// Its change does not come after the one before it; with its revision.
     #[error("revision {0} does not follow")]
     Order(u64),
+    /// The name that it gives or takes cannot be given or taken there.
+    #[error("{0:?} cannot be named so")]
+    Name(String),
     /// Its change cannot be made.
     #[error("{0}")]
     Refused(#[from] StoreError),

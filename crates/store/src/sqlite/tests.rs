@@ -4,7 +4,7 @@ use super::write::{self, Ready};
 use super::writer::Writer;
 use super::{SqliteStore, connect, open, read};
 use crate::{Append, MemoryStore, Query, Store, StoreError, contract, json};
-use behaviour::{Behaviour, Change, Committed, Id, Kind, Note, Record, RecordId};
+use behaviour::{Behaviour, Change, Checkpoint, Committed, Id, Kind, Note, Record, RecordId};
 use rusqlite::Connection;
 use std::path::Path;
 use std::sync::atomic::Ordering;
@@ -90,9 +90,11 @@ async fn purging_leaves_no_row_behind() {
     let dir = tempfile::tempdir().expect("a directory");
     let store = open(dir.path()).await.expect("a store");
     put(&store, &committed(1, "one")).await.expect("an answer");
+    let named = Checkpoint { revision: 1, name: "First".to_owned(), by: "Aiko".to_owned(), at_ms: 1 };
+    assert_eq!(store.keep_checkpoint(&id("b"), &named).await, Ok(true));
     store.remove(&id("b"), 1, "Ben").await.expect("an answer");
     assert_eq!(store.purge(2).await, Ok(1));
-    for table in ["behaviour", "record", "op", "used", "searched", "search", "device"] {
+    for table in ["behaviour", "record", "op", "used", "searched", "search", "device", "checkpoint"] {
         let count = format!("SELECT count(*) FROM {table}");
         let rows: i64 =
             Connection::open(&store.file).expect("open").query_row(&count, [], |row| row.get(0)).expect("a number");
@@ -107,7 +109,7 @@ async fn a_newer_schema_is_refused_and_left_alone() {
     let file = connect::database(dir.path());
     Connection::open(&file).expect("open").execute("UPDATE meta SET schema_version = 99", []).expect("an update");
     let refusal = open(dir.path()).await.err().expect("a refusal");
-    assert_eq!(refusal, StoreError::Newer { found: 99, known: 2 });
+    assert_eq!(refusal, StoreError::Newer { found: 99, known: 3 });
 }
 
 /// Opens a directory whose database was damaged; says the error of opening, or of reading everything.

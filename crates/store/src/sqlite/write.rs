@@ -75,7 +75,7 @@ fn revision_of(at: &Connection, id: &Id, op: &Id) -> Result<Option<u64>, Fault> 
     Ok(query.query_row([id.as_str(), op.as_str()], |row| row.get(0)).optional()?.map(read))
 }
 
-fn head(at: &Connection, id: &Id) -> Result<(u64, bool), Fault> {
+pub(super) fn head(at: &Connection, id: &Id) -> Result<(u64, bool), Fault> {
     let mut query = at.prepare_cached("SELECT revision, removed_ms IS NOT NULL FROM behaviour WHERE id = ?1")?;
     let found = query.query_row([id.as_str()], |row| Ok((read(row.get(0)?), row.get(1)?))).optional()?;
     Ok(found.unwrap_or((0, false)))

@@ -38,7 +38,7 @@ impl Session {
             | Request::GoBack { .. }
             | Request::BringBack { .. }
             | Request::NameVersion { .. }
-            | Request::UnnameVersion { .. } => self.outbox.no(ask, Refused::NoBehaviour),
+            | Request::UnnameVersion { .. } => self.past(ask, request),
             Request::Lock { behaviour, records } => self.locking(ask, &behaviour, |to| Locking::Take(records, to)),
             Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
             Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
@@ -108,7 +108,7 @@ impl Session {
         }
     }
 
-    fn state(&self) -> &Arc<ServerState> {
+    pub(super) fn state(&self) -> &Arc<ServerState> {
         &self.connections.state
     }
 
@@ -117,8 +117,8 @@ impl Session {
         self.outbox.say(Some(ask), done.map_or_else(|no| Reply::No { no }, |()| Reply::Done));
     }
 
-    fn answer(&mut self, ask: u32) -> Answer {
-        let held = self.weight.take().map(|weight| Box::new(weight) as Box<dyn Send>);
+    pub(super) fn answer(&mut self, ask: u32) -> Answer {
+        let held = self.weight.take().map(|weight| Box::new(weight) as Box<dyn Send + Sync>);
         Answer::Client { to: Arc::new(self.outbox.clone()), ask, held }
     }
 

@@ -1,8 +1,10 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
+use super::making::{self, Made};
 use super::saving::{self, SaveOutcome, Saved};
-use super::{RoomTask, Stay};
+use super::{RoomTask, Stay, naming};
 use crate::rooms::member::Answer;
+use crate::rooms::past::{Naming, Wish};
 use behaviour::{Change, Kind, Presented, Refusal, Token};
 use futures_util::future::BoxFuture;
 use protocol::{Refused, Reply};
@@ -18,6 +20,10 @@ const WAITING_PER_SENDER_MAX_JOBS: usize = 256;
 pub(super) enum Job {
     /// A change, with the tokens of what its sender locked.
     Save(Change, Vec<Token>, Answer),
+    /// A change that has to be made first, out of what was.
+    Make(Wish, Answer),
+    /// A version gets a name, or loses it.
+    Name(Naming, Answer),
     /// The behaviour goes to the bin; with who says so.
     Remove(String, Answer),
 }
@@ -26,13 +32,17 @@ impl Job {
     /// The link of who wants it; none is the server.
     fn sender(&self) -> Option<u64> {
         match self {
-            Self::Save(.., answer) | Self::Remove(_, answer) => answer.session(),
+            Self::Save(.., answer) | Self::Make(_, answer) | Self::Name(_, answer) | Self::Remove(_, answer) => {
+                answer.session()
+            }
         }
     }
 
     fn no(self, no: Refused) {
         match self {
-            Self::Save(.., answer) | Self::Remove(_, answer) => answer.no(no),
+            Self::Save(.., answer) | Self::Make(_, answer) | Self::Name(_, answer) | Self::Remove(_, answer) => {
+                answer.no(no)
+            }
         }
     }
 }
@@ -139,6 +149,13 @@ impl RoomTask {
         }
         match self.waiting.take() {
             Some(Job::Save(change, tokens, from)) => self.start_change(change, tokens, from),
+            Some(Job::Make(wish, from)) => {
+                let room = Arc::clone(&self.room);
+                self.saving = Saving::UnderWay(Box::pin(making::make(around, id, room, wish, from)));
+            }
+            Some(Job::Name(what, from)) => {
+                self.saving = Saving::UnderWay(Box::pin(naming::name(around, id, self.room.revision(), what, from)));
+            }
             Some(Job::Remove(by, from)) => {
                 self.stay = Stay::Leaving;
                 self.saving = Saving::UnderWay(Box::pin(saving::remove(around, id, by, from)));
@@ -179,6 +196,12 @@ impl RoomTask {
                 self.locks.saved(&op);
                 self.tell_locks();
             }
+            Saved::Made { outcome, from } => match *outcome {
+                Ok(Made::New(change, tokens)) => self.start_change(change, tokens, from),
+                Ok(Made::Known(accepted)) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
+                Err(no) => from.no(no),
+            },
+            Saved::Named { outcome, from } => self.named(outcome, from),
             Saved::CaughtUp(Ok(news)) => news.iter().for_each(|news| self.commit(news, None, None)),
             Saved::CaughtUp(Err(no)) => {
                 self.saving = Saving::Uncertain;

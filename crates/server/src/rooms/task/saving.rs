@@ -1,10 +1,11 @@
 //! Saving one change: what the store answers, and what that means for the room.
 
+use super::making::Made;
 use crate::rooms::Surroundings;
 use crate::rooms::member::Answer;
 use crate::support::store_call::{bounded, reason, store_no};
 use crate::support::workers::Sender;
-use behaviour::{Accepted, Behaviour, Change, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
+use behaviour::{Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
 use protocol::Refused;
 use std::sync::Arc;
 use store::{Append, StoreError};
@@ -20,6 +21,20 @@ pub(super) enum Saved {
         op: Id,
         /// What came of it.
         outcome: SaveOutcome,
+        /// Who asked.
+        from: Answer,
+    },
+    /// A change was made out of what was.
+    Made {
+        /// What came of it.
+        outcome: Box<Result<Made, Refused>>,
+        /// Who asked.
+        from: Answer,
+    },
+    /// The store was asked to keep the name of a version, or to let it go.
+    Named {
+        /// All names now.
+        outcome: Result<Checkpoints, Refused>,
         /// Who asked.
         from: Answer,
     },
@@ -183,10 +198,32 @@ async fn one(around: &Surroundings, id: &Id, revision: u64) -> Result<Accepted, 
 /// A change that the rules refuse may be one that was made long ago and is sent again: the store knows every op. Asked
 /// under revision 0, which is never the next one, it keeps nothing.
 async fn settle(around: &Surroundings, id: &Id, change: Change, refusal: Refusal) -> Result<Accepted, Refused> {
-    let probe = Committed { revision: 0, change };
-    match bounded(around.store.append(id, &probe, &Behaviour::default())).await {
+    match probe(around, id, change).await {
         Ok(Append::Duplicate { revision }) => one(around, id, revision).await,
         _ => Err(Refused::Change(refusal)),
+    }
+}
+
+/// Asks the store about an op; it keeps nothing.
+async fn probe(around: &Surroundings, id: &Id, change: Change) -> Result<Append, StoreError> {
+    bounded(around.store.append(id, &Committed { revision: 0, change }, &Behaviour::default())).await
+}
+
+/// The change of this name, if it was made; else the refusal that it met lately, if it did.
+pub(super) async fn known(around: &Surroundings, id: &Id, room: &Room, op: &Id) -> Result<Option<Accepted>, Refused> {
+    match room.answer(op) {
+        Some(Decision::Duplicate(revision)) => return one(around, id, revision).await.map(Some),
+        Some(Decision::Refuse(refusal)) => return Err(Refused::Change(refusal)),
+        Some(Decision::Save(_)) | None => {}
+    }
+    match probe(around, id, Change::of(op.clone(), "", "")).await {
+        Ok(Append::Duplicate { revision }) => one(around, id, revision).await.map(Some),
+        Ok(Append::Applied | Append::Conflict { .. }) => Ok(None),
+        Err(StoreError::Gone) => Err(Refused::Change(Refusal::Gone)),
+        Err(error) => {
+            around.health.failed(&error);
+            Err(store_no(&error))
+        }
     }
 }
 

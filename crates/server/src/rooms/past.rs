@@ -1,0 +1,68 @@
+//! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
+
+use behaviour::{Behaviour, Id, Token};
+use protocol::Person;
+use tokio::sync::OwnedSemaphorePermit;
+
+/// What somebody wants of the past of a behaviour.
+pub(crate) enum Past {
+    /// A page of its history, before a revision if one is said.
+    History(Option<u64>),
+    /// The behaviour as it was after a revision.
+    At(u64),
+    /// A change that comes of the past.
+    Wish(Wish),
+    /// A name for a version, or none any more.
+    Name(Naming),
+}
+
+/// A change that the server makes for somebody out of what was.
+pub(crate) struct Wish {
+    /// The name of the change.
+    pub(crate) op: Id,
+    /// Who wants it.
+    pub(crate) who: Person,
+    /// Of the locks that they hold.
+    pub(crate) tokens: Vec<Token>,
+    /// What shall come of it.
+    pub(crate) what: Wanted,
+}
+
+/// What shall come of a wish.
+pub(crate) enum Wanted {
+    /// Their last change is taken back.
+    Undo,
+    /// What they took back last is done again.
+    Redo,
+    /// The behaviour is again what it was after this revision, which they call so.
+    GoBack(u64, String),
+    /// The behaviour is again what it was.
+    Again(Box<Was>),
+    /// What the change of this revision removed is there again.
+    BringBack(u64),
+}
+
+/// A behaviour as it was.
+pub(crate) struct Was {
+    /// Its records then.
+    pub(crate) behaviour: Behaviour,
+    /// What going back there is called.
+    pub(crate) label: String,
+    /// The turn in which it was found: few are kept at once.
+    pub(crate) _turn: Option<OwnedSemaphorePermit>,
+}
+
+/// What becomes of a name.
+pub(crate) enum Naming {
+    /// A revision gets it.
+    Name {
+        /// Which revision.
+        revision: u64,
+        /// Its name.
+        name: String,
+        /// The name of who says so.
+        by: String,
+    },
+    /// It goes.
+    Unname(String),
+}

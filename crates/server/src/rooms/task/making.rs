@@ -1,0 +1,117 @@
+//! Changes that come of the past: what somebody takes back, does again, goes back to or brings back. Each is made here and
+//! then decided about like any other.
+
+use super::replay::{newest, one};
+use super::saving::{Saved, known};
+use crate::rooms::Surroundings;
+use crate::rooms::member::Answer;
+use crate::rooms::past::{Wanted, Was, Wish};
+use crate::support::workers::Sender;
+use behaviour::{Accepted, Change, Id, NAME_MAX_CHARS, Refusal, Room, Token, UndoLog, what_went};
+use protocol::{Person, Refused};
+use std::sync::Arc;
+
+/// The newest changes that undo reads.
+const UNDO_MAX_CHANGES: usize = 512;
+/// All of them together, in bytes.
+const UNDO_MAX_BYTES: usize = 2 << 20;
+/// What going back may change at once, in bytes of all that it takes and puts.
+const GO_BACK_MAX_BYTES: usize = 1 << 20;
+
+/// What came of a wish.
+pub(super) enum Made {
+    /// A change to decide about, with the tokens of who wants it.
+    New(Change, Vec<Token>),
+    /// It was made before.
+    Known(Accepted),
+}
+
+/// Makes the change that somebody wishes.
+pub(super) async fn make(around: Arc<Surroundings>, id: Id, room: Arc<Room>, wish: Wish, from: Answer) -> Saved {
+    let outcome = match known(&around, &id, &room, &wish.op).await {
+        Ok(None) => new(&around, &id, room, wish, &from).await,
+        Ok(Some(accepted)) => Ok(Made::Known(accepted)),
+        Err(no) => Err(no),
+    };
+    Saved::Made { outcome: Box::new(outcome), from }
+}
+
+async fn new(around: &Surroundings, id: &Id, room: Arc<Room>, wish: Wish, from: &Answer) -> Result<Made, Refused> {
+    let Wish { op, who, tokens, what } = wish;
+    let (sender, mine) = (from.session().map_or(Sender::Server, Sender::Link), who.clone());
+    let change = match what {
+        Wanted::Undo | Wanted::Redo => {
+            undo(around, id, room, (op, mine.client, matches!(what, Wanted::Redo)), sender).await
+        }
+        Wanted::Again(was) => go_back(around, room, start(op, &mine), was, sender).await,
+        Wanted::BringBack(revision) => bring_back(around, id, room, (start(op, &mine), revision), sender).await,
+        Wanted::GoBack(..) => Err(Refused::NoVersion),
+    }?;
+    let change = Change { author: who.name, by: Some(who.client), ..change };
+    Ok(Made::New(change, tokens))
+}
+
+fn start(op: Id, who: &Person) -> Change {
+    Change::of(op, &who.name, "")
+}
+
+/// A label that is not too long.
+pub(super) fn label(text: &str) -> String {
+    text.chars().take(NAME_MAX_CHARS).collect()
+}
+
+async fn undo(
+    around: &Surroundings,
+    id: &Id,
+    room: Arc<Room>,
+    (op, by, again): (Id, Id, bool),
+    sender: Sender,
+) -> Result<Change, Refused> {
+    let _turn = around.lookups.turn().await;
+    let log = newest(around, id, room.revision(), UNDO_MAX_CHANGES, UNDO_MAX_BYTES).await?;
+    let find = move |_: &_| {
+        let log = UndoLog::of(&log);
+        if again { log.redo(&by, op, &room) } else { log.undo(&by, op, &room) }
+    };
+    around.workers.run(sender, find).await?.map_err(Refused::Change)
+}
+
+async fn go_back(
+    around: &Surroundings,
+    room: Arc<Room>,
+    start: Change,
+    was: Box<Was>,
+    sender: Sender,
+) -> Result<Change, Refused> {
+    let compare = move |_: &_| {
+        let change = room.go_back(&was.behaviour, Change { label: was.label, ..start });
+        let bytes = change.bytes();
+        (change, bytes)
+    };
+    match around.workers.run(sender, compare).await? {
+        (change, _) if change.edits.is_empty() => Err(Refused::Change(Refusal::Edits(0))),
+        (_, bytes) if bytes > GO_BACK_MAX_BYTES => Err(Refused::FarBack),
+        (change, _) => Ok(change),
+    }
+}
+
+async fn bring_back(
+    around: &Surroundings,
+    id: &Id,
+    room: Arc<Room>,
+    (start, revision): (Change, u64),
+    sender: Sender,
+) -> Result<Change, Refused> {
+    if !(1..=room.revision()).contains(&revision) {
+        return Err(Refused::NoVersion);
+    }
+    let (turn, knowing) = (around.lookups.turn().await, Arc::clone(&around.knowing));
+    let removal = one(around, id, revision).await?.change;
+    drop(turn);
+    let find = move |_: &_| {
+        let what = what_went(&removal).unwrap_or_else(|| format!("what was removed: {}", removal.label));
+        let start = Change { label: label(&format!("Bring back {what}")), ..start };
+        room.bring_back(&removal, start, &knowing.within_budget())
+    };
+    around.workers.run(sender, find).await?.map_err(Refused::Change)?.ok_or(Refused::NothingGone)
+}

@@ -1,0 +1,143 @@
+//! What people read of the past of a behaviour, beside all that goes on in its room.
+
+use super::jobs::Job;
+use super::making::label;
+use super::replay::{PAGE_MAX_CHANGES, page, replay};
+use super::{RoomTask, Stay};
+use crate::rooms::member::{Answer, Whole};
+use crate::rooms::past::{Past, Wanted, Was, Wish};
+use crate::rooms::{Note, Surroundings};
+use crate::support::workers::Sender;
+use behaviour::{Committed, Id, Kind, Room, without_unseen};
+use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply};
+use std::sync::{Arc, Weak};
+
+/// The lines of one page of a history, in bytes of their texts; a longer one is alone.
+const LINES_MAX_BYTES: usize = 64 << 10;
+
+impl RoomTask {
+    /// Does what somebody wants of the past.
+    pub(super) fn past(&mut self, past: Past, answer: Answer) {
+        if self.stay == Stay::Gone {
+            return answer.no(Refused::NoBehaviour);
+        }
+        match past {
+            Past::History(before) => self.history(before, answer),
+            Past::At(revision) => self.at(revision, answer),
+            Past::Wish(Wish { op, who, tokens, what: Wanted::GoBack(revision, called) }) => {
+                let label = self.back_to(revision, &called);
+                self.find_was(revision, label, move |was| Wish { op, who, tokens, what: Wanted::Again(was) }, answer);
+            }
+            Past::Wish(wish) => self.wait(Job::Make(wish, answer)),
+            Past::Name(_) if self.is_library() => answer.no(Refused::NoBehaviour),
+            Past::Name(naming) => self.wait(Job::Name(naming, answer)),
+        }
+    }
+
+    fn history(&self, before: Option<u64>, answer: Answer) {
+        let (around, id, now) = (Arc::clone(&self.around), self.id.clone(), self.room.revision());
+        let to = before.map_or(now, |before| now.min(before.saturating_sub(1)));
+        self.around.tasks.spawn(async move {
+            let _turn = around.lookups.turn().await;
+            if answer.is_unwanted() {
+                return;
+            }
+            match lines(&around, &id, to).await {
+                Ok((lines, more)) => answer.give(Reply::History { behaviour: id, lines, more }),
+                Err(no) => answer.no(no),
+            }
+        });
+    }
+
+    /// One after the other: each takes as much memory as the behaviour until it is shown.
+    fn at(&self, revision: u64, answer: Answer) {
+        let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
+        self.around.tasks.spawn(async move {
+            let _turn = around.replays.turn().await;
+            if answer.is_unwanted() {
+                return;
+            }
+            match at(&around, &id, room, revision, &answer).await {
+                Ok(whole) => answer.show(whole),
+                Err(no) => answer.no(no),
+            }
+        });
+    }
+
+    /// Finds what there was, beside all that goes on; then it is the room's turn.
+    fn find_was(
+        &self,
+        revision: u64,
+        label: String,
+        wish: impl FnOnce(Box<Was>) -> Wish + Send + 'static,
+        answer: Answer,
+    ) {
+        let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
+        let rooms = self.rooms.clone();
+        self.around.tasks.spawn(async move {
+            let turn = around.replays.turn().await;
+            match replay(&around, &id, room, revision, &sender(&answer), || answer.is_unwanted()).await {
+                Ok(behaviour) => {
+                    let was = Box::new(Was { behaviour, label, _turn: turn });
+                    rooms.tell(&id, Note::Past(Past::Wish(wish(was)), answer));
+                }
+                Err(no) => answer.no(no),
+            }
+        });
+    }
+
+    /// What going back is called: by the name of the version, else as its author calls it.
+    fn back_to(&self, revision: u64, called: &str) -> String {
+        let named = self.versions.all().iter().rev().find(|one| one.revision == revision);
+        let called = without_unseen(called.trim());
+        label(&match named {
+            Some(version) => format!("Go back to “{}”", version.name),
+            None if called.is_empty() => format!("Go back to version {revision}"),
+            None => format!("Go back to {called}"),
+        })
+    }
+}
+
+fn sender(answer: &Answer) -> Sender {
+    answer.session().map_or(Sender::Server, Sender::Link)
+}
+
+async fn at(around: &Surroundings, id: &Id, room: Arc<Room>, revision: u64, answer: &Answer) -> Result<Whole, Refused> {
+    let sender = sender(answer);
+    let was = replay(around, id, room, revision, &sender, || answer.is_unwanted()).await?;
+    let room = around.workers.run(sender, move |_| Arc::new(Room::open(was, revision))).await?;
+    let reply = Reply::At { behaviour: id.clone(), revision, records: Box::default(), more: false };
+    Ok(Whole { reply, shown: around.past_shown.show(&room, &Weak::new()) })
+}
+
+/// A page of lines up to a revision, newest first, and whether there are older ones.
+async fn lines(around: &Surroundings, id: &Id, mut to: u64) -> Result<(Vec<HistoryLine>, bool), Refused> {
+    let (mut lines, mut bytes) = (Vec::new(), 0);
+    while to > 0 {
+        for made in page(around, id, to.saturating_sub(PAGE_MAX_CHANGES), to).await?.into_iter().rev() {
+            bytes += made.change.label.len() + made.change.author.len();
+            if lines.len() >= HISTORY_MAX_LINES || (bytes > LINES_MAX_BYTES && !lines.is_empty()) {
+                return Ok((lines, true));
+            }
+            lines.push(line(made));
+        }
+        to = to.saturating_sub(PAGE_MAX_CHANGES);
+    }
+    Ok((lines, false))
+}
+
+fn line(made: Committed) -> HistoryLine {
+    let Committed { revision, change } = made;
+    let is_thing = |kind| matches!(kind, Kind::Stream | Kind::Connector | Kind::Helper);
+    let removes = change.edits.iter().any(|edit| edit.after.is_none() && is_thing(edit.id.kind));
+    HistoryLine {
+        revision,
+        op: change.op,
+        author: change.author,
+        by: change.by,
+        label: change.label,
+        at_ms: change.at_ms,
+        undoes: change.undoes,
+        removes,
+    }
+}
