@@ -5,6 +5,7 @@ mod cull;
 mod curve;
 mod hand;
 mod keys;
+mod marks;
 mod menu;
 mod node;
 mod people;
@@ -25,6 +26,7 @@ use crate::panels::EmptyStage;
 use crate::words;
 use chip::{Chip, Edge};
 use leptos::prelude::*;
+use marks::Shadows;
 use node::StreamNode;
 use people::Pointers;
 use strip::Strip;
@@ -78,6 +80,7 @@ pub(crate) fn Canvas() -> impl IntoView {
         >
             <div class="world" style:transform=move || transform.transform()>
                 <Edges />
+                <Shadows />
                 <Streams />
                 <Chips />
                 <Pointers />

@@ -12,7 +12,8 @@ mod robots;
 mod tab;
 
 pub(crate) use document::{
-    Asking, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, StreamSignals, Writing,
+    Asking, Compared, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, StreamSignals,
+    Version, Writing, bare,
 };
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
@@ -72,6 +73,15 @@ impl Desk {
         crate::browser::every(500, move || robots.tick());
         let document = self.document.clone();
         crate::browser::every(500, move || document.tick_lock());
+    }
+
+    /// Takes back this person's last change, or the removal of the program that was open.
+    pub(crate) fn undo(&self) {
+        let gone = self.library.gone.get_untracked();
+        match gone.filter(|_| self.document.open.with_untracked(Option::is_none)) {
+            Some(gone) => self.library.bring_back(&gone),
+            None => self.document.undo(),
+        }
     }
 
     /// Hands on what the document tells.

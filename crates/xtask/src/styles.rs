@@ -9,7 +9,7 @@ const FOLDER: &str = "styles/";
 const SHEET: &str = "page.css";
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.
-const ORDER: [&str; 37] = [
+const ORDER: [&str; 39] = [
     "tokens",
     "base",
     "frame",
@@ -20,6 +20,7 @@ const ORDER: [&str; 37] = [
     "running",
     "recordings",
     "panels",
+    "history",
     "room",
     "controls",
     "code",
@@ -43,6 +44,7 @@ const ORDER: [&str; 37] = [
     "live_values",
     "chips",
     "people",
+    "marks",
     "far",
     "strip",
     "zoom",

@@ -2,6 +2,7 @@
 
 use super::Stage;
 use super::curve::{chip_place, curves};
+use super::marks::{Mark, marked};
 use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo};
 use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
@@ -86,6 +87,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     };
     let ring = unused.clone();
     let editor = editor_memo(&stage, &id);
+    let mark = marked(&desk, &RecordId::new(Kind::Connector, &id));
+    let differs = mark.clone();
     let locked = editor.clone();
     let said = said_memo(&desk, &id, &signals, &unused);
     let tells = said.clone();
@@ -111,7 +114,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             aria-label=move || {
                 let editor = editor.get();
                 let name = label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)));
-                words::with_editor(name, editor.as_deref())
+                let name = words::with_editor(name, editor.as_deref());
+                words::with_mark(name, differs.get().map(|mark| mark.text).as_deref())
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
@@ -128,6 +132,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
+            <Mark marked=mark />
             <OthersRing id=id.clone() />
             <Bubble id=id said=said />
         </div>

@@ -1,6 +1,7 @@
 //! One stream: its shape, its name, what happens on it now.
 
 use super::Stage;
+use super::marks::{Mark, marked};
 use super::stage::Edited;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
@@ -49,6 +50,8 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     let problem = problem_memo(&desk, RecordId::new(Kind::Stream, &id));
     let troubles = problem.clone();
     let editor = editor_memo(&stage, &id);
+    let mark = marked(&desk, &RecordId::new(Kind::Stream, &id));
+    let differs = mark.clone();
     view! {
         <div
             class=move || format!("at {}", kind_class(at_kind.with(|stream| stream.kind)))
@@ -64,7 +67,8 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             aria-label=move || {
                 let editor = editor.get();
                 let name = by_label.with(|stream| words::stream_name(&stream.name, &what_it_is(stream), stream.kind));
-                words::with_editor(name, editor.as_deref())
+                let name = words::with_editor(name, editor.as_deref());
+                words::with_mark(name, differs.get().map(|mark| mark.text).as_deref())
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
@@ -79,6 +83,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             </span>
         </div>
             <ProblemBadge problem=problem />
+            <Mark marked=mark />
             <OthersRing id=id.clone() />
             <LiveValue id=id.clone() signals=signals />
         </div>
@@ -86,7 +91,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     .into_any()
 }
 
-fn kind_class(kind: StreamKind) -> &'static str {
+pub(super) fn kind_class(kind: StreamKind) -> &'static str {
     match kind {
         StreamKind::Sensor => "sensor",
         StreamKind::Ordinary => "ordinary",

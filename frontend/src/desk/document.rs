@@ -24,7 +24,7 @@ mod versions;
 pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
-pub(crate) use history::History;
+use history::History;
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
 pub(crate) use steps::bare;

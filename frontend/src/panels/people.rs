@@ -46,7 +46,7 @@ fn Avatar(name: String, color: u8, is_me: bool) -> impl IntoView {
 }
 
 /// Two letters for a name: "AK" for Aiko, "YT" for Yuki Tanaka.
-fn initials(name: &str) -> String {
+pub(super) fn initials(name: &str) -> String {
     let mut words = name.split_whitespace().filter_map(|word| word.chars().next());
     let letters: String = match (words.next(), words.next_back()) {
         (Some(first), Some(last)) => [first, last].into_iter().collect(),

@@ -1,5 +1,9 @@
 //! The page in English.
 
+mod history;
+
+pub(crate) use history::*;
+
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;

@@ -192,7 +192,10 @@ mod tests {
     #[test]
     fn one_is_under_way_and_a_broken_link_sends_it_again() {
         let mut queue = Queue::default();
-        assert!(queue.push(id("b"), change("one", "1"), Way::Propose) && queue.push(id("b"), change("two", "2"), Way::Propose));
+        assert!(
+            queue.push(id("b"), change("one", "1"), Way::Propose)
+                && queue.push(id("b"), change("two", "2"), Way::Propose)
+        );
         assert_eq!(queue.send_next().unwrap().change.op, id("one"));
         assert_eq!(queue.send_next(), None);
         queue.link_lost();
@@ -269,12 +272,9 @@ mod tests {
         let first = change("one", "1");
         let undo = first.swapped(id("undo"), "");
         let redo = undo.swapped(id("redo"), "");
-        for (change, way) in [
-            (first, Way::Propose),
-            (undo, Way::TakeBack),
-            (change("two", "2"), Way::Propose),
-            (redo, Way::DoAgain),
-        ] {
+        for (change, way) in
+            [(first, Way::Propose), (undo, Way::TakeBack), (change("two", "2"), Way::Propose), (redo, Way::DoAgain)]
+        {
             queue.push(id("b"), change, way);
         }
         queue.answered(&id("one"));

@@ -1,8 +1,8 @@
 //! What the server says of the open behaviour.
 
 use super::Document;
-use crate::desk::tab::set_if_new;
-use crate::link;
+use crate::desk::tab::{Gone, set_if_new};
+use crate::{link, words};
 use behaviour::{Accepted, Behaviour, Id, Kind, Problem};
 use leptos::prelude::*;
 use protocol::{Person, Request};
@@ -109,7 +109,8 @@ impl Document {
         self.close_program();
         self.forget_waiting(id);
         if !mine {
-            self.tab.say(&format!("{by} removed “{name}”. Choose another program."), false);
+            let gone = Gone { id: id.clone(), name };
+            self.tab.say_gone(&words::program_removed_by(by, &gone.name), gone);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Document;
 use super::queue::Way;
-use crate::desk::tab::{new_id, set_if_new};
+use crate::desk::tab::set_if_new;
 use crate::link::{self, NoAnswer};
 use behaviour::{Behaviour, Change, Checkpoint, Comparison, Id, RecordId};
 use leptos::prelude::*;
