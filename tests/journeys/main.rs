@@ -6,6 +6,7 @@ mod disk_full;
 mod edits;
 mod graph_database;
 mod help;
+mod history;
 mod library;
 mod locks;
 mod order;

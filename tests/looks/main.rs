@@ -2,6 +2,7 @@
 
 mod axe;
 mod graphs;
+mod history;
 mod load;
 mod locks;
 mod rules;

@@ -29,7 +29,6 @@ sentences! {
     today: "Today";
     yesterday: "Yesterday";
     is_new: "new";
-    was_removed: "removed";
     other_order: "in another order";
     program_name: "Name of the program";
     a_note: "Note";
