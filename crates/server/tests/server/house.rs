@@ -29,11 +29,20 @@ impl House {
         Self::on(Arc::new(store::open(folder).await.unwrap())).await
     }
 
+    /// On a store, with a data folder beside it.
+    pub(crate) async fn beside(store: Arc<dyn Store>, data: &Path) -> Self {
+        Self::with(store, Some(data)).await
+    }
+
     pub(crate) async fn on(store: Arc<dyn Store>) -> Self {
+        Self::with(store, None).await
+    }
+
+    async fn with(store: Arc<dyn Store>, data: Option<&Path>) -> Self {
         let (stop, stopped) = oneshot::channel::<()>();
         let (tell, ready) = oneshot::channel();
         let listen = "127.0.0.1:0".parse().unwrap();
-        let config = Config { listen, store: "unused".into(), data: None, seed: 1, page: |_| None };
+        let config = Config { listen, store: "unused".into(), data: data.map(Path::to_owned), seed: 1, page: |_| None };
         let serving = tokio::spawn(async move {
             let stopped = async { drop(stopped.await) };
             serve_with(store, config, |address| tell.send(address).unwrap(), stopped).await.unwrap();

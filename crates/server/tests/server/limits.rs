@@ -48,7 +48,7 @@ fn edit(id: &RecordId, record: &Record) -> behaviour::Edit {
 }
 
 /// A library of 3 MB and a behaviour of 7 MB, as they could be made before there were bounds.
-async fn too_large() -> House {
+pub(crate) async fn too_large() -> House {
     let store = MemoryStore::default();
     let helpers = (0..1_100).map(|at| (key(Kind::Helper, at), helper(at, &body(3_000))));
     keep(&store, &id(LIBRARY), helpers.collect()).await;

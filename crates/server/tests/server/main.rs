@@ -3,6 +3,8 @@
 
 mod console;
 mod edits;
+mod history;
+mod history_limits;
 mod house;
 mod http;
 mod limits;

@@ -8,16 +8,22 @@ use behaviour::{Behaviour, Checkpoint, Committed, Id, Kind, Note, Record, Record
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Reply, Request};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Used};
 use tokio_tungstenite::tungstenite::Message;
 
+/// How often others get their turn while something is looked up in a history.
+const LOOK_TURNS: usize = 200;
+
 /// A store that can be made to hang.
 #[derive(Default)]
-struct Hanging {
+pub(crate) struct Hanging {
     inside: MemoryStore,
     hangs: AtomicBool,
+    /// Lookups in a history that are under way, and the most that ever were.
+    looking: AtomicUsize,
+    pub(crate) looked_most: AtomicUsize,
 }
 
 impl Hanging {
@@ -43,7 +49,14 @@ impl Store for Hanging {
     }
 
     async fn history(&self, behaviour: &Id, since: u64, most: u32) -> Result<Vec<Committed>, StoreError> {
+        let looking = self.looking.fetch_add(1, Ordering::SeqCst) + 1;
+        self.looked_most.fetch_max(looking, Ordering::SeqCst);
+        // Whatever may go on meanwhile does.
+        for _ in 0..LOOK_TURNS {
+            tokio::task::yield_now().await;
+        }
         self.wait().await;
+        self.looking.fetch_sub(1, Ordering::SeqCst);
         self.inside.history(behaviour, since, most).await
     }
     async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
