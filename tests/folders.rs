@@ -8,8 +8,12 @@ use house::{Outcome, Trouble};
 /// A folder or file at the top of a crate, and what of the crate it may use.
 type Arrows<'a> = &'a [(&'a str, &'a [&'a str])];
 
-/// Every crate whose folders are held to this, with all that is at its top.
-const CRATES: &[(&str, Arrows)] = &[("crates/engine/src", ENGINE), ("crates/server/src", SERVER)];
+/// Every crate, or part of one, whose folders are held to this: where it is, its path in code, and all that is at its top.
+const CRATES: &[(&str, &str, Arrows)] = &[
+    ("crates/engine/src", "crate::", ENGINE),
+    ("crates/server/src", "crate::", SERVER),
+    ("frontend/src/desk", "crate::desk::", DESK),
+];
 
 const ENGINE: Arrows = &[
     ("run", &["cost", "faults", "procedure", "program", "timeline", "values"]),
@@ -37,10 +41,20 @@ const SERVER: Arrows = &[
     ("words", &["http", "library", "recordings", "robots", "rooms", "serve"]),
 ];
 
+const DESK: Arrows = &[
+    ("hear", &["identity"]),
+    ("robots", &["document", "library", "tab"]),
+    ("library", &["document", "tab"]),
+    ("document", &["tab"]),
+    ("identity", &[]),
+    ("tab", &[]),
+];
+
 #[test]
 fn folders_use_only_the_folders_below_them() -> Outcome<()> {
-    for (root, table) in CRATES {
-        let (allowed, found) = (BTreeMap::from_iter(table.iter().copied()), arrows(&Source::below(root)?, root));
+    for (root, inside, table) in CRATES {
+        let (allowed, found) =
+            (BTreeMap::from_iter(table.iter().copied()), arrows(&Source::below(root)?, root, inside));
         let mut wrong = Vec::new();
         for (from, uses) in &found {
             match allowed.get(from.as_str()) {
@@ -59,8 +73,8 @@ fn folders_use_only_the_folders_below_them() -> Outcome<()> {
 
 #[test]
 fn no_circle_is_between_folders() -> Outcome<()> {
-    for (root, _) in CRATES {
-        let found = arrows(&Source::below(root)?, root);
+    for (root, inside, _) in CRATES {
+        let found = arrows(&Source::below(root)?, root, inside);
         let graph: Graph = found.into_iter().map(|(from, uses)| (from, uses.into_keys().collect())).collect();
         none(&format!("folders of {root} that use each other"), &in_circles(&graph))?;
     }
@@ -70,7 +84,7 @@ fn no_circle_is_between_folders() -> Outcome<()> {
 #[test]
 fn every_folder_says_what_it_is_for() -> Outcome<()> {
     let mut wrong = Vec::new();
-    for (root, table) in CRATES {
+    for (root, _, table) in CRATES {
         for (name, _) in *table {
             let path = house::root().join(root).join(format!("{name}.rs"));
             let text = std::fs::read_to_string(&path)?;
@@ -85,8 +99,9 @@ fn every_folder_says_what_it_is_for() -> Outcome<()> {
 /// What uses what.
 type Graph = BTreeMap<String, BTreeSet<String>>;
 
-/// For each folder or file at the top of a crate what else of the crate its product code names, and where first.
-fn arrows(files: &[Source], root: &str) -> BTreeMap<String, BTreeMap<String, String>> {
+/// For each folder or file at the top of a crate, which its code calls `inside`, what else of it its product code names,
+/// and where first.
+fn arrows(files: &[Source], root: &str, inside: &str) -> BTreeMap<String, BTreeMap<String, String>> {
     let tops: BTreeSet<&str> = files.iter().filter_map(|file| top(&file.path, root)).collect();
     let mut found: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
     for file in files.iter().filter(|file| !file.is_test()) {
@@ -95,7 +110,7 @@ fn arrows(files: &[Source], root: &str) -> BTreeMap<String, BTreeMap<String, Str
         let code = file.code();
         // From a file at the top, the crate is just above.
         let above = format!("{root}/{from}.rs") == file.path;
-        let words: &[&str] = if above { &["crate::", "super::"] } else { &["crate::"] };
+        let words: &[&str] = if above { &[inside, "super::"] } else { &[inside] };
         for (at, name) in words.iter().flat_map(|word| named(&code, word)) {
             if name != from && tops.contains(name) {
                 let line = code[..at].matches('\n').count() + 1;
@@ -194,10 +209,13 @@ fn arrows_are_read_from_the_sources() {
         file("d/tests.rs", "use crate::a;"),
         file("lib.rs", "use crate::a;"),
     ];
-    let found = arrows(&files, "x/src");
+    let found = arrows(&files, "x/src", "crate::");
     let uses = |from: &str| found[from].keys().map(String::as_str).collect::<Vec<_>>();
     assert_eq!((uses("a"), uses("b")), (vec!["b", "d"], vec!["d"]));
     assert_eq!(found["a"]["b"], "x/src/a.rs:3: a uses b");
+    let part = [file("a.rs", "use crate::desk::b::C;\nuse crate::d;"), file("b.rs", "use super::d;"), file("d.rs", "")];
+    let found = arrows(&part, "x/src", "crate::desk::");
+    assert!(found["a"].keys().eq(["b"]) && found["b"].keys().eq(["d"]), "a part of a crate: {found:?}");
 }
 
 #[test]

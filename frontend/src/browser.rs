@@ -43,6 +43,15 @@ pub(crate) fn ahead_ms(ms: f64) -> f64 {
     if cfg!(target_arch = "wasm32") { -60_000.0 * js_sys::Date::new(&ms.into()).get_timezone_offset() } else { 0.0 }
 }
 
+/// A time since 1970 as the time of day, in words: `14:20`.
+pub(crate) fn clock_words(ms: f64) -> String {
+    let options = js_sys::Object::new();
+    for part in ["hour", "minute"] {
+        let _ = js_sys::Reflect::set(&options, &part.into(), &"2-digit".into());
+    }
+    js_sys::Date::new(&ms.into()).to_locale_time_string_with_options("en-GB", &options).into()
+}
+
 /// A number from 0 to 1.
 pub(crate) fn random() -> f64 {
     if cfg!(target_arch = "wasm32") { js_sys::Math::random() } else { 0.5 }

@@ -12,8 +12,8 @@ mod robots;
 mod tab;
 
 pub(crate) use document::{
-    Asking, Compared, ConnectPlan, ConnectorSignals, Editor, Output, Own, Reading, Saving, Selected, StreamSignals,
-    Version, Writing, bare,
+    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected,
+    StreamSignals, Version, Writing, bare, draft_key,
 };
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
@@ -66,6 +66,7 @@ impl Desk {
     /// Connects, and opens what the address or this browser remembers.
     pub(crate) fn start_up(&self) {
         self.document.restore_queue();
+        self.document.restore_conflicts();
         self.library.hear_drops();
         self.document.follow_address();
         crate::link::start(self.clone());

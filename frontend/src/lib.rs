@@ -3,6 +3,7 @@
 
 mod browser;
 mod canvas;
+mod carries;
 mod desk;
 mod fields;
 mod icons;

@@ -11,8 +11,9 @@ use std::collections::BTreeMap;
 
 /// The first and the longest wait before the next try, in milliseconds.
 const BACK_OFF_MS: [f64; 2] = [250.0, 8_000.0];
-/// Without a word from the server for so long the link counts as lost.
-const SILENCE_MS: f64 = 6_000.0;
+/// Without a word from the server for so long the link counts as lost, in milliseconds; with the next look that is known
+/// within six seconds.
+const SILENCE_MS: f64 = 5_700.0;
 /// How often it is looked whether the server still speaks, in milliseconds.
 const LISTEN_MS: i32 = 200;
 

@@ -69,10 +69,9 @@ async fn what_one_edits_others_read_until_it_is_handed_over() -> Outcome<()> {
     aiko.press("button", "Go on editing").await?;
     may_write(&aiko, true).await?;
     assert_eq!(body(&aiko).await?, "2 + 2");
-    let dialog = aiko.within("dialog", "Operation");
-    dialog.press("button", "Save").await?;
-    says(&aiko, "Somebody changed").await?;
-    save(&aiko, "Operation").await?;
+    aiko.within("dialog", "Operation").press("button", "Save").await?;
+    aiko.within("dialog", "Ben changed this map too").press("button", "Keep mine").await?;
+    aiko.gone("dialog", "Ben changed this map too").await?;
     ben.find("button", "map (2 + 2), connector*").await?;
     calm(&ben)?;
     calm(&aiko)

@@ -2,12 +2,14 @@
 
 mod apply;
 mod away;
+mod conflicts;
 mod disk_full;
 mod edits;
 mod graph_database;
 mod help;
 mod history;
 mod library;
+mod link;
 mod locks;
 mod order;
 mod quick;

@@ -1,6 +1,6 @@
 //! What people do again and again, in their own words.
 
-use house::{Browser, Outcome, Page, Server};
+use house::{Browser, Outcome, Page, Server, Switch};
 use std::path::Path;
 use tempfile::TempDir;
 
@@ -195,33 +195,4 @@ pub(crate) fn calm(page: &Page) -> Outcome<()> {
 /// As `calm`, after the server went away: then the browser itself tells that it cannot connect.
 pub(crate) fn calm_but_lost(page: &Page) -> Outcome<()> {
     page.no_errors_but(&["WebSocket", "ERR_CONNECTION_REFUSED"])
-}
-
-/// Cuts the socket of a page, and lets it come back; the rest of the network stays.
-pub(crate) struct Switch<'a>(&'a Page);
-
-impl<'a> Switch<'a> {
-    /// Takes hold of the sockets of whatever is opened next.
-    pub(crate) async fn install(page: &'a Page) -> Outcome<Self> {
-        let source = "const Real = WebSocket; globalThis.sockets = [];
-            globalThis.WebSocket = class extends Real {
-                constructor(...of) {
-                    if (globalThis.isCut) throw new Error('cut');
-                    super(...of);
-                    globalThis.sockets.push(this);
-                }
-            };";
-        let asked = serde_json::json!({ "source": source });
-        page.call("Page.enable", serde_json::json!({})).await?;
-        page.call("Page.addScriptToEvaluateOnNewDocument", asked).await?;
-        Ok(Self(page))
-    }
-
-    pub(crate) async fn cut(&self) -> Outcome<()> {
-        self.0.eval("globalThis.isCut = true; globalThis.sockets.forEach(socket => socket.close()); 0").await.map(drop)
-    }
-
-    pub(crate) async fn mend(&self) -> Outcome<()> {
-        self.0.eval("globalThis.isCut = false; dispatchEvent(new Event('online')); 0").await.map(drop)
-    }
 }

@@ -50,62 +50,6 @@ pub(crate) async fn add_map(page: &Page) -> Outcome<()> {
 }
 
 #[tokio::test]
-async fn a_stale_edit_is_refused_and_its_draft_stays() -> Outcome<()> {
-    if !skip::ready("journey: a stale edit") {
-        return Ok(());
-    }
-    let stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    let socket = stage.enter_with_switch(&aiko).await?;
-    add_map(&aiko).await?;
-    let ben = stage.beside(&aiko, "ben").await?;
-    socket.cut().await?;
-    says(&aiko, "Offline").await?;
-    write_body(&aiko, "map (1), connector*", "2 + 2").await?;
-    write_body(&ben, "map (1), connector*", "3").await?;
-    save(&ben, "Operation").await?;
-    socket.mend().await?;
-    silent(&aiko, "Offline").await?;
-    aiko.find("button", "map (3), connector*").await?;
-    let dialog = aiko.within("dialog", "Operation");
-    dialog.press("button", "Save").await?;
-    let sentence = dialog.text("alert", "").await?;
-    assert!(sentence.starts_with("Somebody changed") && sentence.ends_with("try again."), "{sentence}");
-    assert_eq!(dialog.text("textbox", "Body").await?, "2 + 2");
-    aiko.find("button", "map (3), connector*").await?;
-    calm(&ben)
-}
-
-#[tokio::test]
-async fn an_edit_without_connection_that_comes_too_late_is_kept_as_a_draft() -> Outcome<()> {
-    if !skip::ready("journey: a late edit") {
-        return Ok(());
-    }
-    let stage = Stage::set().await?;
-    let aiko = stage.nobody("aiko").await?;
-    let socket = stage.enter_with_switch(&aiko).await?;
-    add_map(&aiko).await?;
-    let ben = stage.beside(&aiko, "ben").await?;
-    socket.cut().await?;
-    says(&aiko, "Offline").await?;
-    write_body(&aiko, "map (1), connector*", "2 + 2").await?;
-    aiko.within("dialog", "Operation").press("button", "Save").await?;
-    aiko.gone("dialog", "Operation").await?;
-    aiko.find("button", "map (2 + 2), connector*").await?;
-    says(&aiko, "Offline: 1 change waits here").await?;
-    write_body(&ben, "map (1), connector*", "3").await?;
-    save(&ben, "Operation").await?;
-    socket.mend().await?;
-    says(&aiko, "Somebody changed").await?;
-    aiko.find("button", "map (3), connector*").await?;
-    aiko.press("button", "map (3), connector*").await?;
-    next(&aiko, "map", "Edit").await?;
-    says(&aiko, "This is your unsaved draft.").await?;
-    assert_eq!(aiko.within("dialog", "Operation").text("textbox", "Body").await?, "2 + 2");
-    calm(&ben)
-}
-
-#[tokio::test]
 async fn what_is_done_offline_is_sent_later() -> Outcome<()> {
     if !skip::ready("journey: offline") {
         return Ok(());

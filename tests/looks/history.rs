@@ -33,7 +33,7 @@ async fn axe_finds_nothing_in_the_history() -> Outcome<()> {
     changes(aiko, &yuki).await?;
     found.extend(look(aiko, "history").await?);
     aiko.press("button", "Before group B *").await?;
-    aiko.until("document.querySelectorAll('.mark.on-graph').length > 2", "the graph is marked").await?;
+    aiko.until("document.querySelectorAll('.differs.on-graph').length > 2", "the graph is marked").await?;
     found.extend(look(aiko, "compared").await?);
     aiko.eval("document.querySelector('.differences').open = true; 0").await?;
     aiko.press("button", "Go back to it …").await?;

@@ -1,6 +1,7 @@
 //! How every screen looks at every size: accessibility, nothing cut or scrolled sideways, Stop on top, the first load.
 
 mod axe;
+mod conflicts;
 mod graphs;
 mod history;
 mod load;

@@ -1,11 +1,13 @@
 //! A store in memory, for tests and for trying things out. Clones share what they keep.
 
+mod checkpoints;
+
 use crate::insight::{devices_of, sensors_of};
 use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
 use crate::{
     Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Store, StoreError, Used,
-    checkpoints, json, search_text,
+    json, search_text,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};
@@ -71,33 +73,6 @@ impl MemoryStore {
         self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.removed.take().is_some())
     }
 
-    /// What [`Store::keep_checkpoint`] would answer, and whether it would be new.
-    pub(crate) fn judge_checkpoint(&self, behaviour: &Id, wanted: &Checkpoint) -> (bool, bool) {
-        let kept = self.kept();
-        let Some(shelf) = kept.behaviours.get(behaviour) else { return (false, false) };
-        match shelf.checkpoints.get(&wanted.name) {
-            Some(there) => (there == wanted, false),
-            None => ((1..=shelf.head()).contains(&wanted.revision), true),
-        }
-    }
-
-    /// Keeps a named revision that was judged to be new.
-    pub(crate) fn put_checkpoint(&self, behaviour: &Id, new: &Checkpoint) {
-        if let Some(shelf) = self.kept().behaviours.get_mut(behaviour) {
-            shelf.checkpoints.insert(new.name.clone(), new.clone());
-        }
-    }
-
-    /// Lets a name go. False if there is none.
-    pub(crate) fn take_checkpoint(&self, behaviour: &Id, name: &str) -> bool {
-        self.kept().behaviours.get_mut(behaviour).is_some_and(|shelf| shelf.checkpoints.remove(name).is_some())
-    }
-
-    /// Whether there is such a name.
-    pub(crate) fn has_checkpoint(&self, behaviour: &Id, name: &str) -> bool {
-        self.kept().behaviours.get(behaviour).is_some_and(|shelf| shelf.checkpoints.contains_key(name))
-    }
-
     /// Deletes a behaviour for ever.
     pub(crate) fn forget(&self, behaviour: &Id) {
         self.kept().behaviours.remove(behaviour);
@@ -154,11 +129,11 @@ impl Store for MemoryStore {
     async fn checkpoints(&self, behaviour: &Id) -> Result<Vec<Checkpoint>, StoreError> {
         let kept = self.kept();
         let found = kept.behaviours.get(behaviour).map(|shelf| shelf.checkpoints.values().cloned().collect());
-        Ok(checkpoints::in_order(found.unwrap_or_default()))
+        Ok(crate::checkpoints::in_order(found.unwrap_or_default()))
     }
 
     async fn keep_checkpoint(&self, behaviour: &Id, checkpoint: &Checkpoint) -> Result<bool, StoreError> {
-        checkpoints::check(checkpoint)?;
+        crate::checkpoints::check(checkpoint)?;
         let (is_kept, is_new) = self.judge_checkpoint(behaviour, checkpoint);
         if is_kept && is_new {
             self.put_checkpoint(behaviour, checkpoint);

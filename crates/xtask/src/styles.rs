@@ -9,7 +9,7 @@ const FOLDER: &str = "styles/";
 const SHEET: &str = "page.css";
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.
-const ORDER: [&str; 39] = [
+const ORDER: [&str; 40] = [
     "tokens",
     "base",
     "frame",
@@ -34,6 +34,7 @@ const ORDER: [&str; 39] = [
     "files",
     "outline",
     "notices",
+    "conflict",
     "stop",
     "tablet",
     "phone",
@@ -44,7 +45,7 @@ const ORDER: [&str; 39] = [
     "live_values",
     "chips",
     "people",
-    "marks",
+    "differs",
     "far",
     "strip",
     "zoom",

@@ -2,7 +2,8 @@
 
 use super::Stage;
 use super::curve::{chip_place, curves};
-use super::marks::{Mark, marked};
+use super::differs::{Differs, differs_memo};
+use super::mark::{self, MarkBadge, mark_memo};
 use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo};
 use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
@@ -87,9 +88,11 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     };
     let ring = unused.clone();
     let editor = editor_memo(&stage, &id);
-    let mark = marked(&desk, &RecordId::new(Kind::Connector, &id));
-    let differs = mark.clone();
+    let differs = differs_memo(&desk, &RecordId::new(Kind::Connector, &id));
+    let differing = differs.clone();
     let locked = editor.clone();
+    let mark = mark_memo(&desk, RecordId::new(Kind::Connector, &id));
+    let marked = mark.clone();
     let said = said_memo(&desk, &id, &signals, &unused);
     let tells = said.clone();
     let describes = move || {
@@ -98,6 +101,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         let mut all: Vec<String> = troubles.get().map(|(sentence, _)| sentence).into_iter().collect();
         all.extend(tells.get().map(|said| said.text));
         all.extend(waits.then(|| words::not_used_yet().to_owned()));
+        all.extend(marked.get().map(|mark| mark::said(mark).to_owned()));
         (!all.is_empty()).then(|| all.join(" "))
     };
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
@@ -115,7 +119,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
                 let editor = editor.get();
                 let name = label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)));
                 let name = words::with_editor(name, editor.as_deref());
-                words::with_mark(name, differs.get().map(|mark| mark.text).as_deref())
+                words::with_mark(name, differing.get().map(|it| it.text).as_deref())
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
@@ -132,7 +136,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
-            <Mark marked=mark />
+            <Differs differs=differs />
+            <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
             <Bubble id=id said=said />
         </div>

@@ -1,7 +1,8 @@
 //! One stream: its shape, its name, what happens on it now.
 
 use super::Stage;
-use super::marks::{Mark, marked};
+use super::differs::{Differs, differs_memo};
+use super::mark::{self, MarkBadge, mark_memo};
 use super::stage::Edited;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
@@ -49,9 +50,16 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     };
     let problem = problem_memo(&desk, RecordId::new(Kind::Stream, &id));
     let troubles = problem.clone();
+    let mark = mark_memo(&desk, RecordId::new(Kind::Stream, &id));
+    let marked = mark.clone();
+    let describes = move || {
+        let marked = marked.get().map(|mark| mark::said(mark).to_owned());
+        let all: Vec<_> = troubles.get().map(|(sentence, _)| sentence).into_iter().chain(marked).collect();
+        (!all.is_empty()).then(|| all.join(" "))
+    };
     let editor = editor_memo(&stage, &id);
-    let mark = marked(&desk, &RecordId::new(Kind::Stream, &id));
-    let differs = mark.clone();
+    let differs = differs_memo(&desk, &RecordId::new(Kind::Stream, &id));
+    let differing = differs.clone();
     view! {
         <div
             class=move || format!("at {}", kind_class(at_kind.with(|stream| stream.kind)))
@@ -68,11 +76,11 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
                 let editor = editor.get();
                 let name = by_label.with(|stream| words::stream_name(&stream.name, &what_it_is(stream), stream.kind));
                 let name = words::with_editor(name, editor.as_deref());
-                words::with_mark(name, differs.get().map(|mark| mark.text).as_deref())
+                words::with_mark(name, differing.get().map(|it| it.text).as_deref())
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
-            aria-description=move || troubles.get().map(|(sentence, _)| sentence)
+            aria-description=describes
             style:min-width=move || format!("{:.0}px", by_width.with(stream_width))
         >
             {move || by_icon.with(device_icon).map(|icon| view! { <span class="icon"><Icon name=icon /></span> })}
@@ -83,7 +91,8 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             </span>
         </div>
             <ProblemBadge problem=problem />
-            <Mark marked=mark />
+            <Differs differs=differs />
+            <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
             <LiveValue id=id.clone() signals=signals />
         </div>

@@ -1,11 +1,9 @@
 //! What a person is likely to do next with a stream, best first. Pure.
 
-use behaviour::connectors::{self, Carries, Passes, Spec};
+use crate::carries::carries;
+use behaviour::connectors::{self, Carries, Spec};
 use behaviour::{Behaviour, Graph, Helper, Id, Params, Procedure, StreamKind, Value};
-use robot::{Device, Shape};
-
-/// How many steps upwards are looked at to guess what a stream carries.
-const UPWARDS_MAX: usize = 32;
+use robot::Device;
 
 /// A likely next step.
 #[derive(Clone, Debug, PartialEq)]
@@ -26,7 +24,7 @@ pub(super) fn suggest(behaviour: &Behaviour, id: &Id, helpers: &[Helper], value:
     if stream.kind == StreamKind::Actuator {
         return Vec::new();
     }
-    let carries = carries_now(behaviour, id, value);
+    let carries = carries(behaviour, helpers, id, value);
     let graph = Graph::of(behaviour);
     let is_twice = |spec: &Spec| graph.into_stream(id).iter().any(|(_, connector)| connector.operation.spec() == spec);
     let chosen = graph.into_stream(id).iter().any(|(_, connector)| connector.operation.spec().is_test());
@@ -96,73 +94,6 @@ pub(super) fn opposite(body: &str) -> String {
     match found.as_slice() {
         [(sign, other)] if plain => body.replacen(sign, other, 1),
         _ => format!("!({body})"),
-    }
-}
-
-/// A value that is there says more than a guess, save whether it was felt.
-fn carries_now(behaviour: &Behaviour, id: &Id, value: Option<&Value>) -> Carries {
-    let guess = carries(behaviour, id);
-    match value.and_then(of_value) {
-        Some(Carries::Truth) if guess == Carries::Touch => guess,
-        known => known.unwrap_or(guess),
-    }
-}
-
-fn carries(behaviour: &Behaviour, id: &Id) -> Carries {
-    let graph = Graph::of(behaviour);
-    let mut at = id;
-    for _ in 0..UPWARDS_MAX {
-        let Some(stream) = behaviour.stream(at) else { break };
-        if let Some(device) = &stream.device {
-            return robot::device(stream.kind, device).map_or(Carries::Anything, |device| of_shape(&device.shape));
-        }
-        let Some((_, connector)) = graph.into_stream(at).first() else { break };
-        match connector.operation.spec().passes {
-            Passes::Result => return connector.operation.procedure().map_or(Carries::Anything, of_procedure),
-            Passes::Other => return Carries::Anything,
-            Passes::Same => {}
-        }
-        let Some(input) = connector.inputs.first() else { break };
-        at = input;
-    }
-    Carries::Anything
-}
-
-fn of_shape(shape: &Shape) -> Carries {
-    let has = |name: &str| shape.fields().iter().any(|field| field.name == name);
-    match shape {
-        Shape::Number(_) => Carries::Number,
-        Shape::Truth => Carries::Touch,
-        Shape::Text => Carries::Text,
-        Shape::Object(_) if has("label") => Carries::Face,
-        Shape::Object(_) if has("size") => Carries::Ball,
-        Shape::Object(_) | Shape::Anything => Carries::Anything,
-    }
-}
-
-fn of_value(value: &Value) -> Option<Carries> {
-    Some(match value {
-        Value::Int(_) | Value::Float(_) => Carries::Number,
-        Value::Bool(_) => Carries::Truth,
-        Value::Text(_) => Carries::Text,
-        Value::Map(fields) if fields.contains_key("label") => Carries::Face,
-        Value::Map(fields) if fields.contains_key("size") => Carries::Ball,
-        Value::Map(_) | Value::List(_) | Value::Null => return None,
-    })
-}
-
-/// A guess from how a procedure looks.
-fn of_procedure(procedure: &Procedure) -> Carries {
-    match procedure {
-        Procedure::Helper(name) if name.contains("distance") && !name.contains("_and_") => Carries::Number,
-        Procedure::Helper(name) if name.contains("brightness") => Carries::Number,
-        Procedure::Body { body, .. } if ["==", "<", ">", "&&", "||"].iter().any(|sign| body.contains(sign)) => {
-            if body.contains("if ") { Carries::Anything } else { Carries::Truth }
-        }
-        Procedure::Body { body, .. } if body.contains('"') => Carries::Text,
-        Procedure::Body { body, .. } if body.contains("#{") => Carries::Anything,
-        Procedure::Body { body, .. } if body.contains(['*', '/', '+']) => Carries::Number,
-        Procedure::Helper(_) | Procedure::Body { .. } => Carries::Anything,
     }
 }
 

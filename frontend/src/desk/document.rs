@@ -2,6 +2,8 @@
 
 mod address;
 mod build;
+mod conflict;
+mod conflicts;
 mod editing;
 mod gestures;
 mod history;
@@ -22,19 +24,21 @@ mod undo;
 mod versions;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
+pub(crate) use conflict::Conflict;
+pub(crate) use conflicts::draft_key;
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
 use history::History;
-pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Output, Saving, Selected, StreamSignals};
+pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Mark, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
 pub(crate) use steps::bare;
 pub(crate) use versions::{Compared, Comparing, Version};
 
 use super::tab::Tab;
-use behaviour::{Behaviour, Checkpoint, Id, Place, Problem};
+use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId};
 use leptos::prelude::*;
 use protocol::{LockShown, Person, Pointer};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -76,6 +80,10 @@ pub(crate) struct Fields {
     /// Which versions are looked at here, and how they differ once both are there.
     pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
     pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
+    /// Changes of this tab that were refused because somebody was first, in any program.
+    pub(super) conflicts: ArcRwSignal<Vec<Conflict>>,
+    /// What of the open behaviour has changes that wait to be sent.
+    waits: ArcRwSignal<BTreeSet<RecordId>>,
     state: Mutex<State>,
     listener: OnceLock<Listener>,
 }
@@ -153,6 +161,8 @@ impl Document {
             versions: ArcRwSignal::default(),
             comparing: ArcRwSignal::default(),
             compared: ArcRwSignal::default(),
+            conflicts: ArcRwSignal::default(),
+            waits: ArcRwSignal::default(),
             state: Mutex::default(),
             listener: OnceLock::new(),
         }))

@@ -47,6 +47,10 @@ pub(crate) enum Dialog {
     RenameProgram,
     /// Sending a value to a sensor stream by hand.
     Stimulate(Id),
+    /// A change of one's own, by its name, beside what somebody else saved.
+    Conflict(Id),
+    /// What waits to be sent.
+    Waiting,
     /// All problems.
     Problems,
     /// Adding a simulated robot.

@@ -1,5 +1,6 @@
 //! The open dialog. Dialogs stand beside Stop, never over it, and give the keyboard back when they close.
 
+mod conflict;
 mod frame;
 mod gone;
 mod held;
@@ -12,9 +13,10 @@ mod programs;
 mod save_file;
 mod sensors;
 mod stream;
+mod waiting;
 
 use super::focus;
-use super::hold::hold;
+use super::hold::{Hold, hold};
 use crate::desk::Dialog;
 use leptos::prelude::*;
 use web_sys::HtmlElement;
@@ -25,7 +27,28 @@ pub(crate) fn Dialogs() -> impl IntoView {
     let desk = hold();
     let open = Memo::new(move |_| desk.desk().dialog.get());
     give_focus_back(open);
-    move || open.get().map(content)
+    show_refused(desk, open);
+    move || open.get().map(|dialog| content(undecided(desk, dialog)))
+}
+
+/// Refused changes are shown one after the other, as soon as no other dialog is open.
+fn show_refused(desk: Hold, open: Memo<Option<Dialog>>) {
+    let next = Memo::new(move |_| desk.desk().document.next_conflict());
+    Effect::new(move |_| {
+        if let (None, Some(op)) = (open.get(), next.get()) {
+            desk.desk().dialog.set(Some(Dialog::Conflict(op)));
+        }
+    });
+}
+
+/// In place of the editor of something about which one has still to decide, the comparison.
+fn undecided(desk: Hold, dialog: Dialog) -> Dialog {
+    let about = match &dialog {
+        Dialog::Operation { connector: Some(id), .. } | Dialog::EditStream(id) => id,
+        _ => return dialog,
+    };
+    let waits = untrack(|| desk.desk().document.conflict_about(about));
+    waits.map_or(dialog, |conflict| Dialog::Conflict(conflict.mine.op))
 }
 
 fn content(dialog: Dialog) -> AnyView {
@@ -46,6 +69,8 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
+        Dialog::Conflict(op) => view! { <conflict::Compare op /> }.into_any(),
+        Dialog::Waiting => view! { <waiting::WaitingList /> }.into_any(),
         Dialog::Problems => view! { <other::AllProblems /> }.into_any(),
         Dialog::Help => view! { <other::Help /> }.into_any(),
     }

@@ -49,6 +49,7 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
             <p class="second">{move || says(&record.read())}</p>
             <p class="second">{move || what_it_is(&record.read())}</p>
             <StreamLive signals />
+            <Undecided id=id.clone() />
             <ProblemList of=Some(id.clone()) />
             <div class="row">
                 <Edit dialog=Dialog::EditStream(id.clone()) />
@@ -134,6 +135,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
             <p class="second">{move || spec().says}</p>
             {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
             <TrialTable answers />
+            <Undecided id=id.clone() />
             <ConnectorLive id=id.clone() signals />
             <ProblemList of=problems />
             <div class="row">
@@ -160,7 +162,7 @@ fn procedure_text(connector: &Connector) -> Option<String> {
 }
 
 /// What a connector's procedure is asked. Reactive.
-fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
+pub(super) fn question_of(desk: Hold, connector: &Connector) -> Option<Question> {
     let desk = desk.desk();
     let spec = connector.operation.spec();
     let is_test = spec.is_test();
@@ -211,6 +213,23 @@ fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
         } else {
             view! { {counts.clone()} {error.clone()} {held.clone()} }.into_any()
         }
+    }
+}
+
+/// That a change of one's own to it was refused and waits, with the way to decide.
+#[component]
+fn Undecided(id: Id) -> impl IntoView {
+    let desk = hold();
+    let op = Memo::new(move |_| desk.desk().document.conflict_about(&id).map(|conflict| conflict.mine.op));
+    let look = move |_| desk.desk().dialog.set(op.get_untracked().map(Dialog::Conflict));
+    view! {
+        <Show when=move || op.read().is_some()>
+            <p class="undecided-line">
+                {words::yours_waits()}
+                " "
+                <button class="link" type="button" on:click=look>{words::look_at_both()}</button>
+            </p>
+        </Show>
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::hold::hold;
 use crate::browser;
-use crate::desk::{LinkState, Saving};
+use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
@@ -78,11 +78,21 @@ fn Offline() -> impl IntoView {
         }
     };
     let there = Memo::new(move |_| line().is_some());
+    let waits = Memo::new(move |_| match desk.desk().document.saving.get() {
+        Saving::Offline(waiting) | Saving::Away(waiting, _) => waiting > 0,
+        Saving::Saved | Saving::Saving => false,
+    });
+    let show = move |_| desk.desk().dialog.set(Some(Dialog::Waiting));
+    // The button stands beside what is said, so that only the words are said when they change.
     view! {
-        <div class="offline-place" role="status">
-            <Show when=move || there.get()>
-                <p class="offline">{line}</p>
-            </Show>
+        <div class="offline-place">
+            <div class="offline" class:there=move || there.get()>
+                <Show when=move || there.get()><Icon name="offline" /></Show>
+                <p role="status">{line}</p>
+                <Show when=move || there.get() && waits.get()>
+                    <button class="button" type="button" on:click=show>{words::show_them()}</button>
+                </Show>
+            </div>
         </div>
     }
 }

@@ -119,6 +119,7 @@ fn is_offline(desk: Hold) -> bool {
     desk.unheard.read().is_some()
         || desk.online.get() == LinkState::Offline
         || matches!(desk.document.saving.get(), Saving::Offline(_) | Saving::Away(..))
+        || !desk.document.conflicts_here().is_empty()
 }
 
 fn saving_line(desk: Hold) -> String {
@@ -130,6 +131,9 @@ fn saving_line(desk: Hold) -> String {
         (LinkState::Connecting, Saving::Saved | Saving::Saving) => words::connecting().to_owned(),
         (LinkState::Online, _) if desk.unheard.read().is_some() => words::no_answer().to_owned(),
         (LinkState::Online, Saving::Saving) => words::saving().to_owned(),
+        (LinkState::Online, Saving::Saved) if !desk.document.conflicts_here().is_empty() => {
+            words::other_saved().to_owned()
+        }
         (LinkState::Online, Saving::Saved) if desk.document.open.read().is_some() => words::all_saved().to_owned(),
         (LinkState::Online, Saving::Saved) => String::new(),
     }

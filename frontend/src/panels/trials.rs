@@ -61,6 +61,8 @@ impl Origin {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mark {
     Passes,
+    /// It does not pass.
+    Left,
     Plain,
     Fails,
 }
@@ -128,7 +130,7 @@ fn trial(from: Origin, set: &[Value], result: Result<Value, String>, is_test: bo
     let given = set.iter().map(short_value).collect::<Vec<_>>().join(", ");
     let (result, mark) = match result {
         Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), Mark::Passes),
-        Ok(_) if is_test => (words::stopped().to_owned(), Mark::Plain),
+        Ok(_) if is_test => (words::stopped().to_owned(), Mark::Left),
         Ok(value) => (short_value(&value), Mark::Plain),
         Err(reason) => (reason, Mark::Fails),
     };
@@ -158,6 +160,27 @@ fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
         }
     }
     sets
+}
+
+/// At most five sets of values that really came; none where only examples are known.
+pub(crate) fn real_sets(desk: Hold, inputs: &[Id]) -> Vec<Vec<Value>> {
+    let sets = sets(desk, inputs);
+    if sets.iter().any(|(from, _)| *from == Origin::Example) {
+        return Vec::new();
+    }
+    sets.into_iter().map(|(_, set)| set).collect()
+}
+
+/// Tries a procedure once on sets of values. Not answered where there are none, without a link, or if it cannot run.
+pub(crate) fn try_on(desk: Hold, question: Question, sets: Vec<Vec<Value>>, then: impl FnOnce(Vec<Trial>) + 'static) {
+    if sets.is_empty() {
+        return;
+    }
+    let whole = sets.iter().map(|set| question.before.iter().chain(set).cloned().collect()).collect();
+    desk.desk().document.check_body(question.arguments, question.body, whole, move |(_, results)| {
+        let given = sets.iter().zip(results);
+        then(given.map(|(set, result)| trial(Origin::Earlier, set, result, question.is_test)).collect());
+    });
 }
 
 /// The newest value of a stream, or an example, which the first part tells.
@@ -216,7 +239,7 @@ pub(crate) fn TrialTable(answers: Answers) -> impl IntoView {
 fn class(mark: Mark) -> &'static str {
     match mark {
         Mark::Passes => "good",
-        Mark::Plain => "",
+        Mark::Plain | Mark::Left => "",
         Mark::Fails => "bad-text",
     }
 }

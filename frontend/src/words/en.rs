@@ -1,7 +1,9 @@
 //! The page in English.
 
+mod conflicts;
 mod history;
 
+pub(crate) use conflicts::*;
 pub(crate) use history::*;
 
 use crate::desk::NotBrought;

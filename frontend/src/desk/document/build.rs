@@ -4,7 +4,7 @@ use super::{ConnectPlan, Output};
 use crate::layout;
 use behaviour::{
     Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
-    Stream, StreamKind, rename_identifier,
+    Stream, StreamKind, numbered, rename_identifier,
 };
 use std::collections::BTreeMap;
 
@@ -12,9 +12,7 @@ use std::collections::BTreeMap;
 pub(super) fn free_name(behaviour: &Behaviour, base: &str) -> String {
     let base = base.trim();
     let taken = |name: &str| behaviour.streams().any(|(_, stream)| stream.name.trim() == name);
-    let numbered = (2..).map(|number| format!("{base} {number}"));
-    let mut names = std::iter::once(base.to_owned()).chain(numbered);
-    names.find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
+    numbered(base, " ").find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
 }
 
 fn new_stream(kind: StreamKind, name: &str, device: Option<String>, params: Params, order: i64) -> Stream {

@@ -32,6 +32,15 @@ impl Selected {
     }
 }
 
+/// What is marked on a part of the behaviour, as long as this tab has something of it that nobody else has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mark {
+    /// A change waits to be sent.
+    Waits,
+    /// A change was refused, as somebody was first; its author has not decided yet.
+    Undecided,
+}
+
 /// One stream.
 #[derive(Clone)]
 pub(crate) struct StreamSignals {

@@ -1,7 +1,7 @@
 //! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
 
 use super::queue::{Waiting, Way};
-use super::save_state::SaveEvent;
+use super::save_state::{SaveEvent, SaveState};
 use super::{Document, DocumentEvent};
 use crate::browser::Keep;
 use crate::desk::tab::set_if_new;
@@ -22,7 +22,7 @@ const STALLED_MS: i32 = 2_000;
 /// When a change that came too fast is sent again.
 const TOO_FAST_MS: i32 = 400;
 
-type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
+pub(super) type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
     /// Who wants to know what became of a change; nobody after a reload.
@@ -78,7 +78,16 @@ impl Document {
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let (op, touched) = (change.op.clone(), touched(&change));
-        let room = self.state().queue.push(to, change, way);
+        let revision = if self.is_open(&to) { self.revision.get_untracked() } else { 0 };
+        let room = {
+            let mut state = self.state();
+            let offline = matches!(state.saves, SaveState::Lost(_));
+            let room = state.queue.push(to, change, way);
+            if room {
+                state.queue.made(revision, crate::browser::today_ms(), offline);
+            }
+            room
+        };
         if !room {
             return on_answer(Err(Refused::TooFast));
         }
@@ -134,12 +143,19 @@ impl Document {
         let Some(waiting) = waiting else { return };
         match &answer {
             Ok(()) => {
+                self.conflict_saved(op);
                 let silence = &mut self.state().silence;
                 *silence = silence.after_sending();
             }
             Err(no) => self.not_made(&waiting, no),
         }
-        self.settle(&waiting.change, answer);
+        let on_answer = self.settle(&waiting.change);
+        match answer {
+            Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream))) if waiting.way == Way::Propose => {
+                self.came_late(waiting, no, move |no| on_answer(Err(no)));
+            }
+            answer => on_answer(answer),
+        }
         self.say_back();
         self.pump();
     }
@@ -148,21 +164,19 @@ impl Document {
     fn not_made(&self, waiting: &Waiting, no: &Refused) {
         let steps = self.state().queue.forget_steps_of(&waiting.change.op);
         self.happened(DocumentEvent::NotSaved);
-        steps.into_iter().for_each(|step| self.settle(&step.change, Ok(())));
+        steps.into_iter().for_each(|step| self.settle(&step.change)(Ok(())));
         if *no == Refused::Change(Refusal::NothingToUndo) {
             self.forget_history();
         }
     }
 
-    /// A change does not wait any more: what it touches is shown as it is without it, and who asked is told.
-    pub(super) fn settle(&self, change: &Change, answer: Result<(), Refused>) {
+    /// A change does not wait any more: what it touches is shown as it is without it. Gives who is to be told.
+    pub(super) fn settle(&self, change: &Change) -> OnAnswer {
         self.refresh(&touched(change));
         self.show_steps();
         let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(&change.op));
-        match on_answer {
-            Some(on_answer) => on_answer(answer),
-            None => self.tab.say_refusal(answer),
-        }
+        let tab = self.tab.clone();
+        on_answer.unwrap_or_else(|| Box::new(move |answer| tab.say_refusal(answer)))
     }
 
     /// Whether what is proposed can be saved now.
@@ -251,6 +265,7 @@ impl Document {
             state.saves.told(state.queue.len())
         };
         set_if_new(&self.saving, saving);
+        self.show_waits();
     }
 
     fn keep_queue(&self) {

@@ -18,6 +18,15 @@ pub(super) struct Waiting {
     /// Whether the server may have it.
     #[serde(default)]
     sent: bool,
+    /// The revision that its author had then.
+    #[serde(default)]
+    pub(super) revision: u64,
+    /// When it was made, in milliseconds since 1970 by this computer's clock.
+    #[serde(default)]
+    pub(super) made_ms: f64,
+    /// Whether it was made without a connection.
+    #[serde(default)]
+    pub(super) offline: bool,
 }
 
 /// How the server is asked for a change.
@@ -65,7 +74,8 @@ impl Queue {
     pub(super) fn push(&mut self, behaviour: Id, change: Change, way: Way) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {
-            self.waiting.push_back(Waiting { behaviour, change, way, sent: false });
+            let (revision, made_ms, offline) = (0, 0.0, false);
+            self.waiting.push_back(Waiting { behaviour, change, way, sent: false, revision, made_ms, offline });
         }
         room
     }
@@ -95,6 +105,18 @@ impl Queue {
             }
         }
         gone
+    }
+
+    /// How and when the newest was made.
+    pub(super) fn made(&mut self, revision: u64, made_ms: f64, offline: bool) {
+        if let Some(newest) = self.waiting.back_mut() {
+            (newest.revision, newest.made_ms, newest.offline) = (revision, made_ms, offline);
+        }
+    }
+
+    /// Everything that waits, oldest first.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Waiting> {
+        self.waiting.iter()
     }
 
     /// The next to send, which is then under way; none while one is, or rests.
@@ -243,8 +265,12 @@ mod tests {
         let mut queue = Queue::default();
         (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""), Way::Propose)));
         assert!(!queue.push(id("b"), change("more", ""), Way::Propose));
+        queue.made(7, 5.0, true);
         let kept = serde_json::to_string(&queue).unwrap();
-        assert_eq!(serde_json::from_str::<Queue>(&kept).unwrap().len(), WAITING_MAX);
+        let again = serde_json::from_str::<Queue>(&kept).unwrap();
+        assert_eq!(again.len(), WAITING_MAX);
+        let newest = again.all().last().unwrap();
+        assert_eq!((newest.revision, newest.made_ms, newest.offline), (7, 5.0, true));
     }
 
     #[test]

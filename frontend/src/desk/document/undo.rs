@@ -84,7 +84,7 @@ impl Document {
 
     /// What was taken out of the queue is not shown and not waited for any more.
     fn withdrawn(&self, waiting: &Waiting) {
-        self.settle(&waiting.change, Ok(()));
+        self.settle(&waiting.change)(Ok(()));
         self.pump();
     }
 

@@ -160,7 +160,7 @@ impl Document {
     }
 
     /// Brings back what the change of a revision removed.
-    pub(crate) fn bring_back(&self, revision: u64) {
+    pub(crate) fn bring_back_removed(&self, revision: u64) {
         self.wish("Bring back", Way::BringBack { revision });
     }
 

@@ -26,6 +26,9 @@ pub(super) fn Frame(
     /// Wide and always as high, for lists.
     #[prop(optional)]
     wide: bool,
+    /// For two things side by side; its heading has the keyboard first, as no answer is likelier than another.
+    #[prop(optional)]
+    beside: bool,
     save: Callback<()>,
     children: Children,
 ) -> impl IntoView {
@@ -53,11 +56,11 @@ pub(super) fn Frame(
     view! {
         <div class="veil" aria-hidden="true" on:pointerdown=move |_| close(desk)></div>
         <div class="dialog-place">
-            <div class="dialog" class:narrow=narrow class:wide=wide role="dialog" aria-labelledby=TITLE_ID tabindex="-1" node_ref=dialog
+            <div class="dialog" class:narrow=narrow class:wide=wide class:beside=beside role="dialog" aria-labelledby=TITLE_ID tabindex="-1" node_ref=dialog
                 on:keydown=keys on:input=move |_| desk.desk().document.typing()>
                 <form class="dialog-form" novalidate=true autocomplete="off" on:submit=submit>
                     <div class="dialog-head">
-                        <h2 id=TITLE_ID>{title}</h2>
+                        <h2 id=TITLE_ID tabindex=beside.then_some("-1") data-first=beside.then_some("")>{title}</h2>
                         <button class="tool icon" type="button" data-close="" title=words::close()
                             aria-label=words::close() on:click=move |_| close(desk)>
                             <Icon name="close" />

@@ -11,7 +11,7 @@ mod procedure;
 mod saving;
 
 use super::frame::{Feet, Frame, Refused};
-use super::gone::{self, Gone};
+use super::gone::{self, Back, Gone};
 use super::held::{Held, Holding};
 use super::stream::EditStream;
 use crate::fields::{NumberField, TextField};
@@ -53,6 +53,7 @@ fn OperationForm(form: Form) -> impl IntoView {
             saving::save(form);
         }
     });
+    let back = Back::new(about(form), save);
     let written = move || if *form.way.read() == "body" { form.body.get() } else { form.helper.get() };
     let written = Signal::derive(written);
     let from = move || {
@@ -89,7 +90,7 @@ fn OperationForm(form: Form) -> impl IntoView {
                 </Show>
               </fieldset>
                 <Refused why=form.refusal />
-                <Gone who=gone written />
+                <Gone who=gone written back=back />
             </div>
             <Feet busy=form.busy nothing=Signal::derive(move || gone.read().is_some() || held.reads.get()) />
         </Frame>
@@ -107,6 +108,14 @@ fn follow_saved(form: Form, held: Held) {
             untrack(|| form.show_saved(record));
         }
     });
+}
+
+/// What has to be there: the edited connector, or the stream that a new one comes out of.
+fn about(form: Form) -> RecordId {
+    match form.edits.get_value() {
+        Some((id, _)) => RecordId::new(Kind::Connector, &id),
+        None => RecordId::new(Kind::Stream, &form.source.get_value()),
+    }
 }
 
 /// Who removed the edited connector, or the stream that a new one was to come out of.

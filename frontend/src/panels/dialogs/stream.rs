@@ -1,13 +1,13 @@
 //! Edit stream sensor, Edit stream actuator: type, name and the device's parameters.
 
 use super::frame::{Feet, Frame, Refused, close};
-use super::gone::{self, Gone};
+use super::gone::{self, Back, Gone};
 use super::held::{Held, Holding};
 use crate::desk::Desk;
 use crate::fields::{Options, ParamFields, ParamForm, Select, TextField, Unfilled};
 use crate::panels::hold::{Hold, hold};
 use crate::words;
-use behaviour::{Id, Kind, RecordId, Refusal, Stream, StreamKind};
+use behaviour::{Id, Kind, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
 use protocol::Refused;
 
@@ -60,6 +60,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
             save(desk, fields);
         }
     });
+    let back = Back::new(RecordId::new(Kind::Stream, &fields.id.get_value()), save);
     let says = move || robot::device(kind, &fields.device.read()).map(|device| device.says).ok();
     view! {
         <Frame title=title(kind) narrow=true save>
@@ -76,7 +77,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
                 {move || fields.params.get().map(|form| view! { <ParamFields form /> })}
               </fieldset>
                 <Refused why=fields.refusal />
-                <Gone who=gone written=fields.name />
+                <Gone who=gone written=fields.name back=back />
             </div>
             <Feet busy=fields.busy nothing=Signal::derive(move || gone.read().is_some() || held.reads.get()) />
         </Frame>
@@ -142,23 +143,9 @@ fn save(desk: Hold, fields: Fields) {
     match edited(fields) {
         Ok(stream) => {
             let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-            let look_again = move |answer: Result<(), Refused>| {
-                if matches!(answer, Err(Refused::Change(Refusal::Stale(_)))) {
-                    look_again(desk, fields);
-                }
-                answered(answer);
-            };
-            desk.desk().document.edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, look_again);
+            desk.desk().document.edit_stream((&fields.id.get_value(), fields.stream.get_value()), stream, answered);
         }
         Err(why) => fields.refusal.set(Some(words::unfilled(&why))),
-    }
-}
-
-/// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
-fn look_again(desk: Hold, fields: Fields) {
-    let now = fields.id.try_get_value().and_then(|id| desk.desk().document.stream(&id));
-    if let Some(now) = now {
-        fields.stream.try_set_value(now.record.get_untracked());
     }
 }
 

@@ -122,11 +122,11 @@ fn Counts() -> impl IntoView {
         ];
         let kinds = kinds.into_iter().filter(|(.., many)| *many > 0);
         let tag = |(kind, sign, text, _): (&'static str, &'static str, String, usize)| {
-            view! { <span class=format!("mark {kind}")><i aria-hidden="true">{sign}</i>{text}</span>" " }
+            view! { <span class=format!("differs {kind}")><i aria-hidden="true">{sign}</i>{text}</span>" " }
         };
         let moved = difference.moved.len();
         view! {
-            <p class="marks">
+            <p class="differs-row">
                 {kinds.map(tag).collect_view()}
                 {(moved > 0).then(|| view! { <span class="faint">{words::moved_count(moved)}</span> })}
             </p>

@@ -61,7 +61,7 @@ fn GestureRow(gesture: Gesture) -> impl IntoView {
     let Gesture { revision, author, by, mine, label, at, removes } = gesture;
     let (verb, of, rest) = words::deed(&label);
     let who = words::who_did(&author, mine);
-    let bring_back = move |_| desk.desk().document.bring_back(revision);
+    let bring_back = move |_| desk.desk().document.bring_back_removed(revision);
     view! {
         <li class="gesture" class:chosen=move || is_chosen(desk, revision)>
             <button class="gesture-main" type="button" data-stop="" tabindex=tab_index(desk, revision) data-revision=revision

@@ -2,7 +2,7 @@
 
 use super::strip::Strip;
 use crate::browser;
-use crate::desk::Selected;
+use crate::desk::{Mark, Selected};
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::{rate_words, short_value};
@@ -76,12 +76,21 @@ pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
 #[component]
 fn Row(what: Selected, children: Children) -> impl IntoView {
     let desk = hold();
-    let (chosen, people, problem) = (what.clone(), what.clone(), what.clone());
+    let (chosen, people, problem, marked) = (what.clone(), what.clone(), what.clone(), key(&what));
+    let mark = Memo::new(move |_| desk.desk().document.mark_of(&marked));
     let is_chosen = move || (desk.desk().document.selected.read().as_ref() == Some(&chosen)).then_some("true");
     view! {
         <button class="twig" type="button" aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
             on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))>
             {children()}
+            {move || mark.get().map(|mark| match mark {
+                Mark::Waits => view! { <span class="waits-ring" role="img" aria-label=words::waits_here()></span> }.into_any(),
+                Mark::Undecided => view! {
+                    <span class="undecided-tag" role="img" aria-label=words::yours_waits() title=words::yours_waits()>
+                        <Icon name="pencil" />
+                    </span>
+                }.into_any(),
+            })}
             {move || other_person(desk, &people).map(|(icon, text, color)| view! {
                 <span class="who-tag" style=("--person", format!("var(--people-{color})"))><Icon name=icon />{text}</span>
             })}
@@ -89,14 +98,18 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
     }
 }
 
-/// Somebody else who is editing it or has chosen it, in words and with a sign and a colour. Reactive.
-fn other_person(desk: Hold, what: &Selected) -> Option<(&'static str, String, u8)> {
-    let desk = desk.desk();
+fn key(what: &Selected) -> RecordId {
     let kind = match what {
         Selected::Stream(_) => Kind::Stream,
         Selected::Connector(_) => Kind::Connector,
     };
-    if let Some(editor) = desk.document.editor_of(&RecordId::new(kind, what.id())) {
+    RecordId::new(kind, what.id())
+}
+
+/// Somebody else who is editing it or has chosen it, in words and with a sign and a colour. Reactive.
+fn other_person(desk: Hold, what: &Selected) -> Option<(&'static str, String, u8)> {
+    let desk = desk.desk();
+    if let Some(editor) = desk.document.editor_of(&key(what)) {
         return Some(("lock", words::is_editing(&editor.name), editor.color));
     }
     let me = desk.me.get().map(|me| me.client);

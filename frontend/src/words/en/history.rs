@@ -8,7 +8,6 @@ sentences! {
     version_name: "Name of this version";
     version_hint: "Such as “Before group B”. Everyone sees it.";
     unname: "Take the name away";
-    bring_back: "Bring it back";
     earlier_changes: "Earlier changes";
     reading_history: "Reading the history …";
     no_history: "Nothing was changed yet.";
@@ -24,7 +23,6 @@ sentences! {
     only_moved: "Nothing is different but where things stand.";
     the_differences: "Differences as a list";
     what_differs: "What";
-    not_there: "not there";
     needs_connection: "This needs the connection.";
     today: "Today";
     yesterday: "Yesterday";
@@ -110,7 +108,7 @@ pub(crate) fn connector_to(word: &str, output: &str) -> String {
     format!("{word} to {output}")
 }
 
-pub(crate) fn was(words: &str) -> String {
+pub(crate) fn was_words(words: &str) -> String {
     format!("was {words}")
 }
 

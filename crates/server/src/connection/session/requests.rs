@@ -10,7 +10,7 @@ use crate::rooms::member::Answer;
 use crate::rooms::{Locking, Note, Parting};
 use crate::state::ServerState;
 use crate::support::workers::Sender;
-use behaviour::{Change, Id, Token};
+use behaviour::{Change, Id, Token, Value};
 use protocol::{Refused, Reply, Request};
 use std::future::Future;
 use std::sync::Arc;
@@ -53,15 +53,7 @@ impl Session {
                 let answer = Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
                 self.state().rooms.tell(&behaviour, Note::Since(revision, answer));
             }
-            Request::Check { arguments, body, inputs } => {
-                let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
-                let sender = Sender::Link(self.outbox.session);
-                let check = move |_: &CancellationToken| {
-                    let helpers = helpers_of(&body, &snapshot.helpers());
-                    trial::check(&Trial { arguments, body, inputs, helpers })
-                };
-                self.later(ask, async move { Ok(workers.run(sender, check).await?) });
-            }
+            Request::Check { arguments, body, inputs } => self.check(ask, arguments, body, inputs),
             Request::Present { pointer, selected } => {
                 if let Some(open) = &self.open {
                     self.state().rooms.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
@@ -181,6 +173,17 @@ impl Session {
         };
         let failed = |error: tokio::task::JoinError| Err(Refused::CannotRecord(error.to_string()));
         self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+    }
+
+    /// Tries a procedure, among the other work.
+    fn check(&self, ask: u32, arguments: Vec<String>, body: String, inputs: Vec<Vec<Value>>) {
+        let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
+        let sender = Sender::Link(self.outbox.session);
+        let check = move |_: &CancellationToken| {
+            let helpers = helpers_of(&body, &snapshot.helpers());
+            trial::check(&Trial { arguments, body, inputs, helpers })
+        };
+        self.later(ask, async move { Ok(workers.run(sender, check).await?) });
     }
 
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {

@@ -2,6 +2,7 @@
 
 use super::form::Form;
 use crate::browser::Keep;
+use crate::desk::draft_key;
 use crate::panels::dialogs::held::Held;
 use crate::words;
 use behaviour::connectors;
@@ -21,9 +22,8 @@ pub(super) struct Draft {
 }
 
 fn key(form: Form) -> String {
-    let about = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| id.to_string()));
-    let about = about.unwrap_or_else(|| form.source.get_value().to_string());
-    format!("rrp.draft.{about}")
+    let about = form.edits.with_value(|edits| edits.as_ref().map(|(id, _)| draft_key(id)));
+    about.unwrap_or_else(|| draft_key(&form.source.get_value()))
 }
 
 fn read(form: Form) -> Draft {

@@ -1,13 +1,10 @@
 //! The beginning of a test that a person most likely wants: `distance < ` for a stream of numbers.
 
+use crate::carries::carries;
 use crate::panels::hold::Hold;
-use behaviour::connectors::{Passes, Spec};
-use behaviour::{Behaviour, Graph, Helper, Id, Procedure, StreamKind, Value};
+use behaviour::connectors::{Carries, Spec};
+use behaviour::{Helper, Id};
 use leptos::prelude::*;
-use robot::Shape;
-
-/// How many connectors upwards are looked at to guess what a stream carries.
-const UPWARDS_MAX: usize = 32;
 
 /// What the body of a new connector begins with.
 pub(super) fn beginning(desk: Hold, input: &Id, kind: &Spec) -> String {
@@ -33,58 +30,13 @@ pub(super) fn typed_whole(begun: &str, body: &str) -> Option<String> {
 fn is_number(desk: Hold, id: &Id) -> bool {
     let desk = desk.desk();
     let newest = desk.document.stream(id).and_then(|signals| signals.live.read_untracked().value.clone());
-    match newest {
-        Some(value) => matches!(value, Value::Int(_) | Value::Float(_)),
-        None => {
-            let helpers: Vec<Helper> =
-                desk.library.helpers.get_untracked().into_iter().map(|(_, helper)| helper).collect();
-            carries_number(&desk.document.behaviour(), &helpers, id)
-        }
-    }
-}
-
-fn carries_number(behaviour: &Behaviour, helpers: &[Helper], id: &Id) -> bool {
-    let graph = Graph::of(behaviour);
-    let mut at = id;
-    for _ in 0..UPWARDS_MAX {
-        let Some(stream) = behaviour.stream(at) else { break };
-        if let Some(device) = stream.device.as_deref().filter(|_| stream.kind == StreamKind::Sensor) {
-            return robot::device(stream.kind, device).is_ok_and(|device| matches!(device.shape, Shape::Number(_)));
-        }
-        let Some((_, connector)) = graph.into_stream(at).first() else { break };
-        match connector.operation.spec().passes {
-            Passes::Result => {
-                let text = connector.operation.procedure().and_then(|procedure| text_of(procedure, helpers));
-                return text.is_some_and(makes_number);
-            }
-            Passes::Other => break,
-            Passes::Same => {}
-        }
-        let Some(input) = connector.inputs.first() else { break };
-        at = input;
-    }
-    false
-}
-
-fn text_of<'a>(procedure: &'a Procedure, helpers: &'a [Helper]) -> Option<&'a str> {
-    match procedure {
-        Procedure::Body { body, .. } => Some(body),
-        Procedure::Helper(name) => {
-            helpers.iter().find(|helper| helper.name == *name).map(|helper| helper.body.as_str())
-        }
-    }
-}
-
-/// Whether a procedure looks as if it made numbers: it reckons, and has no texts, objects, lists or comparisons.
-fn makes_number(body: &str) -> bool {
-    let others = ["\"", "`", "'", "#{", "[", "<", ">", "==", "!", "&&", "||", "true", "false"];
-    let reckons = body.contains(['+', '-', '*', '/', '.', '(']) || body.trim().parse::<f64>().is_ok();
-    reckons && !others.iter().any(|other| body.contains(other))
+    let helpers: Vec<Helper> = desk.library.helpers.get_untracked().into_iter().map(|(_, helper)| helper).collect();
+    carries(&desk.document.behaviour(), &helpers, id, newest.as_ref()) == Carries::Number
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{makes_number, typed_whole};
+    use super::typed_whole;
 
     #[test]
     fn a_test_that_is_written_whole_replaces_its_beginning() {
@@ -95,15 +47,5 @@ mod tests {
             assert_eq!(typed(body), None, "{body}");
         }
         assert_eq!(typed_whole("", "a < 1"), None);
-    }
-
-    #[test]
-    fn procedures_that_reckon_make_numbers() {
-        for body in ["0.03 / sin(ball.size)", "ball.x * 2", "redBall.size", "7"] {
-            assert!(makes_number(body), "{body}");
-        }
-        for body in ["distance < 20", "\"red\"", "#{x: ball.x}", "[ball.x, 1]", "!touched", "ball", "if a { `b` }"] {
-            assert!(!makes_number(body), "{body}");
-        }
     }
 }

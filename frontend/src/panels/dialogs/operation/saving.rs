@@ -6,7 +6,7 @@ use super::form::Form;
 use crate::desk::{ConnectPlan, Dialog, Output};
 use crate::fields::Unfilled;
 use crate::words;
-use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Refusal, Value};
+use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Value};
 use leptos::prelude::*;
 use protocol::Refused;
 
@@ -65,25 +65,12 @@ fn answered(form: Form) -> impl FnOnce(Result<(), Refused>) + 'static {
             }
             Err(no) if still_open => {
                 form.busy.set(false);
-                if matches!(no, Refused::Change(Refusal::Stale(_))) {
-                    look_again(form);
-                }
                 form.refusal.set(Some(no.to_string()));
                 desk.notice.set(None);
             }
             Err(no) => desk.say(&no.to_string(), true),
         }
     }
-}
-
-/// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
-fn look_again(form: Form) {
-    form.edits.update_value(|edits| {
-        let Some((id, seen)) = edits else { return };
-        if let Some(now) = form.desk.desk().document.connector(id) {
-            *seen = now.record.get_untracked();
-        }
-    });
 }
 
 fn operation(form: Form) -> Result<Operation, Unfilled> {

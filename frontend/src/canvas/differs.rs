@@ -12,33 +12,33 @@ use std::collections::BTreeMap;
 
 /// What became of something, as it is shown.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Marked {
+pub(super) struct Differing {
     difference: Difference,
     /// What is said beside the sign.
     pub(super) text: String,
 }
 
 /// What became of a record, while versions are compared. Reactive.
-pub(super) fn marked(desk: &Desk, id: &RecordId) -> ArcMemo<Option<Marked>> {
+pub(super) fn differs_memo(desk: &Desk, id: &RecordId) -> ArcMemo<Option<Differing>> {
     let (desk, id) = (desk.clone(), id.clone());
-    ArcMemo::new(move |_| desk.document.compared.with(|compared| mark(&desk, compared.as_deref()?, &id)))
+    ArcMemo::new(move |_| desk.document.compared.with(|compared| difference(&desk, compared.as_deref()?, &id)))
 }
 
-fn mark(desk: &Desk, compared: &Compared, id: &RecordId) -> Option<Marked> {
+fn difference(desk: &Desk, compared: &Compared, id: &RecordId) -> Option<Differing> {
     let difference = compared.difference.of(id)?;
     let text = match difference {
         Difference::New => words::is_new().to_owned(),
-        Difference::Changed => words::was(&what_it_was(&compared.was, &compared.is, id)),
+        Difference::Changed => words::was_words(&what_it_was(&compared.was, &compared.is, id)),
         Difference::Removed => words::removed_tag(desk.document.who_removed(compared.since, id).as_deref()),
     };
-    Some(Marked { difference, text })
+    Some(Differing { difference, text })
 }
 
 /// The sign on something.
 #[component]
-pub(super) fn Mark(marked: ArcMemo<Option<Marked>>) -> impl IntoView {
+pub(super) fn Differs(differs: ArcMemo<Option<Differing>>) -> impl IntoView {
     move || {
-        marked.get().map(|Marked { difference, text }| {
+        differs.get().map(|Differing { difference, text }| {
             let (kind, sign) = match difference {
                 Difference::New => ("new", "+"),
                 Difference::Changed => ("changed", "≠"),
@@ -46,7 +46,7 @@ pub(super) fn Mark(marked: ArcMemo<Option<Marked>>) -> impl IntoView {
             };
             let title = text.clone();
             view! {
-                <span class=format!("mark on-graph {kind}") title=title aria-hidden="true">
+                <span class=format!("differs on-graph {kind}") title=title aria-hidden="true">
                     <i>{sign}</i><span class="cut">{text}</span>
                 </span>
             }
@@ -57,8 +57,8 @@ pub(super) fn Mark(marked: ArcMemo<Option<Marked>>) -> impl IntoView {
 /// Something that one of the versions has and the graph has not.
 #[derive(Clone, Debug, PartialEq)]
 enum Shadow {
-    Stream { id: Id, stream: Stream, place: Place, mark: Option<Marked> },
-    Connector { id: Id, connector: Connector, path: String, chip: Place, mark: Option<Marked> },
+    Stream { id: Id, stream: Stream, place: Place, differs: Option<Differing> },
+    Connector { id: Id, connector: Connector, path: String, chip: Place, differs: Option<Differing> },
 }
 
 fn shadows(desk: &Desk, compared: &Compared) -> Vec<Shadow> {
@@ -68,7 +68,7 @@ fn shadows(desk: &Desk, compared: &Compared) -> Vec<Shadow> {
         for (id, record) in &one.records {
             let known = other.is_some_and(|other| other.records.contains_key(id));
             if !known && !is_there(desk, id) {
-                found.extend(places.shadow(id, record, mark(desk, compared, id)));
+                found.extend(places.shadow(id, record, difference(desk, compared, id)));
             }
         }
     }
@@ -96,12 +96,12 @@ impl Places<'_> {
         now.or_else(|| self.behaviour.place(id)).or_else(|| self.free.get(id).copied())
     }
 
-    fn shadow(&self, id: &RecordId, record: &Record, mark: Option<Marked>) -> Option<Shadow> {
+    fn shadow(&self, id: &RecordId, record: &Record, differs: Option<Differing>) -> Option<Shadow> {
         let id = id.id.clone();
         match record {
             Record::Stream(stream) => {
                 let place = self.of(&id)?;
-                Some(Shadow::Stream { id, stream: stream.clone(), place, mark })
+                Some(Shadow::Stream { id, stream: stream.clone(), place, differs })
             }
             Record::Connector(connector) => {
                 let inputs: Vec<Place> = connector.inputs.iter().filter_map(|input| self.of(input)).collect();
@@ -109,7 +109,7 @@ impl Places<'_> {
                 let kind = self.behaviour.stream(&connector.output).map_or(StreamKind::Ordinary, |stream| stream.kind);
                 let chip = chip_place(&inputs, output, kind);
                 let path = curves(&inputs, chip, output);
-                Some(Shadow::Connector { id, connector: connector.clone(), path, chip, mark })
+                Some(Shadow::Connector { id, connector: connector.clone(), path, chip, differs })
             }
             Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) => None,
         }
@@ -141,9 +141,9 @@ pub(super) fn Shadows() -> impl IntoView {
 
 fn shape(shadow: Shadow) -> AnyView {
     match shadow {
-        Shadow::Stream { id, stream, place, mark } => {
+        Shadow::Stream { id, stream, place, differs } => {
             let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
-            let label = words::with_mark(stream.name.clone(), mark.as_ref().map(|mark| mark.text.as_str()));
+            let label = words::with_mark(stream.name.clone(), differs.as_ref().map(|differs| differs.text.as_str()));
             let class = format!("stream shadow {}", super::node::kind_class(stream.kind));
             let width = format!("{:.0}px", stream_width(&stream));
             view! {
@@ -153,15 +153,15 @@ fn shape(shadow: Shadow) -> AnyView {
                         {device.map(|device| view! { <span class="icon"><Icon name=device.icon /></span> })}
                         <span class="texts"><span class="name">{stream.name}</span></span>
                     </div>
-                    <Mark marked=ArcMemo::new(move |_| mark.clone()) />
+                    <Differs differs=ArcMemo::new(move |_| differs.clone()) />
                 </div>
             }
             .into_any()
         }
-        Shadow::Connector { id, connector, chip, mark, .. } => {
+        Shadow::Connector { id, connector, chip, differs, .. } => {
             let text = chip_words(&connector);
             let width = format!("{:.0}px", chip_width(&text));
-            let label = words::with_mark(text.whole(), mark.as_ref().map(|mark| mark.text.as_str()));
+            let label = words::with_mark(text.whole(), differs.as_ref().map(|differs| differs.text.as_str()));
             view! {
                 <div class="at of-chip" style:transform=placed(chip)>
                     <div class="chip shadow" role="img" aria-label=label data-shadow=id.to_string()
@@ -170,7 +170,7 @@ fn shape(shadow: Shadow) -> AnyView {
                         <span class="word">{text.word}</span>
                         <span class="detail">{text.detail}</span>
                     </div>
-                    <Mark marked=ArcMemo::new(move |_| mark.clone()) />
+                    <Differs differs=ArcMemo::new(move |_| differs.clone()) />
                 </div>
             }
             .into_any()

@@ -1,0 +1,303 @@
+//! A change that was refused because somebody else was first: what both made of it, and how one's own goes on top of
+//! theirs. Pure, with the behaviour handed in.
+
+use super::build;
+use behaviour::{Accepted, Behaviour, Change, Connector, Edit, Id, Kind, Record, RecordId, Refusal, Stream};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// How many refused changes wait for their author at most.
+pub(super) const CONFLICTS_MAX: usize = 20;
+/// How many changes of others are kept with one of them.
+const THEIRS_MAX: usize = 30;
+/// All of them together, in bytes; the newest is kept whatever it takes.
+const THEIRS_MAX_BYTES: usize = 128 << 10;
+
+/// A refused change; it stays until its author decides.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Conflict {
+    pub(super) behaviour: Id,
+    /// What it is about: the first thing in it that somebody else touched.
+    pub(crate) about: RecordId,
+    /// As its author made it.
+    pub(crate) mine: Change,
+    /// When that was, in milliseconds since 1970 by this computer's clock.
+    pub(crate) made_ms: f64,
+    /// Whether it was made without a connection.
+    pub(crate) offline: bool,
+    /// What others saved since, oldest first; nothing if that could not be found out.
+    pub(super) theirs: Vec<Accepted>,
+    /// The change under way that puts one's own on top.
+    pub(super) retry: Option<Id>,
+    /// Somebody changed it once more while its author looked at both.
+    #[serde(skip)]
+    pub(crate) again: bool,
+    /// Whether it was shown since it was refused; after a reload it only waits.
+    #[serde(skip, default = "yes")]
+    pub(super) shown: bool,
+}
+
+fn yes() -> bool {
+    true
+}
+
+/// Whether a refused change is shown beside what others saved: one that makes or edits streams or connectors, and comes
+/// too late. Moves and removals are small enough to be made anew.
+pub(super) fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
+    let is_late = matches!(no, Refusal::Stale(_) | Refusal::MissingStream);
+    is_late && change.undoes.is_none() && change.edits.iter().any(|edit| is_part(&edit.id) && edit.after.is_some())
+}
+
+fn is_part(id: &RecordId) -> bool {
+    matches!(id.kind, Kind::Stream | Kind::Connector)
+}
+
+/// Of what others saved, the changes since the author of a refused one looked: from the one on that changed what the
+/// author saw.
+pub(super) fn since_seen(log: Vec<Accepted>, mine: &Change) -> Vec<Accepted> {
+    let needs = needed(mine);
+    let touches =
+        |accepted: &Accepted| accepted.change.op != mine.op && touched(&accepted.change).any(|id| needs.contains(id));
+    let mut log: Vec<Accepted> = log.into_iter().filter(touches).collect();
+    let leaves_it = |accepted: &Accepted| {
+        mine.edits
+            .iter()
+            .any(|edit| accepted.change.edits.iter().any(|their| their.id == edit.id && their.before == edit.before))
+            || accepted.change.edits.iter().any(|their| their.after.is_none() && needs.contains(&their.id))
+    };
+    let first = log.iter().position(leaves_it).unwrap_or_else(|| log.len().saturating_sub(1));
+    newest(log.split_off(first))
+}
+
+/// The newest of them, within their bounds.
+fn newest(mut log: Vec<Accepted>) -> Vec<Accepted> {
+    let mut bytes = 0;
+    let fits = log.iter().rev().take(THEIRS_MAX).take_while(|accepted| {
+        bytes += accepted.change.bytes();
+        bytes <= THEIRS_MAX_BYTES
+    });
+    let many = fits.count().max(1);
+    log.split_off(log.len().saturating_sub(many))
+}
+
+fn touched(change: &Change) -> impl Iterator<Item = &RecordId> {
+    change.edits.iter().map(|edit| &edit.id)
+}
+
+/// What a change is about or rests on: what it edits, and the ends of its connectors.
+fn needed(change: &Change) -> BTreeSet<RecordId> {
+    let edited = touched(change).filter(|id| is_part(id)).cloned();
+    edited.chain(change.edits.iter().filter_map(|edit| edit.after.as_ref()).flat_map(ends)).collect()
+}
+
+/// The streams that a record cannot be without.
+fn ends(record: &Record) -> Vec<RecordId> {
+    match record {
+        Record::Connector(connector) => {
+            let streams = connector.inputs.iter().chain([&connector.output]);
+            streams.map(|id| RecordId::new(Kind::Stream, id)).collect()
+        }
+        _ => Vec::new(),
+    }
+}
+
+/// What of these is gone, put back as it was: whole changes that removed it, taken back as far as they still stand.
+pub(super) fn brought_back(
+    now: &Behaviour,
+    log: &[Accepted],
+    missing: impl Fn(&Behaviour) -> BTreeSet<RecordId>,
+) -> Behaviour {
+    let mut whole = now.clone();
+    for accepted in log.iter().rev() {
+        let gone = missing(&whole);
+        let removes = |edit: &Edit| edit.after.is_none() && gone.contains(&edit.id);
+        if accepted.change.edits.iter().any(removes) {
+            let stands: Vec<&Edit> = accepted
+                .change
+                .edits
+                .iter()
+                .filter(|edit| whole.records.get(&edit.id) == edit.after.as_ref())
+                .collect();
+            for edit in stands {
+                put(&mut whole, &edit.id, edit.before.clone());
+            }
+        }
+    }
+    whole
+}
+
+fn put(whole: &mut Behaviour, id: &RecordId, record: Option<Record>) {
+    match record {
+        Some(record) => whole.records.insert(id.clone(), record),
+        None => whole.records.remove(id),
+    };
+}
+
+/// The change from one behaviour to another, under the name of an empty one.
+pub(super) fn between(now: &Behaviour, then: &Behaviour, start: Change) -> Change {
+    let all: BTreeSet<&RecordId> = now.records.keys().chain(then.records.keys()).collect();
+    let edits = all.into_iter().filter(|id| now.records.get(*id) != then.records.get(*id));
+    let edit = |id: &RecordId| Edit {
+        id: id.clone(),
+        before: now.records.get(id).cloned(),
+        after: then.records.get(id).cloned(),
+    };
+    Change { edits: edits.map(edit).collect(), ..start }
+}
+
+impl Conflict {
+    /// A refused change, with what others saved since and the behaviour as it is now.
+    pub(super) fn of(
+        behaviour: Id,
+        mine: Change,
+        (made_ms, offline): (f64, bool),
+        theirs: Vec<Accepted>,
+        now: &Behaviour,
+    ) -> Option<Self> {
+        let parts = || mine.edits.iter().filter(|edit| is_part(&edit.id));
+        let late = parts().find(|edit| now.records.get(&edit.id) != edit.before.as_ref());
+        let about = late.or_else(|| parts().next())?.id.clone();
+        Some(Self { behaviour, about, mine, made_ms, offline, theirs, retry: None, again: false, shown: false })
+    }
+
+    /// A later change of the same author joins in: it was made on top of this one, which nobody else ever had.
+    pub(super) fn join(&mut self, later: Change) {
+        for edit in later.edits {
+            match self.mine.edits.iter_mut().find(|known| known.id == edit.id) {
+                Some(known) => known.after = edit.after,
+                None => self.mine.edits.push(edit),
+            }
+        }
+    }
+
+    /// Whether another change touches something of this one.
+    pub(super) fn meets(&self, change: &Change) -> bool {
+        let mine: BTreeSet<_> = touched(&self.mine).filter(|id| is_part(id)).collect();
+        touched(change).any(|id| mine.contains(id))
+    }
+
+    /// What this change rests on and is gone.
+    fn missing(&self, now: &Behaviour) -> BTreeSet<RecordId> {
+        let made = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.before.is_none());
+        let dropped = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.after.is_none());
+        let needs = needed(&self.mine).into_iter();
+        needs.filter(|id| !now.records.contains_key(id) && !made(id) && !dropped(id)).collect()
+    }
+
+    /// Whether somebody removed what this change is about or rests on.
+    pub(crate) fn is_removed(&self, now: &Behaviour) -> bool {
+        !self.missing(now).is_empty()
+    }
+
+    /// The last change of somebody to it.
+    pub(crate) fn last_of_theirs(&self) -> Option<&Change> {
+        self.theirs.last().map(|accepted| &accepted.change)
+    }
+
+    /// The record as its author saw it, and as the author wants it.
+    pub(crate) fn mine_of(&self, id: &RecordId) -> Option<(Option<&Record>, Option<&Record>)> {
+        let edit = self.mine.edits.iter().find(|edit| edit.id == *id)?;
+        Some((edit.before.as_ref(), edit.after.as_ref()))
+    }
+
+    /// Whether it makes something that was not there before.
+    pub(crate) fn is_new(&self) -> bool {
+        self.mine_of(&self.about).is_some_and(|(seen, _)| seen.is_none())
+    }
+
+    /// Whether it edits a stream or connector.
+    pub(super) fn edits(&self, id: &Id) -> bool {
+        touched(&self.mine).any(|edited| is_part(edited) && edited.id == *id)
+    }
+
+    /// Whether a stream has to be there for it.
+    pub(super) fn rests_on(&self, stream: &Id) -> bool {
+        needed(&self.mine).contains(&RecordId::new(Kind::Stream, stream))
+    }
+
+    /// Whether it was put on top and is not answered yet.
+    pub(crate) fn is_under_way(&self) -> bool {
+        self.retry.is_some()
+    }
+
+    /// Whether it was not shown yet.
+    pub(crate) fn waits_unseen(&self) -> bool {
+        !self.shown
+    }
+
+    /// A stream as the author of this change wants it, if it touches that.
+    pub(crate) fn wanted(&self, stream: &Id) -> Option<&Record> {
+        self.mine_of(&RecordId::new(Kind::Stream, stream))?.1
+    }
+
+    /// A stream that somebody removed, as it was.
+    pub(crate) fn gone(&self, stream: &Id) -> Option<&Record> {
+        let key = RecordId::new(Kind::Stream, stream);
+        let edits = self.theirs.iter().rev().flat_map(|accepted| &accepted.change.edits);
+        edits.filter(|edit| edit.id == key).find_map(|edit| edit.before.as_ref())
+    }
+
+    /// One's own on top of what there is now, after bringing back what is gone: of each record what its author changed,
+    /// and the rest as the others have it. Without edits if nothing is left to change.
+    pub(super) fn on_top(&self, now: &Behaviour, start: Change) -> Change {
+        let mut whole = brought_back(now, &self.theirs, |whole| self.missing(whole));
+        let mut renames = false;
+        for edit in &self.mine.edits {
+            match (&edit.before, &edit.after) {
+                (Some(Record::Stream(seen)), Some(Record::Stream(mine))) => {
+                    renames |= seen.name != mine.name;
+                    self.put_stream(&mut whole, &edit.id, (seen, mine));
+                }
+                // What only follows a new name follows it anew, in the text that is there now.
+                (Some(Record::Connector(_)), Some(Record::Connector(_))) if renames => {}
+                (Some(Record::Connector(seen)), Some(Record::Connector(mine))) => {
+                    if let Some(Record::Connector(theirs)) = whole.records.get_mut(&edit.id) {
+                        *theirs = merged_connector(seen, mine, theirs);
+                    }
+                }
+                (_, after) => put(&mut whole, &edit.id, after.clone()),
+            }
+        }
+        between(now, &whole, start)
+    }
+
+    fn put_stream(&self, whole: &mut Behaviour, id: &RecordId, (seen, mine): (&Stream, &Stream)) {
+        let Some(theirs) = whole.stream(&id.id) else { return };
+        let merged = merged_stream(seen, mine, theirs);
+        let step = build::stream_edited(whole, Change::of(self.mine.op.clone(), "", ""), &id.id, merged);
+        whole.apply(&step);
+    }
+}
+
+/// Mine where it was changed, else theirs.
+fn pick<T: PartialEq + Clone>(seen: &T, mine: &T, theirs: &T) -> T {
+    if seen == mine { theirs.clone() } else { mine.clone() }
+}
+
+fn merged_connector(seen: &Connector, mine: &Connector, theirs: &Connector) -> Connector {
+    Connector {
+        operation: pick(&seen.operation, &mine.operation, &theirs.operation),
+        inputs: pick(&seen.inputs, &mine.inputs, &theirs.inputs),
+        output: pick(&seen.output, &mine.output, &theirs.output),
+        order: pick(&seen.order, &mine.order, &theirs.order),
+    }
+}
+
+fn merged_stream(seen: &Stream, mine: &Stream, theirs: &Stream) -> Stream {
+    let device = |stream: &Stream| (stream.device.clone(), stream.params.clone());
+    let (device, params) = pick(&device(seen), &device(mine), &device(theirs));
+    Stream {
+        kind: theirs.kind,
+        name: pick(&seen.name, &mine.name, &theirs.name),
+        device,
+        params,
+        order: pick(&seen.order, &mine.order, &theirs.order),
+        resources: pick(&seen.resources, &mine.resources, &theirs.resources),
+        priority: pick(&seen.priority, &mine.priority, &theirs.priority),
+        hold_ms: pick(&seen.hold_ms, &mine.hold_ms, &theirs.hold_ms),
+    }
+}
+
+#[cfg(test)]
+#[path = "conflict_tests.rs"]
+mod tests;
