@@ -29,6 +29,20 @@ pub(crate) fn day_words(ms: f64) -> String {
     js_sys::Date::new(&ms.into()).to_locale_date_string("en-GB", &options).into()
 }
 
+/// A time since 1970 as a day of the year, in words: `12 March`.
+pub(crate) fn date_words(ms: f64) -> String {
+    let options = js_sys::Object::new();
+    for (part, shape) in [("day", "numeric"), ("month", "long")] {
+        let _ = js_sys::Reflect::set(&options, &part.into(), &shape.into());
+    }
+    js_sys::Date::new(&ms.into()).to_locale_date_string("en-GB", &options).into()
+}
+
+/// How much the clock on the wall here was ahead of UTC at a time since 1970, in milliseconds.
+pub(crate) fn ahead_ms(ms: f64) -> f64 {
+    if cfg!(target_arch = "wasm32") { -60_000.0 * js_sys::Date::new(&ms.into()).get_timezone_offset() } else { 0.0 }
+}
+
 /// A time since 1970 as the time of day, in words: `14:20`.
 pub(crate) fn clock_words(ms: f64) -> String {
     let options = js_sys::Object::new();

@@ -3,6 +3,7 @@
 mod chip;
 mod cull;
 mod curve;
+mod differs;
 mod follow;
 mod hand;
 mod keys;
@@ -26,6 +27,7 @@ use crate::desk::use_desk;
 use crate::panels::EmptyStage;
 use crate::words;
 use chip::{Chip, Edge};
+use differs::Shadows;
 use follow::Following;
 use leptos::prelude::*;
 use node::StreamNode;
@@ -83,6 +85,7 @@ pub(crate) fn Canvas() -> impl IntoView {
         >
             <div class="world" style:transform=move || transform.transform()>
                 <Edges />
+                <Shadows />
                 <Streams />
                 <Chips />
                 <Pointers />

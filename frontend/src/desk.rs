@@ -14,8 +14,8 @@ mod roles;
 mod tab;
 
 pub(crate) use document::{
-    Asking, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected, Sign,
-    StreamSignals, Writing, draft_key, initials, signs,
+    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected,
+    Sign, StreamSignals, Version, Writing, bare, draft_key, initials, signs,
 };
 pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
@@ -78,6 +78,15 @@ impl Desk {
         crate::browser::every(500, move || robots.tick());
         let document = self.document.clone();
         crate::browser::every(500, move || document.tick_lock());
+    }
+
+    /// Takes back this person's last change, or the removal of the program that was open.
+    pub(crate) fn undo(&self) {
+        let gone = self.library.gone.get_untracked();
+        match gone.filter(|_| self.document.open.with_untracked(Option::is_none)) {
+            Some(gone) => self.library.bring_back(&gone),
+            None => self.document.undo(),
+        }
     }
 
     /// Hands on what the document tells.

@@ -3,10 +3,12 @@
 mod label;
 mod spot;
 mod tidy;
+mod was;
 
 pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is};
 pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
 pub(crate) use tidy::tidy;
+pub(crate) use was::{called, what_it_was, whole};
 
 use behaviour::{Place, Stream};
 use label::name_width;

@@ -90,7 +90,7 @@ fn undo_keys(desk: &Desk) {
             return;
         }
         match (event.key().to_lowercase().as_str(), event.shift_key()) {
-            ("z", false) => desk.document.undo(),
+            ("z", false) => desk.undo(),
             ("z", true) | ("y", false) => desk.document.redo(),
             _ => return,
         }

@@ -5,6 +5,7 @@ mod editors;
 mod empty;
 mod files;
 mod focus;
+mod history;
 mod hold;
 mod insight;
 mod inspector;

@@ -7,6 +7,7 @@ mod disk_full;
 mod edits;
 mod graph_database;
 mod help;
+mod history;
 mod invite;
 mod library;
 mod link;

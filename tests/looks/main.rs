@@ -3,6 +3,7 @@
 mod axe;
 mod conflicts;
 mod graphs;
+mod history;
 mod invite;
 mod load;
 mod locks;

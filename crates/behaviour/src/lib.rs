@@ -7,6 +7,7 @@
 mod back;
 mod change;
 mod checkpoints;
+mod compare;
 pub mod connectors;
 mod fields;
 mod file;
@@ -35,6 +36,7 @@ mod words;
 pub use back::what_went;
 pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
+pub use compare::{Comparison, Difference};
 pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Flaw, FlawKind};
 pub use graph::Graph;

@@ -2,6 +2,7 @@
 
 use super::Stage;
 use super::curve::{chip_place, curves};
+use super::differs::{Differs, differs_memo};
 use super::mark::{self, MarkBadge, mark_memo};
 use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo};
 use super::room::Side;
@@ -87,6 +88,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     };
     let ring = unused.clone();
     let editor = editor_memo(&stage, &id);
+    let differs = differs_memo(&desk, &RecordId::new(Kind::Connector, &id));
+    let differing = differs.clone();
     let locked = editor.clone();
     let mark = mark_memo(&desk, RecordId::new(Kind::Connector, &id));
     let marked = mark.clone();
@@ -115,7 +118,8 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             aria-label=move || {
                 let editor = editor.get();
                 let name = label.with(|words| ends.with(|(from, to)| words::connector_name(&words.whole(), from, to)));
-                words::with_editor(name, editor.as_deref())
+                let name = words::with_editor(name, editor.as_deref());
+                words::with_mark(name, differing.get().map(|it| it.text).as_deref())
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || title.with(ChipWords::whole)
@@ -132,6 +136,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
+            <Differs differs=differs />
             <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
             <Bubble id=id said=said />

@@ -1,6 +1,7 @@
 //! One stream: its shape, its name, what happens on it now.
 
 use super::Stage;
+use super::differs::{Differs, differs_memo};
 use super::mark::{self, MarkBadge, mark_memo};
 use super::stage::Edited;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
@@ -57,6 +58,8 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         (!all.is_empty()).then(|| all.join(" "))
     };
     let editor = editor_memo(&stage, &id);
+    let differs = differs_memo(&desk, &RecordId::new(Kind::Stream, &id));
+    let differing = differs.clone();
     view! {
         <div
             class=move || format!("at {}", kind_class(at_kind.with(|stream| stream.kind)))
@@ -72,7 +75,8 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             aria-label=move || {
                 let editor = editor.get();
                 let name = by_label.with(|stream| words::stream_name(&stream.name, &what_it_is(stream), stream.kind));
-                words::with_editor(name, editor.as_deref())
+                let name = words::with_editor(name, editor.as_deref());
+                words::with_mark(name, differing.get().map(|it| it.text).as_deref())
             }
             aria-pressed=move || pressed.get().to_string()
             title=move || by_title.with(whole_title)
@@ -87,6 +91,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             </span>
         </div>
             <ProblemBadge problem=problem />
+            <Differs differs=differs />
             <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
             <LiveValue id=id.clone() signals=signals />
@@ -95,7 +100,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     .into_any()
 }
 
-fn kind_class(kind: StreamKind) -> &'static str {
+pub(super) fn kind_class(kind: StreamKind) -> &'static str {
     match kind {
         StreamKind::Sensor => "sensor",
         StreamKind::Ordinary => "ordinary",

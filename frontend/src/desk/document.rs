@@ -14,23 +14,30 @@ mod presence;
 mod procedures;
 mod propose;
 mod queue;
+mod reading;
 mod save_state;
 mod server;
 mod signals;
 mod signs;
 mod silence;
+mod steps;
+mod undo;
+mod versions;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use conflict::Conflict;
 pub(crate) use conflicts::draft_key;
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
+use history::History;
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Mark, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
 pub(crate) use signs::{Sign, initials, signs};
+pub(crate) use steps::bare;
+pub(crate) use versions::{Compared, Comparing, Version};
 
 use super::tab::Tab;
-use behaviour::{Behaviour, Id, Place, Problem, RecordId};
+use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId};
 use leptos::prelude::*;
 use protocol::{LockShown, Person};
 use std::collections::{BTreeMap, BTreeSet};
@@ -67,12 +74,20 @@ pub(crate) struct Fields {
     pub(crate) lock_clock: ArcRwSignal<f64>,
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
     pub(crate) saving: ArcRwSignal<Saving>,
+    /// What undo would take back, and redo do again, in words; none if there is nothing.
+    pub(crate) undoable: ArcRwSignal<Option<String>>,
+    pub(crate) redoable: ArcRwSignal<Option<String>>,
+    /// What is known of what was done, by whom and when.
+    pub(crate) history: ArcRwSignal<History>,
+    /// The versions that have a name.
+    pub(crate) versions: ArcRwSignal<Vec<Checkpoint>>,
+    /// Which versions are looked at here, and how they differ once both are there.
+    pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
+    pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
     /// Changes of this tab that were refused because somebody was first, in any program.
     pub(super) conflicts: ArcRwSignal<Vec<Conflict>>,
     /// What of the open behaviour has changes that wait to be sent.
     waits: ArcRwSignal<BTreeSet<RecordId>>,
-    pub(crate) can_undo: ArcRwSignal<bool>,
-    pub(crate) can_redo: ArcRwSignal<bool>,
     state: Mutex<State>,
     listener: OnceLock<Listener>,
 }
@@ -89,7 +104,9 @@ struct State {
     queue: queue::Queue,
     saves: save_state::SaveState,
     silence: silence::Silence,
-    history: history::History,
+    mine: undo::Mine,
+    /// A page of the history is asked for.
+    reads_history: bool,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
     presence: presence::Presence,
@@ -142,10 +159,14 @@ impl Document {
             lock_clock: ArcRwSignal::default(),
             selected: ArcRwSignal::default(),
             saving: ArcRwSignal::default(),
+            undoable: ArcRwSignal::default(),
+            redoable: ArcRwSignal::default(),
+            history: ArcRwSignal::default(),
+            versions: ArcRwSignal::default(),
+            comparing: ArcRwSignal::default(),
+            compared: ArcRwSignal::default(),
             conflicts: ArcRwSignal::default(),
             waits: ArcRwSignal::default(),
-            can_undo: ArcRwSignal::default(),
-            can_redo: ArcRwSignal::default(),
             state: Mutex::default(),
             listener: OnceLock::new(),
         }))

@@ -36,6 +36,7 @@ impl Desk {
                 self.document.hear_problems(&behaviour, problems);
             }
             Reply::People { behaviour, people } => self.document.hear_people(&behaviour, people),
+            Reply::Versions { behaviour, versions } => self.document.hear_versions(&behaviour, versions),
             Reply::Locks { behaviour, locks } => self.document.hear_locks(&behaviour, locks),
             Reply::Locked { grant } => self.document.hear_grant(&grant),
             Reply::LockNews { behaviour, now_ms, event } => self.document.hear_lock_event(&behaviour, now_ms, &event),
@@ -65,7 +66,6 @@ impl Desk {
             | Reply::Records { .. }
             | Reply::History { .. }
             | Reply::At { .. }
-            | Reply::Versions { .. }
             | Reply::Invited { .. }
             | Reply::Done
             | Reply::No { .. } => {}

@@ -10,7 +10,7 @@ pub(crate) use files::{NotBrought, file_address, first_file};
 pub(crate) use lists::ProgramPage;
 
 use super::document::Document;
-use super::tab::Tab;
+use super::tab::{Gone, Tab};
 use behaviour::{Behaviour, Helper, Id};
 use leptos::prelude::*;
 use protocol::Summary;
@@ -35,6 +35,8 @@ pub(crate) struct Fields {
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
     /// The helpers, by name.
     pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
+    /// The program that was removed here last, as long as nothing else was chosen since.
+    pub(crate) gone: ArcRwSignal<Option<Gone>>,
     /// True while a file is dragged over the page.
     pub(crate) dropping: ArcRwSignal<bool>,
     state: Mutex<State>,
@@ -70,6 +72,7 @@ impl Library {
             pictures: ArcRwSignal::default(),
             templates: ArcRwSignal::default(),
             helpers: ArcRwSignal::default(),
+            gone: ArcRwSignal::default(),
             dropping: ArcRwSignal::default(),
             state: Mutex::default(),
         }))

@@ -75,6 +75,15 @@ pub(crate) struct Notice {
     pub(crate) text: String,
     /// True for refusals and faults.
     pub(crate) bad: bool,
+    /// A program in the bin that can be brought back.
+    pub(crate) gone: Option<Gone>,
+}
+
+/// A program that was moved to the bin just now.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Gone {
+    pub(crate) id: Id,
+    pub(crate) name: String,
 }
 
 /// This tab. A clone is the same tab.
@@ -98,6 +107,8 @@ pub(crate) struct Fields {
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
+    /// Whether the history is shown.
+    pub(crate) shows_history: ArcRwSignal<bool>,
 }
 
 impl Deref for Tab {
@@ -110,8 +121,17 @@ impl Deref for Tab {
 impl Tab {
     /// Shows one sentence; `bad` for refusals and faults.
     pub(crate) fn say(&self, text: &str, bad: bool) {
+        self.say_and_offer(text, bad, None);
+    }
+
+    /// Shows that a program is gone, and offers to bring it back.
+    pub(super) fn say_gone(&self, text: &str, gone: Gone) {
+        self.say_and_offer(text, false, Some(gone));
+    }
+
+    fn say_and_offer(&self, text: &str, bad: bool, gone: Option<Gone>) {
         let number = self.notice.with_untracked(|now| now.as_ref().map_or(0, |notice| notice.number)) + 1;
-        self.notice.set(Some(Notice { number, text: text.to_owned(), bad }));
+        self.notice.set(Some(Notice { number, text: text.to_owned(), bad, gone }));
     }
 
     /// Shows why something was not done.

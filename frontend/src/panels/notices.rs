@@ -8,7 +8,7 @@ use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
 
-/// How long a sentence stays, in milliseconds; refusals stay longer.
+/// How long a sentence stays, in milliseconds; refusals and what offers something stay longer.
 const STAYS_MS: i32 = 4_000;
 const REFUSAL_STAYS_MS: i32 = 12_000;
 
@@ -33,7 +33,7 @@ fn Sentence(bad: bool) -> impl IntoView {
     Effect::new(move |_| {
         if let Some(shown) = notice.get() {
             let signal = desk.desk().notice.clone();
-            let stays = if bad { REFUSAL_STAYS_MS } else { STAYS_MS };
+            let stays = if bad || shown.gone.is_some() { REFUSAL_STAYS_MS } else { STAYS_MS };
             browser::after(stays, move || {
                 if signal.get_untracked().is_some_and(|now| now.number == shown.number) {
                     signal.set(None);
@@ -42,11 +42,21 @@ fn Sentence(bad: bool) -> impl IntoView {
         }
     });
     let text = move || notice.get().map(|notice| notice.text);
+    let gone = Memo::new(move |_| notice.get().and_then(|notice| notice.gone));
+    let bring_back = move |_| {
+        if let Some(gone) = gone.get_untracked() {
+            desk.desk().notice.set(None);
+            desk.desk().library.bring_back(&gone);
+        }
+    };
     view! {
         <div role=if bad { "alert" } else { "status" }>
             <Show when=move || notice.read().is_some()>
                 <div class="notice" class:bad=bad>
                     <span>{text}</span>
+                    <Show when=move || gone.read().is_some()>
+                        <button class="link" type="button" on:click=bring_back>{words::bring_back()}</button>
+                    </Show>
                     <button class="tool icon" type="button" aria-label=words::dismiss() title=words::dismiss()
                         on:click=move |_| desk.desk().notice.set(None)>
                         <Icon name="close" />

@@ -1,5 +1,7 @@
-//! The right column: the robot always at the same place, its room, and what is selected.
+//! The right column: the robot always at the same place, its room and what is selected, or the history.
 
+use super::history::HistoryPanel;
+use super::hold::hold;
 use super::inspector::Inspector;
 use super::robot_box::RobotBox;
 use super::room::Room;
@@ -9,13 +11,19 @@ use leptos::prelude::*;
 /// The right column; on a phone its robot box is the bar at the bottom and the rest stands under the outline.
 #[component]
 pub(crate) fn RightColumn() -> impl IntoView {
+    let desk = hold();
+    let history = Memo::new(move |_| {
+        let desk = desk.desk();
+        desk.shows_history.get() && desk.document.open.read().is_some()
+    });
     view! {
         <aside class="right" aria-label=words::right_name()>
             <RobotBox />
-            <div class="right-rest">
+            <div class="right-rest" class:beside-history=move || history.get()>
                 <Room />
                 <Inspector />
             </div>
+            {move || history.get().then(|| view! { <HistoryPanel /> })}
         </aside>
     }
 }

@@ -176,18 +176,46 @@ fn Tool(
 #[component]
 fn Back() -> impl IntoView {
     let desk = hold();
-    let cannot_undo = move || !desk.desk().document.can_undo.get();
-    let cannot_redo = move || !desk.desk().document.can_redo.get();
+    let cannot_redo = move || desk.desk().document.redoable.read().is_none();
+    let undo_title = move || words::step_title(words::undo(), desk.desk().document.undoable.read().as_deref());
+    let redo_title = move || words::step_title(words::redo(), desk.desk().document.redoable.read().as_deref());
     view! {
-        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::undo()
-            aria-label=words::undo() disabled=cannot_undo on:click=move |_| desk.desk().document.undo()>
+        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=undo_title
+            aria-label=words::undo() disabled=move || !can_undo(desk) on:click=move |_| desk.desk().undo()>
             <Icon name="undo" />
         </button>
-        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=words::redo()
+        <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=redo_title
             aria-label=words::redo() disabled=cannot_redo on:click=move |_| desk.desk().document.redo()>
             <Icon name="redo" />
         </button>
+        <HistoryButton />
     }
+}
+
+/// Whether there is a change to take back, or a program that was removed just now. Reactive.
+fn can_undo(desk: Hold) -> bool {
+    let desk = desk.desk();
+    let gone = desk.document.open.read().is_none() && desk.library.gone.read().is_some();
+    gone || desk.document.undoable.read().is_some()
+}
+
+#[component]
+fn HistoryButton() -> impl IntoView {
+    let desk = hold();
+    let label = words::history();
+    view! {
+        <button class="tool icon not-phone" type="button" id="history-button" data-stop="" tabindex="-1" title=label
+            aria-label=label aria-expanded=move || shows_history(desk).to_string()
+            disabled=move || desk.desk().document.open.read().is_none()
+            on:click=move |_| desk.desk().shows_history.update(|shows| *shows = !*shows)>
+            <Icon name="history" />
+        </button>
+    }
+}
+
+fn shows_history(desk: Hold) -> bool {
+    let desk = desk.desk();
+    desk.shows_history.get() && desk.document.open.read().is_some()
 }
 
 #[component]
@@ -262,10 +290,12 @@ fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
             <MenuItem label=words::edit_helper() icon="fx" choose=opens(desk, Dialog::Helpers) />
             <MenuItem label=words::add_helper() icon="plus" disabled=no_edit() choose=opens(desk, Dialog::Helper(None)) />
             <div class="menu-rule" role="separator"></div>
-            <MenuItem label=words::undo() icon="undo" disabled=!desk.desk().document.can_undo.get_untracked()
-                choose=Callback::new(move |()| desk.desk().document.undo()) />
-            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().document.can_redo.get_untracked()
+            <MenuItem label=words::undo() icon="undo" disabled=!untrack(|| can_undo(desk))
+                choose=Callback::new(move |()| desk.desk().undo()) />
+            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().document.redoable.with_untracked(Option::is_some)
                 choose=Callback::new(move |()| desk.desk().document.redo()) />
+            <MenuItem label=words::history() icon="history" disabled=none_open.get_untracked()
+                choose=Callback::new(move |()| desk.desk().shows_history.set(true)) />
             <div class="menu-rule" role="separator"></div>
             {untrack(|| may_invite(desk)).then(|| view! {
                 <MenuItem label=words::invite() icon="invite" choose=opens(desk, Dialog::Invite) />

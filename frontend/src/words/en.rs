@@ -1,11 +1,13 @@
 //! The page in English.
 
 mod conflicts;
+mod history;
 mod invite;
 mod locks;
 mod people;
 
 pub(crate) use conflicts::*;
+pub(crate) use history::*;
 pub(crate) use invite::*;
 pub(crate) use locks::*;
 pub(crate) use people::*;

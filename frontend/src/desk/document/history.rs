@@ -1,194 +1,149 @@
-//! One's own undo and redo: the last changes of this tab, taken back by their opposite.
+//! What this page knows of the history of the open behaviour: its newest changes, and older ones as far as they were read.
 
-use super::Document;
-use crate::desk::tab::new_id;
-use behaviour::{Change, Id};
-use leptos::prelude::Set;
+use behaviour::{Accepted, Id, Kind};
+use protocol::HistoryLine;
 use std::collections::BTreeMap;
 
-/// How many changes can be taken back.
-const UNDO_MAX: usize = 100;
+/// So many changes are kept; the oldest ones are asked for again.
+const LINES_MAX: usize = 5_000;
 
-/// What a proposed change is for the history.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Role {
-    /// Something new.
-    Do,
-    /// Takes the newest of `undone` back.
-    Undo,
-    /// Does the newest of `done` again.
-    Redo,
-}
-
-/// Changes of this tab in the open behaviour. A step counts from when it is proposed, so that steps pressed quickly one
-/// after the other keep their order; one that is refused is taken out again.
-#[derive(Debug, Default)]
-pub(super) struct History {
-    done: Vec<Change>,
-    undone: Vec<Change>,
-    /// What is proposed and not answered: for the history, and of which change.
-    under_way: BTreeMap<Id, (Role, Id)>,
+/// Changes without what they changed, the newest of them up to some older one without gaps.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct History {
+    lines: BTreeMap<u64, HistoryLine>,
+    /// Whether there are older ones than these.
+    pub(crate) more: bool,
+    /// Whether the server has told the newest ones.
+    pub(crate) is_read: bool,
 }
 
 impl History {
-    /// A change was proposed; what can be undone grows unless it is an undo or a redo itself.
-    pub(super) fn proposed(&mut self, change: &Change) {
-        if self.under_way.contains_key(&change.op) {
-            return;
+    /// Newest first.
+    pub(crate) fn newest_first(&self) -> impl Iterator<Item = &HistoryLine> {
+        self.lines.values().rev()
+    }
+
+    pub(super) fn oldest_first(&self) -> impl Iterator<Item = &HistoryLine> {
+        self.lines.values()
+    }
+
+    /// How many changes are known.
+    pub(super) fn len(&self) -> usize {
+        self.lines.len()
+    }
+
+    /// The revision before which the next page begins.
+    pub(super) fn oldest(&self) -> Option<u64> {
+        self.lines.keys().next().copied()
+    }
+
+    /// The change that made a revision.
+    pub(crate) fn line(&self, revision: u64) -> Option<&HistoryLine> {
+        self.lines.get(&revision)
+    }
+
+    /// The server told a page.
+    pub(super) fn read(&mut self, page: &[HistoryLine], more: bool) {
+        self.lines.extend(page.iter().map(|line| (line.revision, line.clone())));
+        (self.more, self.is_read) = (more, true);
+    }
+
+    /// A change was made just now.
+    pub(super) fn made(&mut self, accepted: &Accepted) {
+        let line = line_of(accepted);
+        self.lines.insert(line.revision, line);
+        if self.lines.len() > LINES_MAX {
+            self.lines.pop_first();
+            self.more = true;
         }
-        self.under_way.insert(change.op.clone(), (Role::Do, change.op.clone()));
-        self.undone.clear();
-        self.done.push(change.clone());
-        let many = self.done.len().saturating_sub(UNDO_MAX);
-        self.done.drain(..many);
     }
 
-    /// It was accepted.
-    pub(super) fn accepted(&mut self, op: &Id) {
-        self.under_way.remove(op);
-    }
-
-    /// It was refused: whoever changed it since, taking it back is no longer ours.
-    pub(super) fn refused(&mut self, op: &Id) {
-        match self.under_way.remove(op) {
-            Some((Role::Do | Role::Redo, of)) => self.done.retain(|change| change.op != of),
-            Some((Role::Undo, of)) => self.undone.retain(|change| change.op != of),
-            None => {}
+    /// Who removed something after a revision, if that was one person: `seen` says it if it was seen.
+    pub(crate) fn who_removed(&self, after: u64, seen: Option<&str>) -> Option<String> {
+        if let Some(seen) = seen {
+            return Some(seen.to_owned());
         }
-    }
-
-    /// It could not even be queued: everything is as before, to be tried again.
-    pub(super) fn not_queued(&mut self, op: &Id) {
-        match self.under_way.remove(op) {
-            Some((Role::Do, of)) => self.done.retain(|change| change.op != of),
-            Some((Role::Undo, of)) => put_back(&mut self.undone, &mut self.done, &of),
-            Some((Role::Redo, of)) => put_back(&mut self.done, &mut self.undone, &of),
-            None => {}
+        if self.more && self.oldest().is_some_and(|oldest| oldest > after + 1) {
+            return None;
         }
-    }
-
-    fn undo(&mut self, op: Id) -> Option<Change> {
-        let last = self.done.pop()?;
-        let back = last.swapped(op.clone(), &label("Undo", &last.label));
-        self.under_way.insert(op, (Role::Undo, last.op.clone()));
-        self.undone.push(last);
-        Some(back)
-    }
-
-    fn redo(&mut self, op: Id) -> Option<Change> {
-        let last = self.undone.pop()?;
-        let again = Change { op: op.clone(), at_ms: 0, label: label("Redo", &last.label), ..last.clone() };
-        self.under_way.insert(op, (Role::Redo, last.op.clone()));
-        self.done.push(last);
-        Some(again)
+        let mut authors = self.lines.range(after + 1..).filter(|(_, line)| line.removes).map(|(_, line)| &line.author);
+        let first = authors.next()?;
+        authors.all(|other| other == first).then(|| first.clone())
     }
 }
 
-/// Moves the newest change back to where it came from, if it is this one.
-fn put_back(from: &mut Vec<Change>, to: &mut Vec<Change>, op: &Id) {
-    to.extend(from.pop_if(|change| change.op == *op));
+fn line_of(accepted: &Accepted) -> HistoryLine {
+    let Accepted { revision, change } = accepted;
+    let is_thing = |id: Kind| matches!(id, Kind::Stream | Kind::Connector | Kind::Helper);
+    HistoryLine {
+        revision: *revision,
+        op: change.op.clone(),
+        author: change.author.clone(),
+        by: change.by.clone(),
+        label: change.label.clone(),
+        at_ms: change.at_ms,
+        undoes: change.undoes.clone(),
+        removes: change.edits.iter().any(|edit| edit.after.is_none() && is_thing(edit.id.kind)),
+    }
 }
 
-fn label(word: &str, of: &str) -> String {
-    let short: String = of.chars().take(behaviour::NAME_MAX_CHARS - 10).collect();
-    format!("{word}: {short}")
-}
-
-impl Document {
-    /// Takes back this person's last change.
-    pub(crate) fn undo(&self) {
-        let change = self.state().history.undo(new_id());
-        self.propose_step(change);
-    }
-
-    /// Does again what was taken back last.
-    pub(crate) fn redo(&self) {
-        let change = self.state().history.redo(new_id());
-        self.propose_step(change);
-    }
-
-    fn propose_step(&self, change: Option<Change>) {
-        if let Some(change) = change {
-            self.propose(change);
-        }
-        self.show_history();
-    }
-
-    pub(super) fn show_history(&self) {
-        let (undo, redo) = {
-            let history = &self.state().history;
-            (!history.done.is_empty(), !history.undone.is_empty())
-        };
-        self.can_undo.set(undo);
-        self.can_redo.set(redo);
-    }
+/// Whether a change is one's own.
+pub(super) fn is_mine(line: &HistoryLine, me: &Id) -> bool {
+    line.by.as_ref() == Some(me)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::History;
-    use behaviour::{Behaviour, Change, Id, Kind, Note, Record, RecordId};
+    use super::{History, LINES_MAX, line_of};
+    use behaviour::{Accepted, Behaviour, Change, Id, Note, Record, RecordId};
 
-    fn id(text: &str) -> Id {
-        Id::new(text).unwrap()
+    fn made(revision: u64, author: &str) -> Accepted {
+        Accepted { revision, change: Change::of(Id::new(&format!("op{revision}")).unwrap(), author, "Edit") }
     }
 
-    fn noted(op: &str, behaviour: &Behaviour) -> Change {
-        let note = Record::Note(Note { text: op.into() });
-        Change::of(id(op), "Aiko", op).put(behaviour, RecordId::new(Kind::Note, &id("n")), note)
-    }
-
-    #[test]
-    fn undo_then_redo_ends_where_it_began() {
-        let mut behaviour = Behaviour::default();
-        let change = noted("a", &behaviour);
-        let mut history = History::default();
-        history.proposed(&change);
-        history.accepted(&id("a"));
-        behaviour.apply(&change);
-        let with_note = behaviour.clone();
-        let back = history.undo(id("b")).unwrap();
-        history.accepted(&back.op);
-        behaviour.apply(&back);
-        assert!(behaviour.records.is_empty());
-        let again = history.redo(id("c")).unwrap();
-        history.accepted(&again.op);
-        behaviour.apply(&again);
-        assert_eq!(behaviour, with_note);
-        assert!(history.undo(id("d")).is_some() && history.undo(id("e")).is_none());
+    fn removal(revision: u64, author: &str) -> Accepted {
+        let (id, note) = ("stream/a".parse::<RecordId>().unwrap(), Record::Note(Note { text: String::new() }));
+        let behaviour = Behaviour { records: [(id.clone(), note)].into() };
+        let Accepted { revision, change } = made(revision, author);
+        Accepted { revision, change: change.take(&behaviour, id) }
     }
 
     #[test]
-    fn undos_faster_than_the_answers_keep_their_order() {
+    fn pages_and_what_is_made_meanwhile_become_one_history() {
         let mut history = History::default();
-        for op in ["a", "b"] {
-            history.proposed(&noted(op, &Behaviour::default()));
-        }
-        let labels = ["c", "d"].map(|op| history.undo(id(op)).unwrap().label);
-        assert_eq!(labels, ["Undo: b", "Undo: a"]);
-        assert_eq!(history.redo(id("e")).unwrap().label, "Redo: a");
+        history.made(&made(4, "Aiko"));
+        history.read(&[line_of(&made(3, "Ben")), line_of(&made(2, "Aiko"))], true);
+        let revisions: Vec<u64> = history.newest_first().map(|line| line.revision).collect();
+        assert_eq!((revisions.as_slice(), history.oldest(), history.more), ([4, 3, 2].as_slice(), Some(2), true));
+        history.read(&[line_of(&made(1, "Ben"))], false);
+        assert_eq!((history.len(), history.more), (4, false));
     }
 
     #[test]
-    fn an_undo_that_could_not_be_queued_is_the_next_again() {
+    fn a_long_history_is_bounded() {
         let mut history = History::default();
-        for op in ["a", "b"] {
-            history.proposed(&noted(op, &Behaviour::default()));
-        }
-        history.undo(id("c")).unwrap();
-        history.not_queued(&id("c"));
-        assert_eq!(history.undo(id("d")).unwrap().label, "Undo: b");
+        (1..).take(LINES_MAX + 1).for_each(|revision| history.made(&made(revision, "Aiko")));
+        assert_eq!((history.len(), history.oldest(), history.more), (LINES_MAX, Some(2), true));
     }
 
     #[test]
-    fn what_was_refused_cannot_be_undone() {
+    fn who_removed_something_is_said_only_if_it_is_known() {
         let mut history = History::default();
-        for op in ["a", "b"] {
-            history.proposed(&noted(op, &Behaviour::default()));
-        }
-        history.refused(&id("b"));
-        assert_eq!(history.undo(id("c")).unwrap().label, "Undo: a");
-        history.refused(&id("c"));
-        assert!(history.redo(id("d")).is_none());
+        history.read(&[], false);
+        history.made(&removal(1, "Aiko"));
+        history.made(&made(2, "Aiko"));
+        history.made(&removal(3, "Ben"));
+        assert_eq!(history.who_removed(1, None).as_deref(), Some("Ben"));
+        assert_eq!(history.who_removed(0, None), None, "two people removed something");
+        assert_eq!(history.who_removed(0, Some("Aiko")).as_deref(), Some("Aiko"));
+        assert!(line_of(&removal(1, "Aiko")).removes && !line_of(&made(2, "Aiko")).removes);
+    }
+
+    #[test]
+    fn who_removed_something_before_what_was_read_is_not_known() {
+        let mut history = History::default();
+        history.read(&[line_of(&removal(9, "Ben"))], true);
+        assert_eq!(history.who_removed(3, None), None);
+        assert_eq!(history.who_removed(8, None).as_deref(), Some("Ben"));
     }
 }

@@ -1,7 +1,7 @@
 //! Opening and leaving programs. A wish that only the moment stands against is asked again.
 
-use super::history::History;
-use super::{Document, DocumentEvent};
+use super::undo::Mine;
+use super::{Document, DocumentEvent, History};
 use crate::desk::tab::{AGAIN_MS, may_pass, set_if_new};
 use crate::{browser, link};
 use behaviour::{Behaviour, Id};
@@ -77,7 +77,7 @@ impl Document {
     }
 
     fn clear(&self) {
-        self.state().history = History::default();
+        self.state().mine = Mine::default();
         self.happened(DocumentEvent::Left);
         set_if_new(&self.selected, None);
         set_if_new(&self.tab.dialog, None);
@@ -88,7 +88,10 @@ impl Document {
         set_if_new(&self.locks, Vec::new());
         set_if_new(&self.problems, Vec::new());
         set_if_new(&self.name, String::new());
+        set_if_new(&self.versions, Vec::new());
+        set_if_new(&self.history, History::default());
         self.show_whole(Behaviour::default());
-        self.show_history();
+        self.end_comparing();
+        self.show_steps();
     }
 }

@@ -1,11 +1,12 @@
 //! The one door for edits: a change is queued, kept over reloads, sent when its turn comes, and answered.
 
+use super::queue::{Waiting, Way};
 use super::save_state::{SaveEvent, SaveState};
 use super::{Document, DocumentEvent};
 use crate::browser::Keep;
 use crate::desk::tab::set_if_new;
 use crate::link;
-use behaviour::{Change, Id, RecordId, Refusal};
+use behaviour::{Change, Id, RecordId, Refusal, Token};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request, Role};
 use std::cell::RefCell;
@@ -21,7 +22,7 @@ const STALLED_MS: i32 = 2_000;
 /// When a change that came too fast is sent again.
 const TOO_FAST_MS: i32 = 400;
 
-type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
+pub(super) type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
     /// Who wants to know what became of a change; nobody after a reload.
@@ -66,26 +67,34 @@ impl Document {
         if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
             return on_answer(Err(Refused::Change(Refusal::Edits(change.edits.len()))));
         }
+        if to.as_str() != LIBRARY {
+            self.state().mine.begin_anew();
+        }
+        self.queue_up(to, (change, Way::Propose), on_answer);
+    }
+
+    /// Puts a change into the queue, to be asked for when its turn comes.
+    pub(super) fn queue_up(
+        &self,
+        to: Id,
+        (change, way): (Change, Way),
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) {
         let (op, touched) = (change.op.clone(), touched(&change));
         let revision = if self.is_open(&to) { self.revision.get_untracked() } else { 0 };
         let room = {
             let mut state = self.state();
-            if to.as_str() != LIBRARY {
-                state.history.proposed(&change);
-            }
             let offline = matches!(state.saves, SaveState::Lost(_));
-            let room = state.queue.push(to, change);
+            let room = state.queue.push(to, change, way);
             if room {
                 state.queue.made(revision, crate::browser::today_ms(), offline);
             }
             room
         };
-        self.show_history();
         if !room {
-            self.state().history.not_queued(&op);
-            self.show_history();
             return on_answer(Err(Refused::TooFast));
         }
+        self.show_steps();
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
         let shows = self.state().saves.shows_waiting();
         if shows {
@@ -116,8 +125,7 @@ impl Document {
         let Some(next) = next else { return };
         let (document, op) = (self.clone(), next.change.op.clone());
         let tokens = self.tokens(&next.behaviour);
-        let request = Request::Propose { behaviour: next.behaviour, change: next.change, tokens };
-        let sent = link::ask(request, move |reply| {
+        let sent = link::ask(request(next, tokens), move |reply| {
             if let Some(Reply::No { no }) = reply {
                 document.answered(&op, Err(no.clone()));
             }
@@ -142,14 +150,11 @@ impl Document {
                 let silence = &mut self.state().silence;
                 *silence = silence.after_sending();
             }
-            Err(_) => self.take_back(&waiting.change),
+            Err(no) => self.not_made(&waiting, no),
         }
-        self.show_history();
-        let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(op));
-        let tab = self.tab.clone();
-        let on_answer = on_answer.unwrap_or_else(|| Box::new(move |answer| tab.say_refusal(answer)));
+        let on_answer = self.settle(&waiting.change);
         match answer {
-            Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream))) => {
+            Err(Refused::Change(no @ (Refusal::Stale(_) | Refusal::MissingStream))) if waiting.way == Way::Propose => {
                 self.came_late(waiting, no, move |no| on_answer(Err(no)));
             }
             answer => on_answer(answer),
@@ -158,11 +163,23 @@ impl Document {
         self.pump();
     }
 
-    /// A change was refused: what it touched is shown as it is without it.
-    fn take_back(&self, change: &Change) {
-        self.state().history.refused(&change.op);
+    /// A change was refused, and with it go the steps that wait to take it back.
+    fn not_made(&self, waiting: &Waiting, no: &Refused) {
+        let steps = self.state().queue.forget_steps_of(&waiting.change.op);
         self.happened(DocumentEvent::NotSaved);
+        steps.into_iter().for_each(|step| self.settle(&step.change)(Ok(())));
+        if *no == Refused::Change(Refusal::NothingToUndo) {
+            self.forget_history();
+        }
+    }
+
+    /// A change does not wait any more: what it touches is shown as it is without it. Gives who is to be told.
+    pub(super) fn settle(&self, change: &Change) -> OnAnswer {
         self.refresh(&touched(change));
+        self.show_steps();
+        let on_answer = ON_ANSWER.with(|waiting| waiting.borrow_mut().remove(&change.op));
+        let tab = self.tab.clone();
+        on_answer.unwrap_or_else(|| Box::new(move |answer| tab.say_refusal(answer)))
     }
 
     /// Whether what is proposed can be saved now.
@@ -272,6 +289,19 @@ impl Document {
         if let Some(queue) = kept {
             self.state().queue = queue;
         }
+    }
+}
+
+/// How the server is asked for what waits.
+fn request(waiting: Waiting, tokens: Vec<Token>) -> Request {
+    let Waiting { behaviour, change, way, .. } = waiting;
+    let op = change.op.clone();
+    match way {
+        Way::Propose => Request::Propose { behaviour, change, tokens },
+        Way::TakeBack => Request::TakeBack { behaviour, op, again: false, tokens },
+        Way::DoAgain => Request::TakeBack { behaviour, op, again: true, tokens },
+        Way::GoBack { revision, called } => Request::GoBack { behaviour, revision, op, called, tokens },
+        Way::BringBack { revision } => Request::BringBack { behaviour, revision, op, tokens },
     }
 }
 

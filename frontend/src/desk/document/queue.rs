@@ -11,7 +11,13 @@ pub(super) const WAITING_MAX: usize = 200;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub(super) struct Waiting {
     pub(super) behaviour: Id,
+    /// What is made, as far as this page knows it.
     pub(super) change: Change,
+    #[serde(default)]
+    pub(super) way: Way,
+    /// Whether the server may have it.
+    #[serde(default)]
+    sent: bool,
     /// The revision that its author had then.
     #[serde(default)]
     pub(super) revision: u64,
@@ -21,6 +27,22 @@ pub(super) struct Waiting {
     /// Whether it was made without a connection.
     #[serde(default)]
     pub(super) offline: bool,
+}
+
+/// How the server is asked for a change.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub(super) enum Way {
+    /// As it is.
+    #[default]
+    Propose,
+    /// As one's own undo, of what the server's log says.
+    TakeBack,
+    /// As one's own redo.
+    DoAgain,
+    /// As a return to what was after a revision, which people call so.
+    GoBack { revision: u64, called: String },
+    /// As the return of what the change of a revision removed.
+    BringBack { revision: u64 },
 }
 
 /// Oldest first.
@@ -49,12 +71,40 @@ impl Queue {
     }
 
     /// Whether there was room.
-    pub(super) fn push(&mut self, behaviour: Id, change: Change) -> bool {
+    pub(super) fn push(&mut self, behaviour: Id, change: Change, way: Way) -> bool {
         let room = self.waiting.len() < WAITING_MAX;
         if room {
-            self.waiting.push_back(Waiting { behaviour, change, revision: 0, made_ms: 0.0, offline: false });
+            let (revision, made_ms, offline) = (0, 0.0, false);
+            self.waiting.push_back(Waiting { behaviour, change, way, sent: false, revision, made_ms, offline });
         }
         room
+    }
+
+    /// Takes the newest change of a behaviour out again, if the server has not been asked for it and it is `wanted`.
+    pub(super) fn withdraw(&mut self, behaviour: &Id, wanted: impl Fn(&Waiting) -> bool) -> Option<Waiting> {
+        let at = self.waiting.iter().rposition(|waiting| waiting.behaviour == *behaviour)?;
+        let newest = self.waiting.get(at)?;
+        if newest.sent || !wanted(newest) {
+            return None;
+        }
+        if at == 0 {
+            self.oldest = Oldest::Ready;
+        }
+        self.waiting.remove(at)
+    }
+
+    /// Takes out what takes this change back, and what takes that back: it was never made.
+    pub(super) fn forget_steps_of(&mut self, op: &Id) -> Vec<Waiting> {
+        let mut gone: Vec<Waiting> = Vec::new();
+        for waiting in std::mem::take(&mut self.waiting) {
+            let of = waiting.change.undoes.as_ref();
+            if of == Some(op) || gone.iter().any(|gone| of == Some(&gone.change.op)) {
+                gone.push(waiting);
+            } else {
+                self.waiting.push_back(waiting);
+            }
+        }
+        gone
     }
 
     /// How and when the newest was made.
@@ -74,9 +124,10 @@ impl Queue {
         match self.oldest {
             Oldest::UnderWay | Oldest::Rests => None,
             Oldest::Ready => {
-                let next = self.waiting.front().cloned()?;
+                let next = self.waiting.front_mut()?;
+                next.sent = true;
                 self.oldest = Oldest::UnderWay;
-                Some(next)
+                Some(next.clone())
             }
         }
     }
@@ -85,6 +136,7 @@ impl Queue {
     pub(super) fn rest(&mut self) {
         if self.oldest == Oldest::UnderWay {
             self.oldest = Oldest::Rests;
+            self.waiting.iter_mut().take(1).for_each(|oldest| oldest.sent = false);
         }
     }
 
@@ -117,8 +169,13 @@ impl Queue {
         self.waiting.retain(|waiting| waiting.behaviour != *behaviour);
     }
 
+    /// What waits for a behaviour, oldest first.
+    pub(super) fn waiting_for<'a>(&'a self, behaviour: &'a Id) -> impl DoubleEndedIterator<Item = &'a Waiting> {
+        self.waiting.iter().filter(move |waiting| waiting.behaviour == *behaviour)
+    }
+
     fn of<'a>(&'a self, behaviour: &'a Id) -> impl DoubleEndedIterator<Item = &'a Change> {
-        self.waiting.iter().filter(move |waiting| waiting.behaviour == *behaviour).map(|waiting| &waiting.change)
+        self.waiting_for(behaviour).map(|waiting| &waiting.change)
     }
 
     /// A behaviour with what waits for it.
@@ -142,7 +199,7 @@ impl Queue {
 
 #[cfg(test)]
 mod tests {
-    use super::{Queue, WAITING_MAX};
+    use super::{Queue, WAITING_MAX, Way};
     use behaviour::{Behaviour, Change, Id, Kind, Note, Record, RecordId};
 
     fn id(text: &str) -> Id {
@@ -157,7 +214,10 @@ mod tests {
     #[test]
     fn one_is_under_way_and_a_broken_link_sends_it_again() {
         let mut queue = Queue::default();
-        assert!(queue.push(id("b"), change("one", "1")) && queue.push(id("b"), change("two", "2")));
+        assert!(
+            queue.push(id("b"), change("one", "1"), Way::Propose)
+                && queue.push(id("b"), change("two", "2"), Way::Propose)
+        );
         assert_eq!(queue.send_next().unwrap().change.op, id("one"));
         assert_eq!(queue.send_next(), None);
         queue.link_lost();
@@ -169,7 +229,7 @@ mod tests {
     #[test]
     fn what_came_too_fast_rests_before_it_is_sent_again() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"));
+        queue.push(id("b"), change("one", "1"), Way::Propose);
         queue.send_next();
         queue.rest();
         assert_eq!(queue.send_next(), None);
@@ -182,7 +242,7 @@ mod tests {
     #[test]
     fn a_link_that_breaks_ends_the_rest() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"));
+        queue.push(id("b"), change("one", "1"), Way::Propose);
         queue.send_next();
         queue.rest();
         queue.link_lost();
@@ -192,8 +252,8 @@ mod tests {
     #[test]
     fn the_newest_waiting_change_says_what_a_record_will_be() {
         let mut queue = Queue::default();
-        queue.push(id("b"), change("one", "1"));
-        queue.push(id("b"), change("two", "2"));
+        queue.push(id("b"), change("one", "1"), Way::Propose);
+        queue.push(id("b"), change("two", "2"), Way::Propose);
         let key = RecordId::new(Kind::Note, &id("n"));
         assert_eq!(queue.record(&id("b"), &key), Some(Some(Record::Note(Note { text: "2".into() }))));
         assert_eq!(queue.record(&id("other"), &key), None);
@@ -203,13 +263,49 @@ mod tests {
     #[test]
     fn the_queue_is_bounded_and_survives_a_reload() {
         let mut queue = Queue::default();
-        (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""))));
-        assert!(!queue.push(id("b"), change("more", "")));
+        (0..WAITING_MAX).for_each(|at| assert!(queue.push(id("b"), change(&format!("op{at}"), ""), Way::Propose)));
+        assert!(!queue.push(id("b"), change("more", ""), Way::Propose));
         queue.made(7, 5.0, true);
         let kept = serde_json::to_string(&queue).unwrap();
         let again = serde_json::from_str::<Queue>(&kept).unwrap();
         assert_eq!(again.len(), WAITING_MAX);
         let newest = again.all().last().unwrap();
         assert_eq!((newest.revision, newest.made_ms, newest.offline), (7, 5.0, true));
+    }
+
+    #[test]
+    fn what_was_not_sent_is_taken_out_again() {
+        let mut queue = Queue::default();
+        queue.push(id("b"), change("one", "1"), Way::Propose);
+        queue.push(id("b"), change("two", "2"), Way::Propose);
+        queue.send_next();
+        let any = |_: &super::Waiting| true;
+        assert_eq!(queue.withdraw(&id("b"), |_| false), None);
+        assert_eq!(queue.withdraw(&id("b"), any).unwrap().change.op, id("two"));
+        assert_eq!(queue.withdraw(&id("b"), any), None, "the server may have it");
+        queue.link_lost();
+        assert_eq!(queue.withdraw(&id("b"), any), None, "it still may");
+        queue.send_next();
+        queue.rest();
+        assert!(queue.withdraw(&id("b"), any).is_some(), "the server refused to hear it");
+        queue.push(id("b"), change("three", "3"), Way::Propose);
+        assert_eq!(queue.send_next().unwrap().change.op, id("three"));
+    }
+
+    #[test]
+    fn what_takes_back_what_was_never_made_goes_with_it() {
+        let mut queue = Queue::default();
+        let first = change("one", "1");
+        let undo = first.swapped(id("undo"), "");
+        let redo = undo.swapped(id("redo"), "");
+        for (change, way) in
+            [(first, Way::Propose), (undo, Way::TakeBack), (change("two", "2"), Way::Propose), (redo, Way::DoAgain)]
+        {
+            queue.push(id("b"), change, way);
+        }
+        queue.answered(&id("one"));
+        let gone: Vec<_> = queue.forget_steps_of(&id("one")).into_iter().map(|gone| gone.change.op).collect();
+        assert_eq!(gone, [id("undo"), id("redo")]);
+        assert_eq!((queue.len(), queue.send_next().unwrap().change.op), (1, id("two")));
     }
 }

@@ -1,8 +1,8 @@
 //! What the server says of the open behaviour.
 
 use super::Document;
-use crate::desk::tab::set_if_new;
-use crate::link;
+use crate::desk::tab::{Gone, set_if_new};
+use crate::{link, words};
 use behaviour::{Accepted, Behaviour, Id, Kind, Problem};
 use leptos::prelude::*;
 use protocol::{Person, Request};
@@ -26,6 +26,8 @@ impl Document {
             set_if_new(&self.problems, problems);
             set_if_new(&self.people, people);
             set_if_new(&self.open, Some(id.clone()));
+            self.begin_history(revision);
+            self.compare_again();
             self.lock_again();
             self.present_anew();
         }
@@ -42,15 +44,13 @@ impl Document {
             self.ask_newer(to.clone());
             return false;
         }
-        {
-            let mut state = self.state();
-            state.confirmed.apply(&accepted.change);
-            state.history.accepted(&accepted.change.op);
-        }
+        self.state().confirmed.apply(&accepted.change);
         let touched: Vec<_> = accepted.change.edits.iter().map(|edit| edit.id.clone()).collect();
         self.note_removed(accepted);
         self.refresh(&touched);
         self.revision.set(accepted.revision);
+        self.note_history(accepted);
+        self.compare_again();
         true
     }
 
@@ -111,7 +111,8 @@ impl Document {
         self.close_program();
         self.forget_waiting(id);
         if !mine {
-            self.tab.say(&format!("{by} removed “{name}”. Choose another program."), false);
+            let gone = Gone { id: id.clone(), name };
+            self.tab.say_gone(&words::program_removed_by(by, &gone.name), gone);
         }
     }
 }

@@ -91,6 +91,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::{Silence, State};
+    use crate::desk::document::queue::Way;
     use behaviour::{Change, Id};
 
     fn seconds(silent_ms: f64, lost: bool) -> Option<u32> {
@@ -121,7 +122,7 @@ mod tests {
     fn that_the_server_speaks_again_is_said_once_and_only_when_nothing_waits() {
         let mut state = State { silence: Silence::Over { sent: 1 }, ..State::default() };
         let (behaviour, op) = (Id::new("b").unwrap(), Id::new("op").unwrap());
-        state.queue.push(behaviour, Change::of(op.clone(), "Aiko", "Edit"));
+        state.queue.push(behaviour, Change::of(op.clone(), "Aiko", "Edit"), Way::Propose);
         assert_eq!(state.end_of_silence(), None);
         state.queue.answered(&op);
         assert_eq!([state.end_of_silence(), state.end_of_silence()], [Some(1), None]);

@@ -1,9 +1,10 @@
 //! Making and removing programs, and taking them out of the bin. What only the moment stands against is asked again.
 
 use super::Library;
-use crate::desk::tab::{AGAIN_MS, may_pass, new_id};
+use crate::desk::tab::{AGAIN_MS, Gone, may_pass, new_id, set_if_new};
 use crate::{browser, link, words};
 use behaviour::Id;
+use leptos::prelude::*;
 use protocol::{Reply, Request, Summary};
 
 /// A program that is to be made; asked twice with one id, the server makes one.
@@ -31,6 +32,7 @@ impl Library {
     /// Somebody chose something else: what is to be made is not opened any more.
     pub(in crate::desk) fn forget_making(&self) {
         self.state().making = None;
+        set_if_new(&self.gone, None);
     }
 
     /// Asks for what is to be made, if nobody wished for something else since.
@@ -67,12 +69,28 @@ impl Library {
 
     /// Moves a program to the bin.
     pub(crate) fn remove_program(&self, id: &Id) {
-        let (library, gone) = (self.clone(), id.clone());
+        let (library, id) = (self.clone(), id.clone());
+        let name = self.document.name.get_untracked();
         self.tab.ask_or_say(Request::Remove { behaviour: id.clone() }, move |_| {
-            if library.document.is_wanted(&gone) {
+            if library.document.is_wanted(&id) {
                 library.document.close_program();
             }
+            let gone = Gone { id, name };
+            library.tab.say_gone(&words::program_removed(&gone.name), gone.clone());
+            library.gone.set(Some(gone));
             library.list_programs();
+        });
+    }
+
+    /// Takes a program out of the bin and opens it, unless something else was opened meanwhile.
+    pub(crate) fn bring_back(&self, gone: &Gone) {
+        let (library, Gone { id, name }) = (self.clone(), gone.clone());
+        self.tab.ask_or_say(Request::Restore { behaviour: id.clone() }, move |_| {
+            set_if_new(&library.gone, None);
+            library.tab.say(&words::is_back(&name), false);
+            if library.document.open.with_untracked(Option::is_none) {
+                library.document.open_program(&id);
+            }
         });
     }
 

@@ -1,0 +1,178 @@
+//! The history: who did what and when, versions with names, and how two versions differ.
+
+mod foot;
+mod naming;
+mod rows;
+mod sittings;
+
+use super::focus;
+use super::hold::{Hold, hold};
+use crate::browser;
+use crate::desk::Version;
+use crate::icons::Icon;
+use crate::words;
+use foot::Foot;
+use leptos::html;
+use leptos::prelude::*;
+use naming::Naming;
+use rows::{EditingNow, Row};
+use sittings::{Entry, Here, entries};
+use std::collections::BTreeSet;
+use wasm_bindgen::JsCast;
+use web_sys::KeyboardEvent;
+
+/// The panel. Arrows walk, Enter compares, N names a version, Escape ends comparing and then closes.
+#[component]
+pub(crate) fn HistoryPanel() -> impl IntoView {
+    let desk = hold();
+    let unfolded = RwSignal::new(BTreeSet::new());
+    let names: RwSignal<Option<u64>> = RwSignal::new(None);
+    let shown = Memo::new(move |_| lines(desk, &unfolded.read()));
+    let root = NodeRef::<html::Section>::new();
+    Effect::new(move |_| {
+        if root.get().is_some() {
+            let _ = request_animation_frame(move || take_keyboard(root));
+        }
+    });
+    end_from_outside(desk);
+    let row = move |entry: Entry| view! { <Row entry unfolded /> };
+    let name_it = move |_| names.set(Some(meant(desk)));
+    view! {
+        <section class="history" aria-label=words::history() node_ref=root on:keydown=move |event| key(&event, desk, names)>
+            <div class="history-head">
+                <h2 tabindex="-1">{words::history()}</h2>
+                <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", words::name_version())
+                    disabled=move || desk.desk().document.revision.get() == 0 on:click=name_it>
+                    <Icon name="flag" />
+                    {words::name_version()}
+                </button>
+                <button class="tool icon" type="button" aria-label=words::close() title=words::close()
+                    on:click=move |_| close(desk)>
+                    <Icon name="close" />
+                </button>
+            </div>
+            {move || names.get().map(|revision| view! { <Naming revision names /> })}
+            <div class="history-lines">
+                <EditingNow />
+                <ol on:keydown=|event| focus::walk(&event, "ArrowDown", "ArrowUp") on:focusin=|event| focus::remember(&event)>
+                    <For each=move || shown.get() key=Clone::clone children=row />
+                </ol>
+                <End />
+            </div>
+            <Foot />
+        </section>
+    }
+}
+
+/// What the panel shows, newest first. Reactive.
+fn lines(desk: Hold, unfolded: &BTreeSet<u64>) -> Vec<Entry> {
+    let desk = desk.desk();
+    let me = desk.me.get();
+    let here = Here {
+        now_ms: browser::today_ms(),
+        me: me.as_ref().map(|me| &me.client),
+        my_name: me.as_ref().map_or("", |me| &me.name),
+        ahead_ms: browser::ahead_ms,
+        date: browser::date_words,
+    };
+    let versions = desk.document.versions.get();
+    let lines: Vec<_> = desk.document.history.with(|history| history.newest_first().cloned().collect());
+    entries(&lines, &versions, unfolded, &here)
+}
+
+/// What comes after the last line: older changes on demand, or that there are none.
+#[component]
+fn End() -> impl IntoView {
+    let desk = hold();
+    let state = Memo::new(move |_| {
+        let desk = desk.desk();
+        desk.document.history.with(|history| (history.is_read, history.more, history.newest_first().next().is_none()))
+    });
+    move || match state.get() {
+        (false, ..) => view! { <p class="faint">{words::reading_history()}</p> }.into_any(),
+        (_, true, _) => view! {
+            <button class="link" type="button" on:click=move |_| desk.desk().document.read_older()>
+                {words::earlier_changes()}
+            </button>
+        }
+        .into_any(),
+        (_, false, true) => view! { <p class="faint">{words::no_history()}</p> }.into_any(),
+        (_, false, false) => ().into_any(),
+    }
+}
+
+/// The version that is meant now: of the line with the keyboard, else the one that is looked at, else the newest.
+fn meant(desk: Hold) -> u64 {
+    let row = focus::active().and_then(|row| row.get_attribute("data-revision")).and_then(|text| text.parse().ok());
+    let document = &desk.desk().document;
+    let looked_at = document.comparing.with_untracked(|now| now.as_ref().map(|now| now.was));
+    row.or(looked_at).unwrap_or_else(|| document.revision.get_untracked())
+}
+
+/// Looks at a version, or no longer if it is looked at already.
+fn choose(desk: Hold, revision: u64) {
+    let document = desk.desk().document;
+    if document.comparing.with_untracked(|now| now.as_ref().is_some_and(|now| now.was == revision)) {
+        document.end_comparing();
+    } else {
+        document.compare(revision, Version::Now);
+    }
+}
+
+fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
+    let target = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
+    let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
+    let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
+    match event.key().as_str() {
+        "n" | "N" if !types && !with_others => names.set(Some(meant(desk))),
+        "Escape" if names.get_untracked().is_some() => {
+            names.set(None);
+            back_to_lines();
+        }
+        "Escape" if desk.desk().document.comparing.with_untracked(Option::is_some) => {
+            desk.desk().document.end_comparing()
+        }
+        "Escape" => close(desk),
+        _ => return,
+    }
+    event.prevent_default();
+    event.stop_propagation();
+}
+
+/// Escape ends comparing from everywhere on the page where it means nothing else.
+fn end_from_outside(desk: Hold) {
+    let handle = window_event_listener(leptos::ev::keydown, move |event| {
+        let desk = desk.desk();
+        let free = event.key() == "Escape" && !event.default_prevented() && desk.dialog.with_untracked(Option::is_none);
+        if free && desk.document.comparing.with_untracked(Option::is_some) {
+            desk.document.end_comparing();
+        }
+    });
+    on_cleanup(move || handle.remove());
+}
+
+fn close(desk: Hold) {
+    desk.desk().document.end_comparing();
+    desk.desk().shows_history.set(false);
+    if let Some(button) = focus::by_id("history-button").filter(|button| button.offset_width() > 0) {
+        focus::focus(&button);
+    }
+}
+
+fn take_keyboard(root: NodeRef<html::Section>) {
+    let Some(root) = root.get_untracked() else { return };
+    let stops = focus::all(&root, "[data-stop][tabindex='0']");
+    if let Some(first) = stops.into_iter().next().or_else(|| focus::all(&root, "h2").into_iter().next()) {
+        focus::focus(&first);
+    }
+}
+
+/// The line that Tab comes to has the keyboard again.
+fn back_to_lines() {
+    let document = browser::window().and_then(|window| window.document());
+    let stop =
+        document.and_then(|document| document.query_selector(".history [data-stop][tabindex='0']").ok().flatten());
+    if let Some(stop) = stop.and_then(|stop| stop.dyn_into::<web_sys::HtmlElement>().ok()) {
+        focus::focus(&stop);
+    }
+}

@@ -1,0 +1,146 @@
+//! The lines of the history: a sitting's head, a gesture, a version with a name, a folded sitting.
+
+use super::choose;
+use super::sittings::{Entry, Gesture};
+use crate::icons::Icon;
+use crate::layout::called;
+use crate::panels::hold::{Hold, hold};
+use crate::desk::initials;
+use crate::words;
+use behaviour::Id;
+use leptos::prelude::*;
+use std::collections::BTreeSet;
+
+/// One line.
+#[component]
+pub(super) fn Row(entry: Entry, unfolded: RwSignal<BTreeSet<u64>>) -> impl IntoView {
+    match entry {
+        Entry::Head { when, who } => {
+            view! { <li class="sitting"><h3>{when}" "<span class="second">{who}</span></h3></li> }.into_any()
+        }
+        Entry::Gesture(gesture) => view! { <GestureRow gesture /> }.into_any(),
+        Entry::Named { revision, name, about } => view! { <NamedRow revision name about /> }.into_any(),
+        Entry::Folded { revision, author, by, says, open } => {
+            let press = move |_| {
+                unfolded.update(|unfolded| {
+                    if !unfolded.remove(&revision) {
+                        unfolded.insert(revision);
+                    }
+                });
+            };
+            view! {
+                <li class="gesture">
+                    <button class="gesture-main" type="button" data-stop="" tabindex="-1" data-revision=revision
+                        aria-expanded=open.to_string() on:click=press>
+                        <Face author by />
+                        <span class="gesture-words">{says}</span>
+                        <span class="fold" class:open=open><Icon name="chevron" /></span>
+                    </button>
+                </li>
+            }
+            .into_any()
+        }
+    }
+}
+
+/// Whether this is the version that is looked at. Reactive.
+fn is_chosen(desk: Hold, revision: u64) -> bool {
+    desk.desk().document.comparing.with(|now| now.as_ref().is_some_and(|now| now.was == revision))
+}
+
+/// The newest line is the one that Tab comes to first.
+fn tab_index(desk: Hold, revision: u64) -> &'static str {
+    let newest =
+        desk.desk().document.history.with_untracked(|history| history.newest_first().next().map(|line| line.revision));
+    if newest == Some(revision) { "0" } else { "-1" }
+}
+
+#[component]
+fn GestureRow(gesture: Gesture) -> impl IntoView {
+    let desk = hold();
+    let Gesture { revision, author, by, mine, label, at, removes } = gesture;
+    let (verb, of, rest) = words::deed(&label);
+    let who = words::who_did(&author, mine);
+    let bring_back = move |_| desk.desk().document.bring_back_removed(revision);
+    view! {
+        <li class="gesture" class:chosen=move || is_chosen(desk, revision)>
+            <button class="gesture-main" type="button" data-stop="" tabindex=tab_index(desk, revision) data-revision=revision
+                aria-pressed=move || is_chosen(desk, revision).to_string() on:click=move |_| choose(desk, revision)>
+                <Face author by />
+                <span class="gesture-words">{who}" "{verb}" "<b>{of}</b>{rest}</span>
+                " "
+                <time>{at}</time>
+            </button>
+            {removes.then(|| view! {
+                <button class="link gesture-link" type="button" on:click=bring_back>{words::bring_back()}</button>
+            })}
+        </li>
+    }
+}
+
+#[component]
+fn NamedRow(revision: u64, name: String, about: String) -> impl IntoView {
+    let desk = hold();
+    let unname = {
+        let name = name.clone();
+        move |_| desk.desk().document.unname_version(&name)
+    };
+    let chosen = Memo::new(move |_| is_chosen(desk, revision));
+    view! {
+        <li class="named" class:chosen=move || chosen.get()>
+            <button class="gesture-main" type="button" data-stop="" tabindex="-1" data-revision=revision
+                aria-pressed=move || chosen.get().to_string() on:click=move |_| choose(desk, revision)>
+                <span class="flag"><Icon name="flag" /></span>
+                <span class="gesture-words"><b>{name}</b><span class="about">" "{about}</span></span>
+                {move || chosen.get().then(|| view! { <span class="check-sign"><Icon name="check" /></span> })}
+            </button>
+            <Show when=move || chosen.get()>
+                <button class="link gesture-link" type="button" on:click=unname.clone()>{words::unname()}</button>
+            </Show>
+        </li>
+    }
+}
+
+/// Who did it, as a small round sign.
+#[component]
+fn Face(author: String, by: Option<Id>) -> impl IntoView {
+    let desk = hold();
+    let letters = initials(&author);
+    let color = move || format!("var(--people-{})", color_of(desk, &author, by.as_ref()));
+    view! { <span class="avatar face" aria-hidden="true" style=("--person", color)>{letters}</span> }
+}
+
+/// The colour of who is here; of others one that follows from the name. Reactive.
+fn color_of(desk: Hold, author: &str, by: Option<&Id>) -> u8 {
+    let desk = desk.desk();
+    let here = desk
+        .document
+        .people
+        .with(|people| people.iter().find(|person| Some(&person.client) == by).map(|person| person.color));
+    here.unwrap_or_else(|| author.bytes().fold(0_u8, u8::wrapping_add)) % 8
+}
+
+/// Who is editing what at this moment.
+#[component]
+pub(super) fn EditingNow() -> impl IntoView {
+    let desk = hold();
+    let lines = move || {
+        let desk = desk.desk();
+        desk.document.revision.track();
+        let edited = desk.document.edited_by_others();
+        let behaviour = (!edited.is_empty()).then(|| desk.document.behaviour()).unwrap_or_default();
+        let line = move |(record, editor): (behaviour::RecordId, crate::desk::Editor)| {
+            let color = format!("var(--people-{})", editor.color % 8);
+            let (letters, what) = (initials(&editor.name), called(&behaviour, &record));
+            view! {
+                <p class="gesture-main editing-now">
+                    <span class="avatar face" aria-hidden="true" style=("--person", color.clone())>{letters}</span>
+                    <span class="gesture-words"><b>{editor.name}</b>" "{words::edits_now(&what)}</span>
+                    <span class="lock-sign" style=("--person", color)><Icon name="lock" /></span>
+                </p>
+            }
+        };
+        edited.into_iter().map(line).collect_view()
+    };
+    view! { {lines} }
+}

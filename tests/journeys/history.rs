@@ -1,0 +1,262 @@
+//! History: each takes back only what is theirs, also after a reload and without a connection; everyone sees who did what,
+//! names versions, compares them, goes back and brings back.
+
+use house::{Outcome, Page, skip};
+
+use crate::steps::*;
+use crate::together::call_myself;
+
+/// Aiko, who made a program with a ball, and Ben beside her.
+async fn two(stage: &Stage) -> Outcome<(Page, Page)> {
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Ours").await?;
+    call_myself(&aiko, "Aiko").await?;
+    add_sense(&aiko, "RedBall").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    call_myself(&ben, "Ben").await?;
+    aiko.find("image", "Ben").await?;
+    Ok((aiko, ben))
+}
+
+/// Waits until Undo or Redo says that it would do this.
+async fn offers(page: &Page, title: &str) -> Outcome<()> {
+    let js = format!("[...document.querySelectorAll('.bar button:enabled')].some(b => b.title === '{title}')");
+    page.until(&js, &format!("“{title}” is offered")).await.map(drop)
+}
+
+/// Waits until nothing can be taken back.
+async fn offers_no_undo(page: &Page) -> Outcome<()> {
+    page.until("document.querySelector('[aria-label=Undo]').disabled", "nothing can be taken back").await.map(drop)
+}
+
+async fn open_history(page: &Page) -> Outcome<()> {
+    page.press("button", "History").await?;
+    page.find("region", "History").await?;
+    page.until("!!document.querySelector('.history .gesture')", "the history is there").await.map(drop)
+}
+
+#[tokio::test]
+async fn each_takes_back_only_their_own() -> Outcome<()> {
+    if !skip::ready("journey: own undo") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let (aiko, ben) = two(&stage).await?;
+    offers_no_undo(&ben).await?;
+    add_sense(&ben, "HeadTouch").await?;
+    offers(&ben, "Undo: Add HeadTouch").await?;
+    offers(&aiko, "Undo: Add RedBall").await?;
+    aiko.press("button", "Undo").await?;
+    for person in [&aiko, &ben] {
+        person.gone("button", "RedBall, sensor stream").await?;
+        person.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    }
+    offers(&aiko, "Redo: Add RedBall").await?;
+    offers_no_undo(&aiko).await?;
+    ben.key("Control+z").await?;
+    aiko.gone("button", "HeadTouch, anywhere, sensor stream").await?;
+    aiko.key("Control+Shift+z").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    ben.gone("button", "HeadTouch, anywhere, sensor stream").await?;
+    calm(&ben)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn undo_survives_a_reload_and_names_who_changed_it_since() -> Outcome<()> {
+    if !skip::ready("journey: undo after a reload") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let (aiko, ben) = two(&stage).await?;
+    rename_program(&aiko, "Ours", "Aiko's").await?;
+    ben.find("button", "Aiko's").await?;
+    rename_program(&ben, "Aiko's", "Ben's").await?;
+    aiko.find("button", "Ben's").await?;
+    aiko.reload().await?;
+    usable(&aiko).await?;
+    offers(&aiko, "Undo: Rename program").await?;
+    aiko.press("button", "Undo").await?;
+    says(&aiko, "Ben changed").await?;
+    aiko.find("button", "Ben's").await?;
+    offers(&aiko, "Undo: Rename program").await?;
+    ben.press("button", "Undo").await?;
+    aiko.find("button", "Aiko's").await?;
+    aiko.press("button", "Undo").await?;
+    ben.find("button", "Ours").await?;
+    offers(&aiko, "Undo: Add RedBall").await?;
+    aiko.reload().await?;
+    usable(&aiko).await?;
+    offers(&aiko, "Redo: Rename program").await?;
+    aiko.press("button", "Redo").await?;
+    ben.find("button", "Aiko's").await?;
+    calm(&ben)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_later() -> Outcome<()> {
+    if !skip::ready("journey: undo offline") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
+    add_program(&aiko, "Ours").await?;
+    add_sense(&aiko, "RedBall").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
+    rename_program(&aiko, "Ours", "Later").await?;
+    says(&aiko, "Offline: 1 change waits here").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.find("button", "Ours").await?;
+    silent(&aiko, "1 change waits here").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.gone("button", "RedBall, sensor stream").await?;
+    says(&aiko, "Offline: 1 change waits here").await?;
+    offers_no_undo(&aiko).await?;
+    aiko.press("button", "Redo").await?;
+    aiko.find("button", "RedBall, sensor stream").await?;
+    silent(&aiko, "1 change waits here").await?;
+    offers(&aiko, "Redo: Rename program").await?;
+    aiko.press("button", "Redo").await?;
+    says(&aiko, "Offline: 1 change waits here").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.gone("button", "RedBall, sensor stream").await?;
+    socket.mend().await?;
+    ben.gone("button", "RedBall, sensor stream").await?;
+    saved(&aiko).await?;
+    ben.find("button", "Ours").await?;
+    offers(&aiko, "Redo: Add RedBall").await?;
+    aiko.press("button", "Redo").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    offers(&aiko, "Redo: Rename program").await?;
+    aiko.press("button", "Redo").await?;
+    ben.find("button", "Later").await?;
+    calm(&ben)
+}
+
+#[tokio::test]
+async fn a_version_has_a_name_is_compared_and_gone_back_to() -> Outcome<()> {
+    if !skip::ready("journey: versions") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let (aiko, ben) = two(&stage).await?;
+    open_history(&ben).await?;
+    ben.find("button", "Aiko added RedBall *").await?;
+    open_history(&aiko).await?;
+    aiko.find("button", "You added RedBall *").await?;
+    aiko.key("n").await?;
+    aiko.within("region", "History").fill("textbox", "Name of this version", "Before group B").await?;
+    aiko.key("Enter").await?;
+    ben.find("button", "Before group B *").await?;
+
+    add_sense(&aiko, "HeadTouch").await?;
+    ben.find("button", "Aiko added HeadTouch *").await?;
+    ben.press("button", "RedBall, sensor stream").await?;
+    next(&ben, "RedBall", "Remove").await?;
+    aiko.find("button", "Ben removed RedBall *").await?;
+    aiko.press("button", "Before group B *").await?;
+    says(&aiko, "1 new").await?;
+    says(&aiko, "1 removed").await?;
+    aiko.find("button", "HeadTouch, anywhere, sensor stream, new").await?;
+    aiko.find("image", "RedBall, removed by Ben").await?;
+    aiko.until("!!document.querySelector('.history th[scope=row]')", "the table is there").await?;
+    aiko.press("button", "Go back to it …").await?;
+    aiko.press("button", "Go back").await?;
+    for person in [&aiko, &ben] {
+        person.find("button", "RedBall, sensor stream").await?;
+        person.gone("button", "HeadTouch, anywhere, sensor stream").await?;
+    }
+    ben.find("button", "Aiko went back to “Before group B” *").await?;
+    aiko.press("button", "Undo").await?;
+    ben.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    calm(&ben)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn two_versions_are_compared_with_the_keyboard() -> Outcome<()> {
+    if !skip::ready("journey: two versions") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let (aiko, ben) = two(&stage).await?;
+    ben.close().await?;
+    add_sense(&aiko, "HeadTouch").await?;
+    rename_program(&aiko, "Ours", "Mine").await?;
+    open_history(&aiko).await?;
+    aiko.until("document.activeElement.innerText.includes('renamed')", "the newest line has the keyboard").await?;
+    for _ in 0..2 {
+        aiko.key("ArrowDown").await?;
+    }
+    aiko.until("document.activeElement.innerText.includes('RedBall')", "the keyboard is at the first ball").await?;
+    aiko.key("Enter").await?;
+    says(&aiko, "1 new").await?;
+    says(&aiko, "1 changed").await?;
+    let choose = "function () {
+        this.value = [...this.options].find(option => option.text.includes('Add HeadTouch')).value;
+        this.dispatchEvent(new Event('change', { bubbles: true }));
+    }";
+    aiko.on("combobox", "Compare with", choose).await?;
+    silent(&aiko, "1 changed").await?;
+    says(&aiko, "1 new").await?;
+    aiko.key("Escape").await?;
+    silent(&aiko, "Compared:").await?;
+    aiko.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    aiko.find("region", "History").await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn what_somebody_removed_is_brought_back() -> Outcome<()> {
+    if !skip::ready("journey: bring it back") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let (aiko, ben) = two(&stage).await?;
+    aiko.press("button", "RedBall, sensor stream").await?;
+    next(&aiko, "RedBall", "Remove").await?;
+    ben.gone("button", "RedBall, sensor stream").await?;
+    open_history(&ben).await?;
+    ben.press("button", "Bring it back").await?;
+    for person in [&aiko, &ben] {
+        person.find("button", "RedBall, sensor stream").await?;
+    }
+    ben.find("button", "You brought back “RedBall” *").await?;
+    ben.press("button", "Bring it back").await?;
+    says(&ben, "Nothing that was removed there is missing now.").await?;
+    calm(&ben)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn a_program_that_was_removed_comes_back() -> Outcome<()> {
+    if !skip::ready("journey: a removed program") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let (aiko, ben) = two(&stage).await?;
+    remove_program(&aiko).await?;
+    says(&aiko, "“Ours” is in the bin.").await?;
+    says(&ben, "Aiko removed “Ours”.").await?;
+    ben.press("button", "Bring it back").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    aiko.key("Control+z").await?;
+    aiko.find("button", "RedBall, sensor stream").await?;
+    remove_program(&aiko).await?;
+    aiko.press("button", "Bring it back").await?;
+    aiko.find("button", "RedBall, sensor stream").await?;
+    offers(&aiko, "Undo: Add RedBall").await?;
+    calm(&aiko)
+}
+
+async fn remove_program(page: &Page) -> Outcome<()> {
+    page.within("toolbar", "Main tools").press("button", "Remove program").await?;
+    page.within("dialog", "Remove “Ours”?").press("button", "Remove").await?;
+    page.gone("dialog", "Remove “Ours”?").await
+}
