@@ -7,6 +7,7 @@ mod sittings;
 
 use super::focus;
 use super::hold::{Hold, hold};
+use super::may::{MayNot, may_edit};
 use crate::browser;
 use crate::desk::Version;
 use crate::icons::Icon;
@@ -42,7 +43,7 @@ pub(crate) fn HistoryPanel() -> impl IntoView {
             <div class="history-head">
                 <h2 tabindex="-1">{words::history()}</h2>
                 <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", words::name_version())
-                    disabled=move || desk.desk().document.revision.get() == 0 on:click=name_it>
+                    disabled=move || desk.desk().document.revision.get() == 0 || !may_edit(desk) on:click=name_it>
                     <Icon name="flag" />
                     {words::name_version()}
                 </button>
@@ -51,6 +52,7 @@ pub(crate) fn HistoryPanel() -> impl IntoView {
                     <Icon name="close" />
                 </button>
             </div>
+            <MayNot />
             {move || names.get().map(|revision| view! { <Naming revision names /> })}
             <div class="history-lines">
                 <EditingNow />
@@ -124,7 +126,7 @@ fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
     let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
     let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
     match event.key().as_str() {
-        "n" | "N" if !types && !with_others => names.set(Some(meant(desk))),
+        "n" | "N" if !types && !with_others && untrack(|| may_edit(desk)) => names.set(Some(meant(desk))),
         "Escape" if names.get_untracked().is_some() => {
             names.set(None);
             back_to_lines();

@@ -5,6 +5,7 @@ use crate::browser;
 use crate::desk::{Compared, LinkState, Version};
 use crate::layout::{called, whole};
 use crate::panels::hold::{Hold, hold};
+use crate::panels::may::may_edit;
 use crate::words;
 use behaviour::{Difference, RecordId};
 use leptos::prelude::*;
@@ -201,7 +202,7 @@ fn Buttons(asks: RwSignal<bool>) -> impl IntoView {
     let unreachable = move || desk.desk().online.get() != LinkState::Online;
     view! {
         <div class="history-buttons">
-            <button class="button" type="button" disabled=unreachable on:click=move |_| asks.set(true)>{words::go_back()}</button>
+            <button class="button" type="button" disabled=move || unreachable() || !may_edit(desk) on:click=move |_| asks.set(true)>{words::go_back()}</button>
             <button class="button" type="button" on:click=move |_| desk.desk().document.end_comparing()>{words::done()}</button>
         </div>
         {move || unreachable().then(|| view! { <p class="faint">{words::needs_connection()}</p> })}

@@ -2,10 +2,11 @@
 
 use super::choose;
 use super::sittings::{Entry, Gesture};
+use crate::desk::initials;
 use crate::icons::Icon;
 use crate::layout::called;
 use crate::panels::hold::{Hold, hold};
-use crate::desk::initials;
+use crate::panels::may::may_edit;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -72,7 +73,9 @@ fn GestureRow(gesture: Gesture) -> impl IntoView {
                 <time>{at}</time>
             </button>
             {removes.then(|| view! {
-                <button class="link gesture-link" type="button" on:click=bring_back>{words::bring_back()}</button>
+                <button class="link gesture-link" type="button" disabled=move || !may_edit(desk) on:click=bring_back>
+                    {words::bring_back()}
+                </button>
             })}
         </li>
     }
@@ -94,7 +97,7 @@ fn NamedRow(revision: u64, name: String, about: String) -> impl IntoView {
                 <span class="gesture-words"><b>{name}</b><span class="about">" "{about}</span></span>
                 {move || chosen.get().then(|| view! { <span class="check-sign"><Icon name="check" /></span> })}
             </button>
-            <Show when=move || chosen.get()>
+            <Show when=move || chosen.get() && may_edit(desk)>
                 <button class="link gesture-link" type="button" on:click=unname.clone()>{words::unname()}</button>
             </Show>
         </li>
