@@ -105,13 +105,16 @@ impl Carrier {
                     Some(line) => if let Err(error) = self.send(line).await { break lost(&error) },
                     None => break NoLink::Closed,
                 },
-                message = self.socket.next() => match { heard = Instant::now(); message } {
-                    Some(Ok(Message::Text(text))) => if let Err(error) = self.hear(&text).await { break lost(&error) },
-                    Some(Ok(Message::Close(frame))) => break goodbye(frame),
-                    Some(Ok(_)) => {}
-                    Some(Err(error)) => break lost(&error),
-                    None => break NoLink::EndedByServer,
-                },
+                message = self.socket.next() => {
+                    heard = Instant::now();
+                    match message {
+                        Some(Ok(Message::Text(text))) => if let Err(error) = self.hear(&text).await { break lost(&error) },
+                        Some(Ok(Message::Close(frame))) => break goodbye(frame),
+                        Some(Ok(_)) => {}
+                        Some(Err(error)) => break lost(&error),
+                        None => break NoLink::EndedByServer,
+                    }
+                }
             }
         };
         *self.link.ended.lock().unwrap_or_else(PoisonError::into_inner) = Some(why);
