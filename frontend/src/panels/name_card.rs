@@ -40,7 +40,6 @@ fn Asked() -> impl IntoView {
         if event.key() == "Escape" {
             desk.desk().keep_my_name();
         }
-        event.stop_propagation();
     };
     view! {
         <form class="notice name-card" autocomplete="off" aria-label=words::my_name() on:submit=save on:keydown=escape>
