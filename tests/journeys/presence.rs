@@ -7,7 +7,8 @@ use crate::steps::*;
 use crate::together::{add_map, call_myself};
 
 /// What stands on the signs in the bar.
-const LETTERS: &str = "[...document.querySelectorAll('.people .avatar')].map(sign => sign.innerText.trim()).join(' ')";
+const LETTERS: &str =
+    "[...document.querySelectorAll('.people .avatar:not(.more)')].map(sign => sign.innerText.trim()).join(' ')";
 /// Where the canvas is.
 const VIEW: &str = "document.querySelector('.world').style.transform";
 /// Where the pointer of somebody else is.
@@ -36,19 +37,19 @@ async fn a_name_is_asked_for_once_and_two_with_one_name_are_told_apart() -> Outc
     let (one, other) = letters.as_str().and_then(|letters| letters.split_once(' ')).unwrap_or_default();
     assert!(one != other && !one.is_empty() && !other.is_empty(), "two guests are told apart: {letters}");
     say_name(&aiko, "Aiko").await?;
-    ben.find("button", "Aiko: follow").await?;
+    ben.find("button", "Follow Aiko").await?;
     say_name(&ben, "Aiko").await?;
-    aiko.find("button", "Aiko (2): follow").await?;
-    ben.find("button", "Aiko: follow").await?;
+    aiko.find("button", "Follow Aiko (2)").await?;
+    ben.find("button", "Follow Aiko").await?;
     assert_eq!(aiko.eval(LETTERS).await?, json!("A2 AI"));
     ben.reload().await?;
     usable(&ben).await?;
-    ben.find("button", "Aiko: follow").await?;
+    ben.find("button", "Follow Aiko").await?;
     ben.gone("textbox", "Others see you as").await?;
     ben.within("toolbar", "Main tools").press("button", "A2: *").await?;
     ben.within("dialog", "Your name").fill("textbox", "Name*", "Ben").await?;
     ben.within("dialog", "Your name").press("button", "Save").await?;
-    aiko.find("button", "Ben: follow").await?;
+    aiko.find("button", "Follow Ben").await?;
     rename_program(&ben, "Ours", "Mine").await?;
     aiko.find("button", "Mine").await?;
     calm(&ben)?;
@@ -68,7 +69,7 @@ async fn who_does_not_want_a_name_is_not_asked_again() -> Outcome<()> {
     ben.gone("textbox", "Others see you as").await?;
     ben.reload().await?;
     usable(&ben).await?;
-    ben.find("button", "Guest*").await?;
+    ben.find("button", "Follow Guest*").await?;
     ben.gone("textbox", "Others see you as").await?;
     calm(&ben)
 }
@@ -83,7 +84,7 @@ async fn a_new_name_stands_beside_what_one_is_editing_at_once() -> Outcome<()> {
     add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    aiko.find("button", "Ben: follow").await?;
+    aiko.find("button", "Follow Ben").await?;
     ben.press("button", "map (1), connector*").await?;
     let ring = "(() => { const ring = document.querySelector('.of-chip .ring'); return ring?.innerText.trim() === 'Ben' \
         && !ring.querySelector('svg'); })()";
@@ -143,7 +144,7 @@ async fn who_follows_sees_what_the_other_sees_until_a_hand_or_a_key_ends_it() ->
     call_myself(&aiko, "Aiko").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    ben.press("button", "Aiko: follow").await?;
+    ben.press("button", "Follow Aiko").await?;
     says(&ben, "Following Aiko").await?;
     look_elsewhere(&aiko, -200.0).await?;
     sees_the_same(&ben, &aiko).await?;
@@ -154,16 +155,16 @@ async fn who_follows_sees_what_the_other_sees_until_a_hand_or_a_key_ends_it() ->
     silent(&ben, "Following Aiko").await?;
     stays(&ben, &aiko).await?;
 
-    ben.press("button", "Aiko: follow").await?;
+    ben.press("button", "Follow Aiko").await?;
     sees_the_same(&ben, &aiko).await?;
     ben.wheel((500.0, 600.0), 0.0, 120.0).await?;
     silent(&ben, "Following Aiko").await?;
     stays(&ben, &aiko).await?;
 
     // Two who follow each other see one thing, and it stays where it is.
-    ben.press("button", "Aiko: follow").await?;
+    ben.press("button", "Follow Aiko").await?;
     sees_the_same(&ben, &aiko).await?;
-    aiko.press("button", "Ben: follow").await?;
+    aiko.press("button", "Follow Ben").await?;
     says(&aiko, "Following Ben").await?;
     sees_the_same(&ben, &aiko).await?;
     aiko.press("button", "End").await?;

@@ -25,7 +25,7 @@ async fn axe_finds_nothing_while_others_are_here() -> Outcome<()> {
     aiko.find("textbox", "Others see you as").await?;
     found.extend(look(aiko, "name-asked").await?);
     aiko.press("button", "Not now").await?;
-    aiko.press("button", "Yuki: follow").await?;
+    aiko.press("button", "Follow Yuki").await?;
     aiko.find("button", "End").await?;
     found.extend(look(aiko, "following").await?);
     for (at, name) in ["Ren", "Mio", "Ben"].into_iter().enumerate() {

@@ -17,7 +17,7 @@ pub(crate) fn others_see_you_as(name: &str) -> String {
 
 /// The button that is somebody else's sign.
 pub(crate) fn follow_person(name: &str) -> String {
-    format!("{name}: follow")
+    format!("Follow {name}")
 }
 
 pub(crate) fn following(name: &str) -> String {
