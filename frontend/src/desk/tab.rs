@@ -134,6 +134,13 @@ impl Tab {
         self.notice.set(Some(Notice { number, text: text.to_owned(), bad, gone }));
     }
 
+    /// What was said of a link that was there is not true any more.
+    pub(super) fn forget_good_news(&self) {
+        if self.notice.with_untracked(|notice| notice.as_ref().is_some_and(|notice| !notice.bad)) {
+            self.notice.set(None);
+        }
+    }
+
     /// Shows why something was not done.
     pub(crate) fn say_no(&self, no: &Refused) {
         self.say(&no.to_string(), true);

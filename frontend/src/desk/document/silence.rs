@@ -60,6 +60,9 @@ impl Document {
             (std::mem::replace(silence, now), now)
         };
         set_if_new(&self.tab.unheard, now.seconds());
+        if before.seconds().is_none() && now.seconds().is_some() {
+            self.tab.forget_good_news();
+        }
         if before != now {
             self.say_back();
         }

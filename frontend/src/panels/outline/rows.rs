@@ -23,12 +23,14 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
     let live = signals.live;
     let value = Memo::new(move |_| {
         tick.track();
+        let unheard = desk.desk().unheard.get();
         let live = live.read();
         let quiet = browser::now_ms() - live.received;
-        match &live.value {
-            None => String::new(),
-            Some(_) if quiet > QUIET_MS => words::quiet_for((quiet / 1_000.0) as u64),
-            Some(value) => format!("{} {}", short_value(value), rate_words(live.rate)),
+        match (&live.value, unheard) {
+            (None, _) => String::new(),
+            (Some(value), Some(seconds)) => words::value_ago(&short_value(value), seconds),
+            (Some(_), None) if quiet > QUIET_MS => words::quiet_for((quiet / 1_000.0) as u64),
+            (Some(value), None) => format!("{} {}", short_value(value), rate_words(live.rate)),
         }
     });
     let what = Selected::Stream(id.clone());
