@@ -57,7 +57,7 @@ pub(crate) async fn killed(server: &mut Server, kills: usize) -> Outcome<Duratio
     }
     saved(&watch, 100).await?;
     watch.end();
-    let report = loading.await??;
+    let report = loading.await.map_err(|error| error.to_string())??;
     println!("{kills} kills; the longest from a start to the first welcome: {} ms", longest.as_millis());
     check(&report, server).await?;
     Ok(longest)

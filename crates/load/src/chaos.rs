@@ -84,6 +84,8 @@ struct Way {
     calm: CancellationToken,
     /// Both directions of the link fall silent together.
     silent: CancellationToken,
+    /// The address of the proxy and that of the server, which takes only what is meant for it.
+    instead: Option<(String, String)>,
 }
 
 impl Proxy {
@@ -141,6 +143,7 @@ async fn accept(
     calm: CancellationToken,
 ) {
     let mut links = JoinSet::new();
+    let Ok(here) = listener.local_addr() else { return };
     while let Ok((client, _)) = listener.accept().await {
         while links.try_join_next().is_some() {}
         // A server that is not there is noticed by a link that ends at once.
@@ -149,7 +152,7 @@ async fn accept(
         let _slower = (client.set_nodelay(true), server.set_nodelay(true));
         let ((from_client, to_client), (from_server, to_server)) = (client.into_split(), server.into_split());
         let silent = CancellationToken::new();
-        let way = |from, to, direction| Way {
+        let way = |from, to, direction, instead| Way {
             from,
             to,
             dice: Dice::of(seed, 2 * number + direction),
@@ -157,8 +160,10 @@ async fn accept(
             counts: Arc::clone(&counts),
             calm: calm.clone(),
             silent: silent.clone(),
+            instead,
         };
-        let (up, down) = (way(from_client, to_server, 0), way(from_server, to_client, 1));
+        let instead = Some((here.to_string(), target.to_string()));
+        let (up, down) = (way(from_client, to_server, 0, instead), way(from_server, to_client, 1, None));
         links.spawn(async move {
             // Whichever way ends first, the link ends; a silent one does when a side gives it up.
             tokio::select! {
@@ -174,6 +179,7 @@ impl Way {
         let mut piece = vec![0; PIECE_BYTES];
         loop {
             let Ok(length @ 1..) = self.from.read(&mut piece).await else { return };
+            let length = self.address(&mut piece, length);
             let carried = match self.fate() {
                 Fate::Pass => length,
                 Fate::Late(by) => {
@@ -196,6 +202,16 @@ impl Way {
                 return;
             }
         }
+    }
+
+    /// Names the server in the head of the first request, where the client named the proxy. The length after that.
+    fn address(&mut self, piece: &mut Vec<u8>, length: usize) -> usize {
+        let Some((here, target)) = self.instead.take() else { return length };
+        let Some(at) = piece[..length].windows(here.len()).position(|text| text == here.as_bytes()) else {
+            return length;
+        };
+        piece.splice(at..at + here.len(), target.bytes());
+        length + target.len() - here.len()
     }
 
     fn fate(&mut self) -> Fate {
@@ -265,6 +281,20 @@ mod tests {
         let (back, proxy) = echo(Faults { truncations: OF, ..Faults::default() }).await;
         let truncations = proxy.happened().truncations;
         assert!(back < 1_000 && truncations > 0, "{back}");
+    }
+
+    #[tokio::test]
+    async fn the_server_hears_its_own_address() {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let target = listener.local_addr().unwrap();
+        let proxy = Proxy::before(target, Faults::default(), 7).await.unwrap();
+        let mut client = TcpStream::connect(proxy.address).await.unwrap();
+        let (mut server, _) = listener.accept().await.unwrap();
+        let head = |address| format!("GET / HTTP/1.1\r\nHost: {address}\r\n\r\n");
+        client.write_all(head(proxy.address).as_bytes()).await.unwrap();
+        let mut heard = vec![0; head(target).len()];
+        server.read_exact(&mut heard).await.unwrap();
+        assert_eq!(String::from_utf8(heard).unwrap(), head(target));
     }
 
     #[tokio::test]

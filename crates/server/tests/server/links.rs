@@ -151,3 +151,35 @@ async fn the_server_pings_with_the_revision() {
     assert_eq!(ping, Reply::Ping { behaviour: Some((play, 1)), library_revision: 1 });
     house.close().await;
 }
+
+#[tokio::test]
+async fn everyone_is_told_that_the_server_ends_and_what_was_acknowledged_is_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = House::at(folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let ben = house.person("Ben").await;
+    ben.load(&play).await.unwrap();
+    let (ended, ()) = tokio::join!(
+        async {
+            let mut made = 0;
+            while aiko.put("Add", stream_id(&format!("s{made}")), Some(plain(&format!("S{made}")))).await.is_ok() {
+                made += 1;
+            }
+            made
+        },
+        async {
+            ben.put("Add", stream_id("first"), Some(plain("First"))).await.unwrap();
+            house.close().await;
+        }
+    );
+    for mut client in [aiko, ben] {
+        while client.next().await.is_some() {}
+        assert_eq!(client.why_ended(), Some(NoLink::Restart));
+    }
+    let again = House::at(folder.path()).await;
+    let there = again.person("Aiko").await.load(&play).await.unwrap();
+    let found = there.records.records.keys().filter(|record| record.kind == behaviour::Kind::Stream).count();
+    // One more may have been saved whose answer nobody heard any more.
+    assert!((ended + 1..=ended + 2).contains(&found), "{found} of {ended}");
+    again.close().await;
+}

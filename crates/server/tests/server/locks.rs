@@ -128,7 +128,7 @@ async fn an_import_never_touches_what_somebody_is_editing() {
     };
     let get = format!("GET /api/behaviours/{play}.json HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n");
     let whole = raw(&house, &get).await;
-    let file = whole.split_once("\r\n\r\n").unwrap().1.replace("\"a\"", "\"other\"");
+    let file = whole.split_once("\r\n\r\n").unwrap().1.replace("\"a\"", "\"aa\"");
     let before = ben.open().unwrap();
     let kept = raw(&house, &send("/api/import?mode=restore", &file)).await;
     assert!(!kept.starts_with("HTTP/1.1 200"), "it is here already: {kept}");

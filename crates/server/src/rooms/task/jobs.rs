@@ -11,6 +11,8 @@ use std::sync::Arc;
 
 /// Small changes that are saved together.
 const TOGETHER_MAX_CHANGES: usize = 32;
+/// What the behaviours after each of them may take together, in bytes.
+const TOGETHER_MAX_BYTES: usize = 4 << 20;
 
 /// What a room has to do with the store just now.
 pub(super) enum Saving {
@@ -95,8 +97,8 @@ impl RoomTask {
         if !self.is_let_in(&first) {
             return self.start_change(first);
         }
-        let mut all = vec![first];
-        while all.len() < TOGETHER_MAX_CHANGES
+        let (mut all, most) = (vec![first], TOGETHER_MAX_BYTES / self.room.bytes().max(1));
+        while all.len() < TOGETHER_MAX_CHANGES.min(most)
             && let Some(proposal) = self.waiting.take_small()
         {
             if !self.is_let_in(&proposal) {

@@ -139,6 +139,12 @@ pub(super) async fn decide_together(around: Arc<Surroundings>, id: Id, room: Arc
             }
         }
     }
+    if keeps.len() == 1
+        && let Some(keep) = keeps.pop()
+    {
+        let outcome = save(&around, &id, keep).await;
+        return Saved::Together { done: kept.into_iter().zip([outcome]).collect(), left: all.into() };
+    }
     let follow: Vec<_> = keeps.iter().map(|keep| (keep.committed.clone(), keep.after.behaviour().clone())).collect();
     let answers = bounded(around.store.append_all(&id, &follow)).await.unwrap_or_default();
     let applied = answers.iter().take_while(|answer| **answer == Append::Applied).count();

@@ -114,7 +114,7 @@ mod tests {
     use super::{Job, Proposal, WAITING_PER_SENDER_MAX_JOBS, Waiting};
     use crate::rooms::member::{Answer, Feed, Recipient, Whole};
     use axum::extract::ws::Utf8Bytes;
-    use behaviour::{Behaviour, Change, Id, Kind, RecordId};
+    use behaviour::{Change, Edit, Id, Kind, RecordId};
     use std::sync::Arc;
 
     /// A link that nobody reads.
@@ -141,8 +141,8 @@ mod tests {
     }
 
     fn change(waiting: &mut Waiting, session: u64, op: &str, edited: Kind) {
-        let record = RecordId::new(edited, &Id::new("r").unwrap());
-        let change = Change::of(Id::new(op).unwrap(), "Ben", "Edit").take(&Behaviour::default(), record);
+        let edit = Edit { id: RecordId::new(edited, &Id::new("r").unwrap()), before: None, after: None };
+        let change = Change { edits: vec![edit], ..Change::of(Id::new(op).unwrap(), "Ben", "Edit") };
         waiting.put(Job::Save(Proposal { change, tokens: Vec::new(), from: answer(session) }));
     }
 
