@@ -1,9 +1,13 @@
 //! Starting and ending the server, each step in its order.
 
+mod others;
+
+pub use others::Invited;
+
 use crate::connection::Connections;
 use crate::http::address::AddressFile;
 use crate::http::door::Door;
-use crate::http::network::{self, Network, NoCertificate, NotOpened};
+use crate::http::network::{Network, NoCertificate};
 use crate::http::page::Page;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
@@ -28,7 +32,6 @@ use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
 use crate::support::{data_folder, now_ms};
 use behaviour::{Behaviour, Id};
-use protocol::Refused;
 use std::future::Future;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -75,8 +78,6 @@ pub enum ServeError {
     Listen(SocketAddr, std::io::Error),
     /// The certificate cannot be used.
     Certificate(NoCertificate),
-    /// The first invitation could not be made; with the reason.
-    Invitation(Refused),
     /// The store cannot be used.
     Store(StoreError),
     /// The robot's thread, or the one for checking, did not start.
@@ -100,17 +101,6 @@ pub struct Ready {
     pub network: Option<SocketAddr>,
     /// How the first one comes in from elsewhere, if others may.
     pub invited: Option<Invited>,
-}
-
-/// How somebody comes in from elsewhere.
-#[derive(Clone, Debug)]
-pub struct Invited {
-    /// The link to give to them. It works once, within a day, and they may edit.
-    pub link: String,
-    /// That as a QR code: a row of `0` and `1` each, without the quiet zone.
-    pub qr: Vec<String>,
-    /// The fingerprint of the certificate that their browser shows, if the server made it.
-    pub fingerprint: Option<String>,
 }
 
 /// Serves a store until `stop`; `ready` is told the address once connections are accepted.
@@ -154,14 +144,8 @@ pub async fn serve_with(
     let address = listener.local_addr().map_err(listening)?;
     let _data = data_folder::take(&config.store, config.data.as_deref())?;
     let invitations = Invitations::within(config.data.as_deref());
-    let network = config.network.as_ref().map(|network| {
-        let opened = network::open(network, config.data.as_deref(), &invitations);
-        opened.map_err(|why| match why {
-            NotOpened::Listen(error) => ServeError::Listen(network.listen, error),
-            NotOpened::Certificate(why) => ServeError::Certificate(why),
-        })
-    });
-    let network = network.transpose()?;
+    let network = config.network.as_ref();
+    let network = network.map(|network| others::open(network, config.data.as_deref(), &invitations)).transpose()?;
     let reached = network.as_ref().map(|network| network.address);
     let state = open(store, &config, Arc::clone(&invitations)).await?;
     let served = Connections::of(Arc::clone(&state), config.data.as_deref());
@@ -174,7 +158,7 @@ pub async fn serve_with(
     let (mut accepting, mut ways) = (vec![local.0], vec![local.1]);
     let mut invited = None;
     if let Some(network) = network {
-        invited = Some(first_invitation(&invitations).await?);
+        invited = others::first_invitation(&invitations).await;
         let started = network.start(&state.robots, &closing).map_err(ServeError::Thread)?;
         accepting.extend(started.threads);
         ways.extend(started.handed);
@@ -191,15 +175,6 @@ pub async fn serve_with(
     let threads = move || accepting.into_iter().for_each(|thread| drop(thread.join()));
     drop(tokio::task::spawn_blocking(threads).await);
     Ok(())
-}
-
-/// The invitation that is told at the start.
-async fn first_invitation(all: &Arc<Invitations>) -> Result<Invited, ServeError> {
-    let all = Arc::clone(all);
-    let made = tokio::task::spawn_blocking(move || all.make_at_start()).await;
-    let failed = |error: tokio::task::JoinError| Err(Refused::InvitationsNotKept(error.to_string()));
-    let made = made.unwrap_or_else(failed).map_err(ServeError::Invitation)?;
-    Ok(Invited { link: made.link, qr: made.qr, fingerprint: made.fingerprint })
 }
 
 /// The threads that carry messages, and nothing else: they read and write what moves between the clients and the rest.

@@ -28,7 +28,6 @@ impl fmt::Display for ServeError {
                 write!(to, "The address {address} cannot be used ({error}). Choose another port with --listen.")
             }
             Self::Certificate(why) => write!(to, "{why}"),
-            Self::Invitation(why) => write!(to, "{why}"),
             Self::Store(error) => write!(to, "{error}"),
             Self::Thread(error) => write!(to, "The robot could not be started: {error}."),
         }
@@ -47,12 +46,6 @@ impl fmt::Display for NoCertificate {
             ),
             Self::NotMade(reason) => {
                 write!(to, "A certificate could not be made ({reason}). Use one of your own with --cert.")
-            }
-            Self::NotKept(error) => {
-                write!(
-                    to,
-                    "The certificate could not be kept in the data folder ({error}). Make room, or use --data DIR."
-                )
             }
         }
     }

@@ -53,8 +53,6 @@ pub enum NoCertificate {
     Misfit(String),
     /// None could be made; with the reason.
     NotMade(String),
-    /// The one that was made could not be kept; with the reason.
-    NotKept(std::io::Error),
 }
 
 /// A certificate that is ready to be shown.
@@ -121,7 +119,9 @@ fn made(data: Option<&Path>, names: &[String]) -> Result<(CertificateDer<'static
         let (names, certificate, key) = (names.to_vec(), STANDARD.encode(&certificate), STANDARD.encode(&key));
         let text = serde_json::to_string_pretty(&Kept { names, until_ms, certificate, key });
         let put = text.map_err(std::io::Error::other).and_then(|text| atomic_file::put(&file, &text));
-        put.map_err(NoCertificate::NotKept)?;
+        if let Err(error) = put {
+            tracing::warn!(%error, "the certificate could not be kept: the next start makes another one");
+        }
     }
     Ok((certificate, key))
 }

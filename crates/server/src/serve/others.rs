@@ -1,0 +1,46 @@
+//! Letting others in from the start.
+
+use super::ServeError;
+use crate::http::network::{self, Network, NotOpened, Opened};
+use crate::invitations::Invitations;
+use std::path::Path;
+use std::sync::Arc;
+
+/// How somebody comes in from elsewhere.
+#[derive(Clone, Debug)]
+pub struct Invited {
+    /// The link to give to them. It works once, within a day, and they may edit.
+    pub link: String,
+    /// That as a QR code: a row of `0` and `1` each, without the quiet zone.
+    pub qr: Vec<String>,
+    /// The fingerprint of the certificate that their browser shows, if the server made it.
+    pub fingerprint: Option<String>,
+}
+
+/// Listens for others.
+pub(super) fn open(
+    network: &Network,
+    data: Option<&Path>,
+    invitations: &Arc<Invitations>,
+) -> Result<Opened, ServeError> {
+    network::open(network, data, invitations).map_err(|why| match why {
+        NotOpened::Listen(error) => ServeError::Listen(network.listen, error),
+        NotOpened::Certificate(why) => ServeError::Certificate(why),
+    })
+}
+
+/// The invitation that is told at the start. Where it cannot be made, as on a full disk, those who came before still come.
+pub(super) async fn first_invitation(all: &Arc<Invitations>) -> Option<Invited> {
+    let all = Arc::clone(all);
+    match tokio::task::spawn_blocking(move || all.make_at_start()).await {
+        Ok(Ok(made)) => Some(Invited { link: made.link, qr: made.qr, fingerprint: made.fingerprint }),
+        Ok(Err(why)) => {
+            tracing::warn!(%why, "nobody new is invited");
+            None
+        }
+        Err(error) => {
+            tracing::error!(%error, "inviting failed inside");
+            None
+        }
+    }
+}
