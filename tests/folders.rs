@@ -29,16 +29,17 @@ const ENGINE: Arrows = &[
 ];
 
 const SERVER: Arrows = &[
-    ("serve", &["connection", "http", "library", "recordings", "robots", "rooms", "state", "support"]),
-    ("http", &["connection", "library", "recordings", "robots", "rooms", "state", "support"]),
-    ("connection", &["library", "robots", "rooms", "state", "support"]),
-    ("state", &["library", "recordings", "robots", "rooms", "support"]),
+    ("serve", &["connection", "http", "invitations", "library", "recordings", "robots", "rooms", "state", "support"]),
+    ("http", &["connection", "invitations", "library", "recordings", "robots", "rooms", "state", "support"]),
+    ("connection", &["invitations", "library", "robots", "rooms", "state", "support"]),
+    ("state", &["invitations", "library", "recordings", "robots", "rooms", "support"]),
+    ("invitations", &["support"]),
     ("library", &["rooms", "support"]),
     ("rooms", &["support"]),
     ("robots", &["recordings", "support"]),
     ("recordings", &["support"]),
     ("support", &[]),
-    ("words", &["http", "library", "recordings", "robots", "rooms", "serve"]),
+    ("words", &["http", "invitations", "library", "recordings", "robots", "rooms", "serve"]),
 ];
 
 const DESK: Arrows = &[

@@ -9,15 +9,16 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 13] = [
+const ARROWS: [(&str, &[&str]); 14] = [
     ("behaviour", &[]),
     ("engine", &["behaviour", "robot"]),
     ("frontend", &["behaviour", "engine", "protocol", "robot", "simulation"]),
-    ("house", &["behaviour", "engine", "protocol", "robot", "rrp", "server", "shell", "simulation", "store"]),
+    ("house", &["behaviour", "engine", "load", "protocol", "robot", "rrp", "server", "shell", "simulation", "store"]),
     ("house-wasm", &["behaviour", "engine", "robot", "simulation"]),
+    ("load", &["behaviour", "protocol", "shell"]),
     ("protocol", &["behaviour", "robot"]),
     ("robot", &["behaviour"]),
-    ("rrp", &["behaviour", "engine", "robot", "server", "shell", "simulation", "store"]),
+    ("rrp", &["behaviour", "engine", "load", "robot", "server", "shell", "simulation", "store"]),
     ("server", &["behaviour", "engine", "protocol", "robot", "simulation", "store"]),
     ("shell", &["behaviour", "protocol", "robot"]),
     ("simulation", &["behaviour", "robot"]),

@@ -4,6 +4,7 @@ mod chip;
 mod cull;
 mod curve;
 mod differs;
+mod follow;
 mod hand;
 mod keys;
 mod mark;
@@ -27,6 +28,7 @@ use crate::panels::EmptyStage;
 use crate::words;
 use chip::{Chip, Edge};
 use differs::Shadows;
+use follow::Following;
 use leptos::prelude::*;
 use node::StreamNode;
 use people::Pointers;
@@ -49,6 +51,8 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow_size(root);
     stage.follow_open(&desk);
     stage.follow_selection(&desk);
+    stage.tell_view(&desk);
+    stage.follow(&desk);
     let glides = stage.glides.clone();
     let pointers = pointers::Pointers::new(stage.clone(), desk.clone());
     let [down, moved, up, cancel, lost] = [(); 5].map(|()| pointers.clone());
@@ -87,6 +91,7 @@ pub(crate) fn Canvas() -> impl IntoView {
                 <Pointers />
             </div>
             <Strip />
+            <Following />
             <Zoom />
             <EmptyStage />
         </main>

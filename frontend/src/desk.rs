@@ -7,14 +7,17 @@
 mod document;
 mod hear;
 mod identity;
+mod inviting;
 mod library;
 mod robots;
+mod roles;
 mod tab;
 
 pub(crate) use document::{
     Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected,
-    StreamSignals, Version, Writing, bare, draft_key,
+    Sign, StreamSignals, Version, Writing, bare, draft_key, initials, signs,
 };
+pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
 pub(crate) use tab::{Dialog, LinkState};
 
@@ -65,6 +68,7 @@ impl Desk {
 
     /// Connects, and opens what the address or this browser remembers.
     pub(crate) fn start_up(&self) {
+        self.name_wanted.set(identity::is_name_wanted());
         self.document.restore_queue();
         self.document.restore_conflicts();
         self.library.hear_drops();
@@ -106,6 +110,11 @@ impl Desk {
     pub(crate) fn link_lost(&self) {
         self.online.set(LinkState::Offline);
         self.document.link_lost();
+    }
+
+    /// The invitation ended by which this person came.
+    pub(crate) fn end(&self) {
+        self.revoked.set(true);
     }
 
     /// Nothing was heard for so long; 0 with every word.

@@ -46,8 +46,21 @@ fn App() -> impl IntoView {
     let desk = Desk::new();
     desk.start_up();
     undo_keys(&desk);
+    let over = desk.revoked.clone();
     provide_context(desk);
     let phone = is_phone();
+    move || {
+        if over.get() {
+            view! { <panels::Revoked /> }.into_any()
+        } else {
+            view! { <Page phone=phone.clone() /> }.into_any()
+        }
+    }
+}
+
+/// Everything that there is to see and do.
+#[component]
+fn Page(phone: ArcRwSignal<bool>) -> impl IntoView {
     let wide = phone.clone();
     view! {
         {move || (!wide.get()).then(|| view! { <ToGraph /> })}

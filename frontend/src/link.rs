@@ -42,6 +42,8 @@ struct Link {
     tries: i32,
     asked: u32,
     answers: BTreeMap<u32, Answer>,
+    /// The invitation ended: there will be no link again.
+    is_over: bool,
     /// What comes in parts.
     assembly: Assembly,
 }
@@ -120,12 +122,6 @@ pub(crate) fn tell(request: Request) {
     }
 }
 
-/// Greets anew, after a new name was chosen.
-pub(crate) fn again() {
-    lose(with(|link| link.generation));
-    hurry();
-}
-
 fn send(number: u32, request: Request) -> bool {
     let Ok(text) = serde_json::to_string(&Ask { ask: number, request }) else { return false };
     text.len() <= protocol::MESSAGE_MAX_BYTES && with(|link| link.socket.as_ref().is_some_and(|s| s.send(&text)))
@@ -138,17 +134,21 @@ fn connect() {
         link.opened_ms = browser::now_ms();
         link.generation
     });
-    let socket =
-        Socket::open(&url, move || greet(generation), move |text| hear(generation, text), move || lose(generation));
+    let socket = Socket::open(
+        &url,
+        move || greet(generation),
+        move |text| hear(generation, text),
+        move |code| closed(generation, code),
+    );
     match socket {
         Some(socket) => with(|link| link.socket = Some(socket)),
         None => lose(generation),
     }
 }
 
-/// Tries at once if there is no link.
+/// Tries at once if there is no link and there may be one.
 fn hurry() {
-    if with(|link| link.socket.is_none()) {
+    if with(|link| link.socket.is_none() && !link.is_over) {
         connect();
     }
 }
@@ -184,6 +184,17 @@ fn hear(generation: u32, text: &str) {
         Reply::No { no } if unasked_no => desk.say_no(&no),
         reply => desk.hear(reply),
     }
+}
+
+/// The server closed the socket, or it broke.
+fn closed(generation: u32, code: u16) {
+    if code == protocol::CLOSE_REVOKED
+        && let Some(desk) = with(|link| link.desk.clone().filter(|_| link.generation == generation))
+    {
+        with(|link| link.is_over = true);
+        desk.end();
+    }
+    lose(generation);
 }
 
 /// The socket of this generation is gone: whoever waits is told, and the next try is planned.

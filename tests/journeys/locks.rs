@@ -18,8 +18,8 @@ async fn two(stage: &Stage) -> Outcome<(Page, Page)> {
     call_myself(&aiko, "Aiko").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    aiko.find("image", "Ben").await?;
-    ben.find("image", "Aiko").await?;
+    aiko.find("button", "Ben: follow").await?;
+    ben.find("button", "Aiko: follow").await?;
     Ok((aiko, ben))
 }
 

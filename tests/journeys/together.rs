@@ -17,7 +17,7 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
     add_sense(&aiko, "RedBall").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    aiko.find("image", "Ben").await?;
+    aiko.find("button", "Ben: follow").await?;
 
     rename_program(&aiko, "Ours", "Our ball").await?;
     ben.find("button", "Our ball").await?;
@@ -36,7 +36,7 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
     }
     calm(&ben)?;
     ben.close().await?;
-    aiko.gone("image", "Ben").await?;
+    aiko.gone("button", "Ben: follow").await?;
     calm(&aiko)
 }
 

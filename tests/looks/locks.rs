@@ -70,7 +70,7 @@ async fn open_filter(page: &Page) -> Outcome<()> {
 }
 
 /// Looks at a state in light and dark, on a desktop and on a phone.
-async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
+pub(crate) async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
     for (size, width, height, touch) in [("desktop", 1440, 900, false), ("phone", 390, 844, true)] {
         page.size(width, height, touch).await?;

@@ -11,10 +11,35 @@ use crate::paths;
 /// When one is missing and `CI` is `true`, where nothing may be skipped, or when the server is missing
 /// although `cargo xtask test` has just built it.
 pub fn ready(part: &str) -> bool {
+    served(part) && ready_browser(part)
+}
+
+/// Whether the server's binary alone is here.
+///
+/// # Panics
+/// When it is missing and `CI` is `true`, or although `cargo xtask test` has just built it.
+pub fn served(part: &str) -> bool {
     let server = paths::server();
     let missing = (!server.is_file()).then(|| format!("the server is not built at {}", server.display()));
     assert!(missing.is_none() || !is("RRP_TOOLS_READY", "1"), "{part} cannot run: {missing:?}");
-    proceed(part, missing) && ready_browser(part)
+    proceed(part, missing)
+}
+
+/// Whether the server's binary alone is here, for tests without a browser.
+///
+/// # Panics
+/// When it is missing and `CI` is `true`.
+pub fn built(part: &str) -> bool {
+    let server = paths::server();
+    possible(part, (!server.is_file()).then(|| format!("the server is not built at {}", server.display())))
+}
+
+/// Whether nothing is `missing`, for tests that need something of their own.
+///
+/// # Panics
+/// When something is and `CI` is `true`.
+pub fn possible(part: &str, missing: Option<String>) -> bool {
+    proceed(part, missing)
 }
 
 /// Whether the browser alone is here, for tests that bring their own page.

@@ -11,7 +11,7 @@ pub use ask::Asked;
 pub use news::{LockEvent, Why};
 
 use crate::{Change, Id, Kind, RecordId};
-use ask::Ask;
+use ask::{Ask, PutOff};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
@@ -128,8 +128,10 @@ pub struct Locks {
     by_record: BTreeMap<RecordId, u64>,
     /// By the names of the changes.
     saving: BTreeMap<Id, Saving>,
-    /// Until when a client may not ask for a record again.
-    refused: BTreeMap<(Id, RecordId), u64>,
+    /// Which clients were told *not yet* for which records.
+    refused: BTreeMap<(Id, RecordId), PutOff>,
+    /// Grows whenever who holds what changes.
+    version: u64,
     news: VecDeque<LockEvent>,
 }
 
@@ -139,7 +141,7 @@ impl Locks {
     pub fn new(epoch: u64) -> Self {
         let (held, by_record, saving) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
         let (refused, news) = (BTreeMap::new(), VecDeque::new());
-        Self { epoch, counter: 0, now_ms: 0, held, by_record, saving, refused, news }
+        Self { epoch, counter: 0, now_ms: 0, held, by_record, saving, refused, version: 0, news }
     }
 
     /// Locks all of these records or none. Asked twice by one link for one set, it gives one lock.
@@ -207,6 +209,7 @@ impl Locks {
                 kept.push(*counter);
             }
         }
+        self.version += u64::from(!kept.is_empty());
         kept.into_iter().for_each(|counter| self.tell_kept(counter));
         self.forget_asks(session);
     }
@@ -220,7 +223,17 @@ impl Locks {
             (lock.holder.session, lock.left_ms) = (session, None);
             Grant { token: Token { epoch, counter: *counter }, records: lock.records.clone() }
         });
-        back.collect()
+        let back: Vec<Grant> = back.collect();
+        self.version += u64::from(!back.is_empty());
+        back
+    }
+
+    /// A client is called something else: what it holds and asks for is told by that name.
+    pub fn rename(&mut self, client: &Id, name: &str) {
+        let holders = self.held.values_mut().flat_map(|Lock { holder, asks, .. }| {
+            std::iter::once(holder).chain(asks.iter_mut().map(|ask| &mut ask.asker))
+        });
+        holders.filter(|holder| holder.client == *client).for_each(|holder| name.clone_into(&mut holder.name));
     }
 
     /// A change was let in and goes to the store. Until [`Self::saved`], nobody else gets what it touches.
@@ -263,6 +276,12 @@ impl Locks {
     #[must_use]
     pub fn holder(&self, record: &RecordId) -> Option<&Holder> {
         self.by_record.get(record).map(|counter| &self.held[counter].holder)
+    }
+
+    /// Grows whenever what [`Self::held`] says changes.
+    #[must_use]
+    pub fn version(&self) -> u64 {
+        self.version
     }
 
     /// All locks, oldest first.
@@ -327,7 +346,7 @@ impl Locks {
 
     /// Locks what is known to be free.
     fn give(&mut self, holder: Holder, records: BTreeSet<RecordId>) -> Grant {
-        self.counter += 1;
+        (self.counter, self.version) = (self.counter + 1, self.version + 1);
         self.by_record.extend(records.iter().map(|record| (record.clone(), self.counter)));
         let (active_ms, asks) = (self.now_ms, VecDeque::new());
         let grant = Grant { token: Token { epoch: self.epoch, counter: self.counter }, records: records.clone() };
@@ -339,6 +358,7 @@ impl Locks {
     /// Frees what a lock covers; with who wanted it.
     fn end(&mut self, counter: u64, why: Why) -> VecDeque<Ask> {
         let Some(lock) = self.held.remove(&counter) else { return VecDeque::new() };
+        self.version += 1;
         self.by_record.retain(|_, held| *held != counter);
         let grant = Grant { token: Token { epoch: self.epoch, counter }, records: lock.records };
         self.tell(LockEvent::Freed { holder: lock.holder, grant, why });

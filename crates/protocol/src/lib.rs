@@ -5,6 +5,7 @@
 #![warn(missing_docs)]
 
 mod history;
+mod invitation;
 mod library;
 mod live;
 mod parts;
@@ -15,6 +16,7 @@ mod request;
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
 pub use history::{HISTORY_MAX_LINES, HistoryLine};
+pub use invitation::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
     FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
 };
@@ -22,7 +24,7 @@ pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, Stream
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use recording::{Recorded, Recording};
 pub use reply::{LockShown, Message, Person, Refused, Reply};
-pub use request::{Ask, Credential, Pointer, Request};
+pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
 pub const VERSION: u32 = 7;
@@ -30,16 +32,25 @@ pub const VERSION: u32 = 7;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// The code with which the server closes the socket of who came by an invitation that ended.
+pub const CLOSE_REVOKED: u16 = 4001;
+/// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
+pub const COME_IN_PATH: &str = "/come-in";
 /// Where recordings are, as plain GETs: the list, and under it each file.
 pub const RECORDINGS_PATH: &str = "/api/recordings";
 /// The largest message either side accepts, in bytes.
 pub const MESSAGE_MAX_BYTES: usize = 256 * 1024;
 /// How often live values and pictures of the room are sent at most, per second and client.
 pub const UPDATES_PER_SECOND_MAX: u64 = 30;
-/// How often the server pings, in milliseconds.
+/// How often the server says that it is there and which revisions there are, in milliseconds.
 pub const PING_MS: u64 = 500;
+/// How often the server asks whether the client is there, by a ping of the WebSocket that a browser answers by itself,
+/// in milliseconds. Who answers none of two is gone.
+pub const ALIVE_MS: u64 = 5_000;
 /// The longest note of a mark in a recording, in characters.
 pub const MARK_MAX_CHARS: usize = 200;
+/// How far from its origin anything on the canvas is pointed at or looked at, in canvas units.
+pub const CANVAS_MAX: f64 = 10_000_000.0;
 /// The most robots of a server.
 pub const ROBOTS_MAX: usize = 8;
 /// The longest name of a robot, in characters.

@@ -1,8 +1,8 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Contested, Cursor, Driver, HistoryLine, Picture, Pointer, Recording, RobotState, RunState, Similar, Summary, Used,
-    Values,
+    Area, Contested, Cursor, Driver, HistoryLine, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState,
+    Similar, Summary, Used, Values,
 };
 use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
@@ -31,6 +31,8 @@ pub enum Reply {
         epoch: u64,
         /// Who this client is to others.
         you: Person,
+        /// What this client may do.
+        role: Role,
         /// Proves that it is them on a later link: see [`crate::Credential`].
         secret: Id,
         /// The helper library, or its first records.
@@ -244,6 +246,22 @@ pub enum Reply {
         /// Newest first.
         recordings: Vec<Recording>,
     },
+    /// An invitation was made. Its link is told this once and kept nowhere.
+    Invited {
+        /// The invitation.
+        invitation: Box<Invitation>,
+        /// The link to give to who is invited.
+        link: String,
+        /// That link as a QR code: a row of `0` and `1` each, without the quiet zone of four around it.
+        qr: Vec<String>,
+        /// The SHA-256 of the server's certificate, as browsers show it, if it made that itself.
+        fingerprint: Option<String>,
+    },
+    /// The invitations that are kept; also told to whoever may invite when they change.
+    Invitations {
+        /// Newest first.
+        invitations: Vec<Invitation>,
+    },
     /// Live values of the open behaviour on the watched robot.
     Values {
         /// What changed since the last.
@@ -298,6 +316,8 @@ pub enum Refused {
     NothingGone,
     /// Positions are not locked, and neither are helpers.
     NoLock,
+    /// Only what is there is locked; this is not.
+    NothingThere,
     /// This client is editing as much as it may, or the behaviour is.
     TooManyLocks,
     /// These problems stop Start.
@@ -328,6 +348,18 @@ pub enum Refused {
     Store(String),
     /// Nothing is open.
     NothingOpen,
+    /// Only somebody who may more may do this; at least this.
+    Role(Role),
+    /// Who asks was not invited, or not any more.
+    NotInvited,
+    /// Nobody else can come in, as the server answers this computer only.
+    NobodyComes,
+    /// There is no such invitation any more, or never was.
+    NoInvitation,
+    /// There are as many invitations as there may be.
+    TooManyInvitations,
+    /// The invitations could not be kept; with the reason.
+    InvitationsNotKept(String),
 }
 
 impl std::fmt::Display for Refused {
@@ -348,6 +380,9 @@ impl std::fmt::Display for Refused {
             ),
             Self::NothingGone => to.write_str("Nothing that was removed there is missing now."),
             Self::NoLock => to.write_str("This cannot be kept for one person. Edit it as it is."),
+            Self::NothingThere => {
+                to.write_str("This is not there any more, or not yet. Look again, and choose what is there.")
+            }
             Self::TooManyLocks => to.write_str("Too much is being edited at once. Close an editor first."),
             Self::Problems(problems) => {
                 let first = problems.first().map(ToString::to_string).unwrap_or_default();
@@ -370,6 +405,21 @@ impl std::fmt::Display for Refused {
                 write!(to, "The behaviours cannot be reached just now ({reason}). Try again in a moment.")
             }
             Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
+            Self::Role(Role::Host) => write!(to, "Only {} may do this. Ask them.", Role::Host),
+            Self::Role(role) => write!(to, "Only {role} may do this. Ask {} for another invitation.", Role::Host),
+            Self::NotInvited => write!(to, "Your invitation ended. Ask {} for another one.", Role::Host),
+            Self::NobodyComes => to.write_str(
+                "Nobody else can reach this server. Start it with --listen and this computer’s address in the network.",
+            ),
+            Self::NoInvitation => to.write_str("There is no such invitation any more. Look at the list again."),
+            Self::TooManyInvitations => to.write_str("There are too many invitations. Revoke one first."),
+            Self::InvitationsNotKept(reason) => {
+                write!(
+                    to,
+                    "The invitations could not be kept ({reason}). What was revoked is out for now; free some space and \
+                     do this again."
+                )
+            }
         }
     }
 }
@@ -405,4 +455,7 @@ pub struct Person {
     /// Selected stream or connector.
     #[serde(default)]
     pub selected: Option<Id>,
+    /// What part of the canvas they see.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub view: Option<Area>,
 }

@@ -1,6 +1,6 @@
 //! What a client may ask.
 
-use crate::{ListQuery, PictureOf};
+use crate::{Lasts, ListQuery, PictureOf, Role};
 use behaviour::{Change, Id, RecordId, Token, Value};
 use robot::SceneEdit;
 use serde::{Deserialize, Serialize};
@@ -99,7 +99,7 @@ pub enum Request {
     Lock {
         /// Which behaviour.
         behaviour: Id,
-        /// What; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
+        /// What, all of it there already; at most [`behaviour::LOCKED_PER_SESSION_MAX`].
         records: BTreeSet<RecordId>,
     },
     /// Gives a lock back, unless it ended already. Answered by `Done`.
@@ -123,14 +123,28 @@ pub enum Request {
         /// What.
         record: RecordId,
     },
+    /// Who asked for a record wants it no more. Answered by `Done`.
+    Withdraw {
+        /// In which behaviour.
+        behaviour: Id,
+        /// What was asked for.
+        record: RecordId,
+    },
     /// What the holder of a lock says to who asks for it. Answered by `Done`.
     HandOver {
         /// In which behaviour.
         behaviour: Id,
         /// Which lock.
         token: Token,
-        /// True to hand it over, false for *not yet*.
+        /// True to hand it over, false for *not yet*, which counts for a minute from when somebody asked first.
         yes: bool,
+    },
+    /// Takes the lock of a record from whoever is editing it, who is told. Answered by `Locked`. Only for [`Role::Host`].
+    TakeOver {
+        /// In which behaviour.
+        behaviour: Id,
+        /// What.
+        record: RecordId,
     },
     /// The changes after a revision, for a client that missed some. Answered by `Missed`, or by `Opened` if they are many.
     Since {
@@ -226,6 +240,14 @@ pub enum Request {
         pointer: Option<Pointer>,
         /// Selected stream or connector.
         selected: Option<Id>,
+        /// What part of the canvas is in view, for who follows; none where there is no canvas.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        view: Option<Area>,
+    },
+    /// What others see as this person's name from now on, also beside what they are editing. Answered by `Done`.
+    CallMe {
+        /// Tidied as that of the greeting.
+        name: String,
     },
     /// Runs a behaviour on a robot. Answered by `Done` once it runs, or by `No`.
     Start {
@@ -326,6 +348,22 @@ pub enum Request {
         /// Which.
         robot: Id,
     },
+    /// Makes an invitation. Answered by `Invited`. Only for [`Role::Host`], as are the two that follow.
+    Invite {
+        /// What who comes by it may do; not [`Role::Host`].
+        role: Role,
+        /// How long it lasts.
+        lasts: Lasts,
+        /// For whom it is, at most [`crate::LABEL_MAX_CHARS`]; may be empty.
+        label: String,
+    },
+    /// The invitations that are kept. Answered by `Invitations`, or by `No` where nobody else can come in.
+    Invitations,
+    /// Ends an invitation: whoever came by it is out. Answered by `Done`.
+    Revoke {
+        /// Which.
+        invitation: Id,
+    },
     /// Which robot is watched, and whether pictures of its room and live values of what runs on it are wanted. At first
     /// it is both of the first robot. Answered by `Done`.
     Watch {
@@ -355,4 +393,17 @@ pub struct Pointer {
     pub x: f64,
     /// Downwards.
     pub y: f64,
+}
+
+/// A part of the canvas, in canvas units; no side of it is larger than [`crate::CANVAS_MAX`].
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Area {
+    /// Its left end.
+    pub x: f64,
+    /// Its upper end.
+    pub y: f64,
+    /// To the right of that.
+    pub width: f64,
+    /// Downwards.
+    pub height: f64,
 }

@@ -1,5 +1,6 @@
 //! Why a command did not do what it should. What is said about it stands in `words.rs`; only `main` prints it.
 
+use crate::listening::Muddle;
 use behaviour::Refusal;
 use server::{BackupMisfit, ServeError};
 use std::error::Error;
@@ -17,6 +18,8 @@ pub(crate) enum Failure {
     NotStarted(io::Error),
     /// There are no threads to serve with.
     ServerNotStarted(io::Error),
+    /// The addresses to listen on do not go together.
+    Listening(Muddle),
     /// The server did not start, or ended.
     Serve(ServeError),
     /// Nobody said where the data is, and there is no home folder.

@@ -8,6 +8,8 @@ mod failure;
 mod import;
 mod keep;
 mod link;
+mod listening;
+mod load;
 mod log;
 mod page;
 mod replay;
@@ -40,6 +42,7 @@ enum What {
     Shell(ShellArgs),
     Replay(replay::ReplayArgs),
     Bench(bench::BenchArgs),
+    Load(load::LoadArgs),
     Export(export::ExportArgs),
     Import(import::ImportArgs),
     Check(check::CheckArgs),
@@ -76,6 +79,7 @@ fn main() -> ExitCode {
         What::Shell(args) => console(&args.url),
         What::Replay(args) => replay::replay(&args),
         What::Bench(args) => bench::bench(&args),
+        What::Load(args) => load::load(&args),
         What::Export(args) => ended(export::export(&args)),
         What::Import(args) => import::import(&args),
         What::Check(args) => check::check(&args),

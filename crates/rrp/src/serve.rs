@@ -2,12 +2,12 @@
 
 use crate::data_folder::data_folder;
 use crate::failure::Failure;
+use crate::listening::{Listening, tell_invitation};
 use crate::log::{self, Log};
 use crate::page::page;
 use clap::Args;
-use server::{Config, ServeError};
+use server::{Config, Ready, ServeError};
 use std::io::Write;
-use std::net::SocketAddr;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -17,17 +17,22 @@ const FILES: u64 = 8_192;
 /// How long what still works in the background may take at the end.
 const ENDING_MS: u64 = 2_000;
 
-/// Serves the page, the robot and the behaviours in a folder, on this computer.
+/// Serves the page, the robot and the behaviours in a folder, on this computer, and to whom you invite.
+///
+/// With an address of this computer in the network in --listen, others come in by invitation: their browsers speak TLS,
+/// and a link for the first of them is printed with its QR code. The page makes more, lists them and revokes them.
 ///
 /// Prints one line on standard output once it accepts connections; logs go to standard error (RRP_LOG=debug for more).
 /// Ctrl-C and SIGTERM stop the robot first, then finish writing, then exit with 0.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  rrp serve\n  rrp serve --listen 127.0.0.1:0 --data /tmp/play
+  rrp serve --listen 192.168.1.5:7130            others come in by invitation, this computer by http://127.0.0.1:7130/
+  rrp serve --listen 192.168.1.5:7130 --cert cert.pem --key key.pem
+  rrp serve --listen 127.0.0.1:7131 --behind-proxy https://rrp.example
   rrp serve --store bolt://neo4j@127.0.0.1:7687 --data /srv/rrp")]
 pub(crate) struct ServeArgs {
-    /// Where to listen; port 0 takes a free one.
-    #[arg(long, value_name = "ADDR:PORT", default_value = "127.0.0.1:7130")]
-    listen: SocketAddr,
+    #[command(flatten)]
+    at: Listening,
     /// The folder of the data, recordings, robots and orders included; $XDG_DATA_HOME/rrp or ~/.local/share/rrp if absent.
     #[arg(long, value_name = "DIR")]
     data: Option<PathBuf>,
@@ -65,7 +70,8 @@ fn more_files() {}
 fn run(args: ServeArgs, log: &Log) -> Result<(), Failure> {
     let data = data_folder(args.store.as_deref(), args.data.as_deref(), usual_data().as_deref());
     let store = store_url(args.store, args.data)?;
-    let config = Config { listen: args.listen, store, data, seed: args.seed, page };
+    let (listen, network) = args.at.ways()?;
+    let config = Config { listen, network, store, data, seed: args.seed, page };
     let runtime = tokio::runtime::Runtime::new().map_err(Failure::ServerNotStarted)?;
     let served: Result<(), ServeError> = runtime.block_on(async {
         tokio::select! {
@@ -90,14 +96,16 @@ pub(crate) fn usual_data() -> Option<PathBuf> {
     given.or_else(home).map(|folder| folder.join("rrp"))
 }
 
-/// The one line on standard output, for people and for programs that wait for it. A terminal on hold keeps only the
-/// thread that writes it.
-fn ready(address: SocketAddr) {
-    let line = move || {
+/// What stands on standard output, for people and for programs that wait for its first line. A terminal on hold keeps only
+/// the thread that writes it.
+fn ready(now: Ready) {
+    let tell = move || {
         let mut out = std::io::stdout().lock();
-        let _ = writeln!(out, "rrp is ready: http://{address}/").and_then(|()| out.flush());
+        let said = writeln!(out, "rrp is ready: http://{}/", now.address).and_then(|()| out.flush());
+        let invited = now.invited.as_ref().map_or(Ok(()), |invited| tell_invitation(&mut out, invited));
+        drop(said.and(invited).and_then(|()| out.flush()));
     };
-    drop(std::thread::Builder::new().name("ready".into()).spawn(line));
+    drop(std::thread::Builder::new().name("ready".into()).spawn(tell));
 }
 
 /// Ctrl-C or SIGTERM.

@@ -1,6 +1,7 @@
 //! What is said on standard error when a command fails, in English.
 
 use crate::failure::{Failure, Senseless};
+use crate::listening::Muddle;
 use engine::Fault;
 use std::fmt;
 use std::path::Path;
@@ -10,12 +11,31 @@ use store::files::{FILE_MAX_BYTES, FileFault};
 /// Names that are shown to somebody who looks for another one.
 const NAMES_MAX: usize = 10;
 
+impl fmt::Display for Muddle {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::TwoOfAKind => to.write_str(
+                "Say --listen once for this computer and once for others at most: one address of its own, such as \
+                 127.0.0.1:7130, and one in the network.",
+            ),
+            Self::NoNetwork => to.write_str(
+                "A certificate is for those who come from elsewhere. Say with --listen where they come in, or leave out \
+                 --cert and --key.",
+            ),
+            Self::Origin(said) => {
+                write!(to, "“{said}” is not what browsers reach the proxy by. Write it as https://rrp.example, without a path.")
+            }
+        }
+    }
+}
+
 impl fmt::Display for Failure {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::NotStarted(error) => write!(to, "This could not start: {error}."),
             Self::ServerNotStarted(error) => write!(to, "The server could not start: {error}."),
             Self::Serve(error) => write!(to, "{error}"),
+            Self::Listening(muddle) => write!(to, "{muddle}"),
             Self::NoHome => to.write_str("There is no home folder. Say where the data is with --data DIR."),
             Self::Store(error) => write!(to, "{error}"),
             Self::Busy(folder) => {

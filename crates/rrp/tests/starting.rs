@@ -322,3 +322,29 @@ fn a_database_that_is_silent_is_said_in_the_log() {
     let said = said.expect("a sentence");
     assert!(said.contains("does not answer yet") && !said.contains("secret"), "{said}");
 }
+
+#[test]
+fn others_are_invited_by_a_link_on_standard_output() {
+    let data = tempfile::tempdir().expect("a folder");
+    let line =
+        ["serve", "--listen", "127.0.0.1:0", "--behind-proxy", "https://rrp.example", "--data", &text(data.path())];
+    let mut child = rrp(&line).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("rrp starts");
+    let lines = BufReader::new(child.stdout.take().expect("its output")).lines().map_while(Result::ok);
+    let said: Vec<String> = lines.take_while(|line| !line.starts_with("The page makes more")).collect();
+    child.kill().and_then(|()| child.wait()).expect("it ends");
+    assert!(said[0].starts_with("rrp is ready: http://127.0.0.1:"), "{said:?}");
+    let links: Vec<&String> = said.iter().filter(|line| line.starts_with("https://rrp.example/come-in#")).collect();
+    assert!(matches!(links[..], [link] if link.len() > 60), "{said:?}");
+    assert!(!said.iter().any(|line| line.contains('\u{1b}')), "no picture where no terminal is: {said:?}");
+}
+
+#[test]
+fn what_does_not_go_together_is_said() {
+    let two = refused(&["serve", "--listen", "127.0.0.1:0", "--listen", "127.0.0.2:0"]);
+    assert!(two.contains("Say --listen once for this computer"), "{two}");
+    let data = tempfile::tempdir().expect("a folder");
+    let nobody = text(&data.path().join("nobody.pem"));
+    let line = ["serve", "--listen", "0.0.0.0:0", "--cert", &nobody, "--key", &nobody, "--data", &text(data.path())];
+    let unread = refused(&line);
+    assert!(unread.contains("nobody.pem cannot be used"), "{unread}");
+}

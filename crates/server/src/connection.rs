@@ -50,7 +50,7 @@ impl Connections {
     /// Nobody is connected yet; what everyone will be told is kept new from now on.
     pub(crate) fn of(state: Arc<ServerState>, data: Option<&Path>) -> Arc<Self> {
         let topics = Topics::of(&state.robots);
-        topics.keep(&state.robots, state.rooms.news(), &state.tasks);
+        topics.keep(&state.robots, state.rooms.news(), &state.invitations, &state.tasks);
         Arc::new(Self {
             state,
             clients: Clients::proved_by(Secrets::within(data)),

@@ -2,8 +2,14 @@
 
 pub(crate) mod accept;
 pub(crate) mod address;
+mod come_in;
+mod cut;
+pub(crate) mod door;
 mod downloads;
 mod headers;
+mod known;
+mod line;
+pub(crate) mod network;
 pub(crate) mod origin;
 pub(crate) mod page;
 mod recordings;

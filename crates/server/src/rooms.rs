@@ -20,7 +20,7 @@ use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
 use past::Past;
-use protocol::{LIBRARY, Pointer, Refused, Reply, Summary};
+use protocol::{Area, LIBRARY, Pointer, Refused, Reply, Role, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,8 +35,8 @@ const ROOMS_MAX: usize = 1_024;
 
 /// What a room is told.
 pub(crate) enum Note {
-    /// Somebody comes in, asking with this number; who enters the library hears their secret.
-    Join(Member, u32, Option<Id>),
+    /// Somebody comes in, asking with this number; who enters the library is welcomed.
+    Join(Member, u32, Option<Entering>),
     /// A link leaves.
     Leave(u64, Parting),
     /// A change is proposed, with the tokens of what its sender locked.
@@ -49,10 +49,27 @@ pub(crate) enum Note {
     Remove(String, Answer),
     /// The changes after a revision are wanted.
     Since(u64, Answer),
-    /// A link's pointer and selection.
-    Present(u64, Option<Pointer>, Option<Id>),
+    /// Where a link's person is.
+    Present(u64, Whereabouts),
+    /// A link's person is called something else from now on.
+    Rename(u64, String),
     /// The server itself wants to see it as it is.
     Look(oneshot::Sender<Result<Look, Refused>>),
+}
+
+/// What only who is welcomed hears of themselves.
+pub(crate) struct Entering {
+    /// What proves on a later link that it is them.
+    pub(crate) secret: Id,
+    /// What they may do.
+    pub(crate) role: Role,
+}
+
+/// Where somebody points, what they selected and what they see.
+pub(crate) struct Whereabouts {
+    pub(crate) pointer: Option<Pointer>,
+    pub(crate) selected: Option<Id>,
+    pub(crate) view: Option<Area>,
 }
 
 /// How a link leaves.
@@ -74,6 +91,10 @@ pub(crate) enum Locking {
     Touch(Token),
     /// To have what somebody else is editing.
     Ask(RecordId, Answer),
+    /// To take what somebody else is editing from them; who asks may.
+    TakeOver(RecordId, Answer),
+    /// To have it no more.
+    Withdraw(RecordId, Answer),
     /// To say yes or not yet to who asks.
     Reply(Token, bool, Answer),
 }
@@ -82,9 +103,12 @@ impl Locking {
     /// Answers who waits that it cannot be.
     pub(crate) fn refuse(self, no: Refused) {
         match self {
-            Self::Take(_, answer) | Self::Release(_, answer) | Self::Ask(_, answer) | Self::Reply(.., answer) => {
-                answer.no(no)
-            }
+            Self::Take(_, answer)
+            | Self::Release(_, answer)
+            | Self::Ask(_, answer)
+            | Self::TakeOver(_, answer)
+            | Self::Withdraw(_, answer)
+            | Self::Reply(.., answer) => answer.no(no),
             Self::Touch(_) => {}
         }
     }
@@ -116,7 +140,7 @@ impl Note {
             }
             Self::Locking(_, locking) => locking.refuse(no),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
-            Self::Leave(..) | Self::Present(..) => {}
+            Self::Leave(..) | Self::Present(..) | Self::Rename(..) => {}
         }
     }
 }

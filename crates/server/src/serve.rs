@@ -2,10 +2,12 @@
 
 use crate::connection::Connections;
 use crate::http::address::AddressFile;
-use crate::http::origin::OriginGuard;
+use crate::http::door::Door;
+use crate::http::network::{self, Network, NoCertificate, NotOpened};
 use crate::http::page::Page;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
+use crate::invitations::Invitations;
 use crate::library::create::first_library;
 use crate::library::templates::{Template, templates};
 use crate::library::thumbnails::Thumbnails;
@@ -26,6 +28,7 @@ use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
 use crate::support::{data_folder, now_ms};
 use behaviour::{Behaviour, Id};
+use protocol::Refused;
 use std::future::Future;
 use std::net::SocketAddr;
 use std::path::PathBuf;
@@ -47,8 +50,11 @@ const ENDING_MS: u64 = 3_000;
 /// What a server needs to know.
 #[derive(Clone, Debug)]
 pub struct Config {
-    /// Where it listens; only this computer's own addresses, port 0 takes a free one.
+    /// Where it listens for this computer, where nothing is asked: only this computer's own addresses, port 0 takes a free
+    /// one.
     pub listen: SocketAddr,
+    /// Where it listens for others, who come by invitation; none if nobody else comes.
+    pub network: Option<Network>,
     /// The address of its store: a folder for the embedded one, or what [`store::open_url`] knows.
     pub store: String,
     /// The folder for recordings, the robots and the orders on them; without one nothing can be recorded, and robots that
@@ -67,6 +73,10 @@ pub enum ServeError {
     NotLoopback(SocketAddr),
     /// The address cannot be listened on.
     Listen(SocketAddr, std::io::Error),
+    /// The certificate cannot be used.
+    Certificate(NoCertificate),
+    /// The first invitation could not be made; with the reason.
+    Invitation(Refused),
     /// The store cannot be used.
     Store(StoreError),
     /// The robot's thread, or the one for checking, did not start.
@@ -81,13 +91,35 @@ impl From<StoreError> for ServeError {
     }
 }
 
+/// Where a server is, once it accepts connections.
+#[derive(Clone, Debug)]
+pub struct Ready {
+    /// Where this computer reaches it.
+    pub address: SocketAddr,
+    /// Where others do, or the proxy through which they come.
+    pub network: Option<SocketAddr>,
+    /// How the first one comes in from elsewhere, if others may.
+    pub invited: Option<Invited>,
+}
+
+/// How somebody comes in from elsewhere.
+#[derive(Clone, Debug)]
+pub struct Invited {
+    /// The link to give to them. It works once, within a day, and they may edit.
+    pub link: String,
+    /// That as a QR code: a row of `0` and `1` each, without the quiet zone.
+    pub qr: Vec<String>,
+    /// The fingerprint of the certificate that their browser shows, if the server made it.
+    pub fingerprint: Option<String>,
+}
+
 /// Serves a store until `stop`; `ready` is told the address once connections are accepted.
 ///
 /// # Errors
 /// A sentence, if the server cannot start.
 pub async fn serve(
     config: Config,
-    ready: impl FnOnce(SocketAddr),
+    ready: impl FnOnce(Ready),
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
@@ -98,10 +130,10 @@ pub async fn serve(
         () = &mut stop => return Ok(()),
     };
     let (url, told) = (config.store.clone(), std::sync::OnceLock::new());
-    let ready = |address| {
+    let ready = |now: Ready| {
         // Before anybody is told, so that whoever waits for the server finds it.
-        let _first = told.set(AddressFile::new(&url, address));
-        ready(address);
+        let _first = told.set(AddressFile::new(&url, now.address));
+        ready(now);
     };
     serve_with(store, config, ready, stop).await
 }
@@ -113,7 +145,7 @@ pub async fn serve(
 pub async fn serve_with(
     store: Arc<dyn Store>,
     config: Config,
-    ready: impl FnOnce(SocketAddr),
+    ready: impl FnOnce(Ready),
     stop: impl Future<Output = ()>,
 ) -> Result<(), ServeError> {
     check_listen(config.listen)?;
@@ -121,24 +153,53 @@ pub async fn serve_with(
     let listener = accept::listen(config.listen).map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
     let _data = data_folder::take(&config.store, config.data.as_deref())?;
-    let state = open(store, &config).await?;
+    let invitations = Invitations::within(config.data.as_deref());
+    let network = config.network.as_ref().map(|network| {
+        let opened = network::open(network, config.data.as_deref(), &invitations);
+        opened.map_err(|why| match why {
+            NotOpened::Listen(error) => ServeError::Listen(network.listen, error),
+            NotOpened::Certificate(why) => ServeError::Certificate(why),
+        })
+    });
+    let network = network.transpose()?;
+    let reached = network.as_ref().map(|network| network.address);
+    let state = open(store, &config, Arc::clone(&invitations)).await?;
     let served = Connections::of(Arc::clone(&state), config.data.as_deref());
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
-    let guard = OriginGuard::of(address.port());
-    let accepted = accept::start(listener, guard, state.robots.clone(), closing.clone());
-    let (accepting, handed) = accepted.map_err(ServeError::Thread)?;
     let messages = Messages::start().map_err(ServeError::Thread)?;
-    let router = routes::routes(served, guard, messages.handle().clone(), config.page);
+    let router = routes::routes(served, messages.handle().clone(), config.page);
     let routed = Routed { router, on: state.tasks.runtime.clone() };
-    messages.handle().spawn(serving::serve(handed, routed, connections.clone(), closing.clone()));
+    let door = Door::local(address.port());
+    let local = accept::start(listener, door, state.robots.clone(), closing.clone()).map_err(ServeError::Thread)?;
+    let (mut accepting, mut ways) = (vec![local.0], vec![local.1]);
+    let mut invited = None;
+    if let Some(network) = network {
+        invited = Some(first_invitation(&invitations).await?);
+        let started = network.start(&state.robots, &closing).map_err(ServeError::Thread)?;
+        accepting.extend(started.threads);
+        ways.extend(started.handed);
+    }
+    for handed in ways {
+        messages.handle().spawn(serving::serve(handed, routed.clone(), connections.clone(), closing.clone()));
+    }
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
     bin::keep(&state.library, config.data.as_deref());
     tracing::info!(%address, epoch = state.epoch, "the server is ready");
-    ready(address);
+    ready(Ready { address, network: reached, invited });
     stop.await;
     end(&state, &closing, &connections).await;
-    drop(tokio::task::spawn_blocking(move || accepting.join()).await);
+    let threads = move || accepting.into_iter().for_each(|thread| drop(thread.join()));
+    drop(tokio::task::spawn_blocking(threads).await);
     Ok(())
+}
+
+/// The invitation that is told at the start.
+async fn first_invitation(all: &Arc<Invitations>) -> Result<Invited, ServeError> {
+    let all = Arc::clone(all);
+    let made = tokio::task::spawn_blocking(move || all.make_at_start()).await;
+    let failed = |error: tokio::task::JoinError| Err(Refused::InvitationsNotKept(error.to_string()));
+    let made = made.unwrap_or_else(failed).map_err(ServeError::Invitation)?;
+    Ok(Invited { link: made.link, qr: made.qr, fingerprint: made.fingerprint })
 }
 
 /// The threads that carry messages, and nothing else: they read and write what moves between the clients and the rest.
@@ -169,7 +230,11 @@ fn check_listen(listen: SocketAddr) -> Result<(), ServeError> {
     if listen.ip().is_loopback() { Ok(()) } else { Err(ServeError::NotLoopback(listen)) }
 }
 
-async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>, ServeError> {
+async fn open(
+    store: Arc<dyn Store>,
+    config: &Config,
+    invitations: Arc<Invitations>,
+) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
     let health = StoreHealth::good();
@@ -204,11 +269,16 @@ async fn open(store: Arc<dyn Store>, config: &Config) -> Result<Arc<ServerState>
             move |behaviour| robots.has(behaviour)
         }),
     };
-    Ok(Arc::new(put_together(surroundings, robots, recordings)))
+    Ok(Arc::new(put_together(surroundings, robots, recordings, invitations)))
 }
 
 /// Everything, once its parts are there.
-fn put_together(surroundings: Surroundings, robots: Robots, recordings: Recordings) -> ServerState {
+fn put_together(
+    surroundings: Surroundings,
+    robots: Robots,
+    recordings: Recordings,
+    invitations: Arc<Invitations>,
+) -> ServerState {
     let Surroundings { store, health, knowing, workers, lookups, tasks, epoch, .. } = &surroundings;
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
     let (workers, lookups, tasks, epoch) = (workers.clone(), lookups.clone(), tasks.clone(), *epoch);
@@ -231,6 +301,7 @@ fn put_together(surroundings: Surroundings, robots: Robots, recordings: Recordin
         knowing,
         workers,
         lookups,
+        invitations,
         rooms,
         library,
         thumbnails,

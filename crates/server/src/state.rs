@@ -1,5 +1,6 @@
 //! The whole state of the server: only starting, HTTP and connections know it, everything else is given what it needs.
 
+use crate::invitations::Invitations;
 use crate::library::Library;
 use crate::library::thumbnails::Thumbnails;
 use crate::recordings::Recordings;
@@ -29,6 +30,8 @@ pub(crate) struct ServerState {
     pub(crate) workers: Workers,
     /// Turns for what has to be looked up in the store.
     pub(crate) lookups: Lookups,
+    /// Who may come in besides who is at this computer.
+    pub(crate) invitations: Arc<Invitations>,
     /// The open rooms.
     pub(crate) rooms: Rooms,
     /// Making and importing behaviours.

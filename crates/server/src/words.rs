@@ -1,6 +1,8 @@
 //! Why the server did not do something, each reason said in English. What a reason is, its own folder knows.
 
+use crate::http::network::NoCertificate;
 use crate::http::origin::NotAllowed;
+use crate::invitations::NotIn;
 use crate::library::import::NotImported;
 use crate::recordings::{NotRecorded, Stuck};
 use crate::robots::refusal::{BackupMisfit, NoRun, RobotsUnchanged, RunFailure};
@@ -17,16 +19,59 @@ impl fmt::Display for ServeError {
         match self {
             Self::NotLoopback(address) => write!(
                 to,
-                "This server listens on this computer only, as it has no accounts yet, and {} is an address for \
-                 others. Use 127.0.0.1:{}.",
+                "At {} others could come in without an invitation. Let them in by the address for others, and use \
+                 127.0.0.1:{} for this computer.",
                 address.ip(),
                 address.port()
             ),
             Self::Listen(address, error) => {
                 write!(to, "The address {address} cannot be used ({error}). Choose another port with --listen.")
             }
+            Self::Certificate(why) => write!(to, "{why}"),
+            Self::Invitation(why) => write!(to, "{why}"),
             Self::Store(error) => write!(to, "{error}"),
             Self::Thread(error) => write!(to, "The robot could not be started: {error}."),
+        }
+    }
+}
+
+impl fmt::Display for NoCertificate {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Own(file, reason) => {
+                write!(to, "{} cannot be used ({reason}). It has to be a PEM file.", file.display())
+            }
+            Self::Misfit(reason) => write!(
+                to,
+                "The certificate cannot be used ({reason}). See that --cert is the certificate as PEM, and --key its key."
+            ),
+            Self::NotMade(reason) => {
+                write!(to, "A certificate could not be made ({reason}). Use one of your own with --cert.")
+            }
+            Self::NotKept(error) => {
+                write!(
+                    to,
+                    "The certificate could not be kept in the data folder ({error}). Make room, or use --data DIR."
+                )
+            }
+        }
+    }
+}
+
+impl fmt::Display for NotIn {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Unknown => to.write_str("This link does not work, or not any more. Ask for another invitation."),
+            Self::TooMany(seconds) => write!(
+                to,
+                "Too many links that do not work were tried from your network. Wait {seconds} seconds, then open your \
+                 link again."
+            ),
+            Self::NotKept(reason) => write!(
+                to,
+                "You could not be let in just now ({reason}). Open your link again in a moment, or tell the person at the \
+                 robot’s computer."
+            ),
         }
     }
 }
@@ -39,6 +84,7 @@ impl fmt::Display for NotAllowed {
             Self::OtherHost => "this server answers under localhost only",
             Self::NoOrigin => "the request does not say from which page it is",
             Self::OtherPage => "another page may not use this server",
+            Self::NotInvited => "only who was invited may come in here",
         })
     }
 }

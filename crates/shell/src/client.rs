@@ -13,6 +13,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, AtomicU64, Ordering};
 use std::time::Duration;
 use tokio::sync::{mpsc, oneshot};
+use tokio::task::AbortHandle;
 
 /// Where a server is when nobody says otherwise.
 pub const DEFAULT_URL: &str = "http://127.0.0.1:7130/";
@@ -59,6 +60,8 @@ pub enum NoLink {
     Ended,
     /// It was closed here.
     Closed,
+    /// Nothing came from the server for so long that it must be gone.
+    Unheard,
     /// It was lost; with what the network says.
     Lost(String),
     /// The server ended it.
@@ -88,6 +91,7 @@ pub struct Client {
     told: mpsc::Receiver<Reply>,
     asks: AtomicU32,
     welcome: Welcome,
+    carrier: AbortHandle,
 }
 
 /// What the server said at first.
@@ -112,11 +116,12 @@ impl Client {
     /// # Errors
     /// If there is no server, or it refuses the greeting.
     pub async fn connect_again(url: &str, again: Option<Credential>, name: &str) -> Result<Self, Trouble> {
-        let (link, lines, told) = link::open(url).await?;
+        let (link, lines, told, carrier) = link::open(url).await?;
         let nobody = Id::new("nobody").map_err(|reason| NoLink::Id(reason.to_string()))?;
-        let you = Person { client: nobody.clone(), name: name.to_owned(), color: 0, pointer: None, selected: None };
+        let client = nobody.clone();
+        let you = Person { client, name: name.to_owned(), color: 0, pointer: None, selected: None, view: None };
         let welcome = Welcome { epoch: 0, you, secret: nobody };
-        let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome };
+        let mut this = Self { link, lines, told, asks: AtomicU32::new(0), welcome, carrier };
         let hello = Request::Hello { version: VERSION, name: name.to_owned(), again };
         match this.ask(hello).await? {
             Reply::Welcome { epoch, you, secret, .. } => this.welcome = Welcome { epoch, you, secret },
@@ -172,6 +177,12 @@ impl Client {
         self.lines.send(Line { ask, request, waiting }).await.map_err(|_| self.ended())
     }
 
+    /// Why the link ended, if it did.
+    #[must_use]
+    pub fn why_ended(&self) -> Option<NoLink> {
+        self.link.ended()
+    }
+
     fn ended(&self) -> Trouble {
         self.link.ended().unwrap_or(NoLink::Ended).into()
     }
@@ -180,6 +191,17 @@ impl Client {
     /// only for a while.
     pub async fn next(&mut self) -> Option<Reply> {
         self.told.recv().await
+    }
+
+    /// All that is told unasked from now on; what was told and not fetched yet comes first. [`Self::next`] gives nothing
+    /// any more.
+    pub fn take_told(&mut self) -> mpsc::Receiver<Reply> {
+        std::mem::replace(&mut self.told, mpsc::channel(1).1)
+    }
+
+    /// Ends the link without a word, as when a computer dies.
+    pub fn cut(self) {
+        self.carrier.abort();
     }
 
     /// The next thing told unasked of this kind; others before it are dropped.

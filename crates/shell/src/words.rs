@@ -27,6 +27,9 @@ impl fmt::Display for NoLink {
             Self::Closed => to.write_str("The connection was closed."),
             Self::Lost(error) => write!(to, "The connection was lost ({error}). Connect again."),
             Self::EndedByServer => to.write_str("The server ended the connection. Connect again."),
+            Self::Unheard => {
+                to.write_str("The server has been silent for too long. Look whether it runs, and connect again.")
+            }
             Self::Restart => to.write_str("The server ended. Connect again when it is back."),
             Self::TooSlow => to.write_str("This connection was too slow for the server (resync). Connect again."),
             Self::Replaced => to.write_str("The same client connected again elsewhere (replaced)."),

@@ -51,6 +51,27 @@ pub trait Store: Send + Sync {
     /// [`StoreError::Gone`] for a behaviour in the bin, [`StoreError::Refused`] for values that cannot be kept (such as NaN).
     async fn append(&self, behaviour: &Id, committed: &Committed, after: &Behaviour) -> Result<Append, StoreError>;
 
+    /// Saves changes that follow each other, each with the behaviour after it, together if it can. Answers as
+    /// [`Self::append`] would for each, up to the first that is not applied; those after it are not tried, and neither are
+    /// those after a fault that came when some were saved.
+    ///
+    /// # Errors
+    /// Those of [`Self::append`], if nothing is known to be saved.
+    async fn append_all(&self, behaviour: &Id, changes: &[(Committed, Behaviour)]) -> Result<Vec<Append>, StoreError> {
+        let mut answers = Vec::new();
+        for (committed, after) in changes {
+            match self.append(behaviour, committed, after).await {
+                Err(error) if answers.is_empty() => return Err(error),
+                Err(_) => break,
+                Ok(answer) => answers.push(answer),
+            }
+            if answers.last() != Some(&Append::Applied) {
+                break;
+            }
+        }
+        Ok(answers)
+    }
+
     /// The behaviour as it is now, also from the bin; none if there never was one or it was purged.
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError>;
 

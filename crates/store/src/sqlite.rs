@@ -146,6 +146,15 @@ impl Store for SqliteStore {
         self.write(ready.bytes(), move |at| write::append(at, &id, &ready)).await
     }
 
+    async fn append_all(&self, behaviour: &Id, changes: &[(Committed, Behaviour)]) -> Result<Vec<Append>, StoreError> {
+        let (id, changes) = (behaviour.clone(), changes.to_vec());
+        let prepare = move || changes.into_iter().map(|(committed, after)| Ready::new(committed, after)).collect();
+        let ready: Result<Result<Vec<Ready>, StoreError>, _> = tokio::task::spawn_blocking(prepare).await;
+        let ready = ready.map_err(|error| StoreError::Unavailable(format!("saving stopped: {error}")))??;
+        let bytes = ready.iter().map(Ready::bytes).sum();
+        self.write(bytes, move |at| write::append_all(at, &id, &ready)).await
+    }
+
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
         let id = behaviour.clone();
         self.readers.ask(move |at| read::load(at, &id)).await

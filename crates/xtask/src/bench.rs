@@ -14,6 +14,21 @@ const RXPY: &str = "reactivex==6.1.0";
 /// What measures the threads.
 const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
 
+/// Measures rooms with many people, bad networks and kills on the optimised server, which is built before; fails if a bar
+/// is missed or anything is lost. `words` pick a figure.
+pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    tools::run(&mut workspace.cargo(&["build", "--release", "--package", "rrp"]), "Building the optimised server")?;
+    let figures = words.first().map_or("figure_".to_owned(), |word| format!("figure_{word}"));
+    let mut cargo = workspace.cargo(&["test", "--release", "--package", "house", "--test", "rooms", "--", &figures]);
+    match neo4j::ensure(workspace) {
+        Ok(folder) => drop(cargo.env("RRP_NEO4J", folder)),
+        Err(sentence) => println!("SKIPPED by name: kills of a server on Neo4j ({sentence})"),
+    }
+    // One after the other: each has the computer to itself.
+    cargo.args(["--ignored", "--nocapture", "--test-threads=1"]).env("RRP_OPTIMISED", workspace.optimised_server());
+    tools::run(&mut cargo, "The benchmark of the rooms")
+}
+
 /// Measures the stores.
 pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
     let mut cargo = workspace.cargo(&["bench", "--package", "store", "--bench", "stores"]);

@@ -9,7 +9,7 @@ const FOLDER: &str = "styles/";
 const SHEET: &str = "page.css";
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.
-const ORDER: [&str; 40] = [
+const ORDER: [&str; 42] = [
     "tokens",
     "base",
     "frame",
@@ -35,6 +35,8 @@ const ORDER: [&str; 40] = [
     "outline",
     "notices",
     "conflict",
+    "presence",
+    "invite",
     "stop",
     "tablet",
     "phone",

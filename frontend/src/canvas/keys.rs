@@ -16,6 +16,9 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     if own || event.ctrl_key() || event.meta_key() || event.alt_key() {
         return;
     }
+    if !matches!(event.key().as_str(), "Shift" | "Tab") && desk.document.unfollow() && event.key() == "Escape" {
+        return;
+    }
     let here = selected_at(&target).or_else(|| desk.document.selected.get_untracked());
     let on_button = target.closest("button").ok().flatten().is_some();
     let done = match event.key().as_str() {

@@ -223,8 +223,10 @@ pub(super) fn OthersRing(id: Id) -> impl IntoView {
             return Some((editor.color, is_it.then(|| (true, words::is_editing(&editor.name)))));
         }
         stage.others.with(|others| {
-            let (_, color, name) = others.iter().find(|(selected, ..)| *selected == id)?;
-            Some((*color, Some((false, name.clone()))))
+            let here = || others.iter().filter(|(selected, ..)| *selected == id);
+            let color = here().map(|(_, color, _)| *color).next()?;
+            let names: Vec<&str> = here().map(|(.., name)| name.as_str()).collect();
+            Some((color, Some((false, names.join(", ")))))
         })
     });
     let tag = |(locked, text): (bool, String)| {

@@ -7,7 +7,7 @@ use crate::desk::{Desk, Dialog, Selected};
 use crate::layout::snapped;
 use behaviour::{Id, Place};
 use leptos::prelude::*;
-use protocol::Pointer;
+use protocol::{Pointer, Role};
 use std::cell::RefCell;
 use std::rc::Rc;
 use wasm_bindgen::JsCast;
@@ -35,12 +35,14 @@ impl Pointers {
     }
 
     pub(super) fn down(&self, event: &PointerEvent) {
+        self.desk.document.unfollow();
         let target = element(event);
         let own = target.as_ref().is_some_and(|target| target.closest(INTERACTIVE).ok().flatten().is_some());
         if own || !matches!(event.button(), 0 | 1) {
             return;
         }
-        let stream = target.and_then(|target| marked(&target, "data-node")).filter(|_| event.button() == 0);
+        let drags = event.button() == 0 && untrack(|| self.desk.may(Role::Editor));
+        let stream = target.and_then(|target| marked(&target, "data-node")).filter(|_| drags);
         let act =
             self.hand.borrow_mut().down(event.pointer_id(), at(event), stream.map_or(Target::Other, Target::Stream));
         self.act(act, event);
@@ -152,6 +154,7 @@ impl Pointers {
             return;
         }
         event.prevent_default();
+        self.desk.document.unfollow();
         let line = if event.delta_mode() == WheelEvent::DOM_DELTA_LINE { 16.0 } else { 1.0 };
         let (dx, dy) = (event.delta_x() * line, event.delta_y() * line);
         let view = self.stage.view.get_untracked();

@@ -249,6 +249,7 @@ impl Stage {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
         let id = target.and_then(|target| target.get_attribute("data-node")).and_then(|id| Id::new(&id).ok());
         if let Some(id) = id {
+            self.desk.document.unfollow();
             self.stop.set(Some(id.clone()));
             self.reveal(&id);
         }
@@ -299,6 +300,9 @@ impl Stage {
         Effect::new(move |_| {
             let selected = desk.document.selected.get();
             desk.document.present_selection();
+            if selected.is_some() {
+                desk.document.unfollow();
+            }
             let Some(Selected::Stream(id)) = selected else { return };
             stage.stop.set(Some(id.clone()));
             let (stage, desk) = (stage.clone(), desk.clone());
@@ -415,8 +419,7 @@ fn edited_memo(desk: Desk) -> ArcMemo<BTreeMap<Id, Edited>> {
 
 fn others_memo(desk: Desk) -> ArcMemo<Vec<(Id, u8, String)>> {
     ArcMemo::new(move |_| {
-        let me = desk.me.with(|me| me.as_ref().map(|me| me.client.clone()));
-        let others = desk.document.people.get().into_iter().filter(|person| Some(&person.client) != me.as_ref());
-        others.filter_map(|person| Some((person.selected?, person.color, person.name))).collect()
+        let others = desk.document.others().into_iter();
+        others.filter_map(|(sign, person)| Some((person.selected?, sign.color, sign.name))).collect()
     })
 }

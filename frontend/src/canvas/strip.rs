@@ -12,6 +12,7 @@ use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_wor
 use crate::words;
 use behaviour::{Helper, Id, Operation, Params, Place, Procedure, StreamKind, connectors};
 use leptos::prelude::*;
+use protocol::Role;
 
 /// At most so many suggestions; fewer where the stage is narrow.
 const SUGGESTIONS_MAX: usize = 4;
@@ -57,7 +58,8 @@ fn StreamStrip(id: Id) -> impl IntoView {
     let glides = stage.glides.clone();
     let [size, shown_size, tall] = [(); 3].map(|()| stage.size.clone());
     let action = signals.record.with_untracked(|stream| stream.kind == StreamKind::Actuator);
-    let buttons = if action { 2.0 } else { 3.0 };
+    let leads_on = !action && untrack(|| desk.may(Role::Editor));
+    let buttons = if leads_on { 3.0 } else { 2.0 };
     let fitting = ArcMemo::new(move |_| as_many_as_fit(offers.get(), shown_size.get().0 - 2.0 * EDGE, buttons));
     let others = others_memo(&stage, &desk, &id);
     let fitted = {
@@ -89,7 +91,7 @@ fn StreamStrip(id: Id) -> impl IntoView {
             <For each=move || shown.get().into_iter().enumerate() key=|(at, offer)| (*at, offer.label.clone()) let((at, offer))>
                 <OfferButton desk=offer_desk.clone() id=offer_id.clone() offer=offer first={at == 0} />
             </For>
-            {(!action).then(|| view! { <BoltMenu input=id.clone() /> })}
+            {leads_on.then(|| view! { <BoltMenu input=id.clone() /> })}
             <EditAndRemove what=what />
         </div>
     }
@@ -140,13 +142,15 @@ fn ConnectorStrip(id: Id) -> impl IntoView {
 fn EditAndRemove(what: Selected) -> impl IntoView {
     let desk = use_desk();
     let (remove_desk, removed) = (desk.clone(), what.clone());
+    let no_edit = untrack(|| desk.may_not(Role::Editor));
+    let (look, icon) = if no_edit.is_some() { (words::look_at_it(), "eye") } else { (words::edit(), "pencil") };
     view! {
-        <button type="button" class="tool-button" aria-label=words::edit() title=words::edit()
+        <button type="button" class="tool-button" aria-label=look title=look
             on:click=move |_| pointers::edit(&desk, &what)>
-            <Icon name="pencil" />
+            <Icon name=icon />
         </button>
-        <button type="button" class="tool-button" aria-label=words::remove() title=words::remove()
-            on:click=move |_| remove_desk.document.remove(&removed)>
+        <button type="button" class="tool-button" aria-label=words::remove() title=no_edit.unwrap_or(words::remove())
+            disabled=no_edit.is_some() on:click=move |_| remove_desk.document.remove(&removed)>
             <Icon name="trash" />
         </button>
     }
@@ -176,6 +180,9 @@ fn offers_memo(desk: &Desk, id: &Id) -> ArcMemo<Vec<Offer>> {
     let (desk, id) = (desk.clone(), id.clone());
     ArcMemo::new(move |_| {
         desk.document.revision.track();
+        if !desk.may(Role::Editor) {
+            return Vec::new();
+        }
         let helpers: Vec<Helper> = desk.library.helpers.get().into_iter().map(|(_, helper)| helper).collect();
         let value =
             desk.document.stream(&id).and_then(|signals| signals.live.with_untracked(|live| live.value.clone()));
@@ -309,7 +316,7 @@ fn others_memo(stage: &Stage, desk: &Desk, id: &Id) -> ArcMemo<Others> {
         };
         desk.document.revision.track();
         let streams = stage.shapes.with(others);
-        let message = desk.notice.with(Option::is_some);
+        let message = desk.notice.with(Option::is_some) || desk.asks_for_name();
         Others { streams, chips: stage.chips_at(&id, false), message }
     })
 }

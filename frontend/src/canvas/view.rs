@@ -1,6 +1,7 @@
 //! What part of the canvas is in view: where it lies and how large it is drawn.
 
 use behaviour::Place;
+use protocol::Area;
 
 /// The smallest and the largest zoom.
 pub(super) const ZOOM: [f64; 2] = [0.02, 2.5];
@@ -111,6 +112,20 @@ impl View {
         let far = |(dx, dy): (f64, f64)| dx.abs() + dy.abs();
         let least = all.map(pan).reduce(|best, next| if far(next) < far(best) { next } else { best });
         least.map_or(self, |(dx, dy)| if far((dx, dy)) > 0.0 { self.panned(dx, dy) } else { self })
+    }
+
+    /// The part of the canvas that a stage of that size shows.
+    pub(super) fn area(self, size: (f64, f64)) -> Area {
+        let Place { x, y } = self.to_canvas((0.0, 0.0));
+        let [x, y, width, height] = [x, y, size.0 / self.zoom, size.1 / self.zoom].map(f64::round);
+        Area { x, y, width: width.max(1.0), height: height.max(1.0) }
+    }
+
+    /// All of what somebody else sees in the middle of a stage of that size.
+    pub(super) fn of_area(area: Area, size: (f64, f64)) -> Self {
+        let zoom = (size.0 / area.width).min(size.1 / area.height).clamp(ZOOM[0], ZOOM[1]);
+        let middle = |start: f64, span: f64, size: f64| size / 2.0 - (start + span / 2.0) * zoom;
+        Self { x: middle(area.x, area.width, size.0), y: middle(area.y, area.height, size.1), zoom }
     }
 
     /// Where an empty canvas begins: its origin near the top, in the middle.

@@ -5,6 +5,7 @@ use crate::desk::use_desk;
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
+use protocol::Role;
 
 const STEP: f64 = 1.25;
 
@@ -18,10 +19,12 @@ pub(super) fn Zoom() -> impl IntoView {
         let desk = desk.clone();
         ArcMemo::new(move |_| desk.document.open.with(Option::is_some) && !desk.document.stream_ids.with(Vec::is_empty))
     };
+    let may = desk.clone();
     let to_real = move |_| real.zoom_by(1.0 / real.view.with_untracked(|view| view.zoom));
     view! {
         <div class="zoom" role="group" hidden=move || !drawing.get() aria-label=words::zoom_group()>
-            <button type="button" class="plain" title=words::tidy() on:click=move |_| { desk.document.tidy(); refit(&stage) }>
+            <button type="button" class="plain" title=words::tidy() disabled=move || !may.may(Role::Editor)
+                on:click=move |_| { desk.document.tidy(); refit(&stage) }>
                 {words::tidy()}
             </button>
             <button type="button" aria-label=words::zoom_out() title=words::zoom_out()

@@ -18,6 +18,7 @@ mod reading;
 mod save_state;
 mod server;
 mod signals;
+mod signs;
 mod silence;
 mod steps;
 mod undo;
@@ -31,13 +32,14 @@ pub(super) use gestures::short;
 use history::History;
 pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Mark, Output, Saving, Selected, StreamSignals};
 pub(crate) use locks::Editor;
+pub(crate) use signs::{Sign, initials, signs};
 pub(crate) use steps::bare;
 pub(crate) use versions::{Compared, Comparing, Version};
 
 use super::tab::Tab;
 use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId};
 use leptos::prelude::*;
-use protocol::{LockShown, Person, Pointer};
+use protocol::{LockShown, Person};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -54,6 +56,8 @@ pub(crate) struct Fields {
     pub(crate) revision: ArcRwSignal<u64>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
+    /// Whose view is looked at here.
+    pub(crate) following: ArcRwSignal<Option<Id>>,
     /// In file order; changes only when one is added, removed or moved in order.
     pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,
     pub(crate) connector_ids: ArcRwSignal<Vec<Id>>,
@@ -105,8 +109,7 @@ struct State {
     reads_history: bool,
     /// Which behaviour this tab wants to have open.
     wanted: Option<Id>,
-    pointer: Option<Pointer>,
-    presence_planned: bool,
+    presence: presence::Presence,
     /// How many editors were opened in this tab.
     editors: u32,
     /// When typing was told last.
@@ -145,6 +148,7 @@ impl Document {
             name: ArcRwSignal::default(),
             revision: ArcRwSignal::default(),
             people: ArcRwSignal::default(),
+            following: ArcRwSignal::default(),
             stream_ids: ArcRwSignal::default(),
             connector_ids: ArcRwSignal::default(),
             problems: ArcRwSignal::default(),

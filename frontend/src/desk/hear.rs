@@ -10,10 +10,12 @@ impl Desk {
     /// Hears one reply.
     pub(crate) fn hear(&self, reply: Reply) {
         match reply {
-            Reply::Welcome { you, secret, library, library_revision, templates, .. } => {
+            Reply::Welcome { you, role, secret, library, library_revision, templates, .. } => {
+                self.role.set(Some(role));
                 keep_credential(&you.client, &secret);
                 self.welcome(you, *library, library_revision, templates);
             }
+            Reply::Invitations { invitations } => self.invitations.set(invitations),
             Reply::ProgramsChanged => self.library.programs_changed(),
             Reply::Opened { behaviour, revision, records, problems, fingerprint, people, .. } => {
                 if self.document.opened(&behaviour, (revision, *records), problems, people) {
@@ -64,6 +66,7 @@ impl Desk {
             | Reply::Records { .. }
             | Reply::History { .. }
             | Reply::At { .. }
+            | Reply::Invited { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }

@@ -1,14 +1,21 @@
 //! Who this tab is to the server and to the others: its greeting, its name and what it proves itself with.
 
 use super::Desk;
+use super::tab::set_if_new;
 use crate::{browser, link};
 use behaviour::Id;
 use browser::Keep;
-use protocol::{Credential, Request};
+use leptos::prelude::*;
+use protocol::{Credential, Reply, Request};
 
 const TAB_KEY: &str = "rrp.client";
 const ALIVE_KEY: &str = "rrp.alive";
 const NAME_KEY: &str = "rrp.name";
+const ASKED_KEY: &str = "rrp.name.asked";
+/// The longest name of a person, in characters.
+const NAME_MAX_CHARS: usize = 40;
+/// What those are called who did not say their name yet, before a number.
+const GUEST: &str = "Guest ";
 
 impl Desk {
     /// The greeting of this tab.
@@ -16,13 +23,35 @@ impl Desk {
         Request::Hello { version: protocol::VERSION, name: my_name(), again: kept_credential() }
     }
 
-    /// What others see as this person's name; kept in this browser.
+    /// What others see as this person's name; kept in this browser, and told them at once.
     pub(crate) fn set_my_name(&self, name: &str) {
-        let name: String = name.trim().chars().take(40).collect();
+        let name: String = name.trim().chars().take(NAME_MAX_CHARS).collect();
         if !name.is_empty() && name != my_name() {
             Keep::Browser.put(NAME_KEY, &name);
-            link::again();
+            self.tell_my_name(name);
         }
+        self.keep_my_name();
+    }
+
+    /// Whether to ask what the others shall see: there are others, and nobody said it here. Reactive.
+    pub(crate) fn asks_for_name(&self) -> bool {
+        self.name_wanted.get() && !self.document.others().is_empty()
+    }
+
+    /// The name is fine as it is; nobody is asked again.
+    pub(crate) fn keep_my_name(&self) {
+        Keep::Browser.put(ASKED_KEY, "1");
+        set_if_new(&self.name_wanted, false);
+    }
+
+    /// Without a link the next greeting tells it.
+    fn tell_my_name(&self, name: String) {
+        let me = self.me.clone();
+        link::ask(Request::CallMe { name: name.clone() }, move |reply| {
+            if matches!(reply, Some(Reply::Done)) {
+                me.update(|me| me.iter_mut().for_each(|me| me.name.clone_from(&name)));
+            }
+        });
     }
 }
 
@@ -58,8 +87,14 @@ fn watch_this_tab() {
 /// The name in this browser, at first "Guest" with a number.
 fn my_name() -> String {
     Keep::Browser.get(NAME_KEY).unwrap_or_else(|| {
-        let name = format!("Guest {}", (browser::random() * 90.0) as u32 + 10);
+        let name = format!("{GUEST}{}", (browser::random() * 90.0) as u32 + 10);
         Keep::Browser.put(NAME_KEY, &name);
         name
     })
+}
+
+/// Whether nobody here ever said a name, or was asked for it.
+pub(super) fn is_name_wanted() -> bool {
+    let number = |name: &str| name.strip_prefix(GUEST).is_some_and(|number| number.parse::<u8>().is_ok());
+    Keep::Browser.get(ASKED_KEY).is_none() && number(&my_name())
 }

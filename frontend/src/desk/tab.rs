@@ -5,7 +5,7 @@ use crate::words;
 use behaviour::connectors::Spec;
 use behaviour::{Id, Refusal};
 use leptos::prelude::*;
-use protocol::{Person, Refused, Reply, Request};
+use protocol::{Invitation, Person, Refused, Reply, Request, Role};
 use std::ops::Deref;
 use std::sync::Arc;
 
@@ -59,6 +59,10 @@ pub(crate) enum Dialog {
     RemoveRobot,
     /// What others see as one's name.
     MyName,
+    /// Everyone who is here.
+    People,
+    /// Letting others in.
+    Invite,
     /// Keys and gestures.
     Help,
 }
@@ -93,6 +97,14 @@ pub(crate) struct Fields {
     /// For how many seconds nothing was heard from the server, if that is too long to claim anything.
     pub(crate) unheard: ArcRwSignal<Option<u32>>,
     pub(crate) me: ArcRwSignal<Option<Person>>,
+    /// What this person may do, once the server said so.
+    pub(crate) role: ArcRwSignal<Option<Role>>,
+    /// The invitations, newest first; only who may invite hears of them.
+    pub(crate) invitations: ArcRwSignal<Vec<Invitation>>,
+    /// Whether the invitation ended by which this person came.
+    pub(crate) revoked: ArcRwSignal<bool>,
+    /// Whether this person has not said yet what the others shall see as their name.
+    pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
     /// Whether the history is shown.

@@ -1,14 +1,14 @@
 //! One WebSocket of the browser with its three events.
 
 use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::{Event, MessageEvent, WebSocket};
+use web_sys::{CloseEvent, Event, MessageEvent, WebSocket};
 
 /// An open or opening socket; dropped, it is closed and silent.
 pub(super) struct Socket {
     web: WebSocket,
     opened: Closure<dyn FnMut(Event)>,
     heard: Closure<dyn FnMut(MessageEvent)>,
-    closed: Closure<dyn FnMut(Event)>,
+    closed: Closure<dyn FnMut(CloseEvent)>,
 }
 
 impl Socket {
@@ -16,7 +16,7 @@ impl Socket {
         url: &str,
         on_open: impl Fn() + 'static,
         on_text: impl Fn(&str) + 'static,
-        on_close: impl Fn() + 'static,
+        on_close: impl Fn(u16) + 'static,
     ) -> Option<Self> {
         let web = WebSocket::new(url).ok()?;
         let opened = Closure::new(move |_: Event| on_open());
@@ -25,7 +25,7 @@ impl Socket {
                 on_text(&text);
             }
         });
-        let closed = Closure::new(move |_: Event| on_close());
+        let closed = Closure::new(move |event: CloseEvent| on_close(event.code()));
         web.set_onopen(Some(opened.as_ref().unchecked_ref()));
         web.set_onmessage(Some(heard.as_ref().unchecked_ref()));
         web.set_onclose(Some(closed.as_ref().unchecked_ref()));
@@ -48,7 +48,7 @@ impl Drop for Socket {
         let late = (
             Self::take(&mut self.opened),
             std::mem::replace(&mut self.heard, Closure::new(|_| {})),
-            Self::take(&mut self.closed),
+            std::mem::replace(&mut self.closed, Closure::new(|_| {})),
         );
         crate::browser::after(0, move || drop(late));
     }

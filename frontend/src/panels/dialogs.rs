@@ -6,9 +6,11 @@ mod gone;
 mod held;
 mod helper;
 mod helpers;
+mod invite;
 mod names;
 mod operation;
 mod other;
+mod people;
 mod programs;
 mod save_file;
 mod sensors;
@@ -19,13 +21,21 @@ use super::focus;
 use super::hold::{Hold, hold};
 use crate::desk::Dialog;
 use leptos::prelude::*;
+use protocol::Role;
 use web_sys::HtmlElement;
 
 /// The open dialog, if any.
 #[component]
 pub(crate) fn Dialogs() -> impl IntoView {
     let desk = hold();
-    let open = Memo::new(move |_| desk.desk().dialog.get());
+    let open = Memo::new(move |_| desk.desk().dialog.get().filter(|dialog| desk.desk().may(least(dialog))));
+    // However it was to be opened, by the keyboard too.
+    Effect::new(move |_| {
+        let refused = desk.desk().dialog.get().is_some_and(|dialog| desk.desk().refuses(least(&dialog)));
+        if refused {
+            desk.desk().dialog.set(None);
+        }
+    });
     give_focus_back(open);
     show_refused(desk, open);
     move || open.get().map(|dialog| content(undecided(desk, dialog)))
@@ -51,6 +61,32 @@ fn undecided(desk: Hold, dialog: Dialog) -> Dialog {
     waits.map_or(dialog, |conflict| Dialog::Conflict(conflict.mine.op))
 }
 
+/// What somebody must be to open a dialog at all; in the others who may not edit reads.
+fn least(dialog: &Dialog) -> Role {
+    match dialog {
+        Dialog::Operation { connector: None, .. }
+        | Dialog::AddSensor
+        | Dialog::Helper(None)
+        | Dialog::AddProgram
+        | Dialog::RemoveProgram
+        | Dialog::RenameProgram => Role::Editor,
+        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RemoveRobot => Role::Operator,
+        Dialog::Invite => Role::Host,
+        Dialog::Operation { connector: Some(_), .. }
+        | Dialog::EditStream(_)
+        | Dialog::Helper(Some(_))
+        | Dialog::Helpers
+        | Dialog::Programs
+        | Dialog::SaveFile
+        | Dialog::Problems
+        | Dialog::Conflict(_)
+        | Dialog::Waiting
+        | Dialog::MyName
+        | Dialog::People
+        | Dialog::Help => Role::Viewer,
+    }
+}
+
 fn content(dialog: Dialog) -> AnyView {
     match dialog {
         Dialog::Operation { input, connector, kind } => {
@@ -68,6 +104,8 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
+        Dialog::People => view! { <people::People /> }.into_any(),
+        Dialog::Invite => view! { <invite::Invite /> }.into_any(),
         Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
         Dialog::Conflict(op) => view! { <conflict::Compare op /> }.into_any(),
         Dialog::Waiting => view! { <waiting::WaitingList /> }.into_any(),

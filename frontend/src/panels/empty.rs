@@ -4,6 +4,7 @@ mod sketch;
 
 use super::focus;
 use super::hold::hold;
+use super::may::{MayNot, may_edit};
 use super::tools::open_program;
 use crate::desk::Dialog;
 use crate::icons::Icon;
@@ -56,12 +57,13 @@ fn Library() -> impl IntoView {
             <h1>{words::library_title()}</h1>
             <p class="second">{words::library_says()}</p>
             <p class="library-begin">
-                <button class="button primary" type="button"
+                <button class="button primary" type="button" disabled=move || !may_edit(desk)
                     on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddProgram))>
                     <Icon name="plus" />
                     {words::begin_empty()}
                 </button>
             </p>
+            <MayNot />
             <Show when=move || !none()>
                 <h2>{words::behaviours()}</h2>
                 <ul class="gallery">{programs}</ul>
@@ -122,7 +124,7 @@ pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
     let (name, title) = (summary.name.clone(), summary.name.clone());
     view! {
         <li>
-            <button class="template" type="button" title=title
+            <button class="template" type="button" title=title disabled=move || !may_edit(desk)
                 on:click=move |_| desk.desk().library.create_program(&name, Some(&summary.id))>
                 {summary.picture.map(|picture| view! { <Sketch picture /> })}
                 <b>{summary.name}</b>
@@ -152,6 +154,9 @@ fn FirstSenses() -> impl IntoView {
             </button>
         }
     };
+    if untrack(|| !may_edit(desk)) {
+        return view! { <div class="empty-stage"><h2>{words::nothing_in_it()}</h2><MayNot /></div> }.into_any();
+    }
     view! {
         <div class="empty-stage" node_ref=stage>
             <h2>{words::begin_with_sense()}</h2>
@@ -162,6 +167,7 @@ fn FirstSenses() -> impl IntoView {
             </button>
         </div>
     }
+    .into_any()
 }
 
 fn focus_first(stage: NodeRef<leptos::html::Div>) {

@@ -2,6 +2,7 @@
 
 use super::hold::{Hold, hold};
 use super::insight::{AlsoUsed, Below};
+use super::may::{MayNot, may_edit, may_operate};
 use super::problems::{ProblemList, Problems};
 use super::trials::{self, Question, TrialTable};
 use crate::desk::{ConnectorSignals, Dialog, Selected, StreamSignals};
@@ -54,7 +55,7 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
             <div class="row">
                 <Edit dialog=Dialog::EditStream(id.clone()) />
                 <Show when=is_sensor>
-                    <button class="button small" type="button" on:click={
+                    <button class="button small" type="button" disabled=move || !may_operate(desk) on:click={
                         let id = stimulated.clone();
                         move |_| desk.desk().dialog.set(Some(Dialog::Stimulate(id.clone())))
                     }>
@@ -64,6 +65,7 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
                 </Show>
                 <Remove what=Selected::Stream(id.clone()) />
             </div>
+            <MayNot />
             <Below id />
             <AlsoUsed record />
         </section>
@@ -142,6 +144,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
                 <Edit dialog />
                 <Remove what=removed />
             </div>
+            <MayNot />
         </section>
     }
 }
@@ -236,10 +239,11 @@ fn Undecided(id: Id) -> impl IntoView {
 #[component]
 fn Edit(dialog: Dialog) -> impl IntoView {
     let desk = hold();
+    let may = untrack(|| may_edit(desk));
     view! {
         <button class="button small" type="button" on:click=move |_| desk.desk().dialog.set(Some(dialog.clone()))>
-            <Icon name="pencil" />
-            {words::edit()}
+            <Icon name=if may { "pencil" } else { "eye" } />
+            {if may { words::edit() } else { words::look_at_it() }}
         </button>
     }
 }
@@ -248,7 +252,8 @@ fn Edit(dialog: Dialog) -> impl IntoView {
 fn Remove(what: Selected) -> impl IntoView {
     let desk = hold();
     view! {
-        <button class="button small" type="button" on:click=move |_| desk.desk().document.remove(&what)>
+        <button class="button small" type="button" disabled=move || !may_edit(desk)
+            on:click=move |_| desk.desk().document.remove(&what)>
             <Icon name="trash" />
             {words::remove()}
         </button>

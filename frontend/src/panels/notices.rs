@@ -1,6 +1,7 @@
 //! One sentence for the person, away from Stop; and the offline line at every size.
 
 use super::hold::hold;
+use super::name_card::NameCard;
 use crate::browser;
 use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
@@ -18,6 +19,7 @@ pub(crate) fn Notices() -> impl IntoView {
         <div class="notices" role="region" aria-label=words::notices_name()>
             <Sentence bad=false />
             <Sentence bad=true />
+            <NameCard />
         </div>
         <Offline />
     }
@@ -85,7 +87,7 @@ fn Offline() -> impl IntoView {
     let show = move |_| desk.desk().dialog.set(Some(Dialog::Waiting));
     // The button stands beside what is said, so that only the words are said when they change.
     view! {
-        <div class="offline-place">
+        <div class="offline-place" role="region" aria-label=words::connection_name()>
             <div class="offline" class:there=move || there.get()>
                 <Show when=move || there.get()><Icon name="offline" /></Show>
                 <p role="status">{line}</p>

@@ -2,6 +2,7 @@
 
 use super::focus;
 use super::hold::{Hold, hold};
+use super::may::{MayNot, may_edit};
 use crate::desk::{ConnectPlan, Dialog, Output, Selected};
 use crate::icons::Icon;
 use crate::words;
@@ -33,6 +34,7 @@ pub(crate) fn Palette() -> impl IntoView {
                     on:input:target=move |event| search.set(event.target().value())
                 />
             </div>
+            <MayNot />
             <div class="list">
                 <Senses search />
                 <Helpers search />
@@ -52,9 +54,9 @@ fn matches(search: &str, names: &[&str]) -> bool {
 fn Senses(search: RwSignal<String>) -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static Device| {
-        let closed = move || desk.desk().document.open.read().is_none().to_string();
+        let closed = move || (desk.desk().document.open.read().is_none() || !may_edit(desk)).to_string();
         let add = move |_| {
-            if desk.desk().document.open.read_untracked().is_some() {
+            if desk.desk().document.open.read_untracked().is_some() && untrack(|| may_edit(desk)) {
                 desk.desk().document.add_sensor(device.name, Params::new());
             }
         };
@@ -141,7 +143,7 @@ fn Actions(search: RwSignal<String>) -> impl IntoView {
     };
     view! {
         <h2>{words::actions()}</h2>
-        <Show when=move || source.read().is_none()>
+        <Show when=move || source.read().is_none() && may_edit(desk)>
             <p class="hint">{words::choose_stream_first()}</p>
         </Show>
         {found}
@@ -153,7 +155,7 @@ fn selected_source(desk: Hold) -> Option<Id> {
     let desk = desk.desk();
     let Some(Selected::Stream(id)) = desk.document.selected.get() else { return None };
     let record = desk.document.stream(&id)?.record;
-    (record.read().kind != StreamKind::Actuator).then_some(id)
+    (record.read().kind != StreamKind::Actuator && desk.may(protocol::Role::Editor)).then_some(id)
 }
 
 /// Leads a stream to a new action.

@@ -1,66 +1,113 @@
-//! The people in the program, each with a colour; one's own avatar changes one's name.
+//! The people in the program, each with a sign of their own: one's own changes one's name, another's follows them.
 
-use super::hold::hold;
-use crate::desk::{Dialog, use_desk};
+use super::hold::{Hold, hold};
+use crate::desk::{Dialog, Sign};
 use crate::words;
+use behaviour::Id;
 use leptos::prelude::*;
+
+/// So many others have a sign in the bar; the rest are in the list of people.
+const SIGNS_MAX: usize = 4;
 
 /// Everyone who is here.
 #[component]
 pub(super) fn People() -> impl IntoView {
-    let desk = use_desk();
-    let (people, me) = (desk.document.people.clone(), desk.me.clone());
-    let shown = move || {
-        let mine = me.get().map(|me| me.client);
-        let everyone = if people.read().is_empty() { me.get().into_iter().collect() } else { people.get() };
-        let avatar = |person: protocol::Person| {
-            let is_me = Some(&person.client) == mine.as_ref();
-            view! { <Avatar name=person.name color=person.color is_me /> }
-        };
-        everyone.into_iter().map(avatar).collect_view()
-    };
-    let unheard = move || desk.unheard.read().is_some();
-    view! { <div class="people" class:unheard=unheard>{shown}</div> }
-}
-
-#[component]
-fn Avatar(name: String, color: u8, is_me: bool) -> impl IntoView {
     let desk = hold();
-    let initials = initials(&name);
-    let color = format!("var(--people-{})", color.min(7));
-    if is_me {
-        let title = format!("{name} ({})", words::you());
-        let label = format!("{initials}: {title}");
-        view! {
-            <button class="avatar" type="button" data-stop="" tabindex="-1" style=("--person", color) title=title
-                aria-label=label on:click=move |_| desk.desk().dialog.set(Some(Dialog::MyName))>
-                <span aria-hidden="true">{initials}</span>
-            </button>
+    let signs = Memo::new(move |_| everyone(desk));
+    let mine = Memo::new(move |_| desk.desk().me.get().map(|me| me.client));
+    let shown = move || {
+        let signs = signs.get();
+        let mine = mine.get();
+        let (own, others): (Vec<Sign>, Vec<Sign>) =
+            signs.into_iter().partition(|sign| Some(&sign.client) == mine.as_ref());
+        others.into_iter().take(SIGNS_MAX).rev().chain(own).collect::<Vec<_>>()
+    };
+    let others = Memo::new(move |_| signs.read().len().saturating_sub(1));
+    let unheard = move || desk.desk().unheard.read().is_some();
+    let one = move |sign: Sign| {
+        if mine.get_untracked().as_ref() == Some(&sign.client) {
+            view! { <Own sign /> }.into_any()
+        } else {
+            view! { <Other sign /> }.into_any()
         }
-        .into_any()
-    } else {
-        let label = name.clone();
-        view! { <span class="avatar" role="img" style=("--person", color) title=name aria-label=label><span aria-hidden="true">{initials}</span></span> }
-            .into_any()
+    };
+    view! {
+        <div class="people" class:unheard=unheard>
+            <More class="not-phone" more=Signal::derive(move || others.get().saturating_sub(SIGNS_MAX)) />
+            <More class="phone-only" more=Signal::derive(move || others.get()) />
+            <For each=shown key=Clone::clone children=one />
+        </div>
     }
 }
 
-/// Two letters for a name: "AK" for Aiko, "YT" for Yuki Tanaka.
-pub(super) fn initials(name: &str) -> String {
-    let mut words = name.split_whitespace().filter_map(|word| word.chars().next());
-    let letters: String = match (words.next(), words.next_back()) {
-        (Some(first), Some(last)) => [first, last].into_iter().collect(),
-        _ => name.trim().chars().take(2).collect(),
-    };
-    letters.to_uppercase()
+/// Everyone, or oneself where nothing is open. Reactive.
+fn everyone(desk: Hold) -> Vec<Sign> {
+    let desk = desk.desk();
+    let signs = desk.document.signs();
+    let me = desk.me.get();
+    if signs.is_empty() { crate::desk::signs(me.as_slice()) } else { signs }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::initials;
+/// In somebody's colour.
+pub(super) fn in_color(sign: &Sign) -> String {
+    format!("var(--people-{})", sign.color)
+}
 
-    #[test]
-    fn initials_are_two_letters() {
-        assert_eq!(["Aiko", "Yuki Tanaka", "a b c", "愛子", ""].map(initials), ["AI", "YT", "AC", "愛子", ""]);
+#[component]
+fn Own(sign: Sign) -> impl IntoView {
+    let desk = hold();
+    let (title, color) = (format!("{} ({})", sign.name, words::you()), in_color(&sign));
+    let label = format!("{}: {title}", sign.letters);
+    view! {
+        <button class="avatar" type="button" data-stop="" tabindex="-1" style=("--person", color) title=title
+            aria-label=label on:click=move |_| desk.desk().dialog.set(Some(Dialog::MyName))>
+            <span aria-hidden="true">{sign.letters}</span>
+        </button>
+    }
+}
+
+#[component]
+fn Other(sign: Sign) -> impl IntoView {
+    let desk = hold();
+    let pressed = is_followed(desk, sign.client.clone());
+    let (label, color) = (words::follow_person(&sign.name), in_color(&sign));
+    let client = sign.client.clone();
+    view! {
+        <button class="avatar not-phone" type="button" data-stop="" tabindex="-1" style=("--person", color)
+            title=label.clone() aria-label=label aria-pressed=move || pressed.get().to_string()
+            on:click=move |_| follow_or_end(desk, &client)>
+            <span aria-hidden="true">{sign.letters}</span>
+        </button>
+    }
+}
+
+/// Opens the list of people.
+#[component]
+fn More(class: &'static str, #[prop(into)] more: Signal<usize>) -> impl IntoView {
+    let desk = hold();
+    let label = move || words::more_people(more.get());
+    view! {
+        <Show when=move || { more.get() > 0 }>
+            <button class=format!("avatar more {class}") type="button" data-stop="" tabindex="-1" title=label aria-label=label
+                on:click=move |_| desk.desk().dialog.set(Some(Dialog::People))>
+                <span aria-hidden="true">{move || format!("+{}", more.get())}</span>
+            </button>
+        </Show>
+    }
+}
+
+/// Whether this person is followed from here.
+pub(super) fn is_followed(desk: Hold, client: Id) -> Memo<bool> {
+    Memo::new(move |_| desk.desk().document.following.with(|now| now.as_ref() == Some(&client)))
+}
+
+/// Follows somebody, or no longer.
+pub(super) fn follow_or_end(desk: Hold, client: &Id) {
+    let document = desk.desk().document;
+    let is_followed = document.following.with_untracked(|now| now.as_ref() == Some(client));
+    if is_followed {
+        document.unfollow();
+    } else {
+        document.follow(client);
     }
 }

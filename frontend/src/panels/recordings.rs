@@ -1,6 +1,7 @@
 //! Recording a run: whether the next Start is recorded, how a recording goes, and the recordings that are kept.
 
 use super::hold::hold;
+use super::may::may_operate;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{MARK_MAX_CHARS, RECORDINGS_PATH, Recorded, Recording};
@@ -18,6 +19,7 @@ pub(crate) fn RecordRow() -> impl IntoView {
             <label class="record">
                 <input
                     type="checkbox"
+                    disabled=move || !may_operate(desk)
                     prop:checked=move || desk.desk().robots.records.get()
                     on:change=move |event| desk.desk().robots.records.set(event_target_checked(&event))
                 />
@@ -33,9 +35,11 @@ pub(crate) fn RecordRow() -> impl IntoView {
             <p class="record" class:bad=bad role="status">
                 <span class="dot" aria-hidden="true"></span>
                 {words::recording_goes(recorded.lost, recorded.trouble.as_deref())}
-                <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
-                    {words::end_recording()}
-                </button>
+                <Show when=move || may_operate(desk)>
+                    <button class="link" type="button" on:click=move |_| desk.desk().robots.end_recording()>
+                        {words::end_recording()}
+                    </button>
+                </Show>
             </p>
             <Mark note />
         }
@@ -63,14 +67,14 @@ fn Mark(note: RwSignal<String>, #[prop(optional)] idle: bool) -> impl IntoView {
                 class="input"
                 type="text"
                 autocomplete="off"
-                disabled=idle
+                disabled=move || idle || !may_operate(desk)
                 maxlength=MARK_MAX_CHARS.to_string()
                 aria-label=words::mark_hint()
                 placeholder=words::mark_hint()
                 prop:value=move || note.get()
                 on:input:target=move |event| note.set(event.target().value())
             />
-            <button class="button" type="submit" disabled=idle>{words::mark()}</button>
+            <button class="button" type="submit" disabled=move || idle || !may_operate(desk)>{words::mark()}</button>
         </form>
     }
 }

@@ -8,7 +8,7 @@ use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{RunPhase, RunState};
+use protocol::{Role, RunPhase, RunState};
 use robot::Health;
 
 /// The robot box.
@@ -124,6 +124,9 @@ fn Start() -> impl IntoView {
 /// Why Start has to wait. Reactive.
 fn why_not(desk: Hold) -> Option<String> {
     let desk = desk.desk();
+    if let Some(why) = desk.may_not(Role::Operator) {
+        return Some(why.to_owned());
+    }
     if desk.document.open.read().is_none() {
         return Some(words::open_first().to_owned());
     }

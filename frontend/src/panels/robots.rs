@@ -1,6 +1,7 @@
 //! Which robot this page looks at: its name in the robot box opens the list of all.
 
 use super::hold::{Hold, hold};
+use super::may::may_operate;
 use super::menu::{Menu, MenuItem};
 use super::robot_box::lamp_words;
 use crate::desk::Dialog;
@@ -31,7 +32,7 @@ fn Items() -> impl IntoView {
         let name = desk.desk().robots.name();
         (count() > 1).then(|| {
             view! {
-                <MenuItem label=words::remove_robot(&name) icon="trash" choose=opens(Dialog::RemoveRobot) />
+                <MenuItem label=words::remove_robot(&name) icon="trash" disabled=untrack(|| !may_operate(desk)) choose=opens(Dialog::RemoveRobot) />
                 <div class="menu-rule" role="separator"></div>
                 <MenuItem label=words::stop_all_robots() icon="stop" choose=Callback::new(move |()| desk.desk().robots.stop_all()) />
             }
@@ -41,7 +42,7 @@ fn Items() -> impl IntoView {
         {rows}
         <div class="menu-rule" role="separator"></div>
         {move || {
-            let is_full = count() >= ROBOTS_MAX;
+            let is_full = count() >= ROBOTS_MAX || !may_operate(desk);
             view! { <MenuItem label=words::add_robot() icon="plus" disabled=is_full choose=opens(Dialog::AddRobot) /> }
         }}
         {others}

@@ -1,6 +1,7 @@
 //! What runs on the robot, in the order that decides when two want the same part of it: the upper one wins.
 
 use super::hold::hold;
+use super::may::may_operate;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
@@ -54,7 +55,7 @@ fn Row(dragged: RwSignal<Option<Drag>>, all: Vec<RunState>, at: usize, run: RunS
     let take = {
         let id = id.clone();
         move |event: PointerEvent| {
-            if event.button() == 0 && event.is_primary() {
+            if event.button() == 0 && event.is_primary() && untrack(|| may_operate(desk)) {
                 capture(&event);
                 dragged.set(Some(Drag { moved: id.clone(), over: id.clone() }));
             }
@@ -128,10 +129,10 @@ fn Buttons(all: Vec<RunState>, at: usize, run: RunState) -> impl IntoView {
         }
     };
     view! {
-        <button class="icon" type="button" disabled=no_up aria-label=words::move_up(&name) on:click=move_up>
+        <button class="icon" type="button" disabled=move || no_up || !may_operate(desk) aria-label=words::move_up(&name) on:click=move_up>
             <Icon name="up" />
         </button>
-        <button class="icon" type="button" disabled=no_down aria-label=words::move_down(&name) on:click=move_down>
+        <button class="icon" type="button" disabled=move || no_down || !may_operate(desk) aria-label=words::move_down(&name) on:click=move_down>
             <Icon name="down" />
         </button>
         <button

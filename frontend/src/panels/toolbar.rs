@@ -2,6 +2,7 @@
 
 use super::focus;
 use super::hold::{Hold, hold};
+use super::may::{may_edit, title_or_why};
 use super::menu::{Menu, MenuItem};
 use super::people::People;
 use super::tools::{AddSensorMenu, EditHelperMenu, FileItems, LoadMenu};
@@ -10,12 +11,15 @@ use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
+use protocol::Role;
 
 /// The bar.
 #[component]
 pub(crate) fn Toolbar() -> impl IntoView {
     let desk = hold();
+    let no_edit = Signal::derive(move || !may_edit(desk));
     let none_open = Signal::derive(move || desk.desk().document.open.read().is_none());
+    let none_to_edit = Signal::derive(move || none_open.get() || no_edit.get());
     mark_usable(desk);
     view! {
         <header class="bar">
@@ -32,22 +36,23 @@ pub(crate) fn Toolbar() -> impl IntoView {
                 <span class="rule not-phone"></span>
                 <ProgramMenu none_open />
                 <LoadMenu />
-                <Tool class="not-tablet" icon="plus" label=words::add_program() open=Dialog::AddProgram />
+                <Tool class="not-tablet" icon="plus" label=words::add_program() open=Dialog::AddProgram disabled=no_edit />
                 <Tool
                     class="not-tablet"
                     icon="trash"
                     label=words::remove_program()
                     open=Dialog::RemoveProgram
-                    disabled=none_open
+                    disabled=none_to_edit
                 />
                 <span class="rule not-phone"></span>
-                <AddSensorMenu none_open />
+                <AddSensorMenu none_open=none_to_edit />
                 <EditHelperMenu />
-                <Tool class="not-phone" icon="plus" label=words::add_helper() open=Dialog::Helper(None) />
+                <Tool class="not-phone" icon="plus" label=words::add_helper() open=Dialog::Helper(None) disabled=no_edit />
                 <span class="rule not-phone"></span>
                 <Back />
                 <span class="spring"></span>
                 <HelpButton />
+                <InviteButton />
                 <People />
             </div>
         </header>
@@ -100,8 +105,8 @@ fn ProgramName() -> impl IntoView {
                 type="button"
                 data-stop=""
                 tabindex="0"
-                title=move || format!("{} · {}", name(), words::rename_program())
-                disabled=move || desk.desk().document.open.read().is_none()
+                title=move || format!("{} · {}", name(), title_or_why(desk, Role::Editor, words::rename_program()))
+                disabled=move || desk.desk().document.open.read().is_none() || !may_edit(desk)
                 on:click=move |_| desk.desk().dialog.set(Some(Dialog::RenameProgram))
             >
                 {name}
@@ -134,6 +139,8 @@ fn saving_line(desk: Hold) -> String {
         (LinkState::Online, Saving::Saved) if !desk.document.conflicts_here().is_empty() => {
             words::other_saved().to_owned()
         }
+        (LinkState::Online, Saving::Saved) if !desk.may(Role::Operator) => words::you_look().to_owned(),
+        (LinkState::Online, Saving::Saved) if !desk.may(Role::Editor) => words::you_operate().to_owned(),
         (LinkState::Online, Saving::Saved) if desk.document.open.read().is_some() => words::all_saved().to_owned(),
         (LinkState::Online, Saving::Saved) => String::new(),
     }
@@ -155,7 +162,7 @@ fn Tool(
             type="button"
             data-stop=""
             tabindex="-1"
-            title=label
+            title=move || title_or_why(desk, Role::Editor, label)
             aria-label=label
             disabled=move || disabled.is_some_and(|disabled| disabled.get())
             on:click=move |_| desk.desk().dialog.set(Some(open.clone()))
@@ -169,7 +176,7 @@ fn Tool(
 #[component]
 fn Back() -> impl IntoView {
     let desk = hold();
-    let cannot_redo = move || desk.desk().document.redoable.read().is_none();
+    let cannot_redo = move || !may_edit(desk) || desk.desk().document.redoable.read().is_none();
     let undo_title = move || words::step_title(words::undo(), desk.desk().document.undoable.read().as_deref());
     let redo_title = move || words::step_title(words::redo(), desk.desk().document.redoable.read().as_deref());
     view! {
@@ -189,7 +196,7 @@ fn Back() -> impl IntoView {
 fn can_undo(desk: Hold) -> bool {
     let desk = desk.desk();
     let gone = desk.document.open.read().is_none() && desk.library.gone.read().is_some();
-    gone || desk.document.undoable.read().is_some()
+    desk.may(Role::Editor) && (gone || desk.document.undoable.read().is_some())
 }
 
 #[component]
@@ -223,6 +230,26 @@ fn HelpButton() -> impl IntoView {
     }
 }
 
+/// Only for who may invite.
+#[component]
+fn InviteButton() -> impl IntoView {
+    let desk = hold();
+    let label = words::invite();
+    view! {
+        <Show when=move || may_invite(desk)>
+            <button class="tool icon not-phone" type="button" data-stop="" tabindex="-1" title=label aria-label=label
+                on:click=move |_| desk.desk().dialog.set(Some(Dialog::Invite))>
+                <Icon name="invite" />
+            </button>
+        </Show>
+    }
+}
+
+/// The person at the server's computer, once the server said that it is them. Reactive.
+fn may_invite(desk: Hold) -> bool {
+    desk.desk().role.get() == Some(Role::Host)
+}
+
 /// Sets the open dialog from a menu.
 fn opens(desk: Hold, dialog: Dialog) -> Callback<()> {
     Callback::new(move |()| desk.desk().dialog.set(Some(dialog.clone())))
@@ -240,10 +267,11 @@ fn ProgramMenu(none_open: Signal<bool>) -> impl IntoView {
 #[component]
 fn ProgramItems(none_open: Signal<bool>) -> impl IntoView {
     let desk = hold();
+    let no_edit = untrack(|| !may_edit(desk));
     view! {
         <MenuItem label=words::load_program() icon="folder" choose=opens(desk, Dialog::Programs) />
-        <MenuItem label=words::add_program() icon="plus" choose=opens(desk, Dialog::AddProgram) />
-        <MenuItem label=words::remove_program() icon="trash" disabled=none_open.get_untracked()
+        <MenuItem label=words::add_program() icon="plus" disabled=no_edit choose=opens(desk, Dialog::AddProgram) />
+        <MenuItem label=words::remove_program() icon="trash" disabled=none_open.get_untracked() || no_edit
             choose=opens(desk, Dialog::RemoveProgram) />
         <FileItems />
     }
@@ -252,14 +280,15 @@ fn ProgramItems(none_open: Signal<bool>) -> impl IntoView {
 #[component]
 fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
     let desk = hold();
+    let no_edit = move || untrack(|| !may_edit(desk));
     view! {
         <Menu label=words::menu() icon="menu" icon_only=true class="only-phone">
             <ProgramItems none_open />
             <div class="menu-rule" role="separator"></div>
-            <MenuItem label=words::add_sensor() icon="eye" disabled=none_open.get_untracked()
+            <MenuItem label=words::add_sensor() icon="eye" disabled=none_open.get_untracked() || no_edit()
                 choose=opens(desk, Dialog::AddSensor) />
             <MenuItem label=words::edit_helper() icon="fx" choose=opens(desk, Dialog::Helpers) />
-            <MenuItem label=words::add_helper() icon="plus" choose=opens(desk, Dialog::Helper(None)) />
+            <MenuItem label=words::add_helper() icon="plus" disabled=no_edit() choose=opens(desk, Dialog::Helper(None)) />
             <div class="menu-rule" role="separator"></div>
             <MenuItem label=words::undo() icon="undo" disabled=!untrack(|| can_undo(desk))
                 choose=Callback::new(move |()| desk.desk().undo()) />
@@ -268,6 +297,9 @@ fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
             <MenuItem label=words::history() icon="history" disabled=none_open.get_untracked()
                 choose=Callback::new(move |()| desk.desk().shows_history.set(true)) />
             <div class="menu-rule" role="separator"></div>
+            {untrack(|| may_invite(desk)).then(|| view! {
+                <MenuItem label=words::invite() icon="invite" choose=opens(desk, Dialog::Invite) />
+            })}
             <MenuItem label=words::problems() icon="warn" choose=opens(desk, Dialog::Problems) />
             <MenuItem label=words::keys_and_gestures() icon="help" choose=opens(desk, Dialog::Help) />
         </Menu>

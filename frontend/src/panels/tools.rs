@@ -2,6 +2,7 @@
 
 use super::files::choose_file;
 use super::hold::hold;
+use super::may::may_edit;
 use super::menu::{Menu, MenuItem};
 use crate::desk::{Desk, Dialog};
 use crate::words;
@@ -34,7 +35,7 @@ fn ProgramItems() -> impl IntoView {
     let template = move |template: Summary| {
         let (id, name) = (template.id, template.name.clone());
         let make = Callback::new(move |()| desk.desk().library.create_program(&name, Some(&id)));
-        view! { <MenuItem label=template.name icon="plus" note=template.by choose=make /> }
+        view! { <MenuItem label=template.name icon="plus" note=template.by disabled=untrack(|| !may_edit(desk)) choose=make /> }
     };
     let programs = move || {
         let programs = desk.desk().library.programs.get();
@@ -58,7 +59,7 @@ pub(crate) fn FileItems() -> impl IntoView {
     let none_open = desk.desk().document.open.with_untracked(Option::is_none);
     let save = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::SaveFile)));
     view! {
-        <MenuItem label=words::open_file() icon="open" choose=Callback::new(|()| choose_file()) />
+        <MenuItem label=words::open_file() icon="open" disabled=untrack(|| !may_edit(desk)) choose=Callback::new(|()| choose_file()) />
         <MenuItem label=words::save_file_more() icon="save" disabled=none_open choose=save />
     }
 }

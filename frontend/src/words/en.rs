@@ -2,9 +2,15 @@
 
 mod conflicts;
 mod history;
+mod invite;
+mod locks;
+mod people;
 
 pub(crate) use conflicts::*;
 pub(crate) use history::*;
+pub(crate) use invite::*;
+pub(crate) use locks::*;
+pub(crate) use people::*;
 
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;

@@ -7,8 +7,8 @@ use std::collections::{BTreeSet, VecDeque};
 
 /// How long a holder may be silent until that means yes.
 pub(super) const SILENCE_MS: u64 = 10_000;
-/// For how long typing counts as *not yet*.
-pub(super) const TYPING_MS: u64 = 60_000;
+/// For how long typing and saying so count as *not yet*.
+pub(super) const NOT_YET_MS: u64 = 60_000;
 /// For how long who was refused may not ask again.
 const AGAIN_MS: u64 = 30_000;
 /// Typing is told to who asks in steps of at least this.
@@ -17,6 +17,8 @@ const POSTPONED_STEP_MS: u64 = 1_000;
 const ASKS_MAX: usize = 4;
 /// Refusals that are remembered in one behaviour; the one that ends first gives way.
 const REFUSED_MAX: usize = 1_024;
+/// For how long after it may be asked again it is remembered since when it was asked.
+const REMEMBERED_MS: u64 = 60_000;
 
 /// What becomes of asking for a record.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -45,12 +47,30 @@ pub enum Asked {
     Full,
 }
 
+/// Somebody was told *not yet*.
+#[derive(Clone, Debug)]
+pub(super) struct PutOff {
+    /// Under which lock.
+    counter: u64,
+    /// When they asked first.
+    since_ms: u64,
+    /// When they may ask again.
+    again_ms: u64,
+}
+
+impl PutOff {
+    /// Whether it still matters to the next question.
+    pub(super) fn is_remembered(&self, now_ms: u64) -> bool {
+        self.again_ms + REMEMBERED_MS > now_ms
+    }
+}
+
 /// Somebody wants a record.
 #[derive(Clone, Debug)]
 pub(super) struct Ask {
-    asker: Holder,
+    pub(super) asker: Holder,
     record: RecordId,
-    /// When it was put before the holder.
+    /// When it was first put before the holder, also if that one said *not yet* since.
     since_ms: u64,
     /// When silence means yes.
     pub(super) by_ms: u64,
@@ -58,13 +78,21 @@ pub(super) struct Ask {
     agreed: bool,
 }
 
+impl Ask {
+    /// Whether the holder put it off for as long as that counts.
+    fn is_last(&self, now_ms: u64) -> bool {
+        now_ms >= self.since_ms + NOT_YET_MS
+    }
+}
+
 impl Locks {
     /// Asks the holder of a record for it. Asking twice is asking once.
     pub fn ask(&mut self, now_ms: u64, asker: Holder, record: RecordId) -> Asked {
         self.advance(now_ms);
         let Some(counter) = self.by_record.get(&record).copied() else { return Asked::Free };
-        if let Some(again_ms) = self.refused.get(&(asker.client.clone(), record.clone())) {
-            return Asked::TooSoon { again_ms: *again_ms };
+        let put_off = self.refused.get(&(asker.client.clone(), record.clone()));
+        if let Some(put_off) = put_off.filter(|put_off| put_off.again_ms > self.now_ms) {
+            return Asked::TooSoon { again_ms: put_off.again_ms };
         }
         let lock = &self.held[&counter];
         if lock.holder.session == asker.session {
@@ -93,15 +121,25 @@ impl Locks {
         true
     }
 
-    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. Says
-    /// whether anybody asked.
+    /// Who asked for a record wants it no more. Says whether they did.
+    pub fn withdraw(&mut self, now_ms: u64, session: u64, record: &RecordId) -> bool {
+        self.advance(now_ms);
+        self.forget_asks_that(|ask| ask.asker.session == session && ask.record == *record)
+    }
+
+    /// The holder says *not yet* to who asked first, who may not ask again for a while; who asked next is heard. A minute
+    /// after somebody asked first it counts no more. Says whether it counted.
     pub fn say_not_yet(&mut self, now_ms: u64, session: u64, token: Token) -> bool {
         self.advance(now_ms);
-        let again_ms = self.now_ms + AGAIN_MS;
+        let now_ms = self.now_ms;
         let Some(lock) = self.of(session, token) else { return false };
+        if lock.asks.front().is_none_or(|ask| ask.is_last(now_ms)) {
+            return false;
+        }
         let (by, asked) = (lock.holder.name.clone(), lock.asks.pop_front());
-        let Some(Ask { asker, record, .. }) = asked else { return false };
-        self.remember_refused(&asker, &record, again_ms);
+        let Some(Ask { asker, record, since_ms, .. }) = asked else { return false };
+        let again_ms = now_ms + AGAIN_MS;
+        self.remember_refused(&asker, &record, PutOff { counter: token.counter, since_ms, again_ms });
         self.tell(LockEvent::NotYet { to: asker, record, by, again_ms });
         self.put_before_holder(token.counter);
         true
@@ -127,10 +165,13 @@ impl Locks {
         let now_ms = self.now_ms;
         let Some(lock) = self.held.get_mut(&counter) else { return };
         let Some(ask) = lock.asks.front_mut() else { return };
-        (ask.since_ms, ask.by_ms) = (now_ms, now_ms + SILENCE_MS);
+        let put_off = self.refused.get(&(ask.asker.client.clone(), ask.record.clone()));
+        let before = put_off.filter(|put_off| put_off.counter == counter);
+        ask.since_ms = before.map_or(now_ms, |put_off| put_off.since_ms);
+        ask.by_ms = now_ms + SILENCE_MS;
         let (asker, record, by_ms) = (ask.asker.clone(), ask.record.clone(), ask.by_ms);
-        let (holder, token) = (lock.holder.clone(), Token { epoch: self.epoch, counter });
-        self.tell(LockEvent::Asked { holder, token, asker, record, by_ms });
+        let (holder, token, last) = (lock.holder.clone(), Token { epoch: self.epoch, counter }, ask.is_last(now_ms));
+        self.tell(LockEvent::Asked { holder, token, asker, record, by_ms, last });
     }
 
     /// The holder is typing: who asked first waits longer, within a limit.
@@ -138,7 +179,7 @@ impl Locks {
         let now_ms = self.now_ms;
         let front = self.held.get_mut(&counter).and_then(|lock| lock.asks.front_mut());
         let Some(ask) = front.filter(|ask| !ask.agreed) else { return };
-        let by_ms = (now_ms + SILENCE_MS).min(ask.since_ms + TYPING_MS);
+        let by_ms = (now_ms + SILENCE_MS).min(ask.since_ms + NOT_YET_MS);
         if by_ms < ask.by_ms + POSTPONED_STEP_MS {
             return;
         }
@@ -180,20 +221,31 @@ impl Locks {
 
     /// Nobody by this link asks any more.
     pub(super) fn forget_asks(&mut self, session: u64) {
-        let mut next = Vec::new();
-        for (counter, lock) in &mut self.held {
-            let was_first = lock.asks.front().is_some_and(|ask| ask.asker.session == session);
-            lock.asks.retain(|ask| ask.asker.session != session);
-            next.extend(was_first.then_some(*counter));
-        }
-        next.into_iter().for_each(|counter| self.put_before_holder(counter));
+        self.forget_asks_that(|ask| ask.asker.session == session);
     }
 
-    fn remember_refused(&mut self, asker: &Holder, record: &RecordId, again_ms: u64) {
+    /// Some ask no more; holders who were asked are told, and hear who asked next. Says whether there were any.
+    fn forget_asks_that(&mut self, is_gone: impl Fn(&Ask) -> bool) -> bool {
+        let (mut gone, mut first) = (false, Vec::new());
+        for (counter, lock) in &mut self.held {
+            let before = lock.asks.len();
+            let was_first = lock.asks.front().filter(|ask| is_gone(ask)).map(|ask| ask.asker.clone());
+            lock.asks.retain(|ask| !is_gone(ask));
+            gone |= lock.asks.len() < before;
+            first.extend(was_first.map(|asker| (*counter, lock.holder.clone(), asker)));
+        }
+        for (counter, holder, asker) in first {
+            self.tell(LockEvent::Withdrawn { holder, token: Token { epoch: self.epoch, counter }, asker });
+            self.put_before_holder(counter);
+        }
+        gone
+    }
+
+    fn remember_refused(&mut self, asker: &Holder, record: &RecordId, put_off: PutOff) {
         if self.refused.len() >= REFUSED_MAX {
-            let soonest = self.refused.iter().min_by_key(|(_, until)| **until).map(|(key, _)| key.clone());
+            let soonest = self.refused.iter().min_by_key(|(_, put_off)| put_off.again_ms).map(|(key, _)| key.clone());
             soonest.map(|key| self.refused.remove(&key));
         }
-        self.refused.insert((asker.client.clone(), record.clone()), again_ms);
+        self.refused.insert((asker.client.clone(), record.clone()), put_off);
     }
 }

@@ -68,6 +68,18 @@ pub enum LockEvent {
         record: RecordId,
         /// Until when they may say no.
         by_ms: u64,
+        /// It was put off for a minute already: *not yet* counts no more, and the time until then is for finishing.
+        #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+        last: bool,
+    },
+    /// Who asked first wants it no more, or is gone. For its holder.
+    Withdrawn {
+        /// Its holder.
+        holder: Holder,
+        /// The lock.
+        token: Token,
+        /// Who asked.
+        asker: Holder,
     },
     /// Its holder is typing, so it takes longer. For who asked.
     Postponed {

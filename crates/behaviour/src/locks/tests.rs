@@ -158,6 +158,16 @@ fn silence_means_yes_and_the_old_token_is_void() {
 }
 
 #[test]
+fn a_new_name_is_told_of_what_somebody_holds_and_asks_for() {
+    let (mut locks, _) = aikos();
+    locks.ask(1_000, who(BEN), note("a"));
+    locks.rename(&who(AIKO).client, "Airi");
+    locks.rename(&who(BEN).client, "Benedikt");
+    assert_eq!(locks.take(2_000, who(YUKI), set(&["b"])), Err(held_by("b", "Airi")));
+    assert_eq!(whys(&locks.tick(11_000)), [&Why::HandedOver { to: "Benedikt".into() }]);
+}
+
+#[test]
 fn typing_means_not_yet_for_a_minute() {
     let (mut locks, grant) = aikos();
     locks.ask(0, who(BEN), note("a"));
@@ -184,6 +194,86 @@ fn who_hears_not_yet_asks_again_later_and_the_next_is_heard() {
     assert!(locks.say_yes(4_000, AIKO, grant.token));
     assert_eq!(granted(&locks.news())[0].0, YUKI);
     assert_eq!(locks.ask(5_000, who(BEN), note("a")), Asked::Free, "what is free need not be asked for");
+}
+
+#[test]
+fn not_yet_counts_for_a_minute_in_all() {
+    let (mut locks, grant) = aikos();
+    let asked = |news: Vec<LockEvent>| {
+        let lasts = news.into_iter().filter_map(|event| match event {
+            LockEvent::Asked { by_ms, last, .. } => Some((by_ms, last)),
+            _ => None,
+        });
+        lasts.collect::<Vec<_>>()
+    };
+    for (at, last) in [(0, false), (31_000, false), (62_000, true)] {
+        assert_eq!(locks.ask(at, who(BEN), note("a")), Asked::Waiting { by_ms: at + 10_000 });
+        assert_eq!(asked(locks.news()), [(at + 10_000, last)]);
+        assert_eq!(locks.say_not_yet(at + 1_000, AIKO, grant.token), !last, "{at}");
+    }
+    assert!(locks.touch(65_000, AIKO, grant.token), "typing counts no more either");
+    assert_eq!((locks.news(), locks.holder(&note("a"))), (vec![], Some(&who(AIKO))));
+    assert_eq!(granted(&locks.tick(72_000)).len(), 1);
+    assert_eq!(locks.ask(73_000, who(AIKO), note("a")), Asked::Waiting { by_ms: 83_000 });
+    assert_eq!(asked(locks.news()), [(83_000, false)], "of Ben it is asked for the first time");
+}
+
+#[test]
+fn another_asker_and_one_who_asks_much_later_begin_anew() {
+    let (mut locks, grant) = aikos();
+    locks.ask(0, who(BEN), note("a"));
+    locks.say_not_yet(1, AIKO, grant.token);
+    for (at, asker) in [(60_000, YUKI), (91_001, BEN)] {
+        locks.touch(at, AIKO, grant.token);
+        locks.news();
+        locks.ask(at, who(asker), note("a"));
+        assert!(matches!(locks.news()[..], [LockEvent::Asked { last: false, .. }]), "{asker}");
+        assert!(locks.say_not_yet(at + 1, AIKO, grant.token));
+    }
+}
+
+#[test]
+fn who_asked_may_withdraw_and_the_holder_hears_of_it() {
+    let (mut locks, grant) = aikos();
+    locks.ask(0, who(BEN), note("a"));
+    locks.ask(1, who(YUKI), note("b"));
+    locks.news();
+    assert!(!locks.withdraw(2, BEN, &note("b")) && !locks.withdraw(2, 4, &note("a")), "only what one asked for");
+    assert!(locks.withdraw(2, BEN, &note("a")) && !locks.withdraw(2, BEN, &note("a")));
+    let withdrawn = LockEvent::Withdrawn { holder: who(AIKO), token: grant.token, asker: who(BEN) };
+    let (holder, asker) = (who(AIKO), who(YUKI));
+    let next = LockEvent::Asked { holder, token: grant.token, asker, record: note("b"), by_ms: 10_002, last: false };
+    assert_eq!(locks.news(), [withdrawn, next]);
+    locks.leave(3, YUKI);
+    let gone = LockEvent::Withdrawn { holder: who(AIKO), token: grant.token, asker: who(YUKI) };
+    assert_eq!(locks.news(), [gone], "who goes asks no more");
+    assert_eq!(whys(&locks.tick(20_000)), Vec::<&Why>::new());
+}
+
+#[test]
+fn the_version_says_whether_who_holds_what_changed() {
+    let (mut locks, grant) = aikos();
+    let mut steps: Vec<(&str, bool)> = Vec::new();
+    let mut version = locks.version();
+    let mut step = |locks: &Locks, what: &'static str| {
+        steps.push((what, locks.version() != version));
+        version = locks.version();
+    };
+    locks.begin_saving(1, &change(&["b"]), &with(AIKO, &grant));
+    locks.saved(2, &id("op"));
+    locks.touch(3, AIKO, grant.token);
+    locks.ask(4, who(BEN), note("a"));
+    locks.say_not_yet(5, AIKO, grant.token);
+    step(&locks, "nothing");
+    let _taken = locks.take(6, who(BEN), set(&["c"]));
+    step(&locks, "taken");
+    locks.leave(7, AIKO);
+    step(&locks, "kept");
+    locks.return_to(8, &who(AIKO).client, 9);
+    step(&locks, "returned");
+    locks.release(9, BEN, Token { epoch: 7, counter: 2 });
+    step(&locks, "released");
+    assert_eq!(steps.iter().map(|(_, changed)| *changed).collect::<Vec<_>>(), [false, true, true, true, true]);
 }
 
 #[test]

@@ -61,7 +61,8 @@ impl Clients {
             before.close.with(CloseReason::Replaced);
         }
         here.insert(client.clone(), Link { session, color, close });
-        Entered { person: Person { client, name: tidy_name(name), color, pointer: None, selected: None }, secret }
+        let name = tidy_name(name);
+        Entered { person: Person { client, name, color, pointer: None, selected: None, view: None }, secret }
     }
 
     /// The link ended; the client may have come back on another one meanwhile.
@@ -80,7 +81,7 @@ fn free_color(here: &BTreeMap<Id, Link>) -> u8 {
 }
 
 /// A name that fits: nothing in it that is not seen, at most forty characters, never empty.
-fn tidy_name(name: &str) -> String {
+pub(super) fn tidy_name(name: &str) -> String {
     let short: String = without_unseen(name).trim().chars().take(NAME_MAX_CHARS).collect();
     if short.is_empty() { "Somebody".to_owned() } else { short }
 }

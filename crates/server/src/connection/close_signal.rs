@@ -14,6 +14,8 @@ pub(crate) enum CloseReason {
     Unwelcome,
     /// A message was too large or none of ours.
     TooLarge,
+    /// The invitation ended by which the client came.
+    Revoked,
     /// The server ends.
     Restart,
     /// The client takes too slowly: it has to fetch everything anew.
@@ -27,6 +29,7 @@ impl CloseReason {
             Self::Left => (1000, "bye"),
             Self::Replaced => (4000, "replaced"),
             Self::Unwelcome => (1008, "unwelcome"),
+            Self::Revoked => (protocol::CLOSE_REVOKED, "revoked"),
             Self::TooLarge => (1009, "too large"),
             Self::Restart => (1012, "restart"),
             Self::Resync => (1013, "resync"),

@@ -1,6 +1,7 @@
 //! One socket: a task that reads and one that writes, on the threads that carry messages, and one on the server's other
 //! threads that does what was asked, in order. Stop is done by the task that reads, before anything that waits.
 
+mod inviting;
 mod past;
 mod requests;
 
@@ -8,29 +9,32 @@ use super::hear::{Heard, hear, read};
 use super::inbox::{Asked, Inbox, Weight, inbox};
 use super::rate_limit::RateLimit;
 use crate::connection::Connections;
-use crate::connection::clients::Entered;
+use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
+use crate::invitations::{Entry, Here};
 use crate::rooms::member::Member;
-use crate::rooms::{Note, Parting};
+use crate::rooms::{Entering, Note, Parting};
 use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
-use protocol::{Ask, Person, Refused, Reply, Request, VERSION};
+use protocol::{ALIVE_MS, Ask, Person, Refused, Reply, Request, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{Semaphore, mpsc};
 
 /// How long the greeting may take.
 const GREETING_MS: u64 = 2_000;
-/// How long a client may be silent, though it is pinged all the while.
-const SILENT_MS: u64 = 12_000;
+/// How long a client may be silent: two pings of the WebSocket.
+const SILENT_MS: u64 = 2 * ALIVE_MS;
+/// How long who is told to go may take to hear it.
+const LINGER_MS: u64 = 500;
 /// Requests of one client that may be under way.
 const UNDER_WAY_MAX: usize = 8;
 
-/// Serves one socket.
-pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
+/// Serves one socket of somebody who is in.
+pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry) {
     let (sink, mut stream) = socket.split();
     let (outbox, told, waiting) = Outbox::new(connections.number(), connections.waiting.clone());
     let writing = connections.state.tasks.tracker.spawn(super::writer::write(
@@ -38,15 +42,16 @@ pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket) {
         outbox.session,
         sink,
         told,
-        waiting,
+        (waiting, entry.role()),
         outbox.close.clone(),
     ));
     let greeted = tokio::select! {
         () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
+        () = entry.until_over() => Err(CloseReason::Revoked),
         greeted = half_open(&connections, &outbox, &mut stream) => greeted,
     };
     match greeted {
-        Ok((entered, ask)) => serve(connections, outbox, entered, ask, &mut stream).await,
+        Ok((entered, ask)) => serve(connections, outbox, entered, (ask, entry), &mut stream).await,
         Err(why) => outbox.close.with(why),
     }
     let _ = writing.await;
@@ -98,23 +103,32 @@ async fn serve(
     connections: Arc<Connections>,
     outbox: Outbox,
     entered: Entered,
-    ask: u32,
+    (ask, entry): (u32, Entry),
     stream: &mut SplitStream<WebSocket>,
 ) {
     let Entered { person: me, secret } = entered;
+    let Some(role) = entry.role() else { return outbox.close.with(CloseReason::Unwelcome) };
+    let _here = here(&connections, &entry, &me.name);
     tracing::info!(name = me.name, session = outbox.session, "somebody comes");
     connections.state.rooms.tell(
         connections.state.rooms.library(),
-        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(secret)),
+        Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(Entering { secret, role })),
     );
     let (asking, asked) = inbox();
-    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone());
+    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), entry.clone());
     let working = connections.state.tasks.spawn(session.work(asked));
     let mut reader =
-        Reader { connections: &connections, outbox: &outbox, by: &me.name, rate: RateLimit::full(), asking };
-    let why = reader.read(stream).await;
+        Reader { connections: &connections, outbox: &outbox, by: me.name.clone(), rate: RateLimit::full(), asking };
+    let why = tokio::select! {
+        why = reader.read(stream) => why,
+        () = entry.until_over() => CloseReason::Revoked,
+    };
     drop(reader);
     outbox.close.with(why);
+    if why == CloseReason::Revoked {
+        let lingers = linger(&connections, stream, &me.name);
+        let _ = tokio::time::timeout(Duration::from_millis(LINGER_MS), lingers).await;
+    }
     let _ = working.await;
     connections
         .state
@@ -124,11 +138,32 @@ async fn serve(
     tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
 }
 
+/// Hears the other side until it went, so that it hears why it has to; its Stop still counts.
+async fn linger(connections: &Connections, stream: &mut SplitStream<WebSocket>, by: &str) {
+    loop {
+        match hear(stream.next().await) {
+            Heard::Ask(ask) => {
+                if let Request::Stop { behaviour, robot } = ask.request {
+                    connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
+                }
+            }
+            Heard::Large(_) | Heard::Nonsense(..) | Heard::Nothing => {}
+            Heard::End(_) => return,
+        }
+    }
+}
+
+/// Shows who invited that a guest is here.
+fn here(connections: &Connections, entry: &Entry, name: &str) -> Option<Here> {
+    let Entry::Guest(guest) = entry else { return None };
+    Some(connections.state.invitations.arrive(guest, name))
+}
+
 /// Hears one client.
 struct Reader<'a> {
     connections: &'a Connections,
     outbox: &'a Outbox,
-    by: &'a str,
+    by: String,
     rate: RateLimit,
     asking: Inbox,
 }
@@ -158,9 +193,12 @@ impl Reader<'_> {
     /// Stop always gets through, before all that waits; anything else has to keep to its share.
     fn hear(&mut self, Ask { ask, request }: Ask) {
         if let Request::Stop { behaviour, robot } = request {
-            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), self.by);
+            self.connections.state.robots.stop_now(behaviour.as_ref(), robot.as_ref(), &self.by);
             self.outbox.say(Some(ask), Reply::Done);
             return tracing::info!(by = self.by, "Stop");
+        }
+        if let Request::CallMe { name } = &request {
+            self.by = tidy_name(name);
         }
         let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. } | Request::Typing { .. });
         if (!self.rate.take() || !self.asking.ask(Ask { ask, request })) && matters {
@@ -184,6 +222,8 @@ struct Session {
     connections: Arc<Connections>,
     outbox: Outbox,
     me: Person,
+    /// As whom they are in.
+    entry: Entry,
     /// The behaviour that is open.
     open: Option<behaviour::Id>,
     under_way: Arc<Semaphore>,
@@ -192,9 +232,9 @@ struct Session {
 }
 
 impl Session {
-    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person) -> Self {
+    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person, entry: Entry) -> Self {
         let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
-        Self { connections, outbox, me, open: None, under_way, weight: None }
+        Self { connections, outbox, me, entry, open: None, under_way, weight: None }
     }
 
     fn member(&self) -> Member {

@@ -1,12 +1,13 @@
 //! What every client is told, newest wins: the robots, their rooms and the runs, each made into text once for all.
 
+use crate::invitations::Invitations;
 use crate::robots::Robots;
 use crate::rooms::list_news::ListNews;
 use crate::support::message::encode;
 use crate::support::tasks::Tasks;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
-use protocol::{Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
+use protocol::{Invitation, Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
 use robot::Scene;
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -24,6 +25,8 @@ pub(crate) struct Topics {
     pub(crate) robots: watch::Sender<Utf8Bytes>,
     /// What runs.
     pub(crate) runs: watch::Sender<Utf8Bytes>,
+    /// The invitations.
+    pub(crate) invitations: watch::Sender<Utf8Bytes>,
     /// What runs, for looking up values.
     pub(crate) states: watch::Receiver<Arc<Vec<RunState>>>,
 }
@@ -34,11 +37,17 @@ impl Topics {
         let states = robots.runs();
         let runs = runs_text(&states.borrow());
         let robots = robots_text(&robots.states().borrow());
-        Self { robots: watch::Sender::new(robots), runs: watch::Sender::new(runs), states }
+        Self {
+            robots: watch::Sender::new(robots),
+            runs: watch::Sender::new(runs),
+            invitations: watch::Sender::default(),
+            states,
+        }
     }
 
     /// Keeps the topics new until the server ends.
-    pub(crate) fn keep(&self, robots: &Robots, news: &ListNews, tasks: &Tasks) {
+    pub(crate) fn keep(&self, robots: &Robots, news: &ListNews, invitations: &Invitations, tasks: &Tasks) {
+        follow(tasks, invitations.told(), self.invitations.clone(), |all| invitations_text(all));
         follow(tasks, robots.states(), self.robots.clone(), |robots| robots_text(robots));
         follow(tasks, robots.runs(), self.runs.clone(), |runs| runs_text(runs));
         tasks.tracker.spawn(keep_pictures(robots.clone(), tasks.clone()));
@@ -48,6 +57,10 @@ impl Topics {
 
 fn robots_text(newest: &[RobotState]) -> Utf8Bytes {
     encode(None, Reply::Robots { robots: newest.to_vec() })
+}
+
+fn invitations_text(newest: &[Invitation]) -> Utf8Bytes {
+    encode(None, Reply::Invitations { invitations: newest.to_vec() })
 }
 
 fn runs_text(newest: &[RunState]) -> Utf8Bytes {

@@ -15,7 +15,7 @@ use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
 use futures_util::SinkExt;
 use futures_util::stream::SplitSink;
-use protocol::{PING_MS, Reply};
+use protocol::{ALIVE_MS, PING_MS, Reply, Role};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::{mpsc, watch};
@@ -38,6 +38,8 @@ struct Writer {
     waiting: Waiting,
     /// Told to everyone: runs, robots, the store's health, that the list of behaviours changed.
     topics: [watch::Receiver<Utf8Bytes>; 4],
+    /// Told to who may invite.
+    invitations: Option<watch::Receiver<Utf8Bytes>>,
     /// Pictures of the watched robot; which one, if it was named.
     scene: Option<watch::Receiver<Utf8Bytes>>,
     robot: Option<Id>,
@@ -55,7 +57,7 @@ pub(super) async fn write(
     session: u64,
     sink: SplitSink<WebSocket, Message>,
     inbox: mpsc::Receiver<Out>,
-    waiting: Waiting,
+    (waiting, role): (Waiting, Option<Role>),
     close: CloseSignal,
 ) {
     let mut topics = [
@@ -66,12 +68,14 @@ pub(super) async fn write(
     ];
     topics[..3].iter_mut().for_each(watch::Receiver::mark_changed);
     let scene = pictures(&connections, None);
+    let invitations = (role == Some(Role::Host)).then(|| connections.topics.invitations.subscribe());
     let mut writer = Writer {
         connections,
         session,
         sink,
         waiting,
         topics,
+        invitations,
         scene,
         robot: None,
         scene_wanted: true,
@@ -94,8 +98,10 @@ impl Writer {
     async fn run(&mut self, inbox: &mut mpsc::Receiver<Out>) -> CloseReason {
         let mut beat = tokio::time::interval(Duration::from_millis(BEAT_MS));
         let mut ping = tokio::time::interval(Duration::from_millis(PING_MS));
-        beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
-        ping.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        let mut alive = tokio::time::interval(Duration::from_millis(ALIVE_MS));
+        for interval in [&mut beat, &mut ping, &mut alive] {
+            interval.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        }
         let mut batch = Vec::new();
         loop {
             let write = tokio::select! {
@@ -107,6 +113,7 @@ impl Writer {
                     self.deliver(&mut batch).await
                 }
                 _ = ping.tick(), if self.welcomed => self.ping().await,
+                _ = alive.tick() => self.write([Message::Ping(Bytes::new())]).await,
                 _ = beat.tick(), if self.welcomed => self.news().await,
             };
             if let Err(why) = write {
@@ -148,6 +155,7 @@ impl Writer {
     /// Writes the newest of what changed.
     async fn news(&mut self) -> Result<(), CloseReason> {
         let mut texts: Vec<Utf8Bytes> = self.topics.iter_mut().filter_map(newest).collect();
+        texts.extend(self.invitations.as_mut().and_then(newest));
         if self.scene_wanted {
             texts.extend(self.scene.as_mut().and_then(newest));
         }
@@ -167,7 +175,7 @@ impl Writer {
         let behaviour = self.feed.as_ref().map(|feed| (feed.behaviour.clone(), *feed.revision.borrow()));
         let library_revision = self.connections.state.rooms.snapshot().revision;
         let text = encode(None, Reply::Ping { behaviour, library_revision });
-        self.write([Message::Text(text), Message::Ping(Bytes::new())]).await
+        self.write([Message::Text(text)]).await
     }
 
     async fn send(&mut self, texts: Vec<Utf8Bytes>) -> Result<(), CloseReason> {

@@ -2,12 +2,13 @@
 //! thread and in places that nothing else takes; everything else goes on to the threads that carry messages. So nothing
 //! that those threads, the robots' or the store's do can keep Stop from being heard.
 
+use super::line::Line;
 use super::stop;
-use crate::http::origin::OriginGuard;
+use crate::http::door::{Came, Door};
 use crate::robots::Robots;
 use crate::support::places::Places;
 use std::io;
-use std::net::SocketAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -18,19 +19,19 @@ use tokio_util::sync::CancellationToken;
 /// Connections that the system may keep waiting for us.
 const BACKLOG: u32 = 4_096;
 /// Connections that have not said yet what they want.
-const SILENT_MAX: usize = 256;
+pub(super) const SILENT_MAX: usize = 256;
 /// Stops that are answered at once.
-const STOPS_MAX: usize = 256;
+pub(super) const STOPS_MAX: usize = 256;
 /// Connections that wait to be taken over by the threads that carry messages.
-const HANDED_OVER_MAX: usize = 256;
+pub(super) const HANDED_OVER_MAX: usize = 256;
 /// How long a connection may be silent at first.
-const SILENT_MS: u64 = 5_000;
+pub(super) const SILENT_MS: u64 = 5_000;
 /// Between two looks at a first line of which too little has come to tell.
 const LOOK_MS: u64 = 5;
 /// How long to rest after accepting failed.
-const REST_MS: u64 = 10;
+pub(super) const REST_MS: u64 = 10;
 /// How a Stop begins.
-const STOP: &[u8] = b"POST /stop";
+pub(super) const STOP: &[u8] = b"POST /stop";
 
 /// Listens, without accepting yet.
 pub(crate) fn listen(address: SocketAddr) -> io::Result<std::net::TcpListener> {
@@ -41,15 +42,15 @@ pub(crate) fn listen(address: SocketAddr) -> io::Result<std::net::TcpListener> {
 }
 
 /// Where connections that want something else than Stop arrive.
-pub(crate) type Handed = mpsc::Receiver<std::net::TcpStream>;
+pub(crate) type Handed = mpsc::Receiver<(Line, Came)>;
 
 /// What the accepting thread needs.
 struct Acceptor {
-    guard: OriginGuard,
+    door: Door,
     robots: Robots,
     silent: Arc<Places>,
     stops: Arc<Places>,
-    others: mpsc::Sender<std::net::TcpStream>,
+    others: mpsc::Sender<(Line, Came)>,
 }
 
 /// Starts the thread, which works until `ending`.
@@ -58,13 +59,13 @@ struct Acceptor {
 /// If the thread cannot be made.
 pub(crate) fn start(
     listener: std::net::TcpListener,
-    guard: OriginGuard,
+    door: Door,
     robots: Robots,
     ending: CancellationToken,
 ) -> io::Result<(JoinHandle<()>, Handed)> {
     let (others, handed) = mpsc::channel(HANDED_OVER_MAX);
     let (silent, stops) = (Places::of(SILENT_MAX), Places::of(STOPS_MAX));
-    let acceptor = Arc::new(Acceptor { guard, robots, silent, stops, others });
+    let acceptor = Arc::new(Acceptor { door, robots, silent, stops, others });
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     let thread = std::thread::Builder::new().name("accept".into());
     let thread = thread.spawn(move || runtime.block_on(accept(listener, acceptor, ending)))?;
@@ -78,7 +79,7 @@ async fn accept(listener: std::net::TcpListener, acceptor: Arc<Acceptor>, ending
     };
     while let Some(accepted) = ending.run_until_cancelled(listener.accept()).await {
         match accepted {
-            Ok((stream, _)) => drop(tokio::spawn(Arc::clone(&acceptor).admit(stream))),
+            Ok((stream, peer)) => drop(tokio::spawn(Arc::clone(&acceptor).admit(stream, peer.ip()))),
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be accepted");
                 // One place less, so that the next one finds room.
@@ -90,17 +91,18 @@ async fn accept(listener: std::net::TcpListener, acceptor: Arc<Acceptor>, ending
 }
 
 impl Acceptor {
-    async fn admit(self: Arc<Self>, stream: TcpStream) {
+    async fn admit(self: Arc<Self>, stream: TcpStream, peer: IpAddr) {
         let place = self.silent.take();
         let wants = tokio::time::timeout(Duration::from_millis(SILENT_MS), wants_stop(&stream));
         let Some(Ok(Ok(wants_stop))) = place.hold(wants).await else { return };
         drop(place);
         if wants_stop {
             let place = self.stops.take();
-            place.hold(stop::answer(stream, &self.guard, &self.robots)).await;
+            drop(stream.set_nodelay(true));
+            place.hold(stop::answer(stream, &self.door, &self.robots)).await;
         } else if let Ok(stream) = stream.into_std() {
             // Who finds no room is closed; whoever needs it comes again.
-            drop(self.others.try_send(stream));
+            drop(self.others.try_send((Line::plain(stream), Came { door: self.door.clone(), peer })));
         }
     }
 }
@@ -113,14 +115,19 @@ async fn wants_stop(stream: &TcpStream) -> io::Result<bool> {
         if count == 0 {
             return Err(io::ErrorKind::UnexpectedEof.into());
         }
-        let (line, after) = begun[..count].split_at(count.min(STOP.len()));
-        if !STOP.starts_with(line) {
-            return Ok(false);
-        }
-        if let [after] = after {
-            return Ok(matches!(after, b' ' | b'?'));
+        if let Some(is_stop) = is_stop(&begun[..count]) {
+            return Ok(is_stop);
         }
         // Peeking again would see the same at once.
         tokio::time::sleep(Duration::from_millis(LOOK_MS)).await;
     }
+}
+
+/// Whether what begins like this is a Stop, once there is enough of it to tell.
+pub(super) fn is_stop(begun: &[u8]) -> Option<bool> {
+    let (line, after) = begun.split_at(begun.len().min(STOP.len()));
+    if !STOP.starts_with(line) {
+        return Some(false);
+    }
+    after.first().map(|after| matches!(after, b' ' | b'?'))
 }

@@ -1,9 +1,10 @@
-//! Who may come in: pages that this server served, on this computer. Another page in the same browser may not, even
-//! if a name was bent to point here.
+//! Which pages may ask: those that this server served. Another page in the same browser may not, even if a name was bent
+//! to point here. Who somebody is, is asked elsewhere (`door.rs`).
 
 use axum::extract::Request;
 use axum::http::{HeaderMap, HeaderName, header};
 use std::net::IpAddr;
+use std::sync::Arc;
 
 /// Why somebody may not come in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,26 +19,29 @@ pub(crate) enum NotAllowed {
     NoOrigin,
     /// Another page sends it.
     OtherPage,
+    /// Nobody invited who sends it.
+    NotInvited,
 }
 
-/// Tells who may come in to the server on this port.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct OriginGuard {
-    port: u16,
+/// Tells whose pages may ask.
+#[derive(Clone, Debug)]
+pub(crate) enum OriginGuard {
+    /// Those of this computer, on this port. Nothing else is asked there, so the Host has to be one of its own.
+    Local(u16),
+    /// Those that came by TLS. The Host may be any name of ours: under a name that was bent the browser has neither our
+    /// certificate nor a cookie.
+    Tls,
+    /// Those of this origin, which a proxy serves; the Host is what the proxy likes.
+    Proxy(Arc<str>),
 }
 
 impl OriginGuard {
-    /// For a server that listens on `port`.
-    pub(crate) fn of(port: u16) -> Self {
-        Self { port }
-    }
-
     /// Whether a Stop is taken from there: never refused to somebody without a browser.
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_stop(self, host: Option<&str>, origin: Option<&str>) -> Result<(), NotAllowed> {
-        check(self.port, host, origin, Origin::Optional)
+    pub(crate) fn may_stop(&self, host: Option<&str>, origin: Option<&str>) -> Result<(), NotAllowed> {
+        self.check(host, origin, Origin::Optional)
     }
 
     /// Whether a request is answered. What changes something must say where it comes from; another page gets nothing,
@@ -45,13 +49,26 @@ impl OriginGuard {
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_enter(self, request: &Request) -> Result<(), NotAllowed> {
+    pub(crate) fn may_enter(&self, request: &Request) -> Result<(), NotAllowed> {
         let of = |name: HeaderName| request.headers().get(name).map(|value| value.to_str().unwrap_or("?"));
         let path = request.uri().path();
         let free = request.method().is_safe() || path == protocol::STOP_PATH;
         let need = if free { Origin::Optional } else { Origin::Required };
-        check(self.port, of(header::HOST), of(header::ORIGIN), need)?;
+        self.check(of(header::HOST), of(header::ORIGIN), need)?;
         if is_from_another_page(request.headers(), path) { Err(NotAllowed::OtherPage) } else { Ok(()) }
+    }
+}
+
+impl OriginGuard {
+    fn check(&self, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
+        match self {
+            Self::Local(port) => check(*port, host, origin, need),
+            Self::Tls => {
+                let host = host.ok_or(NotAllowed::NoHost)?;
+                fits(origin, need, |origin| origin.strip_prefix("https://") == Some(host))
+            }
+            Self::Proxy(own) => fits(origin, need, |origin| *origin == **own),
+        }
     }
 }
 
@@ -80,8 +97,13 @@ fn check(port: u16, host: Option<&str>, origin: Option<&str>, need: Origin) -> R
     if !is_here(host, port) {
         return Err(NotAllowed::OtherHost);
     }
+    fits(origin, need, |origin| origin.strip_prefix("http://") == Some(host))
+}
+
+/// Whether the Origin is our own, or fine to be missing.
+fn fits(origin: Option<&str>, need: Origin, is_own: impl Fn(&str) -> bool) -> Result<(), NotAllowed> {
     match origin {
-        Some(origin) if origin.strip_prefix("http://") == Some(host) => Ok(()),
+        Some(origin) if is_own(origin) => Ok(()),
         Some(_) => Err(NotAllowed::OtherPage),
         None if need == Origin::Optional => Ok(()),
         None => Err(NotAllowed::NoOrigin),
@@ -136,7 +158,7 @@ mod tests {
                 request = request.header(*name, *value);
             }
             let request = request.body(Body::empty()).unwrap();
-            assert_eq!(OriginGuard::of(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
+            assert_eq!(OriginGuard::Local(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
         }
     }
 

@@ -1,24 +1,26 @@
 //! The routes.
 
+use super::door::Came;
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
-use super::origin::OriginGuard;
 use super::page::Page;
 use super::stop::StopTarget;
-use super::{page, recordings, transfer, upload};
+use super::{come_in, cut, page, recordings, transfer, upload};
 use crate::connection::{Connections, session};
+use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
 use crate::support::places::Places;
 use crate::support::store_call::bounded;
 use crate::support::workers::Sender;
+use axum::Extension;
 use axum::extract::rejection::QueryRejection;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
-use axum::routing::{any, get, post};
+use axum::routing::{MethodRouter, any, get, post};
 use axum::{Json, Router};
-use protocol::MESSAGE_MAX_BYTES;
+use protocol::{MESSAGE_MAX_BYTES, Refused};
 use std::sync::Arc;
 use std::time::Duration;
 use store::files::FILE_MAX_BYTES;
@@ -36,6 +38,8 @@ const READ_BYTES: usize = 8 << 10;
 const REQUEST_MS: u64 = 60_000;
 /// Files that may be on their way to us; the oldest gives way.
 const UPLOADS_MAX: usize = 8;
+/// The longest form with a token, in bytes.
+const TOKEN_MAX_BYTES: usize = 1 << 10;
 /// How long the next piece of a request may take to come.
 const PIECE_MS: u64 = 5_000;
 
@@ -43,7 +47,8 @@ const PIECE_MS: u64 = 5_000;
 #[derive(Clone)]
 struct AppState {
     connections: Arc<Connections>,
-    guard: OriginGuard,
+    /// Places for what people download.
+    downloads: Downloads,
     /// Files that are being sent to us.
     uploads: Arc<Places>,
     /// The threads that carry messages.
@@ -58,35 +63,47 @@ impl AppState {
 }
 
 /// All routes; sockets are served on `messages`.
-pub(crate) fn routes(connections: Arc<Connections>, guard: OriginGuard, messages: Handle, page: Page) -> Router {
-    let app = AppState { connections, guard, uploads: Places::of(UPLOADS_MAX), messages, page };
-    let router = Router::new()
-        .route(protocol::PATH, any(socket))
-        .route("/healthz", get(|| async { "ok\n" }))
-        .route("/readyz", get(readyz))
-        .merge(files_to_keep())
-        .route("/api/import", post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)))
-        .fallback(get(files))
-        // What fails says so itself, in its own words.
-        .layer(TraceLayer::new_for_http().on_failure(()))
-        // After that layer: nothing is added to the way of Stop.
-        .route(protocol::STOP_PATH, post(stop))
+pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page) -> Router {
+    let app =
+        AppState { connections, downloads: Downloads::default(), uploads: Places::of(UPLOADS_MAX), messages, page };
+    let add = |router: Router<AppState>, route: Route| {
+        let handler = handler(route, &app).layer(middleware::from_fn_with_state(route, ask_role));
+        match route.path() {
+            Some(path) => router.route(&path, handler),
+            None => router.fallback(handler),
+        }
+    };
+    let router = Route::ALL.into_iter().fold(Router::new(), add);
+    let router = router
         .layer(RequestBodyTimeoutLayer::new(Duration::from_millis(PIECE_MS)))
         .layer(TimeoutLayer::with_status_code(StatusCode::REQUEST_TIMEOUT, Duration::from_millis(REQUEST_MS)))
-        .layer(middleware::from_fn_with_state(app.clone(), guard_all))
+        .layer(middleware::from_fn(guard_all))
         .with_state(app);
     with_headers(router)
 }
 
-/// What people download.
-fn files_to_keep() -> Router<AppState> {
-    Router::new()
-        .route("/api/behaviours", get(list))
-        .route("/api/behaviours/{file}", get(download))
-        .route("/api/backup", get(backup))
-        .route(protocol::RECORDINGS_PATH, get(list_recordings))
-        .route(&format!("{}/{{file}}", protocol::RECORDINGS_PATH), get(recording))
-        .layer(middleware::from_fn_with_state(Downloads::default(), few_at_once))
+/// What answers a route.
+fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
+    let few_at_once = middleware::from_fn_with_state(app.downloads.clone(), few_at_once);
+    let handler = match route {
+        Route::Page => get(files),
+        Route::ComeIn => get(|| async { come_in::page() }).post(enter).layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
+        Route::ComeInStyle => get(|| async { come_in::style() }),
+        Route::ComeInScript => get(|| async { come_in::script() }),
+        Route::Socket => any(socket),
+        Route::Health => get(|| async { "ok\n" }),
+        Route::Ready => get(readyz),
+        Route::List => get(list).layer(few_at_once),
+        Route::Download => get(download).layer(few_at_once),
+        Route::Backup => get(backup).layer(few_at_once),
+        Route::Recordings => get(list_recordings).layer(few_at_once),
+        Route::Recording => get(recording).layer(few_at_once),
+        Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
+        // Nothing more is added to the way of Stop.
+        Route::Stop => return post(stop),
+    };
+    // What fails says so itself, in its own words.
+    handler.layer(TraceLayer::new_for_http().on_failure(()))
 }
 
 /// Puts the headers on every answer, whoever gives it.
@@ -97,10 +114,14 @@ fn with_headers(router: Router) -> Router {
     })
 }
 
-/// Lets in only whom the guard lets in.
-async fn guard_all(State(app): State<AppState>, request: Request, next: Next) -> Response {
-    match app.guard.may_enter(&request) {
-        Ok(()) => next.run(request).await,
+/// Lets in only what the guard lets in, and finds out as whom its sender is in.
+async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next: Next) -> Response {
+    match came.door.guard.may_enter(&request) {
+        Ok(()) => {
+            let entry = came.entry(request.headers());
+            request.extensions_mut().insert(entry);
+            next.run(request).await
+        }
         Err(why) => {
             tracing::warn!(%why, "a request was turned away");
             (StatusCode::FORBIDDEN, format!("Refused: {why}.\n")).into_response()
@@ -108,7 +129,35 @@ async fn guard_all(State(app): State<AppState>, request: Request, next: Next) ->
     }
 }
 
-async fn socket(State(app): State<AppState>, upgrade: WebSocketUpgrade) -> Response {
+/// Lets in who may ask for a route; whose invitation ends meanwhile is cut off.
+async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> Response {
+    let entry = request.extensions().get::<Entry>().cloned().unwrap_or(Entry::Stranger);
+    let no = match entry.may(Asked::Http(route)) {
+        Ok(()) => {
+            let answer = tokio::select! {
+                answer = next.run(request) => answer,
+                () = entry.until_over() => return (StatusCode::FORBIDDEN, format!("{}\n", Refused::NotInvited)).into_response(),
+            };
+            return answer.map(|body| cut::until_over(body, entry));
+        }
+        Err(no) => no,
+    };
+    match (entry, route) {
+        (Entry::Stranger, Route::Page) => come_in::ask_for_one(),
+        (Entry::Stranger, _) => (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response(),
+        (Entry::Local | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
+    }
+}
+
+async fn enter(Extension(came): Extension<Came>, Extension(entry): Extension<Entry>, request: Request) -> Response {
+    come_in::come_in(came, &entry, request).await
+}
+
+async fn socket(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    upgrade: WebSocketUpgrade,
+) -> Response {
     let Some(place) = app.connections.place() else {
         return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages are open. Close some.\n").into_response();
     };
@@ -116,7 +165,7 @@ async fn socket(State(app): State<AppState>, upgrade: WebSocketUpgrade) -> Respo
     let upgrade = upgrade.read_buffer_size(READ_BYTES).write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
     upgrade.on_upgrade(move |socket| async move {
         let tracker = app.connections.state.tasks.tracker.clone();
-        let _ = tracker.spawn_on(session::run(app.connections, socket), &app.messages).await;
+        let _ = tracker.spawn_on(session::run(app.connections, socket, entry), &app.messages).await;
         drop(place);
     })
 }

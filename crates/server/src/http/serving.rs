@@ -2,6 +2,8 @@
 //! Only bytes are moved here; what the requests ask for is done on the server's other threads.
 
 use crate::http::accept::Handed;
+use crate::http::door::Came;
+use crate::http::line::{Io, Line};
 use crate::support::places::Places;
 use axum::Router;
 use axum::body::Body;
@@ -12,7 +14,6 @@ use hyper::service::service_fn;
 use hyper_util::rt::{TokioIo, TokioTimer};
 use std::convert::Infallible;
 use std::time::Duration;
-use tokio::net::TcpStream;
 use tokio::runtime::Handle;
 use tokio_io_timeout::TimeoutStream;
 use tokio_util::sync::CancellationToken;
@@ -40,11 +41,11 @@ pub(crate) struct Routed {
 /// Serves what is handed over until `stopping`; what is under way goes on in `tasks`.
 pub(crate) async fn serve(mut handed: Handed, routed: Routed, tasks: TaskTracker, stopping: CancellationToken) {
     let places = Places::of(SERVED_MAX);
-    while let Some(Some(stream)) = stopping.run_until_cancelled(handed.recv()).await {
+    while let Some(Some((line, came))) = stopping.run_until_cancelled(handed.recv()).await {
         let (place, routed, stopping) = (places.take(), routed.clone(), stopping.clone());
         tasks.spawn(async move {
-            match TcpStream::from_std(stream) {
-                Ok(stream) => drop(place.hold(one(stream, routed, stopping)).await),
+            match Line::arrive(line) {
+                Ok(stream) => drop(place.hold(one(stream, came, routed, stopping)).await),
                 Err(error) => tracing::debug!(%error, "a connection was lost on the way"),
             }
         });
@@ -52,13 +53,10 @@ pub(crate) async fn serve(mut handed: Handed, routed: Routed, tasks: TaskTracker
 }
 
 /// One request: every next one comes on a connection of its own, so that a Stop is always seen by the accepting thread.
-async fn one(stream: TcpStream, routed: Routed, stopping: CancellationToken) {
-    if let Err(error) = stream.set_nodelay(true) {
-        tracing::debug!(%error, "no quick answers on this connection");
-    }
+async fn one(stream: Box<dyn Io>, came: Came, routed: Routed, stopping: CancellationToken) {
     let mut stream = TimeoutStream::new(stream);
     stream.set_write_timeout(Some(Duration::from_millis(WRITE_MS)));
-    let service = service_fn(move |request| answer(routed.clone(), request));
+    let service = service_fn(move |request| answer(routed.clone(), came.clone(), request));
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(Duration::from_millis(HEADER_MS));
     http.max_buf_size(HEADER_MAX_BYTES);
@@ -77,8 +75,10 @@ async fn one(stream: TcpStream, routed: Routed, stopping: CancellationToken) {
 }
 
 /// Answers on the server's other threads; if the client goes, the work is dropped.
-async fn answer(routed: Routed, request: Request<Incoming>) -> Result<Response<Body>, Infallible> {
-    let work = routed.router.oneshot(request.map(Body::new));
+async fn answer(routed: Routed, came: Came, request: Request<Incoming>) -> Result<Response<Body>, Infallible> {
+    let mut request = request.map(Body::new);
+    request.extensions_mut().insert(came);
+    let work = routed.router.oneshot(request);
     let answered = AbortOnDropHandle::new(routed.on.spawn(work)).await;
     let Ok(mut response) = answered.unwrap_or_else(|error| Ok(failed(&error)));
     if response.status() != StatusCode::SWITCHING_PROTOCOLS {

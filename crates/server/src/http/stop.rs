@@ -1,15 +1,15 @@
 //! Answers one Stop: reads its head, lets the robots hold, says so, and only then has anything else done.
 
 use super::headers::HEADERS;
-use crate::http::origin::{NotAllowed, OriginGuard};
+use crate::http::door::Door;
+use crate::http::origin::NotAllowed;
 use crate::robots::Robots;
 use axum::extract::Query;
 use axum::http::Uri;
 use behaviour::Id;
 use serde::Deserialize;
 use std::time::Duration;
-use tokio::io::{AsyncReadExt, AsyncWriteExt};
-use tokio::net::TcpStream;
+use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
 
 /// The longest head, in bytes.
 const HEAD_MAX_BYTES: usize = 8 << 10;
@@ -30,10 +30,9 @@ pub(crate) struct StopTarget {
 }
 
 /// Reads the Stop, does it and answers; the connection ends with that.
-pub(super) async fn answer(mut stream: TcpStream, guard: &OriginGuard, robots: &Robots) {
-    drop(stream.set_nodelay(true));
+pub(super) async fn answer(mut stream: impl AsyncRead + AsyncWrite + Unpin, door: &Door, robots: &Robots) {
     let Some(head) = within(head(&mut stream)).await.flatten() else { return };
-    let said = match asked(&head, guard) {
+    let said = match asked(&head, door) {
         Ok(which) => {
             robots.stop_now(which.behaviour.as_ref(), which.robot.as_ref(), "the Stop button");
             response("200 OK", "application/json", "{\"stopped\":true}")
@@ -50,7 +49,7 @@ async fn within<T>(work: impl Future<Output = T>) -> Option<T> {
 }
 
 /// The request up to the empty line; none if it ends before that or is too long.
-async fn head(stream: &mut TcpStream) -> Option<Vec<u8>> {
+async fn head(stream: &mut (impl AsyncRead + Unpin)) -> Option<Vec<u8>> {
     let mut head = Vec::with_capacity(1_024);
     loop {
         if stream.read_buf(&mut head).await.ok()? == 0 || head.len() > HEAD_MAX_BYTES {
@@ -64,15 +63,15 @@ async fn head(stream: &mut TcpStream) -> Option<Vec<u8>> {
 
 /// What is to stop, unless somebody asks who may not. An id that is none stops everything: better too much than too
 /// little.
-fn asked(head: &[u8], guard: &OriginGuard) -> Result<StopTarget, NotAllowed> {
+fn asked(head: &[u8], door: &Door) -> Result<StopTarget, NotAllowed> {
     let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
     let mut request = httparse::Request::new(&mut lines);
     request.parse(head).map_err(|_| NotAllowed::Unreadable)?;
-    let of = |name: &str| {
-        let line = request.headers.iter().find(|line| line.name.eq_ignore_ascii_case(name));
-        line.map(|line| std::str::from_utf8(line.value).unwrap_or("?"))
+    let all = |name: &'static str| {
+        let lines = request.headers.iter().filter(move |line| line.name.eq_ignore_ascii_case(name));
+        lines.map(|line| std::str::from_utf8(line.value).unwrap_or("?"))
     };
-    guard.may_stop(of("host"), of("origin"))?;
+    door.may_stop(all("host").next(), all("origin").next(), all("cookie"))?;
     let uri = request.path.and_then(|path| path.parse::<Uri>().ok()).unwrap_or_default();
     Ok(Query::try_from_uri(&uri).map(|Query(which)| which).unwrap_or_default())
 }
@@ -88,7 +87,7 @@ fn response(status: &str, kind: &str, body: &str) -> Vec<u8> {
 }
 
 /// Reads what the sender still says: closing before that could take the answer away from them.
-async fn drain(stream: &mut TcpStream) {
+async fn drain(stream: &mut (impl AsyncRead + Unpin)) {
     let (mut piece, mut rest) = ([0; 1_024], REST_MAX_BYTES);
     while let Ok(count @ 1..) = stream.read(&mut piece).await {
         rest = rest.saturating_sub(count);

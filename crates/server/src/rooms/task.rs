@@ -1,5 +1,6 @@
 //! The task of one open behaviour: it holds the pure room, which decides; it saves and then tells everyone there.
-//! One change is saved at a time; who only looks, comes or goes never waits for saving.
+//! One change is decided about after another, and small ones that wait are saved together; who only looks, comes or goes
+//! never waits for saving.
 
 mod change_log;
 mod jobs;
@@ -11,6 +12,7 @@ mod past;
 mod problems;
 mod replay;
 mod saving;
+mod waiting;
 
 use super::member::{Feed, Member};
 use super::shown::Shown;
@@ -21,14 +23,16 @@ use crate::support::store_call::{bounded, store_no};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Checkpoints, Id, Room};
 use change_log::ChangeLog;
-use jobs::{Job, Saving, Waiting};
+use jobs::Saving;
 use locking::LockBook;
 use problems::{Finding, Found};
 use protocol::Refused;
+use saving::Proposal;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
 use store::StoreError;
 use tokio::sync::{mpsc, oneshot, watch};
+use waiting::{Job, Waiting};
 
 /// Whether a behaviour is there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,12 +163,13 @@ impl RoomTask {
         match note {
             Note::Join(member, ask, secret) => self.join(member, ask, secret),
             Note::Leave(session, parting) => self.leave(session, parting),
-            Note::Propose(change, tokens, answer) => self.wait(Job::Save(change, tokens, answer)),
+            Note::Propose(change, tokens, from) => self.wait(Job::Save(Proposal { change, tokens, from })),
             Note::Past(past, answer) => self.past(past, answer),
             Note::Locking(session, locking) => self.lock(session, locking),
             Note::Remove(by, answer) => self.wait(Job::Remove(by, answer)),
             Note::Since(revision, answer) => self.since(revision, answer),
-            Note::Present(session, pointer, selected) => self.present(session, pointer, selected),
+            Note::Present(session, whereabouts) => self.present(session, whereabouts),
+            Note::Rename(session, name) => self.rename(session, name),
             Note::Look(waiting) => self.look(waiting),
         }
     }

@@ -2,7 +2,7 @@
 
 use behaviour::{Connector, Id, Kind, Operation, Procedure, Record, RecordId, Stream, StreamKind, connectors};
 use protocol::{Reply, Request};
-use server::{Config, serve_with};
+use server::{Config, Network, Ready, Secured, serve_with};
 use shell::{Client, Trouble};
 use std::net::SocketAddr;
 use std::path::Path;
@@ -14,6 +14,10 @@ use tokio::task::JoinHandle;
 /// A running server.
 pub(crate) struct House {
     pub(crate) address: SocketAddr,
+    /// Where others reach it, if they may come in.
+    pub(crate) network: Option<SocketAddr>,
+    /// The link that was told at the start, if others may come in.
+    pub(crate) link: Option<String>,
     stop: oneshot::Sender<()>,
     serving: JoinHandle<()>,
 }
@@ -31,23 +35,31 @@ impl House {
 
     /// On a store, with a data folder beside it.
     pub(crate) async fn beside(store: Arc<dyn Store>, data: &Path) -> Self {
-        Self::with(store, Some(data)).await
+        Self::with(store, None, Some(data)).await
+    }
+
+    /// With a data folder, where others come in by invitation.
+    pub(crate) async fn for_others(data: &Path) -> Self {
+        let network = Network { listen: "127.0.0.1:0".parse().unwrap(), secured: Secured::Made };
+        Self::with(Arc::new(MemoryStore::default()), Some(network), Some(data)).await
     }
 
     pub(crate) async fn on(store: Arc<dyn Store>) -> Self {
-        Self::with(store, None).await
+        Self::with(store, None, None).await
     }
 
-    async fn with(store: Arc<dyn Store>, data: Option<&Path>) -> Self {
+    pub(crate) async fn with(store: Arc<dyn Store>, network: Option<Network>, data: Option<&Path>) -> Self {
         let (stop, stopped) = oneshot::channel::<()>();
         let (tell, ready) = oneshot::channel();
         let listen = "127.0.0.1:0".parse().unwrap();
-        let config = Config { listen, store: "unused".into(), data: data.map(Path::to_owned), seed: 1, page: |_| None };
+        let data = data.map(Path::to_owned);
+        let config = Config { listen, network, store: "unused".into(), data, seed: 1, page: |_| None };
         let serving = tokio::spawn(async move {
             let stopped = async { drop(stopped.await) };
-            serve_with(store, config, |address| tell.send(address).unwrap(), stopped).await.unwrap();
+            serve_with(store, config, |now| tell.send(now).unwrap(), stopped).await.unwrap();
         });
-        Self { address: ready.await.unwrap(), stop, serving }
+        let Ready { address, network, invited } = ready.await.unwrap();
+        Self { address, network, link: invited.map(|invited| invited.link), stop, serving }
     }
 
     pub(crate) async fn close(self) {

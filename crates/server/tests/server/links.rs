@@ -2,7 +2,9 @@
 
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
-use protocol::{Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Pointer, Refused, Reply, Request};
+use protocol::{
+    Area, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply, Request,
+};
 use shell::{Client, NoLink, Trouble};
 use std::time::Duration;
 use tokio::net::TcpStream;
@@ -100,12 +102,36 @@ async fn people_see_each_other_and_each_others_pointers() {
     assert_eq!((ben.you().name.as_str(), aiko.you().color, ben.you().color), ("Ben", 0, 1));
     ben.load(&play).await.unwrap();
     let pointer = Some(Pointer { x: 3.0, y: 4.0 });
-    aiko.tell(Request::Present { pointer, selected: Some(id("s1")) }).await.unwrap();
-    let seen =
-        |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer));
+    let view = Some(Area { x: -50.0, y: 0.0, width: 800.0, height: 600.0 });
+    aiko.tell(Request::Present { pointer, selected: Some(id("s1")), view }).await.unwrap();
+    let seen = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people.iter().any(|p| p.pointer == pointer && p.view == view));
     ben.until(seen).await.unwrap();
+    let (pointer, nowhere) =
+        (Some(Pointer { x: 5.0, y: 1e300 }), Some(Area { x: 0.0, y: 0.0, width: 0.0, height: 1.0 }));
+    aiko.tell(Request::Present { pointer, selected: Some(id("s2")), view: nowhere }).await.unwrap();
+    let left_out = |p: &Person| p.selected == Some(id("s2")) && p.pointer.is_none() && p.view.is_none();
+    ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.iter().any(left_out))).await.unwrap();
     drop(aiko);
     ben.until(|reply| matches!(reply, Reply::People { people, .. } if people.len() == 1)).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_new_name_is_told_at_once_and_stands_beside_what_is_edited() {
+    let house = House::open().await;
+    let (aiko, play) = house.maker("Guest").await;
+    aiko.put("Add", stream_id("s"), Some(plain("s"))).await.unwrap();
+    let mut ben = house.person("Ben").await;
+    ben.load(&play).await.unwrap();
+    aiko.ask(Request::Lock { behaviour: play.clone(), records: [stream_id("s")].into() }).await.unwrap();
+    aiko.ask(Request::CallMe { name: " Aiko\n".into() }).await.unwrap();
+    let is_called = |reply: &Reply| matches!(reply, Reply::People { people, .. } if people[0].name == "Aiko");
+    ben.until(is_called).await.unwrap();
+    let edits = |reply: &Reply| matches!(reply, Reply::Locks { locks, .. } if locks.iter().any(|l| l.name == "Aiko"));
+    ben.until(edits).await.unwrap();
+    aiko.put("Add", stream_id("t"), Some(plain("t"))).await.unwrap();
+    let added = |reply: &Reply| matches!(reply, Reply::Accepted { accepted, .. } if accepted.change.author == "Aiko");
+    ben.until(added).await.unwrap();
     house.close().await;
 }
 
@@ -150,4 +176,36 @@ async fn the_server_pings_with_the_revision() {
     let ping = aiko.until(|reply| matches!(reply, Reply::Ping { behaviour: Some(_), .. })).await.unwrap();
     assert_eq!(ping, Reply::Ping { behaviour: Some((play, 1)), library_revision: 1 });
     house.close().await;
+}
+
+#[tokio::test]
+async fn everyone_is_told_that_the_server_ends_and_what_was_acknowledged_is_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = House::at(folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let ben = house.person("Ben").await;
+    ben.load(&play).await.unwrap();
+    let (ended, ()) = tokio::join!(
+        async {
+            let mut made = 0;
+            while aiko.put("Add", stream_id(&format!("s{made}")), Some(plain(&format!("S{made}")))).await.is_ok() {
+                made += 1;
+            }
+            made
+        },
+        async {
+            ben.put("Add", stream_id("first"), Some(plain("First"))).await.unwrap();
+            house.close().await;
+        }
+    );
+    for mut client in [aiko, ben] {
+        while client.next().await.is_some() {}
+        assert_eq!(client.why_ended(), Some(NoLink::Restart));
+    }
+    let again = House::at(folder.path()).await;
+    let there = again.person("Aiko").await.load(&play).await.unwrap();
+    let found = there.records.records.keys().filter(|record| record.kind == behaviour::Kind::Stream).count();
+    // One more may have been saved whose answer nobody heard any more.
+    assert!((ended + 1..=ended + 2).contains(&found), "{found} of {ended}");
+    again.close().await;
 }

@@ -1,6 +1,7 @@
 //! Who is editing what: locks over real sockets, for every way in.
 
 use crate::house::{House, id, plain, sentence, stream_id};
+use crate::http::raw;
 use behaviour::{Asked, Grant, Id, LockEvent, RecordId, Token, Why};
 use protocol::{LockShown, Reply, Request};
 use shell::{Client, Trouble};
@@ -50,6 +51,22 @@ async fn event(client: &mut Client) -> LockEvent {
 }
 
 #[tokio::test]
+async fn who_is_at_the_computer_takes_over_and_the_other_is_told() {
+    let house = House::open().await;
+    let (aiko, mut ben, play) = two(&house).await;
+    let held = grant(&ben, &play, &["a"]).await;
+    let over = Request::TakeOver { behaviour: play.clone(), record: stream_id("a") };
+    let Reply::Locked { grant: taken } = aiko.ask(over).await.unwrap() else { panic!() };
+    assert!(taken.token > held.token);
+    let LockEvent::Freed { why, grant, .. } = event(&mut ben).await else { panic!() };
+    assert_eq!((why, grant.token), (Why::TakenOver { by: "Aiko".into() }, held.token));
+    let no = "Aiko is editing “a”. Ask, or wait until it is free.";
+    assert_eq!(sentence(rename(&ben, &play, "a", "A", &[held.token]).await), no);
+    rename(&aiko, &play, "a", "A", &[taken.token]).await.unwrap();
+    house.close().await;
+}
+
+#[tokio::test]
 async fn what_somebody_is_editing_is_refused_to_others_by_name() {
     let house = House::open().await;
     let (aiko, mut ben, play) = two(&house).await;
@@ -82,6 +99,70 @@ async fn all_or_nothing_is_locked() {
     assert!(no.starts_with("This cannot be kept for one person."), "{no}");
     let library = id(protocol::LIBRARY);
     assert!(sentence(lock(&aiko, &library, &["a"]).await).starts_with("No behaviour is open."));
+    house.close().await;
+}
+
+#[tokio::test]
+async fn only_what_is_there_is_locked() {
+    let house = House::open().await;
+    let (aiko, _ben, play) = two(&house).await;
+    let no = sentence(lock(&aiko, &play, &["a", "soon"]).await);
+    assert_eq!(no, "This is not there any more, or not yet. Look again, and choose what is there.");
+    grant(&aiko, &play, &["a"]).await;
+    house.close().await;
+}
+
+#[tokio::test]
+async fn every_way_to_write_is_refused_by_name() {
+    let house = House::open().await;
+    let (aiko, ben, play) = two(&house).await;
+    grant(&aiko, &play, &["a"]).await;
+    let no = "Aiko is editing “a”. Ask, or wait until it is free.";
+    let tab = house.person("Aiko").await;
+    tab.load(&play).await.unwrap();
+    assert_eq!(sentence(lock(&tab, &play, &["a"]).await), no, "a second tab");
+    for (who, client) in [("the second tab", &tab), ("the console's client", &ben), ("the first tab", &aiko)] {
+        assert_eq!(sentence(client.put("Rename", stream_id("a"), Some(plain("mine"))).await), no, "{who}");
+        assert_eq!(sentence(client.put("Remove", stream_id("a"), None).await), no, "{who}");
+    }
+    let carol = house.person("Carol").await;
+    let change = carol.change("Rename", &ben.open().unwrap().records, vec![(stream_id("a"), Some(plain("mine")))]);
+    let propose = Request::Propose { behaviour: play.clone(), change, tokens: Vec::new() };
+    assert_eq!(sentence(carol.ask(propose).await), no, "who has not even opened it");
+    house.close().await;
+}
+
+#[tokio::test]
+async fn an_import_never_touches_what_somebody_is_editing() {
+    let house = House::open().await;
+    let (aiko, ben, play) = two(&house).await;
+    grant(&aiko, &play, &["a"]).await;
+    let address = house.address;
+    let send = |path: &str, body: &str| {
+        let head = format!("Host: {address}\r\nOrigin: http://{address}\r\nConnection: close\r\n");
+        format!("POST {path} HTTP/1.1\r\n{head}Content-Length: {}\r\n\r\n{body}", body.len())
+    };
+    let get = format!("GET /api/behaviours/{play}.json HTTP/1.1\r\nHost: {address}\r\nConnection: close\r\n\r\n");
+    let whole = raw(&house, &get).await;
+    let file = whole.split_once("\r\n\r\n").unwrap().1.replace("\"a\"", "\"aa\"");
+    let before = ben.open().unwrap();
+    let kept = raw(&house, &send("/api/import?mode=restore", &file)).await;
+    assert!(!kept.starts_with("HTTP/1.1 200"), "it is here already: {kept}");
+    let copied = raw(&house, &send("/api/import", &file)).await;
+    assert!(copied.starts_with("HTTP/1.1 200"), "a copy is nobody's: {copied}");
+    assert_eq!(ben.load(&play).await.unwrap(), before);
+    house.close().await;
+}
+
+#[tokio::test]
+async fn who_asked_may_withdraw() {
+    let house = House::open().await;
+    let (mut aiko, ben, play) = two(&house).await;
+    grant(&aiko, &play, &["a"]).await;
+    ben.ask(Request::AskFor { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
+    assert!(matches!(event(&mut aiko).await, LockEvent::Asked { last: false, .. }));
+    ben.ask(Request::Withdraw { behaviour: play.clone(), record: stream_id("a") }).await.unwrap();
+    assert!(matches!(event(&mut aiko).await, LockEvent::Withdrawn { asker, .. } if asker.name == "Ben"));
     house.close().await;
 }
 

@@ -1,16 +1,20 @@
 //! The whole server over real sockets: people who edit together, bad changes, restarts, and strangers at the door.
 #![expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 
+mod browser;
 mod console;
 mod edits;
 mod history;
 mod history_limits;
 mod house;
 mod http;
+mod invited;
 mod limits;
 mod links;
 mod lists;
 mod locks;
 mod mutated;
+mod proxied;
+mod roles;
 mod runs;
 mod slow;

@@ -35,7 +35,8 @@ fn samples() -> Vec<String> {
         Request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] },
         Request::Start { behaviour: id("b"), robot: None, record: true },
         Request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() },
-        Request::Present { pointer: None, selected: Some(id("s")) },
+        Request::Present { pointer: None, selected: Some(id("s")), view: None },
+        Request::CallMe { name: "Aiko".to_owned() },
     ];
     let asks = requests.into_iter().zip(1..).map(|(request, ask)| Ask { ask, request });
     asks.map(|ask| serde_json::to_string(&ask).unwrap()).collect()

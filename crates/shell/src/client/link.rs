@@ -9,6 +9,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 use tokio::net::TcpStream;
 use tokio::sync::{mpsc, oneshot};
+use tokio::task::AbortHandle;
+use tokio::time::Instant;
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, WebSocketConfig};
 use tokio_tungstenite::tungstenite::{Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
@@ -23,6 +25,8 @@ const TOLD_MAX: usize = 4_096;
 const TOLD_FREE: usize = 1_024;
 /// How long connecting may take.
 const CONNECT_MS: u64 = 10_000;
+/// How long the server may be silent, though it says every half second that it is there.
+const SILENT_MS: u64 = 10_000;
 /// Numbers of asks that the link makes itself, apart from the client's.
 const OWN_ASK: u32 = u32::MAX;
 
@@ -52,7 +56,7 @@ impl Link {
     }
 }
 
-type Opened = (Arc<Link>, mpsc::Sender<Line>, mpsc::Receiver<Reply>);
+type Opened = (Arc<Link>, mpsc::Sender<Line>, mpsc::Receiver<Reply>, AbortHandle);
 
 /// Connects and starts the task.
 pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
@@ -72,8 +76,8 @@ pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
     let (tell, told) = mpsc::channel(TOLD_MAX);
     let carrier =
         Carrier { link: Arc::clone(&link), socket, tell, waiting: BTreeMap::new(), assembly: Assembly::default() };
-    tokio::spawn(carrier.carry(inbox));
-    Ok((link, lines, told))
+    let carrying = tokio::spawn(carrier.carry(inbox));
+    Ok((link, lines, told, carrying.abort_handle()))
 }
 
 /// `http://HOST:PORT/` or `HOST:PORT` as the address of the socket.
@@ -93,13 +97,15 @@ struct Carrier {
 
 impl Carrier {
     async fn carry(mut self, mut inbox: mpsc::Receiver<Line>) {
+        let mut heard = Instant::now();
         let why = loop {
             tokio::select! {
+                () = tokio::time::sleep_until(heard + Duration::from_millis(SILENT_MS)) => break NoLink::Unheard,
                 line = inbox.recv() => match line {
                     Some(line) => if let Err(error) = self.send(line).await { break lost(&error) },
                     None => break NoLink::Closed,
                 },
-                message = self.socket.next() => match message {
+                message = self.socket.next() => match { heard = Instant::now(); message } {
                     Some(Ok(Message::Text(text))) => if let Err(error) = self.hear(&text).await { break lost(&error) },
                     Some(Ok(Message::Close(frame))) => break goodbye(frame),
                     Some(Ok(_)) => {}

@@ -13,6 +13,7 @@ pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -
     a_change_sent_twice_is_saved_once(make().await.as_ref()).await;
     an_op_id_counts_in_its_behaviour_only(make().await.as_ref()).await;
     only_the_next_revision_is_saved(make().await.as_ref()).await;
+    changes_that_follow_each_other_are_saved_together(make().await.as_ref()).await;
     two_streams_swap_their_names(make().await.as_ref()).await;
     every_script_is_kept(make().await.as_ref()).await;
     every_connector_is_kept(make().await.as_ref()).await;
@@ -64,6 +65,33 @@ async fn only_the_next_revision_is_saved(store: &dyn Store) {
     let loaded = store.load(&id("b")).await.expect("an answer").expect("a behaviour");
     assert_eq!((loaded.revision, loaded.behaviour.name()), (2, "two"));
     assert_eq!(append(store, "b", 3, named("stale")).await, Append::Applied, "a refused op id is not used up");
+}
+
+async fn changes_that_follow_each_other_are_saved_together(store: &dyn Store) {
+    save(store, "b", "one", vec![(RecordId::settings(), settings("One"))]).await;
+    let mut after = now(store, "b").await;
+    let mut follow = |op: &str, revision, edits| {
+        let committed = Committed { revision, change: change(op, 7, edits) };
+        after.apply(&committed.change);
+        (committed, after.clone())
+    };
+    let renamed = follow("two", 2, vec![(RecordId::settings(), settings("Two"))]);
+    let noted = follow("three", 3, vec![(key(Kind::Note, "n"), note("three"))]);
+    let again = (Committed { revision: 4, ..renamed.0.clone() }, renamed.1.clone());
+    let never = follow("five", 5, vec![(key(Kind::Note, "n"), note("five"))]);
+    let all = [renamed, noted.clone(), again, never.clone()];
+    let answers = vec![Append::Applied, Append::Applied, Append::Duplicate { revision: 2 }];
+    assert_eq!(store.append_all(&id("b"), &all).await, Ok(answers));
+    let loaded = store.load(&id("b")).await.expect("an answer").expect("a behaviour");
+    assert_eq!((loaded.revision, &loaded.behaviour), (3, &noted.1));
+    let listed = store.list(&Query::default()).await.expect("a page");
+    assert_eq!(listed.lines.first().map(|line| line.name.as_str()), Some("Two"));
+    assert_eq!(store.history(&id("b"), 0, 10).await.expect("history").len(), 3);
+    assert_eq!(store.append_all(&id("b"), &[never]).await, Ok(vec![Append::Conflict { head: 3 }]));
+    assert_eq!(store.append_all(&id("b"), &[]).await, Ok(vec![]));
+    store.remove(&id("b"), 1, "Aiko").await.expect("an answer");
+    let late = follow("late", 4, vec![(key(Kind::Note, "n"), note("late"))]);
+    assert_eq!(store.append_all(&id("b"), &[late]).await, Err(StoreError::Gone));
 }
 
 async fn two_streams_swap_their_names(store: &dyn Store) {

@@ -45,6 +45,15 @@ pub(super) fn read(number: i64) -> u64 {
 
 /// Saves a change, unless it was saved before or is not the next one.
 pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
+    let answer = put(at, id, ready)?;
+    if let (Append::Applied, Some(after)) = (&answer, &ready.after) {
+        put_derived(at, id, after)?;
+    }
+    Ok(answer)
+}
+
+/// Keeps a change, but not yet what lists show.
+fn put(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
     let committed = &ready.committed;
     if let Some(revision) = revision_of(at, id, &committed.change.op)? {
         return Ok(Append::Duplicate { revision });
@@ -64,10 +73,23 @@ pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, 
     if committed.revision == 1 {
         put_owner(at, id, &committed.change.author)?;
     }
-    if let Some(after) = &ready.after {
+    Ok(Append::Applied)
+}
+
+/// Keeps changes that follow each other, up to the first that is not applied. What lists show is taken from the last.
+pub(super) fn append_all(at: &Connection, id: &Id, all: &[Ready]) -> Result<Vec<Append>, Fault> {
+    let (mut answers, mut newest) = (Vec::new(), None);
+    for ready in all {
+        answers.push(put(at, id, ready)?);
+        if answers.last() != Some(&Append::Applied) {
+            break;
+        }
+        newest = ready.after.as_ref().or(newest);
+    }
+    if let Some(after) = newest {
         put_derived(at, id, after)?;
     }
-    Ok(Append::Applied)
+    Ok(answers)
 }
 
 fn revision_of(at: &Connection, id: &Id, op: &Id) -> Result<Option<u64>, Fault> {

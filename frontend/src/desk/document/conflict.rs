@@ -55,7 +55,7 @@ fn is_part(id: &RecordId) -> bool {
 /// Of what others saved, the changes since the author of a refused one looked: from the one on that changed what the
 /// author saw.
 pub(super) fn since_seen(log: Vec<Accepted>, mine: &Change) -> Vec<Accepted> {
-    let needs = needed(mine);
+    let needs: BTreeSet<RecordId> = needed(mine).into_iter().chain(touched(mine).cloned()).collect();
     let touches =
         |accepted: &Accepted| accepted.change.op != mine.op && touched(&accepted.change).any(|id| needs.contains(id));
     let mut log: Vec<Accepted> = log.into_iter().filter(touches).collect();

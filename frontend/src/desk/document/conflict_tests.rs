@@ -199,6 +199,16 @@ fn when_both_want_the_same_nothing_is_left_to_do() {
 }
 
 #[test]
+fn who_was_first_is_known_of_names_and_positions_too() {
+    let mut now = start();
+    let named = |now: &Behaviour, op: &str, author: &str, name: &str| build::renamed(now, change(op, author), name);
+    let mine = named(&now, "mine", "Aiko", "Ours");
+    let theirs = named(&now, "yuki", "Yuki", "Hers");
+    let log = made(&mut now, vec![theirs]);
+    assert_eq!(since_seen(log, &mine).last().unwrap().change.author, "Yuki");
+}
+
+#[test]
 fn moves_removals_and_other_refusals_are_only_said() {
     let now = start();
     let late = Refusal::Stale("this filter".into());

@@ -32,6 +32,8 @@ pub(crate) struct Own {
     pub(super) token: Token,
     /// Who asks for it, if somebody does.
     pub(crate) asker: Option<String>,
+    /// It was kept from them for a minute, and is handed over now.
+    pub(crate) is_last: bool,
     /// When it will be free for others, as nothing was typed for long.
     pub(crate) free_ms: Option<f64>,
 }
@@ -80,7 +82,7 @@ impl Editing {
     pub(super) fn granted(&mut self, grant: &Grant) -> bool {
         let is_mine = grant.records.contains(&self.record);
         if is_mine && self.token() != Some(grant.token) {
-            self.writing = Writing::Own(Own { token: grant.token, asker: None, free_ms: None });
+            self.writing = Writing::Own(Own { token: grant.token, asker: None, is_last: false, free_ms: None });
         }
         is_mine
     }
@@ -138,9 +140,10 @@ impl Editing {
     pub(super) fn hear(&mut self, event: &LockEvent, at: impl Fn(u64) -> f64) {
         match event {
             LockEvent::Freed { grant, why, .. } if self.token() == Some(grant.token) => self.freed(why),
-            LockEvent::Asked { token, asker, .. } if self.token() == Some(*token) => {
-                self.own(|own| own.asker = Some(asker.name.clone()));
+            LockEvent::Asked { token, asker, last, .. } if self.token() == Some(*token) => {
+                self.own(|own| (own.asker, own.is_last) = (Some(asker.name.clone()), *last));
             }
+            LockEvent::Withdrawn { token, .. } if self.token() == Some(*token) => self.own(|own| own.asker = None),
             LockEvent::Warned { token, free_ms, .. } if self.token() == Some(*token) => {
                 self.own(|own| own.free_ms = Some(at(*free_ms)));
             }
@@ -154,6 +157,7 @@ impl Editing {
             LockEvent::Granted { .. }
             | LockEvent::Freed { .. }
             | LockEvent::Asked { .. }
+            | LockEvent::Withdrawn { .. }
             | LockEvent::Warned { .. }
             | LockEvent::Postponed { .. }
             | LockEvent::NotYet { .. }
@@ -175,6 +179,11 @@ impl Editing {
         if let Writing::Own(own) = &mut self.writing {
             act(own);
         }
+    }
+
+    /// One asks no more.
+    pub(super) fn withdrawn(&mut self) {
+        self.asks(Asking::No);
     }
 
     fn asks(&mut self, now: Asking) {
@@ -241,6 +250,18 @@ mod tests {
         assert_eq!(editing.writing, reading(Some("Yuki"), false, Asking::Waits { until_ms: 20.0 }));
         assert!(editing.granted(&grant(2)));
         assert_eq!(editing.token(), Some(grant(2).token));
+    }
+
+    #[test]
+    fn who_asks_is_shown_until_they_ask_no_more_and_whether_it_is_the_last_time() {
+        let mut editing = opened(None);
+        editing.granted(&grant(1));
+        let (holder, token, record) = (yuki(), grant(1).token, record());
+        let asked = LockEvent::Asked { holder, token, asker: yuki(), record, by_ms: 10, last: true };
+        editing.hear(&asked, |ms| ms as f64);
+        assert!(matches!(&editing.writing, Writing::Own(Own { asker: Some(_), is_last: true, .. })));
+        editing.hear(&LockEvent::Withdrawn { holder: yuki(), token, asker: yuki() }, |ms| ms as f64);
+        assert!(matches!(&editing.writing, Writing::Own(Own { asker: None, .. })));
     }
 
     #[test]

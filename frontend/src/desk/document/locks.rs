@@ -183,6 +183,12 @@ impl Document {
         is_due
     }
 
+    /// Takes it from whoever is editing, who keeps what they wrote.
+    pub(crate) fn take_over(&self) {
+        let Some((behaviour, record)) = self.edited(|at| (at.behaviour.clone(), at.record.clone())) else { return };
+        self.tab.ask_or_say(Request::TakeOver { behaviour, record }, |_| {});
+    }
+
     /// Asks whoever is editing to let this person edit.
     pub(crate) fn ask_for(&self) {
         let Some((number, behaviour, record)) = self.edited(|at| (at.number, at.behaviour.clone(), at.record.clone()))
@@ -206,6 +212,14 @@ impl Document {
         self.tick_lock();
         if is_free {
             self.take_lock();
+        }
+    }
+
+    /// One no longer wants what was asked for.
+    pub(crate) fn ask_no_more(&self) {
+        if let Some((behaviour, record)) = self.edited(|at| (at.behaviour.clone(), at.record.clone())) {
+            self.tab.ask_or_say(Request::Withdraw { behaviour, record }, |_| {});
+            self.change_editing(Editing::withdrawn);
         }
     }
 

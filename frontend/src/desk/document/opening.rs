@@ -83,6 +83,7 @@ impl Document {
         set_if_new(&self.tab.dialog, None);
         set_if_new(&self.open, None);
         self.revision.set(0);
+        self.unfollow();
         set_if_new(&self.people, Vec::new());
         set_if_new(&self.locks, Vec::new());
         set_if_new(&self.problems, Vec::new());

@@ -1,42 +1,144 @@
-//! Presence: where this person's pointer is and what is selected, told and never saved.
+//! Presence: where this person is, told to the others and never saved; and following where somebody else is.
 
+use super::signs::{Sign, signs};
 use super::{Document, Selected};
-use crate::{browser, link};
+use crate::{browser, link, words};
+use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Pointer, Request};
+use protocol::{Area, Person, Pointer, Request};
 
-/// How often others are told where this person is, in milliseconds.
-const PRESENCE_MS: i32 = 50;
+/// How often others are told where this person is at most, in milliseconds.
+const PRESENCE_MS: f64 = 50.0;
+
+/// Where this person is, and what the others know of it.
+#[derive(Default)]
+pub(super) struct Presence {
+    pointer: Option<Pointer>,
+    view: Option<Area>,
+    /// When the others were told last, and what.
+    told_ms: f64,
+    told: Option<(Option<Pointer>, Option<Id>, Option<Area>)>,
+    is_planned: bool,
+}
+
+/// Where somebody who is followed is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Followed {
+    pub(crate) view: Option<Area>,
+    pub(crate) selected: Option<Id>,
+}
 
 impl Document {
-    /// Tells the others, at most 20 times a second, where the pointer is and what is selected.
+    /// Tells the others, at most 20 times a second, where the pointer is.
     pub(crate) fn present(&self, pointer: Option<Pointer>) {
-        let plan = {
-            let mut state = self.state();
-            state.pointer = pointer;
-            !std::mem::replace(&mut state.presence_planned, true)
+        self.state().presence.pointer = pointer;
+        self.plan_presence();
+    }
+
+    /// Tells them what part of the canvas is in view, none where there is no canvas.
+    pub(crate) fn present_view(&self, view: Option<Area>) {
+        self.state().presence.view = view;
+        self.plan_presence();
+    }
+
+    /// Tells them that something else is selected now.
+    pub(crate) fn present_selection(&self) {
+        self.plan_presence();
+    }
+
+    /// After something was opened nobody knows anything yet.
+    pub(super) fn present_anew(&self) {
+        self.state().presence.told = None;
+        self.plan_presence();
+    }
+
+    /// At once if the others were told long enough ago, else as soon as that is so.
+    fn plan_presence(&self) {
+        let wait_ms = {
+            let presence = &mut self.state().presence;
+            if presence.is_planned {
+                return;
+            }
+            let wait_ms = presence.told_ms + PRESENCE_MS - browser::now_ms();
+            presence.is_planned = wait_ms > 0.0;
+            wait_ms
         };
-        if plan {
+        if wait_ms > 0.0 {
             let document = self.clone();
-            browser::after(PRESENCE_MS, move || document.tell_presence());
+            browser::after(wait_ms.ceil() as i32, move || document.tell_presence());
+        } else {
+            self.tell_presence();
         }
     }
 
-    /// Tells the others that something else is selected now.
-    pub(crate) fn present_selection(&self) {
-        let pointer = self.state().pointer;
-        self.present(pointer);
+    /// Who follows somebody tells what that one sees: so two who follow each other stay where they are.
+    fn tell_presence(&self) {
+        let followed = untrack(|| self.followed());
+        let selected = self.selected.with_untracked(|selected| selected.as_ref().map(Selected::id).cloned());
+        let is_open = self.open.with_untracked(Option::is_some) && link::is_up();
+        let news = {
+            let presence = &mut self.state().presence;
+            presence.is_planned = false;
+            let view = followed.map_or(presence.view, |followed| followed.view);
+            let now = (presence.pointer, selected, view);
+            let is_new = is_open && presence.told.as_ref() != Some(&now);
+            if is_new {
+                presence.told = Some(now.clone());
+                presence.told_ms = browser::now_ms();
+            }
+            is_new.then_some(now)
+        };
+        if let Some((pointer, selected, view)) = news {
+            link::tell(Request::Present { pointer, selected, view });
+        }
     }
 
-    fn tell_presence(&self) {
-        let pointer = {
-            let mut state = self.state();
-            state.presence_planned = false;
-            state.pointer
-        };
-        if self.open.with_untracked(Option::is_some) {
-            let selected = self.selected.with_untracked(|selected| selected.as_ref().map(Selected::id).cloned());
-            link::tell(Request::Present { pointer, selected });
+    /// Everyone here, each told apart from the others. Reactive.
+    pub(crate) fn signs(&self) -> Vec<Sign> {
+        self.people.with(|people| signs(people))
+    }
+
+    /// The others here, each told apart. Reactive.
+    pub(crate) fn others(&self) -> Vec<(Sign, Person)> {
+        let me = self.tab.me.with(|me| me.as_ref().map(|me| me.client.clone()));
+        let both = self.people.with(|people| signs(people).into_iter().zip(people.clone()).collect::<Vec<_>>());
+        both.into_iter().filter(|(sign, _)| Some(&sign.client) != me.as_ref()).collect()
+    }
+
+    /// Looks at what somebody else looks at, until one looks around by oneself.
+    pub(crate) fn follow(&self, client: &Id) {
+        if self.following.with_untracked(|now| now.as_ref() != Some(client)) {
+            self.following.set(Some(client.clone()));
+        }
+    }
+
+    /// Looks around by oneself again; whether somebody was followed.
+    pub(crate) fn unfollow(&self) -> bool {
+        let followed = self.following.with_untracked(Option::is_some);
+        if followed {
+            self.following.set(None);
+        }
+        followed
+    }
+
+    /// Where the followed person is. Reactive.
+    pub(crate) fn followed(&self) -> Option<Followed> {
+        let client = self.following.get()?;
+        self.people.with(|people| {
+            let person = people.iter().find(|person| person.client == client)?;
+            Some(Followed { view: person.view, selected: person.selected.clone() })
+        })
+    }
+
+    /// Who is followed and not among these any more is followed no longer, which is said.
+    pub(super) fn follow_on(&self, people: &[Person]) {
+        let following = self.following.get_untracked();
+        let is_gone = |client: &Id| people.iter().all(|person| person.client != *client);
+        let Some(gone) = following.filter(is_gone) else { return };
+        let name = untrack(|| self.signs()).into_iter().find(|sign| sign.client == gone).map(|sign| sign.name);
+        self.unfollow();
+        if let Some(name) = name {
+            self.tab.say(&words::no_longer_here(&name), false);
         }
     }
 }

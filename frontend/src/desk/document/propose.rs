@@ -8,7 +8,7 @@ use crate::desk::tab::set_if_new;
 use crate::link;
 use behaviour::{Change, Id, RecordId, Refusal, Token};
 use leptos::prelude::*;
-use protocol::{LIBRARY, Refused, Reply, Request};
+use protocol::{LIBRARY, Refused, Reply, Request, Role};
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
@@ -60,6 +60,9 @@ impl Document {
     fn propose_to(&self, to: Id, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         if change.edits.is_empty() {
             return on_answer(Ok(()));
+        }
+        if let Some(no) = self.tab.refusal(Role::Editor) {
+            return on_answer(Err(no));
         }
         if serde_json::to_string(&change).map_or(usize::MAX, |text| text.len()) > CHANGE_MAX_BYTES {
             return on_answer(Err(Refused::Change(Refusal::Edits(change.edits.len()))));
@@ -239,6 +242,7 @@ impl Document {
     pub(in crate::desk) fn link_lost(&self) {
         self.hold_back(SaveEvent::LinkLost);
         self.forget_locks();
+        self.unfollow();
     }
 
     /// Nothing can be saved now: what was under way waits again, and what waits is shown.

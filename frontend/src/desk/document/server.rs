@@ -29,6 +29,7 @@ impl Document {
             self.begin_history(revision);
             self.compare_again();
             self.lock_again();
+            self.present_anew();
         }
         is_wanted
     }
@@ -95,6 +96,7 @@ impl Document {
 
     pub(in crate::desk) fn hear_people(&self, of: &Id, people: Vec<Person>) {
         if self.is_open(of) {
+            self.follow_on(&people);
             set_if_new(&self.people, people);
         }
     }

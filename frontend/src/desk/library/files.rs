@@ -5,6 +5,7 @@ use crate::desk::tab::set_if_new;
 use crate::{browser, words};
 use behaviour::Id;
 use js_sys::Reflect;
+use protocol::Role;
 use serde::Deserialize;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
@@ -54,6 +55,9 @@ pub(crate) fn first_file(of: &JsValue) -> Option<JsValue> {
 impl Library {
     /// Makes a program out of a file and opens it, or says why not.
     pub(crate) fn open_file(&self, file: JsValue) {
+        if self.tab.refuses(Role::Editor) {
+            return;
+        }
         let (library, me) = (self.clone(), self.tab.my_name());
         wasm_bindgen_futures::spawn_local(async move {
             match bring(&file, &me).await {

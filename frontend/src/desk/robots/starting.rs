@@ -5,7 +5,7 @@ use super::Robots;
 use crate::{link, words};
 use behaviour::{Id, Value};
 use leptos::prelude::*;
-use protocol::{Reply, Request};
+use protocol::{Reply, Request, Role};
 use robot::SceneEdit;
 
 /// What the robot is to do with the open behaviour once it is saved.
@@ -29,6 +29,9 @@ impl Robots {
     }
 
     fn wish(&self, wish: Wish) {
+        if self.tab.refuses(Role::Operator) {
+            return;
+        }
         // Never later than now: a robot must not begin to move when a lost link comes back.
         self.state().when_saved = link::is_up().then_some(wish);
         if link::is_up() {
@@ -75,6 +78,9 @@ impl Robots {
 
     /// Moves something in the simulated room.
     pub(crate) fn scene_edit(&self, edit: SceneEdit) {
+        if self.tab.refusal(Role::Operator).is_some() {
+            return;
+        }
         link::tell(Request::Scene { robot: self.chosen_id(), edit });
     }
 }

@@ -6,14 +6,18 @@ use crate::browser;
 use crate::desk::{Asking, Own, Reading, Writing};
 use crate::icons::Icon;
 use crate::panels::hold::Hold;
+use crate::panels::may::{MayNot, may_edit};
 use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;
+use protocol::Role;
 
 /// The lock of what a dialog edits, taken for as long as the dialog is open. A copy is the same one.
 #[derive(Clone, Copy)]
 pub(super) struct Held {
     desk: Hold,
+    /// Whether this person may edit at all.
+    may: bool,
     writing: Memo<Option<Writing>>,
     /// Somebody else may write, so this one only reads.
     pub(super) reads: Memo<bool>,
@@ -25,7 +29,8 @@ impl Held {
     /// Takes the lock; what is new has none.
     pub(super) fn of(desk: Hold, record: Option<RecordId>) -> Self {
         let document = desk.desk().document;
-        let number = record.map(|record| document.open_editor(record));
+        let may = untrack(|| may_edit(desk));
+        let number = record.filter(|_| may).map(|record| document.open_editor(record));
         if let Some(number) = number {
             let document = document.clone();
             on_cleanup(move || document.close_editor(number));
@@ -35,8 +40,9 @@ impl Held {
             let editing = editing.get()?;
             (Some(editing.number) == number).then_some(editing.writing)
         });
-        let reads = Memo::new(move |_| matches!(writing.get(), Some(Writing::No(_))));
-        let follows = Memo::new(move |_| matches!(writing.get(), Some(Writing::No(reading)) if !reading.was_own));
+        let reads = Memo::new(move |_| !may || matches!(writing.get(), Some(Writing::No(_))));
+        let follows =
+            Memo::new(move |_| !may || matches!(writing.get(), Some(Writing::No(reading)) if !reading.was_own));
         Effect::new(move |before: Option<bool>| {
             let now = reads.get();
             if before.is_some_and(|before| before != now) {
@@ -44,7 +50,7 @@ impl Held {
             }
             now
         });
-        Self { desk, writing, reads, follows }
+        Self { desk, may, writing, reads, follows }
     }
 
     fn reading(self) -> Option<Reading> {
@@ -52,6 +58,11 @@ impl Held {
             Some(Writing::No(reading)) => Some(reading),
             _ => None,
         }
+    }
+
+    /// Whether one asked and was not answered yet.
+    fn waits(self) -> bool {
+        self.reading().is_some_and(|reading| matches!(reading.asking, Asking::Waits { .. } | Asking::Queued))
     }
 
     fn own(self) -> Option<Own> {
@@ -75,7 +86,8 @@ pub(super) fn Holding(held: Held, #[prop(into)] written: Signal<String>) -> impl
     let free = Memo::new(move |_| held.own().and_then(|own| own.free_ms));
     let said = said(held);
     view! {
-        <Show when=move || held.reads.get()><ReadOnly held written /></Show>
+        <Show when=move || held.reads.get() && held.may><ReadOnly held written /></Show>
+        {(!held.may).then(|| view! { <div class="held"><MayNot /></div> })}
         <Show when=move || asker.read().is_some()><Wanted held asker /></Show>
         <Show when=move || free.get().is_some() && asker.read().is_none()><Idle held free /></Show>
         <p class="sr" role="status">{move || said.get().1}</p>
@@ -97,12 +109,40 @@ fn ReadOnly(held: Held, written: Signal<String>) -> impl IntoView {
             </p>
             <div class="row">
                 <AskButton held />
+                <Show when=move || held.waits()><AskNoMore held /></Show>
                 <button class="button" type="button" on:click=copy>
                     {move || if copied.get() { words::copied() } else { words::copy() }}
                 </button>
                 <span class="faint">{move || held.reading().and_then(|reading| beside(held, &reading))}</span>
             </div>
+            <TakeOver held name />
         </div>
+    }
+}
+
+/// For the person at the server's computer: takes it from who is editing, asking once.
+#[component]
+fn TakeOver(held: Held, name: Memo<Option<String>>) -> impl IntoView {
+    let asked = RwSignal::new(false);
+    let may = move || held.desk.desk().role.get() == Some(Role::Host) && name.read().is_some();
+    let take = move |_| {
+        asked.set(false);
+        held.desk.desk().document.take_over();
+    };
+    let question = move || name.get().map(|name| words::take_over_question(&name));
+    view! {
+        <Show when=move || may() && !asked.get()>
+            <div><button class="link" type="button" on:click=move |_| asked.set(true)>{words::take_over()}</button></div>
+        </Show>
+        <Show when=move || may() && asked.get()>
+            <div class="take-over">
+                <p role="status">{question}</p>
+                <div class="row">
+                    <button class="button danger" type="button" on:click=take>{words::take_it()}</button>
+                    <button class="button" type="button" on:click=move |_| asked.set(false)>{words::leave_it()}</button>
+                </div>
+            </div>
+        </Show>
     }
 }
 
@@ -143,17 +183,27 @@ fn AskButton(held: Held) -> impl IntoView {
     }
 }
 
+/// Takes the question back.
+#[component]
+fn AskNoMore(held: Held) -> impl IntoView {
+    let press = move |_| held.desk.desk().document.ask_no_more();
+    view! { <button class="button" type="button" on:click=press>{words::ask_no_more()}</button> }
+}
+
 /// Somebody asks for what is edited here.
 #[component]
 fn Wanted(held: Held, asker: Memo<Option<String>>) -> impl IntoView {
     let answer = move |yes: bool| held.desk.desk().document.hand_over(yes);
+    let is_last = Memo::new(move |_| held.own().is_some_and(|own| own.is_last));
+    let meaning = move || if is_last.get() { words::last_moment() } else { words::silence_means_yes() };
+    let keep = move || view! { <button class="button" type="button" on:click=move |_| answer(false)>{words::keep_it()}</button> };
     view! {
         <div class="held wanted">
             <p><b>{move || asker.get().map(|name| words::would_like_to_edit(&name))}</b></p>
             <div class="row">
                 <button class="button" type="button" on:click=move |_| answer(true)>{words::hand_over()}</button>
-                <button class="button" type="button" on:click=move |_| answer(false)>{words::keep_it()}</button>
-                <span class="faint">{words::silence_means_yes()}</span>
+                <Show when=move || !is_last.get()>{keep()}</Show>
+                <span class="faint">{meaning}</span>
             </div>
         </div>
     }

@@ -7,6 +7,7 @@ use super::gone::{Gone, gone};
 use super::stream::answered;
 use crate::fields::{CodeField, TextField};
 use crate::panels::hold::{Hold, Soon, hold};
+use crate::panels::may::{MayNot, may_edit};
 use crate::words;
 use behaviour::{Helper, Id, Refusal};
 use leptos::prelude::*;
@@ -37,11 +38,18 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     let is_there = found.is_some();
     let fields = Fields::of(id.zip(found));
     let arguments = Signal::derive(move || params(&fields.params.read()));
-    let save = Callback::new(move |()| save(desk, fields));
+    let may = untrack(|| may_edit(desk));
+    let save = Callback::new(move |()| {
+        if may {
+            save(desk, fields);
+        }
+    });
     let title = if is_there { words::edit_helper() } else { words::add_helper() };
     view! {
         <Frame title save>
+            {(!may).then(|| view! { <div class="held"><MayNot /></div> })}
             <div class="dialog-body">
+              <fieldset class="held-fields" disabled=!may>
                 <TextField label=words::helper_name() value=fields.name mono=true first={!is_there} />
                 <TextField label=words::helper_params() value=fields.params mono=true />
                 <div class="field">
@@ -50,11 +58,12 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                     <Lint fields arguments />
                 </div>
                 <TextField label=words::helper_says() value=fields.says />
+              </fieldset>
                 {is_there.then(|| view! { <UsedIn name=fields.name.get_untracked() /> })}
                 <Refused why=fields.refusal />
                 {fields.seen.get_value().map(|(id, _)| view! { <Removed fields id /> })}
             </div>
-            <Feet busy=fields.busy>{is_there.then(|| view! { <Remove fields /> })}</Feet>
+            <Feet busy=fields.busy nothing=Signal::stored(!may)>{(is_there && may).then(|| view! { <Remove fields /> })}</Feet>
         </Frame>
     }
 }

@@ -4,6 +4,7 @@ use crate::desk::{Dialog, Selected};
 use crate::icons::Icon;
 use crate::panels::hold::{Hold, hold};
 use crate::panels::inspector::edit_dialog;
+use crate::panels::may::{MayNot, may_edit};
 use crate::panels::palette::subscribe;
 use crate::words;
 use behaviour::connectors::{self, Spec};
@@ -22,8 +23,10 @@ pub(super) fn Strip(what: Selected) -> impl IntoView {
 #[component]
 fn Buttons(what: Selected) -> impl IntoView {
     let desk = hold();
+    let may = untrack(|| may_edit(desk));
+    let (look, icon) = if may { (words::edit(), "pencil") } else { (words::look_at_it(), "eye") };
     let next = match &what {
-        Selected::Stream(id) => gives(desk, id).then(|| view! { <Next id=id.clone() /> }),
+        Selected::Stream(id) => (may && gives(desk, id)).then(|| view! { <Next id=id.clone() /> }),
         Selected::Connector(_) => None,
     };
     let edited = what.clone();
@@ -34,13 +37,14 @@ fn Buttons(what: Selected) -> impl IntoView {
     view! {
         <div class="strip-inline">
             {next}
-            <button class="tool icon" type="button" title=words::edit() aria-label=words::edit() on:click=edit>
-                <Icon name="pencil" />
+            <button class="tool icon" type="button" title=look aria-label=look on:click=edit>
+                <Icon name=icon />
             </button>
-            <button class="tool icon" type="button" title=words::remove() aria-label=words::remove()
+            <button class="tool icon" type="button" title=words::remove() aria-label=words::remove() disabled=!may
                 on:click=move |_| desk.desk().document.remove(&what)>
                 <Icon name="trash" />
             </button>
+            <MayNot />
         </div>
     }
 }

@@ -4,9 +4,11 @@ use super::Held;
 use super::map::{self, Map};
 use crate::browser;
 use crate::panels::hold::{Hold, Soon, hold};
+use crate::panels::may::may_operate;
 use crate::words;
 use leptos::prelude::*;
 use leptos::svg::Svg;
+use protocol::Role;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent, PointerEvent};
 
@@ -45,6 +47,9 @@ pub(super) fn Movable(
     };
     let (down, moved, up, keys) = (grip.clone(), grip.clone(), grip.clone(), grip.clone());
     let pressed = move |event: PointerEvent| {
+        if untrack(|| !may_operate(desk)) {
+            return;
+        }
         event.prevent_default();
         capture(&event);
         down.hold(shown.get_untracked());
@@ -64,14 +69,14 @@ pub(super) fn Movable(
             tabindex="0"
             role="img"
             aria-label=label
-            aria-description=words::move_hint()
+            aria-description=move || desk.desk().may_not(Role::Operator).unwrap_or(words::move_hint())
             transform=transform
             data-held=move || grip.is_held().then_some("")
             on:pointerdown=pressed
             on:pointermove=dragged
             on:pointerup=let_go.clone()
             on:pointercancel=let_go
-            on:keydown=move |event| step(&event, &keys, shown.get_untracked())
+            on:keydown=move |event| if untrack(|| may_operate(desk)) { step(&event, &keys, shown.get_untracked()) }
         >
             <title>{label}</title>
             <circle class="halo" r="22" />

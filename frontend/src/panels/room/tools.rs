@@ -2,8 +2,10 @@
 
 use crate::icons::Icon;
 use crate::panels::hold::hold;
+use crate::panels::may::{MayNot, may_operate};
 use crate::words;
 use leptos::prelude::*;
+use protocol::Role;
 use robot::SceneEdit;
 use web_sys::KeyboardEvent;
 
@@ -22,16 +24,17 @@ pub(super) fn Tools() -> impl IntoView {
     view! {
         <div class="room-tools">
             <TouchHead />
-            <button class="button small" type="button" on:click=walk>
+            <button class="button small" type="button" disabled=move || !may_operate(desk) on:click=walk>
                 <Icon name="user" />
                 {move || if present.get() { words::person_out() } else { words::person_in() }}
             </button>
-            <button class="button small" type="button" title=words::reset_room() aria-label=words::reset_room()
+            <button class="button small" type="button" title=words::reset_room() aria-label=words::reset_room() disabled=move || !may_operate(desk)
                 on:click=move |_| desk.desk().robots.scene_edit(SceneEdit::Reset)>
                 <Icon name="reset" />
                 {words::reset()}
             </button>
         </div>
+        <MayNot least=Role::Operator />
     }
 }
 
@@ -54,6 +57,7 @@ fn TouchHead() -> impl IntoView {
             title=words::touch_head()
             aria-label=words::touch_head()
             aria-pressed=move || down.get().to_string()
+            disabled=move || !may_operate(desk)
             on:pointerdown=move |_| press(true)
             on:pointerup=move |_| press(false)
             on:pointerleave=move |_| press(false)

@@ -43,6 +43,7 @@ sentences! {
     nothing_waits: "Nothing waits here any more.";
     in_another_program: "in another program";
     show_them: "Show them";
+    connection_name: "Connection";
     last_values: "The last values";
     copy_mine_short: "Copy mine";
 }

@@ -1,13 +1,15 @@
 //! What a client may ask, one arm each. Nothing here waits: what has to wait goes to a room or a task of its own.
 
 use super::Session;
+use crate::connection::clients::tidy_name;
 use crate::connection::outbox::Out;
 use crate::connection::start;
+use crate::invitations::{Asked, Entry};
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
 use crate::library::{bin, insight, list, thumbnails};
 use crate::rooms::member::Answer;
-use crate::rooms::{Locking, Note, Parting};
+use crate::rooms::{Locking, Note, Parting, Whereabouts};
 use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{Change, Id, Token, Value};
@@ -17,7 +19,15 @@ use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
 
 impl Session {
+    /// Does what is asked, if whoever asks may: the one way of every request of a socket.
     pub(super) fn request(&mut self, ask: u32, request: Request) {
+        match self.entry.may(Asked::Socket(&request)) {
+            Ok(()) => self.allowed(ask, request),
+            Err(no) => self.outbox.no(ask, no),
+        }
+    }
+
+    fn allowed(&mut self, ask: u32, request: Request) {
         match request {
             Request::Hello { .. } => self.outbox.no(ask, Refused::Unreadable("the greeting came already".to_owned())),
             Request::List { .. }
@@ -43,6 +53,13 @@ impl Session {
             Request::Unlock { behaviour, token } => self.locking(ask, &behaviour, |to| Locking::Release(token, to)),
             Request::Typing { behaviour, token } => self.locking(ask, &behaviour, |_| Locking::Touch(token)),
             Request::AskFor { behaviour, record } => self.locking(ask, &behaviour, |to| Locking::Ask(record, to)),
+            Request::TakeOver { behaviour, record } => {
+                self.locking(ask, &behaviour, |to| Locking::TakeOver(record, to))
+            }
+            Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => self.invitations(ask, request),
+            Request::Withdraw { behaviour, record } => {
+                self.locking(ask, &behaviour, |to| Locking::Withdraw(record, to))
+            }
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
@@ -54,11 +71,10 @@ impl Session {
                 self.state().rooms.tell(&behaviour, Note::Since(revision, answer));
             }
             Request::Check { arguments, body, inputs } => self.check(ask, arguments, body, inputs),
-            Request::Present { pointer, selected } => {
-                if let Some(open) = &self.open {
-                    self.state().rooms.tell_open(open, Note::Present(self.outbox.session, pointer, selected));
-                }
+            Request::Present { pointer, selected, view } => {
+                self.tell_open(Note::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
             }
+            Request::CallMe { name } => self.call_me(ask, &name),
             Request::Start { behaviour, robot, record } => {
                 let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
                 self.later(ask, async move { start::start(&state, behaviour, robot, record, by).await });
@@ -115,7 +131,7 @@ impl Session {
     }
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
-    fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
+    pub(super) fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
         let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
             return self.outbox.no(ask, Refused::TooFast);
         };
@@ -206,6 +222,24 @@ impl Session {
         self.leave_open(Parting::Chosen);
         self.outbox.put(Out::Unfollow);
         self.outbox.say(Some(ask), Reply::Done);
+    }
+
+    fn tell_open(&self, note: Note) {
+        if let Some(open) = &self.open {
+            self.state().rooms.tell_open(open, note);
+        }
+    }
+
+    /// What was done until now keeps the old name.
+    fn call_me(&mut self, ask: u32, name: &str) {
+        self.me.name = tidy_name(name);
+        self.tell_open(Note::Rename(self.outbox.session, self.me.name.clone()));
+        let Entry::Guest(guest) = &self.entry else { return self.outbox.say(Some(ask), Reply::Done) };
+        let (all, guest, name) = (Arc::clone(&self.state().invitations), guest.clone(), self.me.name.clone());
+        self.later(ask, async move {
+            let _kept_or_logged = tokio::task::spawn_blocking(move || all.call(&guest, &name)).await;
+            Ok(Reply::Done)
+        });
     }
 
     /// The author is who sends it, whatever the change says.

@@ -1,51 +1,19 @@
 //! What a room does one after another: deciding about changes and saving them, and going to the bin.
 
 use super::making::{self, Made};
-use super::saving::{self, SaveOutcome, Saved};
+use super::saving::{self, Proposal, SaveOutcome, Saved};
+use super::waiting::{Job, is_small};
 use super::{RoomTask, Stay, naming};
 use crate::rooms::member::Answer;
-use crate::rooms::past::{Naming, Wish};
-use behaviour::{Change, Kind, Presented, Refusal, Token};
+use behaviour::{Change, Kind, Presented, Refusal};
 use futures_util::future::BoxFuture;
 use protocol::{Refused, Reply};
-use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
-/// Jobs that may wait in one room.
-const WAITING_MAX_JOBS: usize = 1_024;
-/// Jobs of one sender among them.
-const WAITING_PER_SENDER_MAX_JOBS: usize = 256;
-
-/// What has to be saved.
-pub(super) enum Job {
-    /// A change, with the tokens of what its sender locked.
-    Save(Change, Vec<Token>, Answer),
-    /// A change that has to be made first, out of what was.
-    Make(Wish, Answer),
-    /// A version gets a name, or loses it.
-    Name(Naming, Answer),
-    /// The behaviour goes to the bin; with who says so.
-    Remove(String, Answer),
-}
-
-impl Job {
-    /// The link of who wants it; none is the server.
-    fn sender(&self) -> Option<u64> {
-        match self {
-            Self::Save(.., answer) | Self::Make(_, answer) | Self::Name(_, answer) | Self::Remove(_, answer) => {
-                answer.session()
-            }
-        }
-    }
-
-    fn no(self, no: Refused) {
-        match self {
-            Self::Save(.., answer) | Self::Make(_, answer) | Self::Name(_, answer) | Self::Remove(_, answer) => {
-                answer.no(no)
-            }
-        }
-    }
-}
+/// Small changes that are saved together.
+const TOGETHER_MAX_CHANGES: usize = 32;
+/// What the behaviours after each of them may take together, in bytes.
+const TOGETHER_MAX_BYTES: usize = 4 << 20;
 
 /// What a room has to do with the store just now.
 pub(super) enum Saving {
@@ -69,54 +37,6 @@ impl Saving {
         let saved = work.await;
         *self = Self::Idle;
         saved
-    }
-}
-
-/// Jobs that wait: each sender's in order, and the senders take turns.
-#[derive(Default)]
-pub(super) struct Waiting {
-    of: BTreeMap<Option<u64>, VecDeque<Job>>,
-    /// Who is next.
-    turns: VecDeque<Option<u64>>,
-    count: usize,
-}
-
-impl Waiting {
-    /// Whether one more job of this sender finds room.
-    fn has_room(&self, sender: Option<u64>) -> bool {
-        let mine = self.of.get(&sender).map_or(0, VecDeque::len);
-        self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS
-    }
-
-    fn put(&mut self, job: Job) {
-        let sender = job.sender();
-        let mine = self.of.entry(sender).or_default();
-        if mine.is_empty() {
-            self.turns.push_back(sender);
-        }
-        mine.push_back(job);
-        self.count += 1;
-    }
-
-    fn take(&mut self) -> Option<Job> {
-        let sender = self.turns.pop_front()?;
-        let jobs = self.of.get_mut(&sender)?;
-        let job = jobs.pop_front()?;
-        self.count -= 1;
-        if jobs.is_empty() {
-            self.of.remove(&sender);
-        } else {
-            self.turns.push_back(sender);
-        }
-        Some(job)
-    }
-
-    fn take_all(&mut self) -> Vec<Job> {
-        std::iter::from_fn(|| self.take()).collect()
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.count == 0
     }
 }
 
@@ -148,7 +68,8 @@ impl RoomTask {
             return;
         }
         match self.waiting.take() {
-            Some(Job::Save(change, tokens, from)) => self.start_change(change, tokens, from),
+            Some(Job::Save(proposal)) if is_small(&proposal.change) && !self.is_library() => self.start_small(proposal),
+            Some(Job::Save(proposal)) => self.start_change(proposal),
             Some(Job::Make(wish, from)) => {
                 let room = Arc::clone(&self.room);
                 self.saving = Saving::UnderWay(Box::pin(making::make(around, id, room, wish, from)));
@@ -165,17 +86,51 @@ impl RoomTask {
     }
 
     /// Others get no lock of what it touches until it is saved.
-    fn start_change(&mut self, change: Change, tokens: Vec<Token>, from: Answer) {
-        if let Some(stranger) = self.stranger(&change) {
-            return from.no(Refused::Change(Refusal::Malformed(stranger)));
+    fn start_change(&mut self, proposal: Proposal) {
+        if let Some(stranger) = self.stranger(&proposal.change) {
+            return proposal.from.no(Refused::Change(Refusal::Malformed(stranger)));
         }
         let (around, id) = (Arc::clone(&self.around), self.id.clone());
-        let member = from.session().and_then(|session| self.members.get(&session));
-        let presented = Presented { client: member.map(|member| member.person.client.clone()), tokens };
-        self.saving = match self.locks.begin(&self.room, &change, &presented) {
-            Ok(()) => Saving::UnderWay(Box::pin(saving::decide(around, id, Arc::clone(&self.room), change, from))),
-            Err(locked) => Saving::UnderWay(Box::pin(saving::refuse(around, id, change, locked, from))),
+        self.saving = match self.let_in(&proposal) {
+            Ok(()) => Saving::UnderWay(Box::pin(saving::decide(around, id, Arc::clone(&self.room), proposal))),
+            Err(locked) => {
+                let Proposal { change, from, .. } = proposal;
+                Saving::UnderWay(Box::pin(saving::refuse(around, id, change, locked, from)))
+            }
         };
+    }
+
+    /// Small changes that wait are saved together: what the store takes for one it takes for all of them.
+    fn start_small(&mut self, first: Proposal) {
+        if !self.is_let_in(&first) {
+            return self.start_change(first);
+        }
+        let (mut all, most) = (vec![first], TOGETHER_MAX_BYTES / self.room.bytes().max(1));
+        while all.len() < TOGETHER_MAX_CHANGES.min(most)
+            && let Some(proposal) = self.waiting.take_small()
+        {
+            if !self.is_let_in(&proposal) {
+                // It is refused alone, when it is its turn.
+                self.waiting.put_back(Job::Save(proposal));
+                break;
+            }
+            all.push(proposal);
+        }
+        let (around, id) = (Arc::clone(&self.around), self.id.clone());
+        self.saving = Saving::UnderWay(Box::pin(saving::decide_together(around, id, Arc::clone(&self.room), all)));
+    }
+
+    /// Whether a change belongs here and the locks let it in; then it is to be decided about.
+    fn is_let_in(&mut self, proposal: &Proposal) -> bool {
+        self.stranger(&proposal.change).is_none() && self.let_in(proposal).is_ok()
+    }
+
+    /// Whether the locks let a change in, which is then decided about.
+    fn let_in(&mut self, proposal: &Proposal) -> Result<(), Refusal> {
+        let Proposal { change, tokens, from } = proposal;
+        let member = from.session().and_then(|session| self.members.get(&session));
+        let client = member.map(|member| member.person.client.clone());
+        self.locks.begin(&self.room, change, &Presented { client, tokens: tokens.clone() })
     }
 
     /// A record that does not belong here: helpers live in the library, and nothing else does.
@@ -197,11 +152,25 @@ impl RoomTask {
                 self.tell_locks();
             }
             Saved::Made { outcome, from } => match *outcome {
-                Ok(Made::New(change, tokens)) => self.start_change(change, tokens, from),
+                Ok(Made::New(change, tokens)) => self.start_change(Proposal { change, tokens, from }),
                 Ok(Made::Known(accepted)) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
                 Err(no) => from.no(no),
             },
             Saved::Named { outcome, from } => self.named(outcome, from),
+            Saved::Together { done, left } => {
+                for (Proposal { change, from, .. }, outcome) in done {
+                    if outcome.is_uncertain {
+                        self.saving = Saving::Uncertain;
+                    }
+                    self.conclude(outcome, from);
+                    self.locks.saved(&change.op);
+                }
+                for proposal in left.into_iter().rev() {
+                    self.locks.saved(&proposal.change.op);
+                    self.waiting.put_back(Job::Save(proposal));
+                }
+                self.tell_locks();
+            }
             Saved::CaughtUp(Ok(news)) => news.iter().for_each(|news| self.commit(news, None, None)),
             Saved::CaughtUp(Err(no)) => {
                 self.saving = Saving::Uncertain;
@@ -243,50 +212,5 @@ impl RoomTask {
         self.around.news.tell();
         from.give(Reply::Done);
         self.tell_removed(by);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Job, WAITING_PER_SENDER_MAX_JOBS, Waiting};
-    use crate::rooms::member::{Answer, Feed, Recipient, Whole};
-    use axum::extract::ws::Utf8Bytes;
-    use std::sync::Arc;
-
-    /// A link that nobody reads.
-    struct Silent(u64);
-
-    impl Recipient for Silent {
-        fn session(&self) -> u64 {
-            self.0
-        }
-
-        fn is_gone(&self) -> bool {
-            false
-        }
-
-        fn send(&self, _: Utf8Bytes) {}
-
-        fn send_whole(&self, _: u32, _: Whole) {}
-
-        fn follow(&self, _: Option<Box<Feed>>) {}
-    }
-
-    fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
-        let has_room = waiting.has_room(Some(session));
-        if has_room {
-            waiting
-                .put(Job::Remove(by.to_owned(), Answer::Client { to: Arc::new(Silent(session)), ask: 1, held: None }));
-        }
-        has_room
-    }
-
-    #[test]
-    fn senders_take_turns_and_each_has_its_own_bound() {
-        let mut waiting = Waiting::default();
-        let mine = (0..2 * WAITING_PER_SENDER_MAX_JOBS).filter(|_| put(&mut waiting, 1, "Ben")).count();
-        assert!(mine == WAITING_PER_SENDER_MAX_JOBS && put(&mut waiting, 2, "Aiko"));
-        let mut next = || waiting.take().and_then(|job| job.sender());
-        assert_eq!([next(), next(), next()], [Some(1), Some(2), Some(1)]);
     }
 }

@@ -5,25 +5,59 @@ use crate::rooms::member::{Answer, Recipient};
 use crate::rooms::{Locking, Parting};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Change, Denied, Grant, Held, Holder, Id, LockEvent, Locks, Presented, RecordId, Refusal, Room, Token};
+use behaviour::{
+    Change, Denied, Grant, Held, Holder, Id, Kind, LockEvent, Locks, Presented, RecordId, Refusal, Room, Token,
+};
 use protocol::{LockShown, Refused, Reply};
-use std::collections::BTreeSet;
 use std::time::Duration;
 use tokio::sync::watch;
 use tokio::time::Instant;
+
+/// How fast everyone is told who is editing what, in bytes per second and client: few locks are told at once, and a
+/// thousand, each made to change all the time, at their own slow pace.
+const TOLD_BYTES_PER_SECOND: u64 = 64 << 10;
 
 /// The locks of a room, by its own clock, and what everyone there is told of them.
 pub(super) struct LockBook {
     locks: Locks,
     /// When the clock was 0.
     began: Instant,
+    told: Told,
+}
+
+/// What everyone is told of the locks.
+#[derive(Default)]
+struct Told {
     text: watch::Sender<Utf8Bytes>,
+    /// Which version of them.
+    version: u64,
+    /// When the next one may be told, on the clock of the room.
+    next_ms: u64,
+}
+
+impl Told {
+    /// When a newer version is to be told, if there is one.
+    fn due(&self, locks: &Locks) -> Option<u64> {
+        (self.version != locks.version()).then_some(self.next_ms)
+    }
+
+    /// Tells the newest version, if it is its turn.
+    fn tell(&mut self, behaviour: &Id, locks: &Locks, now_ms: u64) {
+        if self.due(locks).is_none_or(|at_ms| at_ms > now_ms) {
+            return;
+        }
+        let shown = locks.held().map(shown).collect();
+        let text = encode(None, Reply::Locks { behaviour: behaviour.clone(), locks: shown });
+        let bytes = u64::try_from(text.len()).unwrap_or(u64::MAX);
+        (self.version, self.next_ms) = (locks.version(), now_ms + bytes * 1_000 / TOLD_BYTES_PER_SECOND);
+        self.text.send_replace(text);
+    }
 }
 
 impl LockBook {
     /// Nothing is locked.
     pub(super) fn new(epoch: u64) -> Self {
-        Self { locks: Locks::new(epoch), began: Instant::now(), text: watch::Sender::default() }
+        Self { locks: Locks::new(epoch), began: Instant::now(), told: Told::default() }
     }
 
     fn now_ms(&self) -> u64 {
@@ -32,7 +66,7 @@ impl LockBook {
 
     /// What everyone in the room is told.
     pub(super) fn text(&self) -> watch::Receiver<Utf8Bytes> {
-        let mut text = self.text.subscribe();
+        let mut text = self.told.text.subscribe();
         text.mark_changed();
         text
     }
@@ -42,9 +76,9 @@ impl LockBook {
         self.locks.held().next().is_none()
     }
 
-    /// Waits until time does something to a lock.
+    /// Waits until time does something to a lock, or everyone is to be told.
     pub(super) async fn due(&self) {
-        match self.locks.due() {
+        match self.locks.due().into_iter().chain(self.told.due(&self.locks)).min() {
             Some(at_ms) => tokio::time::sleep_until(self.began + Duration::from_millis(at_ms)).await,
             None => std::future::pending().await,
         }
@@ -63,6 +97,11 @@ impl LockBook {
     /// What was begun came to an end.
     pub(super) fn saved(&mut self, op: &Id) {
         self.locks.saved(self.now_ms(), op);
+    }
+
+    /// A client is called something else.
+    pub(super) fn rename(&mut self, client: &Id, name: &str) {
+        self.locks.rename(client, name);
     }
 
     /// A link left.
@@ -84,14 +123,26 @@ impl LockBook {
             link.send(encode(None, Reply::Locked { grant }));
         }
     }
+}
 
-    fn take(&mut self, holder: Holder, records: BTreeSet<RecordId>, room: &Room) -> Result<Grant, Refused> {
-        self.locks.take(self.now_ms(), holder, records).map_err(|denied| match denied {
-            Denied::Held { record, by } => Refused::Change(Refusal::Locked { what: room.name_of(&record), by }),
-            Denied::NoLock => Refused::NoLock,
-            Denied::TooMany => Refused::TooManyLocks,
-        })
+/// Whether all of these can be locked: only what is there. Nobody else knows the id of what somebody is about to make, and
+/// names of nothing would fill the book.
+fn are_there<'a>(mut records: impl Iterator<Item = &'a RecordId>, room: &Room) -> bool {
+    records.all(|record| record.kind == Kind::Place || room.behaviour().records.contains_key(record))
+}
+
+/// Why a lock was not given.
+fn refused(denied: Denied, room: &Room) -> Refused {
+    match denied {
+        Denied::Held { record, by } => Refused::Change(Refusal::Locked { what: room.name_of(&record), by }),
+        Denied::NoLock => Refused::NoLock,
+        Denied::TooMany => Refused::TooManyLocks,
     }
+}
+
+/// The answer to who wanted a lock.
+fn locked(given: Result<Grant, Denied>, room: &Room) -> Reply {
+    given.map_or_else(|denied| Reply::No { no: refused(denied, room) }, |grant| Reply::Locked { grant })
 }
 
 impl RoomTask {
@@ -100,9 +151,19 @@ impl RoomTask {
         let Some(holder) = self.holder(session) else { return locking.refuse(Refused::NoLock) };
         let now_ms = self.locks.now_ms();
         match locking {
+            Locking::Take(records, answer) if !are_there(records.iter(), &self.room) => {
+                answer.no(Refused::NothingThere)
+            }
+            Locking::TakeOver(record, answer) if !are_there([&record].into_iter(), &self.room) => {
+                answer.no(Refused::NothingThere)
+            }
             Locking::Take(records, answer) => {
-                let taken = self.locks.take(holder, records, &self.room);
-                answer.give(taken.map_or_else(|no| Reply::No { no }, |grant| Reply::Locked { grant }));
+                let taken = self.locks.locks.take(now_ms, holder, records);
+                answer.give(locked(taken, &self.room));
+            }
+            Locking::TakeOver(record, answer) => {
+                let taken = self.locks.locks.take_over(now_ms, holder, record);
+                answer.give(locked(taken, &self.room));
             }
             Locking::Release(token, answer) => {
                 self.locks.locks.release(now_ms, session, token);
@@ -114,6 +175,10 @@ impl RoomTask {
             Locking::Ask(record, answer) => {
                 let asked = self.locks.locks.ask(now_ms, holder, record);
                 answer.give(Reply::Asked { now_ms, asked });
+            }
+            Locking::Withdraw(record, answer) => {
+                self.locks.locks.withdraw(now_ms, session, &record);
+                answer.give(Reply::Done);
             }
             Locking::Reply(token, yes, answer) => self.hand_over(session, token, yes, answer),
         }
@@ -141,13 +206,7 @@ impl RoomTask {
                 member.link.send(encode(None, Reply::LockNews { behaviour, now_ms, event }));
             }
         }
-        let locks = self.locks.locks.held().map(shown).collect();
-        let text = encode(None, Reply::Locks { behaviour: self.id.clone(), locks });
-        self.locks.text.send_if_modified(|old| {
-            let is_new = *old != text;
-            *old = text;
-            is_new
-        });
+        self.locks.told.tell(&self.id, &self.locks.locks, now_ms);
     }
 }
 
@@ -165,6 +224,7 @@ fn concerned(event: &LockEvent) -> &Holder {
         | LockEvent::NotYet { to, .. } => to,
         LockEvent::Freed { holder, .. }
         | LockEvent::Asked { holder, .. }
+        | LockEvent::Withdrawn { holder, .. }
         | LockEvent::KeptFor { holder, .. }
         | LockEvent::Warned { holder, .. } => holder,
     }

@@ -2,13 +2,13 @@
 
 use super::change_log::page;
 use super::{RoomTask, Stay};
-use crate::rooms::Parting;
 use crate::rooms::member::{Answer, Member, Whole};
 use crate::rooms::shown::Shown;
+use crate::rooms::{Entering, Parting, Whereabouts};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
-use protocol::{Person, Pointer, Refused, Reply};
+use protocol::{Area, CANVAS_MAX, Person, Refused, Reply};
 use std::sync::Arc;
 
 /// Who missed more changes than this opens again.
@@ -18,12 +18,12 @@ const FETCHED_MAX_CHANGES: u64 = 32;
 
 impl RoomTask {
     /// The answer goes into the member's queue here, so that no change can come before it.
-    pub(super) fn join(&mut self, member: Member, ask: u32, secret: Option<Id>) {
+    pub(super) fn join(&mut self, member: Member, ask: u32, entering: Option<Entering>) {
         if self.stay == Stay::Gone {
             return member.link.send(encode(Some(ask), Reply::No { no: Refused::NoBehaviour }));
         }
-        if let Some(secret) = secret {
-            member.link.send_whole(ask, self.welcome(&member.person, secret));
+        if let Some(entering) = entering {
+            member.link.send_whole(ask, self.welcome(&member.person, entering));
         }
         let (session, link) = (member.link.session(), Arc::clone(&member.link));
         let client = member.person.client.clone();
@@ -36,11 +36,12 @@ impl RoomTask {
         }
     }
 
-    fn welcome(&mut self, you: &Person, secret: Id) -> Whole {
+    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering) -> Whole {
         let reply = Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.around.epoch,
             you: you.clone(),
+            role,
             secret,
             library: Box::default(),
             more: false,
@@ -81,12 +82,25 @@ impl RoomTask {
         self.tell_locks();
     }
 
-    pub(super) fn present(&mut self, session: u64, pointer: Option<Pointer>, selected: Option<Id>) {
-        let pointer = pointer.filter(|at| at.x.is_finite() && at.y.is_finite());
+    /// What lies beyond the canvas is left out.
+    pub(super) fn present(&mut self, session: u64, Whereabouts { pointer, selected, view }: Whereabouts) {
         if let Some(member) = self.members.get_mut(&session) {
-            member.person.pointer = pointer;
+            member.person.pointer = pointer.filter(|at| is_on_canvas([at.x, at.y]));
             member.person.selected = selected;
+            member.person.view = view.filter(is_seen);
             self.tell_people();
+        }
+    }
+
+    /// Everyone sees the new name at once, also beside what this person is editing.
+    pub(super) fn rename(&mut self, session: u64, name: String) {
+        let Some(member) = self.members.get_mut(&session) else { return };
+        member.person.name.clone_from(&name);
+        let client = member.person.client.clone();
+        if !self.is_library() {
+            self.locks.rename(&client, &name);
+            self.tell_people();
+            self.tell_locks();
         }
     }
 
@@ -134,6 +148,15 @@ impl RoomTask {
             member.link.send(text.clone());
         }
     }
+}
+
+fn is_on_canvas(at: [f64; 2]) -> bool {
+    at.into_iter().all(|side| side.abs() <= CANVAS_MAX)
+}
+
+fn is_seen(view: &Area) -> bool {
+    let sides = [view.width, view.height];
+    is_on_canvas([view.x, view.y]) && is_on_canvas(sides) && sides.into_iter().all(|side| side > 0.0)
 }
 
 /// The answer to who missed some changes, when the newest revision is `here`.

@@ -1,8 +1,8 @@
 //! What people read of the past of a behaviour, beside all that goes on in its room.
 
-use super::jobs::Job;
 use super::making::label;
 use super::replay::{PAGE_MAX_CHANGES, page, replay};
+use super::waiting::Job;
 use super::{RoomTask, Stay};
 use crate::rooms::member::{Answer, Whole};
 use crate::rooms::past::{Past, Wanted, Was, Wish};

@@ -4,9 +4,12 @@ use super::making::Made;
 use crate::rooms::Surroundings;
 use crate::rooms::member::Answer;
 use crate::support::store_call::{bounded, reason, store_no};
-use crate::support::workers::Sender;
-use behaviour::{Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, Record, Refusal, Room};
+use crate::support::workers::{NotDone, Sender};
+use behaviour::{
+    Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, Record, Refusal, Room, Token,
+};
 use protocol::Refused;
+use std::collections::VecDeque;
 use std::sync::Arc;
 use store::{Append, StoreError};
 
@@ -38,6 +41,13 @@ pub(super) enum Saved {
         /// Who asked.
         from: Answer,
     },
+    /// The store was asked to keep several changes.
+    Together {
+        /// Those of which something came, in order.
+        done: Vec<(Proposal, SaveOutcome)>,
+        /// Those that have to be decided about again.
+        left: Vec<Proposal>,
+    },
     /// The room asked what it does not know.
     CaughtUp(Result<Vec<Committed>, Refused>),
     /// The store was asked to put the behaviour into the bin.
@@ -49,6 +59,13 @@ pub(super) enum Saved {
         /// Who said so.
         by: String,
     },
+}
+
+/// A change, with the tokens of what its sender locked and who asked.
+pub(super) struct Proposal {
+    pub(super) change: Change,
+    pub(super) tokens: Vec<Token>,
+    pub(super) from: Answer,
 }
 
 /// What came of keeping a change.
@@ -64,6 +81,12 @@ pub(super) struct SaveOutcome {
 }
 
 impl SaveOutcome {
+    /// It is saved.
+    fn applied(keep: Keep) -> Self {
+        let Keep { committed, after, .. } = keep;
+        Self { news: vec![committed.clone()], after: Some(after), ..Self::nothing(Ok(committed)) }
+    }
+
     /// Nothing changed.
     fn nothing(answer: Result<Accepted, Refused>) -> Self {
         Self { news: Vec::new(), after: None, answer, is_uncertain: false }
@@ -94,18 +117,74 @@ enum Decided {
 }
 
 /// Decides about a change among the other work, then keeps it.
-pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, change: Change, from: Answer) -> Saved {
-    let sender = from.session().map_or(Sender::Server, Sender::Link);
-    let op = change.op.clone();
-    let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
-    let decided = around.workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await;
-    let outcome = match decided {
-        Ok(Decided::Save(keep)) => save(&around, &id, *keep).await,
-        Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(&around, &id, revision).await),
-        Ok(Decided::Refuse(change, refusal)) => SaveOutcome::nothing(settle(&around, &id, change, refusal).await),
+pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, proposal: Proposal) -> Saved {
+    let op = proposal.change.op.clone();
+    let decided = decided(&around, &room, &proposal).await;
+    let outcome = outcome(&around, &id, decided).await;
+    Saved::Change { op, outcome, from: proposal.from }
+}
+
+/// What comes of what was decided.
+async fn outcome(around: &Surroundings, id: &Id, decided: Result<Decided, NotDone>) -> SaveOutcome {
+    match decided {
+        Ok(Decided::Save(keep)) => save(around, id, *keep).await,
+        Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(around, id, revision).await),
+        Ok(Decided::Refuse(change, refusal)) => SaveOutcome::nothing(settle(around, id, change, refusal).await),
         Err(why) => SaveOutcome::nothing(Err(why.into())),
-    };
-    Saved::Change { op, outcome, from }
+    }
+}
+
+/// Decides about small changes one after another, each as if those before it were saved, then keeps them together. The
+/// first that cannot be kept like that is settled alone once those before it are saved; those after it wait again.
+pub(super) async fn decide_together(around: Arc<Surroundings>, id: Id, room: Arc<Room>, all: Vec<Proposal>) -> Saved {
+    let (mut room, mut all) = (room, VecDeque::from(all));
+    let (mut keeps, mut kept, mut done) = (Vec::new(), Vec::new(), Vec::new());
+    while let Some(proposal) = all.pop_front() {
+        match decided(&around, &room, &proposal).await {
+            Ok(Decided::Save(keep)) => {
+                room = Arc::clone(&keep.after);
+                keeps.push(*keep);
+                kept.push(proposal);
+            }
+            other if kept.is_empty() => {
+                let outcome = outcome(&around, &id, other).await;
+                return Saved::Together { done: vec![(proposal, outcome)], left: all.into() };
+            }
+            _ => {
+                all.push_front(proposal);
+                break;
+            }
+        }
+    }
+    if keeps.len() == 1
+        && let Some(keep) = keeps.pop()
+    {
+        let outcome = save(&around, &id, keep).await;
+        return Saved::Together { done: kept.into_iter().zip([outcome]).collect(), left: all.into() };
+    }
+    let follow: Vec<_> = keeps.iter().map(|keep| (keep.committed.clone(), keep.after.behaviour().clone())).collect();
+    let answers = bounded(around.store.append_all(&id, &follow)).await.unwrap_or_default();
+    let applied = answers.iter().take_while(|answer| **answer == Append::Applied).count();
+    let mut kept = kept.into_iter().zip(keeps);
+    done.extend(kept.by_ref().take(applied).map(|(proposal, keep)| (proposal, SaveOutcome::applied(keep))));
+    if let Some((proposal, keep)) = kept.next() {
+        // The store keeps an op once, so asking again is safe whatever came of it.
+        done.push((proposal, save(&around, &id, keep).await));
+    }
+    let left = kept.map(|(proposal, _)| proposal).chain(all).collect();
+    Saved::Together { done, left }
+}
+
+/// What a room decides about a change, found among the other work.
+fn decided(
+    around: &Surroundings,
+    room: &Arc<Room>,
+    proposal: &Proposal,
+) -> impl Future<Output = Result<Decided, NotDone>> + use<> {
+    let sender = proposal.from.session().map_or(Sender::Server, Sender::Link);
+    let (room, change, workers) = (Arc::clone(room), proposal.change.clone(), around.workers.clone());
+    let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
+    async move { workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await }
 }
 
 /// Refuses a change of what somebody else is editing, unless it was made long ago and is sent again.
@@ -146,9 +225,7 @@ async fn save(around: &Surroundings, id: &Id, keep: Keep) -> SaveOutcome {
         return SaveOutcome::nothing(Err(used));
     }
     match append(around, id, &committed, after.behaviour()).await {
-        Ok(Append::Applied) => {
-            SaveOutcome { news: vec![committed.clone()], after: Some(after), ..SaveOutcome::nothing(Ok(committed)) }
-        }
+        Ok(Append::Applied) => SaveOutcome::applied(Keep { committed, after, helpers: Vec::new() }),
         Ok(Append::Duplicate { revision }) => {
             let answer = one(around, id, revision).await;
             with_news(around, id, before, answer).await

@@ -8,6 +8,7 @@ use crate::icons::Icon;
 use crate::panels::dialogs::frame::close;
 use crate::panels::empty::ProgramPicture;
 use crate::panels::hold::hold;
+use crate::panels::may::may_edit;
 use crate::panels::tools::open_program;
 use crate::words;
 use leptos::prelude::*;
@@ -84,7 +85,7 @@ fn Removed(shown: Shown, summary: Summary, place: usize) -> impl IntoView {
             <span class="two"><b class="cut">{name}</b><span class="second cut">{note}</span></span>
         </div>
         <button id=line_id(place) class="button small" type="button" title=label.clone() aria-label=label tabindex=stop
-            on:focus=move |_| shown.active.set(place) on:click=restore>
+            disabled=move || !may_edit(desk) on:focus=move |_| shown.active.set(place) on:click=restore>
             <Icon name="undo" />
             {words::restore()}
         </button>

@@ -1,0 +1,333 @@
+//! A proxy that does to links what networks do, by a seed: it delays, cuts, cuts in the middle of a message, and falls
+//! silent while both sides believe that the other is there.
+
+use crate::dice::Dice;
+use std::net::SocketAddr;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Duration;
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::tcp::{OwnedReadHalf, OwnedWriteHalf};
+use tokio::net::{TcpListener, TcpStream};
+use tokio::task::JoinSet;
+use tokio_util::sync::{CancellationToken, DropGuard};
+
+/// What is carried at once, in bytes.
+const PIECE_BYTES: usize = 16 << 10;
+/// Of so many pieces some are treated badly.
+const OF: u64 = 10_000;
+
+/// How often what happens to a link, of ten thousand pieces that it carries.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Faults {
+    /// Pieces that come late.
+    pub delays: u64,
+    /// By how much at most, in milliseconds.
+    pub delay_max_ms: u64,
+    /// Links that end.
+    pub cuts: u64,
+    /// Links that end in the middle of a piece.
+    pub truncations: u64,
+    /// Links that fall silent both ways and stay open.
+    pub silences: u64,
+}
+
+/// How often what happened.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Happened {
+    /// Links that were made.
+    pub links: u64,
+    /// Pieces that came late.
+    pub delays: u64,
+    /// Links that ended.
+    pub cuts: u64,
+    /// Links that ended in the middle of a piece.
+    pub truncations: u64,
+    /// Links that fell silent.
+    pub silences: u64,
+}
+
+#[derive(Debug, Default)]
+struct Counts {
+    links: AtomicU64,
+    delays: AtomicU64,
+    cuts: AtomicU64,
+    truncations: AtomicU64,
+    silences: AtomicU64,
+}
+
+/// The proxy; it ends with all of its links when it is dropped.
+#[derive(Debug)]
+pub struct Proxy {
+    address: SocketAddr,
+    counts: Arc<Counts>,
+    calm: CancellationToken,
+    _until: DropGuard,
+}
+
+/// What becomes of a piece.
+enum Fate {
+    Pass,
+    Late(Duration),
+    Cut,
+    Truncate,
+    Silence,
+}
+
+/// One direction of a link.
+struct Way {
+    from: OwnedReadHalf,
+    to: OwnedWriteHalf,
+    dice: Dice,
+    faults: Faults,
+    counts: Arc<Counts>,
+    calm: CancellationToken,
+    /// Both directions of the link fall silent together.
+    silent: CancellationToken,
+    /// The address of the proxy and that of the server, which takes only what is meant for it.
+    instead: Option<(String, String)>,
+}
+
+impl Proxy {
+    /// Stands before a server, on a free port of this computer.
+    ///
+    /// # Errors
+    /// If there is no port.
+    pub async fn before(target: SocketAddr, faults: Faults, seed: u64) -> std::io::Result<Self> {
+        let listener = TcpListener::bind("127.0.0.1:0").await?;
+        let (address, counts) = (listener.local_addr()?, Arc::new(Counts::default()));
+        let (until, calm) = (CancellationToken::new(), CancellationToken::new());
+        let accepting = accept(listener, target, faults, seed, Arc::clone(&counts), calm.clone());
+        let ending = until.clone();
+        tokio::spawn(async move {
+            tokio::select! {
+                () = accepting => {}
+                () = ending.cancelled() => {}
+            }
+        });
+        Ok(Self { address, counts, calm, _until: until.drop_guard() })
+    }
+
+    /// Its address, as that of a server.
+    #[must_use]
+    pub fn url(&self) -> String {
+        format!("http://{}/", self.address)
+    }
+
+    /// From now on nothing bad happens any more; what fell silent stays so.
+    pub fn calm(&self) {
+        self.calm.cancel();
+    }
+
+    /// What happened until now.
+    #[must_use]
+    pub fn happened(&self) -> Happened {
+        let of = |count: &AtomicU64| count.load(Ordering::Relaxed);
+        let Counts { links, delays, cuts, truncations, silences } = &*self.counts;
+        Happened {
+            links: of(links),
+            delays: of(delays),
+            cuts: of(cuts),
+            truncations: of(truncations),
+            silences: of(silences),
+        }
+    }
+}
+
+async fn accept(
+    listener: TcpListener,
+    target: SocketAddr,
+    faults: Faults,
+    seed: u64,
+    counts: Arc<Counts>,
+    calm: CancellationToken,
+) {
+    let mut links = JoinSet::new();
+    let Ok(here) = listener.local_addr() else { return };
+    while let Ok((client, _)) = listener.accept().await {
+        while links.try_join_next().is_some() {}
+        // A server that is not there is noticed by a link that ends at once.
+        let Ok(server) = TcpStream::connect(target).await else { continue };
+        let number = counts.links.fetch_add(1, Ordering::Relaxed);
+        let _slower = (client.set_nodelay(true), server.set_nodelay(true));
+        let ((from_client, to_client), (from_server, to_server)) = (client.into_split(), server.into_split());
+        let silent = CancellationToken::new();
+        let way = |from, to, direction, instead| Way {
+            from,
+            to,
+            dice: Dice::of(seed, 2 * number + direction),
+            faults,
+            counts: Arc::clone(&counts),
+            calm: calm.clone(),
+            silent: silent.clone(),
+            instead,
+        };
+        let instead = Some((here.to_string(), target.to_string()));
+        let (up, down) = (way(from_client, to_server, 0, instead), way(from_server, to_client, 1, None));
+        links.spawn(async move {
+            // Whichever way ends first, the link ends; a silent one does when a side gives it up.
+            tokio::select! {
+                () = up.carry() => {}
+                () = down.carry() => {}
+            }
+        });
+    }
+}
+
+impl Way {
+    async fn carry(mut self) {
+        let mut piece = vec![0; PIECE_BYTES];
+        loop {
+            let Ok(length @ 1..) = self.from.read(&mut piece).await else { return };
+            let length = self.address(&mut piece, length);
+            let carried = match self.fate() {
+                Fate::Pass => length,
+                Fate::Late(by) => {
+                    tokio::time::sleep(by).await;
+                    length
+                }
+                Fate::Cut => return,
+                Fate::Truncate => {
+                    let _ends = self.to.write_all(&piece[..length / 2]).await;
+                    return;
+                }
+                Fate::Silence => {
+                    self.silent.cancel();
+                    0
+                }
+            };
+            // What a side says into the silence is taken, and lost.
+            let carried = if self.silent.is_cancelled() { 0 } else { carried };
+            if self.to.write_all(&piece[..carried]).await.is_err() {
+                return;
+            }
+        }
+    }
+
+    /// Names the server in the head of the first request, where the client named the proxy. The length after that.
+    fn address(&mut self, piece: &mut Vec<u8>, length: usize) -> usize {
+        let Some((here, target)) = self.instead.take() else { return length };
+        let Some(at) = piece[..length].windows(here.len()).position(|text| text == here.as_bytes()) else {
+            return length;
+        };
+        piece.splice(at..at + here.len(), target.bytes());
+        length + target.len() - here.len()
+    }
+
+    fn fate(&mut self) -> Fate {
+        if self.calm.is_cancelled() || self.silent.is_cancelled() {
+            return Fate::Pass;
+        }
+        let mut thrown = self.dice.below(OF);
+        let mut is = |share: u64, count: &AtomicU64| {
+            let is = thrown < share;
+            thrown = thrown.saturating_sub(share);
+            count.fetch_add(u64::from(is), Ordering::Relaxed);
+            is
+        };
+        let (faults, counts) = (self.faults, &self.counts);
+        if is(faults.cuts, &counts.cuts) {
+            Fate::Cut
+        } else if is(faults.truncations, &counts.truncations) {
+            Fate::Truncate
+        } else if is(faults.silences, &counts.silences) {
+            Fate::Silence
+        } else if is(faults.delays, &counts.delays) {
+            Fate::Late(Duration::from_millis(self.dice.below(faults.delay_max_ms + 1)))
+        } else {
+            Fate::Pass
+        }
+    }
+}
+
+#[cfg(test)]
+#[expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
+mod tests {
+    use super::{Faults, OF, Proxy};
+    use tokio::io::{AsyncReadExt, AsyncWriteExt};
+    use tokio::net::{TcpListener, TcpStream};
+
+    /// What comes back of a thousand bytes through a proxy before somebody who says them again, and how the link ended.
+    async fn echo(faults: Faults) -> (usize, Proxy) {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let target = listener.local_addr().unwrap();
+        tokio::spawn(async move {
+            while let Ok((mut socket, _)) = listener.accept().await {
+                let (mut from, mut to) = socket.split();
+                let _ended = tokio::io::copy(&mut from, &mut to).await;
+            }
+        });
+        let proxy = Proxy::before(target, faults, 7).await.unwrap();
+        let mut link = TcpStream::connect(proxy.address).await.unwrap();
+        link.write_all(&[7; 1_000]).await.unwrap();
+        let (mut back, mut piece) = (0, [0; 1_000]);
+        while back < 1_000 {
+            match link.read(&mut piece).await {
+                Ok(length @ 1..) => back += length,
+                _ => break,
+            }
+        }
+        (back, proxy)
+    }
+
+    #[tokio::test]
+    async fn links_pass_come_late_and_end() {
+        let late = Faults { delays: OF, delay_max_ms: 3, ..Faults::default() };
+        for (faults, expected) in [(Faults::default(), 1_000), (late, 1_000)] {
+            assert_eq!(echo(faults).await.0, expected, "{faults:?}");
+        }
+        let (back, proxy) = echo(Faults { cuts: OF, ..Faults::default() }).await;
+        assert_eq!((back, proxy.happened().cuts), (0, 1));
+        let (back, proxy) = echo(Faults { truncations: OF, ..Faults::default() }).await;
+        let truncations = proxy.happened().truncations;
+        assert!(back < 1_000 && truncations > 0, "{back}");
+    }
+
+    #[tokio::test]
+    async fn the_server_hears_its_own_address() {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let target = listener.local_addr().unwrap();
+        let proxy = Proxy::before(target, Faults::default(), 7).await.unwrap();
+        let mut client = TcpStream::connect(proxy.address).await.unwrap();
+        let (mut server, _) = listener.accept().await.unwrap();
+        let head = |address| format!("GET / HTTP/1.1\r\nHost: {address}\r\n\r\n");
+        client.write_all(head(proxy.address).as_bytes()).await.unwrap();
+        let mut heard = vec![0; head(target).len()];
+        server.read_exact(&mut heard).await.unwrap();
+        assert_eq!(String::from_utf8(heard).unwrap(), head(target));
+    }
+
+    #[tokio::test]
+    async fn a_silent_link_stays_open_and_says_nothing_until_a_side_gives_up() {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let faults = Faults { silences: OF, ..Faults::default() };
+        let proxy = Proxy::before(listener.local_addr().unwrap(), faults, 7).await.unwrap();
+        let mut client = TcpStream::connect(proxy.address).await.unwrap();
+        let (mut server, _) = listener.accept().await.unwrap();
+        client.write_all(b"lost").await.unwrap();
+        while proxy.happened().silences == 0 {
+            tokio::task::yield_now().await;
+        }
+        server.write_all(b"lost too").await.unwrap();
+        drop(server);
+        let mut nothing = [0; 10];
+        assert_eq!(client.read(&mut nothing).await.unwrap(), 0, "not a byte before the end");
+    }
+
+    #[tokio::test]
+    async fn after_the_calm_nothing_happens() {
+        let (_, proxy) = echo(Faults::default()).await;
+        assert_eq!(proxy.happened().links, 1);
+        proxy.calm();
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let all = Faults { cuts: OF, ..Faults::default() };
+        let bad = Proxy::before(listener.local_addr().unwrap(), all, 7).await.unwrap();
+        bad.calm();
+        let mut client = TcpStream::connect(bad.address).await.unwrap();
+        let (mut server, _) = listener.accept().await.unwrap();
+        client.write_all(b"here").await.unwrap();
+        let mut heard = [0; 4];
+        server.read_exact(&mut heard).await.unwrap();
+        assert_eq!((&heard, bad.happened().cuts), (b"here", 0));
+    }
+}

@@ -1,0 +1,24 @@
+//! Many people at once, over real sockets: what they wait for, and whether all of them see the same in the end.
+//!
+//! [`run`] lets so many clients edit so fast, some of which never read or whose links end without a word, and compares
+//! byte by byte what each of them has with what the server gives to who comes anew. [`chaos::Proxy`] stands between and
+//! does to links what networks do.
+#![warn(missing_docs)]
+
+mod behaviours;
+pub mod chaos;
+mod compare;
+mod dice;
+mod editor;
+mod plan;
+mod report;
+mod run;
+mod stalled;
+mod times;
+
+pub use compare::{Known, Wrong, compare};
+pub use dice::Dice;
+pub use plan::Plan;
+pub use report::Report;
+pub use run::{Load, Watch, run, tidy};
+pub use times::Times;

@@ -1,0 +1,97 @@
+//! Letting others in: what people may do, and the invitations by which they come.
+
+use behaviour::Id;
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// The most invitations that are kept; of those that ended the oldest give way.
+pub const INVITATIONS_MAX: usize = 100;
+/// The longest note on an invitation, in characters.
+pub const LABEL_MAX_CHARS: usize = 60;
+/// How many of those who came by an invitation are listed.
+pub const CAME_MAX: usize = 32;
+/// How long an invitation for a day lasts, and one for one person waits for them, in milliseconds.
+pub const DAY_MS: u64 = 24 * 60 * 60 * 1_000;
+
+/// What somebody may do; each may do what those before it may.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Role {
+    /// Looks on, and may press Stop.
+    Viewer,
+    /// Runs behaviours on the robots and plays with the room, but edits nothing.
+    Operator,
+    /// Edits behaviours.
+    Editor,
+    /// The person at the server's computer: invites others, and takes what somebody else is editing.
+    Host,
+}
+
+impl Role {
+    /// All of them, who may least first.
+    pub const ALL: [Self; 4] = [Self::Viewer, Self::Operator, Self::Editor, Self::Host];
+}
+
+/// Its name in a sentence: "an editor".
+impl fmt::Display for Role {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str(match self {
+            Self::Viewer => "a viewer",
+            Self::Operator => "an operator",
+            Self::Editor => "an editor",
+            Self::Host => "the person at the server’s computer",
+        })
+    }
+}
+
+/// How long an invitation lasts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Lasts {
+    /// Its link works once, within a day; who came by it may come again until it is revoked.
+    Once,
+    /// Its link works for a day; then it is over for all who came by it.
+    Day,
+    /// Until it is revoked.
+    UntilRevoked,
+}
+
+/// An invitation, without what would let somebody in.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Invitation {
+    /// Which.
+    pub id: Id,
+    /// What who comes by it may do; never [`Role::Host`].
+    pub role: Role,
+    /// How long it lasts.
+    pub lasts: Lasts,
+    /// For whom it is, in the words of who made it; may be empty.
+    pub label: String,
+    /// The name of who made it.
+    pub made_by: String,
+    /// When it was made, in milliseconds since 1970.
+    pub made_ms: u64,
+    /// When it ends by itself, in milliseconds since 1970; of [`Lasts::Once`], until somebody came by it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ends_ms: Option<u64>,
+    /// Who came by it, newest first; at most [`CAME_MAX`].
+    #[serde(default)]
+    pub came: Vec<Came>,
+    /// Whether it was revoked.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub revoked: bool,
+}
+
+/// Somebody who came by an invitation, on one of their devices.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Came {
+    /// The name that they gave themselves; empty until they did.
+    pub name: String,
+    /// When they came last, in milliseconds since 1970.
+    pub at_ms: u64,
+    /// Whether they are here now.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub here: bool,
+}

@@ -1,0 +1,24 @@
+//! What who may invite asks about that.
+
+use super::Session;
+use crate::invitations::{Invited, Terms};
+use protocol::{Refused, Reply, Request};
+use std::sync::Arc;
+
+impl Session {
+    /// Does what is asked about letting others in, which is kept before it counts.
+    pub(super) fn invitations(&self, ask: u32, request: Request) {
+        let (all, made_by) = (Arc::clone(&self.state().invitations), self.me.name.clone());
+        let work = move || match request {
+            Request::Invite { role, lasts, label } => {
+                let Invited { invitation, link, qr, fingerprint } = all.make(Terms { role, lasts, label, made_by })?;
+                Ok(Reply::Invited { invitation: Box::new(invitation), link, qr, fingerprint })
+            }
+            Request::Revoke { invitation } => all.revoke(&invitation).map(|()| Reply::Done),
+            _ if !all.lets_in() => Err(Refused::NobodyComes),
+            _ => Ok(Reply::Invitations { invitations: all.told().borrow().to_vec() }),
+        };
+        let failed = |error: tokio::task::JoinError| Err(Refused::InvitationsNotKept(error.to_string()));
+        self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+    }
+}

@@ -1,0 +1,120 @@
+//! A way in: this computer's own, where nothing is asked, or that of others, who show the cookie of their invitation.
+
+use super::known::Known;
+use super::origin::{NotAllowed, OriginGuard};
+use crate::invitations::{Asked, Entry, Invitations, Route, Source};
+use axum::http::{HeaderMap, HeaderName, header};
+use std::net::IpAddr;
+use std::sync::Arc;
+
+/// What a proxy says of whom it speaks for, the nearest last.
+const FORWARDED: HeaderName = HeaderName::from_static("x-forwarded-for");
+/// How long a browser keeps the cookie, in seconds: as long as browsers keep any. The server forgets it earlier.
+const COOKIE_SECONDS: u64 = 400 * 24 * 60 * 60;
+
+/// A way in.
+#[derive(Clone)]
+pub(crate) struct Door {
+    /// Whose pages may ask.
+    pub(crate) guard: OriginGuard,
+    /// Who may, if that is asked here.
+    others: Option<Others>,
+}
+
+/// Who comes in by the way of others.
+#[derive(Clone)]
+struct Others {
+    invitations: Arc<Invitations>,
+    /// The name of the cookie.
+    cookie: Arc<str>,
+    /// From where those who are in come; none if a proxy says that.
+    known: Option<Arc<Known>>,
+}
+
+/// By which way a request came, and from where.
+#[derive(Clone)]
+pub(crate) struct Came {
+    /// The way.
+    pub(crate) door: Door,
+    /// The other end of the connection; of a proxy, that.
+    pub(crate) peer: IpAddr,
+}
+
+impl Door {
+    /// That of this computer, on this port.
+    pub(crate) fn local(port: u16) -> Self {
+        Self { guard: OriginGuard::Local(port), others: None }
+    }
+
+    /// That of others, by TLS on this port. Browsers do not tell ports apart where cookies go, so the name does. With this
+    /// prefix they take the cookie by TLS only, and from nobody but this very host.
+    pub(crate) fn tls(port: u16, invitations: Arc<Invitations>, known: Arc<Known>) -> Self {
+        let others = Others { invitations, cookie: format!("__Host-rrp-{port}").into(), known: Some(known) };
+        Self { guard: OriginGuard::Tls, others: Some(others) }
+    }
+
+    /// That of others, through a proxy that serves this origin.
+    pub(crate) fn proxied(origin: &str, invitations: Arc<Invitations>) -> Self {
+        let others = Others { invitations, cookie: "__Host-rrp".into(), known: None };
+        Self { guard: OriginGuard::Proxy(origin.into()), others: Some(others) }
+    }
+
+    /// The invitations that are asked for here.
+    pub(crate) fn invitations(&self) -> Option<&Arc<Invitations>> {
+        self.others.as_ref().map(|others| &others.invitations)
+    }
+
+    /// As whom somebody with these cookies is in.
+    fn entry<'a>(&self, cookies: impl Iterator<Item = &'a str>) -> Entry {
+        let Some(others) = &self.others else { return Entry::Local };
+        let all = cookies.flat_map(|line| line.split(';')).filter_map(|pair| pair.trim().split_once('='));
+        let own = all.filter(|(name, _)| *name == &*others.cookie).map(|(_, value)| value);
+        own.filter_map(|value| others.invitations.guest(value)).next().map_or(Entry::Stranger, Entry::Guest)
+    }
+
+    /// Whether a Stop is taken from there: from everybody who is in.
+    ///
+    /// # Errors
+    /// Why not.
+    pub(crate) fn may_stop<'a>(
+        &self,
+        host: Option<&str>,
+        origin: Option<&str>,
+        cookies: impl Iterator<Item = &'a str>,
+    ) -> Result<(), NotAllowed> {
+        self.guard.may_stop(host, origin)?;
+        self.entry(cookies).may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)
+    }
+
+    /// The header that gives somebody the cookie of this secret.
+    pub(crate) fn give(&self, secret: &str) -> Option<String> {
+        let name = &self.others.as_ref()?.cookie;
+        Some(format!("{name}={secret}; Path=/; Max-Age={COOKIE_SECONDS}; HttpOnly; Secure; SameSite=Strict"))
+    }
+}
+
+impl Came {
+    /// As whom the sender of a request is in.
+    pub(crate) fn entry(&self, headers: &HeaderMap) -> Entry {
+        let entry = self.door.entry(cookies(headers));
+        let known = self.door.others.as_ref().and_then(|others| others.known.as_ref());
+        if let (Entry::Guest(_), Some(known)) = (&entry, known) {
+            known.note(Source::of(self.peer));
+        }
+        entry
+    }
+
+    /// From where a request came: of a proxy, what it says last itself.
+    pub(crate) fn source(&self, headers: &HeaderMap) -> Source {
+        let is_proxied = self.door.others.as_ref().is_some_and(|others| others.known.is_none());
+        let lines = is_proxied.then(|| headers.get_all(FORWARDED));
+        let last =
+            lines.and_then(|lines| lines.iter().next_back()?.to_str().ok()?.rsplit(',').next()?.trim().parse().ok());
+        Source::of(last.unwrap_or(self.peer))
+    }
+}
+
+/// The cookies of a request.
+fn cookies(headers: &HeaderMap) -> impl Iterator<Item = &str> {
+    headers.get_all(header::COOKIE).iter().filter_map(|line| line.to_str().ok())
+}

@@ -1,0 +1,62 @@
+//! As whom somebody is in.
+
+use super::guest::Guest;
+use super::may::{Asked, least};
+use protocol::{Refused, Request, Role};
+
+/// The least that somebody must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Least {
+    /// Nobody in particular.
+    Anyone,
+    /// Invited, or at this computer, and may do at least as much.
+    In(Role),
+}
+
+/// As whom somebody is in.
+#[derive(Clone, Debug)]
+pub(crate) enum Entry {
+    /// At this computer.
+    Local,
+    /// By an invitation.
+    Guest(Guest),
+    /// Not at all.
+    Stranger,
+}
+
+impl Entry {
+    /// What they may do.
+    pub(crate) fn role(&self) -> Option<Role> {
+        match self {
+            Self::Local => Some(Role::Host),
+            Self::Guest(guest) => Some(guest.role),
+            Self::Stranger => None,
+        }
+    }
+
+    /// Whether they may ask this: the one place where a role is asked, whatever way the request came.
+    ///
+    /// # Errors
+    /// What they would have to be, or that they may not be here at all.
+    pub(crate) fn may(&self, asked: Asked) -> Result<(), Refused> {
+        let Least::In(least) = least(&asked) else { return Ok(()) };
+        let is_over = matches!(self, Self::Guest(guest) if guest.is_over());
+        // Who is told to go may press Stop until the socket is closed.
+        if is_over && !matches!(asked, Asked::Socket(Request::Stop { .. })) {
+            return Err(Refused::NotInvited);
+        }
+        match self.role() {
+            Some(role) if role >= least => Ok(()),
+            Some(_) => Err(Refused::Role(least)),
+            None => Err(Refused::NotInvited),
+        }
+    }
+
+    /// Waits until they may not be here any more; for ever at this computer.
+    pub(crate) async fn until_over(&self) {
+        match self {
+            Self::Guest(guest) => guest.until_over().await,
+            Self::Local | Self::Stranger => std::future::pending().await,
+        }
+    }
+}

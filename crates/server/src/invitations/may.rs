@@ -1,0 +1,165 @@
+//! Who may what: one table of every request of every way in. Nothing that is asked is left out: whoever adds a request or
+//! a route is asked here by the compiler.
+
+use super::entry::Least;
+use protocol::{COME_IN_PATH, PATH, RECORDINGS_PATH, Request, Role, STOP_PATH};
+
+/// What is asked, by whatever way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Asked<'a> {
+    /// Over a socket.
+    Socket(&'a Request),
+    /// Over HTTP.
+    Http(Route),
+}
+
+/// Every route of the server.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Route {
+    /// The page, and every path that is none of the others.
+    Page,
+    /// The page of an invitation's link, what it looks like and does, and the exchange of its token.
+    ComeIn,
+    /// How that page looks.
+    ComeInStyle,
+    /// What that page does.
+    ComeInScript,
+    /// Opening a socket.
+    Socket,
+    /// Whether the server is there.
+    Health,
+    /// Whether its store is.
+    Ready,
+    /// The names of the behaviours.
+    List,
+    /// A behaviour as a file.
+    Download,
+    /// Everything in one file.
+    Backup,
+    /// The recordings.
+    Recordings,
+    /// One of them.
+    Recording,
+    /// Bringing a behaviour in.
+    Import,
+    /// Stop.
+    Stop,
+}
+
+impl Route {
+    /// All of them.
+    pub(crate) const ALL: [Self; 14] = [
+        Self::Page,
+        Self::ComeIn,
+        Self::ComeInStyle,
+        Self::ComeInScript,
+        Self::Socket,
+        Self::Health,
+        Self::Ready,
+        Self::List,
+        Self::Download,
+        Self::Backup,
+        Self::Recordings,
+        Self::Recording,
+        Self::Import,
+        Self::Stop,
+    ];
+
+    /// Its path; none for the page, which is what is left.
+    pub(crate) fn path(self) -> Option<String> {
+        let path = match self {
+            Self::Page => return None,
+            Self::ComeIn => COME_IN_PATH,
+            Self::ComeInStyle => "/come-in.css",
+            Self::ComeInScript => "/come-in.js",
+            Self::Socket => PATH,
+            Self::Health => "/healthz",
+            Self::Ready => "/readyz",
+            Self::List => "/api/behaviours",
+            Self::Download => "/api/behaviours/{file}",
+            Self::Backup => "/api/backup",
+            Self::Recordings => RECORDINGS_PATH,
+            Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
+            Self::Import => "/api/import",
+            Self::Stop => STOP_PATH,
+        };
+        Some(path.to_owned())
+    }
+}
+
+/// The least that somebody must be to ask this.
+pub(crate) fn least(asked: &Asked) -> Least {
+    match asked {
+        Asked::Socket(request) => Least::In(of_request(request)),
+        Asked::Http(route) => of_route(*route),
+    }
+}
+
+fn of_route(route: Route) -> Least {
+    match route {
+        Route::ComeIn | Route::ComeInStyle | Route::ComeInScript | Route::Health => Least::Anyone,
+        Route::Page
+        | Route::Socket
+        | Route::Ready
+        | Route::List
+        | Route::Download
+        | Route::Recordings
+        | Route::Recording
+        | Route::Stop => Least::In(Role::Viewer),
+        Route::Backup | Route::Import => Least::In(Role::Editor),
+    }
+}
+
+fn of_request(request: &Request) -> Role {
+    match request {
+        // Looking, being seen, and Stop. A procedure that is checked changes nothing and is bounded for everyone.
+        Request::Hello { .. }
+        | Request::List { .. }
+        | Request::Pictures { .. }
+        | Request::WhereUsed { .. }
+        | Request::Drivers { .. }
+        | Request::Contested
+        | Request::Similar { .. }
+        | Request::Open { .. }
+        | Request::Leave
+        | Request::Since { .. }
+        | Request::History { .. }
+        | Request::At { .. }
+        | Request::Check { .. }
+        | Request::Present { .. }
+        | Request::CallMe { .. }
+        | Request::Runs
+        | Request::Recordings
+        | Request::Watch { .. }
+        | Request::Stop { .. } => Role::Viewer,
+        // The robots, their rooms and what is recorded.
+        Request::Start { .. }
+        | Request::Apply { .. }
+        | Request::Stimulate { .. }
+        | Request::Scene { .. }
+        | Request::Mark { .. }
+        | Request::EndRecording { .. }
+        | Request::RemoveRecording { .. }
+        | Request::Place { .. }
+        | Request::AddRobot { .. }
+        | Request::RemoveRobot { .. } => Role::Operator,
+        // Behaviours.
+        Request::Create { .. }
+        | Request::Remove { .. }
+        | Request::Restore { .. }
+        | Request::Propose { .. }
+        | Request::TakeBack { .. }
+        | Request::GoBack { .. }
+        | Request::BringBack { .. }
+        | Request::NameVersion { .. }
+        | Request::UnnameVersion { .. }
+        | Request::Lock { .. }
+        | Request::Unlock { .. }
+        | Request::Typing { .. }
+        | Request::AskFor { .. }
+        | Request::Withdraw { .. }
+        | Request::HandOver { .. } => Role::Editor,
+        // Other people.
+        Request::TakeOver { .. } | Request::Invite { .. } | Request::Invitations | Request::Revoke { .. } => Role::Host,
+    }
+}

@@ -1,0 +1,122 @@
+//! Coming in, going, and what is left of it on the disk.
+
+use super::{Entry, Invitations, Invited, NotIn, Source, Terms, Way};
+use crate::invitations::may::{Asked, Route};
+use protocol::{Lasts, Refused, Request, Role};
+use std::path::Path;
+use std::sync::Arc;
+
+fn opened(data: Option<&Path>) -> Arc<Invitations> {
+    let all = Invitations::within(data);
+    all.open(Way { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
+    all
+}
+
+fn invite(all: &Invitations, role: Role, lasts: Lasts) -> (Invited, String) {
+    let invited = all.make(Terms { role, lasts, label: " for\u{202e} Ben ".into(), made_by: "Aiko".into() }).unwrap();
+    let token = invited.link.strip_prefix("https://10.0.0.1:7130/come-in#").unwrap().to_owned();
+    (invited, token)
+}
+
+fn here() -> Source {
+    Source::of("10.0.0.2".parse().unwrap())
+}
+
+#[test]
+fn a_restart_forgets_nobody_and_the_disk_gives_nothing_away() {
+    let folder = tempfile::tempdir().unwrap();
+    let all = opened(Some(folder.path()));
+    let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
+    let cookie = all.come_in(&token, here()).unwrap();
+    assert_eq!(invited.invitation.label, "for Ben");
+    let kept = std::fs::read_to_string(folder.path().join("rrp.invitations.json")).unwrap();
+    assert!(!kept.contains(&token) && !kept.contains(&cookie), "{kept}");
+    let again = opened(Some(folder.path()));
+    assert_eq!(again.guest(&cookie).map(|guest| guest.role), Some(Role::Editor));
+    assert!(again.come_in(&token, here()).is_ok_and(|another| another != cookie), "always a new cookie");
+    all.revoke(&invited.invitation.id).unwrap();
+    let again = opened(Some(folder.path()));
+    assert!(again.guest(&cookie).is_none() && again.told().borrow()[0].revoked);
+    assert_eq!(again.come_in(&token, here()), Err(NotIn::Unknown));
+}
+
+#[cfg(unix)]
+#[test]
+fn only_its_user_reads_the_file() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().unwrap();
+    invite(&opened(Some(folder.path())), Role::Viewer, Lasts::Day);
+    let mode = std::fs::metadata(folder.path().join("rrp.invitations.json")).unwrap().permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+}
+
+#[test]
+fn a_disk_that_keeps_nothing_lets_nobody_in_and_still_throws_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let all = opened(Some(folder.path()));
+    let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
+    let cookie = all.come_in(&token, here()).unwrap();
+    // What should be written first cannot be, as a folder is in its place.
+    std::fs::create_dir(folder.path().join("rrp.invitations.new")).unwrap();
+    assert!(matches!(all.come_in(&token, here()), Err(NotIn::NotKept(_))));
+    assert!(matches!(all.revoke(&invited.invitation.id), Err(Refused::InvitationsNotKept(_))));
+    assert!(all.guest(&cookie).is_none());
+}
+
+#[test]
+fn a_hundred_thousand_guesses_are_hardly_looked_up_and_who_is_in_never_waits() {
+    let all = opened(None);
+    let (_, token) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
+    let cookie = all.come_in(&token, here()).unwrap();
+    let mut looked_up = 0;
+    for guess in 0..100_000 {
+        match all.come_in(&format!("guess {guess}"), here()) {
+            Err(NotIn::Unknown) => looked_up += 1,
+            Err(NotIn::TooMany(seconds)) => assert!(seconds > 0),
+            other => panic!("{other:?}"),
+        }
+        if guess % 1_000 == 0 {
+            let entry = Entry::Guest(all.guest(&cookie).unwrap());
+            assert_eq!(entry.may(Asked::Http(Route::Stop)), Ok(()), "from the same place");
+        }
+    }
+    assert!(looked_up < 100, "{looked_up}");
+    let elsewhere = Source::of("10.0.0.3".parse().unwrap());
+    assert!(all.come_in(&token, elsewhere).is_ok(), "another place is not slowed");
+}
+
+#[tokio::test]
+async fn who_is_revoked_is_told_at_once_and_may_only_stop() {
+    let all = opened(None);
+    let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
+    let guest = all.guest(&all.come_in(&token, here()).unwrap()).unwrap();
+    let (entry, here) = (Entry::Guest(guest.clone()), all.arrive(&guest, "Ben"));
+    assert_eq!(entry.may(Asked::Socket(&Request::Runs)), Ok(()));
+    assert!(all.told().borrow()[0].came[0].here);
+    all.revoke(&invited.invitation.id).unwrap();
+    entry.until_over().await;
+    assert_eq!(entry.may(Asked::Socket(&Request::Runs)), Err(Refused::NotInvited));
+    assert_eq!(entry.may(Asked::Socket(&Request::Stop { behaviour: None, robot: None })), Ok(()));
+    drop(here);
+    assert!(!all.told().borrow()[0].came[0].here);
+}
+
+#[test]
+fn what_was_printed_at_a_start_and_not_used_is_void_after_the_next() {
+    let all = opened(None);
+    let [first, second] = [(); 2].map(|()| all.make_at_start().unwrap());
+    let token = |invited: &Invited| invited.link.split_once('#').unwrap().1.to_owned();
+    assert_eq!(all.come_in(&token(&first), here()), Err(NotIn::Unknown));
+    let cookie = all.come_in(&token(&second), here()).unwrap();
+    all.make_at_start().unwrap();
+    assert!(all.guest(&cookie).is_some(), "who came by it stays");
+    assert_eq!(all.told().borrow().len(), 2);
+}
+
+#[test]
+fn nobody_invites_more_than_they_may_or_without_a_way() {
+    let closed = Invitations::within(None);
+    let terms = |role| Terms { role, lasts: Lasts::Day, label: String::new(), made_by: String::new() };
+    assert_eq!(closed.make(terms(Role::Viewer)).err(), Some(Refused::NobodyComes));
+    assert_eq!(opened(None).make(terms(Role::Host)).err(), Some(Refused::Role(Role::Host)));
+}

@@ -1,0 +1,193 @@
+//! What waits for saving in one room: each sender's in order, bounded, and the senders take turns.
+
+use super::saving::Proposal;
+use crate::rooms::member::Answer;
+use crate::rooms::past::{Naming, Wish};
+use behaviour::{Change, Edit, Kind};
+use protocol::Refused;
+use std::collections::{BTreeMap, VecDeque};
+
+/// Jobs that may wait in one room.
+const WAITING_MAX_JOBS: usize = 1_024;
+/// Jobs of one sender among them.
+const WAITING_PER_SENDER_MAX_JOBS: usize = 256;
+
+/// The largest of them, in bytes.
+const SMALL_MAX_BYTES: usize = 4 << 10;
+
+/// What has to be saved.
+pub(super) enum Job {
+    /// A change.
+    Save(Proposal),
+    /// A change that has to be made first, out of what was.
+    Make(Wish, Answer),
+    /// A version gets a name, or loses it.
+    Name(Naming, Answer),
+    /// The behaviour goes to the bin; with who says so.
+    Remove(String, Answer),
+}
+
+impl Job {
+    /// The link of who wants it; none is the server.
+    pub(super) fn sender(&self) -> Option<u64> {
+        match self {
+            Self::Save(Proposal { from, .. }) | Self::Make(_, from) | Self::Name(_, from) | Self::Remove(_, from) => {
+                from.session()
+            }
+        }
+    }
+
+    pub(super) fn no(self, no: Refused) {
+        match self {
+            Self::Save(Proposal { from, .. }) | Self::Make(_, from) | Self::Name(_, from) | Self::Remove(_, from) => {
+                from.no(no)
+            }
+        }
+    }
+}
+
+/// Whether a change is decided about at once, so that nobody waits for it if it is saved with others: moves and notes.
+pub(super) fn is_small(change: &Change) -> bool {
+    let is_light = |edit: &Edit| matches!(edit.id.kind, Kind::Place | Kind::Note);
+    change.edits.iter().all(is_light) && change.bytes() <= SMALL_MAX_BYTES
+}
+
+/// Jobs that wait: each sender's in order, and the senders take turns.
+#[derive(Default)]
+pub(super) struct Waiting {
+    of: BTreeMap<Option<u64>, VecDeque<Job>>,
+    /// Who is next.
+    turns: VecDeque<Option<u64>>,
+    count: usize,
+}
+
+impl Waiting {
+    /// Whether one more job of this sender finds room.
+    pub(super) fn has_room(&self, sender: Option<u64>) -> bool {
+        let mine = self.of.get(&sender).map_or(0, VecDeque::len);
+        self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS
+    }
+
+    pub(super) fn put(&mut self, job: Job) {
+        let sender = job.sender();
+        let mine = self.of.entry(sender).or_default();
+        if mine.is_empty() {
+            self.turns.push_back(sender);
+        }
+        mine.push_back(job);
+        self.count += 1;
+    }
+
+    pub(super) fn take(&mut self) -> Option<Job> {
+        let sender = self.turns.pop_front()?;
+        let jobs = self.of.get_mut(&sender)?;
+        let job = jobs.pop_front()?;
+        self.count -= 1;
+        if jobs.is_empty() {
+            self.of.remove(&sender);
+        } else {
+            self.turns.push_back(sender);
+        }
+        Some(job)
+    }
+
+    /// The next job, if it is a small change.
+    pub(super) fn take_small(&mut self) -> Option<Proposal> {
+        let next = self.of.get(self.turns.front()?)?.front();
+        next.filter(|job| matches!(job, Job::Save(Proposal { change, .. }) if is_small(change)))?;
+        self.take().and_then(|job| if let Job::Save(proposal) = job { Some(proposal) } else { None })
+    }
+
+    /// Puts back what was taken last.
+    pub(super) fn put_back(&mut self, job: Job) {
+        let sender = job.sender();
+        let mine = self.of.entry(sender).or_default();
+        if mine.is_empty() {
+            self.turns.push_front(sender);
+        }
+        mine.push_front(job);
+        self.count += 1;
+    }
+
+    pub(super) fn take_all(&mut self) -> Vec<Job> {
+        std::iter::from_fn(|| self.take()).collect()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Job, Proposal, WAITING_PER_SENDER_MAX_JOBS, Waiting};
+    use crate::rooms::member::{Answer, Feed, Recipient, Whole};
+    use axum::extract::ws::Utf8Bytes;
+    use behaviour::{Change, Edit, Id, Kind, RecordId};
+    use std::sync::Arc;
+
+    /// A link that nobody reads.
+    struct Silent(u64);
+
+    impl Recipient for Silent {
+        fn session(&self) -> u64 {
+            self.0
+        }
+
+        fn is_gone(&self) -> bool {
+            false
+        }
+
+        fn send(&self, _: Utf8Bytes) {}
+
+        fn send_whole(&self, _: u32, _: Whole) {}
+
+        fn follow(&self, _: Option<Box<Feed>>) {}
+    }
+
+    fn answer(session: u64) -> Answer {
+        Answer::Client { to: Arc::new(Silent(session)), ask: 1, held: None }
+    }
+
+    fn change(waiting: &mut Waiting, session: u64, op: &str, edited: Kind) {
+        let edit = Edit { id: RecordId::new(edited, &Id::new("r").unwrap()), before: None, after: None };
+        let change = Change { edits: vec![edit], ..Change::of(Id::new(op).unwrap(), "Ben", "Edit") };
+        waiting.put(Job::Save(Proposal { change, tokens: Vec::new(), from: answer(session) }));
+    }
+
+    #[test]
+    fn small_changes_that_come_next_are_taken_and_what_is_put_back_comes_first() {
+        let mut waiting = Waiting::default();
+        change(&mut waiting, 1, "move", Kind::Place);
+        change(&mut waiting, 1, "connect", Kind::Connector);
+        change(&mut waiting, 2, "note", Kind::Note);
+        change(&mut waiting, 2, "more", Kind::Note);
+        let mut ops = Vec::new();
+        while let Some(small) = waiting.take_small() {
+            ops.push(small.change.op.to_string());
+            if ops.len() == 2 {
+                waiting.put_back(Job::Save(small));
+            }
+        }
+        assert_eq!(ops, ["move", "note"], "then it is the turn of a connector");
+        let rest: Vec<_> = waiting.take_all().iter().map(|job| job.sender().unwrap()).collect();
+        assert_eq!((rest, waiting.is_empty()), (vec![1, 2, 2], true));
+    }
+
+    fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
+        let has_room = waiting.has_room(Some(session));
+        if has_room {
+            waiting.put(Job::Remove(by.to_owned(), answer(session)));
+        }
+        has_room
+    }
+
+    #[test]
+    fn senders_take_turns_and_each_has_its_own_bound() {
+        let mut waiting = Waiting::default();
+        let mine = (0..2 * WAITING_PER_SENDER_MAX_JOBS).filter(|_| put(&mut waiting, 1, "Ben")).count();
+        assert!(mine == WAITING_PER_SENDER_MAX_JOBS && put(&mut waiting, 2, "Aiko"));
+        let mut next = || waiting.take().and_then(|job| job.sender());
+        assert_eq!([next(), next(), next()], [Some(1), Some(2), Some(1)]);
+    }
+}

@@ -1,0 +1,124 @@
+//! What people may do, and letting others in.
+
+use protocol::{Lasts, Role};
+
+sentences! {
+    invite: "Invite";
+    invite_somebody: "Invite somebody";
+    who_comes_may: "Whoever comes by it may";
+    how_long: "It works";
+    for_whom: "For whom";
+    for_whom_hint: "A note for yourself, such as “Yuki, tablet”.";
+    make_link: "Make a link";
+    another_link: "Make another one";
+    link: "Link";
+    link_copied: "Copied";
+    copy_link: "Copy";
+    qr_name: "The link as a QR code. A phone’s camera opens it.";
+    shown_once: "It is shown only now. Copy it, or let a camera see it.";
+    fingerprint: "Their browser warns once of a certificate it does not know. It is this one if it shows the SHA-256 fingerprint";
+    invitations: "Invitations";
+    no_invitations: "Nobody is invited yet.";
+    invitation_unnamed: "Without a note";
+    nobody_came: "Nobody came yet";
+    revoke: "Revoke";
+    is_revoked: "Revoked";
+    is_over: "Over";
+    keep_invitation: "Keep it";
+    here_now: "here now";
+    only_this_computer: "Only this computer reaches this server, so a link would lead nobody here.";
+    how_to_let_in: "To let others in, start it with this computer’s address in your network, for example:";
+    listen_example: "rrp serve --listen 0.0.0.0:7130";
+    listen_says: "It then prints a first link, and this dialog makes more.";
+    look_at_it: "Look at it";
+    you_look: "You may look";
+    you_operate: "You may start and stop";
+    nothing_in_it: "This program is empty";
+    take_over: "Take over";
+    take_it: "Take it over";
+    leave_it: "Leave it";
+    revoked_title: "Your invitation has ended";
+    revoked_says: "You are no longer connected. What you saved stays. If you still want to take part, ask the person who invited you for a new link.";
+}
+
+/// What somebody may do, for who chooses it.
+pub(crate) fn may(role: Role) -> &'static str {
+    match role {
+        Role::Viewer => "look",
+        Role::Operator => "start and stop",
+        Role::Editor => "edit",
+        Role::Host => "do everything",
+    }
+}
+
+/// What follows from that.
+pub(crate) fn may_says(role: Role) -> &'static str {
+    match role {
+        Role::Viewer => "They see the graph and the robot, change nothing, and can press Stop.",
+        Role::Operator => "They start and stop the robot and use its room, but do not edit.",
+        Role::Editor | Role::Host => "They edit with you, and start and stop the robot.",
+    }
+}
+
+/// `may edit`
+pub(crate) fn may_short(role: Role) -> String {
+    format!("may {}", may(role))
+}
+
+/// Why something cannot be done, and what to do about it.
+pub(crate) fn may_not(role: Role) -> &'static str {
+    match role {
+        Role::Viewer => "You may look. Ask the person who invited you for more.",
+        Role::Operator => "You may start and stop, not edit. Ask the person who invited you for more.",
+        Role::Editor | Role::Host => "Only the person at the robot’s computer may do this. Ask them.",
+    }
+}
+
+/// How long, for who chooses it.
+pub(crate) fn lasts(lasts: Lasts) -> &'static str {
+    match lasts {
+        Lasts::Once => "once",
+        Lasts::Day => "for a day",
+        Lasts::UntilRevoked => "until you revoke it",
+    }
+}
+
+/// What follows from that.
+pub(crate) fn lasts_says(lasts: Lasts) -> &'static str {
+    match lasts {
+        Lasts::Once => "For one person, within a day. They may come again until you revoke it.",
+        Lasts::Day => "For everybody who has it. After a day all of them are out.",
+        Lasts::UntilRevoked => "For everybody who has it, until you end it.",
+    }
+}
+
+/// Before an invitation ends.
+pub(crate) fn revoke_question(here: usize) -> String {
+    match here {
+        0 => "Its link stops working, for good. Revoke it?".to_owned(),
+        1 => "The person who is here by it is out at once. Revoke it?".to_owned(),
+        many => format!("The {many} people who are here by it are out at once. Revoke it?"),
+    }
+}
+
+/// The button that asks that.
+pub(crate) fn revoke_named(label: &str) -> String {
+    format!("Revoke: {label}")
+}
+
+/// `Ben, 3 minutes ago`
+pub(crate) fn came(name: &str, when: &str) -> String {
+    let name = if name.is_empty() { "Somebody" } else { name };
+    format!("{name}, {when}")
+}
+
+/// Before one takes what somebody else is editing.
+pub(crate) fn take_over_question(name: &str) -> String {
+    format!("{name} cannot save it then; the text stays with {name}. Take it over?")
+}
+
+/// `Ready for Yuki: may edit, once.`
+pub(crate) fn invitation_made(label: &str, role: Role, how_long: Lasts) -> String {
+    let whom = if label.is_empty() { String::new() } else { format!(" for {label}") };
+    format!("The link{whom} is ready. Whoever opens it {}. It works {}.", may_short(role), lasts(how_long))
+}

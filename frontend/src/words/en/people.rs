@@ -1,0 +1,38 @@
+//! Who is here, what they are called, and following them.
+
+sentences! {
+    others_see_you: "Others see you as";
+    name_not_now: "Not now";
+    people_here: "People here";
+    everyone_here: "Everyone who is here";
+    follow: "Follow";
+    end_following: "End";
+    how_following_ends: "Press Escape or touch the graph to end.";
+}
+
+/// Said once, when somebody else is here for the first time.
+pub(crate) fn others_see_you_as(name: &str) -> String {
+    format!("You are not alone here. Others see you as {name}; a field for another name is below the graph.")
+}
+
+/// The button that is somebody else's sign.
+pub(crate) fn follow_person(name: &str) -> String {
+    format!("{name}: follow")
+}
+
+pub(crate) fn following(name: &str) -> String {
+    format!("Following {name}")
+}
+
+pub(crate) fn following_said(name: &str) -> String {
+    format!("Following {name}. Press Escape to end.")
+}
+
+pub(crate) fn no_longer_here(name: &str) -> String {
+    format!("{name} left. You look around by yourself again.")
+}
+
+/// How many more are here than there is room for.
+pub(crate) fn more_people(more: usize) -> String {
+    if more == 1 { "1 more person".to_owned() } else { format!("{more} more people") }
+}

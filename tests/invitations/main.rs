@@ -1,0 +1,161 @@
+//! A second host: a computer of its own in a network that the test makes, from which people come to a real server with an
+//! invitation or without one.
+//!
+//! The network is made of what Linux gives to everybody: the test starts itself again as the root of a user namespace with
+//! an empty network, adds another one, and lays a wire between the two. Nothing outside is touched.
+
+#[path = "../../crates/server/tests/server/browser.rs"]
+mod browser;
+mod wire;
+
+use behaviour::Id;
+use browser::{Browser, Socket, status};
+use house::{Outcome, Server, Trouble, skip};
+use protocol::{CLOSE_REVOKED, Invitation, Lasts, ListQuery, Refused, Reply, Request, Role};
+use serde_json::json;
+use shell::Client;
+use std::time::Duration;
+
+/// What the test is called among those that are run or skipped.
+const PART: &str = "invitations: a second host";
+/// How soon who is revoked has to be out.
+const OUT: Duration = Duration::from_secs(2);
+
+#[test]
+fn a_second_host_comes_in_by_invitation_only() -> Outcome<()> {
+    if wire::is_inside() {
+        let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
+        return runtime.block_on(scene());
+    }
+    if !skip::built(PART) || !skip::possible(PART, wire::missing()) {
+        return Ok(());
+    }
+    wire::again_inside("a_second_host_comes_in_by_invitation_only")
+}
+
+/// At the server's computer: Aiko and what she has made.
+struct Home {
+    aiko: Client,
+    play: Id,
+}
+
+impl Home {
+    async fn invite(&self, role: Role) -> Outcome<(Invitation, String)> {
+        let wish = Request::Invite { role, lasts: Lasts::UntilRevoked, label: "a second host".into() };
+        match self.aiko.ask(wish).await.map_err(said)? {
+            Reply::Invited { invitation, link, .. } => Ok((*invitation, link)),
+            other => Err(Trouble(format!("{other:?}"))),
+        }
+    }
+
+    /// Ends an invitation; who came by it has to be out in time.
+    async fn revoke(&self, invitation: Invitation, mut socket: Socket) -> Outcome<()> {
+        self.aiko.ask(Request::Revoke { invitation: invitation.id }).await.map_err(said)?;
+        let closed = tokio::time::timeout(OUT, socket.until_closed()).await;
+        assert_eq!(closed.map_err(|_| Trouble("A revoked guest is still in.".into()))?, Some(CLOSE_REVOKED));
+        Ok(())
+    }
+}
+
+fn said(trouble: impl std::fmt::Display) -> Trouble {
+    Trouble(trouble.to_string())
+}
+
+async fn scene() -> Outcome<()> {
+    let network = wire::Network::lay().await?;
+    let folder = house::folder()?;
+    let server = Server::start_with(folder.path(), &["--listen", &format!("{}:0", wire::HERE)]).await?;
+    let aiko = Client::connect(&server.url(), "Aiko").await.map_err(said)?;
+    let play = Id::new("yuki-morning")?;
+    let make = Request::Create { behaviour: play.clone(), name: "Yuki morning".into(), template: None };
+    aiko.ask(make).await.map_err(said)?;
+    aiko.load(&play).await.map_err(said)?;
+    let mut home = Home { aiko, play };
+    let (editing, link) = home.invite(Role::Editor).await?;
+    assert!(link.starts_with(&format!("https://{}:", wire::HERE)), "{link}");
+    let far = Browser::new(folder.path(), &link);
+
+    let stranger = far.stranger();
+    network.from_there(async move { without_an_invitation(&stranger).await }).await?;
+
+    let (mut browser, play) = (far.clone(), home.play.clone());
+    let change = home.aiko.change("Rename", &behaviour::Behaviour::default(), Vec::new());
+    let socket = network.from_there(async move { as_an_editor(&mut browser, &link, play, change).await }).await?;
+    home.aiko
+        .until(|told| matches!(told, Reply::Accepted { accepted, .. } if accepted.change.author == "Ben"))
+        .await
+        .map_err(said)?;
+    home.revoke(editing, socket).await?;
+
+    let ((looking, link), mut browser, play) = (home.invite(Role::Viewer).await?, far, home.play.clone());
+    let socket = network.from_there(async move { as_a_viewer(&mut browser, &link, &play).await }).await?;
+    home.revoke(looking, socket).await?;
+    let list = Request::List { query: ListQuery::default() };
+    let Reply::Programs { programs, .. } = home.aiko.ask(list).await.map_err(said)? else { panic!() };
+    assert_eq!(programs.len(), 1, "the viewer made nothing");
+    Ok(())
+}
+
+async fn without_an_invitation(browser: &Browser) {
+    assert_eq!(status(&browser.get("/healthz").await), 200);
+    for path in ["/", "/index.html", "/api/behaviours", "/api/behaviours/yuki-morning.json", "/api/backup", "/readyz"] {
+        let answer = browser.get(path).await;
+        assert!(status(&answer) == 401 && answer.contains("invit"), "{path}: {answer}");
+        assert!(!answer.contains("Yuki") && !answer.contains("Aiko"), "{path}: {answer}");
+    }
+    assert_eq!(status(&browser.post("/stop", "").await), 403);
+    assert_eq!(browser.socket("Nobody").await.err(), Some(401));
+    // The way of the server's own computer does not reach this far.
+    let local = tokio::net::TcpStream::connect((wire::HERE, 7130)).await;
+    assert!(local.is_err(), "nothing else listens there");
+}
+
+async fn as_an_editor(browser: &mut Browser, link: &str, play: Id, change: behaviour::Change) -> Socket {
+    assert_eq!(status(&browser.come_in(link).await), 303);
+    assert!(browser.get("/api/behaviours").await.contains("Yuki morning"));
+    let mut ben = browser.socket("Ben").await.unwrap_or_else(|status| panic!("{status}"));
+    let opened = ben.ask(Request::Open { behaviour: play.clone() }).await;
+    assert!(matches!(opened, Reply::Opened { .. }), "{opened:?}");
+    let edits = json!([{
+        "id": "stream/far", "before": null,
+        "after": {"stream": {"kind": "ordinary", "name": "Far", "params": {}, "order": 0}},
+    }]);
+    let edits = serde_json::from_value(edits).unwrap_or_else(|error| panic!("{error}"));
+    let proposed =
+        Request::Propose { behaviour: play, change: behaviour::Change { edits, ..change }, tokens: Vec::new() };
+    let answer = ben.ask(proposed).await;
+    assert!(matches!(answer, Reply::Accepted { .. }), "{answer:?}");
+    ben
+}
+
+async fn as_a_viewer(browser: &mut Browser, link: &str, play: &Id) -> Socket {
+    assert_eq!(status(&browser.come_in(link).await), 303);
+    let mut chie = browser.socket("Chie").await.unwrap_or_else(|status| panic!("{status}"));
+    let opened = chie.ask(Request::Open { behaviour: play.clone() }).await;
+    assert!(matches!(opened, Reply::Opened { .. }), "{opened:?}");
+    let change = json!({"op": "o1", "label": "x", "author": "x", "at_ms": 0, "edits": []});
+    let writes = [
+        (json!({"is": "create", "behaviour": "made", "name": "x", "template": null}), Role::Editor),
+        (json!({"is": "remove", "behaviour": play}), Role::Editor),
+        (json!({"is": "restore", "behaviour": play}), Role::Editor),
+        (json!({"is": "propose", "behaviour": play, "change": change}), Role::Editor),
+        (json!({"is": "lock", "behaviour": play, "records": ["stream/far"]}), Role::Editor),
+        (json!({"is": "takeOver", "behaviour": play, "record": "stream/far"}), Role::Host),
+        (json!({"is": "start", "behaviour": play}), Role::Operator),
+        (json!({"is": "addRobot", "robot": "other", "name": "Other"}), Role::Operator),
+        (json!({"is": "invite", "role": "editor", "lasts": "day", "label": ""}), Role::Host),
+    ];
+    for (write, least) in writes {
+        let request = serde_json::from_value(write.clone()).unwrap_or_else(|error| panic!("{write}: {error}"));
+        assert_eq!(chie.ask(request).await, Reply::No { no: Refused::Role(least) }, "{write}");
+    }
+    for path in ["/api/import", "/api/import?mode=restore"] {
+        let answer = browser.post(path, "{}").await;
+        assert!(status(&answer) == 403 && answer.contains("an editor"), "{path}: {answer}");
+    }
+    assert_eq!(status(&browser.get("/api/backup").await), 403);
+    assert_eq!(status(&browser.get(&format!("/api/behaviours/{play}.json")).await), 200, "reading is fine");
+    assert_eq!(chie.ask(Request::Stop { behaviour: None, robot: None }).await, Reply::Done);
+    assert_eq!(status(&browser.post("/stop", "").await), 200, "Stop is for everybody who is in");
+    chie
+}

@@ -1,0 +1,193 @@
+//! Letting others in from the page: a link for somebody, what they may do with it, who came, and their end; and taking over
+//! what somebody is editing.
+
+use house::{Outcome, Page, skip};
+use serde_json::json;
+
+use crate::steps::*;
+use crate::together::{add_map, call_myself};
+
+/// A server that others reach too, and Aiko at its computer with a program that has a map.
+async fn open_house() -> Outcome<(Stage, Page)> {
+    let stage = Stage::set_with(house::folder()?, &["--listen", "0.0.0.0:0"]).await?;
+    let aiko = stage.person("aiko").await?;
+    add_map(&aiko).await?;
+    call_myself(&aiko, "Aiko").await?;
+    Ok((stage, aiko))
+}
+
+/// Makes an invitation in the dialog, which stays open; answers with its link.
+async fn invite(page: &Page, may: &str, lasts: &str, whom: &str) -> Outcome<String> {
+    page.within("toolbar", "Main tools").press("button", "Invite").await?;
+    let dialog = page.within("dialog", "Invite somebody");
+    dialog.press("radio", may).await?;
+    dialog.press("radio", lasts).await?;
+    dialog.fill("textbox", "For whom", whom).await?;
+    dialog.press("button", "Make a link").await?;
+    dialog.text("textbox", "Link").await
+}
+
+/// Somebody at another computer who opens the link, comes in, and opens what Aiko has open. Their browser knows the
+/// certificate, so to speak.
+async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<Page> {
+    let page = stage.nobody(name).await?;
+    page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
+    page.goto(link).await?;
+    page.press("button", "Come in").await?;
+    usable(&page).await?;
+    let hash = aiko.eval("location.hash").await?;
+    page.eval(&format!("location.hash = {hash}; 0")).await?;
+    page.find("button", "RedBall, sensor stream").await?;
+    Ok(page)
+}
+
+/// Waits until a button can be pressed, or cannot.
+async fn can_press(page: &Page, button: &str, can: bool) -> Outcome<()> {
+    let js = format!(
+        "function () {{ return (this.matches(':disabled') || this.getAttribute('aria-disabled') === 'true') !== {can}; }}"
+    );
+    let what = format!("“{button}” can{} be pressed", if can { "" } else { "not" });
+    page.until_on("button", button, &js, &what).await.map(drop)
+}
+
+/// Opens the editor of the map.
+async fn open_map(page: &Page, how: &str) -> Outcome<()> {
+    page.press("button", "map (1), connector*").await?;
+    next(page, "map", how).await?;
+    page.find("dialog", "Operation").await.map(drop)
+}
+
+/// Waits until one may only read in the open editor, or may write.
+async fn may_write(page: &Page, may: bool) -> Outcome<()> {
+    let js = format!("document.querySelector('.dialog textarea')?.matches(':disabled') === {}", !may);
+    page.until(&js, if may { "one may write" } else { "one may only read" }).await.map(drop)
+}
+
+#[tokio::test]
+async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outcome<()> {
+    if !skip::ready("journey: a viewer") {
+        return Ok(());
+    }
+    let (stage, aiko) = open_house().await?;
+    let link = invite(&aiko, "look", "until you revoke it", "Ben, tablet").await?;
+    assert!(link.starts_with("https://") && link.contains("/come-in#"), "{link}");
+    aiko.find("image", "The link as a QR code*").await?;
+    says(&aiko, "It is this one if it shows the SHA-256 fingerprint").await?;
+    says(&aiko, "Nobody came yet").await?;
+    let ben = come_in(&stage, "ben", &link, &aiko).await?;
+    assert!(!ben.address().await?.contains(link.rsplit('#').next().unwrap_or("#")), "the token left the address bar");
+    says(&aiko, "here now").await?;
+
+    says(&ben, "You may look. Ask the person who invited you for more.").await?;
+    for button in ["Add a program", "Add a helper", "Add RedBall", "Start", "Tidy"] {
+        can_press(&ben, button, false).await?;
+    }
+    ben.gone("button", "Invite").await?;
+    open_map(&ben, "Look at it").await?;
+    may_write(&ben, false).await?;
+    can_press(&ben, "Save", false).await?;
+    ben.key("Escape").await?;
+    ben.gone("dialog", "Operation").await?;
+    // The keyboard gets nobody further.
+    ben.press("button", "RedBall, sensor stream").await?;
+    ben.key("Delete").await?;
+    says(&ben, "Only an editor may do this.").await?;
+    ben.find("button", "RedBall, sensor stream").await?;
+    stop(&ben).await?;
+
+    aiko.press("button", "Revoke: Ben, tablet").await?;
+    says(&aiko, "The person who is here by it is out at once.").await?;
+    aiko.within("group", "Revoke: Ben, tablet").press("button", "Revoke").await?;
+    says(&ben, "Your invitation has ended").await?;
+    ben.find("button", "Stop").await?;
+    says(&aiko, "Revoked").await?;
+    aiko.gone("button", "Revoke: Ben, tablet").await?;
+    aiko.find("button", "map (1), connector*").await?;
+    ben.reload().await?;
+    says(&ben, "By invitation only").await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
+    if !skip::ready("journey: an operator") {
+        return Ok(());
+    }
+    let (stage, aiko) = open_house().await?;
+    let link = invite(&aiko, "start and stop", "for a day", "").await?;
+    let ben = come_in(&stage, "ben", &link, &aiko).await?;
+    says(&ben, "You may start and stop, not edit.").await?;
+    for button in ["Add a program", "Add RedBall", "Tidy"] {
+        can_press(&ben, button, false).await?;
+    }
+    for button in ["Start", "Touch the head"] {
+        can_press(&ben, button, true).await?;
+    }
+    start(&ben).await?;
+    stop(&ben).await?;
+    at_rest(&ben).await?;
+    calm(&ben)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn an_editor_who_says_a_name_is_listed_by_it() -> Outcome<()> {
+    if !skip::ready("journey: an invited editor") {
+        return Ok(());
+    }
+    let (stage, aiko) = open_house().await?;
+    let link = invite(&aiko, "edit", "once", "Yuki").await?;
+    let yuki = come_in(&stage, "yuki", &link, &aiko).await?;
+    yuki.within("form", "Your name").fill("textbox", "Others see you as", "Yuki").await?;
+    yuki.within("form", "Your name").press("button", "Save").await?;
+    says(&aiko, "Yuki, here now").await?;
+    add_sense(&yuki, "HeadTouch").await?;
+    aiko.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    yuki.gone("button", "Invite").await?;
+    calm(&yuki)?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn where_nobody_else_reaches_the_server_the_dialog_says_how_they_would() -> Outcome<()> {
+    if !skip::ready("journey: inviting on loopback") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    aiko.within("toolbar", "Main tools").press("button", "Invite").await?;
+    says(&aiko, "Only this computer reaches this server").await?;
+    says(&aiko, "rrp serve --listen 0.0.0.0:7130").await?;
+    aiko.gone("button", "Make a link").await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn the_person_at_the_servers_computer_takes_over_what_somebody_is_editing() -> Outcome<()> {
+    if !skip::ready("journey: taking over") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_map(&aiko).await?;
+    call_myself(&aiko, "Aiko").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    call_myself(&ben, "Ben").await?;
+    open_map(&ben, "Edit").await?;
+    may_write(&ben, true).await?;
+    ben.within("dialog", "Operation").fill("textbox", "Body", "2 + 2").await?;
+    open_map(&aiko, "Edit").await?;
+    may_write(&aiko, false).await?;
+    aiko.press("button", "Take over").await?;
+    says(&aiko, "Ben cannot save it then").await?;
+    aiko.press("button", "Leave it").await?;
+    may_write(&aiko, false).await?;
+    aiko.press("button", "Take over").await?;
+    aiko.press("button", "Take it over").await?;
+    may_write(&aiko, true).await?;
+    may_write(&ben, false).await?;
+    says(&ben, "Aiko is editing").await?;
+    assert_eq!(ben.within("dialog", "Operation").text("textbox", "Body").await?, "2 + 2", "what Ben wrote stays");
+    calm(&ben)?;
+    calm(&aiko)
+}

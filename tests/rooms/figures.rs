@@ -1,0 +1,105 @@
+//! What is promised of the optimised server, measured. `cargo xtask bench rooms` runs these, and fails if a bar is missed.
+
+use crate::process::most_memory_kib;
+use crate::{chaos, check, kills, neo4j};
+use house::{Outcome, Server, skip};
+use load::chaos::Faults;
+use load::{Plan, Report, run};
+use std::time::Duration;
+
+/// What 99 of 100 edits of fifty people may take until their sender knows that they are saved.
+const ECHO_P99: Duration = Duration::from_millis(100);
+/// From a start of the server to the first welcome.
+const WELCOME: Duration = Duration::from_secs(1);
+/// How much slower the others may be for those who read nothing.
+const SLOWER_MAX: u32 = 2;
+/// What these may take of the server's memory, in KiB.
+const MORE_MAX_KIB: u64 = 20 << 10;
+
+/// The optimised server on a fresh folder.
+async fn optimised(part: &str) -> Outcome<Option<(tempfile::TempDir, Server)>> {
+    if !skip::optimised(part) {
+        return Ok(None);
+    }
+    let folder = house::folder()?;
+    let server = Server::start_binary(&house::optimised(), folder.path(), &[]).await?;
+    Ok(Some((folder, server)))
+}
+
+fn bar(kept: bool, sentence: String) -> Outcome<()> {
+    println!("{}  {sentence}\n", if kept { "kept  " } else { "MISSED" });
+    if kept { Ok(()) } else { Err(sentence.into()) }
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_1_fifty_people_in_one_behaviour() -> Outcome<()> {
+    let Some((_folder, mut server)) = optimised("figures: fifty people").await? else { return Ok(()) };
+    let report = run(&server.url(), &Plan { clients: 50, edits_per_10_s: 50, seconds: 120, ..Plan::default() }).await?;
+    check(&report, &mut server).await?;
+    let p99 = report.echo.share(99.0);
+    bar(p99 <= ECHO_P99, format!("50 clients, 5 edits a second each, for 120 s: echo p99 {p99:?} of {ECHO_P99:?}"))
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_2_who_reads_nothing_slows_nobody() -> Outcome<()> {
+    let Some((_folder, mut server)) = optimised("figures: stalled clients").await? else { return Ok(()) };
+    let alone = Plan { clients: 20, edits_per_10_s: 500, seconds: 30, ..Plan::default() };
+    // Once to be warm, then without and with the others.
+    run(&server.url(), &Plan { seconds: 5, ..alone.clone() }).await?;
+    most_memory_kib(&server)?;
+    let without = run(&server.url(), &alone).await?;
+    let without_kib = most_memory_kib(&server)?;
+    let with = run(&server.url(), &Plan { stalled: 5, ..alone }).await?;
+    let more_kib = most_memory_kib(&server)?.saturating_sub(without_kib);
+    println!("{without}\n");
+    check(&with, &mut server).await?;
+    let p99 = |report: &Report| report.echo.share(99.0);
+    let (before, after) = (p99(&without), p99(&with));
+    let fast = with.per_second();
+    let kept = after <= before * SLOWER_MAX && more_kib <= MORE_MAX_KIB && with.cut_off > 0;
+    let slower = format!("echo p99 {after:?}, {before:?} without them; {} MiB more", more_kib >> 10);
+    bar(kept, format!("5 of 25 clients read nothing, {fast:.0} edits a second: {slower}, cut off {}", with.cut_off))
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_3_five_hundred_people_in_a_hundred_behaviours() -> Outcome<()> {
+    let Some((_folder, mut server)) = optimised("figures: 500 clients").await? else { return Ok(()) };
+    let plan = Plan { clients: 500, behaviours: 100, edits_per_10_s: 10, seconds: 60, ..Plan::default() };
+    let report = run(&server.url(), &plan).await?;
+    let kib = most_memory_kib(&server)?;
+    check(&report, &mut server).await?;
+    println!("500 clients in 100 behaviours, 1 edit a second each: {} MiB of memory at most\n", kib >> 10);
+    Ok(())
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_4_a_bad_network_loses_nothing() -> Outcome<()> {
+    let Some((_folder, mut server)) = optimised("figures: a bad network").await? else { return Ok(()) };
+    let faults = Faults { delays: 500, delay_max_ms: 200, cuts: 20, truncations: 10, silences: 2 };
+    let plan = Plan { clients: 50, behaviours: 5, kills: 50, stalled: 2, seconds: 60, ..Plan::default() };
+    chaos::through(&mut server, &plan, faults).await
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_5_a_hundred_kills_lose_nothing() -> Outcome<()> {
+    let Some((_folder, mut server)) = optimised("figures: a hundred kills").await? else { return Ok(()) };
+    let longest = kills::killed(&mut server, 100).await?;
+    bar(longest <= WELCOME, format!("100 kills: the first welcome at most {longest:?} after a start, of {WELCOME:?}"))
+}
+
+#[tokio::test(flavor = "multi_thread")]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+async fn figure_6_ten_kills_on_neo4j_lose_nothing() -> Outcome<()> {
+    let part = "figures: kills on Neo4j";
+    let Some(parts) = neo4j::folder(part).filter(|_| skip::optimised(part)) else { return Ok(()) };
+    let neo4j = neo4j::Neo4j::start(parts);
+    let folder = house::folder()?;
+    let mut server = Server::start_binary(&house::optimised(), folder.path(), &["--store", &neo4j.url()]).await?;
+    let longest = kills::killed(&mut server, 10).await?;
+    bar(longest <= WELCOME, format!("10 kills on Neo4j: the first welcome at most {longest:?} after a start"))
+}

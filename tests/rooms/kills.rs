@@ -1,0 +1,76 @@
+//! The server is killed again and again (`kill -9`) while people edit, and started again: nothing that it acknowledged
+//! is lost, and everything is there once.
+
+use crate::{check, neo4j};
+use house::{Outcome, Server, skip};
+use load::{Load, Plan, Watch};
+use shell::Client;
+use std::time::{Duration, Instant};
+
+/// Kills in the tests; the benchmark has more.
+const KILLS: usize = 20;
+const KILLS_ON_NEO4J: usize = 3;
+/// How long until edits are saved again.
+const AGAIN: Duration = Duration::from_secs(60);
+
+/// Twenty clients that edit until they are told to end.
+pub(crate) fn twenty() -> Plan {
+    Plan { clients: 20, behaviours: 2, edits_per_10_s: 100, seconds: 3_600, seed: 3, ..Plan::default() }
+}
+
+#[tokio::test]
+async fn a_killed_server_loses_nothing_that_it_acknowledged() -> Outcome<()> {
+    if !skip::served("rooms: kills of the server") {
+        return Ok(());
+    }
+    let folder = house::folder()?;
+    let mut server = Server::start(folder.path()).await?;
+    killed(&mut server, KILLS).await.map(drop)
+}
+
+#[tokio::test]
+async fn nor_does_one_whose_behaviours_are_in_neo4j() -> Outcome<()> {
+    let part = "rooms: kills of a server on Neo4j";
+    if !skip::served(part) {
+        return Ok(());
+    }
+    let Some(parts) = neo4j::folder(part) else { return Ok(()) };
+    let neo4j = neo4j::Neo4j::start(parts);
+    let folder = house::folder()?;
+    let mut server = Server::start_with(folder.path(), &["--store", &neo4j.url()]).await?;
+    killed(&mut server, KILLS_ON_NEO4J).await.map(drop)
+}
+
+/// Kills the server so often while twenty people edit. The longest time from its start to the first welcome.
+pub(crate) async fn killed(server: &mut Server, kills: usize) -> Outcome<Duration> {
+    let load = Load::of(&server.url(), &twenty());
+    let watch = load.watch();
+    let loading = tokio::spawn(load.run());
+    let mut longest = Duration::ZERO;
+    for kill in 0..kills {
+        saved(&watch, 1 + kill as u64 * 7 % 40).await?;
+        server.kill9().await?;
+        let began = Instant::now();
+        server.restart().await?;
+        Client::connect(&server.url(), "First").await?;
+        longest = longest.max(began.elapsed());
+    }
+    saved(&watch, 100).await?;
+    watch.end();
+    let report = loading.await.map_err(|error| error.to_string())??;
+    println!("{kills} kills; the longest from a start to the first welcome: {} ms", longest.as_millis());
+    check(&report, server).await?;
+    Ok(longest)
+}
+
+/// Waits until so many more edits are saved.
+async fn saved(watch: &Watch, more: u64) -> Outcome<()> {
+    let (wanted, began) = (watch.acknowledged() + more, Instant::now());
+    while watch.acknowledged() < wanted {
+        if began.elapsed() > AGAIN {
+            return Err(format!("No {more} edits were saved within {} s.", AGAIN.as_secs()).into());
+        }
+        tokio::time::sleep(Duration::from_millis(1)).await;
+    }
+    Ok(())
+}
