@@ -9,7 +9,7 @@ use super::focus;
 use super::hold::{Hold, hold};
 use super::may::{MayNot, may_edit};
 use crate::browser;
-use crate::desk::Version;
+use crate::desk::{LinkState, Version};
 use crate::icons::Icon;
 use crate::words;
 use foot::Foot;
@@ -43,7 +43,7 @@ pub(crate) fn HistoryPanel() -> impl IntoView {
             <div class="history-head">
                 <h2 tabindex="-1">{words::history()}</h2>
                 <button class="button small" type="button" aria-keyshortcuts="N" title=format!("{} (N)", words::name_version())
-                    disabled=move || desk.desk().document.revision.get() == 0 || !may_edit(desk) on:click=name_it>
+                    disabled=move || !may_change(desk) || desk.desk().document.revision.get() == 0 on:click=name_it>
                     <Icon name="flag" />
                     {words::name_version()}
                 </button>
@@ -54,6 +54,7 @@ pub(crate) fn HistoryPanel() -> impl IntoView {
             </div>
             <MayNot />
             {move || names.get().map(|revision| view! { <Naming revision names /> })}
+            <MayNot />
             <div class="history-lines">
                 <EditingNow />
                 <ol on:keydown=|event| focus::walk(&event, "ArrowDown", "ArrowUp") on:focusin=|event| focus::remember(&event)>
@@ -64,6 +65,11 @@ pub(crate) fn HistoryPanel() -> impl IntoView {
             <Foot />
         </section>
     }
+}
+
+/// Whether this person may change something, and the server hears it. Reactive.
+fn may_change(desk: Hold) -> bool {
+    may_edit(desk) && desk.desk().online.get() == LinkState::Online
 }
 
 /// What the panel shows, newest first. Reactive.
@@ -126,7 +132,7 @@ fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
     let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
     let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
     match event.key().as_str() {
-        "n" | "N" if !types && !with_others && untrack(|| may_edit(desk)) => names.set(Some(meant(desk))),
+        "n" | "N" if !types && !with_others && untrack(|| may_change(desk)) => names.set(Some(meant(desk))),
         "Escape" if names.get_untracked().is_some() => {
             names.set(None);
             back_to_lines();

@@ -176,7 +176,7 @@ fn Tool(
 #[component]
 fn Back() -> impl IntoView {
     let desk = hold();
-    let cannot_redo = move || desk.desk().document.redoable.read().is_none();
+    let cannot_redo = move || !may_edit(desk) || desk.desk().document.redoable.read().is_none();
     let undo_title = move || words::step_title(words::undo(), desk.desk().document.undoable.read().as_deref());
     let redo_title = move || words::step_title(words::redo(), desk.desk().document.redoable.read().as_deref());
     view! {
@@ -196,7 +196,7 @@ fn Back() -> impl IntoView {
 fn can_undo(desk: Hold) -> bool {
     let desk = desk.desk();
     let gone = desk.document.open.read().is_none() && desk.library.gone.read().is_some();
-    gone || desk.document.undoable.read().is_some()
+    desk.may(Role::Editor) && (gone || desk.document.undoable.read().is_some())
 }
 
 #[component]

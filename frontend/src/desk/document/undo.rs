@@ -7,6 +7,7 @@ use super::steps::{Step, Steps, label_of};
 use crate::desk::tab::{new_id, set_if_new};
 use behaviour::{Change, Id};
 use leptos::prelude::*;
+use protocol::Role;
 use std::collections::VecDeque;
 
 /// Of so many own changes it is remembered what they changed, to show at once what taking them back makes of it.
@@ -54,7 +55,7 @@ impl Mine {
 impl Document {
     /// Takes back this person's last change.
     pub(crate) fn undo(&self) {
-        let Some(open) = self.open.get_untracked() else { return };
+        let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
         let above = self.steps(&open).undone.len();
         let withdrawn = self.state().queue.withdraw(&open, |newest| newest.way != Way::TakeBack);
         match withdrawn {
@@ -71,7 +72,7 @@ impl Document {
 
     /// Does again what was taken back last.
     pub(crate) fn redo(&self) {
-        let Some(open) = self.open.get_untracked() else { return };
+        let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
         let undone = self.steps(&open).undone.len();
         let withdrawn = self.state().queue.withdraw(&open, |newest| newest.way == Way::TakeBack);
         if let Some(waiting) = withdrawn {

@@ -6,7 +6,7 @@ use crate::desk::tab::set_if_new;
 use crate::link::{self, NoAnswer};
 use behaviour::{Behaviour, Change, Checkpoint, Comparison, Id, RecordId};
 use leptos::prelude::*;
-use protocol::{Refused, Reply, Request};
+use protocol::{Refused, Reply, Request, Role};
 use std::sync::Arc;
 
 /// A version of the open behaviour.
@@ -166,7 +166,7 @@ impl Document {
 
     /// Asks for a change that only the server can make.
     fn wish(&self, label: &str, way: Way) {
-        let Some(open) = self.open.get_untracked() else { return };
+        let Some(open) = self.open.get_untracked().filter(|_| !self.tab.refuses(Role::Editor)) else { return };
         if !link::is_up() {
             return self.tab.say_unreachable();
         }

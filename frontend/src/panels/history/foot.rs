@@ -1,5 +1,6 @@
 //! The foot of the history while versions are compared: what differs, as counts and as a table, and the way back.
 
+use super::may_change;
 use super::sittings::Here;
 use crate::browser;
 use crate::desk::{Compared, LinkState, Version};
@@ -202,7 +203,7 @@ fn Buttons(asks: RwSignal<bool>) -> impl IntoView {
     let unreachable = move || desk.desk().online.get() != LinkState::Online;
     view! {
         <div class="history-buttons">
-            <button class="button" type="button" disabled=move || unreachable() || !may_edit(desk) on:click=move |_| asks.set(true)>{words::go_back()}</button>
+            <button class="button" type="button" disabled=move || !may_change(desk) on:click=move |_| asks.set(true)>{words::go_back()}</button>
             <button class="button" type="button" on:click=move |_| desk.desk().document.end_comparing()>{words::done()}</button>
         </div>
         {move || unreachable().then(|| view! { <p class="faint">{words::needs_connection()}</p> })}

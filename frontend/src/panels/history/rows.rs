@@ -1,12 +1,11 @@
 //! The lines of the history: a sitting's head, a gesture, a version with a name, a folded sitting.
 
-use super::choose;
 use super::sittings::{Entry, Gesture};
+use super::{choose, may_change};
 use crate::desk::initials;
 use crate::icons::Icon;
 use crate::layout::called;
 use crate::panels::hold::{Hold, hold};
-use crate::panels::may::may_edit;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -60,6 +59,7 @@ fn tab_index(desk: Hold, revision: u64) -> &'static str {
 fn GestureRow(gesture: Gesture) -> impl IntoView {
     let desk = hold();
     let Gesture { revision, author, by, mine, label, at, removes } = gesture;
+    let cannot = move || !may_change(desk);
     let (verb, of, rest) = words::deed(&label);
     let who = words::who_did(&author, mine);
     let bring_back = move |_| desk.desk().document.bring_back_removed(revision);
@@ -73,9 +73,7 @@ fn GestureRow(gesture: Gesture) -> impl IntoView {
                 <time>{at}</time>
             </button>
             {removes.then(|| view! {
-                <button class="link gesture-link" type="button" disabled=move || !may_edit(desk) on:click=bring_back>
-                    {words::bring_back()}
-                </button>
+                <button class="link gesture-link" type="button" disabled=cannot on:click=bring_back>{words::bring_back()}</button>
             })}
         </li>
     }
@@ -97,30 +95,24 @@ fn NamedRow(revision: u64, name: String, about: String) -> impl IntoView {
                 <span class="gesture-words"><b>{name}</b><span class="about">" "{about}</span></span>
                 {move || chosen.get().then(|| view! { <span class="check-sign"><Icon name="check" /></span> })}
             </button>
-            <Show when=move || chosen.get() && may_edit(desk)>
-                <button class="link gesture-link" type="button" on:click=unname.clone()>{words::unname()}</button>
+            <Show when=move || chosen.get()>
+                <button class="link gesture-link" type="button" disabled=move || !may_change(desk) on:click=unname.clone()>{words::unname()}</button>
             </Show>
         </li>
     }
 }
 
-/// Who did it, as a small round sign.
+/// Who did it, as a small round sign: that of who is here, else letters and a colour that follow from the name.
 #[component]
 fn Face(author: String, by: Option<Id>) -> impl IntoView {
     let desk = hold();
-    let letters = initials(&author);
-    let color = move || format!("var(--people-{})", color_of(desk, &author, by.as_ref()));
-    view! { <span class="avatar face" aria-hidden="true" style=("--person", color)>{letters}</span> }
-}
-
-/// The colour of who is here; of others one that follows from the name. Reactive.
-fn color_of(desk: Hold, author: &str, by: Option<&Id>) -> u8 {
-    let desk = desk.desk();
-    let here = desk
-        .document
-        .people
-        .with(|people| people.iter().find(|person| Some(&person.client) == by).map(|person| person.color));
-    here.unwrap_or_else(|| author.bytes().fold(0_u8, u8::wrapping_add)) % 8
+    let sign = Memo::new(move |_| {
+        let here = desk.desk().document.signs().into_iter().find(|sign| Some(&sign.client) == by.as_ref());
+        let color = author.bytes().fold(0_u8, u8::wrapping_add) % 8;
+        here.map_or_else(|| (initials(&author), color), |sign| (sign.letters, sign.color))
+    });
+    let color = move || format!("var(--people-{})", sign.read().1);
+    view! { <span class="avatar face" aria-hidden="true" style=("--person", color)>{move || sign.get().0}</span> }
 }
 
 /// Who is editing what at this moment.
