@@ -47,7 +47,9 @@ const DESK: Arrows = &[
     ("robots", &["document", "library", "tab"]),
     ("library", &["document", "tab"]),
     ("document", &["tab"]),
-    ("identity", &[]),
+    ("identity", &["tab"]),
+    ("inviting", &["tab"]),
+    ("roles", &["tab"]),
     ("tab", &[]),
 ];
 

@@ -4,6 +4,7 @@
 //! The network is made of what Linux gives to everybody: the test starts itself again as the root of a user namespace with
 //! an empty network, adds another one, and lays a wire between the two. Nothing outside is touched.
 
+#[expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 #[path = "../../crates/server/tests/server/browser.rs"]
 mod browser;
 mod wire;
@@ -76,11 +77,11 @@ async fn scene() -> Outcome<()> {
     let far = Browser::new(folder.path(), &link);
 
     let stranger = far.stranger();
-    network.from_there(async move { without_an_invitation(&stranger).await }).await?;
+    network.do_there(async move { without_an_invitation(&stranger).await }).await?;
 
     let (mut browser, play) = (far.clone(), home.play.clone());
     let change = home.aiko.change("Rename", &behaviour::Behaviour::default(), Vec::new());
-    let socket = network.from_there(async move { as_an_editor(&mut browser, &link, play, change).await }).await?;
+    let socket = network.do_there(async move { as_an_editor(&mut browser, &link, play, change).await }).await?;
     home.aiko
         .until(|told| matches!(told, Reply::Accepted { accepted, .. } if accepted.change.author == "Ben"))
         .await
@@ -88,7 +89,7 @@ async fn scene() -> Outcome<()> {
     home.revoke(editing, socket).await?;
 
     let ((looking, link), mut browser, play) = (home.invite(Role::Viewer).await?, far, home.play.clone());
-    let socket = network.from_there(async move { as_a_viewer(&mut browser, &link, &play).await }).await?;
+    let socket = network.do_there(async move { as_a_viewer(&mut browser, &link, &play).await }).await?;
     home.revoke(looking, socket).await?;
     let list = Request::List { query: ListQuery::default() };
     let Reply::Programs { programs, .. } = home.aiko.ask(list).await.map_err(said)? else { panic!() };

@@ -81,7 +81,7 @@ impl Network {
     }
 
     /// Does something at the other computer. Sockets that are made there stay there, whoever reads them.
-    pub(crate) async fn from_there<T: Send + 'static>(
+    pub(crate) async fn do_there<T: Send + 'static>(
         &self,
         work: impl Future<Output = T> + Send + 'static,
     ) -> Outcome<T> {

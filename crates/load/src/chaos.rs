@@ -241,7 +241,6 @@ impl Way {
 }
 
 #[cfg(test)]
-#[expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 mod tests {
     use super::{Faults, OF, Proxy};
     use tokio::io::{AsyncReadExt, AsyncWriteExt};

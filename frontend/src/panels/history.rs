@@ -52,7 +52,6 @@ pub(crate) fn HistoryPanel() -> impl IntoView {
                     <Icon name="close" />
                 </button>
             </div>
-            <MayNot />
             {move || names.get().map(|revision| view! { <Naming revision names /> })}
             <MayNot />
             <div class="history-lines">

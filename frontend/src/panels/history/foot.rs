@@ -6,7 +6,6 @@ use crate::browser;
 use crate::desk::{Compared, LinkState, Version};
 use crate::layout::{called, whole};
 use crate::panels::hold::{Hold, hold};
-use crate::panels::may::may_edit;
 use crate::words;
 use behaviour::{Difference, RecordId};
 use leptos::prelude::*;

@@ -7,7 +7,7 @@ use crate::icons::Icon;
 use crate::layout::called;
 use crate::panels::hold::{Hold, hold};
 use crate::words;
-use behaviour::Id;
+use behaviour::{Behaviour, Id};
 use leptos::prelude::*;
 use std::collections::BTreeSet;
 
@@ -123,7 +123,7 @@ pub(super) fn EditingNow() -> impl IntoView {
         let desk = desk.desk();
         desk.document.revision.track();
         let edited = desk.document.edited_by_others();
-        let behaviour = (!edited.is_empty()).then(|| desk.document.behaviour()).unwrap_or_default();
+        let behaviour = if edited.is_empty() { Behaviour::default() } else { desk.document.behaviour() };
         let line = move |(record, editor): (behaviour::RecordId, crate::desk::Editor)| {
             let color = format!("var(--people-{})", editor.color % 8);
             let (letters, what) = (initials(&editor.name), called(&behaviour, &record));
