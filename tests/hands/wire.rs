@@ -61,7 +61,7 @@ async fn ask(socket: &mut Socket, number: u32, request: Value) -> Outcome<Value>
         let mut message: Value = serde_json::from_str(&text)?;
         if message["ask"] == number {
             let reply = message["reply"].take();
-            let refused = reply["is"] == "no";
+            let refused = reply.get("no").is_some();
             return if refused { Err(format!("The server said no: {reply}").into()) } else { Ok(reply) };
         }
     }

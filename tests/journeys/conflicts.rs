@@ -20,7 +20,7 @@ async fn two<'a>(stage: &Stage, aiko: &'a Page) -> Outcome<(Switch<'a>, Page)> {
     call_myself(aiko, "Aiko").await?;
     let ben = stage.beside(aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    aiko.find("image", "Ben").await?;
+    aiko.find("button", "Follow Ben").await?;
     Ok((socket, ben))
 }
 

@@ -14,7 +14,7 @@ async fn two(stage: &Stage) -> Outcome<(Page, Page)> {
     add_sense(&aiko, "RedBall").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    aiko.find("button", "Ben: follow").await?;
+    aiko.find("button", "Follow Ben").await?;
     Ok((aiko, ben))
 }
 

@@ -38,7 +38,7 @@ async fn within_two_seconds_nothing_is_claimed_and_within_six_a_banner_says_what
     let socket = stage.enter_with_switch(&aiko).await?;
     running_ball(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
-    aiko.find("image", "Guest*").await?;
+    aiko.find("button", "Follow Guest*").await?;
     let before = aiko.eval(PLACES).await?;
 
     socket.silent_for(2_000).await?;

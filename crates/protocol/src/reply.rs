@@ -19,9 +19,10 @@ pub struct Message {
     pub reply: Reply,
 }
 
-/// What the server says.
+/// What the server says. Named from outside (`{"opened": {..}}`), so that it is read as it comes: a name within would mean to
+/// gather all of it first, and twice the code to read each part of it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", tag = "is")]
+#[serde(rename_all = "camelCase")]
 pub enum Reply {
     /// The answer to the greeting.
     Welcome {
