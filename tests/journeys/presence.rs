@@ -90,7 +90,7 @@ async fn a_new_name_stands_beside_what_one_is_editing_at_once() -> Outcome<()> {
         && !ring.querySelector('svg'); })()";
     aiko.until(ring, "the map shows that Ben selected it, without a padlock").await?;
     let color = "(() => { const of = at => getComputedStyle(document.querySelector(at)); \
-        return of('.ring').borderTopColor === of('.people .avatar:not(:last-child)').backgroundColor \
+        return of('.ring').borderTopColor === of('.people .avatar[aria-pressed]').backgroundColor \
         && of('.ring').borderTopWidth === '2px'; })()";
     aiko.until(color, "the ring is two pixels of Ben's colour").await?;
     call_myself_anew(&ben, "Benedikt").await?;
