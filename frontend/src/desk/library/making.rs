@@ -2,10 +2,11 @@
 
 use super::Library;
 use crate::desk::tab::{AGAIN_MS, Gone, may_pass, new_id, set_if_new};
+use crate::link::NoAnswer;
 use crate::{browser, link, words};
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Reply, Request, Summary};
+use protocol::{Refused, Reply, Request, Summary};
 
 /// A program that is to be made; asked twice with one id, the server makes one.
 #[derive(Clone)]
@@ -82,12 +83,18 @@ impl Library {
         });
     }
 
-    /// Takes a program out of the bin and opens it, unless something else was opened meanwhile.
+    /// Takes a program out of the bin and opens it, unless something else was opened meanwhile. If it is not in the bin any
+    /// more, somebody else was first, and opening it says whether it is there.
     pub(crate) fn bring_back(&self, gone: &Gone) {
         let (library, Gone { id, name }) = (self.clone(), gone.clone());
-        self.tab.ask_or_say(Request::Restore { behaviour: id.clone() }, move |_| {
+        self.tab.look_up(Request::Restore { behaviour: id.clone() }, move |answer| {
+            match answer {
+                Ok(_) => library.tab.say(&words::is_back(&name), false),
+                Err(NoAnswer::Refused(Refused::NoBehaviour)) => {}
+                Err(NoAnswer::Refused(no)) => return library.tab.say_no(&no),
+                Err(NoAnswer::Unreachable) => return library.tab.say_unreachable(),
+            }
             set_if_new(&library.gone, None);
-            library.tab.say(&words::is_back(&name), false);
             if library.document.open.with_untracked(Option::is_none) {
                 library.document.open_program(&id);
             }

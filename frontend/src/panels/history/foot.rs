@@ -157,7 +157,7 @@ fn Differences(was: u64) -> impl IntoView {
         Some(view! {
             <details class="differences">
                 <summary>{words::the_differences()}</summary>
-                <div class="differences-table">
+                <div class="differences-table" role="group" tabindex="0" aria-label=words::the_differences()>
                 <table>
                     <thead><tr>
                         <th scope="col">{words::what_differs()}</th>
