@@ -21,6 +21,18 @@ async fn a_large_behaviour_is_shown_whole_as_it_was() {
     house.close().await;
 }
 
+#[tokio::test]
+async fn going_back_over_more_than_a_message_can_carry_is_refused() {
+    let house = too_large().await;
+    let aiko = house.person("Aiko").await;
+    let play = aiko.load(&id("play")).await.unwrap();
+    let (behaviour, op, called) = (id("play"), id("g1"), String::new());
+    let back = Request::GoBack { behaviour, revision: 1, op, called, tokens: Vec::new() };
+    assert_eq!(aiko.ask(back).await, Err(Trouble::No(Refused::FarBack)));
+    assert_eq!(aiko.open().unwrap(), play);
+    house.close().await;
+}
+
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn however_many_look_at_what_was_few_are_served_at_once_and_all_at_last() {
     let store = Arc::new(Hanging::default());
