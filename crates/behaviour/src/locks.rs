@@ -234,6 +234,7 @@ impl Locks {
             std::iter::once(holder).chain(asks.iter_mut().map(|ask| &mut ask.asker))
         });
         holders.filter(|holder| holder.client == *client).for_each(|holder| name.clone_into(&mut holder.name));
+        self.version += 1;
     }
 
     /// A change was let in and goes to the store. Until [`Self::saved`], nobody else gets what it touches.
