@@ -74,14 +74,18 @@ async fn greet(
     outbox: &Outbox,
     stream: &mut SplitStream<WebSocket>,
 ) -> Result<(Entered, u32), CloseReason> {
-    let Ask { ask, request } = match hear(stream.next().await) {
-        Heard::Ask(ask) => *ask,
-        Heard::Nonsense(ask, reason) => {
-            outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) });
-            return Err(CloseReason::Unwelcome);
+    let Ask { ask, request } = loop {
+        match hear(stream.next().await) {
+            Heard::Ask(ask) => break *ask,
+            Heard::Nonsense(ask, reason) => {
+                outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) });
+                return Err(CloseReason::Unwelcome);
+            }
+            // Such as the answer to a ping, which may come before.
+            Heard::Nothing => {}
+            Heard::Large(_) => return Err(CloseReason::Unwelcome),
+            Heard::End(why) => return Err(why),
         }
-        Heard::Nothing | Heard::Large(_) => return Err(CloseReason::Unwelcome),
-        Heard::End(why) => return Err(why),
     };
     match request {
         Request::Hello { version: VERSION, name, again } => {

@@ -98,7 +98,8 @@ impl Writer {
     async fn run(&mut self, inbox: &mut mpsc::Receiver<Out>) -> CloseReason {
         let mut beat = tokio::time::interval(Duration::from_millis(BEAT_MS));
         let mut ping = tokio::time::interval(Duration::from_millis(PING_MS));
-        let mut alive = tokio::time::interval(Duration::from_millis(ALIVE_MS));
+        let (alive_every, begin) = (Duration::from_millis(ALIVE_MS), tokio::time::Instant::now());
+        let mut alive = tokio::time::interval_at(begin + alive_every, alive_every);
         for interval in [&mut beat, &mut ping, &mut alive] {
             interval.set_missed_tick_behavior(MissedTickBehavior::Delay);
         }

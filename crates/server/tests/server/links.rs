@@ -36,6 +36,24 @@ async fn say(socket: &mut Socket, text: &str) -> (Option<Refused>, Option<u16>) 
 }
 
 #[tokio::test]
+async fn the_answer_to_a_ping_may_come_before_the_greeting() {
+    let house = House::open().await;
+    let mut socket = socket(&house).await;
+    socket.send(Message::Pong(Vec::new().into())).await.unwrap();
+    let hello = format!(r#"{{"ask":1,"request":{{"is":"hello","version":{},"name":"A"}}}}"#, protocol::VERSION);
+    socket.send(Message::text(hello)).await.unwrap();
+    let welcome = loop {
+        match socket.next().await.unwrap().unwrap() {
+            Message::Text(text) => break serde_json::from_str::<Told>(&text).unwrap().reply,
+            Message::Close(frame) => panic!("{frame:?}"),
+            _ => {}
+        }
+    };
+    assert!(matches!(welcome, Reply::Welcome { .. }), "{welcome:?}");
+    house.close().await;
+}
+
+#[tokio::test]
 async fn the_greeting_comes_first_and_in_our_version() {
     let house = House::open().await;
     let table = [
