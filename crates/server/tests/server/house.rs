@@ -7,7 +7,7 @@ use shell::{Client, Trouble};
 use std::net::SocketAddr;
 use std::path::Path;
 use std::sync::Arc;
-use store::{MemoryStore, Store};
+use store::{MemoryStore, Store, StoreError};
 use tokio::sync::oneshot;
 use tokio::task::JoinHandle;
 
@@ -30,7 +30,14 @@ impl House {
 
     /// On the files of a folder.
     pub(crate) async fn at(folder: &Path) -> Self {
-        Self::on(Arc::new(store::open(folder).await.unwrap())).await
+        loop {
+            match store::open(folder).await {
+                Ok(store) => return Self::on(Arc::new(store)).await,
+                // Whoever had it before may still be putting it away.
+                Err(StoreError::Busy(_)) => tokio::time::sleep(std::time::Duration::from_millis(1)).await,
+                Err(error) => panic!("{error}"),
+            }
+        }
     }
 
     /// On a store, with a data folder beside it.
