@@ -14,7 +14,7 @@ const CLAIMS: &str = "(() => {
     if (!document.querySelector('.start').disabled) found.push('Start can be pressed');
     if (document.querySelector('.edge.fired, .chip.fired')) found.push('a pulse');
     if ([...document.querySelectorAll('.value')].some(value => !value.matches('.quiet'))) found.push('a value');
-    const other = document.querySelector('.people .avatar:not(button)');
+    const other = document.querySelector('.people .avatar[aria-pressed]');
     if (getComputedStyle(other).borderStyle !== 'dashed') found.push('an avatar');
     const lines = ['All changes saved', 'Running version'].filter(line => document.body.innerText.includes(line));
     return [...found, ...lines].join(', ');
