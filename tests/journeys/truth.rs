@@ -191,7 +191,7 @@ async fn an_undo_that_came_too_fast_is_sent_again_in_its_order() -> Outcome<()> 
     calm(&aiko)
 }
 
-/// Answers proposals of the page with “too fast”, as often as `refuse` says, in place of the server.
+/// Answers changes and undo of the page with “too fast”, as often as `refuse` says, in place of the server.
 async fn refuse_when_asked(page: &Page) -> Outcome<()> {
     let no = serde_json::to_string(&Message { ask: Some(0), reply: Reply::No { no: Refused::TooFast } })?;
     let source = format!(
@@ -200,7 +200,8 @@ async fn refuse_when_asked(page: &Page) -> Outcome<()> {
         globalThis.WebSocket = class extends Real {{
             send(text) {{
                 const asked = JSON.parse(text);
-                if (asked.request.is !== 'propose' || !globalThis.refuse) return super.send(text);
+                const isChange = ['propose', 'takeBack'].includes(asked.request.is);
+                if (!isChange || !globalThis.refuse) return super.send(text);
                 globalThis.refuse -= 1;
                 const data = JSON.stringify({{ ...{no}, ask: asked.ask }});
                 setTimeout(() => this.dispatchEvent(new MessageEvent('message', {{ data }})));
