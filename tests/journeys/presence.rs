@@ -7,8 +7,7 @@ use crate::steps::*;
 use crate::together::{add_map, call_myself};
 
 /// What stands on the signs in the bar.
-const LETTERS: &str =
-    "[...document.querySelectorAll('.people .avatar:not(.more)')].map(sign => sign.innerText.trim()).join(' ')";
+const LETTERS: &str = "[...document.querySelectorAll('.people .avatar:not(.more)')].map(sign => sign.innerText.trim() || sign.querySelector('[data-letters]').dataset.letters).join(' ')";
 /// Where the canvas is.
 const VIEW: &str = "document.querySelector('.world').style.transform";
 /// Where the pointer of somebody else is.

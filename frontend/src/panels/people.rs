@@ -76,7 +76,7 @@ fn Other(sign: Sign) -> impl IntoView {
         <button class="avatar not-phone" type="button" data-stop="" tabindex="-1" style=("--person", color)
             title=label.clone() aria-label=label aria-pressed=move || pressed.get().to_string()
             on:click=move |_| follow_or_end(desk, &client)>
-            <span aria-hidden="true">{sign.letters}</span>
+            <span aria-hidden="true" data-letters=sign.letters></span>
         </button>
     }
 }

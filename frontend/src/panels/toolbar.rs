@@ -112,7 +112,7 @@ fn ProgramName() -> impl IntoView {
                 {name}
             </button>
             </h1>
-            <span class="saving cut" role="status" data-offline=move || is_offline(desk).then_some("")>
+            <span class="saving cut" role="status" title=move || saving_line(desk) data-offline=move || is_offline(desk).then_some("")>
                 {move || saving_line(desk)}
             </span>
         </div>

@@ -132,7 +132,7 @@ fn TakeOver(held: Held, name: Memo<Option<String>>) -> impl IntoView {
     let question = move || name.get().map(|name| words::take_over_question(&name));
     view! {
         <Show when=move || may() && !asked.get()>
-            <div><button class="link" type="button" on:click=move |_| asked.set(true)>{words::take_over()}</button></div>
+            <div><button class="link take-over" type="button" on:click=move |_| asked.set(true)>{words::take_over()}</button></div>
         </Show>
         <Show when=move || may() && asked.get()>
             <div class="take-over">

@@ -32,7 +32,7 @@ fn One(invitation: Invitation, asked: RwSignal<Option<behaviour::Id>>) -> impl I
     let terms = format!("{} · {}", words::may_short(invitation.role), words::lasts(invitation.lasts));
     let ended = ended(&invitation);
     let came = invitation.came.iter().map(|came| view! { <li><Person came=came.clone() /></li> }).collect_view();
-    let nobody = invitation.came.is_empty().then(words::nobody_came);
+    let nobody = invitation.came.is_empty().then(|| view! { <li>{words::nobody_came()}</li> });
     let here = invitation.came.iter().filter(|came| came.here).count();
     view! {
         <li class="invitation" class:ended=ended.is_some()>
