@@ -4,10 +4,12 @@
 use std::io::IsTerminal;
 use std::time::Duration;
 use tracing_appender::non_blocking::{ErrorCounter, NonBlockingBuilder, WorkerGuard};
-use tracing_subscriber::EnvFilter;
+use tracing_subscriber::filter::{LevelFilter, Targets};
+use tracing_subscriber::layer::SubscriberExt;
+use tracing_subscriber::util::SubscriberInitExt;
 
 /// What is logged when RRP_LOG does not say otherwise.
-const LOG: &str = "info";
+const LOG: LevelFilter = LevelFilter::INFO;
 /// Lines that may wait to be written.
 const WAITING_MAX_LINES: usize = 8_192;
 /// How often it is told how many lines were lost.
@@ -24,9 +26,11 @@ pub(crate) fn start() -> Log {
     let (to, writing) =
         NonBlockingBuilder::default().lossy(true).buffered_lines_limit(WAITING_MAX_LINES).finish(std::io::stderr());
     let lost = to.error_counter();
-    let filter = EnvFilter::try_from_env("RRP_LOG").unwrap_or_else(|_| EnvFilter::new(LOG));
+    let asked = std::env::var("RRP_LOG").ok().and_then(|words| words.parse::<Targets>().ok());
+    let filter = asked.unwrap_or_else(|| Targets::new().with_default(LOG));
     let ansi = std::io::stderr().is_terminal();
-    tracing_subscriber::fmt().with_env_filter(filter).with_writer(to).with_ansi(ansi).init();
+    let lines = tracing_subscriber::fmt::layer().with_writer(to).with_ansi(ansi);
+    tracing_subscriber::registry().with(filter).with(lines).init();
     std::panic::set_hook(Box::new(|panic| tracing::error!(%panic, "a thread panicked")));
     Log { _writing: writing, lost }
 }

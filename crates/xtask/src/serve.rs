@@ -1,5 +1,6 @@
 //! Builds the page and the server, and runs the server in the foreground.
 
+use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Instant;
@@ -8,8 +9,10 @@ use crate::beside::Beside;
 use crate::page::{self, Mode};
 use crate::tools::{self, Outcome, Workspace};
 
-/// The packages that are selected together, so that all of the server but the page in it can be built before the page is.
-const SERVER: [&str; 6] = ["build", "--release", "--package", "rrp", "--package", "server"];
+/// The package that people run: the one that carries the page.
+const PROGRAM: &str = "rrp";
+/// How much the page's build gives way to the server's, which takes longer: so that both end at about the same time.
+const SERVER_FIRST: u8 = 2;
 
 /// `words` are `[--dev] [--] ARGS`; ARGS go to `rrp serve` as they are.
 pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
@@ -41,14 +44,30 @@ fn optimise(workspace: &Workspace) -> Outcome<PathBuf> {
         println!("Building the page and the server for the first time: about six minutes on two cores.");
     }
     tools::ensure_wasm(workspace)?;
-    let page = Beside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
-    let cargo = |what: &[&str]| workspace.cargo(&[SERVER.as_slice(), what].concat());
+    let page = Beside::begin(vec![page::builder(SERVER_FIRST)?], workspace.target.join("page.txt"))?;
+    let packages = packages(workspace)?;
+    let cargo = |what: &[&str]| {
+        let mut cargo = workspace.cargo(&["build", "--release"]);
+        cargo.args(packages.iter().flat_map(|package| ["--package", package])).args(what);
+        cargo
+    };
     tools::run(&mut cargo(&["--lib"]), "Building the server")?;
     println!("The server is built; {} s so far. The page follows.", began.elapsed().as_secs());
     page.wait()?;
     tools::run(&mut cargo(&["--bin", "rrp"]), "Building the server")?;
     println!("Built in {} s.", began.elapsed().as_secs());
     Ok(server)
+}
+
+/// The program and all it uses directly, selected together, so that everything but the program itself, with the page in it,
+/// is built before the page is.
+fn packages(workspace: &Workspace) -> Outcome<Vec<String>> {
+    let file = workspace.root.join("crates").join(PROGRAM).join("Cargo.toml");
+    let text = fs::read_to_string(&file).map_err(|error| format!("{} cannot be read: {error}.", file.display()))?;
+    let lines =
+        text.lines().skip_while(|line| *line != "[dependencies]").skip(1).take_while(|line| !line.starts_with('['));
+    let names = lines.filter_map(|line| line.split_once(" =")).map(|(name, _)| name.to_owned());
+    Ok(names.chain([PROGRAM.to_owned()]).collect())
 }
 
 /// Turns this process into the server, so that Ctrl-C, other signals and the exit code are the server's own.

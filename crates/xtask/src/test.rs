@@ -116,7 +116,7 @@ impl Run<'_> {
 fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
     find_tools(run)?;
     let optimised = run.workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
-    run.beside = Some(Beside::begin(vec![page::builder()?, optimised], run.workspace.target.join("beside.txt"))?);
+    run.beside = Some(Beside::begin(vec![page::builder(0)?, optimised], run.workspace.target.join("beside.txt"))?);
     Ok(())
 }
 
