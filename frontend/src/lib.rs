@@ -5,6 +5,7 @@ mod browser;
 mod canvas;
 mod carries;
 mod desk;
+mod few;
 mod fields;
 mod icons;
 mod layout;

@@ -1,5 +1,6 @@
 //! Back to what was: a whole revision again, or what one change removed, each as one new change.
 
+use crate::Filled;
 use crate::{Behaviour, Change, Edit, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
 use std::collections::BTreeSet;
 
@@ -23,7 +24,7 @@ impl Room {
     #[must_use]
     pub fn go_back(&self, was: &Behaviour, start: Change) -> Change {
         let now = self.behaviour();
-        let all: BTreeSet<&RecordId> = now.records.keys().chain(was.records.keys()).collect();
+        let all: BTreeSet<&RecordId> = now.records.keys().chain(was.records.keys()).filled();
         let edits = all.into_iter().filter_map(|id| {
             let (before, after) = (now.records.get(id), was.records.get(id));
             let stays = before == after || (after.is_none() && *id == RecordId::settings());

@@ -1,5 +1,6 @@
 //! How two versions of a behaviour differ: what is new, what is another, what went and what only stands elsewhere.
 
+use crate::Filled;
 use crate::{Behaviour, Id, Kind, Record, RecordId};
 use std::collections::BTreeSet;
 
@@ -36,8 +37,8 @@ impl Comparison {
         let counts = |id: &&RecordId| id.kind != Kind::Place;
         let only = |one: &Behaviour, other: &Behaviour| {
             let ids = one.records.keys().filter(counts).filter(|id| !other.records.contains_key(id));
-            let ids: BTreeSet<RecordId> = ids.cloned().collect();
-            ids.iter().filter(|id| !is_part_of_action(one, id, &ids)).cloned().collect()
+            let ids: BTreeSet<RecordId> = ids.cloned().filled();
+            ids.iter().filter(|id| !is_part_of_action(one, id, &ids)).cloned().filled()
         };
         let another = |id: &&RecordId| was.records.get(id).is_some_and(|before| Some(before) != is.records.get(id));
         let both = is.records.keys().filter(|id| was.records.contains_key(id));
@@ -45,9 +46,9 @@ impl Comparison {
             both.filter(another).partition(|id| id.kind == Kind::Place);
         Self {
             new: only(is, was),
-            changed: changed.into_iter().cloned().collect(),
+            changed: changed.into_iter().cloned().filled(),
             removed: only(was, is),
-            moved: moved.into_iter().map(|id| id.id.clone()).collect(),
+            moved: moved.into_iter().map(|id| id.id.clone()).filled(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
+use crate::Filled;
 use crate::walk::{self, Ends};
 use crate::{Behaviour, Connector, Id, StreamKind};
 use std::collections::{BTreeMap, BTreeSet};
@@ -60,7 +61,7 @@ impl<'a> Graph<'a> {
 
     /// The graph in numbers, with these streams besides those that connectors lead from and to.
     fn wires(&self, streams: impl Iterator<Item = &'a Id>) -> Wires<'a> {
-        let streams: BTreeSet<&'a Id> = self.into.keys().chain(self.out_of.keys()).copied().chain(streams).collect();
+        let streams: BTreeSet<&'a Id> = self.into.keys().chain(self.out_of.keys()).copied().chain(streams).filled();
         let streams: Vec<&'a Id> = streams.into_iter().collect();
         let place = |id: &Id| streams.binary_search(&id).unwrap_or_default();
         let mut all: Vec<_> = self.into.values().flatten().collect();

@@ -11,6 +11,7 @@ mod compare;
 pub mod connectors;
 mod fields;
 mod file;
+mod filled;
 pub mod flow;
 mod graph;
 mod history;
@@ -39,6 +40,7 @@ pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Ch
 pub use compare::{Comparison, Difference};
 pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Flaw, FlawKind};
+pub use filled::Filled;
 pub use graph::Graph;
 pub use history::History;
 pub use ids::{BadId, Id, Kind, LIBRARY, RecordId};

@@ -1,5 +1,6 @@
 //! What is still missing before a behaviour can run. Problems never stop editing; most stop Start.
 
+use crate::Filled;
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
 use crate::{
     Behaviour, Connector, Engine, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, Settings, StreamKind,
@@ -66,7 +67,7 @@ pub enum ProblemKind {
 /// All problems of a behaviour, in file order, connectors after streams. `helpers` is the library.
 #[must_use]
 pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge) -> Vec<Problem> {
-    let library: BTreeMap<&str, &Helper> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).collect();
+    let library: BTreeMap<&str, &Helper> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
     let graph = Graph::of(behaviour);
     let reaching = graph.reaching_action(behaviour);
     let multiplying = multiplying(behaviour);
@@ -103,7 +104,7 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
         return None;
     }
     let streams = behaviour.streams_in_order();
-    let places: BTreeMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).collect();
+    let places: BTreeMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).filled();
     let ends = |connector: &Connector| {
         let inputs = connector.inputs.iter().map(|id| places.get(id).copied()).collect::<Option<Vec<_>>>()?;
         Some((inputs, *places.get(&connector.output)?, connector.operation.spec().gives))

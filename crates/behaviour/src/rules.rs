@@ -1,5 +1,6 @@
 //! The rules every change must keep, and the refusal that names the broken one.
 
+use crate::Filled;
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
     Behaviour, Change, Connector, Edit, Graph, Helper, Id, Params, Procedure, Record, Settings, Stream, StreamKind,
@@ -151,7 +152,7 @@ fn check_bounds(edit: &Edit) -> Result<(), Refusal> {
     if bytes > RECORD_MAX_BYTES && before.is_none_or(|before| record_bytes(&edit.id, before) < bytes) {
         return Err(Refusal::TooLarge(format!("this {}", edit.id.kind.word())));
     }
-    let known: BTreeSet<&str> = before.map(names_in).unwrap_or_default().into_iter().collect();
+    let known: BTreeSet<&str> = before.map(names_in).unwrap_or_default().into_iter().filled();
     let mut new = names_in(after).into_iter().filter(|name| !known.contains(name));
     new.try_for_each(|name| {
         within("This name", name, NAME_MAX_CHARS)?;
@@ -285,7 +286,7 @@ fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
 }
 
 pub(crate) fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
-    let streams: BTreeMap<&Id, &Stream> = after.streams().collect();
+    let streams: BTreeMap<&Id, &Stream> = after.streams().filled();
     for (_, connector) in after.connectors_in_order() {
         check_ends(&streams, connector)?;
     }

@@ -3,7 +3,7 @@
 use crate::params::{DeviceFault, Param, check_params};
 use crate::{Shape::Object, devices};
 use behaviour::connectors::Carries;
-use behaviour::{Params, StreamKind, Value};
+use behaviour::{Filled, Params, StreamKind, Value};
 
 /// A sense or an action.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +63,7 @@ impl NextStep {
     #[must_use]
     pub fn params(&self, carries: Carries) -> Option<Params> {
         let (_, chosen) = self.for_streams.iter().find(|(one, _)| *one == carries)?;
-        Some(chosen.iter().map(|&(name, value)| (name.to_owned(), Value::text(value))).collect())
+        Some(chosen.iter().map(|&(name, value)| (name.to_owned(), Value::text(value))).filled())
     }
 }
 

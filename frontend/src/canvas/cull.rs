@@ -1,6 +1,7 @@
 //! Which streams and connectors are drawn: those in or near the view, by coarse cells, so that small pans change nothing.
 
 use super::view::{Bounds, View};
+use behaviour::Filled;
 
 /// The side of a cell in canvas units.
 const CELL: f64 = 600.0;
@@ -40,7 +41,7 @@ pub(super) fn drawn<T: Clone + Ord>(all: &[T], seen: impl Fn(&T) -> bool, before
     if rests || before.is_empty() {
         return all.iter().filter(|item| seen(item)).cloned().collect();
     }
-    let before: std::collections::BTreeSet<&T> = before.iter().collect();
+    let before: std::collections::BTreeSet<&T> = before.iter().filled();
     all.iter().filter(|item| before.contains(item) || seen(item)).cloned().collect()
 }
 

@@ -1,6 +1,7 @@
 //! How much room there is beside a stream for its value, and beside a chip for what it says. Pure.
 
 use super::view::Bounds;
+use behaviour::Filled;
 use behaviour::Id;
 use std::collections::BTreeMap;
 
@@ -50,7 +51,7 @@ pub(super) fn rooms(streams: &[(Id, Bounds)], chips: &[Bounds]) -> BTreeMap<Id, 
         }
     }
     rows.values_mut().for_each(|lefts| lefts.sort_by(f64::total_cmp));
-    streams.iter().map(|(id, bounds)| (id.clone(), room(&rows, bounds))).collect()
+    streams.iter().map(|(id, bounds)| (id.clone(), room(&rows, bounds))).filled()
 }
 
 fn room(rows: &BTreeMap<i64, Vec<f64>>, bounds: &Bounds) -> f64 {

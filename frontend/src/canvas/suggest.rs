@@ -1,6 +1,7 @@
 //! What a person is likely to do next with a stream, best first. Pure.
 
 use crate::carries::carries;
+use crate::few::sort_few;
 use behaviour::connectors::{self, Carries, Spec};
 use behaviour::{Behaviour, Graph, Helper, Id, Params, Procedure, StreamKind, Value};
 use robot::Device;
@@ -55,9 +56,11 @@ fn fitting_helpers(helpers: &[Helper], carries: Carries, stream_name: &str) -> V
         [param] => takes(param, carries, &name),
         _ => false,
     };
-    let mut fitting: Vec<&Helper> = helpers.iter().filter(fits).collect();
-    fitting.sort_by_key(|helper| (helper.name.chars().count(), helper.name.clone()));
-    fitting.into_iter().map(|helper| Step::Helper(helper.name.clone())).collect()
+    let long = |helper: &Helper| helper.name.chars().count();
+    let mut fitting: Vec<(usize, &str)> =
+        helpers.iter().filter(fits).map(|helper| (long(helper), helper.name.as_str())).collect();
+    sort_few(&mut fitting, |one, other| one < other);
+    fitting.into_iter().map(|(_, name)| Step::Helper(name.to_owned())).collect()
 }
 
 fn takes(param: &str, carries: Carries, stream_name: &str) -> bool {

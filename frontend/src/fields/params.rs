@@ -1,6 +1,7 @@
 //! The parameters of a device as a form, straight from the catalogue.
 
 use super::{Choice, NumberField, TextField, Unfilled};
+use behaviour::Filled;
 use behaviour::{Params, Value};
 use leptos::prelude::*;
 use robot::{Device, Param, ParamKind};
@@ -36,7 +37,7 @@ impl ParamForm {
     /// # Errors
     /// If something does not fit.
     pub(crate) fn read(&self) -> Result<Params, Unfilled> {
-        let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).collect();
+        let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).filled();
         self.device.check(&params).map(|()| params).map_err(|reason| Unfilled::Param(reason.to_string()))
     }
 }

@@ -1,6 +1,7 @@
 //! A free spot for a new stream: below its sources, beside nothing.
 
 use super::{CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, snapped, stream_width};
+use behaviour::Filled;
 use behaviour::{Behaviour, Connector, Graph, Id, Place, Stream};
 use std::collections::BTreeMap;
 
@@ -123,7 +124,7 @@ fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<Room> {
 /// Places for streams that nobody placed: a whole layout if nobody placed any, else a free spot for each.
 pub(crate) fn missing_places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
     let mut places: BTreeMap<Id, Place> =
-        behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).collect();
+        behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).filled();
     if places.is_empty() {
         return super::tidy(behaviour);
     }

@@ -2,6 +2,7 @@
 
 use super::spot::whole_width;
 use super::{GAP, LEVEL, snapped};
+use behaviour::Filled;
 use behaviour::{Behaviour, Graph, Id, Place};
 use rust_sugiyama::configure::{Config, CrossingMinimization, RankingType};
 use std::collections::{BTreeMap, BTreeSet};
@@ -10,13 +11,13 @@ use std::collections::{BTreeMap, BTreeSet};
 pub(crate) fn tidy(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
     let streams = behaviour.streams_in_order();
     let graph = Graph::of(behaviour);
-    let number: BTreeMap<&Id, u32> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).collect();
+    let number: BTreeMap<&Id, u32> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
     let width = |at: usize| {
         let (id, stream) = streams[at];
         whole_width(stream, graph.into_stream(id).iter().map(|(_, connector)| *connector))
     };
     let edges = edges(behaviour, &number);
-    let joined: BTreeSet<u32> = edges.iter().flat_map(|(from, to)| [*from, *to]).collect();
+    let joined: BTreeSet<u32> = edges.iter().flat_map(|(from, to)| [*from, *to]).filled();
     let vertices: Vec<_> = joined.iter().map(|at| (*at, (width(*at as usize), 48.0))).collect();
     let mut parts: Vec<Vec<(usize, f64, f64)>> = Vec::new();
     if !edges.is_empty() {

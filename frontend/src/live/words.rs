@@ -1,5 +1,6 @@
 //! How live values are written in the little room beside a stream.
 
+use crate::few::sort_few;
 use behaviour::Value;
 
 /// The most characters of a text or list.
@@ -17,7 +18,7 @@ pub(crate) fn short_value(value: &Value) -> String {
         Value::Map(fields) => {
             let shown = fields.iter().filter(|(name, value)| &***name != "time" && !is_empty(value));
             let mut parts: Vec<_> = shown.map(|(name, value)| (rank(name), name, short_field(value))).collect();
-            parts.sort_by_key(|part| part.0);
+            sort_few(&mut parts, |one, other| one.0 < other.0);
             parts.iter().take(3).map(|(_, name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(" · ")
         }
     }

@@ -1,6 +1,7 @@
 //! From a behaviour to its file.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
+use crate::Filled;
 use crate::{
     Behaviour, Connector, Engine, Helper, Id, Place, Procedure, Record, Settings, Stream, Value, called_names,
 };
@@ -86,7 +87,7 @@ fn layout_of(behaviour: &Behaviour) -> BTreeMap<String, Place> {
 }
 
 fn used_helpers(connectors: &[FileConnector], library: &[&Helper]) -> Vec<FileHelper> {
-    let known: BTreeMap<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).collect();
+    let known: BTreeMap<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
     let mut open: Vec<&str> = connectors.iter().filter_map(|connector| connector.helper.as_deref()).collect();
     open.extend(connectors.iter().filter_map(|connector| connector.body.as_deref()).flat_map(called_names));
     let mut used: BTreeMap<&str, &Helper> = BTreeMap::new();

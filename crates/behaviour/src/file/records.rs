@@ -1,6 +1,7 @@
 //! From a file to the records of a behaviour.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
+use crate::Filled;
 use crate::{
     BadId, Behaviour, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId, Settings,
     Stream, connectors,
@@ -128,7 +129,7 @@ impl BehaviourFile {
                 flaw(name, FlawKind::Order { here, above })
             }));
         }
-        let ids: BTreeSet<_> = self.ids().collect();
+        let ids: BTreeSet<_> = self.ids().filled();
         for name in self.order.keys().filter(|name| !ids.contains(name)) {
             flaws.push(flaw(name, FlawKind::OrderOfNothing));
         }

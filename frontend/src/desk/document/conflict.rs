@@ -2,6 +2,7 @@
 //! theirs. Pure, with the behaviour handed in.
 
 use super::build;
+use behaviour::Filled;
 use behaviour::{Accepted, Behaviour, Change, Connector, Edit, Id, Kind, Record, RecordId, Refusal, Stream};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -55,7 +56,7 @@ fn is_part(id: &RecordId) -> bool {
 /// Of what others saved, the changes since the author of a refused one looked: from the one on that changed what the
 /// author saw.
 pub(super) fn since_seen(log: Vec<Accepted>, mine: &Change) -> Vec<Accepted> {
-    let needs: BTreeSet<RecordId> = needed(mine).into_iter().chain(touched(mine).cloned()).collect();
+    let needs: BTreeSet<RecordId> = needed(mine).into_iter().chain(touched(mine).cloned()).filled();
     let touches =
         |accepted: &Accepted| accepted.change.op != mine.op && touched(&accepted.change).any(|id| needs.contains(id));
     let mut log: Vec<Accepted> = log.into_iter().filter(touches).collect();
@@ -87,7 +88,7 @@ fn touched(change: &Change) -> impl Iterator<Item = &RecordId> {
 /// What a change is about or rests on: what it edits, and the ends of its connectors.
 fn needed(change: &Change) -> BTreeSet<RecordId> {
     let edited = touched(change).filter(|id| is_part(id)).cloned();
-    edited.chain(change.edits.iter().filter_map(|edit| edit.after.as_ref()).flat_map(ends)).collect()
+    edited.chain(change.edits.iter().filter_map(|edit| edit.after.as_ref()).flat_map(ends)).filled()
 }
 
 /// The streams that a record cannot be without.
@@ -135,7 +136,7 @@ fn put(whole: &mut Behaviour, id: &RecordId, record: Option<Record>) {
 
 /// The change from one behaviour to another, under the name of an empty one.
 pub(super) fn between(now: &Behaviour, then: &Behaviour, start: Change) -> Change {
-    let all: BTreeSet<&RecordId> = now.records.keys().chain(then.records.keys()).collect();
+    let all: BTreeSet<&RecordId> = now.records.keys().chain(then.records.keys()).filled();
     let edits = all.into_iter().filter(|id| now.records.get(*id) != then.records.get(*id));
     let edit = |id: &RecordId| Edit {
         id: id.clone(),
@@ -172,7 +173,7 @@ impl Conflict {
 
     /// Whether another change touches something of this one.
     pub(super) fn meets(&self, change: &Change) -> bool {
-        let mine: BTreeSet<_> = touched(&self.mine).filter(|id| is_part(id)).collect();
+        let mine: BTreeSet<_> = touched(&self.mine).filter(|id| is_part(id)).filled();
         touched(change).any(|id| mine.contains(id))
     }
 
@@ -181,7 +182,7 @@ impl Conflict {
         let made = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.before.is_none());
         let dropped = |id: &RecordId| self.mine.edits.iter().any(|edit| edit.id == *id && edit.after.is_none());
         let needs = needed(&self.mine).into_iter();
-        needs.filter(|id| !now.records.contains_key(id) && !made(id) && !dropped(id)).collect()
+        needs.filter(|id| !now.records.contains_key(id) && !made(id) && !dropped(id)).filled()
     }
 
     /// Whether somebody removed what this change is about or rests on.

@@ -6,6 +6,7 @@ use super::{Document, Mark};
 use crate::browser::Keep;
 use crate::desk::tab::{Dialog, set_if_new};
 use crate::{link, words};
+use behaviour::Filled;
 use behaviour::{Accepted, Behaviour, Change, Id, Kind, RecordId, Refusal};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request};
@@ -201,7 +202,7 @@ impl Document {
         self.look_back(open, self.revision.get_untracked(), move |log| {
             let now = document.with_confirmed(Behaviour::clone);
             let is_missing = |whole: &Behaviour| -> BTreeSet<RecordId> {
-                [record.clone()].into_iter().filter(|id| !whole.records.contains_key(id)).collect()
+                [record.clone()].into_iter().filter(|id| !whole.records.contains_key(id)).filled()
             };
             let back = between(&now, &brought_back(&now, &log, is_missing), document.change(words::bring_back()));
             if back.edits.is_empty() && !now.records.contains_key(&record) {
@@ -269,7 +270,7 @@ impl Document {
         let waits: BTreeSet<RecordId> = {
             let state = self.state();
             match &state.wanted {
-                Some(open) if !state.saves.can_save() => state.queue.touched(open).into_iter().collect(),
+                Some(open) if !state.saves.can_save() => state.queue.touched(open).into_iter().filled(),
                 _ => BTreeSet::new(),
             }
         };

@@ -3,6 +3,7 @@
 use super::{ConnectPlan, Document, Output, Selected, build};
 use crate::desk::tab::new_id;
 use crate::layout;
+use behaviour::Filled;
 use behaviour::{Behaviour, Change, Connector, Id, Kind, Operation, Params, Place, Record, RecordId, Stream};
 use leptos::prelude::*;
 use protocol::Refused;
@@ -150,7 +151,7 @@ impl Document {
             let place = behaviour.place(id).or_else(|| shown(id))?;
             Some((id.clone(), place))
         });
-        let places = places.collect();
+        let places = places.filled();
         drop(state);
         (behaviour, places)
     }

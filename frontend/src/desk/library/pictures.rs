@@ -2,6 +2,7 @@
 
 use super::Library;
 use crate::browser;
+use behaviour::Filled;
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{PICTURES_MAX, Picture, PictureOf, Reply, Request};
@@ -48,7 +49,7 @@ impl Library {
     }
 
     fn got_pictures(&self, asked: &[PictureOf], got: &[(Id, Picture)]) {
-        let revisions: BTreeMap<&Id, u64> = asked.iter().map(|of| (&of.behaviour, of.revision)).collect();
+        let revisions: BTreeMap<&Id, u64> = asked.iter().map(|of| (&of.behaviour, of.revision)).filled();
         self.pictures.update(|kept| {
             if kept.len() + got.len() > PICTURES_KEPT_MAX {
                 kept.clear();

@@ -4,6 +4,7 @@ use super::Robots;
 use super::unused::Before;
 use crate::desk::document::ConnectorSignals;
 use crate::desk::tab::set_if_new;
+use crate::few::sort_few;
 use crate::layout::chip_words;
 use behaviour::{Connector, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
@@ -32,7 +33,7 @@ impl Robots {
             let before = &self.state().before;
             connectors.iter().filter_map(|(id, signals)| failing(before, id, signals)).collect()
         };
-        found.sort_by(|one, other| other.0.total_cmp(&one.0));
+        sort_few(&mut found, |one, other| one.0 > other.0);
         set_if_new(&self.failing, found.into_iter().map(|(_, failing)| failing).collect());
     }
 }

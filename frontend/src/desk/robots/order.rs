@@ -1,6 +1,7 @@
 //! What runs beside the open program: its order, and stopping one of it.
 
 use super::Robots;
+use crate::few::sort_few;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -11,7 +12,7 @@ impl Robots {
     pub(crate) fn all_running(&self) -> Vec<RunState> {
         let mut running = self.runs_here();
         running.retain(|run| run.phase == RunPhase::Running);
-        running.sort_by_key(|run| run.place);
+        sort_few(&mut running, |one, other| one.place < other.place);
         running
     }
 

@@ -4,6 +4,7 @@ use super::Robots;
 use crate::desk::tab::set_if_new;
 use crate::link;
 use crate::live::LiveConnector;
+use behaviour::Filled;
 use behaviour::{Accepted, Behaviour, Connector, Helper, Id, Kind, Procedure, Record, RecordId};
 use leptos::prelude::*;
 use protocol::{Reply, Request};
@@ -101,7 +102,7 @@ fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id
         Some(_) => true,
         None => helper_of(now).is_some_and(|helper| helpers.contains(helper)),
     };
-    open.connectors().filter(|(id, now)| differs(id, now)).map(|(id, _)| id.clone()).collect()
+    open.connectors().filter(|(id, now)| differs(id, now)).map(|(id, _)| id.clone()).filled()
 }
 
 fn unused_helpers<'a>(before: &'a Before, library: &Behaviour) -> BTreeSet<&'a str> {
@@ -112,7 +113,7 @@ fn unused_helpers<'a>(before: &'a Before, library: &Behaviour) -> BTreeSet<&'a s
         }
         _ => None,
     });
-    changed.collect()
+    changed.filled()
 }
 
 fn runs_alike(one: &Connector, other: &Connector) -> bool {

@@ -7,6 +7,7 @@ use crate::desk::{Compared, LinkState, Version};
 use crate::layout::{called, whole};
 use crate::panels::hold::{Hold, hold};
 use crate::words;
+use behaviour::Filled;
 use behaviour::{Difference, RecordId};
 use leptos::prelude::*;
 use std::collections::BTreeSet;
@@ -86,7 +87,7 @@ fn With(was: u64) -> impl IntoView {
     };
     let others = move || {
         let document = &desk.desk().document;
-        let named: BTreeSet<u64> = document.versions.with(|all| all.iter().map(|version| version.revision).collect());
+        let named: BTreeSet<u64> = document.versions.with(|all| all.iter().map(|version| version.revision).filled());
         let lines: Vec<(u64, String)> = document.history.with(|history| {
             let lines = history.newest_first().filter(|line| line.revision != was && !named.contains(&line.revision));
             let say = |line: &protocol::HistoryLine| format!("{} · {}", moment(line.at_ms), line.label);
