@@ -4,9 +4,12 @@
 //! The network is made of what Linux gives to everybody: the test starts itself again as the root of a user namespace with
 //! an empty network, adds another one, and lays a wire between the two. Nothing outside is touched.
 
+#![expect(clippy::print_stdout, reason = "what was measured is for whoever runs it with --nocapture")]
+
 #[expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 #[path = "../../crates/server/tests/server/browser.rs"]
 mod browser;
+mod guesses;
 mod wire;
 
 use behaviour::Id;
@@ -16,6 +19,7 @@ use protocol::{CLOSE_REVOKED, Invitation, Lasts, ListQuery, Refused, Reply, Requ
 use serde_json::json;
 use shell::Client;
 use std::time::Duration;
+use wire::Network;
 
 /// What the test is called among those that are run or skipped.
 const PART: &str = "invitations: a second host";
@@ -32,6 +36,51 @@ fn a_second_host_comes_in_by_invitation_only() -> Outcome<()> {
         return Ok(());
     }
     wire::again_inside("a_second_host_comes_in_by_invitation_only")
+}
+
+/// Wrong links in a run of all tests, and where it is measured.
+const GUESSES: [usize; 2] = [400, 100_000];
+
+#[test]
+fn stop_is_heard_while_links_are_guessed() -> Outcome<()> {
+    guessed("stop_is_heard_while_links_are_guessed", GUESSES[0], None)
+}
+
+#[test]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+fn figure_7_stop_while_links_are_guessed() -> Outcome<()> {
+    guessed("figure_7_stop_while_links_are_guessed", GUESSES[1], Some(house::optimised()))
+}
+
+fn guessed(test: &str, guesses: usize, optimised: Option<std::path::PathBuf>) -> Outcome<()> {
+    let part = "invitations: guesses from a second host";
+    if wire::is_inside() {
+        let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
+        return runtime.block_on(async {
+            let network = Network::lay().await?;
+            let folder = house::folder()?;
+            let listen = ["--listen", &format!("{}:0", wire::HERE)];
+            let server = match optimised {
+                Some(binary) => Server::start_binary(&binary, folder.path(), &listen).await?,
+                None => Server::start_with(folder.path(), &listen).await?,
+            };
+            guesses::guessed(&network, &server, folder.path(), guesses).await
+        });
+    }
+    if !skip::built(part) || !skip::possible(part, wire::missing()) {
+        return Ok(());
+    }
+    wire::again_inside(test)
+}
+
+/// The link of an invitation.
+async fn invited(server: &Server, role: Role) -> Outcome<String> {
+    let aiko = Client::connect(&server.url(), "Aiko").await.map_err(said)?;
+    let wish = Request::Invite { role, lasts: Lasts::UntilRevoked, label: "a second host".into() };
+    match aiko.ask(wish).await.map_err(said)? {
+        Reply::Invited { link, .. } => Ok(link),
+        other => Err(Trouble(format!("{other:?}"))),
+    }
 }
 
 /// At the server's computer: Aiko and what she has made.
@@ -63,7 +112,7 @@ fn said(trouble: impl std::fmt::Display) -> Trouble {
 }
 
 async fn scene() -> Outcome<()> {
-    let network = wire::Network::lay().await?;
+    let network = Network::lay().await?;
     let folder = house::folder()?;
     let server = Server::start_with(folder.path(), &["--listen", &format!("{}:0", wire::HERE)]).await?;
     let aiko = Client::connect(&server.url(), "Aiko").await.map_err(said)?;

@@ -38,12 +38,16 @@ pub(crate) fn missing() -> Option<String> {
 /// Runs one test of this binary again in a network of its own.
 pub(crate) fn again_inside(test: &str) -> Outcome<()> {
     let mut again = std::process::Command::new("unshare");
-    again.arg("-rn").arg(std::env::current_exe()?).args([test, "--exact", "--nocapture"]);
+    again.arg("-rn").arg(std::env::current_exe()?).args([test, "--exact", "--nocapture", "--include-ignored"]);
     let done = again.env(INSIDE, "1").output()?;
     let said = [done.stdout, done.stderr].map(|out| String::from_utf8_lossy(&out).into_owned()).concat();
     // A name that is none runs nothing and succeeds.
     let ran = said.contains("1 passed");
-    if done.status.success() && ran { Ok(()) } else { Err(Trouble(said)) }
+    if !done.status.success() || !ran {
+        return Err(Trouble(said));
+    }
+    println!("{said}");
+    Ok(())
 }
 
 /// The wire, and the other computer for as long as this is there.

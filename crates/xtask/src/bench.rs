@@ -14,12 +14,13 @@ const RXPY: &str = "reactivex==6.1.0";
 /// What measures the threads.
 const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
 
-/// Measures rooms with many people, bad networks and kills on the optimised server, which is built before; fails if a bar
+/// Measures rooms with many people, bad networks, kills and guessed links on the optimised server, which is built before; fails if a bar
 /// is missed or anything is lost. `words` pick a figure.
 pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     tools::run(&mut workspace.cargo(&["build", "--release", "--package", "rrp"]), "Building the optimised server")?;
     let figures = words.first().map_or("figure_".to_owned(), |word| format!("figure_{word}"));
-    let mut cargo = workspace.cargo(&["test", "--release", "--package", "house", "--test", "rooms", "--", &figures]);
+    let tests = ["test", "--release", "--package", "house", "--test", "rooms", "--test", "invitations", "--", &figures];
+    let mut cargo = workspace.cargo(&tests);
     match neo4j::ensure(workspace) {
         Ok(folder) => drop(cargo.env("RRP_NEO4J", folder)),
         Err(sentence) => println!("SKIPPED by name: kills of a server on Neo4j ({sentence})"),

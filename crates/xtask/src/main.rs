@@ -26,7 +26,7 @@ cargo xtask COMMAND
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
-  bench rooms [FIGURE]      measure many people at once, bad networks and kills on the optimised server; FIGURE is 1 to 6
+  bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 7
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";

@@ -53,18 +53,23 @@ impl Browser {
         Self { cookie: None, ..self.clone() }
     }
 
-    async fn connect(&self) -> TlsStream<TcpStream> {
-        let stream = TcpStream::connect(self.address).await.unwrap();
-        self.tls.connect(ServerName::from(self.address.ip()), stream).await.unwrap()
+    async fn connect(&self) -> std::io::Result<TlsStream<TcpStream>> {
+        let stream = TcpStream::connect(self.address).await?;
+        self.tls.connect(ServerName::from(self.address.ip()), stream).await
     }
 
     /// Sends a request as it is and answers with everything that came back.
     pub(crate) async fn raw(&self, request: &str) -> String {
-        let mut stream = self.connect().await;
-        stream.write_all(request.as_bytes()).await.unwrap();
+        self.try_raw(request).await.unwrap()
+    }
+
+    /// The same, also where the server wants no connection.
+    pub(crate) async fn try_raw(&self, request: &str) -> std::io::Result<String> {
+        let mut stream = self.connect().await?;
+        stream.write_all(request.as_bytes()).await?;
         let mut answer = Vec::new();
-        let _ = tokio::time::timeout(PATIENCE, stream.read_to_end(&mut answer)).await.unwrap();
-        String::from_utf8_lossy(&answer).into_owned()
+        let _ = tokio::time::timeout(PATIENCE, stream.read_to_end(&mut answer)).await?;
+        Ok(String::from_utf8_lossy(&answer).into_owned())
     }
 
     /// A request with our cookie, and with more lines and a body, as text.
@@ -106,7 +111,7 @@ impl Browser {
             |name: &'static str, value: &str| drop(request.headers_mut().insert(name, value.parse().unwrap()));
         put("origin", &format!("https://{}", self.address));
         self.cookie.iter().for_each(|cookie| put("cookie", cookie));
-        let stream = match tokio_tungstenite::client_async(request, self.connect().await).await {
+        let stream = match tokio_tungstenite::client_async(request, self.connect().await.unwrap()).await {
             Ok((stream, _)) => stream,
             Err(Error::Http(answer)) => return Err(answer.status().as_u16()),
             Err(other) => panic!("{other}"),
