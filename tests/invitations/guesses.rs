@@ -4,6 +4,7 @@ use crate::browser::{Browser, Socket, status};
 use crate::{Network, OUT, invited, said};
 use house::{Outcome, Server, Trouble};
 use protocol::{Reply, Request, Role};
+use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -12,8 +13,6 @@ use std::time::{Duration, Instant};
 const AT_ONCE: usize = 16;
 /// Between two Stops.
 const PAUSE: Duration = Duration::from_millis(5);
-/// What 99 of 100 Stops may take.
-const STOP_P99: Duration = Duration::from_millis(50);
 
 /// What became of the guesses.
 #[derive(Default)]
@@ -55,7 +54,12 @@ impl Guesses {
 }
 
 /// Guesses so often while Stop is pressed by a guest, and fails if Stop is late or a guess is right.
-pub(crate) async fn guessed(network: &Network, server: &Server, data: &std::path::Path, all: usize) -> Outcome<()> {
+pub(crate) async fn guessed(
+    network: &Network,
+    server: &Server,
+    data: &Path,
+    (all, stop_p99): (usize, Duration),
+) -> Outcome<()> {
     let link = invited(server, Role::Viewer).await?;
     let mut guest = Browser::new(data, &link);
     let stranger = guest.stranger();
@@ -75,8 +79,7 @@ pub(crate) async fn guessed(network: &Network, server: &Server, data: &std::path
     });
     let (until, began) = (Arc::clone(&guesses), Instant::now());
     let stopping = network.do_there(async move { pressed(&guest, socket, &until).await });
-    let (guessed, stops) = tokio::try_join!(guessing, stopping).map(|((), stops)| ((), stops))?;
-    let () = guessed;
+    let ((), stops) = tokio::try_join!(guessing, stopping)?;
     let (mut by_socket, mut by_connection) = stops?;
     let count = |of: &AtomicUsize| of.load(Ordering::Relaxed);
     let (socket, connection) = (p99(&mut by_socket), p99(&mut by_connection));
@@ -93,8 +96,8 @@ pub(crate) async fn guessed(network: &Network, server: &Server, data: &std::path
     if count(&guesses.other) > 0 {
         return Err(Trouble("A guess was answered as if it were something else.".into()));
     }
-    if socket.max(connection) > STOP_P99 {
-        return Err(Trouble(format!("Stop was late: {socket:?} and {connection:?} of {STOP_P99:?}")));
+    if socket.max(connection) > stop_p99 {
+        return Err(Trouble(format!("Stop was late: {socket:?} and {connection:?} of {stop_p99:?}")));
     }
     Ok(())
 }

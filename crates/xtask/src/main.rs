@@ -5,6 +5,7 @@ mod bench;
 mod beside;
 mod dist;
 mod neo4j;
+mod order;
 mod page;
 mod serve;
 mod styles;

@@ -10,6 +10,7 @@ use std::process::Command;
 use wasm_bindgen_cli_support::Bindgen;
 
 use crate::dist::{self, Files};
+use crate::order;
 use crate::styles;
 use crate::tools::{self, Outcome, WASM, Workspace};
 
@@ -18,7 +19,7 @@ const PACKAGE: &str = "frontend";
 /// The page's module is `app.js`, its code `app_bg.wasm`.
 const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// Where cargo reads flags of the compiler for the page, and the flag that keeps the type of a view from growing with all
 /// that is in it: a sixth of the page's bytes, and half of the time to compile it.
@@ -118,7 +119,13 @@ fn bind(target: &Path, code: Vec<u8>, mode: Mode) -> Outcome<Files> {
     bindgen.remove_name_section(mode == Mode::Small).remove_producers_section(true);
     let made = bindgen.web(true).and_then(|bindgen| bindgen.generate(&folder));
     made.map_err(|error| format!("wasm-bindgen could not bind the page: {error:#}."))?;
-    dist::read(&folder)
+    let mut files = dist::read(&folder)?;
+    if mode == Mode::Small
+        && let Some(code) = files.get_mut(&format!("{NAME}_bg.wasm"))
+    {
+        *code = order::alike_together(code)?;
+    }
+    Ok(files)
 }
 
 /// Both sets of files; a static file may not hide a built one.

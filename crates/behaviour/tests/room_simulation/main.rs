@@ -1,7 +1,7 @@
 //! Many people edit one behaviour over links that fail, with a server that dies, for many seeds: whatever is promised holds.
 //!
 //! A failure says its seed and writes its plan. `RRP_PLAN=FILE cargo test -p behaviour --test room_simulation` plays a plan
-//! again, perhaps edited; `RRP_SEEDS=20000` plays more of them.
+//! again, perhaps edited; `RRP_SEEDS=200000` plays more of them.
 
 mod client;
 mod gestures;
@@ -16,7 +16,7 @@ use std::collections::BTreeMap;
 use world::World;
 
 /// Seeds that are played when nobody says how many.
-const SEEDS: u64 = 2_000;
+const SEEDS: u64 = 20_000;
 /// Seeds within which a mutant must be noticed.
 const MUTANT_SEEDS: u64 = 1_000;
 
