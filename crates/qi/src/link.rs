@@ -154,7 +154,14 @@ impl Link {
         self.shared().began.elapsed().saturating_sub(heard)
     }
 
-    /// How many answers came after their call had given up; they are dropped.
+    /// Sends a call and drops its answer. libqi does not carry out everything that is only posted: it forgets by which link
+    /// a post came, and a registration belongs to its link.
+    pub(crate) fn tell(&self, target: Target, payload: Vec<u8>) -> Result<(), QiError> {
+        self.send(Kind::Call, self.shared().pending.next_id(), 0, target, payload)
+    }
+
+    /// How many answers came that nobody waited for; they are dropped. Of calls that had given up, and of ends of
+    /// subscriptions and of objects.
     pub fn late_answers(&self) -> u64 {
         self.shared().late.load(Ordering::Relaxed)
     }

@@ -195,6 +195,6 @@ impl Drop for GivenOut {
     fn drop(&mut self) {
         let target = Target { service: self.service, object: self.object, action: TERMINATE };
         // A link that is over took it along.
-        let _gone = self.link.post(target, 0, self.object.to_le_bytes().to_vec());
+        let _gone = self.link.tell(target, self.object.to_le_bytes().to_vec());
     }
 }

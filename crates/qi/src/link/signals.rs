@@ -96,7 +96,7 @@ impl Drop for Subscription {
         self.link.shared().fan_out.leave(signal, &self.mailbox, |registration| {
             // A queue that is full forgets this: the peer goes on telling what nobody listens to.
             let target = Target { action: UNREGISTER, ..signal };
-            let _too_late = link.post(target, 0, registering(signal, registration));
+            let _too_late = link.tell(target, registering(signal, registration));
         });
     }
 }
