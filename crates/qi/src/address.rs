@@ -55,6 +55,10 @@ impl fmt::Display for Address {
             Scheme::Tcps => "tcps",
         };
         let (host, port) = (&self.host, self.port);
-        if host.contains(':') { write!(to, "{scheme}://[{host}]:{port}") } else { write!(to, "{scheme}://{host}:{port}") }
+        if host.contains(':') {
+            write!(to, "{scheme}://[{host}]:{port}")
+        } else {
+            write!(to, "{scheme}://{host}:{port}")
+        }
     }
 }

@@ -117,7 +117,8 @@ fn greet_2014(link: &Link, refusal: String) -> Result<(), Cause> {
     let Some(greeting) = link.greeting() else { return Err(Cause::Refused(refusal)) };
     let call = |error: QiError| Cause::Call(Box::new(error));
     let theirs = decode(greeting, &capabilities(), Layout::default()).map_err(|error| call(error.into()))?;
-    let payload = encode(&Value::map(ours()), &capabilities(), Layout::default()).map_err(|error| call(error.into()))?;
+    let payload =
+        encode(&Value::map(ours()), &capabilities(), Layout::default()).map_err(|error| call(error.into()))?;
     link.send(Kind::Capability, 0, 0, GREETING, payload).map_err(call)?;
     link.agree(agreed(&theirs, Generation::Capabilities, None));
     Ok(())

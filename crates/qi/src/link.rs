@@ -208,14 +208,7 @@ impl Link {
         QiError::Disconnected(self.ending().unwrap_or(Ending::Here))
     }
 
-    pub(crate) fn send(
-        &self,
-        kind: Kind,
-        id: u32,
-        flags: u8,
-        target: Target,
-        payload: Vec<u8>,
-    ) -> Result<(), QiError> {
+    pub(crate) fn send(&self, kind: Kind, id: u32, flags: u8, target: Target, payload: Vec<u8>) -> Result<(), QiError> {
         let Target { service, object, action } = target;
         let frame = Frame { header: Header { kind, flags, id, service, object, action }, payload };
         self.shared().send(&frame)

@@ -92,7 +92,8 @@ impl Session {
             let removed = directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await?;
             Ok((directory.within(options.call_within), itself, added, removed))
         };
-        let (directory, itself, added, removed) = directory.await.map_err(|error: QiError| error.at(Stage::Directory))?;
+        let (directory, itself, added, removed) =
+            directory.await.map_err(|error: QiError| error.at(Stage::Directory))?;
         let cache = Arc::new(Cache::default());
         let watcher = tokio::spawn(cache::watch(Arc::clone(&cache), added, removed)).abort_handle();
         let (address, peer, fingerprint) = (address.clone(), dialled.peer, dialled.fingerprint);

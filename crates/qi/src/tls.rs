@@ -89,7 +89,8 @@ pub(crate) async fn agree(
 }
 
 fn config(seen: &Arc<Seen>) -> Result<ClientConfig, Error> {
-    let config = ClientConfig::builder_with_provider(Arc::clone(&seen.provider)).with_safe_default_protocol_versions()?;
+    let config =
+        ClientConfig::builder_with_provider(Arc::clone(&seen.provider)).with_safe_default_protocol_versions()?;
     let verifier: Arc<dyn ServerCertVerifier> = Arc::clone(seen) as Arc<dyn ServerCertVerifier>;
     let mut config = config.dangerous().with_custom_certificate_verifier(verifier).with_no_client_auth();
     // Each link looks at the certificate itself.

@@ -37,16 +37,8 @@ pub enum Kind {
 }
 
 impl Kind {
-    const ALL: [Self; 8] = [
-        Self::Call,
-        Self::Reply,
-        Self::Error,
-        Self::Post,
-        Self::Event,
-        Self::Capability,
-        Self::Cancel,
-        Self::Canceled,
-    ];
+    const ALL: [Self; 8] =
+        [Self::Call, Self::Reply, Self::Error, Self::Post, Self::Event, Self::Capability, Self::Cancel, Self::Canceled];
 
     fn number(self) -> u8 {
         Self::ALL.iter().zip(1..).find(|(kind, _)| **kind == self).map_or(0, |(_, number)| number)

@@ -79,7 +79,8 @@ impl Shared {
     /// With a full queue nobody hears of it.
     fn refuse(&self, asked: Header) {
         let said = encode(&Value::dynamic(HOSTS_NOTHING), &Signature::Dynamic, Layout::default());
-        let frame = Frame { header: Header { kind: Kind::Error, flags: 0, ..asked }, payload: said.unwrap_or_default() };
+        let frame =
+            Frame { header: Header { kind: Kind::Error, flags: 0, ..asked }, payload: said.unwrap_or_default() };
         let _too_many = self.send(&frame);
     }
 }

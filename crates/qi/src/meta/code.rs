@@ -36,7 +36,8 @@ impl MetaObject {
         count(self.methods.len(), out)?;
         for method in &self.methods {
             numbers(method.uid, out);
-            for text in [&method.returns.to_string(), &method.name, &method.parameters.to_string(), &method.description] {
+            for text in [&method.returns.to_string(), &method.name, &method.parameters.to_string(), &method.description]
+            {
                 bytes(text.as_bytes(), out)?;
             }
             // No names of parameters, no description of the result.

@@ -74,9 +74,7 @@ impl<'a> Reader<'a> {
             Signature::Object => Value::Object(Arc::new(self.object()?)),
             Signature::Unknown => return Err(Malformed::Unreadable),
             Signature::List(of) | Signature::VarArgs(of) => Value::List(self.several(|from| from.value(of))?),
-            Signature::Map(key, value) => {
-                Value::Map(self.several(|from| Ok((from.value(key)?, from.value(value)?)))?)
-            }
+            Signature::Map(key, value) => Value::Map(self.several(|from| Ok((from.value(key)?, from.value(value)?)))?),
             Signature::Tuple(fields, _) => {
                 Value::Tuple(fields.iter().map(|field| self.value(field)).collect::<Result<_, _>>()?)
             }

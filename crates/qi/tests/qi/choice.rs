@@ -57,7 +57,8 @@ fn numbers_go_only_where_they_fit() {
         ().into(),
     ];
     for value in &values {
-        for text in ["i", "C", "f", "s", "b", "m", "[C]", "[i]", "[m]", "(is)", "(mm)", "{si}", "{sm}", "+i", "v", "r"] {
+        for text in ["i", "C", "f", "s", "b", "m", "[C]", "[i]", "[m]", "(is)", "(mm)", "{si}", "{sm}", "+i", "v", "r"]
+        {
             let signature: Signature = text.parse().unwrap();
             let is_written = encode(value, &signature, Layout::default()).is_ok();
             assert_eq!(fit(value, &signature).is_some(), is_written, "{value:?} as {text}");

@@ -56,12 +56,14 @@ pub(crate) async fn start(manner: Manner) -> String {
 }
 
 async fn serve(mut stream: impl AsyncRead + AsyncWrite + Unpin, manner: Manner, own: String) {
-    let mut peer = Peer { manner, own, registered: Vec::new(), ever: 0, kept: Vec::new(), is_in: false, is_mute: false };
+    let mut peer =
+        Peer { manner, own, registered: Vec::new(), ever: 0, kept: Vec::new(), is_in: false, is_mute: false };
     if let Some(garbage) = peer.manner.garbage.clone() {
         stream.write_all(&garbage).await.unwrap();
     }
     if peer.manner.is_old {
-        let said = encode(&Value::map([("MetaObjectCache", Value::dynamic(true))]), &signature("{sm}"), Layout::default());
+        let said =
+            encode(&Value::map([("MetaObjectCache", Value::dynamic(true))]), &signature("{sm}"), Layout::default());
         let header = Header { kind: Kind::Capability, flags: 0, id: 1, service: 0, object: 0, action: 0 };
         stream.write_all(&Frame { header, payload: said.unwrap() }.to_bytes().unwrap()).await.unwrap();
     }
@@ -142,12 +144,7 @@ impl Peer {
         Ok(Some(written("{sm}", &Value::map(can))))
     }
 
-    fn call(
-        &mut self,
-        header: Header,
-        payload: &[u8],
-        answers: &mut Vec<Vec<u8>>,
-    ) -> Result<Option<Vec<u8>>, String> {
+    fn call(&mut self, header: Header, payload: &[u8], answers: &mut Vec<Vec<u8>>) -> Result<Option<Vec<u8>>, String> {
         let number = |at: usize| u32::from_le_bytes(payload[at..at + 4].try_into().unwrap());
         match (header.service, header.action) {
             (_, 0) => {
@@ -191,7 +188,8 @@ impl Peer {
             100 => {
                 // Answers that are late come with the next one.
                 for header in self.kept.drain(..) {
-                    let late = Frame { header: Header { kind: Kind::Reply, ..header }, payload: written("m", &"late".into()) };
+                    let late =
+                        Frame { header: Header { kind: Kind::Reply, ..header }, payload: written("m", &"late".into()) };
                     answers.push(late.to_bytes().unwrap());
                 }
                 Ok(Some(payload.to_vec()))
@@ -224,7 +222,9 @@ impl Peer {
                 answers.push(vec![0xAA; 64]);
                 Ok(None)
             }
-            106 => Ok(Some(written("(II)", &Value::Tuple(vec![self.ever.into(), (self.registered.len() as u32).into()])))),
+            106 => {
+                Ok(Some(written("(II)", &Value::Tuple(vec![self.ever.into(), (self.registered.len() as u32).into()]))))
+            }
             107 => Ok(Some(vec![0xFF; 3])),
             108 => Err("Thing::fail\n\tnot today".to_owned()),
             _ => Err("no such method".to_owned()),
@@ -247,7 +247,10 @@ impl Peer {
     }
 
     fn directory(&self) -> MetaObject {
-        let methods = vec![method(100, "service", "(s)", self.info_type()), method(101, "services", "()", &format!("[{}]", self.info_type()))];
+        let methods = vec![
+            method(100, "service", "(s)", self.info_type()),
+            method(101, "services", "()", &format!("[{}]", self.info_type())),
+        ];
         let signals = vec![signal(106, "serviceAdded", "(Is)"), signal(107, "serviceRemoved", "(Is)")];
         MetaObject { methods, signals, ..MetaObject::default() }
     }

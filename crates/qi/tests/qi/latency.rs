@@ -29,9 +29,14 @@ async fn a_call_is_measured_beside_libqi() {
         let output = script(&python, &["calls", &peer.address, &CALLS.to_string()]).output().unwrap();
         let said = String::from_utf8(output.stdout).unwrap();
         let theirs: Vec<f64> = said.split_whitespace().map(|number| number.parse().unwrap()).collect();
-        println!(
+        eprintln!(
             "round {round}: setAngles p50 {:.0} µs, p99 {:.0} µs; libqi's Python {:.0} µs, {:.0} µs; ratio {:.2}, {:.2}",
-            ours[0], ours[1], theirs[0], theirs[1], ours[0] / theirs[0], ours[1] / theirs[1],
+            ours[0],
+            ours[1],
+            theirs[0],
+            theirs[1],
+            ours[0] / theirs[0],
+            ours[1] / theirs[1],
         );
     }
 }

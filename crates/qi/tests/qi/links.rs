@@ -79,7 +79,10 @@ async fn a_silent_peer_is_found_by_a_ping() {
 async fn what_is_no_protocol_ends_the_link_and_says_so() {
     let (_, huge) = thing(Manner::default()).await;
     let too_large = huge.call("huge", &[]).await;
-    assert!(matches!(too_large, Err(QiError::Disconnected(Ending::Malformed(Malformed::TooLarge { .. })))), "{too_large:?}");
+    assert!(
+        matches!(too_large, Err(QiError::Disconnected(Ending::Malformed(Malformed::TooLarge { .. })))),
+        "{too_large:?}"
+    );
     let (session, garbage) = thing(Manner::default()).await;
     let no_magic = garbage.call("garbage", &[]).await;
     assert!(matches!(no_magic, Err(QiError::Disconnected(Ending::Malformed(Malformed::Magic { .. })))), "{no_magic:?}");

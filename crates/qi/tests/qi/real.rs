@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use qi::{Ending, Generation, Keep, QiError, Value};
+use qi::{Ending, Generation, Keep, Object, QiError, Value};
 
 use crate::real_peer::{Peer, everything, python};
 
@@ -111,7 +111,8 @@ async fn the_peer_knows_when_nobody_listens_any_more() {
     let Some((_peer, _session, object)) = everything("subscribers of libqi").await else { return };
     let is_listened = async || object.call("is_listened", &[]).await.unwrap().as_bool().unwrap();
     assert!(!is_listened().await);
-    let (first, second) = (object.subscribe("listened", Keep::Newest).await, object.subscribe("listened", Keep::Newest).await);
+    let (first, second) =
+        (object.subscribe("listened", Keep::Newest).await, object.subscribe("listened", Keep::Newest).await);
     assert!(is_listened().await);
     drop(first);
     assert!(is_listened().await);
@@ -157,7 +158,12 @@ async fn an_object_that_a_method_gives_out_can_be_listened_to_and_ends() {
     let not_one = object.call_object("nested", &[]).await.unwrap_err();
     assert!(matches!(not_one, QiError::Unexpected { wanted: "an object", .. }));
     drop((signal, key));
-    session.link().ping(Duration::from_secs(60)).await.unwrap();
+    // Two who hold the same one: with the first it ends.
+    let value = object.call("subscriber", &["Touch".into()]).await.unwrap();
+    let held = || Object::from_value(session.link(), &value, Duration::from_secs(60)).unwrap();
+    let (first, second) = (held(), held());
+    drop(first);
+    while second.call("name", &[]).await.is_ok() {}
 }
 
 #[tokio::test]

@@ -46,7 +46,8 @@ impl Peer {
     pub(crate) fn start(python: &PathBuf, words: &[&str]) -> Self {
         let mut child = script(python, words).spawn().unwrap();
         let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
-        let ready = lines.by_ref().map(|line| line.unwrap()).find_map(|line| Some(line.strip_prefix("READY ")?.to_owned()));
+        let ready =
+            lines.by_ref().map(|line| line.unwrap()).find_map(|line| Some(line.strip_prefix("READY ")?.to_owned()));
         Self { child, address: ready.unwrap() }
     }
 

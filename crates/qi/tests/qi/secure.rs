@@ -34,7 +34,8 @@ async fn a_certificate_is_trusted_at_first_and_must_stay() {
 
     let other = fake::start(robot()).await;
     let changed = connect(&other, Trust::Only(expected)).await.unwrap_err();
-    let QiError::Connect { stage: Stage::Tls, cause: Cause::CertificateChanged { expected: before, found } } = &changed else {
+    let QiError::Connect { stage: Stage::Tls, cause: Cause::CertificateChanged { expected: before, found } } = &changed
+    else {
         unreachable!("{changed:?}")
     };
     assert!(*before == expected && *found != expected);

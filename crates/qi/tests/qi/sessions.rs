@@ -79,7 +79,8 @@ async fn a_directory_that_lies_leads_nowhere() {
 #[tokio::test]
 async fn a_service_of_another_process_of_the_host_is_dialled() {
     let other = fake::start(Manner::default()).await;
-    let manner = Manner { endpoints: vec!["tcp://10.255.255.1:1".to_owned(), format!("tcp://{other}")], ..Manner::default() };
+    let manner =
+        Manner { endpoints: vec!["tcp://10.255.255.1:1".to_owned(), format!("tcp://{other}")], ..Manner::default() };
     let session = connect(manner, Options::default()).await.unwrap();
     let thing = session.service("Thing").await.unwrap();
     assert_eq!(thing.call("echo", &[1.into()]).await.unwrap(), Value::dynamic(1));

@@ -1,8 +1,8 @@
 //! Headers, frames however they are broken up, and bytes that claim too much.
 
 use qi::{
-    Address, DEPTH_MAX, FRAME_MAX_BYTES, Frame, Framer, HEADER_BYTES, Header, Kind, Layout, Malformed, MetaObject, Signature,
-    Unfit, Value, decode, encode,
+    Address, DEPTH_MAX, FRAME_MAX_BYTES, Frame, Framer, HEADER_BYTES, Header, Kind, Layout, Malformed, MetaObject,
+    Signature, Unfit, Value, decode, encode,
 };
 
 fn header(id: u32) -> Header {
@@ -16,14 +16,16 @@ fn signature(text: &str) -> Signature {
 #[test]
 fn a_header_is_28_bytes_little_endian() {
     let bytes = header(7).to_bytes(5);
-    let expected = super::golden::bytes("42dead420700000005000000000001010200000003000000 04000000".replace(' ', "").as_str());
+    let expected =
+        super::golden::bytes("42dead420700000005000000000001010200000003000000 04000000".replace(' ', "").as_str());
     assert_eq!(bytes.to_vec(), expected);
     assert_eq!(Header::from_bytes(&bytes), Ok((header(7), 5)));
 }
 
 #[test]
 fn messages_come_byte_by_byte_and_all_at_once() {
-    let frames: Vec<Frame> = (0..5).map(|id| Frame { header: header(id), payload: vec![7; id as usize * 100] }).collect();
+    let frames: Vec<Frame> =
+        (0..5).map(|id| Frame { header: header(id), payload: vec![7; id as usize * 100] }).collect();
     let bytes: Vec<u8> = frames.iter().flat_map(|frame| frame.to_bytes().unwrap()).collect();
     for size in [1, 3, 27, 28, 29, bytes.len()] {
         let (mut framer, mut seen) = (Framer::default(), Vec::new());
@@ -112,7 +114,9 @@ fn addresses_are_read_and_written() {
     for text in ["tcp://10.0.0.5:9559", "tcps://robot.local:9503", "tcp://[fe80::1]:9559"] {
         assert_eq!(text.parse::<Address>().unwrap().to_string(), text);
     }
-    for text in ["", "robot", "http://a:1", "tcp://a", "tcp://:1", "tcp://a:0", "tcp://a:99999", "tcp://a b:1", "tcp://::1:5"] {
+    for text in
+        ["", "robot", "http://a:1", "tcp://a", "tcp://:1", "tcp://a:0", "tcp://a:99999", "tcp://a b:1", "tcp://::1:5"]
+    {
         assert!(text.parse::<Address>().is_err(), "{text}");
     }
 }
