@@ -27,8 +27,10 @@ async fn a_call_is_measured_beside_libqi() {
         taken.sort_by(f64::total_cmp);
         let ours = [taken[CALLS / 2], taken[CALLS * 99 / 100]];
         let output = script(&python, &["calls", &peer.address, &CALLS.to_string()]).output().unwrap();
+        // libqi logs to the same place.
         let said = String::from_utf8(output.stdout).unwrap();
-        let theirs: Vec<f64> = said.split_whitespace().map(|number| number.parse().unwrap()).collect();
+        let theirs: Vec<f64> =
+            said.lines().last().unwrap().split_whitespace().map(|number| number.parse().unwrap()).collect();
         eprintln!(
             "round {round}: setAngles p50 {:.0} µs, p99 {:.0} µs; libqi's Python {:.0} µs, {:.0} µs; ratio {:.2}, {:.2}",
             ours[0],
