@@ -9,7 +9,7 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 14] = [
+const ARROWS: [(&str, &[&str]); 15] = [
     ("behaviour", &[]),
     ("engine", &["behaviour", "robot"]),
     ("frontend", &["behaviour", "engine", "protocol", "robot", "simulation"]),
@@ -17,6 +17,7 @@ const ARROWS: [(&str, &[&str]); 14] = [
     ("house-wasm", &["behaviour", "engine", "robot", "simulation"]),
     ("load", &["behaviour", "protocol", "shell"]),
     ("protocol", &["behaviour", "robot"]),
+    ("qi", &[]),
     ("robot", &["behaviour"]),
     ("rrp", &["behaviour", "engine", "load", "robot", "server", "shell", "simulation", "store"]),
     ("server", &["behaviour", "engine", "protocol", "robot", "simulation", "store"]),
@@ -27,10 +28,11 @@ const ARROWS: [(&str, &[&str]); 14] = [
 ];
 
 /// Rooms whose outside libraries are listed in full.
-const LIBRARIES: [(&str, &[&str]); 6] = [
+const LIBRARIES: [(&str, &[&str]); 7] = [
     ("behaviour", &["serde", "uuid"]),
     ("engine", &["libm", "rhai", "serde"]),
     ("protocol", &["serde"]),
+    ("qi", &["rustls", "sha2", "thiserror", "tokio", "tokio-rustls"]),
     ("robot", &["serde"]),
     ("simulation", &["libm", "rapier3d", "serde", "toml"]),
     ("store", &["async-trait", "neo4rs", "quick-xml", "rusqlite", "serde", "serde_json", "thiserror", "tokio"]),

@@ -7,6 +7,7 @@ mod dist;
 mod neo4j;
 mod order;
 mod page;
+mod qi_python;
 mod serve;
 mod styles;
 mod supply;
@@ -24,6 +25,7 @@ cargo xtask COMMAND
   serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground (--dev: quicker
                             to build after an edit, slower to use)
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
+  qi                        make the Python with libqi that tests use, and say how to name it to `cargo test`
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
@@ -52,6 +54,10 @@ fn obey(words: &[String]) -> Outcome<()> {
         ["serve", rest @ ..] => serve::run(&Workspace::here()?, rest),
         ["neo4j"] => {
             println!("RRP_NEO4J={}", neo4j::ensure(&Workspace::here()?)?.display());
+            Ok(())
+        }
+        ["qi"] => {
+            println!("RRP_QI_PYTHON={}", qi_python::ensure(&Workspace::here()?)?.display());
             Ok(())
         }
         ["bench", "engine", rest @ ..] if rest.iter().all(|word| !word.starts_with('-')) => {

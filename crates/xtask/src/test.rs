@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use crate::beside::Beside;
 use crate::neo4j;
 use crate::page;
+use crate::qi_python;
 use crate::supply;
 use crate::tools::{self, Outcome, Workspace};
 
@@ -24,9 +25,10 @@ const HOW_TO_GET_CHROMIUM: &str =
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 10] = [
+const STEPS: [Step; 11] = [
     ("tools", find_tools_and_begin),
     ("a Neo4j for the tests", find_neo4j),
+    ("libqi for the tests", find_libqi),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("what we take from others", check_supply),
@@ -42,6 +44,8 @@ struct Run<'a> {
     workspace: &'a Workspace,
     chromium: Option<PathBuf>,
     neo4j: Option<PathBuf>,
+    /// A Python that has the real libqi.
+    libqi: Option<PathBuf>,
     beside: Option<Beside>,
     /// What a test would build by itself otherwise, while others wait.
     module: Option<Beside>,
@@ -51,7 +55,8 @@ struct Run<'a> {
 /// Runs every check and stops at the first that fails.
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
-    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, module: None, skipped: Vec::new() };
+    let mut run =
+        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, module: None, skipped: Vec::new() };
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
@@ -66,9 +71,11 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run = Run { workspace, chromium: None, neo4j: None, beside: None, module: None, skipped: Vec::new() };
+    let mut run =
+        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, module: None, skipped: Vec::new() };
     find_tools(&mut run)?;
     find_neo4j(&mut run)?;
+    find_libqi(&mut run)?;
     run.tests(&[filter])?;
     tell_skipped(&run.skipped);
     Ok(())
@@ -96,7 +103,7 @@ impl Run<'_> {
         result
     }
 
-    /// Tells the tests where the browser, the server and Neo4j are.
+    /// Tells the tests where the browser, the server, Neo4j and libqi are.
     fn show_parts(&self, cargo: &mut Command) {
         let server = self.workspace.server();
         if let Some(chromium) = &self.chromium {
@@ -104,6 +111,9 @@ impl Run<'_> {
         }
         if let Some(neo4j) = &self.neo4j {
             cargo.env("RRP_NEO4J", neo4j);
+        }
+        if let Some(libqi) = &self.libqi {
+            cargo.env("RRP_QI_PYTHON", libqi);
         }
         if server.is_file() {
             cargo.env("RRP_BIN", server).env("RRP_TOOLS_READY", "1");
@@ -164,6 +174,19 @@ fn find_neo4j(run: &mut Run) -> Outcome<()> {
         }
         Err(why) if in_ci() => return Err(format!("CI needs Neo4j for the tests of its store: {why}")),
         Err(why) => run.skip(format!("tests of the Neo4j store ({})", why.trim_end_matches('.'))),
+    }
+    Ok(())
+}
+
+/// Makes the Python with the real libqi that the tests of `qi` talk to.
+fn find_libqi(run: &mut Run) -> Outcome<()> {
+    match qi_python::ensure(run.workspace) {
+        Ok(python) => {
+            println!("libqi is known to {}.", python.display());
+            run.libqi = Some(python);
+        }
+        Err(why) if in_ci() => return Err(format!("CI needs libqi for the tests of qi: {why}")),
+        Err(why) => run.skip(format!("tests with the real libqi ({})", why.trim_end_matches('.'))),
     }
     Ok(())
 }

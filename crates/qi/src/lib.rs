@@ -1,0 +1,47 @@
+//! The qi protocol of libqi: values, calls and signals of services behind a TCP or TLS link.
+//!
+//! A [`Session`] connects to a service directory, logs in as the peer's generation wants it, and finds services. An
+//! [`Object`] calls their methods by name, choosing overloads by the types of the arguments, and subscribes to signals.
+//! A [`Link`] is what both stand on: one connection with bounded queues and its own ping.
+//!
+//! ```no_run
+//! # async fn shown() -> Result<(), qi::QiError> {
+//! let session = qi::Session::connect(&"tcp://192.168.1.20:9559".parse()?, qi::Options::default()).await?;
+//! let speech = session.service("Speech").await?;
+//! speech.call("say", &["Hello".into()]).await?;
+//! # Ok(())
+//! # }
+//! ```
+//!
+//! Whatever a peer sends is data: malformed input is an error, never a panic, and takes no more memory than
+//! [`FRAME_MAX_BYTES`] and [`VALUES_MAX`] allow. The format follows libqi 4.0.5, whose published description is out of date.
+#![warn(missing_docs)]
+
+mod address;
+mod auth;
+mod error;
+mod link;
+mod locked;
+mod malformed;
+mod meta;
+mod object;
+mod session;
+mod signature;
+mod tls;
+mod value;
+mod wire;
+
+pub use address::{Address, Scheme};
+pub use auth::{Agreed, Credentials, Generation};
+pub use error::{Cause, Ending, QiError, Stage};
+pub use link::{Answer, Event, IN_FLIGHT_MAX, Keep, Link, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX, Subscription, Target};
+pub use malformed::{Malformed, Unfit};
+pub use meta::{Chosen, MetaMethod, MetaObject, MetaSignal};
+pub use object::{CALL_WITHIN, Object};
+pub use session::{Choice, Options, ServiceInfo, Session, choose_endpoint};
+pub use signature::{Names, Signature};
+pub use tls::{Fingerprint, Trust};
+pub use value::{
+    DEPTH_MAX, Layout, ObjectRef, VALUES_MAX, Value, decode, decode_arguments, encode, encode_arguments, fit,
+};
+pub use wire::{FLAG_DYNAMIC, FLAG_RETURN_SIGNATURE, FRAME_MAX_BYTES, Frame, Framer, HEADER_BYTES, Header, Kind};

@@ -1,0 +1,257 @@
+//! One connection to a peer: calls with timeouts, posts, events and an own ping, each within a bound.
+//!
+//! A task writes, another reads; both end with the link. Nothing waits without a bound: what is too much is
+//! [`QiError::Busy`] at once.
+
+mod fan_out;
+mod mailbox;
+mod pending;
+mod signals;
+mod tasks;
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
+
+use tokio::io::{AsyncRead, AsyncWrite};
+use tokio::sync::{mpsc, watch};
+use tokio::task::AbortHandle;
+use tokio::time::timeout;
+
+pub use fan_out::SUBSCRIBERS_MAX;
+pub use mailbox::{Event, Keep};
+pub use pending::{Answer, IN_FLIGHT_MAX};
+pub use signals::Subscription;
+
+use crate::auth::Agreed;
+use crate::error::{Ending, QiError};
+use crate::value::Layout;
+use crate::wire::{Frame, Header, Kind};
+use fan_out::FanOut;
+use pending::Pending;
+
+/// How many messages may wait to be written.
+pub const QUEUE_MAX_FRAMES: usize = 256;
+/// What is pinged: `machineId` of the service directory, which every generation has; a refusal is an answer too.
+const PING: Target = Target { service: 1, object: 1, action: 108 };
+
+/// A method, signal or property of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Target {
+    /// The number of the service.
+    pub service: u32,
+    /// The number of the object; 1 is the service itself.
+    pub object: u32,
+    /// The number of the method, signal or property.
+    pub action: u32,
+}
+
+/// One connection; clones are the same one. It ends when nobody holds it any more.
+#[derive(Debug, Clone)]
+pub struct Link(Arc<Held>);
+
+#[derive(Debug)]
+struct Held {
+    shared: Arc<Shared>,
+    tasks: [AbortHandle; 2],
+}
+
+impl Drop for Held {
+    fn drop(&mut self) {
+        self.shared.end(Ending::Here);
+        self.tasks.iter().for_each(AbortHandle::abort);
+    }
+}
+
+/// What the tasks and all who hold the link have in common.
+#[derive(Debug)]
+struct Shared {
+    outgoing: mpsc::Sender<Vec<u8>>,
+    pending: Pending,
+    fan_out: FanOut,
+    registering: tokio::sync::Mutex<()>,
+    ended: watch::Sender<Option<Ending>>,
+    /// What the peer said it can do without being asked, as it came: the generation of NAOqi 2.1.
+    greeting: OnceLock<Vec<u8>>,
+    agreed: OnceLock<Agreed>,
+    began: Instant,
+    heard_us: AtomicU64,
+    late: AtomicU64,
+}
+
+impl Link {
+    /// A link over any stream of bytes. Starts its two tasks on the current tokio runtime; nothing is said yet.
+    pub fn over(stream: impl AsyncRead + AsyncWrite + Send + 'static) -> Self {
+        let (outgoing, waiting) = mpsc::channel(QUEUE_MAX_FRAMES);
+        let shared = Arc::new(Shared {
+            outgoing,
+            pending: Pending::default(),
+            fan_out: FanOut::default(),
+            registering: tokio::sync::Mutex::default(),
+            ended: watch::Sender::new(None),
+            greeting: OnceLock::new(),
+            agreed: OnceLock::new(),
+            began: Instant::now(),
+            heard_us: AtomicU64::new(0),
+            late: AtomicU64::new(0),
+        });
+        let (from, to) = tokio::io::split(stream);
+        let reader = tokio::spawn(tasks::read(Arc::clone(&shared), from)).abort_handle();
+        let writer = tokio::spawn(tasks::write(Arc::clone(&shared), to, waiting)).abort_handle();
+        Self(Arc::new(Held { shared, tasks: [reader, writer] }))
+    }
+
+    /// Calls and waits for the answer. `what` names the call in errors.
+    ///
+    /// # Errors
+    /// [`QiError::Busy`] at once with [`IN_FLIGHT_MAX`] calls under way, [`QiError::Timeout`] when nothing came `within`
+    /// that time, [`QiError::Disconnected`], and what the peer answers with: [`QiError::Remote`], [`QiError::Canceled`].
+    pub async fn call(
+        &self,
+        target: Target,
+        flags: u8,
+        payload: Vec<u8>,
+        within: Duration,
+        what: &str,
+    ) -> Result<Answer, QiError> {
+        let waiting = self.shared().pending.begin().ok_or(QiError::Busy { what: "calls", limit: IN_FLIGHT_MAX });
+        let mut waiting = match self.ending() {
+            Some(ending) => return Err(QiError::Disconnected(ending)),
+            None => waiting?,
+        };
+        self.send(Kind::Call, waiting.id(), flags, target, payload)?;
+        match timeout(within, waiting.answer()).await {
+            Ok(Some(answer)) => answer.settled(what),
+            Ok(None) => Err(self.disconnected()),
+            Err(_) => Err(QiError::Timeout { what: what.to_owned(), within }),
+        }
+    }
+
+    /// Sends a call whose answer nobody wants. Never waits.
+    ///
+    /// # Errors
+    /// [`QiError::Busy`] with [`QUEUE_MAX_FRAMES`] messages waiting to be written, [`QiError::Disconnected`].
+    pub fn post(&self, target: Target, flags: u8, payload: Vec<u8>) -> Result<(), QiError> {
+        self.send(Kind::Post, self.shared().pending.next_id(), flags, target, payload)
+    }
+
+    /// Asks the peer for a sign of life; answers with how long it took. A peer that is gone without a word is found by
+    /// this alone: TCP tells after minutes.
+    ///
+    /// # Errors
+    /// [`QiError::Timeout`] if there was none `within` that time, [`QiError::Disconnected`], [`QiError::Busy`].
+    pub async fn ping(&self, within: Duration) -> Result<Duration, QiError> {
+        let asked = Instant::now();
+        match self.call(PING, 0, Vec::new(), within, "ping").await {
+            Ok(_) | Err(QiError::Remote { .. } | QiError::Canceled { .. }) => Ok(asked.elapsed()),
+            Err(error) => Err(error),
+        }
+    }
+
+    /// How long nothing came from the peer.
+    pub fn silent_for(&self) -> Duration {
+        let heard = Duration::from_micros(self.shared().heard_us.load(Ordering::Relaxed));
+        self.shared().began.elapsed().saturating_sub(heard)
+    }
+
+    /// Sends a call and drops its answer. libqi does not carry out everything that is only posted: it forgets by which link
+    /// a post came, and a registration belongs to its link.
+    pub(crate) fn tell(&self, target: Target, payload: Vec<u8>) -> Result<(), QiError> {
+        self.send(Kind::Call, self.shared().pending.next_id(), 0, target, payload)
+    }
+
+    /// How many answers came that nobody waited for; they are dropped. Of calls that had given up, and of ends of
+    /// subscriptions and of objects.
+    pub fn late_answers(&self) -> u64 {
+        self.shared().late.load(Ordering::Relaxed)
+    }
+
+    /// How many calls wait for their answer, at most [`IN_FLIGHT_MAX`].
+    pub fn in_flight(&self) -> usize {
+        self.shared().pending.len()
+    }
+
+    /// Ends the link: everything that waits on it ends with [`QiError::Disconnected`].
+    pub fn close(&self) {
+        self.shared().end(Ending::Here);
+    }
+
+    /// Why the link is over, if it is.
+    pub fn ending(&self) -> Option<Ending> {
+        self.shared().ended.borrow().clone()
+    }
+
+    /// Waits for the end of the link.
+    pub async fn ended(&self) -> Ending {
+        self.shared().ended().await
+    }
+
+    /// What both ends agreed on, once they did.
+    pub fn agreed(&self) -> Option<&Agreed> {
+        self.shared().agreed.get()
+    }
+
+    pub(crate) fn agree(&self, agreed: Agreed) {
+        let _first_counts = self.shared().agreed.set(agreed);
+    }
+
+    pub(crate) fn layout(&self) -> Layout {
+        Layout { object_uid: self.agreed().is_some_and(|agreed| agreed.object_uid) }
+    }
+
+    /// What the peer said it can do without being asked.
+    pub(crate) fn greeting(&self) -> Option<&[u8]> {
+        self.shared().greeting.get().map(Vec::as_slice)
+    }
+
+    pub(crate) fn disconnected(&self) -> QiError {
+        QiError::Disconnected(self.ending().unwrap_or(Ending::Here))
+    }
+
+    pub(crate) fn send(&self, kind: Kind, id: u32, flags: u8, target: Target, payload: Vec<u8>) -> Result<(), QiError> {
+        let Target { service, object, action } = target;
+        let frame = Frame { header: Header { kind, flags, id, service, object, action }, payload };
+        self.shared().send(&frame)
+    }
+
+    fn shared(&self) -> &Shared {
+        &self.0.shared
+    }
+}
+
+impl Shared {
+    fn send(&self, frame: &Frame) -> Result<(), QiError> {
+        let bytes = frame.to_bytes().ok_or(QiError::Unfit(crate::Unfit::TooLarge))?;
+        if let Some(ending) = self.ended.borrow().clone() {
+            return Err(QiError::Disconnected(ending));
+        }
+        self.outgoing.try_send(bytes).map_err(|error| match error {
+            mpsc::error::TrySendError::Full(_) => QiError::Busy { what: "messages", limit: QUEUE_MAX_FRAMES },
+            mpsc::error::TrySendError::Closed(_) => QiError::Disconnected(Ending::Here),
+        })
+    }
+
+    /// The first reason counts.
+    fn end(&self, ending: Ending) {
+        let is_first = self.ended.send_if_modified(|ended| {
+            let is_first = ended.is_none();
+            ended.get_or_insert(ending);
+            is_first
+        });
+        if is_first {
+            self.pending.close();
+            self.fan_out.close();
+        }
+    }
+
+    async fn ended(&self) -> Ending {
+        let mut ended = self.ended.subscribe();
+        // The sender is `self`, so that this cannot fail while somebody waits here.
+        ended.wait_for(Option::is_some).await.ok().and_then(|ending| ending.clone()).unwrap_or(Ending::Here)
+    }
+
+    fn heard(&self) {
+        let now = u64::try_from(self.began.elapsed().as_micros()).unwrap_or(u64::MAX);
+        self.heard_us.store(now, Ordering::Relaxed);
+    }
+}

@@ -1,0 +1,87 @@
+//! Who listens to which signal. The peer sends one copy for every registration, so there is one for all listeners here.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+use std::sync::{Arc, Mutex};
+
+use super::Target;
+use super::mailbox::{Letter, Mailbox};
+use crate::locked::locked;
+
+/// How many may listen to one signal on one link.
+pub const SUBSCRIBERS_MAX: usize = 256;
+
+#[derive(Debug, Default)]
+pub(super) struct FanOut(Mutex<Table>);
+
+#[derive(Debug, Default)]
+struct Table {
+    signals: BTreeMap<Target, Listeners>,
+    last_registration: u64,
+    closed: bool,
+}
+
+#[derive(Debug)]
+struct Listeners {
+    registration: u64,
+    mailboxes: Vec<Arc<Mailbox>>,
+}
+
+/// How a mailbox came to be among the listeners.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Joined {
+    /// It is the first: the peer has to be told with this number, which we choose.
+    First(u64),
+    /// The peer sends these events already.
+    Others,
+    /// There are [`SUBSCRIBERS_MAX`] already.
+    Full,
+}
+
+impl FanOut {
+    /// Before the peer is told, as an event may come before the answer.
+    pub(super) fn join(&self, signal: Target, mailbox: Arc<Mailbox>) -> Joined {
+        let mut table = locked(&self.0);
+        if table.closed {
+            mailbox.close();
+        }
+        let registration = table.last_registration + 1;
+        match table.signals.entry(signal) {
+            Entry::Occupied(entry) if entry.get().mailboxes.len() >= SUBSCRIBERS_MAX => Joined::Full,
+            Entry::Occupied(mut entry) => {
+                entry.get_mut().mailboxes.push(mailbox);
+                Joined::Others
+            }
+            Entry::Vacant(entry) => {
+                entry.insert(Listeners { registration, mailboxes: vec![mailbox] });
+                table.last_registration = registration;
+                Joined::First(registration)
+            }
+        }
+    }
+
+    /// If it was the last, `tell` is called with the number of the registration. Under the lock, so that what is told comes
+    /// before the next registration.
+    pub(super) fn leave(&self, signal: Target, mailbox: &Arc<Mailbox>, tell: impl FnOnce(u64)) {
+        let mut table = locked(&self.0);
+        let Some(listeners) = table.signals.get_mut(&signal) else { return };
+        listeners.mailboxes.retain(|listening| !Arc::ptr_eq(listening, mailbox));
+        if listeners.mailboxes.is_empty() {
+            let registration = listeners.registration;
+            table.signals.remove(&signal);
+            tell(registration);
+        }
+    }
+
+    pub(super) fn tell(&self, signal: Target, letter: &Letter) {
+        if let Some(listeners) = locked(&self.0).signals.get(&signal) {
+            listeners.mailboxes.iter().for_each(|mailbox| mailbox.put(letter.clone()));
+        }
+    }
+
+    pub(super) fn close(&self) {
+        let mut table = locked(&self.0);
+        table.closed = true;
+        table.signals.values().flat_map(|listeners| &listeners.mailboxes).for_each(|mailbox| mailbox.close());
+    }
+}

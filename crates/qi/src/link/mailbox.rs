@@ -1,0 +1,98 @@
+//! Events that wait for one subscriber.
+
+use std::collections::VecDeque;
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
+
+use tokio::sync::Notify;
+
+use crate::locked::locked;
+use crate::value::Value;
+
+/// What a subscriber wants to see of events that come faster than it takes them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Keep {
+    /// The newest one only.
+    Newest,
+    /// All, up to so many that wait (at least 1); beyond them the oldest is lost and counted.
+    All(usize),
+}
+
+/// A signal that was raised.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// What it carries.
+    pub arguments: Vec<Value>,
+    /// When it arrived here. Peers do not keep the order of events strictly; where a value has a time of its own, that counts.
+    pub at: Instant,
+}
+
+/// An event as it came; it is read by its subscriber, so that one that cannot be read harms nobody else.
+#[derive(Debug, Clone)]
+pub(super) struct Letter {
+    pub(super) flags: u8,
+    pub(super) payload: Arc<[u8]>,
+    pub(super) at: Instant,
+}
+
+#[derive(Debug)]
+pub(super) struct Mailbox {
+    waiting: Mutex<Waiting>,
+    arrived: Notify,
+    capacity: usize,
+}
+
+#[derive(Debug, Default)]
+struct Waiting {
+    letters: VecDeque<Letter>,
+    lost: u64,
+    closed: bool,
+}
+
+impl Mailbox {
+    pub(super) fn new(keep: Keep) -> Self {
+        let capacity = match keep {
+            Keep::Newest => 1,
+            Keep::All(events) => events.max(1),
+        };
+        Self { waiting: Mutex::default(), arrived: Notify::new(), capacity }
+    }
+
+    pub(super) fn put(&self, letter: Letter) {
+        let mut waiting = locked(&self.waiting);
+        if waiting.letters.len() >= self.capacity {
+            waiting.letters.pop_front();
+            waiting.lost += 1;
+        }
+        waiting.letters.push_back(letter);
+        drop(waiting);
+        self.arrived.notify_one();
+    }
+
+    /// The next one; none after the end.
+    pub(super) async fn take(&self) -> Option<Letter> {
+        loop {
+            if let Some(taken) = self.taken() {
+                return taken;
+            }
+            self.arrived.notified().await;
+        }
+    }
+
+    fn taken(&self) -> Option<Option<Letter>> {
+        let mut waiting = locked(&self.waiting);
+        match waiting.letters.pop_front() {
+            Some(letter) => Some(Some(letter)),
+            None => waiting.closed.then_some(None),
+        }
+    }
+
+    pub(super) fn lost(&self) -> u64 {
+        locked(&self.waiting).lost
+    }
+
+    pub(super) fn close(&self) {
+        locked(&self.waiting).closed = true;
+        self.arrived.notify_one();
+    }
+}

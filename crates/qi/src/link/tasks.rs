@@ -1,0 +1,122 @@
+//! The task that reads a link and the one that writes it.
+
+use std::sync::Arc;
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use tokio::io::{AsyncRead, AsyncReadExt, AsyncWrite, AsyncWriteExt};
+use tokio::sync::mpsc;
+
+use super::mailbox::Letter;
+use super::pending::Answer;
+use super::{Shared, Target};
+use crate::error::Ending;
+use crate::signature::Signature;
+use crate::value::{Layout, Value, encode};
+use crate::wire::{Frame, Framer, Header, Kind};
+
+/// How much is read at once, in bytes.
+const CHUNK_BYTES: usize = 64 << 10;
+/// How many messages are written at once.
+const TOGETHER_MAX_FRAMES: usize = 32;
+/// Above this many bytes messages are not put together.
+const TOGETHER_MAX_BYTES: usize = 64 << 10;
+/// What a peer hears that calls something here: this crate is a client only.
+const HOSTS_NOTHING: &str = "this client has no services";
+
+pub(super) async fn read(shared: Arc<Shared>, from: impl AsyncRead + Unpin) {
+    let ending = tokio::select! {
+        ending = read_all(&shared, from) => ending,
+        ending = shared.ended() => ending,
+    };
+    shared.end(ending);
+}
+
+async fn read_all(shared: &Shared, mut from: impl AsyncRead + Unpin) -> Ending {
+    let mut framer = Framer::default();
+    let mut chunk = vec![0; CHUNK_BYTES];
+    loop {
+        let read = match from.read(&mut chunk).await {
+            Ok(0) => return Ending::Peer,
+            Ok(read) => read,
+            Err(error) => return Ending::Io(error.kind()),
+        };
+        shared.heard();
+        framer.feed(chunk.get(..read).unwrap_or_default());
+        loop {
+            match framer.next_frame() {
+                Ok(Some(frame)) => shared.take_in(frame),
+                Ok(None) => break,
+                Err(malformed) => return Ending::Malformed(malformed),
+            }
+        }
+    }
+}
+
+impl Shared {
+    fn take_in(&self, frame: Frame) {
+        let Frame { header, payload } = frame;
+        match header.kind {
+            Kind::Reply | Kind::Error | Kind::Canceled => {
+                let answer = Answer { kind: header.kind, flags: header.flags, payload };
+                if !self.pending.settle(header.id, answer) {
+                    self.late.fetch_add(1, Ordering::Relaxed);
+                }
+            }
+            Kind::Event => {
+                let signal = Target { service: header.service, object: header.object, action: header.action };
+                let letter = Letter { flags: header.flags, payload: payload.into(), at: Instant::now() };
+                self.fan_out.tell(signal, &letter);
+            }
+            Kind::Capability => {
+                let _first_counts = self.greeting.set(payload);
+            }
+            Kind::Call => self.refuse(header),
+            Kind::Post | Kind::Cancel => {}
+        }
+    }
+
+    /// With a full queue nobody hears of it.
+    fn refuse(&self, asked: Header) {
+        let said = encode(&Value::dynamic(HOSTS_NOTHING), &Signature::Dynamic, Layout::default());
+        let frame =
+            Frame { header: Header { kind: Kind::Error, flags: 0, ..asked }, payload: said.unwrap_or_default() };
+        let _too_many = self.send(&frame);
+    }
+}
+
+pub(super) async fn write(shared: Arc<Shared>, to: impl AsyncWrite + Unpin, waiting: mpsc::Receiver<Vec<u8>>) {
+    let ending = tokio::select! {
+        ending = write_all(to, waiting) => ending,
+        ending = shared.ended() => ending,
+    };
+    shared.end(ending);
+}
+
+async fn write_all(mut to: impl AsyncWrite + Unpin, mut waiting: mpsc::Receiver<Vec<u8>>) -> Ending {
+    let mut frames = Vec::with_capacity(TOGETHER_MAX_FRAMES);
+    while waiting.recv_many(&mut frames, TOGETHER_MAX_FRAMES).await > 0 {
+        let result = write_some(&mut to, &mut frames).await;
+        if let Err(error) = result {
+            return Ending::Io(error.kind());
+        }
+    }
+    Ending::Here
+}
+
+/// Small messages go out together: one call of the system, one record of TLS.
+async fn write_some(to: &mut (impl AsyncWrite + Unpin), frames: &mut Vec<Vec<u8>>) -> std::io::Result<()> {
+    let mut together: Vec<u8> = Vec::new();
+    for frame in frames.drain(..) {
+        if together.is_empty() {
+            together = frame;
+        } else if together.len() + frame.len() <= TOGETHER_MAX_BYTES {
+            together.extend_from_slice(&frame);
+        } else {
+            to.write_all(&together).await?;
+            together = frame;
+        }
+    }
+    to.write_all(&together).await?;
+    to.flush().await
+}

@@ -1,0 +1,76 @@
+//! Why bytes are not what they claim to be, and why a value cannot be written as a type.
+
+/// What is wrong with bytes that came from a peer.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Malformed {
+    /// A message begins with four other bytes than qi messages do.
+    #[error("the bytes are no qi message: they begin with {found:#010x}")]
+    Magic {
+        /// What stands there, read as a little-endian number.
+        found: u32,
+    },
+    /// A message of a type that the protocol does not have.
+    #[error("a message has the type {found}, which does not exist")]
+    Kind {
+        /// The type's number.
+        found: u8,
+    },
+    /// A message announces more than [`crate::FRAME_MAX_BYTES`].
+    #[error("a message announces {size} bytes, which is too much")]
+    TooLarge {
+        /// How many bytes it announces.
+        size: u32,
+    },
+    /// A value needs more bytes than there are.
+    #[error("a value needs {needed} bytes and {left} are left")]
+    Short {
+        /// How many bytes it needs.
+        needed: usize,
+        /// How many bytes are left.
+        left: usize,
+    },
+    /// Values or types within each other beyond [`crate::DEPTH_MAX`].
+    #[error("values are nested too deeply")]
+    TooDeep,
+    /// A message holds more than [`crate::VALUES_MAX`] values.
+    #[error("a message holds too many values")]
+    TooMany,
+    /// A list or map announces more entries than bytes are left.
+    #[error("a list announces {count} entries and {left} bytes are left")]
+    Count {
+        /// How many entries it announces.
+        count: u32,
+        /// How many bytes are left.
+        left: usize,
+    },
+    /// A text that is no signature.
+    #[error("{text:?} is no signature of qi (byte {at})")]
+    Signature {
+        /// The signature, at most 80 bytes of it.
+        text: String,
+        /// Where reading it ended, in bytes.
+        at: usize,
+    },
+    /// A value of a type that has no written form: `X`.
+    #[error("a value has a type that cannot be read")]
+    Unreadable,
+}
+
+/// Why a value cannot be written as a type.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Unfit {
+    /// Another kind of value than the type wants.
+    #[error("{given} cannot be given as {wanted}")]
+    Type {
+        /// The signature of the value.
+        given: String,
+        /// The signature of the type.
+        wanted: String,
+    },
+    /// Values within each other beyond [`crate::DEPTH_MAX`].
+    #[error("the value is nested too deeply")]
+    TooDeep,
+    /// A text, list or message of more than [`crate::FRAME_MAX_BYTES`].
+    #[error("the value is too large to be sent")]
+    TooLarge,
+}

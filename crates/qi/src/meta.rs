@@ -1,0 +1,59 @@
+//! What an object can do, as it says it itself: methods, signals and properties with their numbers and types.
+
+mod choose;
+mod code;
+
+pub use choose::Chosen;
+
+use crate::signature::Signature;
+
+/// A method.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MetaMethod {
+    /// The action that calls it. Another one in another version or after the service came back.
+    pub uid: u32,
+    /// Its name; several methods may share it.
+    pub name: String,
+    /// The type of what it returns.
+    pub returns: Signature,
+    /// The types of its arguments: a tuple, or any type for a method that takes anything.
+    pub parameters: Signature,
+    /// What it is for, in its author's words; often empty.
+    pub description: String,
+}
+
+/// A signal or a property.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MetaSignal {
+    /// The action that its events carry.
+    pub uid: u32,
+    /// Its name.
+    pub name: String,
+    /// Of a signal the types of what its events carry, a tuple; of a property the type of its value.
+    pub signature: Signature,
+}
+
+/// What an object can do.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MetaObject {
+    /// Methods, by their numbers.
+    pub methods: Vec<MetaMethod>,
+    /// Signals, by their numbers.
+    pub signals: Vec<MetaSignal>,
+    /// Properties, by their numbers. Each may be a signal of the same number too.
+    pub properties: Vec<MetaSignal>,
+    /// What it is for, in its author's words; often empty.
+    pub description: String,
+}
+
+impl MetaObject {
+    /// The signal of this name, or the property whose changes are told as one.
+    pub fn signal(&self, name: &str) -> Option<&MetaSignal> {
+        self.signals.iter().chain(&self.properties).find(|signal| signal.name == name)
+    }
+
+    /// The property of this name.
+    pub fn property(&self, name: &str) -> Option<&MetaSignal> {
+        self.properties.iter().find(|property| property.name == name)
+    }
+}

@@ -1,0 +1,44 @@
+//! Choosing between methods of one name by the types of the arguments.
+
+use super::{MetaMethod, MetaObject};
+use crate::signature::Signature;
+use crate::value::{Value, fit};
+
+/// The method that takes the arguments best.
+#[derive(Debug, Clone, Copy)]
+pub struct Chosen<'a> {
+    /// Which one.
+    pub method: &'a MetaMethod,
+    /// How well they fit, all together; see [`crate::fit`].
+    pub score: u32,
+}
+
+impl MetaObject {
+    /// The method of this name that takes these arguments best; of equals, the one with the lowest number.
+    pub fn choose(&self, name: &str, arguments: &[Value]) -> Option<Chosen<'_>> {
+        let named = self.methods.iter().filter(|method| method.name == name);
+        let fitting = named.filter_map(|method| Some(Chosen { method, score: score(method, arguments)? }));
+        fitting.reduce(|best, next| {
+            let better = (next.score, best.method.uid) > (best.score, next.method.uid);
+            if better { next } else { best }
+        })
+    }
+
+    /// The methods of this name, as `name(parameters)`.
+    pub fn candidates(&self, name: &str) -> Vec<String> {
+        let named = self.methods.iter().filter(|method| method.name == name);
+        named.map(|method| format!("{name}{}", method.parameters)).collect()
+    }
+}
+
+fn score(method: &MetaMethod, arguments: &[Value]) -> Option<u32> {
+    match &method.parameters {
+        Signature::Tuple(fields, _) if fields.len() == arguments.len() => {
+            let scores = arguments.iter().zip(fields).map(|(argument, field)| fit(argument, field));
+            scores.sum::<Option<u32>>()
+        }
+        // It takes anything, and loses against whatever says what it takes.
+        Signature::Dynamic => Some(0),
+        _ => None,
+    }
+}

@@ -1,0 +1,206 @@
+//! A peer with its service directory: connecting in named stages, finding services, knowing when they come and go.
+
+mod cache;
+mod dial;
+mod endpoint;
+
+use std::collections::BTreeMap;
+use std::net::IpAddr;
+use std::sync::Arc;
+use std::time::Duration;
+
+use tokio::task::AbortHandle;
+
+pub use endpoint::{Choice, ServiceInfo, choose as choose_endpoint};
+
+use crate::address::Address;
+use crate::auth::Credentials;
+use crate::error::{Cause, QiError, Stage};
+use crate::link::{Keep, Link, Subscription};
+use crate::object::{CALL_WITHIN, Object};
+use crate::tls::{Fingerprint, Trust};
+use crate::value::Value;
+use cache::Cache;
+
+const DIRECTORY: u32 = 1;
+const DIRECTORY_NAME: &str = "ServiceDirectory";
+const MAIN_OBJECT: u32 = 1;
+/// How many services may come or go while nobody looks, before all are asked for anew.
+const CHANGES_MAX: usize = 256;
+/// How many processes of one host may be linked to at once.
+const LINKS_MAX: usize = 16;
+
+/// How to connect.
+#[derive(Debug, Clone)]
+pub struct Options {
+    /// User and password, where the peer wants them.
+    pub credentials: Option<Credentials>,
+    /// Which certificate is accepted behind `tcps`.
+    pub trust: Trust,
+    /// How long each stage of connecting may take.
+    pub stage_within: Duration,
+    /// How long calls may take unless something else is said.
+    pub call_within: Duration,
+}
+
+impl Default for Options {
+    /// No password, any certificate, 5 s a stage, 2 s a call.
+    fn default() -> Self {
+        Self { credentials: None, trust: Trust::First, stage_within: Duration::from_secs(5), call_within: CALL_WITHIN }
+    }
+}
+
+/// A peer that we are logged in at; clones are the same session. Its link ends when nobody holds it or its objects.
+#[derive(Debug, Clone)]
+pub struct Session(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    link: Link,
+    address: Address,
+    peer: IpAddr,
+    fingerprint: Option<Fingerprint>,
+    options: Options,
+    directory: Object,
+    /// What the directory says of itself.
+    itself: Option<ServiceInfo>,
+    cache: Arc<Cache>,
+    /// To other processes of the same host.
+    links: tokio::sync::Mutex<BTreeMap<Address, Link>>,
+    watcher: AbortHandle,
+}
+
+impl Drop for Inner {
+    fn drop(&mut self) {
+        self.watcher.abort();
+    }
+}
+
+impl Session {
+    /// Connects and logs in.
+    ///
+    /// # Errors
+    /// [`QiError::Connect`], which names the stage that failed.
+    pub async fn connect(address: &Address, options: Options) -> Result<Self, QiError> {
+        let dialled = dial::dial(address, &options).await?;
+        let (link, within) = (dialled.link, options.stage_within);
+        let directory = async {
+            let directory = Object::at(link.clone(), DIRECTORY, MAIN_OBJECT, DIRECTORY_NAME, within).await?;
+            let itself = directory.call("service", &[DIRECTORY_NAME.into()]).await;
+            let itself = itself.ok().and_then(|value| ServiceInfo::from_value(&value));
+            let added = directory.subscribe("serviceAdded", Keep::All(CHANGES_MAX)).await?;
+            let removed = directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await?;
+            Ok((directory.within(options.call_within), itself, added, removed))
+        };
+        let (directory, itself, added, removed) =
+            directory.await.map_err(|error: QiError| error.at(Stage::Directory))?;
+        let cache = Arc::new(Cache::default());
+        let watcher = tokio::spawn(cache::watch(Arc::clone(&cache), added, removed)).abort_handle();
+        let (address, peer, fingerprint) = (address.clone(), dialled.peer, dialled.fingerprint);
+        let links = tokio::sync::Mutex::default();
+        let inner = Inner { link, address, peer, fingerprint, options, directory, itself, cache, links, watcher };
+        Ok(Self(Arc::new(inner)))
+    }
+
+    /// The link to the directory, with everything that is offered by the same process.
+    pub fn link(&self) -> &Link {
+        &self.0.link
+    }
+
+    /// The certificate that was shown behind `tcps`: keep it, and trust only it next time.
+    pub fn fingerprint(&self) -> Option<Fingerprint> {
+        self.0.fingerprint
+    }
+
+    /// The service directory itself, with its signals `serviceAdded` and `serviceRemoved`.
+    pub fn directory(&self) -> &Object {
+        &self.0.directory
+    }
+
+    /// All services that there are now.
+    ///
+    /// # Errors
+    /// What can go wrong with a call.
+    pub async fn services(&self) -> Result<Vec<ServiceInfo>, QiError> {
+        let value = self.0.directory.call("services", &[]).await?;
+        let wrong = || QiError::Unexpected { what: "services".to_owned(), wanted: "a list of services" };
+        value.items().ok_or_else(wrong)?.iter().map(|item| ServiceInfo::from_value(item).ok_or_else(wrong)).collect()
+    }
+
+    /// The service of this name. Asked for once, until it goes or comes anew.
+    ///
+    /// # Errors
+    /// [`QiError::NoService`]; [`QiError::Connect`] if it is offered by another process that cannot be reached, or only by
+    /// another host; and what can go wrong with a call.
+    pub async fn service(&self, name: &str) -> Result<Object, QiError> {
+        let (known, seen) = self.0.cache.get(name);
+        if let Some(object) = known {
+            return Ok(object);
+        }
+        let info = self.find(name).await?;
+        let link = self.link_to(&info).await?;
+        let object = Object::at(link, info.service_id, MAIN_OBJECT, name, self.0.options.call_within).await?;
+        self.0.cache.put(name, &object, seen);
+        Ok(object)
+    }
+
+    /// Asks for a service anew next time; for one that answers as if it were another.
+    pub fn forget(&self, name: &str) {
+        self.0.cache.forget(name);
+    }
+
+    /// Listens to services that come: their number and name.
+    ///
+    /// # Errors
+    /// Those of [`Object::subscribe`].
+    pub async fn added(&self) -> Result<Subscription, QiError> {
+        self.0.directory.subscribe("serviceAdded", Keep::All(CHANGES_MAX)).await
+    }
+
+    /// Listens to services that go: their number and name.
+    ///
+    /// # Errors
+    /// Those of [`Object::subscribe`].
+    pub async fn removed(&self) -> Result<Subscription, QiError> {
+        self.0.directory.subscribe("serviceRemoved", Keep::All(CHANGES_MAX)).await
+    }
+
+    async fn find(&self, name: &str) -> Result<ServiceInfo, QiError> {
+        let value = match self.0.directory.call("service", &[Value::from(name)]).await {
+            Err(QiError::Remote { .. }) => return Err(QiError::NoService { name: name.to_owned() }),
+            other => other?,
+        };
+        let wrong = QiError::Unexpected { what: "service".to_owned(), wanted: "a service" };
+        ServiceInfo::from_value(&value).ok_or(wrong)
+    }
+
+    async fn link_to(&self, info: &ServiceInfo) -> Result<Link, QiError> {
+        let inner = &self.0;
+        let relative = inner.link.agreed().is_some_and(|agreed| agreed.relative_endpoints);
+        match endpoint::choose(info, inner.itself.as_ref(), &inner.address, inner.peer, relative) {
+            Choice::SameLink => Ok(inner.link.clone()),
+            Choice::Dial(address) => self.other_link(&address).await.map_err(|error| error.at(Stage::Service)),
+            Choice::Nowhere => {
+                let cause = Cause::NoEndpoint { service: info.name.clone(), offered: info.endpoints.clone() };
+                Err(QiError::Connect { stage: Stage::Service, cause })
+            }
+        }
+    }
+
+    async fn other_link(&self, address: &Address) -> Result<Link, QiError> {
+        let mut links = self.0.links.lock().await;
+        links.retain(|_, link| link.ending().is_none());
+        if let Some(link) = links.get(address) {
+            return Ok(link.clone());
+        }
+        if links.len() >= LINKS_MAX {
+            return Err(QiError::Busy { what: "links", limit: LINKS_MAX });
+        }
+        let mut options = self.0.options.clone();
+        // One robot, one certificate.
+        options.trust = self.0.fingerprint.map_or(options.trust, Trust::Only);
+        let link = dial::dial(address, &options).await?.link;
+        links.insert(address.clone(), link.clone());
+        Ok(link)
+    }
+}

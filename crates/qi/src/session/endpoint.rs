@@ -1,0 +1,83 @@
+//! What the directory says of a service, and how far it is believed.
+
+use std::net::IpAddr;
+
+use crate::address::{Address, Scheme};
+use crate::value::Value;
+
+const SAME_AS_DIRECTORY: &str = "qi:ServiceDirectory";
+
+/// What the directory says of a service.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ServiceInfo {
+    /// Its name.
+    pub name: String,
+    /// Its number; another one when it comes back.
+    pub service_id: u32,
+    /// The computer that it runs on.
+    pub machine_id: String,
+    /// The process that it runs in.
+    pub process_id: u32,
+    /// Ways to it: `tcp://…`, `tcps://…`, or `qi:NAME` for the link of another service.
+    pub endpoints: Vec<String>,
+}
+
+impl ServiceInfo {
+    /// Reads 6 fields, as up to libqi 2.8, or more.
+    pub(crate) fn from_value(value: &Value) -> Option<Self> {
+        let [name, service_id, machine_id, process_id, endpoints, ..] = value.items()? else { return None };
+        let endpoints = endpoints.items()?.iter().filter_map(Value::as_text);
+        Some(Self {
+            name: name.as_text()?.into_owned(),
+            service_id: service_id.as_u32()?,
+            machine_id: machine_id.as_text()?.into_owned(),
+            process_id: process_id.as_u32()?,
+            endpoints: endpoints.map(std::borrow::Cow::into_owned).collect(),
+        })
+    }
+}
+
+/// The way to a service.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Choice {
+    /// By the link that the directory is reached by.
+    SameLink,
+    /// By a link of its own.
+    Dial(Address),
+    /// None that is allowed.
+    Nowhere,
+}
+
+/// The way to `service`, if the `directory` (as it describes itself) was reached at `dialled`, whose address is `peer`.
+///
+/// What a directory says is believed only for the host that was dialled: a service that is offered elsewhere, or at the
+/// robot's own 127.0.0.1, is not dialled there. A name is not looked up. Behind `tcps` nothing is dialled without TLS, as the
+/// password would be sent.
+pub fn choose(
+    service: &ServiceInfo,
+    directory: Option<&ServiceInfo>,
+    dialled: &Address,
+    peer: IpAddr,
+    relative_endpoints: bool,
+) -> Choice {
+    let shares = |directory: &ServiceInfo| {
+        let is_there = |endpoint: &String| directory.endpoints.contains(endpoint);
+        directory.machine_id == service.machine_id && service.endpoints.iter().any(is_there)
+    };
+    let is_relative = relative_endpoints && service.endpoints.iter().any(|endpoint| endpoint == SAME_AS_DIRECTORY);
+    let here: Vec<Address> = service
+        .endpoints
+        .iter()
+        .filter_map(|endpoint| endpoint.parse::<Address>().ok())
+        .filter(|address| address.host == dialled.host || address.host.parse() == Ok(peer))
+        .collect();
+    if is_relative || here.iter().any(|address| address.port == dialled.port) || directory.is_some_and(shares) {
+        return Choice::SameLink;
+    }
+    let wanted = |address: &&Address| address.scheme == dialled.scheme || address.scheme == Scheme::Tcps;
+    let best = here.iter().filter(wanted).max_by_key(|address| address.scheme == dialled.scheme);
+    best.cloned().map_or(Choice::Nowhere, |mut address| {
+        address.host.clone_from(&dialled.host);
+        Choice::Dial(address)
+    })
+}

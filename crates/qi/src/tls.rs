@@ -1,0 +1,149 @@
+//! TLS with trust on first use: certificates of peers are signed by nobody, so each is known again by its fingerprint.
+
+use std::fmt;
+use std::str::FromStr;
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use rustls::client::danger::{HandshakeSignatureValid, ServerCertVerified, ServerCertVerifier};
+use rustls::crypto::{CryptoProvider, ring, verify_tls12_signature, verify_tls13_signature};
+use rustls::pki_types::{CertificateDer, ServerName, UnixTime};
+use rustls::{CertificateError, ClientConfig, DigitallySignedStruct, Error, SignatureScheme};
+use sha2::{Digest, Sha256};
+use tokio::net::TcpStream;
+use tokio_rustls::TlsConnector;
+use tokio_rustls::client::TlsStream;
+
+use crate::error::Cause;
+use crate::locked::locked;
+
+/// SHA-256 of a certificate. Written and read as `AB:CD:…`.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Fingerprint(pub [u8; 32]);
+
+impl Fingerprint {
+    /// Of a certificate in DER.
+    pub fn of(certificate: &[u8]) -> Self {
+        Self(Sha256::digest(certificate).into())
+    }
+}
+
+impl fmt::Display for Fingerprint {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        let pairs: Vec<String> = self.0.iter().map(|byte| format!("{byte:02X}")).collect();
+        to.write_str(&pairs.join(":"))
+    }
+}
+
+impl fmt::Debug for Fingerprint {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        write!(to, "Fingerprint({self})")
+    }
+}
+
+impl FromStr for Fingerprint {
+    type Err = ();
+
+    fn from_str(text: &str) -> Result<Self, ()> {
+        let bytes = text.split(':').map(|pair| match pair.len() {
+            2 => u8::from_str_radix(pair, 16).map_err(|_| ()),
+            _ => Err(()),
+        });
+        let bytes: Vec<u8> = bytes.collect::<Result<_, _>>()?;
+        bytes.try_into().map(Self).map_err(|_| ())
+    }
+}
+
+/// Which certificate is accepted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Trust {
+    /// Whichever is shown: the first time. Keep its fingerprint and trust only that one later.
+    #[default]
+    First,
+    /// This one only.
+    Only(Fingerprint),
+}
+
+/// Agrees on TLS with a peer; answers with what its certificate is known by.
+pub(crate) async fn agree(
+    stream: TcpStream,
+    host: &str,
+    trust: Trust,
+    within: Duration,
+) -> Result<(TlsStream<TcpStream>, Fingerprint), Cause> {
+    let seen = Arc::new(Seen { trust, found: Mutex::new(None), provider: Arc::new(ring::default_provider()) });
+    let name = ServerName::try_from(host.to_owned()).or_else(|_| ServerName::try_from("peer"));
+    let name = name.map_err(|error| Cause::Tls(error.to_string()))?;
+    let connector = TlsConnector::from(Arc::new(config(&seen).map_err(|error| Cause::Tls(error.to_string()))?));
+    let agreed = tokio::time::timeout(within, connector.connect(name, stream)).await;
+    let found = *locked(&seen.found);
+    match (agreed, found) {
+        (Err(_), _) => Err(Cause::Timeout(within)),
+        (Ok(Ok(stream)), Some(found)) => Ok((stream, found)),
+        (Ok(Ok(_)), None) => Err(Cause::Tls("no certificate was shown".to_owned())),
+        (Ok(Err(error)), found) => Err(match (trust, found) {
+            (Trust::Only(expected), Some(found)) if found != expected => Cause::CertificateChanged { expected, found },
+            _ => Cause::Tls(error.to_string()),
+        }),
+    }
+}
+
+fn config(seen: &Arc<Seen>) -> Result<ClientConfig, Error> {
+    let config =
+        ClientConfig::builder_with_provider(Arc::clone(&seen.provider)).with_safe_default_protocol_versions()?;
+    let verifier: Arc<dyn ServerCertVerifier> = Arc::clone(seen) as Arc<dyn ServerCertVerifier>;
+    let mut config = config.dangerous().with_custom_certificate_verifier(verifier).with_no_client_auth();
+    // Each link looks at the certificate itself.
+    config.resumption = rustls::client::Resumption::disabled();
+    Ok(config)
+}
+
+/// Notes the certificate that is shown. Who shows it must also prove that it has its key.
+#[derive(Debug)]
+struct Seen {
+    trust: Trust,
+    found: Mutex<Option<Fingerprint>>,
+    provider: Arc<CryptoProvider>,
+}
+
+impl ServerCertVerifier for Seen {
+    fn verify_server_cert(
+        &self,
+        certificate: &CertificateDer<'_>,
+        _others: &[CertificateDer<'_>],
+        _name: &ServerName<'_>,
+        _ocsp: &[u8],
+        _now: UnixTime,
+    ) -> Result<ServerCertVerified, Error> {
+        let found = Fingerprint::of(certificate);
+        *locked(&self.found) = Some(found);
+        match self.trust {
+            Trust::Only(expected) if found != expected => {
+                Err(Error::InvalidCertificate(CertificateError::ApplicationVerificationFailure))
+            }
+            Trust::Only(_) | Trust::First => Ok(ServerCertVerified::assertion()),
+        }
+    }
+
+    fn verify_tls12_signature(
+        &self,
+        message: &[u8],
+        certificate: &CertificateDer<'_>,
+        signed: &DigitallySignedStruct,
+    ) -> Result<HandshakeSignatureValid, Error> {
+        verify_tls12_signature(message, certificate, signed, &self.provider.signature_verification_algorithms)
+    }
+
+    fn verify_tls13_signature(
+        &self,
+        message: &[u8],
+        certificate: &CertificateDer<'_>,
+        signed: &DigitallySignedStruct,
+    ) -> Result<HandshakeSignatureValid, Error> {
+        verify_tls13_signature(message, certificate, signed, &self.provider.signature_verification_algorithms)
+    }
+
+    fn supported_verify_schemes(&self) -> Vec<SignatureScheme> {
+        self.provider.signature_verification_algorithms.supported_schemes()
+    }
+}
