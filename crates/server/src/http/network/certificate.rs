@@ -140,8 +140,9 @@ fn make(names: &[String], until_ms: u64) -> Result<(CertificateDer<'static>, Vec
 
 fn acceptor(chain: Vec<CertificateDer<'static>>, key: PrivateKeyDer<'static>) -> Result<TlsAcceptor, NoCertificate> {
     let misfit = |error: rustls::Error| NoCertificate::Misfit(error.to_string());
+    // 1.3 alone, whatever else the library may know here.
     let config = ServerConfig::builder_with_provider(Arc::new(provider::default_provider()))
-        .with_safe_default_protocol_versions()
+        .with_protocol_versions(&[&rustls::version::TLS13])
         .map_err(misfit)?;
     let mut config = config.with_no_client_auth().with_single_cert(chain, key).map_err(misfit)?;
     config.alpn_protocols = vec![b"http/1.1".to_vec()];
