@@ -28,9 +28,9 @@ pub(crate) fn ensure(workspace: &Workspace) -> Outcome<PathBuf> {
     }
     let outer = outer()?;
     println!("Making a Python with libqi for the tests in {}.", folder.display());
-    make(&outer, &folder).or_else(|_| {
+    make(outer, &folder).or_else(|_| {
         tools::install("Python's venv", &["python3-venv"]);
-        make(&outer, &folder)
+        make(outer, &folder)
     })?;
     fs::write(&stamp, PACKAGE).map_err(|error| format!("{} cannot be written: {error}.", stamp.display()))?;
     Ok(python)
