@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use house::{Outcome, Page};
 
-use crate::steps::{picture, rests, say, stage, view};
+use crate::steps::{Stage, picture, rests, say, stage, view};
 
 const EDITS: usize = 40;
 
@@ -23,9 +23,7 @@ const NEXT_POINTER: &str = "new Promise(done => {
 #[tokio::test]
 async fn rings_and_pointers_of_others_are_seen_without_complaints() -> Outcome<()> {
     let stage = stage!("rings");
-    let program = stage.wire.make("Rings", Some("Track far and close balls")).await?;
-    let aiko = stage.person("aiko", &program).await?;
-    let ben = stage.person("ben", &program).await?;
+    let (aiko, ben) = two(&stage, "Rings").await?;
     let (x, y) = rests(&ben, "Distance,*").await?.centre();
     ben.press("button", "Distance,*").await?;
     ben.move_to((x + 150.0, y + 120.0)).await?;
@@ -44,9 +42,7 @@ async fn rings_and_pointers_of_others_are_seen_without_complaints() -> Outcome<(
 #[tokio::test]
 async fn an_edit_reaches_the_other_soon() -> Outcome<()> {
     let stage = stage!("an edit reaches the other");
-    let program = stage.wire.make("Soon", Some("Track far and close balls")).await?;
-    let aiko = stage.person("aiko", &program).await?;
-    let ben = stage.person("ben", &program).await?;
+    let (aiko, ben) = two(&stage, "Soon").await?;
     rests(&ben, "Ball,*").await?;
     let mut took = Vec::new();
     for edit in 0..EDITS {
@@ -66,9 +62,7 @@ async fn an_edit_reaches_the_other_soon() -> Outcome<()> {
 #[tokio::test]
 async fn a_pointer_is_seen_by_the_other_soon() -> Outcome<()> {
     let stage = stage!("a pointer reaches the other");
-    let program = stage.wire.make("Soon", Some("Track far and close balls")).await?;
-    let aiko = stage.person("aiko", &program).await?;
-    let ben = stage.person("ben", &program).await?;
+    let (aiko, ben) = two(&stage, "Soon").await?;
     let (x, y) = rests(&aiko, "Distance,*").await?.centre();
     rests(&ben, "Distance,*").await?;
     aiko.move_to((x + 150.0, y + 120.0)).await?;
@@ -83,6 +77,12 @@ async fn a_pointer_is_seen_by_the_other_soon() -> Outcome<()> {
     tell("A pointer reaches the other browser", 60, took);
     aiko.no_errors()?;
     ben.no_errors()
+}
+
+/// Two people in a new program of this name.
+async fn two(stage: &Stage, program: &str) -> Outcome<(Page, Page)> {
+    let program = stage.wire.make(program, Some("Track far and close balls")).await?;
+    Ok((stage.person("aiko", &program).await?, stage.person("ben", &program).await?))
 }
 
 /// How long after somebody does something the other page changes.

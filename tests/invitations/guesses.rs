@@ -1,9 +1,10 @@
 //! Stop while somebody tries one link after the other: from the same other computer, by as many connections as it likes.
 
 use crate::browser::{Browser, Socket, status};
-use crate::{Network, OUT, invited, said};
+use crate::{Network, OUT, invite, said};
 use house::{Outcome, Server, Trouble};
 use protocol::{Reply, Request, Role};
+use shell::Client;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -60,7 +61,9 @@ pub(crate) async fn guessed(
     data: &Path,
     (all, stop_p99): (usize, Duration),
 ) -> Outcome<()> {
-    let link = invited(server, Role::Viewer).await?;
+    let aiko = Client::connect(&server.url(), "Aiko").await.map_err(said)?;
+    let (_, link) = invite(&aiko, Role::Viewer).await?;
+    drop(aiko);
     let mut guest = Browser::new(data, &link);
     let stranger = guest.stranger();
     let socket = network.do_there(async move {

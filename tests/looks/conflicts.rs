@@ -64,7 +64,7 @@ async fn write(page: &Page, test: &str) -> Outcome<()> {
     page.gone("dialog", "Operation").await
 }
 
-/// Looks at a state in light and dark, on a desktop, a tablet and a phone; a button of it is there on all of them.
+/// Looks at a state in light and dark, on a desktop, a tablet and a phone, also a very low one; a button of it is there on all.
 async fn look(page: &Page, state: &str, button: &str) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
     for (size, width, height, touch) in
@@ -83,6 +83,10 @@ async fn look(page: &Page, state: &str, button: &str) -> Outcome<Vec<String>> {
         let least = if touch { 44 } else { 24 };
         found.extend(list(page, &format!("{SMALL}({least})"), &format!("{state}, {size}")).await?);
     }
+    // As low as under the keyboard of a phone, where long contents must scroll by keys too.
+    page.size(390, 420, true).await?;
+    rests(page).await?;
+    found.extend(check(page, &format!("{state}, low")).await?);
     page.theme(false).await?;
     page.size(1440, 900, false).await?;
     Ok(found)

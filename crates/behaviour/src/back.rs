@@ -1,7 +1,6 @@
 //! Back to what was: a whole revision again, or what one change removed, each as one new change.
 
-use crate::Filled;
-use crate::{Behaviour, Change, Edit, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
+use crate::{Behaviour, Change, Edit, Filled, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
 use std::collections::BTreeSet;
 
 /// Records of a removal that are tried one by one, if not all of them can come back.

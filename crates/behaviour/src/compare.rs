@@ -1,7 +1,6 @@
 //! How two versions of a behaviour differ: what is new, what is another, what went and what only stands elsewhere.
 
-use crate::Filled;
-use crate::{Behaviour, Id, Kind, Record, RecordId};
+use crate::{Behaviour, Filled, Id, Kind, Record, RecordId};
 use std::collections::BTreeSet;
 
 /// The differences between two versions, as people count them.

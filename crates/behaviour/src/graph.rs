@@ -1,8 +1,7 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
-use crate::Filled;
 use crate::walk::{self, Ends};
-use crate::{Behaviour, Connector, Id, StreamKind};
+use crate::{Behaviour, Connector, Filled, Id, StreamKind};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The connectors around every stream, in file order.

@@ -1,9 +1,8 @@
 //! What is still missing before a behaviour can run. Problems never stop editing; most stop Start.
 
-use crate::Filled;
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
 use crate::{
-    Behaviour, Connector, Engine, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, Settings, StreamKind,
+    Behaviour, Connector, Engine, Filled, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, Settings, StreamKind,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;

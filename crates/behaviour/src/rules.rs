@@ -1,10 +1,9 @@
 //! The rules every change must keep, and the refusal that names the broken one.
 
-use crate::Filled;
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
-    Behaviour, Change, Connector, Edit, Graph, Helper, Id, Params, Procedure, Record, Settings, Stream, StreamKind,
-    has_unseen, record_bytes,
+    Behaviour, Change, Connector, Edit, Filled, Graph, Helper, Id, Params, Procedure, Record, Settings, Stream,
+    StreamKind, has_unseen, record_bytes,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};

@@ -55,8 +55,7 @@ struct Run<'a> {
 /// Runs every check and stops at the first that fails.
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
-    let mut run =
-        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, module: None, skipped: Vec::new() };
+    let mut run = Run::on(workspace);
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
@@ -71,8 +70,7 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
-    let mut run =
-        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, module: None, skipped: Vec::new() };
+    let mut run = Run::on(workspace);
     find_tools(&mut run)?;
     find_neo4j(&mut run)?;
     find_libqi(&mut run)?;
@@ -81,7 +79,26 @@ pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
     Ok(())
 }
 
-impl Run<'_> {
+impl<'a> Run<'a> {
+    fn on(workspace: &'a Workspace) -> Self {
+        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, module: None, skipped: Vec::new() }
+    }
+
+    /// Where a part was made that `tests` need; without it they are skipped by name, but never in CI.
+    fn made(&mut self, made: Outcome<PathBuf>, part: &str, tests: &str) -> Outcome<Option<PathBuf>> {
+        match made {
+            Ok(place) => {
+                println!("{part} is at {}.", place.display());
+                Ok(Some(place))
+            }
+            Err(why) if in_ci() => Err(format!("CI needs {part} for the {tests}: {why}")),
+            Err(why) => {
+                self.skip(format!("{tests} ({})", why.trim_end_matches('.')));
+                Ok(None)
+            }
+        }
+    }
+
     fn cargo(&mut self, words: &[&str]) -> Outcome<()> {
         tools::run(&mut self.workspace.cargo(words), &format!("`cargo {}`", words.join(" ")))
     }
@@ -167,27 +184,15 @@ fn find_tools(run: &mut Run) -> Outcome<()> {
 
 /// Makes the Neo4j that the tests of its store start.
 fn find_neo4j(run: &mut Run) -> Outcome<()> {
-    match neo4j::ensure(run.workspace) {
-        Ok(folder) => {
-            println!("Neo4j is in {}.", folder.display());
-            run.neo4j = Some(folder);
-        }
-        Err(why) if in_ci() => return Err(format!("CI needs Neo4j for the tests of its store: {why}")),
-        Err(why) => run.skip(format!("tests of the Neo4j store ({})", why.trim_end_matches('.'))),
-    }
+    let made = neo4j::ensure(run.workspace);
+    run.neo4j = run.made(made, "Neo4j", "tests of the Neo4j store")?;
     Ok(())
 }
 
 /// Makes the Python with the real libqi that the tests of `qi` talk to.
 fn find_libqi(run: &mut Run) -> Outcome<()> {
-    match qi_python::ensure(run.workspace) {
-        Ok(python) => {
-            println!("libqi is known to {}.", python.display());
-            run.libqi = Some(python);
-        }
-        Err(why) if in_ci() => return Err(format!("CI needs libqi for the tests of qi: {why}")),
-        Err(why) => run.skip(format!("tests with the real libqi ({})", why.trim_end_matches('.'))),
-    }
+    let made = qi_python::ensure(run.workspace);
+    run.libqi = run.made(made, "libqi", "tests with the real libqi")?;
     Ok(())
 }
 

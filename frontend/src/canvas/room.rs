@@ -1,8 +1,7 @@
 //! How much room there is beside a stream for its value, and beside a chip for what it says. Pure.
 
 use super::view::Bounds;
-use behaviour::Filled;
-use behaviour::Id;
+use behaviour::{Filled, Id};
 use std::collections::BTreeMap;
 
 /// The widest a live value becomes, in canvas units.

@@ -1,8 +1,7 @@
 //! The parameters of a device as a form, straight from the catalogue.
 
 use super::{Choice, NumberField, TextField, Unfilled};
-use behaviour::Filled;
-use behaviour::{Params, Value};
+use behaviour::{Filled, Params, Value};
 use leptos::prelude::*;
 use robot::{Device, Param, ParamKind};
 

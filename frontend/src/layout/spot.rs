@@ -1,8 +1,7 @@
 //! A free spot for a new stream: below its sources, beside nothing.
 
 use super::{CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, snapped, stream_width};
-use behaviour::Filled;
-use behaviour::{Behaviour, Connector, Graph, Id, Place, Stream};
+use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream};
 use std::collections::BTreeMap;
 
 /// How many spots are tried to the sides before the next level is.

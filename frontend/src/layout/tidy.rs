@@ -2,8 +2,7 @@
 
 use super::spot::whole_width;
 use super::{GAP, LEVEL, snapped};
-use behaviour::Filled;
-use behaviour::{Behaviour, Graph, Id, Place};
+use behaviour::{Behaviour, Filled, Graph, Id, Place};
 use rust_sugiyama::configure::{Config, CrossingMinimization, RankingType};
 use std::collections::{BTreeMap, BTreeSet};
 

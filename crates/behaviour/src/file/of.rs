@@ -1,9 +1,8 @@
 //! From a behaviour to its file.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
-use crate::Filled;
 use crate::{
-    Behaviour, Connector, Engine, Helper, Id, Place, Procedure, Record, Settings, Stream, Value, called_names,
+    Behaviour, Connector, Engine, Filled, Helper, Id, Place, Procedure, Record, Settings, Stream, Value, called_names,
 };
 use std::collections::BTreeMap;
 

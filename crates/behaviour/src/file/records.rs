@@ -1,10 +1,9 @@
 //! From a file to the records of a behaviour.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
-use crate::Filled;
 use crate::{
-    BadId, Behaviour, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId, Settings,
-    Stream, connectors,
+    BadId, Behaviour, Connector, Filled, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId,
+    Settings, Stream, connectors,
 };
 use std::collections::{BTreeMap, BTreeSet};
 

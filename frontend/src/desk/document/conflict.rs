@@ -2,8 +2,7 @@
 //! theirs. Pure, with the behaviour handed in.
 
 use super::build;
-use behaviour::Filled;
-use behaviour::{Accepted, Behaviour, Change, Connector, Edit, Id, Kind, Record, RecordId, Refusal, Stream};
+use behaviour::{Accepted, Behaviour, Change, Connector, Edit, Filled, Id, Kind, Record, RecordId, Refusal, Stream};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 

@@ -3,8 +3,7 @@
 use super::{ConnectPlan, Document, Output, Selected, build};
 use crate::desk::tab::new_id;
 use crate::layout;
-use behaviour::Filled;
-use behaviour::{Behaviour, Change, Connector, Id, Kind, Operation, Params, Place, Record, RecordId, Stream};
+use behaviour::{Behaviour, Change, Connector, Filled, Id, Kind, Operation, Params, Place, Record, RecordId, Stream};
 use leptos::prelude::*;
 use protocol::Refused;
 use std::collections::BTreeMap;

@@ -2,8 +2,7 @@
 
 use super::Library;
 use crate::browser;
-use behaviour::Filled;
-use behaviour::Id;
+use behaviour::{Filled, Id};
 use leptos::prelude::*;
 use protocol::{PICTURES_MAX, Picture, PictureOf, Reply, Request};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};

@@ -89,7 +89,7 @@ fn Window(both: Both, title: String) -> impl IntoView {
                 <Show when=again><p class="dialog-under changed-again">{words::changed_again()}</p></Show>
             </div>
             <Switch theirs_shown both />
-            <div class="dialog-body compare-place">
+            <div class="dialog-body compare-place" tabindex="0">
                 <Table both theirs_shown />
                 <Refused why=refusal />
             </div>

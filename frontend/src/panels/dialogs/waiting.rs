@@ -24,7 +24,7 @@ pub(super) fn WaitingList() -> impl IntoView {
     };
     view! {
         <Frame title=words::waiting_title() narrow=true save=Callback::new(move |()| close(desk))>
-            <div class="dialog-body">
+            <div class="dialog-body" tabindex="0">
                 <p class="second">{move || if all.read().is_empty() { words::nothing_waits() } else { words::waiting_says() }}</p>
                 <ol class="waiting-list">{shown}</ol>
             </div>
