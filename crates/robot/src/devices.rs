@@ -1,41 +1,73 @@
 //! One file a device: its name, words, parameters and shape. To add one, add a file and its word here.
 
+mod animation;
+mod battery;
 mod blob;
+mod bumper;
+mod button;
+mod color_ball;
 mod eye_brightness;
 mod eye_led_color;
 mod face_detection;
+mod fall;
+mod hand_touch;
 mod head_touch;
 mod joint_position;
+mod landmark;
+mod people;
+mod posture;
+mod posture_changed;
 mod print;
 mod red_ball;
 mod remember_face;
 mod say_input;
 mod say_parameter;
 mod set_joint_position;
+mod sonar;
+mod sound;
+mod sound_located;
 mod tick;
 mod tracker;
+mod walk;
+mod word_recognized;
 
 use crate::Device;
 
 /// All devices in the order people see them.
 pub(crate) const ALL: &[&Device] = &[
     &red_ball::DEVICE,
+    &color_ball::DEVICE,
     &blob::DEVICE,
     &face_detection::DEVICE,
+    &people::DEVICE,
+    &landmark::DEVICE,
+    &word_recognized::DEVICE,
+    &sound_located::DEVICE,
     &head_touch::DEVICE,
+    &hand_touch::DEVICE,
+    &bumper::DEVICE,
+    &sonar::DEVICE,
     &joint_position::DEVICE,
+    &posture_changed::DEVICE,
+    &fall::DEVICE,
+    &battery::DEVICE,
+    &button::DEVICE,
     &tick::DEVICE,
     &tracker::DEVICE,
     &say_input::DEVICE,
     &say_parameter::DEVICE,
+    &sound::DEVICE,
     &eye_led_color::DEVICE,
     &eye_brightness::DEVICE,
     &set_joint_position::DEVICE,
+    &animation::DEVICE,
+    &posture::DEVICE,
+    &walk::DEVICE,
     &remember_face::DEVICE,
     &print::DEVICE,
 ];
 
-/// The joints a stream may read or set.
+/// The joints a stream may read.
 pub(crate) const JOINT_CHOICES: &[(&str, &str)] = &[
     ("HeadYaw", "head yaw"),
     ("HeadPitch", "head pitch"),
@@ -51,4 +83,26 @@ pub(crate) const JOINT_CHOICES: &[(&str, &str)] = &[
     ("RElbowRoll", "right elbow roll"),
     ("RWristYaw", "right wrist yaw"),
     ("RHand", "right hand"),
+];
+
+/// The joints and groups a stream may set. The joints of a group are in the order of NAOqi: the head has yaw and pitch,
+/// an arm shoulder pitch and roll, elbow yaw and roll, wrist yaw and hand.
+pub(crate) const MOVED_CHOICES: &[(&str, &str)] = &[
+    ("HeadYaw", "head yaw"),
+    ("HeadPitch", "head pitch"),
+    ("LShoulderPitch", "left shoulder pitch"),
+    ("LShoulderRoll", "left shoulder roll"),
+    ("LElbowYaw", "left elbow yaw"),
+    ("LElbowRoll", "left elbow roll"),
+    ("LWristYaw", "left wrist yaw"),
+    ("LHand", "left hand"),
+    ("RShoulderPitch", "right shoulder pitch"),
+    ("RShoulderRoll", "right shoulder roll"),
+    ("RElbowYaw", "right elbow yaw"),
+    ("RElbowRoll", "right elbow roll"),
+    ("RWristYaw", "right wrist yaw"),
+    ("RHand", "right hand"),
+    ("Head", "head: yaw and pitch"),
+    ("LArm", "left arm: all six"),
+    ("RArm", "right arm: all six"),
 ];

@@ -35,6 +35,12 @@ pub enum RobotFault {
     TextsWait(usize),
     /// Nobody is in view whose face could be remembered.
     NoFace,
+    /// A value is no list of as many numbers as the group has joints.
+    NoGroup(usize),
+    /// It cannot do this as it is now; with the reason: "it lies on the floor".
+    NotNow(String),
+    /// Its link is gone, or not there yet.
+    NoLink,
 }
 
 impl std::error::Error for RobotFault {}
@@ -61,6 +67,9 @@ impl fmt::Display for RobotFault {
             Self::NothingToSay => to.write_str("there is nothing to say"),
             Self::TextTooLong(chars) => write!(to, "a text to say may have {chars} characters"),
             Self::TextsWait(many) => write!(to, "{many} texts already wait to be said, so this one is left out"),
+            Self::NoGroup(joints) => write!(to, "this group needs a list of {joints} numbers"),
+            Self::NotNow(why) => write!(to, "the robot cannot do this now: {why}"),
+            Self::NoLink => to.write_str("there is no connection to the robot"),
             Self::NoFace => to.write_str("no face is in view, so none was remembered"),
         }
     }

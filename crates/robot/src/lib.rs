@@ -3,6 +3,7 @@
 #![warn(missing_docs)]
 
 mod catalogue;
+mod condition;
 mod devices;
 mod fault;
 mod fits;
@@ -14,6 +15,7 @@ mod scene;
 pub use catalogue::{
     Device, Example, Field, NextStep, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
+pub use condition::{Condition, Control, Lacking, Life};
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
@@ -73,6 +75,9 @@ pub trait Robot {
     /// Names of the devices it has.
     fn devices(&self) -> Vec<&'static str>;
 
+    /// The devices of the catalogue that it does not have, and why not; empty before it is known.
+    fn lacking(&self) -> Vec<Lacking>;
+
     /// Starts or prepares a device for a stream.
     ///
     /// # Errors
@@ -97,8 +102,22 @@ pub trait Robot {
     /// told before; commands that come later work again.
     fn stop(&mut self, now: Millis);
 
+    /// Takes control, gives it back, or rests. What comes of it is seen in [`Robot::condition`].
+    ///
+    /// # Errors
+    /// Why not, if that cannot be done now.
+    fn control(&mut self, control: Control, now: Millis) -> Result<(), RobotFault>;
+
+    /// Why everything that runs has to end now, told once and after the readings of that moment: the robot fell, is too
+    /// hot, has no battery left, protects itself, or its link was lost. It holds safely already, and nothing goes on
+    /// before a person presses Start.
+    fn take_halt(&mut self) -> Option<String>;
+
     /// How the link is.
     fn health(&self) -> Health;
+
+    /// How the body is.
+    fn condition(&self) -> Condition;
 
     /// The robot in its room, for pictures.
     fn scene(&self) -> Scene;

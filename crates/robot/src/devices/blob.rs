@@ -1,4 +1,4 @@
-//! A coloured ball, as ALColorBlobDetection sees it.
+//! Anything of a colour, round or not, as ALColorBlobDetection finds it (NAOqi 2.8).
 
 use super::red_ball::BALL;
 use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
@@ -8,13 +8,20 @@ pub(crate) const DEVICE: Device = Device {
     name: "Blob",
     kind: StreamKind::Sensor,
     label: "Blob",
-    says: "Sees a ball of the chosen color: where it is and how large it looks.",
+    says: "Sees the largest thing of the chosen color, whatever its form: where it is and how large it looks.",
     icon: "blob",
-    params: &[Param {
-        name: "color",
-        label: "Colour",
-        kind: ParamKind::Choice(&[("red", "red"), ("green", "green"), ("blue", "blue")]),
-    }],
+    params: &[
+        Param {
+            name: "color",
+            label: "Colour",
+            kind: ParamKind::Choice(&[("red", "red"), ("green", "green"), ("blue", "blue")]),
+        },
+        Param {
+            name: "size",
+            label: "Smallest size",
+            kind: ParamKind::Number { min: 0.0, max: 0.5, step: 0.01, unit: "rad", default: 0.0 },
+        },
+    ],
     shape: Shape::Object(BALL),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,

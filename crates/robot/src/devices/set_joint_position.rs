@@ -1,6 +1,6 @@
-//! Moving one joint.
+//! Moving one joint, or those of a group.
 
-use super::JOINT_CHOICES;
+use super::MOVED_CHOICES;
 use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::{Params, StreamKind, Value};
 
@@ -8,10 +8,10 @@ pub(crate) const DEVICE: Device = Device {
     name: "SetJointPosition",
     kind: StreamKind::Actuator,
     label: "SetJointPosition",
-    says: "Moves a joint to the value in radians; a hand to 0 closed or 1 open.",
+    says: "Moves a joint to the value in radians, a hand to 0 closed or 1 open; a group takes a list of its joints' values.",
     icon: "joint",
     params: &[
-        Param { name: "joint", label: "Joint", kind: ParamKind::Choice(JOINT_CHOICES) },
+        Param { name: "joint", label: "Joint", kind: ParamKind::Choice(MOVED_CHOICES) },
         Param {
             name: "speed",
             label: "Speed",

@@ -1,0 +1,65 @@
+//! How the robot's body is: what an operator looks at before pressing Start.
+
+use serde::{Deserialize, Serialize};
+
+/// How the body is; what is not known is none. For people, as plain lights with words.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Condition {
+    /// How full the battery is, from 0 to 100 percent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub battery: Option<u8>,
+    /// Whether it is charging or on the cable.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub plugged: Option<bool>,
+    /// Whether it is awake: its motors are on and it holds a posture.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub awake: Option<bool>,
+    /// Whether the motors are stiff enough to move.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiff: Option<bool>,
+    /// What it does of its own accord.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub life: Option<Life>,
+    /// Joints that are too hot, by their names in [`crate::JOINTS`].
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub hot: Vec<String>,
+    /// Whether it lies where it fell.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub fallen: Option<bool>,
+}
+
+/// What a NAO does of its own accord: the states of ALAutonomousLife (NAOqi 2.8).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Life {
+    /// Nothing: behaviours have it for themselves.
+    Disabled,
+    /// It protects itself after a fall or from heat, and takes no commands.
+    Safeguard,
+    /// It moves a little by itself.
+    Solitary,
+    /// It looks for people and talks to them.
+    Interactive,
+}
+
+/// Who has the robot: behaviours, or its own life.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Control {
+    /// *Take control*: its own life ends, it stands up and its motors are on.
+    Take,
+    /// *Give back*: its own life goes on as it was before control was taken.
+    GiveBack,
+    /// *Rest*: everything stops, it crouches and its motors go off.
+    Rest,
+}
+
+/// A device that a robot does not have. A device of the catalogue is here or in [`crate::Robot::devices`].
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Lacking {
+    /// The device's name.
+    pub device: String,
+    /// Why not, in a few English words: "it has no wrists".
+    pub why: String,
+}

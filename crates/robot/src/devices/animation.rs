@@ -1,0 +1,30 @@
+//! Gestures that the robot brings along, as ALAnimationPlayer plays them (NAOqi 2.8).
+
+use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "Animation",
+    kind: StreamKind::Actuator,
+    label: "Animation",
+    says: "Plays the gesture whenever a value comes; one that plays already is not begun again.",
+    icon: "animation",
+    params: &[Param {
+        name: "animation",
+        label: "Gesture",
+        kind: ParamKind::Choice(&[
+            ("Hey", "waving"),
+            ("Yes", "nodding"),
+            ("No", "shaking the head"),
+            ("Bow", "bowing"),
+            ("Me", "pointing to itself"),
+            ("Explain", "explaining"),
+            ("Happy", "cheering"),
+        ]),
+    }],
+    shape: Shape::Anything,
+    resources: Resources::Always(&[Resource::Head, Resource::LeftArm, Resource::RightArm]),
+    waiting: Waiting::Every,
+    next_step: NextStep::NEVER,
+    example: "true",
+};

@@ -1,0 +1,29 @@
+//! The bumpers on the feet.
+
+use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "Bumper",
+    kind: StreamKind::Sensor,
+    label: "Bumper",
+    says: "Feels something at a foot: gives true when pressed and, if wanted, false when let go.",
+    icon: "bumper",
+    params: &[
+        Param {
+            name: "foot",
+            label: "Foot",
+            kind: ParamKind::Choice(&[("any", "either"), ("left", "left"), ("right", "right")]),
+        },
+        Param {
+            name: "release",
+            label: "Also told",
+            kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]),
+        },
+    ],
+    shape: Shape::Truth,
+    resources: Resources::Always(&[]),
+    waiting: Waiting::Every,
+    next_step: NextStep::NEVER,
+    example: "true",
+};

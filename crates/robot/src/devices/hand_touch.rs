@@ -1,0 +1,39 @@
+//! The touch fields on the backs and sides of the hands.
+
+use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "HandTouch",
+    kind: StreamKind::Sensor,
+    label: "HandTouch",
+    says: "Feels a touch on a hand: gives true when touched and, if wanted, false when let go.",
+    icon: "hand",
+    params: &[
+        Param {
+            name: "hand",
+            label: "Hand",
+            kind: ParamKind::Choice(&[("any", "either"), ("left", "left"), ("right", "right")]),
+        },
+        Param {
+            name: "part",
+            label: "Part",
+            kind: ParamKind::Choice(&[
+                ("any", "anywhere"),
+                ("back", "back of the hand"),
+                ("left", "left side"),
+                ("right", "right side"),
+            ]),
+        },
+        Param {
+            name: "release",
+            label: "Also told",
+            kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]),
+        },
+    ],
+    shape: Shape::Truth,
+    resources: Resources::Always(&[]),
+    waiting: Waiting::Every,
+    next_step: NextStep::NEVER,
+    example: "true",
+};

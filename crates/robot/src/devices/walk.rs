@@ -1,0 +1,33 @@
+//! Walking, as ALMotion.move does it (NAOqi 2.8), which goes on until told otherwise: here it ends by itself.
+
+use crate::{Device, Field, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use behaviour::StreamKind;
+
+pub(crate) const DEVICE: Device = Device {
+    name: "Walk",
+    kind: StreamKind::Actuator,
+    label: "Walk",
+    says: "Walks with the speed of the value for as long as values keep coming, and half a second more; a number walks ahead.",
+    icon: "walk",
+    params: &[
+        Param {
+            name: "speed",
+            label: "Top speed",
+            kind: ParamKind::Number { min: 0.01, max: 0.1, step: 0.01, unit: "m/s", default: 0.05 },
+        },
+        Param {
+            name: "turn",
+            label: "Top turn",
+            kind: ParamKind::Number { min: 0.05, max: 0.5, step: 0.05, unit: "rad/s", default: 0.3 },
+        },
+    ],
+    shape: Shape::Object(&[
+        Field { name: "x", says: "speed ahead in metres a second, backwards negative" },
+        Field { name: "y", says: "speed to the left in metres a second, to the right negative" },
+        Field { name: "turn", says: "speed of turning in radians a second, left positive" },
+    ]),
+    resources: Resources::Always(&[Resource::Legs]),
+    waiting: Waiting::Newest,
+    next_step: NextStep::NEVER,
+    example: r#"{"x":0.05,"y":0.0,"turn":0.0}"#,
+};
