@@ -7,7 +7,7 @@ mod graphs;
 pub mod runs;
 
 use behaviour::{Id, Params, Value};
-use robot::{Millis, Robot, SceneEdit, Use};
+use robot::{Millis, Robot, SceneEdit, Touchable, Use};
 use simulation::{Noise, SimulatedNao};
 
 /// What happens in the story: every beat is 20 ms.
@@ -73,7 +73,7 @@ fn happen(nao: &mut SimulatedNao, beat: u64) {
         2 | 15 => tell(nao, "say", &Value::Int(beat.cast_signed())),
         3 => drop(nao.edit(&SceneEdit::SetPresent { id: "person".to_owned(), present: true })),
         5 => drop(nao.throw_ball("green", [-2.0, -1.5, 1.0])),
-        12 | 14 => drop(nao.edit(&SceneEdit::TouchHead { down: beat == 12 })),
+        12 | 14 => drop(nao.edit(&SceneEdit::Touch { part: Touchable::HeadFront, down: beat == 12 })),
         18 => tell(nao, "learn", &Value::Bool(true)),
         _ => {}
     }

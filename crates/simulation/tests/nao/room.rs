@@ -1,7 +1,7 @@
 //! The room keeps its bounds, whatever happens in it; and the same story gives the same bits.
 
 use super::bench::Bench;
-use robot::{JOINTS, Millis, Robot, SceneEdit};
+use robot::{JOINTS, Millis, Robot, SceneEdit, Touchable};
 use simulation::SimulatedNao;
 
 #[test]
@@ -67,7 +67,7 @@ fn reset_brings_everything_back() {
     let first = bench.nao.scene();
     bench.ball("red", [1.5, 0.4, 0.5]);
     bench.person([1.0, 1.0], true);
-    bench.touch(true);
+    bench.touch(Touchable::HeadRear, true);
     bench.keep("tracker", true, 4_000);
     bench.nao.edit(&SceneEdit::Reset).expect("always possible");
     bench.wait(10);
