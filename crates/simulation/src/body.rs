@@ -97,9 +97,10 @@ impl Body {
     /// The corners of both feet.
     pub(crate) fn corners(&self) -> impl Iterator<Item = Vector> {
         let corners = TOES.into_iter().chain(HEELS);
-        self.feet.into_iter().flat_map(move |foot| corners.clone().map(move |corner| (foot, corner))).map(
-            |(foot, corner)| self.links[foot].transform_point(corner),
-        )
+        self.feet
+            .into_iter()
+            .flat_map(move |foot| corners.clone().map(move |corner| (foot, corner)))
+            .map(|(foot, corner)| self.links[foot].transform_point(corner))
     }
 
     /// The pose of each link, in the order of the table.

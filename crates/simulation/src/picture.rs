@@ -4,8 +4,8 @@ use crate::body::Side;
 use crate::devices::{Follow, Point};
 use crate::nao::SimulatedNao;
 use crate::room::MARK_M;
-use crate::world::{BallBody, Mark, ObstacleBody, PersonBody};
-use robot::{Ball, Body, Landmark, Obstacle, Person, Scene};
+use crate::world::{self, BallBody, ObstacleBody, PersonBody};
+use robot::{Ball, Body, Mark, Obstacle, Person, Scene};
 
 impl SimulatedNao {
     /// Everything in the room now.
@@ -88,8 +88,8 @@ impl SimulatedNao {
         self.world.obstacles.iter().map(picture).collect()
     }
 
-    fn landmark_pictures(&self) -> Vec<Landmark> {
-        let picture = |(index, mark): (usize, &Mark)| Landmark {
+    fn landmark_pictures(&self) -> Vec<Mark> {
+        let picture = |(index, mark): (usize, &world::Mark)| Mark {
             id: mark.id.to_owned(),
             number: mark.number,
             at: mark.at.to_array(),

@@ -1,9 +1,9 @@
 //! Joints: their angles twenty times a second, and moving one of them or a group.
 
 use super::{Act, Beat, Chosen, Driver, Opened, Sense, float, number};
+use crate::body::Side;
 use crate::model::{arm_motors_and_hand, motor};
 use crate::nao::SimulatedNao;
-use crate::body::Side;
 use behaviour::Value;
 use robot::{RobotFault, Use};
 

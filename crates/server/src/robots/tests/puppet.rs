@@ -9,7 +9,7 @@ use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
-use robot::{Health, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
+use robot::{Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
@@ -125,6 +125,10 @@ impl Robot for Puppet {
         vec!["RedBall", "Print"]
     }
 
+    fn lacking(&self) -> Vec<Lacking> {
+        Vec::new()
+    }
+
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {
         let mut strings = lock(&self.0);
         if strings.refuses == Some(device) {
@@ -172,8 +176,20 @@ impl Robot for Puppet {
         strings.log.push("held".to_owned());
     }
 
+    fn control(&mut self, _control: Control, _now: Millis) -> Result<(), RobotFault> {
+        Ok(())
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        None
+    }
+
     fn health(&self) -> Health {
         Health::Ready
+    }
+
+    fn condition(&self) -> Condition {
+        Condition::default()
     }
 
     fn scene(&self) -> Scene {

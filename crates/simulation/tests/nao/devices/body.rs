@@ -90,6 +90,7 @@ pub(super) fn battery() {
     }
     assert_eq!(bench.values("battery"), [Value::Int(99), Value::Int(98)], "about one in a minute");
     bench.edit(&SceneEdit::SetBattery { percent: 40 });
+    bench.wait(100);
     bench.edit(&SceneEdit::Plug { plugged: true });
     for _ in 0..6 {
         bench.wait(10_000);

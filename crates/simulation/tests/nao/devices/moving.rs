@@ -68,14 +68,15 @@ pub(super) fn animation() {
         let before = bench.nao.scene().body;
         assert_eq!(before.playing, "");
         bench.tell("play", true);
-        bench.wait(600);
+        bench.wait(350);
         assert!((bench.joint(moved) - before.joints[motor(moved)]).abs() > 0.1, "{name} moves {moved}");
         assert_eq!(bench.nao.scene().body.playing, words);
         bench.tell("play", true);
         bench.wait(4_000);
         let after = bench.nao.scene().body;
         assert_eq!(after.playing, "", "it was not begun again");
-        let far = |joints: &[f32]| joints.iter().zip(&before.joints).fold(0.0, |far, (a, b)| f32::max(far, (a - b).abs()));
+        let far =
+            |joints: &[f32]| joints.iter().zip(&before.joints).fold(0.0, |far, (a, b)| f32::max(far, (a - b).abs()));
         assert!(far(&after.joints) < 0.01, "{name} ends where it began");
     }
     let mut bench = Bench::new();

@@ -69,7 +69,7 @@ pub(super) fn sonar() {
     for side in ["nearest", "left", "right"] {
         bench.open(side, "Sonar", &[("side", side)]);
     }
-    let mut measured = |bench: &mut Bench| {
+    let measured = |bench: &mut Bench| {
         bench.wait(1_000);
         ["nearest", "left", "right"].map(|side| {
             let values = bench.values(side);

@@ -10,7 +10,7 @@ use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
-use robot::{Health, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
+use robot::{Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
 use simulation::SimulatedNao;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
@@ -95,6 +95,10 @@ impl Robot for ProbedRobot {
         vec!["RedBall", "Print"]
     }
 
+    fn lacking(&self) -> Vec<Lacking> {
+        Vec::new()
+    }
+
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {
         if device == "RedBall" {
             lock(&self.notes).ball = Some(user.clone());
@@ -126,8 +130,20 @@ impl Robot for ProbedRobot {
         self.nao.stop(now);
     }
 
+    fn control(&mut self, control: Control, now: Millis) -> Result<(), RobotFault> {
+        self.nao.control(control, now)
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        self.nao.take_halt()
+    }
+
     fn health(&self) -> Health {
         Health::Ready
+    }
+
+    fn condition(&self) -> Condition {
+        self.nao.condition()
     }
 
     fn scene(&self) -> Scene {
