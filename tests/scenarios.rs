@@ -260,10 +260,7 @@ fn ball(id: &str, at: [f32; 3]) -> SceneEdit {
 /// A hand on the head for a tenth of a second.
 fn touch(at_ms: u64) -> Vec<(Millis, SceneEdit)> {
     let part = Touchable::HeadFront;
-    vec![
-        at(at_ms, SceneEdit::Touch { part, down: true }),
-        at(at_ms + 100, SceneEdit::Touch { part, down: false }),
-    ]
+    vec![at(at_ms, SceneEdit::Touch { part, down: true }), at(at_ms + 100, SceneEdit::Touch { part, down: false })]
 }
 
 fn present(present: bool) -> SceneEdit {

@@ -43,6 +43,7 @@ impl Robot for SimulatedNao {
         self.senses.close(user);
         if let Some(act) = self.acts.remove(user) {
             act.end(self, user);
+            self.end_going(user);
             for motor in self.movers.end(user) {
                 self.servo.hold_one(motor);
             }

@@ -145,6 +145,11 @@ impl SimulatedNao {
         self.going = Some(Going { to, user: user.cloned() });
     }
 
+    /// A use ends: nobody waits any more for the joints that it sent to a posture.
+    pub(crate) fn end_going(&mut self, user: &Use) {
+        self.going.take_if(|going| going.user.as_ref() == Some(user));
+    }
+
     /// One step on the way to a posture.
     pub(crate) fn arrive(&mut self) {
         if self.going.as_ref().is_some_and(|going| self.away(going.to, LEGS) < ARRIVED) {
@@ -165,12 +170,6 @@ impl Act for Posture {
             nao.assume(self.to, self.speed, Some(user));
         }
         Ok(())
-    }
-
-    fn end(&self, nao: &mut SimulatedNao, user: &Use) {
-        if nao.going.as_ref().is_some_and(|going| going.user.as_ref() == Some(user)) {
-            nao.going = None;
-        }
     }
 }
 

@@ -200,10 +200,10 @@ fn happen(bench: &mut Bench, beat: u64) {
         180 => bench.edit(&SceneEdit::HelpUp),
         _ => {}
     }
-    if beat < 80 || beat > 130 {
+    if !(80..=130).contains(&beat) {
         let _refused_on_the_floor = bench.try_tell("move", true);
     }
-    if beat % 20 == 0 {
+    if beat.is_multiple_of(20) {
         bench.tell("say", format!("beat {beat}").as_str());
     }
 }

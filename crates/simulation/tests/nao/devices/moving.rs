@@ -1,6 +1,6 @@
 //! How the robot moves.
 
-use crate::bench::Bench;
+use crate::bench::{Bench, user};
 use behaviour::Value;
 use robot::{Millis, Robot};
 
@@ -134,6 +134,10 @@ pub(super) fn walk() {
     bench.wait(5_000);
     bench.keep("walk", 0.05, 200);
     assert_eq!(bench.nao.scene().body.base[0].to_bits(), 0, "first it stands up");
+    bench.nao.close(&user("walk"));
+    bench.wait(1_000);
+    assert_ne!(bench.nao.scene().body.posture, "Standing", "whoever ends does not stand up either");
+    bench.open("walk", "Walk", &[]);
     bench.keep("walk", 0.05, 4_000);
     let body = bench.nao.scene().body;
     assert!(body.base[0] > 0.05 && body.posture == "Standing", "{body:?}");
