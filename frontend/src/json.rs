@@ -142,12 +142,11 @@ impl<'de, A: SeqAccess<'de>> SeqAccess<'de> for Named<A> {
     }
 }
 
-/// Names are texts: nothing is inside them.
 impl<'de, A: MapAccess<'de>> MapAccess<'de> for Named<A> {
     type Error = A::Error;
 
     fn next_key_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<Option<S::Value>, A::Error> {
-        self.0.next_key_seed(seed)
+        self.0.next_key_seed(Named(seed))
     }
 
     fn next_value_seed<S: DeserializeSeed<'de>>(&mut self, seed: S) -> Result<S::Value, A::Error> {
@@ -160,7 +159,7 @@ impl<'de, A: EnumAccess<'de>> EnumAccess<'de> for Named<A> {
     type Variant = Named<A::Variant>;
 
     fn variant_seed<S: DeserializeSeed<'de>>(self, seed: S) -> Result<(S::Value, Self::Variant), A::Error> {
-        self.0.variant_seed(seed).map(|(value, variant)| (value, Named(variant)))
+        self.0.variant_seed(Named(seed)).map(|(value, variant)| (value, Named(variant)))
     }
 }
 
