@@ -2,6 +2,7 @@
 
 pub(crate) mod accept;
 pub(crate) mod address;
+mod catalogue;
 mod come_in;
 mod cut;
 pub(crate) mod door;

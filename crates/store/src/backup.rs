@@ -11,7 +11,7 @@ mod unfinished;
 
 pub use copy::{Difference, compare, migrate};
 pub use restore::{Backup, read, restore, verify};
-pub use robots::Robot;
+pub use robots::{Reached, Robot};
 pub use unfinished::{Unfinished, check_finished};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};

@@ -4,7 +4,7 @@ use super::refusal::RobotsUnchanged;
 use super::register::check_real;
 use super::robot_thread::RoomRobot;
 use behaviour::Id;
-use nao::{Login, Nao, Settings};
+use nao::{Login, Nao, Settings, Step};
 use protocol::{CheckStage, CheckStep, Checked, FoundRobot, RealRobot, Refused, Reply};
 use robot::SceneEdit;
 use std::time::Duration;
@@ -35,4 +35,37 @@ fn settings(own_name: &str, real: &RealRobot) -> Settings {
 impl RoomRobot for Nao {
     /// A real room is not moved from here.
     fn edit(&mut self, _: &SceneEdit) {}
+}
+
+/// Looks step by step whether a robot can be reached.
+///
+/// # Errors
+/// If no robot can have this address.
+pub(crate) async fn check(real: &RealRobot) -> Result<Reply, Refused> {
+    check_real(real).map_err(RobotsUnchanged::not_added)?;
+    let found = nao::check(&settings(OWN_NAME, real)).await;
+    let steps = found.steps.into_iter().map(|(step, failed)| CheckStep { stage: stage(step), failed }).collect();
+    let (name, model, fingerprint, lacking) = (found.name, found.model, found.fingerprint, found.lacking);
+    Ok(Reply::RobotChecked { checked: Box::new(Checked { steps, name, model, fingerprint, lacking }) })
+}
+
+fn stage(step: Step) -> CheckStage {
+    match step {
+        Step::Name => CheckStage::Name,
+        Step::Tcp => CheckStage::Tcp,
+        Step::Tls => CheckStage::Tls,
+        Step::Login => CheckStage::Login,
+        Step::Directory => CheckStage::Directory,
+        Step::Services => CheckStage::Services,
+    }
+}
+
+/// Robots that announce themselves.
+///
+/// # Errors
+/// If the network cannot be listened to.
+pub(crate) async fn find() -> Result<Reply, Refused> {
+    let found = nao::discover(FIND).await.map_err(|error| Refused::NotSearched(error.to_string()))?;
+    let robots = found.into_iter().map(|robot| FoundRobot { name: robot.name, address: robot.address });
+    Ok(Reply::FoundRobots { robots: robots.collect() })
 }

@@ -188,7 +188,7 @@ async fn names_that_hide_something_are_refused_wherever_one_is_given() {
     let unseen = Err(Trouble::No(Refused::Change(Refusal::Unseen("Play".into()))));
     assert_eq!(aiko.ask(create).await, unseen);
     assert_eq!(aiko.put("Add", stream_id("s"), Some(plain("Pl\u{2067}ay"))).await, unseen);
-    let robot = Request::AddRobot { robot: id("r"), name: "NAO\u{202e}".into() };
+    let robot = Request::AddRobot { robot: id("r"), name: "NAO\u{202e}".into(), real: None };
     assert!(sentence(aiko.ask(robot).await).contains("all of which are seen"));
     house.close().await;
 }

@@ -58,7 +58,7 @@ async fn name_version(store: &dyn Store, to: &str, revision: u64, name: &str) {
 }
 
 fn robots() -> Vec<Robot> {
-    let robot = |name: &str, order| Robot { id: id(name), name: name.to_owned(), seed: 3, order };
+    let robot = |name: &str, order| Robot { id: id(name), name: name.to_owned(), seed: 3, real: None, order };
     vec![robot("nao", vec![id("b"), id("a")]), robot("other", Vec::new())]
 }
 

@@ -12,7 +12,7 @@ const FIRST: &str = "simulated-nao";
 /// The first robot and Momo.
 fn two() -> (Robots, [Id; 2]) {
     let robots = Robots::within(None, 1, Recordings::default()).unwrap();
-    robots.add(&id("momo"), "Momo").unwrap();
+    robots.add(&id("momo"), "Momo", None).unwrap();
     (robots, [id(FIRST), id("momo")])
 }
 
@@ -101,8 +101,8 @@ async fn robots_are_there_again_after_a_restart_and_not_without_bound() {
     let within = || Robots::within(Some(folder.path()), 1, Recordings::default()).unwrap();
     let robots = within();
     for (at, name) in ["Momo", "Momo", "Kiki"].into_iter().enumerate() {
-        robots.add(&id(&format!("r{at}")), name).unwrap();
-        robots.add(&id(&format!("r{at}")), "asked twice").unwrap();
+        robots.add(&id(&format!("r{at}")), name, None).unwrap();
+        robots.add(&id(&format!("r{at}")), "asked twice", None).unwrap();
     }
     robots.remove(&id("r2")).unwrap();
     robots.shut_down();
@@ -112,8 +112,8 @@ async fn robots_are_there_again_after_a_restart_and_not_without_bound() {
     let ready = |robots: &Robots| robots.states().borrow().iter().all(|state| state.health == Health::Ready);
     until("all are ready", || ready(&robots)).await;
     for at in 3..ROBOTS_MAX {
-        robots.add(&id(&format!("more{at}")), "More").unwrap();
+        robots.add(&id(&format!("more{at}")), "More", None).unwrap();
     }
-    assert!(matches!(robots.add(&id("too-many"), "X"), Err(Refused::RobotNotAdded(_))));
+    assert!(matches!(robots.add(&id("too-many"), "X", None), Err(Refused::RobotNotAdded(_))));
     robots.shut_down();
 }

@@ -1,0 +1,355 @@
+//! What the robot does for behaviours: the newest of each kind at the motion cycle, one voice, one walk with its dead-man's
+//! switch, one target, and what takes its time. Nothing here is waited for; what was wanted before a Stop is void.
+
+use crate::deed::{Call, Deed, Track};
+use crate::link::{CALL, call};
+use crate::shared::Shared;
+use crate::speech::Speech;
+use qi::{Session, Value};
+use robot::Use;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+use tokio::sync::mpsc;
+use tokio_util::sync::CancellationToken;
+
+/// It walks for so long after a value: the dead-man's switch.
+const WALK_HOLD: Duration = Duration::from_millis(500);
+/// It follows for so long after a value.
+const TRACK_HOLD: Duration = Duration::from_millis(1_000);
+/// How long speaking a text may take at most, beside so much for each character.
+const SAY: Duration = Duration::from_secs(15);
+const SAY_CHAR: Duration = Duration::from_millis(150);
+/// How many different things may last at once.
+const LASTING_MAX: usize = 32;
+
+/// A kind of which only the newest counts.
+type Slot = String;
+
+/// What came to its end.
+pub(crate) enum Done {
+    Slot(Slot),
+    Said,
+    Lasted(String, u64),
+}
+
+/// Something that takes its time.
+struct Lasting {
+    users: Vec<Use>,
+    end: Vec<Call>,
+    number: u64,
+    cancel: CancellationToken,
+}
+
+/// Everything that is being done.
+pub(crate) struct Acting {
+    session: Session,
+    shared: Arc<Shared>,
+    done: mpsc::UnboundedSender<Done>,
+    gate: u64,
+    number: u64,
+    slots: BTreeMap<Slot, Call>,
+    under_way: BTreeMap<Slot, ()>,
+    speech: Speech,
+    walk: Option<(Use, [f64; 3], Instant)>,
+    track: Option<(Use, Track, Instant)>,
+    lasting: BTreeMap<String, Lasting>,
+    /// Where the head goes: how far it may nod depends on it.
+    yaw: f64,
+    /// Who moved joints last, to hold them when that ends.
+    movers: BTreeMap<&'static str, Use>,
+}
+
+impl Acting {
+    pub(crate) fn new(session: Session, shared: Arc<Shared>, done: mpsc::UnboundedSender<Done>) -> Self {
+        let gate = shared.gate();
+        Self {
+            session,
+            shared,
+            done,
+            gate,
+            number: 0,
+            slots: BTreeMap::new(),
+            under_way: BTreeMap::new(),
+            speech: Speech::default(),
+            walk: None,
+            track: None,
+            lasting: BTreeMap::new(),
+            yaw: 0.0,
+            movers: BTreeMap::new(),
+        }
+    }
+
+    /// Does what is wanted, if no Stop came since.
+    pub(crate) fn act(&mut self, gate: u64, user: Use, deed: Deed) {
+        self.look_at_gate();
+        if gate != self.gate {
+            return;
+        }
+        match deed {
+            Deed::Newest { slot, call } => drop(self.slots.insert(slot.to_owned(), call)),
+            Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
+            Deed::Lasting { what, calls, end, within, moves: _ } => self.last(user, what, calls, end, within),
+            Deed::Say(text) => self.speech.say(text, &user),
+            Deed::Walk(speeds) => self.walk(user, speeds),
+            Deed::Track(track) => self.follow(user, track),
+            Deed::Print(text) => self.shared.state().print(text),
+        }
+        self.speak();
+    }
+
+    /// A Stop forgets everything; the stop link ends it on the robot.
+    fn look_at_gate(&mut self) {
+        let gate = self.shared.gate();
+        if gate != self.gate {
+            self.gate = gate;
+            self.slots.clear();
+            self.speech.clear();
+            (self.walk, self.track) = (None, None);
+            self.lasting.values().for_each(|lasting| lasting.cancel.cancel());
+            self.lasting.clear();
+            self.movers.clear();
+            self.show();
+        }
+    }
+
+    /// A use ends: what it does ends, and nobody else's.
+    pub(crate) fn close(&mut self, user: &Use) {
+        self.look_at_gate();
+        if self.speech.end(user) {
+            self.post(Call::new("ALTextToSpeech", "stopAll", []));
+        }
+        if self.walk.as_ref().is_some_and(|walk| walk.0 == *user) {
+            self.stand();
+        }
+        if self.track.as_ref().is_some_and(|track| track.0 == *user) {
+            self.unfollow();
+        }
+        let mut ended = Vec::new();
+        for (what, lasting) in &mut self.lasting {
+            lasting.users.retain(|other| other != user);
+            if lasting.users.is_empty() {
+                lasting.cancel.cancel();
+                ended.push((what.clone(), lasting.end.clone()));
+            }
+        }
+        for (what, end) in ended {
+            self.lasting.remove(&what);
+            end.into_iter().for_each(|call| self.post(call));
+        }
+        self.hold(user);
+        self.show();
+    }
+
+    /// The joints that a use moved last stay where they are.
+    fn hold(&mut self, user: &Use) {
+        let own: Vec<&'static str> =
+            self.movers.iter().filter(|(_, mover)| *mover == user).map(|(joint, _)| *joint).collect();
+        self.movers.retain(|_, mover| mover != user);
+        let angles: Vec<f64> = {
+            let state = self.shared.state();
+            own.iter().filter_map(|joint| state.angles.get(*joint).copied()).collect()
+        };
+        if !own.is_empty() && own.len() == angles.len() {
+            self.slots.insert(own.join(" "), set_angles(&own, &angles, HOLD_SPEED));
+        }
+    }
+
+    /// What is due at the motion cycle.
+    pub(crate) fn cycle(&mut self) {
+        self.look_at_gate();
+        let now = Instant::now();
+        if self.walk.as_ref().is_some_and(|walk| now.duration_since(walk.2) > WALK_HOLD) {
+            self.stand();
+        }
+        if self.track.as_ref().is_some_and(|track| now.duration_since(track.2) > TRACK_HOLD) {
+            self.unfollow();
+        }
+        // One of a kind is on its way at a time; meanwhile the newest waits.
+        let free: Vec<Slot> = self.slots.keys().filter(|slot| !self.under_way.contains_key(*slot)).cloned().collect();
+        for slot in free {
+            if let Some(wanted) = self.slots.remove(&slot) {
+                self.under_way.insert(slot.clone(), ());
+                let (session, done) = (self.session.clone(), self.done.clone());
+                tokio::spawn(async move {
+                    if let Err(error) = call(&session, &wanted, CALL).await {
+                        tracing::debug!(method = wanted.method, %error, "the robot did not do it");
+                    }
+                    let _over = done.send(Done::Slot(slot));
+                });
+            }
+        }
+    }
+
+    /// Something came to its end.
+    pub(crate) fn done(&mut self, done: Done) {
+        self.look_at_gate();
+        match done {
+            Done::Slot(slot) => {
+                self.under_way.remove(&slot);
+            }
+            Done::Said => {
+                self.speech.over();
+                self.speak();
+            }
+            Done::Lasted(what, number) => {
+                if self.lasting.get(&what).is_some_and(|lasting| lasting.number == number) {
+                    self.lasting.remove(&what);
+                }
+            }
+        }
+        self.show();
+    }
+
+    fn move_joints(&mut self, user: &Use, joints: Vec<&'static str>, angles: Vec<f64>, speed: f64) {
+        if let Some(yaw) = joints.iter().zip(&angles).find(|(joint, _)| **joint == "HeadYaw") {
+            self.yaw = *yaw.1;
+        }
+        let (angles, there): (Vec<f64>, Vec<bool>) = {
+            let state = self.shared.state();
+            let clip = |(joint, angle): (&&str, &f64)| state.limits.clip(joint, *angle, self.yaw);
+            let there = joints.iter().map(|joint| state.joints.iter().any(|known| known == joint)).collect();
+            (joints.iter().zip(&angles).map(clip).collect(), there)
+        };
+        let kept = |index: &usize| there.get(*index).copied().unwrap_or_default();
+        let indexes: Vec<usize> = (0..joints.len()).filter(kept).collect();
+        let joints: Vec<&'static str> = indexes.iter().map(|index| joints[*index]).collect();
+        let angles: Vec<f64> = indexes.iter().map(|index| angles[*index]).collect();
+        for joint in &joints {
+            self.movers.insert(joint, user.clone());
+        }
+        if !joints.is_empty() {
+            self.slots.insert(joints.join(" "), set_angles(&joints, &angles, speed));
+        }
+    }
+
+    fn walk(&mut self, user: Use, speeds: [f64; 3]) {
+        if self.track.as_ref().is_some_and(|track| track.1.mode != "Head") {
+            self.unfollow();
+        }
+        let arguments: Vec<Value> = speeds.iter().map(|speed| Value::F32(*speed as f32)).collect();
+        self.slots.insert("walk".to_owned(), Call::new("ALMotion", "move", arguments));
+        self.walk = Some((user, speeds, Instant::now()));
+    }
+
+    fn stand(&mut self) {
+        self.walk = None;
+        self.slots.remove("walk");
+        self.post(Call::new("ALMotion", "stopMove", []));
+    }
+
+    fn follow(&mut self, user: Use, track: Track) {
+        let now = Instant::now();
+        if let Some((by, same, at)) = &mut self.track
+            && *same == track
+        {
+            (*by, *at) = (user, now);
+            return;
+        }
+        if track.mode != "Head" && self.walk.is_some() {
+            self.stand();
+        }
+        let size = Value::dynamic(track.size as f32);
+        let calls = vec![
+            Call::new("ALTracker", "stopTracker", []),
+            Call::new("ALTracker", "registerTarget", [track.target.into(), size]),
+            Call::new("ALTracker", "setMode", [track.mode.into()]),
+            Call::new("ALTracker", "setEffector", [track.effector.into()]),
+            Call::new("ALTracker", "track", [track.target.into()]),
+        ];
+        self.in_turn(calls);
+        self.track = Some((user, track, now));
+        self.show();
+    }
+
+    fn unfollow(&mut self) {
+        self.track = None;
+        let calls = ["stopTracker", "unregisterAllTargets"].map(|method| Call::new("ALTracker", method, []));
+        self.in_turn(calls.to_vec());
+        self.show();
+    }
+
+    /// Calls, one after the other, unless a Stop comes between.
+    fn in_turn(&self, calls: Vec<Call>) {
+        let (session, shared, gate) = (self.session.clone(), Arc::clone(&self.shared), self.gate);
+        tokio::spawn(async move {
+            for wanted in calls {
+                if shared.gate() != gate {
+                    return;
+                }
+                if let Err(error) = call(&session, &wanted, CALL).await {
+                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
+                }
+            }
+        });
+    }
+
+    fn post(&self, wanted: Call) {
+        self.in_turn(vec![wanted]);
+    }
+
+    fn speak(&mut self) {
+        if let Some(text) = self.speech.begin() {
+            let (session, done) = (self.session.clone(), self.done.clone());
+            let within = SAY + SAY_CHAR * u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
+            let wanted = Call::new("ALTextToSpeech", "say", [text.into()]);
+            tokio::spawn(async move {
+                if let Err(error) = call(&session, &wanted, within).await {
+                    tracing::debug!(%error, "the robot did not say it");
+                }
+                let _over = done.send(Done::Said);
+            });
+            self.show();
+        }
+    }
+
+    fn last(&mut self, user: Use, what: String, calls: Vec<Call>, end: Vec<Call>, within: Duration) {
+        if let Some(same) = self.lasting.get_mut(&what) {
+            if !same.users.contains(&user) {
+                same.users.push(user);
+            }
+            return;
+        }
+        if self.lasting.len() >= LASTING_MAX {
+            return;
+        }
+        self.number += 1;
+        let (cancel, number) = (CancellationToken::new(), self.number);
+        let (session, done, ended, name) = (self.session.clone(), self.done.clone(), cancel.clone(), what.clone());
+        tokio::spawn(async move {
+            for wanted in calls {
+                let done = tokio::select! {
+                    done = call(&session, &wanted, within) => done,
+                    () = ended.cancelled() => return,
+                };
+                if let Err(error) = done {
+                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
+                }
+            }
+            let _over = done.send(Done::Lasted(name, number));
+        });
+        self.lasting.insert(what, Lasting { users: vec![user], end, number, cancel });
+        self.show();
+    }
+
+    /// What people see of it.
+    fn show(&self) {
+        let mut state = self.shared.state();
+        self.speech.saying().clone_into(&mut state.saying);
+        state.tracking = self.track.as_ref().map_or_else(String::new, |(_, track, _)| {
+            let target = if track.target == "Face" { "face" } else { "red ball" };
+            format!("{target} with {}", if track.mode == "Head" { "head" } else { "whole body" })
+        });
+        state.playing = self.lasting.keys().cloned().collect();
+    }
+}
+
+/// How fast joints go back to where they are, as a fraction of the top speed.
+const HOLD_SPEED: f64 = 0.3;
+
+/// One joint as a name and a number, several as lists.
+pub(crate) fn set_angles<T: AsRef<str>>(joints: &[T], angles: &[f64], speed: f64) -> Call {
+    let names = Value::List(joints.iter().map(|joint| joint.as_ref().into()).collect());
+    let angles = Value::List(angles.iter().map(|angle| Value::F32(*angle as f32)).collect());
+    Call::new("ALMotion", "setAngles", [Value::dynamic(names), Value::dynamic(angles), (speed as f32).into()])
+}

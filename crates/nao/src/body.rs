@@ -1,0 +1,118 @@
+//! The joints of a NAO: names, limits and groups, and the head's pitch that depends on its yaw. From the documentation of
+//! NAOqi 2.8 (NAO6, and V5 alike).
+
+use std::collections::BTreeMap;
+
+/// A joint with its lowest and highest angle in radians, a hand from 0 closed to 1 open.
+type Row = (&'static str, f64, f64);
+
+/// The joints that behaviours may read or move.
+const JOINTS: [Row; 14] = [
+    ("HeadYaw", -2.0857, 2.0857),
+    ("HeadPitch", -0.672, 0.5149),
+    ("LShoulderPitch", -2.0857, 2.0857),
+    ("LShoulderRoll", -0.3142, 1.3265),
+    ("LElbowYaw", -2.0857, 2.0857),
+    ("LElbowRoll", -1.5446, -0.0349),
+    ("LWristYaw", -1.8238, 1.8238),
+    ("LHand", 0.0, 1.0),
+    ("RShoulderPitch", -2.0857, 2.0857),
+    ("RShoulderRoll", -1.3265, 0.3142),
+    ("RElbowYaw", -2.0857, 2.0857),
+    ("RElbowRoll", 0.0349, 1.5446),
+    ("RWristYaw", -1.8238, 1.8238),
+    ("RHand", 0.0, 1.0),
+];
+
+/// How far the head may nod at a yaw, up and down: |yaw|, lowest and highest pitch in radians, linear between.
+const NOD: [(f64, f64, f64); 7] = [
+    (0.0, -0.672, 0.5149),
+    (0.486, -0.672, 0.422),
+    (0.756, -0.548, 0.370),
+    (0.903, -0.480, 0.330),
+    (1.090, -0.430, 0.300),
+    (1.527, -0.330, 0.200),
+    (2.086, -0.449, 0.330),
+];
+
+/// The joints of a name: itself, or those of a group in the order of NAOqi.
+pub(crate) fn joints_of(name: &str) -> Option<Vec<&'static str>> {
+    let from = |prefix: &str| JOINTS.iter().map(|row| row.0).filter(|joint| joint.starts_with(prefix)).collect();
+    match name {
+        "Head" => Some(from("Head")),
+        "LArm" => Some(from("L")),
+        "RArm" => Some(from("R")),
+        joint => JOINTS.iter().find(|row| row.0 == joint).map(|row| vec![row.0]),
+    }
+}
+
+/// The limits of the body that is there, as it tells them, within those of the table.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Limits(BTreeMap<String, (f64, f64)>);
+
+impl Limits {
+    pub(crate) fn tell(&mut self, joint: &str, lowest: f64, highest: f64) {
+        if lowest.is_finite() && highest.is_finite() && lowest <= highest {
+            self.0.insert(joint.to_owned(), (lowest, highest));
+        }
+    }
+
+    /// The nearest angle that the joint may take; `yaw` is where the head is, or goes.
+    pub(crate) fn clip(&self, joint: &str, angle: f64, yaw: f64) -> f64 {
+        let (mut lowest, mut highest) = self
+            .0
+            .get(joint)
+            .copied()
+            .or_else(|| JOINTS.iter().find(|row| row.0 == joint).map(|row| (row.1, row.2)))
+            .unwrap_or((angle, angle));
+        if joint == "HeadPitch" {
+            let (up, down) = nod(yaw.abs());
+            (lowest, highest) = (lowest.max(up), highest.min(down));
+        }
+        angle.max(lowest).min(highest)
+    }
+}
+
+fn nod(yaw: f64) -> (f64, f64) {
+    let last = NOD[NOD.len() - 1];
+    for pair in NOD.windows(2) {
+        let (from, to) = (pair[0], pair[1]);
+        if yaw <= to.0 {
+            let part = ((yaw - from.0) / (to.0 - from.0)).clamp(0.0, 1.0);
+            return (from.1 + part * (to.1 - from.1), from.2 + part * (to.2 - from.2));
+        }
+    }
+    (last.1, last.2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Limits, joints_of};
+
+    #[test]
+    fn the_head_nods_less_to_the_side() {
+        let limits = Limits::default();
+        let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-9, "{one} {other}");
+        near(limits.clip("HeadPitch", 1.0, 0.0), 0.5149);
+        near(limits.clip("HeadPitch", 1.0, -1.527), 0.2);
+        near(limits.clip("HeadPitch", -1.0, 2.5), -0.449);
+        near(limits.clip("HeadPitch", 1.0, 0.8295), 0.35);
+        near(limits.clip("LElbowRoll", 0.5, 0.0), -0.0349);
+    }
+
+    #[test]
+    fn a_body_that_tells_its_limits_is_believed() {
+        let mut limits = Limits::default();
+        limits.tell("HeadYaw", -0.5, 0.5);
+        limits.tell("HeadYaw", f64::NAN, 9.0);
+        assert!((limits.clip("HeadYaw", 3.0, 0.0) - 0.5).abs() < 1e-9);
+    }
+
+    #[test]
+    fn groups_are_in_the_order_of_naoqi() {
+        assert_eq!(joints_of("Head").unwrap(), ["HeadYaw", "HeadPitch"]);
+        assert_eq!(joints_of("RArm").unwrap().len(), 6);
+        assert_eq!(joints_of("RHand").unwrap(), ["RHand"]);
+        assert!(joints_of("Tail").is_none());
+    }
+}

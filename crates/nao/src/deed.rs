@@ -1,0 +1,71 @@
+//! What an action wants of the robot: made from a value on the robot's thread, done on the link's.
+
+use qi::Value;
+use std::time::Duration;
+
+/// A call of a service.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Call {
+    pub(crate) service: &'static str,
+    pub(crate) method: &'static str,
+    pub(crate) arguments: Vec<Value>,
+}
+
+impl Call {
+    pub(crate) fn new(service: &'static str, method: &'static str, arguments: impl Into<Vec<Value>>) -> Self {
+        Self { service, method, arguments: arguments.into() }
+    }
+}
+
+/// What is to be done.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Deed {
+    /// Only the newest of a kind counts.
+    Newest {
+        /// Of which kind.
+        slot: &'static str,
+        /// What is called.
+        call: Call,
+    },
+    /// Joints go to angles; the newest of these joints counts.
+    Joints {
+        joints: Vec<&'static str>,
+        angles: Vec<f64>,
+        /// As a fraction of the top speed.
+        speed: f64,
+    },
+    /// Something that takes its time; not begun again while it lasts.
+    Lasting {
+        /// What it is, among all that may last.
+        what: String,
+        /// What is called, one after the other.
+        calls: Vec<Call>,
+        /// What ends it early.
+        end: Vec<Call>,
+        /// The longest it may take.
+        within: Duration,
+        /// Whether the robot must be awake and on its feet.
+        moves: bool,
+    },
+    /// Words to speak.
+    Say(String),
+    /// Walking: ahead, to the left and turning, in metres and radians a second.
+    Walk([f64; 3]),
+    /// Following.
+    Track(Track),
+    /// A text for the page.
+    Print(String),
+}
+
+/// What is followed, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Track {
+    /// `RedBall` or `Face`.
+    pub(crate) target: &'static str,
+    /// Its diameter or width in metres.
+    pub(crate) size: f64,
+    /// `Head`, `WholeBody` or `Move`.
+    pub(crate) mode: &'static str,
+    /// `None`, `LArm`, `RArm` or `Arms`.
+    pub(crate) effector: &'static str,
+}

@@ -1,0 +1,223 @@
+//! One file a device, or a pair that is one mechanism: what it takes of the robot, and how its values are read or made. To
+//! add one, add a file and its driver here.
+
+mod animation;
+mod balls;
+mod battery;
+mod clock;
+mod eyes;
+mod face;
+mod joints;
+mod landmark;
+mod people;
+mod posture;
+mod print;
+mod say;
+mod sonar;
+mod sound;
+mod touch;
+mod tracker;
+mod walk;
+mod words;
+
+use crate::deed::{Call, Deed};
+use behaviour::{Params, Value};
+use robot::RobotFault;
+
+/// All drivers.
+pub(crate) const ALL: [&Driver; 30] = [
+    &animation::DRIVER,
+    &balls::BLOB,
+    &balls::COLOR,
+    &balls::RED,
+    &battery::DRIVER,
+    &clock::BUTTON,
+    &clock::TICK,
+    &eyes::BRIGHTNESS,
+    &eyes::COLOR,
+    &face::DETECTION,
+    &face::REMEMBER,
+    &joints::POSITION,
+    &joints::SET_POSITION,
+    &landmark::DRIVER,
+    &people::DRIVER,
+    &posture::CHANGED,
+    &posture::FALL,
+    &posture::TAKE,
+    &print::DRIVER,
+    &say::INPUT,
+    &say::PARAMETER,
+    &sonar::DRIVER,
+    &sound::DRIVER,
+    &sound::LOCATED,
+    &touch::BUMPER,
+    &touch::HAND,
+    &touch::HEAD,
+    &tracker::DRIVER,
+    &walk::DRIVER,
+    &words::DRIVER,
+];
+
+/// A device of this robot.
+pub(crate) struct Driver {
+    /// Its name in the catalogue.
+    pub(crate) name: &'static str,
+    /// The services without which it is not there.
+    pub(crate) services: &'static [&'static str],
+    /// The joints without which it is not there.
+    pub(crate) joints: &'static [&'static str],
+    /// Opens it with what was chosen, defaults included.
+    pub(crate) open: fn(&Chosen) -> Option<Opened>,
+}
+
+/// A device in use.
+pub(crate) enum Opened {
+    Sense(Box<dyn Sense>),
+    Act(Box<dyn Act>),
+}
+
+impl Opened {
+    fn sense(sense: impl Sense + 'static) -> Option<Self> {
+        Some(Self::Sense(Box::new(sense)))
+    }
+
+    fn act(act: impl Act + 'static) -> Option<Self> {
+        Some(Self::Act(Box::new(act)))
+    }
+}
+
+/// What was chosen for a device.
+pub(crate) struct Chosen(pub(crate) Params);
+
+impl Chosen {
+    fn text(&self, name: &str) -> Option<&str> {
+        self.0.get(name)?.as_text()
+    }
+
+    fn is(&self, name: &str, what: &str) -> bool {
+        self.text(name) == Some(what)
+    }
+
+    fn number(&self, name: &str) -> Option<f64> {
+        self.0.get(name)?.as_number()
+    }
+}
+
+/// A sense in use. What it gives is read on the link's thread, whatever comes: what is not as expected gives nothing.
+pub(crate) trait Sense: Send + Sync {
+    /// Events of ALMemory that it hears.
+    fn keys(&self) -> Vec<&'static str> {
+        Vec::new()
+    }
+
+    /// The service that only measures for those who subscribe to it.
+    fn extractor(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// What is called before that.
+    fn begin(&self) -> Vec<Call> {
+        Vec::new()
+    }
+
+    /// What is asked once at first, and read under the key `first`.
+    fn first(&self) -> Option<Call> {
+        None
+    }
+
+    /// What is asked again and again, and read under the key `poll`, with the period in milliseconds.
+    fn poll(&self) -> Option<(Call, u64)> {
+        None
+    }
+
+    /// The joint that it reads.
+    fn joint(&self) -> Option<&'static str> {
+        None
+    }
+
+    /// How often it beats by robot time alone, in microseconds.
+    fn beat_us(&self) -> Option<u64> {
+        None
+    }
+
+    /// What of the robot there is one of only, and how it is used: two uses that want it otherwise do not go together.
+    fn only(&self) -> Option<(&'static str, String)> {
+        None
+    }
+
+    /// The value of an event or an answer, if it has one.
+    fn read(&mut self, key: &str, value: &qi::Value, at_ms: u64) -> Option<Value>;
+}
+
+/// An action in use.
+pub(crate) trait Act: Send {
+    /// What a finite value wants.
+    fn deed(&self, value: &Value) -> Result<Deed, RobotFault>;
+}
+
+fn number(value: &Value) -> Result<f64, RobotFault> {
+    value.as_number().ok_or(RobotFault::NoNumber)
+}
+
+fn float(number: f64) -> Value {
+    Value::Float(number)
+}
+
+fn time(at_ms: u64) -> Value {
+    Value::Int(at_ms.cast_signed())
+}
+
+/// A number within nested lists: `[[s, us], [x, ...]]` at `[1, 0]`.
+fn at(value: &qi::Value, path: &[usize]) -> Option<f64> {
+    within(value, path)?.as_f64().filter(|number| number.is_finite())
+}
+
+fn within<'a>(value: &'a qi::Value, path: &[usize]) -> Option<&'a qi::Value> {
+    path.iter().try_fold(value, |value, index| value.items()?.get(*index))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{ALL, Chosen, Opened};
+    use behaviour::{Params, StreamKind};
+    use robot::with_defaults;
+
+    #[test]
+    fn every_device_of_the_catalogue_opens_as_what_it_is() {
+        let known: Vec<_> = robot::sensors().chain(robot::actuators()).collect();
+        assert_eq!(ALL.len(), known.len());
+        for device in known {
+            let driver = ALL.iter().find(|driver| driver.name == device.name).unwrap();
+            let opened = (driver.open)(&Chosen(with_defaults(device.params, &Params::new())));
+            let kind = opened.map(|opened| match opened {
+                Opened::Sense(_) => StreamKind::Sensor,
+                Opened::Act(_) => StreamKind::Actuator,
+            });
+            assert_eq!(kind, Some(device.kind), "{}", device.name);
+        }
+    }
+
+    #[test]
+    fn values_of_any_shape_harm_no_sense() {
+        let odd = [
+            qi::Value::Unit,
+            qi::Value::List(Vec::new()),
+            qi::Value::List(vec![qi::Value::List(vec![qi::Value::F32(f32::NAN)]); 9]),
+            qi::Value::Str(vec![0xff, 0xfe]),
+            qi::Value::F64(f64::INFINITY),
+            qi::Value::I64(i64::MIN),
+        ];
+        for driver in ALL {
+            let device = robot::sensors().chain(robot::actuators()).find(|known| known.name == driver.name).unwrap();
+            let Some(Opened::Sense(mut sense)) = (driver.open)(&Chosen(with_defaults(device.params, &Params::new())))
+            else {
+                continue;
+            };
+            for value in &odd {
+                for key in sense.keys().into_iter().chain(["first", "poll"]) {
+                    let _none_or_some = sense.read(key, value, 1);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! Balls: the red one by its own detector, others as blobs of a colour, of which the robot looks for one at a time.
+
+use super::{Driver, Opened, Sense, at, float, time};
+use crate::deed::Call;
+use behaviour::Value;
+
+pub(super) const RED: Driver = Driver {
+    name: "RedBall",
+    services: &["ALMemory", "ALRedBallDetection"],
+    joints: &[],
+    open: |_| Opened::sense(Red),
+};
+pub(super) const COLOR: Driver = Driver {
+    name: "ColorBall",
+    services: &["ALMemory", "ALColorBlobDetection"],
+    joints: &[],
+    open: |chosen| Opened::sense(Blob { color: chosen.text("color")?.to_owned(), round: true, size: 0.0 }),
+};
+pub(super) const BLOB: Driver = Driver {
+    name: "Blob",
+    services: &["ALMemory", "ALColorBlobDetection"],
+    joints: &[],
+    open: |chosen| {
+        Opened::sense(Blob { color: chosen.text("color")?.to_owned(), round: false, size: chosen.number("size")? })
+    },
+};
+
+/// How far a colour may be off, of 255.
+const THRESHOLD: i32 = 50;
+/// The smallest blob, in pixels; and the diameter that is assumed for the distance, in metres.
+const PIXELS_MIN: i32 = 20;
+const SPAN_M: f32 = 0.06;
+/// The camera's field of view in radians: the picture is told in parts of it.
+const FIELD: [f64; 2] = [0.9826, 0.7627];
+
+struct Red;
+
+impl Sense for Red {
+    fn keys(&self) -> Vec<&'static str> {
+        vec!["redBallDetected"]
+    }
+
+    fn extractor(&self) -> Option<&'static str> {
+        Some("ALRedBallDetection")
+    }
+
+    /// `[[s, us], [x, y, sx, sy], ...]`, all in radians.
+    fn read(&mut self, _: &str, value: &qi::Value, at_ms: u64) -> Option<Value> {
+        Some(ball(at(value, &[1, 0])?, at(value, &[1, 1])?, at(value, &[1, 2])?, at_ms))
+    }
+}
+
+struct Blob {
+    color: String,
+    round: bool,
+    /// The smallest angular radius that counts, in radians.
+    size: f64,
+}
+
+impl Sense for Blob {
+    fn extractor(&self) -> Option<&'static str> {
+        Some("ALColorBlobDetection")
+    }
+
+    fn begin(&self) -> Vec<Call> {
+        let [red, green, blue]: [i32; 3] = match self.color.as_str() {
+            "green" => [0, 160, 60],
+            "blue" => [30, 80, 220],
+            _ => [220, 30, 30],
+        };
+        let color = [red.into(), green.into(), blue.into(), THRESHOLD.into()];
+        let shape = if self.round { "Circle" } else { "Unknown" };
+        let properties = [PIXELS_MIN.into(), SPAN_M.into(), shape.into()];
+        vec![
+            Call::new("ALColorBlobDetection", "setColor", color),
+            Call::new("ALColorBlobDetection", "setObjectProperties", properties),
+        ]
+    }
+
+    /// Where it is in the picture is not in the event, so it is asked for, as often as pictures come.
+    fn poll(&self) -> Option<(Call, u64)> {
+        Some((Call::new("ALColorBlobDetection", "getCircle", []), 66))
+    }
+
+    fn only(&self) -> Option<(&'static str, String)> {
+        Some(("color", format!("{} {}", self.color, self.round)))
+    }
+
+    /// `[x, y, radius]` from 0 to 1 of the picture, from its upper left corner; empty when there is none.
+    fn read(&mut self, _: &str, value: &qi::Value, at_ms: u64) -> Option<Value> {
+        let (x, y, radius) = (at(value, &[0])?, at(value, &[1])?, at(value, &[2])?);
+        let size = angle(0.5 + radius, FIELD[0]);
+        let inside = [x, y].iter().all(|part| (0.0..=1.0).contains(part)) && radius > 0.0;
+        (inside && size >= self.size).then(|| ball(-angle(x, FIELD[0]), angle(y, FIELD[1]), size, at_ms))
+    }
+}
+
+/// The angle of a place in the picture from its middle: a picture is flat.
+fn angle(part: f64, field: f64) -> f64 {
+    ((2.0 * part - 1.0) * (field / 2.0).tan()).atan()
+}
+
+fn ball(x: f64, y: f64, size: f64, at_ms: u64) -> Value {
+    Value::object([("x", float(x)), ("y", float(y)), ("size", float(size)), ("time", time(at_ms))])
+}

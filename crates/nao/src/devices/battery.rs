@@ -1,0 +1,31 @@
+//! How full the battery is.
+
+use super::{Driver, Opened, Sense};
+use crate::deed::Call;
+use behaviour::Value;
+
+pub(super) const DRIVER: Driver = Driver {
+    name: "Battery",
+    services: &["ALMemory", "ALBattery"],
+    joints: &[],
+    open: |_| Opened::sense(Battery { told: None }),
+};
+
+struct Battery {
+    told: Option<i64>,
+}
+
+impl Sense for Battery {
+    fn keys(&self) -> Vec<&'static str> {
+        vec!["BatteryChargeChanged"]
+    }
+
+    fn first(&self) -> Option<Call> {
+        Some(Call::new("ALBattery", "getBatteryCharge", []))
+    }
+
+    fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {
+        let percent = value.as_i64().filter(|percent| (0..=100).contains(percent))?;
+        (self.told.replace(percent) != Some(percent)).then(|| Value::Int(percent))
+    }
+}

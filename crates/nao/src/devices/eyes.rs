@@ -1,0 +1,78 @@
+//! The eye lights: a colour and a brightness.
+
+use super::{Act, Driver, Opened, number};
+use crate::deed::{Call, Deed};
+use behaviour::Value;
+use robot::RobotFault;
+
+pub(super) const COLOR: Driver = Driver {
+    name: "EyeLedColor",
+    services: &["ALLeds"],
+    joints: &[],
+    open: |chosen| Opened::act(Color(chosen.text("color")?.to_owned())),
+};
+pub(super) const BRIGHTNESS: Driver =
+    Driver { name: "EyeBrightness", services: &["ALLeds"], joints: &[], open: |_| Opened::act(Brightness) };
+
+/// How long a colour takes to come, in seconds.
+const FADE_S: f32 = 0.1;
+
+/// A colour by its name, or `Value`.
+struct Color(String);
+
+impl Act for Color {
+    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+        let wanted = if self.0 == "Value" { value.as_text() } else { Some(self.0.as_str()) };
+        let color = wanted.map_or_else(|| parts(value), |name| named(name.trim())).ok_or(RobotFault::NoColor)?;
+        let call = Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), color.into(), FADE_S.into()]);
+        Ok(Deed::Newest { slot: "eyes", call })
+    }
+}
+
+struct Brightness;
+
+impl Act for Brightness {
+    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+        let part = number(value)?.clamp(0.0, 1.0) as f32;
+        Ok(Deed::Newest {
+            slot: "brightness",
+            call: Call::new("ALLeds", "setIntensity", ["FaceLeds".into(), part.into()]),
+        })
+    }
+}
+
+/// The colour of a name as `0x00RRGGBB`.
+fn named(name: &str) -> Option<i32> {
+    Some(match name {
+        "red" => 0xFF_0000,
+        "green" => 0x00_FF00,
+        "blue" => 0x00_00FF,
+        "white" => 0xFF_FFFF,
+        "yellow" => 0xFF_FF00,
+        "magenta" => 0xFF_00FF,
+        "cyan" => 0x00_FFFF,
+        "off" => 0,
+        _ => return None,
+    })
+}
+
+fn parts(value: &Value) -> Option<i32> {
+    let part = |name: &str| value.field(name)?.as_number().filter(|part| part.is_finite());
+    let [red, green, blue] =
+        [part("r")?, part("g")?, part("b")?].map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as i32);
+    Some(red << 16 | green << 8 | blue)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{named, parts};
+    use behaviour::Value;
+
+    #[test]
+    fn colours_are_numbers_of_three_bytes() {
+        assert_eq!(named("yellow"), Some(0xFF_FF00));
+        let half = Value::object([("r", Value::Float(1.0)), ("g", Value::Float(0.5)), ("b", Value::Float(-3.0))]);
+        assert_eq!(parts(&half), Some(0xFF_8000));
+        assert_eq!(parts(&Value::Null), None);
+    }
+}

@@ -1,0 +1,92 @@
+//! Faces: seeing them, and remembering one.
+
+use super::{Act, Driver, Opened, Sense, at, float, time, within};
+use crate::deed::{Call, Deed};
+use behaviour::Value;
+use robot::RobotFault;
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+pub(super) const DETECTION: Driver = Driver {
+    name: "FaceDetection",
+    services: &["ALMemory", "ALFaceDetection"],
+    joints: &[],
+    open: |_| Opened::sense(Detection::default()),
+};
+pub(super) const REMEMBER: Driver =
+    Driver { name: "RememberFace", services: &["ALFaceDetection"], joints: &[], open: |_| Opened::act(Remember) };
+
+/// Names that are kept of faces in view: a name is told again only after a pause.
+const LABELS_MAX: usize = 32;
+/// What `recognised` is when a face was looked at for long and is not known.
+const UNKNOWN: f64 = 4.0;
+/// The longest that learning a face may take.
+const LEARN: Duration = Duration::from_secs(20);
+
+#[derive(Default)]
+struct Detection {
+    labels: BTreeMap<i64, String>,
+    unknown: bool,
+}
+
+impl Sense for Detection {
+    fn keys(&self) -> Vec<&'static str> {
+        vec!["FaceDetected"]
+    }
+
+    fn extractor(&self) -> Option<&'static str> {
+        Some("ALFaceDetection")
+    }
+
+    /// `[[s, us], [face, ..., recognised], ...]` with a face `[[0, x, y, width, height], [id, sureness, label, ...]]`; empty
+    /// when there is none. The nearest face counts: the largest.
+    fn read(&mut self, _: &str, value: &qi::Value, at_ms: u64) -> Option<Value> {
+        let Some(faces) = within(value, &[1]).and_then(qi::Value::items).filter(|faces| faces.len() > 1) else {
+            (self.labels, self.unknown) = Default::default();
+            return None;
+        };
+        let (recognised, faces) = faces.split_last()?;
+        self.unknown |= at(recognised, &[0]) == Some(UNKNOWN);
+        let height = |face: &&qi::Value| at(face, &[0, 4]).unwrap_or_default();
+        let face = faces.iter().max_by(|one, other| height(one).total_cmp(&height(other)))?;
+        let id = at(face, &[1, 0]).map_or(0, |id| id as i64);
+        let told = within(face, &[1, 2]).and_then(|label| label.as_text()).filter(|label| !label.is_empty());
+        if let Some(label) = told
+            && (self.labels.len() < LABELS_MAX || self.labels.contains_key(&id))
+        {
+            self.labels.insert(id, label.into_owned());
+            self.unknown = false;
+        }
+        let label = self.labels.get(&id).cloned().unwrap_or_default();
+        let new = label.is_empty();
+        Some(Value::object([
+            ("id", Value::Int(id)),
+            ("label", Value::text(label)),
+            ("new", Value::Bool(new)),
+            ("recognized_new_face", Value::Bool(new && self.unknown)),
+            ("x", float(at(face, &[0, 1])?)),
+            ("y", float(at(face, &[0, 2])?)),
+            ("size", float(at(face, &[0, 4])? / 2.0)),
+            ("time", time(at_ms)),
+        ]))
+    }
+}
+
+/// Under the text of the value, else under a number.
+struct Remember;
+
+impl Act for Remember {
+    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+        let name = match value.as_text().map(str::trim).filter(|text| !text.is_empty()) {
+            Some(text) => text.chars().take(60).collect(),
+            None => "face 1".to_owned(),
+        };
+        Ok(Deed::Lasting {
+            what: "RememberFace".to_owned(),
+            calls: vec![Call::new("ALFaceDetection", "learnFace", [name.into()])],
+            end: Vec::new(),
+            within: LEARN,
+            moves: false,
+        })
+    }
+}

@@ -1,0 +1,44 @@
+//! How far the nearest thing is. The sonars only measure while somebody subscribes to ALSonar.
+
+use super::{Driver, Opened, Sense, at, float};
+use crate::deed::Call;
+use behaviour::Value;
+
+pub(super) const DRIVER: Driver = Driver {
+    name: "Sonar",
+    services: &["ALMemory", "ALSonar"],
+    joints: &[],
+    open: |chosen| {
+        let sides = match chosen.text("side")? {
+            "left" => &[0][..],
+            "right" => &[1],
+            _ => &[0, 1],
+        };
+        Opened::sense(Sonar(sides))
+    },
+};
+
+/// What they measured last, left and right, in metres.
+const KEYS: [&str; 2] = ["Device/SubDeviceList/US/Left/Sensor/Value", "Device/SubDeviceList/US/Right/Sensor/Value"];
+/// How far they reach, in metres.
+const REACH_M: f64 = 2.55;
+/// How often they measure, in milliseconds.
+const PERIOD_MS: u64 = 100;
+
+struct Sonar(&'static [usize]);
+
+impl Sense for Sonar {
+    fn extractor(&self) -> Option<&'static str> {
+        Some("ALSonar")
+    }
+
+    fn poll(&self) -> Option<(Call, u64)> {
+        let keys = qi::Value::List(KEYS.iter().map(|key| qi::Value::dynamic(*key)).collect());
+        Some((Call::new("ALMemory", "getListData", [keys]), PERIOD_MS))
+    }
+
+    fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {
+        let measured = self.0.iter().filter_map(|side| at(value, &[*side])).filter(|metres| *metres > 0.0);
+        measured.reduce(f64::min).map(|metres| float(metres.min(REACH_M)))
+    }
+}

@@ -1,0 +1,271 @@
+//! The robot as its thread sees it: everything returns at once, and what takes time is done on the link's thread.
+
+use crate::deed::Deed;
+use crate::devices::{ALL, Act, Chosen, Opened, Sense};
+use crate::settings::Settings;
+use crate::shared::Shared;
+use crate::supervisor;
+use behaviour::{Params, Value};
+use robot::{
+    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, with_defaults,
+};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::JoinHandle;
+use tokio::sync::mpsc;
+
+/// Most open devices.
+const USES_MAX: usize = 512;
+/// Deeds that may wait for the link's thread.
+const DEEDS_MAX: usize = 1_024;
+
+/// What the link's thread is told.
+pub(crate) enum Order {
+    Open(Use, Box<dyn Sense>),
+    Close(Use),
+    /// With the gate at which it was wanted.
+    Do(u64, Use, Deed),
+    Control(Control),
+}
+
+/// A NAO or Pepper. It connects by itself, again and again, for as long as it lasts; dropped, it ends what it does on the
+/// robot and its thread.
+pub struct Nao {
+    shared: Arc<Shared>,
+    orders: mpsc::UnboundedSender<Order>,
+    /// Deeds on their way.
+    waiting: Arc<AtomicUsize>,
+    acts: BTreeMap<Use, Box<dyn Act>>,
+    senses: BTreeMap<Use, Open>,
+    thread: Option<JoinHandle<()>>,
+}
+
+/// An open sense: what of the robot there is one of only, and its beat.
+struct Open {
+    only: Option<(&'static str, String)>,
+    beat: Option<Beat>,
+}
+
+/// Beats by robot time.
+struct Beat {
+    period_us: u64,
+    since_ms: u64,
+    count: u64,
+}
+
+impl Nao {
+    /// A robot that is not there yet. Returns at once.
+    #[must_use]
+    pub fn start(settings: Settings) -> Self {
+        let shared = Arc::new(Shared::default());
+        let (orders, told) = mpsc::unbounded_channel();
+        let waiting = Arc::new(AtomicUsize::new(0));
+        let (with, count) = (Arc::clone(&shared), Arc::clone(&waiting));
+        let thread = std::thread::Builder::new().name("nao".into());
+        let thread = thread.spawn(move || supervisor::keep(&settings, &with, told, &count));
+        if let Err(error) = &thread {
+            shared.state().health = Health::Lost(format!("there is no thread for it ({error})"));
+        }
+        Self { shared, orders, waiting, acts: BTreeMap::new(), senses: BTreeMap::new(), thread: thread.ok() }
+    }
+
+    fn tell(&self, order: Order) -> Result<(), RobotFault> {
+        self.orders.send(order).map_err(|_| RobotFault::NoLink)
+    }
+
+    fn note_use(&self) {
+        self.shared.state().used = !self.acts.is_empty() || !self.senses.is_empty();
+    }
+
+    /// Whether another use wants what there is one of only in another way.
+    fn check_only(&self, sense: &dyn Sense) -> Result<(), RobotFault> {
+        let Some((what, how)) = sense.only() else { return Ok(()) };
+        let other = self.senses.values().filter_map(|open| open.only.as_ref());
+        if other.into_iter().any(|(known, wanted)| *known == what && *wanted != how) {
+            let why = if what == "color" { "look for one color" } else { "listen for one list of words" };
+            return Err(RobotFault::NotNow(format!("it can {why} at a time")));
+        }
+        Ok(())
+    }
+
+    fn beats(&mut self, now_ms: u64, readings: &mut Vec<Reading>) {
+        for (user, open) in &mut self.senses {
+            let Some(beat) = &mut open.beat else { continue };
+            loop {
+                let at = beat.since_ms + (beat.count + 1) * beat.period_us / 1_000;
+                if at > now_ms {
+                    break;
+                }
+                beat.count += 1;
+                let value = Value::Int(beat.count.cast_signed());
+                readings.push(Reading { to: user.clone(), at: Millis(at), value });
+            }
+        }
+    }
+}
+
+impl Robot for Nao {
+    fn kind(&self) -> &'static str {
+        if self.shared.state().is_pepper { "pepper" } else { "nao" }
+    }
+
+    fn devices(&self) -> Vec<&'static str> {
+        self.shared.state().devices.clone()
+    }
+
+    fn lacking(&self) -> Vec<Lacking> {
+        self.shared.state().lacking.clone()
+    }
+
+    fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), RobotFault> {
+        self.close(user);
+        let driver = ALL.iter().find(|driver| driver.name == name);
+        let driver = driver.ok_or_else(|| RobotFault::NoDevice(name.to_owned()))?;
+        let known = robot::sensors().chain(robot::actuators()).find(|known| known.name == name);
+        let known = known.ok_or_else(|| RobotFault::NoDevice(name.to_owned()))?;
+        known.check(params)?;
+        let now_ms = {
+            let state = self.shared.state();
+            if !state.is_linked() {
+                return Err(RobotFault::NoLink);
+            }
+            if !state.devices.contains(&name) {
+                return Err(RobotFault::NoDevice(name.to_owned()));
+            }
+            if state.halt.is_some() {
+                return Err(RobotFault::NotNow("it has just halted".to_owned()));
+            }
+            let joint = params.get("joint").and_then(Value::as_text);
+            if let Some(joint) = joint.filter(|joint| JOINTS.contains(joint))
+                && !state.joints.iter().any(|known| known == joint)
+            {
+                return Err(RobotFault::NotNow(format!("its body has no {joint}")));
+            }
+            state.time_at(std::time::Instant::now())
+        };
+        if self.acts.len() + self.senses.len() >= USES_MAX {
+            return Err(RobotFault::Full(USES_MAX));
+        }
+        let opened = (driver.open)(&Chosen(with_defaults(known.params, params)));
+        match opened.ok_or_else(|| RobotFault::Unusable(name.to_owned()))? {
+            Opened::Sense(sense) => {
+                self.check_only(&*sense)?;
+                let beat = sense.beat_us().map(|period_us| Beat { period_us, since_ms: now_ms, count: 0 });
+                self.senses.insert(user.clone(), Open { only: sense.only(), beat });
+                self.tell(Order::Open(user.clone(), sense))?;
+            }
+            Opened::Act(act) => drop(self.acts.insert(user.clone(), act)),
+        }
+        self.note_use();
+        Ok(())
+    }
+
+    fn close(&mut self, user: &Use) {
+        let known = self.acts.remove(user).is_some() | self.senses.remove(user).is_some();
+        if known {
+            self.shared.state().forget_readings_of(user);
+            let _gone = self.tell(Order::Close(user.clone()));
+            self.note_use();
+        }
+    }
+
+    fn command(&mut self, user: &Use, value: &Value, _now: Millis) -> Result<(), RobotFault> {
+        let Some(act) = self.acts.get(user) else {
+            return Err(if self.senses.contains_key(user) { RobotFault::IntoSense } else { RobotFault::NotOpen });
+        };
+        if !value.is_finite() {
+            return Err(RobotFault::Infinite);
+        }
+        let deed = act.deed(value)?;
+        let gate = {
+            let mut state = self.shared.state();
+            if !state.is_linked() || state.halt.is_some() {
+                return Err(RobotFault::NoLink);
+            }
+            if let Deed::Print(text) = deed {
+                state.print(text);
+                return Ok(());
+            }
+            self.shared.gate()
+        };
+        if self.waiting.fetch_add(1, Ordering::SeqCst) >= DEEDS_MAX {
+            self.waiting.fetch_sub(1, Ordering::SeqCst);
+            return Err(RobotFault::NotNow("too much waits for it".to_owned()));
+        }
+        self.tell(Order::Do(gate, user.clone(), deed))
+    }
+
+    fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>) {
+        let waiting = {
+            let mut state = self.shared.state();
+            state.tell_time(now.0);
+            state.take_readings()
+        };
+        let sensed = waiting.into_iter().filter(|(to, _)| self.senses.contains_key(to));
+        let sensed: Vec<_> = sensed.map(|(to, value)| Reading { to, at: now, value }).collect();
+        readings.extend(sensed);
+        self.beats(now.0, readings);
+    }
+
+    fn stop(&mut self, _now: Millis) {
+        self.shared.stop();
+    }
+
+    fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
+        {
+            let state = self.shared.state();
+            if !state.is_linked() {
+                return Err(RobotFault::NoLink);
+            }
+            if control == Control::Rest && state.condition.fallen == Some(true) {
+                return Err(RobotFault::NotNow("it lies on the floor; help it up first".to_owned()));
+            }
+        }
+        if control == Control::Rest {
+            self.shared.stop();
+        }
+        self.tell(Order::Control(control))
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        self.shared.state().halt.take()
+    }
+
+    fn health(&self) -> Health {
+        self.shared.state().health.clone()
+    }
+
+    fn condition(&self) -> Condition {
+        self.shared.state().condition.clone()
+    }
+
+    fn scene(&self) -> Scene {
+        let state = self.shared.state();
+        let angle = |joint: &&str| state.angles.get(*joint).copied().unwrap_or_default() as f32;
+        let body = Body {
+            base: state.base.map(|part| part as f32),
+            joints: JOINTS.iter().map(|joint| angle(&joint)).collect(),
+            eyes: [1.0; 3],
+            saying: state.saying.clone(),
+            tracking: state.tracking.clone(),
+            printed: state.printed.iter().cloned().collect(),
+            battery: state.condition.battery.unwrap_or_default(),
+            plugged: state.condition.plugged.unwrap_or_default(),
+            posture: state.posture.clone(),
+            fallen: state.condition.fallen.unwrap_or_default(),
+            playing: state.playing.iter().cloned().collect::<Vec<_>>().join(", "),
+            ..Body::default()
+        };
+        Scene { at_ms: state.time_at(std::time::Instant::now()), body, ..Scene::default() }
+    }
+}
+
+impl Drop for Nao {
+    fn drop(&mut self) {
+        self.shared.stop();
+        self.shared.end();
+        // Its thread ends by itself within a bound; nobody waits for a robot that does not answer.
+        drop(self.thread.take());
+    }
+}

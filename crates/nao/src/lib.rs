@@ -1,0 +1,33 @@
+//! NAO and Pepper over their own protocol: the same behaviours run on them as on the simulated one.
+//!
+//! [`Nao`] is a [`robot::Robot`]: it returns at once from everything and has a thread of its own, on which a supervisor keeps
+//! the links to the robot, finds it again after a loss, and does what behaviours want. Stop has a link of its own, logged in
+//! before it is needed. [`check`] looks step by step whether a robot can be reached, [`discover`] hears those that announce
+//! themselves.
+//!
+//! Names, keys and shapes of values are those of the documentation of NAOqi 2.8; what is assumed is said where it is used.
+#![warn(missing_docs)]
+
+mod acting;
+mod body;
+mod check;
+mod deed;
+mod devices;
+mod discover;
+mod front;
+mod link;
+mod models;
+mod scan;
+mod senses;
+mod settings;
+mod shared;
+mod speech;
+mod status;
+mod stopping;
+mod supervisor;
+
+pub use check::{Found, Step, check};
+pub use discover::{Announced, Unheard, discover};
+pub use front::Nao;
+pub use models::{MODELS, Model};
+pub use settings::{Login, Settings};

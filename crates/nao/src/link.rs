@@ -1,0 +1,23 @@
+//! Calls on one session, each within a bound and never waited for by who has something else to do.
+
+use crate::deed::Call;
+use qi::{QiError, Session, Value};
+use std::time::Duration;
+
+/// How long a call may take that answers at once.
+pub(crate) const CALL: Duration = Duration::from_millis(2_000);
+
+/// Calls and waits for the answer.
+pub(crate) async fn call(session: &Session, call: &Call, within: Duration) -> Result<Value, QiError> {
+    let object = session.service(call.service).await?;
+    object.call_within(call.method, &call.arguments, within).await
+}
+
+/// Calls, and says in the log if that went wrong.
+pub(crate) async fn try_call(session: &Session, wanted: &Call) -> Option<Value> {
+    let done = call(session, wanted, CALL).await;
+    done.inspect_err(|error| {
+        tracing::debug!(service = wanted.service, method = wanted.method, %error, "the robot did not do it");
+    })
+    .ok()
+}

@@ -1,0 +1,110 @@
+//! How a robot is reached.
+
+use qi::{Address, Credentials, Options, Scheme, Trust};
+use std::fmt;
+use std::time::Duration;
+
+/// Where NAOqi listens up to 2.8, in the clear.
+const PORT: u16 = 9559;
+/// Where NAOqi listens from 2.9 on, by TLS, with user and password.
+const PORT_TLS: u16 = 9503;
+/// How long one stage of connecting may take, in milliseconds.
+const STAGE_MS: u64 = 4_000;
+
+/// How a robot is reached, and as whom.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Its name or number in the network: `nao.local`, `192.168.1.7:9559`, `tcps://nao.local:9503`. Without a port both
+    /// that NAOqi uses are tried: 9559 in the clear, then 9503 by TLS.
+    pub address: String,
+    /// User and password, for robots that ask for them.
+    pub login: Option<Login>,
+    /// What everything begins with that this server subscribes to on the robot, so that what an ended one left behind is
+    /// found: always the same for one server and robot.
+    pub own_name: String,
+    /// The SHA-256 of the certificate that the robot must show, as `AB:CD:…`; none trusts the first one.
+    pub trusted: Option<String>,
+}
+
+/// User and password.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Login {
+    /// The user: `nao`.
+    pub user: String,
+    /// The password. It is in no error and no log.
+    pub password: String,
+}
+
+impl fmt::Debug for Login {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.debug_struct("Login").field("user", &self.user).finish_non_exhaustive()
+    }
+}
+
+impl Settings {
+    /// The addresses to try, in this order; none if what is written is no address.
+    pub(crate) fn addresses(&self) -> Vec<Address> {
+        let said = self.address.trim();
+        if said.contains("://") {
+            return said.parse().into_iter().collect();
+        }
+        let with = |scheme: &str, place: &str| format!("{scheme}://{place}").parse::<Address>().ok();
+        let (host, port) = match said.rsplit_once(':') {
+            Some((host, port)) if !host.contains(':') || host.ends_with(']') => (host, port.parse::<u16>().ok()),
+            _ => (said, None),
+        };
+        if host.is_empty() || (port.is_none() && host != said) {
+            return Vec::new();
+        }
+        let bare = |port: u16| {
+            if host.contains(':') && !host.starts_with('[') {
+                format!("[{host}]:{port}")
+            } else {
+                format!("{host}:{port}")
+            }
+        };
+        match port {
+            Some(PORT_TLS) => with("tcps", &bare(PORT_TLS)).into_iter().collect(),
+            Some(port) => with("tcp", &bare(port)).into_iter().collect(),
+            None => with("tcp", &bare(PORT)).into_iter().chain(with("tcps", &bare(PORT_TLS))).collect(),
+        }
+    }
+
+    pub(crate) fn options(&self) -> Options {
+        let login = self.login.as_ref();
+        let credentials = login.map(|login| Credentials { user: login.user.clone(), password: login.password.clone() });
+        let trusted = self.trusted.as_deref().and_then(|text| text.parse().ok());
+        let trust = trusted.map_or(Trust::First, Trust::Only);
+        Options { credentials, trust, stage_within: Duration::from_millis(STAGE_MS), ..Options::default() }
+    }
+}
+
+/// Whether nothing secret is said in the clear.
+pub(crate) fn is_secure(address: &Address) -> bool {
+    address.scheme == Scheme::Tcps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Login, Settings};
+
+    fn tried(address: &str) -> Vec<String> {
+        let settings = Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None };
+        settings.addresses().iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn both_ports_are_tried_where_none_is_said() {
+        assert_eq!(tried(" nao.local "), ["tcp://nao.local:9559", "tcps://nao.local:9503"]);
+        assert_eq!(tried("10.0.0.7:9503"), ["tcps://10.0.0.7:9503"]);
+        assert_eq!(tried("10.0.0.7:1234"), ["tcp://10.0.0.7:1234"]);
+        assert_eq!(tried("tcps://nao:9999"), ["tcps://nao:9999"]);
+        assert!(tried("").is_empty() && tried("nao:port").is_empty());
+    }
+
+    #[test]
+    fn a_password_is_never_shown() {
+        let login = Login { user: "nao".into(), password: "hush".into() };
+        assert!(!format!("{login:?}").contains("hush"));
+    }
+}

@@ -1,0 +1,179 @@
+//! What the robot's thread and the link's thread have in common.
+
+use crate::body::Limits;
+use behaviour::Value;
+use robot::{Condition, Health, Lacking, Use};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+use tokio::sync::Notify;
+
+/// Readings that may wait for the next step; the oldest go first.
+const READINGS_MAX: usize = 4_096;
+/// Texts shown beside the room; the oldest go first.
+const PRINTED_MAX: usize = 20;
+
+/// Everything shared around one robot. Locked for moments only.
+#[derive(Default)]
+pub(crate) struct Shared {
+    state: Mutex<State>,
+    /// Grows with every Stop: what was wanted before it is void.
+    gate: AtomicU64,
+    /// Whether a Stop was not carried out yet.
+    stop_wanted: AtomicBool,
+    /// Rung when it is wanted.
+    pub(crate) stopping: Notify,
+    /// Rung when it is done, or the stop link is there.
+    pub(crate) ended: AtomicBool,
+    /// Rung when everything is to end.
+    pub(crate) ending: Notify,
+}
+
+/// What is known.
+pub(crate) struct State {
+    pub(crate) health: Health,
+    pub(crate) is_pepper: bool,
+    pub(crate) devices: Vec<&'static str>,
+    pub(crate) lacking: Vec<Lacking>,
+    pub(crate) condition: Condition,
+    pub(crate) halt: Option<String>,
+    pub(crate) limits: Limits,
+    /// The joints of this body, in its order.
+    pub(crate) joints: Vec<String>,
+    /// Their angles, as they were measured last.
+    pub(crate) angles: BTreeMap<String, f64>,
+    /// Where it stands: x and y in metres, heading in radians.
+    pub(crate) base: [f64; 3],
+    pub(crate) saying: String,
+    pub(crate) tracking: String,
+    pub(crate) posture: String,
+    pub(crate) playing: BTreeSet<String>,
+    pub(crate) printed: VecDeque<String>,
+    /// What is measured only for us: service and the name that we subscribed by.
+    pub(crate) subscribed: BTreeSet<(&'static str, String)>,
+    /// Whether anybody uses it.
+    pub(crate) used: bool,
+    readings: VecDeque<(Use, Value)>,
+    /// A moment and the robot time of it in milliseconds.
+    clock: (Instant, u64),
+}
+
+impl Default for State {
+    fn default() -> Self {
+        Self {
+            health: Health::Connecting,
+            is_pepper: false,
+            devices: Vec::new(),
+            lacking: Vec::new(),
+            condition: Condition::default(),
+            halt: None,
+            limits: Limits::default(),
+            joints: Vec::new(),
+            angles: BTreeMap::new(),
+            base: [0.0; 3],
+            saying: String::new(),
+            tracking: String::new(),
+            posture: String::new(),
+            playing: BTreeSet::new(),
+            printed: VecDeque::new(),
+            subscribed: BTreeSet::new(),
+            used: false,
+            readings: VecDeque::new(),
+            clock: (Instant::now(), 0),
+        }
+    }
+}
+
+impl State {
+    pub(crate) fn is_linked(&self) -> bool {
+        matches!(self.health, Health::Ready | Health::Degraded(_) | Health::Safe)
+    }
+
+    /// The robot time of the coming step.
+    pub(crate) fn tell_time(&mut self, now_ms: u64) {
+        self.clock = (Instant::now(), now_ms);
+    }
+
+    /// Robot time at a moment, in milliseconds.
+    pub(crate) fn time_at(&self, at: Instant) -> u64 {
+        let (then, ms) = self.clock;
+        let since = at.saturating_duration_since(then).as_millis();
+        let before = then.saturating_duration_since(at).as_millis();
+        let ahead = ms.saturating_add(u64::try_from(since).unwrap_or(u64::MAX));
+        ahead.saturating_sub(u64::try_from(before).unwrap_or(u64::MAX))
+    }
+
+    pub(crate) fn put_reading(&mut self, user: &Use, value: Value) {
+        if self.readings.len() >= READINGS_MAX {
+            self.readings.pop_front();
+        }
+        self.readings.push_back((user.clone(), value));
+    }
+
+    pub(crate) fn take_readings(&mut self) -> VecDeque<(Use, Value)> {
+        std::mem::take(&mut self.readings)
+    }
+
+    pub(crate) fn forget_readings_of(&mut self, user: &Use) {
+        self.readings.retain(|(of, _)| of != user);
+    }
+
+    pub(crate) fn print(&mut self, text: String) {
+        if self.printed.len() >= PRINTED_MAX {
+            self.printed.pop_front();
+        }
+        self.printed.push_back(text);
+    }
+}
+
+impl Shared {
+    pub(crate) fn state(&self) -> MutexGuard<'_, State> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What counts now; a deed that was wanted at another gate is void.
+    pub(crate) fn gate(&self) -> u64 {
+        self.gate.load(Ordering::SeqCst)
+    }
+
+    /// Closes the gate to everything that was wanted so far, and wants the robot to hold.
+    pub(crate) fn stop(&self) {
+        self.gate.fetch_add(1, Ordering::SeqCst);
+        self.stop_wanted.store(true, Ordering::SeqCst);
+        self.stopping.notify_one();
+    }
+
+    pub(crate) fn wants_stop(&self) -> bool {
+        self.stop_wanted.load(Ordering::SeqCst)
+    }
+
+    /// It was carried out, unless it is wanted anew.
+    pub(crate) fn stopped(&self, gate: u64) {
+        if self.gate() == gate {
+            self.stop_wanted.store(false, Ordering::SeqCst);
+        }
+    }
+
+    /// Everything that runs has to end, for this reason; the first one counts until it is told.
+    pub(crate) fn halt(&self, why: &str) {
+        {
+            let mut state = self.state();
+            if !state.used {
+                return;
+            }
+            state.halt.get_or_insert_with(|| why.to_owned());
+        }
+        self.stop();
+    }
+
+    pub(crate) fn end(&self) {
+        self.ended.store(true, Ordering::SeqCst);
+        self.ending.notify_waiters();
+        self.ending.notify_one();
+    }
+
+    pub(crate) fn is_ended(&self) -> bool {
+        self.ended.load(Ordering::SeqCst)
+    }
+}

@@ -1,0 +1,250 @@
+//! Keeps the links to the robot: connects, looks what is there, watches, and finds it again after a loss, for ever. After a
+//! loss nothing goes on by itself.
+
+use crate::acting::Acting;
+use crate::deed::Call;
+use crate::front::Order;
+use crate::link::{CALL, call, try_call};
+use crate::scan::{clean, scan};
+use crate::settings::Settings;
+use crate::shared::Shared;
+use crate::{check, senses, status, stopping};
+use qi::{Address, QiError, Session, Value};
+use robot::{Control, Health, Use};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+use tokio::sync::mpsc;
+use tokio::task::JoinHandle;
+use tokio::time::MissedTickBehavior;
+use tokio_util::sync::CancellationToken;
+
+/// Pauses before the next try, in milliseconds: at first, and at most.
+const AGAIN_MIN_MS: u64 = 250;
+const AGAIN_MAX_MS: u64 = 5_000;
+/// How often the robot is asked whether it is there, in milliseconds.
+const PING_MS: u64 = 1_000;
+/// It is degraded when nothing came for so long, and lost then, in milliseconds.
+const DEGRADED_MS: u128 = 2_200;
+const LOST_MS: u128 = 5_000;
+/// The motion cycle of the robot, if it does not tell another, in milliseconds.
+const CYCLE_MS: u64 = 20;
+/// How long waking up and resting may take.
+const BODY: Duration = Duration::from_secs(30);
+/// How long the last Stop may take at the end.
+const LAST_STOP_MS: u64 = 1_000;
+
+type Orders = mpsc::UnboundedReceiver<Order>;
+
+/// The thread of the link.
+pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders, waiting: &AtomicUsize) {
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build();
+    match runtime {
+        Ok(runtime) => {
+            runtime.block_on(work(settings, shared, &mut orders, waiting));
+            runtime.shutdown_background();
+        }
+        Err(error) => shared.state().health = Health::Lost(format!("there is no runtime for it ({error})")),
+    }
+}
+
+async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, waiting: &AtomicUsize) {
+    let mut pause_ms = AGAIN_MIN_MS;
+    while !shared.is_ended() {
+        let found = tokio::select! {
+            found = find(settings) => found,
+            () = shared.ending.notified() => break,
+        };
+        let why = match found {
+            Ok((address, session)) => {
+                pause_ms = AGAIN_MIN_MS;
+                let stopper = tokio::spawn(stopping::keep(address, settings.clone(), Arc::clone(shared)));
+                let why = serve(&session, settings, shared, orders, waiting).await;
+                end_well(shared).await;
+                stopper.abort();
+                session.link().close();
+                why
+            }
+            Err(error) => check::sentence(&error),
+        };
+        lose(shared, &why);
+        drain(orders, waiting);
+        let jitter = pause_ms / 4 * u64::from(std::process::id() % 5) / 4;
+        tokio::select! {
+            () = tokio::time::sleep(Duration::from_millis(pause_ms + jitter)) => {}
+            () = shared.ending.notified() => {}
+        }
+        pause_ms = (pause_ms * 2).min(AGAIN_MAX_MS);
+    }
+}
+
+/// The first address that leads to a robot.
+async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
+    let mut failed = QiError::Address(settings.address.clone());
+    for address in settings.addresses() {
+        match Session::connect(&address, settings.options()).await {
+            Ok(session) => return Ok((address, session)),
+            Err(error) => failed = error,
+        }
+    }
+    Err(failed)
+}
+
+/// The link is gone: who used the robot has to begin again.
+fn lose(shared: &Shared, why: &str) {
+    shared.halt("the connection to it was lost");
+    let mut state = shared.state();
+    state.health = Health::Lost(why.to_owned());
+    state.subscribed.clear();
+    state.angles.clear();
+    (state.saying, state.tracking) = (String::new(), String::new());
+    state.playing.clear();
+}
+
+/// A Stop that is wanted at the end is still carried out, if that can be.
+async fn end_well(shared: &Shared) {
+    let done = async {
+        while shared.wants_stop() {
+            tokio::time::sleep(Duration::from_millis(10)).await;
+        }
+    };
+    let _its_time = tokio::time::timeout(Duration::from_millis(LAST_STOP_MS), done).await;
+}
+
+/// What was wanted of a robot that is gone is void.
+fn drain(orders: &mut Orders, waiting: &AtomicUsize) {
+    while let Ok(order) = orders.try_recv() {
+        if matches!(order, Order::Do(..)) {
+            waiting.fetch_sub(1, Ordering::SeqCst);
+        }
+    }
+}
+
+/// A robot that is there; until it is lost, with the reason.
+async fn serve(
+    session: &Session,
+    settings: &Settings,
+    shared: &Arc<Shared>,
+    orders: &mut Orders,
+    waiting: &AtomicUsize,
+) -> String {
+    match scan(session).await {
+        Ok(scanned) => scanned.note(&mut shared.state()),
+        Err(error) => return check::sentence(&error),
+    }
+    clean(session, &settings.own_name, shared).await;
+    status::ask(session, shared).await;
+    let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
+    let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
+    let cycle = cycle.and_then(|value| value.as_i64()).map_or(CYCLE_MS, |ms| ms.clamp(5, 100).cast_unsigned());
+    drain(orders, waiting);
+    shared.state().health = Health::Ready;
+    let (done, mut ended) = mpsc::unbounded_channel();
+    let mut acting = Acting::new(session.clone(), Arc::clone(shared), done);
+    let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
+    let mut controlled = None;
+    let mut beat = tokio::time::interval(Duration::from_millis(cycle));
+    beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
+    let why = loop {
+        tokio::select! {
+            biased;
+            () = shared.ending.notified() => break "it is not used any more".to_owned(),
+            ending = session.link().ended() => break format!("the connection ended: {ending}"),
+            order = orders.recv() => match order {
+                None => break "it is not used any more".to_owned(),
+                Some(Order::Open(user, sense)) => {
+                    let (cancel, name) = (CancellationToken::new(), format!("{}/{}/{}", settings.own_name, user.run, user.stream));
+                    let task = senses::run(session.clone(), Arc::clone(shared), name, user.clone(), sense, cancel.clone());
+                    open.insert(user, (cancel, tokio::spawn(task)));
+                }
+                Some(Order::Close(user)) => {
+                    if let Some((cancel, _)) = open.remove(&user) {
+                        cancel.cancel();
+                    }
+                    acting.close(&user);
+                }
+                Some(Order::Do(gate, user, deed)) => {
+                    waiting.fetch_sub(1, Ordering::SeqCst);
+                    acting.act(gate, user, deed);
+                }
+                Some(Order::Control(control)) => {
+                    controlled = Some(Ended(tokio::spawn(take(session.clone(), Arc::clone(shared), control))));
+                }
+            },
+            Some(over) = ended.recv() => acting.done(over),
+            _ = beat.tick() => acting.cycle(),
+        }
+    };
+    drop((watch, pinging, controlled));
+    open.into_values().for_each(|(cancel, _)| cancel.cancel());
+    why
+}
+
+/// A task that ends with its handle.
+struct Ended(JoinHandle<()>);
+
+impl Drop for Ended {
+    fn drop(&mut self) {
+        self.0.abort();
+    }
+}
+
+/// Asks whether the robot is there; a link that is silent for too long is over.
+async fn ping(session: Session, shared: Arc<Shared>) {
+    let mut beat = tokio::time::interval(Duration::from_millis(PING_MS));
+    beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    loop {
+        beat.tick().await;
+        let link = session.link().clone();
+        tokio::spawn(async move { drop(link.ping(CALL).await) });
+        let silent = session.link().silent_for().as_millis();
+        if silent > LOST_MS {
+            session.link().close();
+            return;
+        }
+        let mut state = shared.state();
+        match (silent > DEGRADED_MS, &state.health) {
+            (true, Health::Ready | Health::Safe) => state.health = Health::Degraded("it answers slowly".to_owned()),
+            (false, Health::Degraded(why)) if why == "it answers slowly" => state.health = Health::Ready,
+            _ => {}
+        }
+    }
+}
+
+/// Takes control, gives it back, or lets the robot rest.
+async fn take(session: Session, shared: Arc<Shared>, control: Control) {
+    let say = |call: Call, within| {
+        let session = session.clone();
+        async move {
+            let done = self::call(&session, &call, within).await;
+            done.inspect_err(|error| tracing::warn!(method = call.method, %error, "the robot did not do it")).is_ok()
+        }
+    };
+    let life = |state: &str| Call::new("ALAutonomousLife", "setState", [state.into()]);
+    match control {
+        Control::Take => {
+            say(life("disabled"), BODY).await;
+            // The end of its own life may end in a rest.
+            say(Call::new("ALMotion", "wakeUp", []), BODY).await;
+            if shared.state().posture != "Standing" {
+                say(Call::new("ALRobotPosture", "goToPosture", ["Stand".into(), Value::F32(0.5)]), BODY).await;
+            }
+        }
+        Control::GiveBack => drop(say(life("solitary"), BODY).await),
+        Control::Rest => {
+            // What was stopped has to have ended, and nobody rests while falling.
+            for _ in 0..100 {
+                if !shared.wants_stop() {
+                    break;
+                }
+                tokio::time::sleep(Duration::from_millis(20)).await;
+            }
+            if shared.state().condition.fallen != Some(true) {
+                say(Call::new("ALMotion", "rest", []), BODY).await;
+            }
+        }
+    }
+    status::ask(&session, &shared).await;
+}
