@@ -79,6 +79,8 @@ const NAMED_ELSEWHERE: [(&str, &str, &str); 3] = [
 ];
 /// Labels of connectors that are also words of Rust or its libraries: `Value::Map`, `MissedTickBehavior::Delay`.
 const COMMON_LABELS: [&str; 2] = ["Map", "Delay"];
+/// Devices that are also common names of types: people who are here, a button of the page, a walk through a tree.
+const COMMON_DEVICES: [&str; 3] = ["Button", "People", "Walk"];
 
 /// The longest function, in lines. A ratchet: it may only go down.
 const FUNCTION_MAX: usize = 90;
@@ -230,8 +232,9 @@ fn connectors_elsewhere() -> Outcome<Vec<Named>> {
 }
 
 fn devices_elsewhere() -> Outcome<Vec<Named>> {
-    let names: Vec<String> = robot::sensors().chain(robot::actuators()).map(|device| device.name.to_owned()).collect();
-    elsewhere(&DEVICE_ROOMS, &names, &names)
+    let words: Vec<String> = robot::sensors().chain(robot::actuators()).map(|device| device.name.to_owned()).collect();
+    let names: Vec<String> = words.iter().filter(|name| !COMMON_DEVICES.contains(&name.as_str())).cloned().collect();
+    elsewhere(&DEVICE_ROOMS, &words, &names)
 }
 
 /// Where the product writes one of `words` out as a whole text, or one of `names` as a name, outside of these rooms.

@@ -139,19 +139,13 @@ impl SimulatedNao {
         self.speech.step(self.now);
         self.sounds.step(self.now);
         self.hear();
-        self.feel();
+        self.pads.step(self.bumped());
         self.drain();
     }
 
     fn move_base(&mut self) {
         let (world, body, from) = (&self.world, &self.body, self.base.at);
         self.base.step(|next| world.person_blocks(from, next) || world.obstacle_blocks(body, from, next));
-    }
-
-    fn feel(&mut self) {
-        let mut pads = core::mem::take(&mut self.pads);
-        pads.step(|part| self.is_pressed(part));
-        self.pads = pads;
     }
 
     /// A fingerprint of the whole state: two robots that were told the same have the same, on every machine.

@@ -14,6 +14,8 @@ pub(crate) const MARK_M: f32 = 0.06;
 const BALL_CLEAR_M: f32 = 0.16;
 /// Above this height there is no robot, in metres: its 0.574 m and a ball.
 const ABOVE_ROBOT_M: f32 = 0.62;
+/// No foot reaches higher than this while the robot stands, in metres.
+pub(crate) const FOOT_M: f32 = 0.10;
 /// A foot walks until an obstacle is so near, in metres; near enough to press the bumper.
 pub(crate) const FOOT_CLEAR_M: f32 = 0.008;
 /// No person comes nearer to the robot's axis than this, in metres.

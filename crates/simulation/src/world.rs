@@ -170,6 +170,12 @@ impl World {
         })
     }
 
+    /// Whether anything is there that a foot could meet.
+    pub(crate) fn is_anything_low(&self) -> bool {
+        let low = |ball: &BallBody| self.ball_at(ball).z < room::FOOT_M + ball.radius;
+        self.in_the_way().next().is_some() || self.balls.iter().any(low)
+    }
+
     /// How far the nearest obstacle or ball is from a point, in metres; negative inside of it.
     pub(crate) fn distance_to_things(&self, point: Vector) -> f32 {
         let obstacles = self.in_the_way().map(|obstacle| obstacle.distance(point));

@@ -17,21 +17,11 @@ fn open(chosen: &Chosen) -> Option<Opened> {
 }
 
 impl SimulatedNao {
-    /// Whether something in the room presses this part.
-    pub(crate) fn is_pressed(&self, part: Touchable) -> bool {
-        let foot = match part {
-            Touchable::BumperLeft => 0,
-            Touchable::BumperRight => 1,
-            Touchable::HeadFront
-            | Touchable::HeadMiddle
-            | Touchable::HeadRear
-            | Touchable::HandLeftBack
-            | Touchable::HandLeftLeft
-            | Touchable::HandLeftRight
-            | Touchable::HandRightBack
-            | Touchable::HandRightLeft
-            | Touchable::HandRightRight => return false,
-        };
-        self.body.toes(foot).iter().any(|toe| self.world.distance_to_things(*toe) < NEAR_M)
+    /// Whether something in the room presses the left and the right bumper.
+    pub(crate) fn bumped(&self) -> [bool; 2] {
+        if !self.world.is_anything_low() {
+            return [false; 2];
+        }
+        [0, 1].map(|foot| self.body.toes(foot).iter().any(|toe| self.world.distance_to_things(*toe) < NEAR_M))
     }
 }

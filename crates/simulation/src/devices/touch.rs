@@ -46,12 +46,15 @@ impl Pads {
         Touchable::ALL.iter().for_each(|part| self.touch(*part, false));
     }
 
-    /// One step: a hand that came or left is felt, or what presses a part of its own accord.
-    pub(crate) fn step(&mut self, pressed: impl Fn(Touchable) -> bool) {
-        for (part, pad) in Touchable::ALL.iter().zip(&mut self.pads) {
+    /// One step: a hand that came or left is felt, or what meets the left and the right bumper.
+    pub(crate) fn step(&mut self, bumped: [bool; 2]) {
+        for pad in &mut self.pads {
             pad.waiting = pad.waiting.saturating_sub(1);
             let hand = pad.hand != (pad.waiting % 2 == 1);
-            pad.felt = [hand || pressed(*part), pad.felt[0]];
+            pad.felt = [hand, pad.felt[0]];
+        }
+        for (bumper, bumped) in [Touchable::BumperLeft, Touchable::BumperRight].into_iter().zip(bumped) {
+            self.pads[bumper as usize].felt[0] |= bumped;
         }
     }
 

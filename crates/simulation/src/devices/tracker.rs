@@ -129,9 +129,8 @@ impl SimulatedNao {
 
     /// Nothing that is followed moves the legs any more.
     pub(crate) fn release_legs(&mut self) {
-        if let Some(follow) = self.follow.take_if(|follow| follow.mode.walks()) {
+        if self.follow.take_if(|follow| follow.mode.walks()).is_some() {
             self.base.want([0.0; 3]);
-            drop(follow);
         }
     }
 

@@ -98,7 +98,7 @@ impl SimulatedNao {
             Some(walking) => self.base.want(walking.speeds),
             None => {}
         }
-        if !self.may_step() {
+        if !self.base.is_still() && !self.may_step() {
             self.base.want([0.0; 3]);
         }
     }
