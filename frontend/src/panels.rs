@@ -1,5 +1,7 @@
 //! Everything around the canvas: the bar, the left list, the right column, dialogs, notices and the outline.
 
+mod buttons;
+mod condition;
 mod dialogs;
 mod editors;
 mod empty;

@@ -9,6 +9,7 @@ mod invitation;
 mod library;
 mod live;
 mod parts;
+mod real_robot;
 mod recording;
 mod reply;
 mod request;
@@ -22,12 +23,13 @@ pub use library::{
 };
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
+pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
 pub use recording::{Recorded, Recording};
 pub use reply::{LockShown, Message, Person, Refused, Reply};
 pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 7;
+pub const VERSION: u32 = 8;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

@@ -2,7 +2,7 @@
 
 use crate::Recorded;
 use behaviour::{Id, Value};
-use robot::Health;
+use robot::{Condition, Health, Lacking};
 use serde::{Deserialize, Serialize};
 
 /// A robot and its link.
@@ -20,6 +20,32 @@ pub struct RobotState {
     /// The names of the devices it has.
     #[serde(default)]
     pub devices: Vec<String>,
+    /// The devices of the catalogue that it does not have, and why not.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub lacking: Vec<Lacking>,
+    /// How its body is.
+    #[serde(default)]
+    pub condition: Condition,
+    /// How it is reached; none for a simulated one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub address: Option<String>,
+}
+
+impl RobotState {
+    /// A robot that is not there yet.
+    #[must_use]
+    pub fn connecting(robot: Id, name: String) -> Self {
+        Self {
+            robot,
+            name,
+            kind: String::new(),
+            health: Health::Connecting,
+            devices: Vec::new(),
+            lacking: Vec::new(),
+            condition: Condition::default(),
+            address: None,
+        }
+    }
 }
 
 /// One run of a behaviour.

@@ -1,8 +1,8 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Area, Contested, Cursor, Driver, HistoryLine, Invitation, Picture, Pointer, Recording, RobotState, Role, RunState,
-    Similar, Summary, Used, Values,
+    Area, Checked, Contested, Cursor, Driver, FoundRobot, HistoryLine, Invitation, Picture, Pointer, Recording,
+    RobotState, Role, RunState, Similar, Summary, Used, Values,
 };
 use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
 use robot::Scene;
@@ -247,6 +247,16 @@ pub enum Reply {
         /// Newest first.
         recordings: Vec<Recording>,
     },
+    /// What a look at a robot found.
+    RobotChecked {
+        /// Step by step.
+        checked: Box<Checked>,
+    },
+    /// The robots that say in the network that they are there.
+    FoundRobots {
+        /// By name.
+        robots: Vec<FoundRobot>,
+    },
     /// An invitation was made. Its link is told this once and kept nowhere.
     Invited {
         /// The invitation.
@@ -335,6 +345,10 @@ pub enum Refused {
     RobotNotAdded(String),
     /// The robot was not removed; with the reason.
     RobotStays(String),
+    /// The robot cannot do that now; with the reason.
+    RobotCannot(String),
+    /// Robots cannot be looked for in the network; with the reason.
+    NotSearched(String),
     /// There is no such recording.
     NoRecording,
     /// Something about a recording did not work; with the reason.
@@ -396,6 +410,10 @@ impl std::fmt::Display for Refused {
             Self::NotKept(reason) => write!(to, "The order stays as it was, as it could not be kept ({reason})."),
             Self::NoRobot => to.write_str("There is no such robot any more. Choose another one."),
             Self::RobotNotAdded(reason) => write!(to, "The robot was not added: {reason}."),
+            Self::RobotCannot(reason) => write!(to, "That was not done: {reason}."),
+            Self::NotSearched(reason) => {
+                write!(to, "Robots cannot be looked for in this network: {reason}. Type the address of the robot.")
+            }
             Self::RobotStays(reason) => write!(to, "The robot stays: {reason}."),
             Self::NoRecording => to.write_str("There is no such recording any more. Look at the list again."),
             Self::CannotRecord(reason) => write!(to, "The recording did not do this: {reason}."),

@@ -1,8 +1,8 @@
 //! What a client may ask.
 
-use crate::{Lasts, ListQuery, PictureOf, Role};
+use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role};
 use behaviour::{Change, Id, RecordId, Token, Value};
-use robot::SceneEdit;
+use robot::{Control, SceneEdit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -335,12 +335,37 @@ pub enum Request {
         /// What is done.
         edit: SceneEdit,
     },
-    /// Adds a simulated robot in a room of its own, for everyone and for good. Answered by `Done`.
+    /// Adds a robot for everyone and for good: a real one, or a simulated one in a room of its own. Answered by `Done`.
     AddRobot {
         /// Its id, chosen by the client so that asking twice makes one.
         robot: Id,
         /// Its name, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
         name: String,
+        /// How it is reached; none for a simulated one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        real: Option<Box<RealRobot>>,
+    },
+    /// Gives a robot another name. Answered by `Done`.
+    RenameRobot {
+        /// Which.
+        robot: Id,
+        /// Its name, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
+        name: String,
+    },
+    /// Looks step by step whether a robot can be reached, and what it is. Answered by `RobotChecked` within 20 seconds.
+    CheckRobot {
+        /// How it is reached.
+        real: Box<RealRobot>,
+    },
+    /// Robots that say in the network that they are there. Answered by `FoundRobots` within three seconds.
+    FindRobots,
+    /// Takes control of a robot, gives it back to its own life, or lets it rest. What runs on it is stopped first unless
+    /// control is taken. Answered by `Done` once the robot was told.
+    ControlRobot {
+        /// Which robot.
+        robot: Id,
+        /// What shall be.
+        control: Control,
     },
     /// Removes a robot, with its room and its order. Refused while something runs on it, and for the last one. Answered
     /// by `Done`.

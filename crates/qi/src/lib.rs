@@ -34,7 +34,10 @@ mod wire;
 pub use address::{Address, Scheme};
 pub use auth::{Agreed, Credentials, Generation};
 pub use error::{Cause, Ending, QiError, Stage};
-pub use link::{Answer, Event, IN_FLIGHT_MAX, Keep, Link, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX, Subscription, Target};
+pub use link::{
+    Answer, Event, IN_FLIGHT_MAX, Keep, Link, QUEUE_MAX_BYTES, QUEUE_MAX_FRAMES, SUBSCRIBERS_MAX, Subscription, Target,
+    WAITING_MAX_BYTES,
+};
 pub use malformed::{Malformed, Unfit};
 pub use meta::{Chosen, MetaMethod, MetaObject, MetaSignal};
 pub use object::{CALL_WITHIN, Object};

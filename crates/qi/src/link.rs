@@ -9,7 +9,7 @@ mod pending;
 mod signals;
 mod tasks;
 
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, OnceLock};
 use std::time::{Duration, Instant};
 
@@ -19,7 +19,7 @@ use tokio::task::AbortHandle;
 use tokio::time::timeout;
 
 pub use fan_out::SUBSCRIBERS_MAX;
-pub use mailbox::{Event, Keep};
+pub use mailbox::{Event, Keep, WAITING_MAX_BYTES};
 pub use pending::{Answer, IN_FLIGHT_MAX};
 pub use signals::Subscription;
 
@@ -32,6 +32,8 @@ use pending::Pending;
 
 /// How many messages may wait to be written.
 pub const QUEUE_MAX_FRAMES: usize = 256;
+/// How many bytes of messages may wait to be written.
+pub const QUEUE_MAX_BYTES: usize = 32 << 20;
 /// What is pinged: `machineId` of the service directory, which every generation has; a refusal is an answer too.
 const PING: Target = Target { service: 1, object: 1, action: 108 };
 
@@ -67,6 +69,8 @@ impl Drop for Held {
 #[derive(Debug)]
 struct Shared {
     outgoing: mpsc::Sender<Vec<u8>>,
+    /// Bytes that wait to be written, or are being written.
+    outgoing_bytes: AtomicUsize,
     pending: Pending,
     fan_out: FanOut,
     registering: tokio::sync::Mutex<()>,
@@ -85,6 +89,7 @@ impl Link {
         let (outgoing, waiting) = mpsc::channel(QUEUE_MAX_FRAMES);
         let shared = Arc::new(Shared {
             outgoing,
+            outgoing_bytes: AtomicUsize::new(0),
             pending: Pending::default(),
             fan_out: FanOut::default(),
             registering: tokio::sync::Mutex::default(),
@@ -130,7 +135,7 @@ impl Link {
     /// Sends a call whose answer nobody wants. Never waits.
     ///
     /// # Errors
-    /// [`QiError::Busy`] with [`QUEUE_MAX_FRAMES`] messages waiting to be written, [`QiError::Disconnected`].
+    /// [`QiError::Busy`] with [`QUEUE_MAX_FRAMES`] messages or [`QUEUE_MAX_BYTES`] waiting to be written, [`QiError::Disconnected`].
     pub fn post(&self, target: Target, flags: u8, payload: Vec<u8>) -> Result<(), QiError> {
         self.send(Kind::Post, self.shared().pending.next_id(), flags, target, payload)
     }
@@ -225,10 +230,23 @@ impl Shared {
         if let Some(ending) = self.ended.borrow().clone() {
             return Err(QiError::Disconnected(ending));
         }
-        self.outgoing.try_send(bytes).map_err(|error| match error {
-            mpsc::error::TrySendError::Full(_) => QiError::Busy { what: "messages", limit: QUEUE_MAX_FRAMES },
-            mpsc::error::TrySendError::Closed(_) => QiError::Disconnected(Ending::Here),
+        let size = bytes.len();
+        if self.outgoing_bytes.fetch_add(size, Ordering::Relaxed) + size > QUEUE_MAX_BYTES {
+            self.written(size);
+            return Err(QiError::Busy { what: "bytes of messages", limit: QUEUE_MAX_BYTES });
+        }
+        self.outgoing.try_send(bytes).map_err(|error| {
+            self.written(size);
+            match error {
+                mpsc::error::TrySendError::Full(_) => QiError::Busy { what: "messages", limit: QUEUE_MAX_FRAMES },
+                mpsc::error::TrySendError::Closed(_) => QiError::Disconnected(Ending::Here),
+            }
         })
+    }
+
+    /// So many bytes do not wait any more.
+    fn written(&self, bytes: usize) {
+        self.outgoing_bytes.fetch_sub(bytes, Ordering::Relaxed);
     }
 
     /// The first reason counts.

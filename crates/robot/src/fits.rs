@@ -1,6 +1,6 @@
 //! Whether a behaviour can run on a robot, and what is missing if not.
 
-use crate::{DeviceFault, device};
+use crate::{DeviceFault, Lacking, device};
 use behaviour::{Behaviour, Id, StreamKind};
 use std::fmt;
 
@@ -20,8 +20,8 @@ pub struct Missing {
 pub enum Why {
     /// No device is chosen.
     NotChosen,
-    /// The robot does not have this device.
-    NotThere(String),
+    /// The robot does not have this device, for this reason if it gives one.
+    NotThere(String, Option<String>),
     /// The device does not fit.
     DoesNotFit(DeviceFault),
 }
@@ -31,22 +31,27 @@ impl fmt::Display for Missing {
         let name = &self.name;
         match &self.why {
             Why::NotChosen => write!(to, "“{name}” has no device yet. Choose one."),
-            Why::NotThere(device) => write!(to, "“{name}” needs {device}, which this robot does not have."),
+            Why::NotThere(device, None) => write!(to, "“{name}” needs {device}, which this robot does not have."),
+            Why::NotThere(device, Some(why)) => {
+                write!(to, "“{name}” needs {device}, which this robot does not have: {why}.")
+            }
             Why::DoesNotFit(reason) => write!(to, "“{name}” does not fit: {reason}."),
         }
     }
 }
 
-/// What a robot with these devices lacks to run a behaviour, in file order; nothing if it can run it.
+/// What a robot with these devices lacks to run a behaviour, in file order; nothing if it can run it. It says of those that
+/// it lacks why.
 #[must_use]
-pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D]) -> Vec<Missing> {
+pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D], lacking: &[Lacking]) -> Vec<Missing> {
+    let why = |name: &str| lacking.iter().find(|one| one.device == name).map(|one| one.why.clone());
     let mut found = Vec::new();
     for (id, stream) in behaviour.streams_in_order() {
         let why = match (stream.kind, &stream.device) {
             (StreamKind::Ordinary, _) => None,
             (_, None) => Some(Why::NotChosen),
             (_, Some(name)) if !devices.iter().any(|device| device.as_ref() == name) => {
-                Some(Why::NotThere(name.clone()))
+                Some(Why::NotThere(name.clone(), why(name)))
             }
             (kind, Some(name)) => {
                 let checked = device(kind, name).and_then(|device| device.check(&stream.params));
@@ -60,7 +65,7 @@ pub fn missing<D: AsRef<str>>(behaviour: &Behaviour, devices: &[D]) -> Vec<Missi
 
 #[cfg(test)]
 mod tests {
-    use super::missing;
+    use super::{Lacking, missing};
     use behaviour::{Behaviour, Id, Kind, Params, Record, RecordId, Stream, StreamKind, Value};
 
     fn behaviour(devices: &[(StreamKind, Option<&str>, Params)]) -> Behaviour {
@@ -85,10 +90,13 @@ mod tests {
             (StreamKind::Actuator, Some("Tracker"), odd),
             (StreamKind::Actuator, None, Params::new()),
         ]);
-        let said: Vec<_> = missing(&made, &["RedBall", "Tracker"]).iter().map(ToString::to_string).collect();
+        let said: Vec<_> = missing(&made, &["RedBall", "Tracker"], &[]).iter().map(ToString::to_string).collect();
         assert_eq!(said[0], "“S1” needs Sonar, which this robot does not have.");
         assert!(said[1].starts_with("“S3” does not fit: Tracking mode must be one of:"), "{}", said[1]);
         assert_eq!(said[2..], ["“S4” has no device yet. Choose one."]);
+        let sonar = Lacking { device: "Sonar".into(), why: "it has no sonars".into() };
+        let said = missing(&made, &["RedBall", "Tracker"], &[sonar])[0].to_string();
+        assert_eq!(said, "“S1” needs Sonar, which this robot does not have: it has no sonars.");
     }
 
     #[test]
@@ -97,6 +105,6 @@ mod tests {
             (StreamKind::Sensor, Some("RedBall"), Params::new()),
             (StreamKind::Actuator, Some("Tracker"), Params::new()),
         ]);
-        assert!(missing(&made, &["RedBall", "Tracker"]).is_empty());
+        assert!(missing(&made, &["RedBall", "Tracker"], &[]).is_empty());
     }
 }

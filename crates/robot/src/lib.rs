@@ -4,6 +4,7 @@
 
 mod catalogue;
 mod condition;
+mod describe;
 mod devices;
 mod fault;
 mod fits;
@@ -16,11 +17,12 @@ pub use catalogue::{
     Device, Example, Field, NextStep, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
 pub use condition::{Condition, Control, Lacking, Life};
+pub use describe::catalogue_lines;
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
-pub use scene::{Ball, Body, JOINTS, Person, Scene, SceneEdit};
+pub use scene::{Ball, Body, JOINTS, Landmark, Obstacle, Person, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
 
 use behaviour::{Id, Params, Value};
 use serde::{Deserialize, Serialize};

@@ -35,7 +35,7 @@ pub const JOINTS: [&str; 26] = [
 
 /// Everything in the room at one moment.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[serde(rename_all = "camelCase", default)]
 pub struct Scene {
     /// Robot time in milliseconds.
     pub at_ms: u64,
@@ -45,11 +45,15 @@ pub struct Scene {
     pub balls: Vec<Ball>,
     /// The people.
     pub people: Vec<Person>,
+    /// What stands in the way.
+    pub obstacles: Vec<Obstacle>,
+    /// The printed marks.
+    pub landmarks: Vec<Landmark>,
 }
 
 /// The robot's body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase")]
+#[serde(rename_all = "camelCase", default)]
 pub struct Body {
     /// Where it stands: x and y in metres, heading in radians, left positive.
     pub base: [f32; 3],
@@ -69,8 +73,85 @@ pub struct Body {
     pub gaze_half: f32,
     /// The hands in the room, left then right: x, y, z.
     pub hands: [[f32; 3]; 2],
-    /// Whether the head is being touched.
-    pub head_touched: bool,
+    /// How high the middle of the torso is above the floor, in metres, and how far it leans ahead, in radians.
+    pub torso: [f32; 2],
+    /// Where it is being touched or pressed, in the order of [`Touchable::ALL`].
+    pub touched: Vec<Touchable>,
+    /// How full the battery is, in percent; 0 if that is not known.
+    pub battery: u8,
+    /// Whether it is on the cable.
+    pub plugged: bool,
+    /// Its posture, in the families of NAOqi: "Standing", "Crouching", "Sitting", "LyingBelly", or "Unknown" between them.
+    pub posture: String,
+    /// Whether it lies where it fell.
+    pub fallen: bool,
+    /// The gesture and the sounds that it plays, for people; empty when it plays nothing: "waving, beep".
+    pub playing: String,
+    /// The words that it heard last; empty before any.
+    pub heard: String,
+}
+
+/// Where a NAO feels a touch: three fields on the head, three on each hand, and a bumper on each foot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Touchable {
+    /// The front of the head.
+    HeadFront,
+    /// The middle of the head.
+    HeadMiddle,
+    /// The rear of the head.
+    HeadRear,
+    /// The back of the left hand.
+    HandLeftBack,
+    /// The left side of the left hand.
+    HandLeftLeft,
+    /// The right side of the left hand.
+    HandLeftRight,
+    /// The back of the right hand.
+    HandRightBack,
+    /// The left side of the right hand.
+    HandRightLeft,
+    /// The right side of the right hand.
+    HandRightRight,
+    /// The bumper of the left foot.
+    BumperLeft,
+    /// The bumper of the right foot.
+    BumperRight,
+}
+
+impl Touchable {
+    /// All of them, from the head down.
+    pub const ALL: [Self; 11] = [
+        Self::HeadFront,
+        Self::HeadMiddle,
+        Self::HeadRear,
+        Self::HandLeftBack,
+        Self::HandLeftLeft,
+        Self::HandLeftRight,
+        Self::HandRightBack,
+        Self::HandRightLeft,
+        Self::HandRightRight,
+        Self::BumperLeft,
+        Self::BumperRight,
+    ];
+
+    /// What people call it.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::HeadFront => "front of the head",
+            Self::HeadMiddle => "middle of the head",
+            Self::HeadRear => "rear of the head",
+            Self::HandLeftBack => "back of the left hand",
+            Self::HandLeftLeft => "left side of the left hand",
+            Self::HandLeftRight => "right side of the left hand",
+            Self::HandRightBack => "back of the right hand",
+            Self::HandRightLeft => "left side of the right hand",
+            Self::HandRightRight => "right side of the right hand",
+            Self::BumperLeft => "bumper of the left foot",
+            Self::BumperRight => "bumper of the right foot",
+        }
+    }
 }
 
 /// A ball.
@@ -93,7 +174,7 @@ pub struct Ball {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct Person {
-    /// The person's name for [`SceneEdit`]: `person`.
+    /// The person's name for [`SceneEdit`]: `person`, `friend`.
     pub id: String,
     /// Feet: x and y.
     pub at: [f32; 2],
@@ -104,6 +185,42 @@ pub struct Person {
     /// Whether the robot has learned the face.
     pub known: bool,
     /// Whether the person is in the room.
+    pub present: bool,
+}
+
+/// A box that stands in the way, its sides along the walls.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Obstacle {
+    /// Its name for [`SceneEdit`]: `box`, `block`.
+    pub id: String,
+    /// Its colour: `red`, `green`, `blue` or `grey`.
+    pub color: String,
+    /// Its middle on the floor.
+    pub at: [f32; 2],
+    /// How long it is along x and y, and how high, in metres.
+    pub size: [f32; 3],
+    /// Whether it is in the room.
+    pub present: bool,
+}
+
+/// A printed mark with a number, upright.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Landmark {
+    /// Its name for [`SceneEdit`]: `mark64`, `mark80`.
+    pub id: String,
+    /// Its number.
+    pub number: u16,
+    /// Its middle.
+    pub at: [f32; 3],
+    /// Where its front looks: a heading in radians, 0 along x, left positive.
+    pub facing: f32,
+    /// Its radius in metres.
+    pub radius: f32,
+    /// Whether the robot sees it well enough to read it now.
+    pub seen: bool,
+    /// Whether it is in the room.
     pub present: bool,
 }
 
@@ -125,18 +242,77 @@ pub enum SceneEdit {
         /// Feet in metres.
         at: [f32; 2],
     },
-    /// Brings a person in or sends them out.
+    /// Moves what stands in the way.
+    MoveObstacle {
+        /// Which.
+        id: String,
+        /// Its middle on the floor in metres; clamped to the room.
+        at: [f32; 2],
+    },
+    /// Moves a printed mark.
+    MoveLandmark {
+        /// Which.
+        id: String,
+        /// Its middle in metres; clamped to the room.
+        at: [f32; 3],
+        /// Where its front looks: a heading in radians.
+        facing: f32,
+    },
+    /// Brings a person, an obstacle or a printed mark in, or sends it out.
     SetPresent {
-        /// Who.
+        /// Who or which.
         id: String,
         /// In the room or not.
         present: bool,
     },
-    /// Touches the head or lets go.
-    TouchHead {
+    /// Touches the robot somewhere, or lets go.
+    Touch {
+        /// Where.
+        part: Touchable,
         /// Down or up.
         down: bool,
     },
+    /// Somebody says something: the nearest person, or somebody a metre ahead if nobody is there.
+    Speak {
+        /// The words, at most [`SPOKEN_MAX_CHARS`] characters.
+        words: String,
+    },
+    /// A loud noise, like clapping.
+    Noise {
+        /// Where, in metres; clamped to the room.
+        at: [f32; 3],
+    },
+    /// Makes the battery so full.
+    SetBattery {
+        /// From 0 to 100 percent.
+        percent: u8,
+    },
+    /// Puts the robot on the cable, or takes it off.
+    Plug {
+        /// On the cable or not.
+        plugged: bool,
+    },
+    /// Pushes the robot over: it falls ahead.
+    Push,
+    /// Helps the robot up after a fall.
+    HelpUp,
     /// Everything as it was at first, the robot included.
     Reset,
+}
+
+/// The longest that somebody says at once in [`SceneEdit::Speak`], in characters.
+pub const SPOKEN_MAX_CHARS: usize = 200;
+
+#[cfg(test)]
+mod tests {
+    use super::Touchable;
+
+    #[test]
+    fn what_can_be_touched_is_told_apart_in_words_and_listed_in_order() {
+        assert!(Touchable::ALL.is_sorted());
+        let mut words = Touchable::ALL.map(Touchable::words).to_vec();
+        words.sort_unstable();
+        words.dedup();
+        assert_eq!(words.len(), Touchable::ALL.len());
+    }
 }

@@ -3,6 +3,7 @@
 mod bench;
 mod check;
 mod data_folder;
+mod devices;
 mod export;
 mod failure;
 mod import;
@@ -13,6 +14,7 @@ mod load;
 mod log;
 mod page;
 mod replay;
+mod robot;
 mod serve;
 mod store_at;
 mod words;
@@ -40,9 +42,11 @@ struct Line {
 enum What {
     Serve(serve::ServeArgs),
     Shell(ShellArgs),
+    Robot(robot::RobotArgs),
     Replay(replay::ReplayArgs),
     Bench(bench::BenchArgs),
     Load(load::LoadArgs),
+    Devices(devices::DevicesArgs),
     Export(export::ExportArgs),
     Import(import::ImportArgs),
     Check(check::CheckArgs),
@@ -66,10 +70,12 @@ const EXAMPLES: &str = "Examples:
   rrp serve                            serve on this computer, on http://127.0.0.1:7130/
   rrp serve --listen 127.0.0.1:0       on a free port
   rrp shell                            look around and start behaviours from a terminal
+  rrp robot add NAO --address nao.local
   rrp replay --behaviour tracking.json --trace morning.jsonl
   rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000
   rrp export \"Track far and close balls\" --format xml --out tracking.xml
   rrp import tracking.xml              bring a behaviour in, as a copy
+  rrp devices                          what robots can sense and do
   rrp check tracking.xml               look what is wrong with a file
   rrp backup monday.rrpbackup          keep everything in one file";
 
@@ -77,9 +83,11 @@ fn main() -> ExitCode {
     match Line::parse().what {
         What::Serve(args) => serve::serve(args),
         What::Shell(args) => console(&args.url),
+        What::Robot(args) => robot::robot(&args),
         What::Replay(args) => replay::replay(&args),
         What::Bench(args) => bench::bench(&args),
         What::Load(args) => load::load(&args),
+        What::Devices(args) => devices::devices(&args),
         What::Export(args) => ended(export::export(&args)),
         What::Import(args) => import::import(&args),
         What::Check(args) => check::check(&args),

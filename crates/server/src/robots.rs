@@ -11,6 +11,7 @@ mod host;
 mod live;
 mod mailbox;
 mod order;
+pub(crate) mod real;
 pub(crate) mod refusal;
 mod register;
 mod robot_thread;
@@ -37,10 +38,10 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{Id, Value};
 use engine::Limits;
 use order::Order;
-use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, Refused, RobotState, RunState};
+use protocol::{MARK_MAX_CHARS, ROBOTS_MAX, RealRobot, Refused, RobotState, RunState};
 use refusal::RobotsUnchanged;
 use register::{Known, Register};
-use robot::{Health, SceneEdit};
+use robot::SceneEdit;
 use settling::Settling;
 use status_feed::StatusFeed;
 use std::path::{Path, PathBuf};
@@ -82,17 +83,17 @@ impl Robots {
         Ok(Self { fleet, settling })
     }
 
-    /// Adds a simulated robot; asked twice with the same id, it adds one.
+    /// Adds a robot, simulated or real; asked twice with the same id, it adds one.
     ///
     /// # Errors
     /// Why there cannot be another one. Waits for the disk.
-    pub(crate) fn add(&self, robot: &Id, name: &str) -> Result<(), Refused> {
+    pub(crate) fn add(&self, robot: &Id, name: &str, real: Option<RealRobot>) -> Result<(), Refused> {
         let fleet = &self.fleet;
         let mut register = lock(&fleet.register);
         if register.known().iter().any(|known| known.robot == *robot) {
             return Ok(());
         }
-        let known = register.newcomer(robot, name).map_err(RobotsUnchanged::not_added)?;
+        let known = register.newcomer(robot, name, real).map_err(RobotsUnchanged::not_added)?;
         if register.known().len() >= ROBOTS_MAX {
             return Err(RobotsUnchanged::TooMany.not_added());
         }
@@ -100,6 +101,18 @@ impl Robots {
         register.add(known.clone()).map_err(unkept)?;
         let host = fleet.host(&known).inspect_err(|_| drop(register.remove(robot))).map_err(unkept)?;
         lock(&fleet.hosts).push(host);
+        Ok(())
+    }
+
+    /// Gives a robot another name.
+    ///
+    /// # Errors
+    /// Why it keeps the old one. Waits for the disk.
+    pub(crate) fn rename(&self, robot: &Id, name: &str) -> Result<(), Refused> {
+        let mut register = lock(&self.fleet.register);
+        self.meant(Some(robot))?;
+        let name = register.rename(robot, name).map_err(RobotsUnchanged::stays)?;
+        self.fleet.feed.edit(robot, |state| state.name = name);
         Ok(())
     }
 
@@ -254,10 +267,13 @@ impl Robots {
 impl Fleet {
     /// A robot of the register, on a thread of its own.
     fn host(&self, known: &Known) -> std::io::Result<Host> {
-        let (robot, name, kind) = (known.robot.clone(), known.name.clone(), "nao".to_owned());
-        let state = RobotState { robot, name, kind, health: Health::Connecting, devices: Vec::new() };
-        let (order, seed) = (Order::within(self.data.as_deref(), &known.robot), known.seed);
-        let make: robot_thread::Make = Box::new(move || Box::new(simulated::nao(seed)));
+        let address = known.real.as_ref().map(|real| real.address.clone());
+        let state = RobotState { address, ..RobotState::connecting(known.robot.clone(), known.name.clone()) };
+        let (order, known) = (Order::within(self.data.as_deref(), &known.robot), known.clone());
+        let make: robot_thread::Make = Box::new(move || match &known.real {
+            Some(real) => Box::new(real::nao(&known.robot, real)),
+            None => Box::new(simulated::nao(known.seed)),
+        });
         Host::new(state, self.feed.clone(), make, Limits::default, self.recordings.clone(), order)
     }
 }

@@ -10,7 +10,7 @@ use crate::rooms::knowledge::Unchecked;
 use crate::serve::ServeError;
 use behaviour::BODY_MAX_CHARS;
 use engine::Fault;
-use protocol::{MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
+use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, MARK_MAX_CHARS, ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
 use std::fmt;
 use store::files::FILE_MAX_BYTES;
 
@@ -171,6 +171,7 @@ impl fmt::Display for RunFailure {
             Self::Late => write!(to, "{}", NoRun::Late),
             Self::NotFollowed => to.write_str("it could not go on with what was applied; start it again"),
             Self::Robot => to.write_str("the robot failed and is started again"),
+            Self::Halt(reason) => write!(to, "{reason}; look after the robot, then press Start again"),
             Self::Inside => inside(to),
         }
     }
@@ -181,6 +182,12 @@ impl fmt::Display for RobotsUnchanged {
         match self {
             Self::Nameless => to.write_str("it needs a name of letters and digits, all of which are seen"),
             Self::LongName => write!(to, "its name may have {ROBOT_NAME_MAX_CHARS} characters"),
+            Self::Address => write!(
+                to,
+                "it needs an address: its name or number in the network, like “nao.local” or “192.168.1.7”, of at \
+                 most {ADDRESS_MAX_CHARS} characters"
+            ),
+            Self::LongLogin => write!(to, "its user name and password may have {LOGIN_MAX_CHARS} characters"),
             Self::TooMany => write!(to, "there are {ROBOTS_MAX} already; remove one first"),
             Self::NewUnkept(error) => write!(to, "it could not be kept ({error})"),
             Self::OnlyOne => to.write_str("it is the only one"),

@@ -4,12 +4,15 @@ mod add_robot;
 mod apply;
 mod below;
 mod can_run;
+mod check_robot;
 mod connect;
 mod contested;
+mod control;
 mod dead_streams;
 mod disconnect;
 mod drivers_of;
 mod exit;
+mod find_robots;
 mod load_program;
 mod load_stream;
 mod mark;
@@ -18,6 +21,7 @@ mod record;
 mod recordings;
 mod remove_recording;
 mod remove_robot;
+mod rename_robot;
 mod show_commands;
 mod show_in_ops;
 mod show_in_streams;
@@ -62,7 +66,13 @@ pub(crate) const ALL: &[&Command] = &[
     &show_robots::COMMAND,
     &use_robot::COMMAND,
     &add_robot::COMMAND,
+    &check_robot::COMMAND,
+    &find_robots::COMMAND,
+    &rename_robot::COMMAND,
     &remove_robot::COMMAND,
+    &control::TAKE,
+    &control::GIVE_BACK,
+    &control::REST,
     &record::COMMAND,
     &mark::COMMAND,
     &recordings::COMMAND,

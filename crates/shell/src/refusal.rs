@@ -28,6 +28,10 @@ pub(crate) enum NotDone {
     NoAnswer(Answer),
     /// The robot to add has no name.
     NoRobotName,
+    /// The robot to add cannot be reached; with a sentence that says why.
+    NotReached(String),
+    /// A robot should have another name, and it is not said which.
+    NoNewName,
     /// It is said neither up nor down.
     NoWay,
     /// What is called so cannot be moved further.
@@ -57,6 +61,10 @@ pub(crate) enum Answer {
     Uses,
     /// The recordings.
     Recordings,
+    /// Whether a robot can be reached.
+    Check,
+    /// Robots in the network.
+    Found,
 }
 
 /// Why no one thing is meant by a name.

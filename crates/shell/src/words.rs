@@ -53,7 +53,9 @@ impl fmt::Display for NotDone {
             Self::NoProgram => to.write_str("No program is loaded. Type “load program NAME” first."),
             Self::NoStream => to.write_str("No stream is loaded. Type “load stream NAME” first."),
             Self::NoAnswer(wanted) => write!(to, "{wanted} Try again."),
-            Self::NoRobotName => to.write_str("Type “add robot NAME”."),
+            Self::NoRobotName => to.write_str("Type “add robot NAME”, or “add robot NAME at ADDRESS” for a real one."),
+            Self::NotReached(why) => write!(to, "The robot was not added. {why}"),
+            Self::NoNewName => to.write_str("Type “rename robot NAME to NEW”."),
             Self::NoWay => to.write_str("Type “order NAME up” or “order NAME down”."),
             Self::There(name) => write!(to, "{name} is there already."),
             Self::NeitherOnNorOff => to.write_str("Type “record on” or “record off”."),
@@ -72,6 +74,8 @@ impl fmt::Display for Answer {
             Self::Actions => "The server gave no actions.",
             Self::Programs => "The server gave no programs.",
             Self::Uses => "The server gave no uses.",
+            Self::Check => "The server did not say how the robot is.",
+            Self::Found => "The server gave no robots.",
             Self::Recordings => "The server did not answer with a list.",
         })
     }

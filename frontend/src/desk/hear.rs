@@ -67,6 +67,8 @@ impl Desk {
             | Reply::History { .. }
             | Reply::At { .. }
             | Reply::Invited { .. }
+            | Reply::RobotChecked { .. }
+            | Reply::FoundRobots { .. }
             | Reply::Done
             | Reply::No { .. } => {}
         }

@@ -55,6 +55,10 @@ pub(crate) enum Dialog {
     Problems,
     /// Adding a simulated robot.
     AddRobot,
+    /// Adding a real robot.
+    AddRealRobot,
+    /// Giving the robot that this tab looks at another name.
+    RenameRobot,
     /// Removing the robot that this tab looks at.
     RemoveRobot,
     /// What others see as one's name.

@@ -12,6 +12,7 @@ mod operation;
 mod other;
 mod people;
 mod programs;
+mod real_robot;
 mod save_file;
 mod sensors;
 mod stream;
@@ -70,8 +71,8 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::AddProgram
         | Dialog::RemoveProgram
         | Dialog::RenameProgram => Role::Editor,
-        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RemoveRobot => Role::Operator,
-        Dialog::Invite => Role::Host,
+        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot => Role::Operator,
+        Dialog::Invite | Dialog::AddRealRobot => Role::Host,
         Dialog::Operation { connector: Some(_), .. }
         | Dialog::EditStream(_)
         | Dialog::Helper(Some(_))
@@ -102,6 +103,8 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::RemoveProgram => view! { <names::RemoveProgram /> }.into_any(),
         Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),
         Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
+        Dialog::AddRealRobot => view! { <real_robot::AddReal /> }.into_any(),
+        Dialog::RenameRobot => view! { <names::RenameRobot /> }.into_any(),
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::People => view! { <people::People /> }.into_any(),

@@ -101,7 +101,7 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
         desk.document.stream_ids.track();
         let robot = desk.robots.chosen.get()?;
         let is_known = !robot.devices.is_empty() && !desk.document.stream_ids.read().is_empty();
-        is_known.then(|| robot::missing(&desk.document.behaviour(), &robot.devices))
+        is_known.then(|| robot::missing(&desk.document.behaviour(), &robot.devices, &robot.lacking))
     });
     let line = move |missing: Missing| {
         let (text, id) = (missing.to_string(), missing.stream);

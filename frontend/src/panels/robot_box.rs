@@ -1,5 +1,7 @@
 //! The robot box: lamp, name, Start, the gap where Stop stands, and one line about what runs.
 
+use super::buttons::Buttons;
+use super::condition::Lights;
 use super::hold::{Hold, hold};
 use super::recordings::{RecordRow, Recordings};
 use super::robots::RobotPicker;
@@ -19,6 +21,8 @@ pub(crate) fn RobotBox() -> impl IntoView {
             <Head />
             <div class="start-row"><Start /></div>
             <Line />
+            <Lights />
+            <Buttons />
             <Running />
             <RecordRow />
             <Recordings />
@@ -150,7 +154,7 @@ fn Line() -> impl IntoView {
     let text = move || match (running.get(), older.get()) {
         (Some(_), Some(runs)) => words::running_older(runs, desk.desk().document.revision.get()),
         (Some(revision), None) => words::running_here(revision),
-        (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_default(),
+        (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_else(|| starts(desk)),
     };
     let unheard = move || desk.desk().unheard.get();
     let heard = Memo::new(move |_| unheard().is_none());
@@ -169,6 +173,11 @@ fn Line() -> impl IntoView {
             </Show>
         </p>
     }
+}
+
+/// What Start runs, and on which robot. Reactive.
+fn starts(desk: Hold) -> String {
+    words::starts_on(&desk.desk().robots.name(), desk.desk().document.revision.get())
 }
 
 /// How the last run of this program ended, or what else runs. Reactive.

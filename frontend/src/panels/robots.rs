@@ -7,7 +7,8 @@ use super::robot_box::lamp_words;
 use crate::desk::Dialog;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{ROBOTS_MAX, RobotState, RunPhase};
+use protocol::{ROBOTS_MAX, RobotState, Role, RunPhase};
+use robot::{Control, Life};
 
 /// The name of the robot, and the others behind it.
 #[component]
@@ -43,10 +44,38 @@ fn Items() -> impl IntoView {
         <div class="menu-rule" role="separator"></div>
         {move || {
             let is_full = count() >= ROBOTS_MAX || !may_operate(desk);
-            view! { <MenuItem label=words::add_robot() icon="plus" disabled=is_full choose=opens(Dialog::AddRobot) /> }
+            let only_host = desk.desk().may_not(Role::Host).is_some();
+            view! {
+                <MenuItem label=words::add_real() icon="plus" disabled=is_full || only_host choose=opens(Dialog::AddRealRobot) />
+                <MenuItem label=words::add_robot() icon="plus" disabled=is_full choose=opens(Dialog::AddRobot) />
+                <MenuItem label=words::rename() icon="pencil" disabled=untrack(|| !may_operate(desk)) choose=opens(Dialog::RenameRobot) />
+            }
         }}
+        <Controls />
         {others}
     }
+}
+
+/// Who has the robot.
+#[component]
+fn Controls() -> impl IntoView {
+    let desk = hold();
+    let item = move |control: Control| {
+        let (label, icon) = match control {
+            Control::Take => (words::take_control(), "user"),
+            Control::GiveBack => (words::give_back(), "undo"),
+            Control::Rest => (words::rest(), "down"),
+        };
+        let choose = Callback::new(move |()| desk.desk().robots.control(control));
+        view! { <MenuItem label icon disabled=untrack(|| !may_operate(desk)) choose /> }
+    };
+    let shown = move || {
+        let condition = desk.desk().robots.chosen.read().as_ref().map(|robot| robot.condition.clone())?;
+        let is_ours = condition.awake? && condition.life == Some(Life::Disabled);
+        let controls: &[Control] = if is_ours { &[Control::Rest, Control::GiveBack] } else { &[Control::Take] };
+        Some(controls.iter().map(|control| item(*control)).collect_view())
+    };
+    view! { <div class="menu-rule" role="separator"></div> {shown} }
 }
 
 fn item(desk: Hold, robot: RobotState) -> impl IntoView {
@@ -54,7 +83,9 @@ fn item(desk: Hold, robot: RobotState) -> impl IntoView {
     let runs = runs.iter().filter(|run| run.robot == robot.robot && run.phase == RunPhase::Running);
     let runs: Vec<_> = runs.map(|run| run.name.clone()).collect();
     let (lamp, how) = lamp_words(&robot.health);
-    let note = if runs.is_empty() { how } else { words::runs_names(&runs.join(", ")) };
+    let mut notes = vec![if runs.is_empty() { how } else { words::runs_names(&runs.join(", ")) }];
+    notes.extend(words::condition(&robot.condition).into_iter().map(|(_, words)| words));
+    let note = notes.join(" · ");
     let here = desk.desk().robots.chosen_id().as_ref() == Some(&robot.robot);
     let id = robot.robot;
     let choose = Callback::new(move |()| desk.desk().robots.choose(&id));

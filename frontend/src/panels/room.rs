@@ -3,6 +3,8 @@
 mod map;
 mod movable;
 mod picture;
+mod speak;
+mod things;
 mod tools;
 
 use super::hold::hold;
@@ -42,12 +44,17 @@ pub(crate) fn Room() -> impl IntoView {
             <svg viewBox=map::VIEW_BOX node_ref=svg role="group" aria-label=words::room_picture()>
                 <picture::Floor map />
                 <picture::Robot map />
+                <things::Obstacles map held svg />
+                <things::Landmarks map held svg />
                 <People map held svg />
                 <Balls map held svg />
             </svg>
             <tools::Bubble />
         </section>
-        <tools::Tools />
+        <Show when=move || desk.desk().robots.is_simulated()>
+            <tools::Tools />
+            <speak::Speak />
+        </Show>
         <tools::Printed />
     }
 }

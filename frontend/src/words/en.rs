@@ -5,12 +5,14 @@ mod history;
 mod invite;
 mod locks;
 mod people;
+mod robots;
 
 pub(crate) use conflicts::*;
 pub(crate) use history::*;
 pub(crate) use invite::*;
 pub(crate) use locks::*;
 pub(crate) use people::*;
+pub(crate) use robots::*;
 
 use crate::desk::NotBrought;
 use crate::fields::Unfilled;
@@ -96,7 +98,6 @@ sentences! {
     person: "Person";
     person_known: "Person it knows";
     move_hint: "Arrow keys move it by 5 centimetres, Page Up and Page Down lift and lower it.";
-    touch_head: "Touch head";
     touch: "Touch";
     person_in: "Person in";
     person_out: "Person out";

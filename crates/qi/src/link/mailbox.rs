@@ -9,12 +9,15 @@ use tokio::sync::Notify;
 use crate::locked::locked;
 use crate::value::Value;
 
+/// How many bytes of events may wait for one subscriber; the newest event waits whatever its size.
+pub const WAITING_MAX_BYTES: usize = 32 << 20;
+
 /// What a subscriber wants to see of events that come faster than it takes them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Keep {
     /// The newest one only.
     Newest,
-    /// All, up to so many that wait (at least 1); beyond them the oldest is lost and counted.
+    /// All, up to so many that wait (at least 1) and [`WAITING_MAX_BYTES`]; beyond them the oldest is lost and counted.
     All(usize),
 }
 
@@ -45,8 +48,17 @@ pub(super) struct Mailbox {
 #[derive(Debug, Default)]
 struct Waiting {
     letters: VecDeque<Letter>,
+    bytes: usize,
     lost: u64,
     closed: bool,
+}
+
+impl Waiting {
+    fn next(&mut self) -> Option<Letter> {
+        let letter = self.letters.pop_front()?;
+        self.bytes -= letter.payload.len();
+        Some(letter)
+    }
 }
 
 impl Mailbox {
@@ -60,10 +72,14 @@ impl Mailbox {
 
     pub(super) fn put(&self, letter: Letter) {
         let mut waiting = locked(&self.waiting);
-        if waiting.letters.len() >= self.capacity {
-            waiting.letters.pop_front();
+        let bytes = letter.payload.len();
+        while waiting.letters.len() >= self.capacity || waiting.bytes + bytes > WAITING_MAX_BYTES {
+            if waiting.next().is_none() {
+                break;
+            }
             waiting.lost += 1;
         }
+        waiting.bytes += bytes;
         waiting.letters.push_back(letter);
         drop(waiting);
         self.arrived.notify_one();
@@ -81,7 +97,7 @@ impl Mailbox {
 
     fn taken(&self) -> Option<Option<Letter>> {
         let mut waiting = locked(&self.waiting);
-        match waiting.letters.pop_front() {
+        match waiting.next() {
             Some(letter) => Some(Some(letter)),
             None => waiting.closed.then_some(None),
         }
@@ -94,5 +110,23 @@ impl Mailbox {
     pub(super) fn close(&self) {
         locked(&self.waiting).closed = true;
         self.arrived.notify_one();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Keep, Letter, Mailbox, WAITING_MAX_BYTES};
+    use std::time::Instant;
+
+    #[tokio::test]
+    async fn large_events_make_way_for_newer_ones() {
+        let mailbox = Mailbox::new(Keep::All(1_000));
+        let large = |byte: u8, bytes: usize| Letter { flags: 0, payload: vec![byte; bytes].into(), at: Instant::now() };
+        for byte in 0..20 {
+            mailbox.put(large(byte, WAITING_MAX_BYTES / 4));
+        }
+        assert_eq!((mailbox.lost(), mailbox.take().await.unwrap().payload[0]), (16, 16));
+        mailbox.put(large(99, WAITING_MAX_BYTES + 1));
+        assert_eq!((mailbox.lost(), mailbox.take().await.unwrap().payload[0]), (19, 99));
     }
 }

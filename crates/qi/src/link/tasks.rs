@@ -87,16 +87,18 @@ impl Shared {
 
 pub(super) async fn write(shared: Arc<Shared>, to: impl AsyncWrite + Unpin, waiting: mpsc::Receiver<Vec<u8>>) {
     let ending = tokio::select! {
-        ending = write_all(to, waiting) => ending,
+        ending = write_all(&shared, to, waiting) => ending,
         ending = shared.ended() => ending,
     };
     shared.end(ending);
 }
 
-async fn write_all(mut to: impl AsyncWrite + Unpin, mut waiting: mpsc::Receiver<Vec<u8>>) -> Ending {
+async fn write_all(shared: &Shared, mut to: impl AsyncWrite + Unpin, mut waiting: mpsc::Receiver<Vec<u8>>) -> Ending {
     let mut frames = Vec::with_capacity(TOGETHER_MAX_FRAMES);
     while waiting.recv_many(&mut frames, TOGETHER_MAX_FRAMES).await > 0 {
+        let bytes = frames.iter().map(Vec::len).sum();
         let result = write_some(&mut to, &mut frames).await;
+        shared.written(bytes);
         if let Err(error) = result {
             return Ending::Io(error.kind());
         }

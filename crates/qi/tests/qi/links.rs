@@ -150,3 +150,14 @@ async fn listeners_are_told_of_the_end_after_what_came() {
     let nothing = thing.subscribe("nothing", Keep::Newest).await.unwrap_err();
     assert_eq!(nothing.to_string(), "Thing has no signal nothing");
 }
+
+#[tokio::test]
+async fn what_a_stuck_peer_does_not_read_is_bounded_in_bytes() {
+    let (here, _stuck) = tokio::io::duplex(1_024);
+    let link = qi::Link::over(here);
+    let target = qi::Target { service: 1, object: 1, action: 100 };
+    let post = || link.post(target, 0, vec![0; 2 << 20]);
+    let fit = (0..64).take_while(|_| post().is_ok()).count();
+    assert_eq!(fit, qi::QUEUE_MAX_BYTES / (2 << 20) - 1, "with their headers");
+    assert!(matches!(post(), Err(QiError::Busy { limit: qi::QUEUE_MAX_BYTES, .. })));
+}

@@ -5,7 +5,7 @@ use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::page::Page;
 use super::stop::StopTarget;
-use super::{come_in, cut, page, recordings, transfer, upload};
+use super::{catalogue, come_in, cut, page, recordings, transfer, upload};
 use crate::connection::{Connections, session};
 use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
@@ -91,6 +91,8 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::ComeInStyle => get(|| async { come_in::style() }),
         Route::ComeInScript => get(|| async { come_in::script() }),
         Route::Socket => any(socket),
+        Route::Catalogue => get(|| async { catalogue::page() }),
+        Route::CatalogueStyle => get(|| async { catalogue::style() }),
         Route::Health => get(|| async { "ok\n" }),
         Route::Ready => get(readyz),
         Route::List => get(list).layer(few_at_once),

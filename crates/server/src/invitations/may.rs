@@ -44,11 +44,15 @@ pub(crate) enum Route {
     Import,
     /// Stop.
     Stop,
+    /// What robots can sense and do.
+    Catalogue,
+    /// How that page looks.
+    CatalogueStyle,
 }
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 14] = [
+    pub(crate) const ALL: [Self; 16] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
@@ -63,6 +67,8 @@ impl Route {
         Self::Recording,
         Self::Import,
         Self::Stop,
+        Self::Catalogue,
+        Self::CatalogueStyle,
     ];
 
     /// Its path; none for the page, which is what is left.
@@ -82,6 +88,8 @@ impl Route {
             Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
             Self::Import => "/api/import",
             Self::Stop => STOP_PATH,
+            Self::Catalogue => "/catalogue",
+            Self::CatalogueStyle => "/catalogue.css",
         };
         Some(path.to_owned())
     }
@@ -105,6 +113,8 @@ fn of_route(route: Route) -> Least {
         | Route::Download
         | Route::Recordings
         | Route::Recording
+        | Route::Catalogue
+        | Route::CatalogueStyle
         | Route::Stop => Least::In(Role::Viewer),
         Route::Backup | Route::Import => Least::In(Role::Editor),
     }
@@ -141,8 +151,12 @@ fn of_request(request: &Request) -> Role {
         | Request::EndRecording { .. }
         | Request::RemoveRecording { .. }
         | Request::Place { .. }
-        | Request::AddRobot { .. }
+        | Request::AddRobot { real: None, .. }
+        | Request::RenameRobot { .. }
+        | Request::ControlRobot { .. }
         | Request::RemoveRobot { .. } => Role::Operator,
+        // What reaches out into the network from this computer.
+        Request::AddRobot { real: Some(_), .. } | Request::CheckRobot { .. } | Request::FindRobots => Role::Host,
         // Behaviours.
         Request::Create { .. }
         | Request::Remove { .. }

@@ -2,12 +2,12 @@
 
 use super::order::{ORDER_MAX, Order};
 use super::refusal::BackupMisfit;
-use super::register::{Known, Register};
+use super::register::{Known, Register, check_real};
 use behaviour::Id;
-use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX};
+use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, RealRobot};
 use std::collections::BTreeSet;
 use std::path::Path;
-use store::backup::Robot;
+use store::backup::{Reached, Robot};
 
 /// The seed that is written for the first robot while nothing else about it was ever kept.
 const SEED: u64 = 1;
@@ -22,7 +22,24 @@ pub fn robots_in(data: &Path) -> Vec<Robot> {
 
 fn robot(data: &Path, known: &Known) -> Robot {
     let order = Order::within(Some(data), &known.robot).list();
-    Robot { id: known.robot.clone(), name: known.name.clone(), seed: known.seed, order }
+    Robot {
+        id: known.robot.clone(),
+        name: known.name.clone(),
+        seed: known.seed,
+        real: known.real.as_ref().map(reached),
+        order,
+    }
+}
+
+fn reached(real: &RealRobot) -> Reached {
+    let RealRobot { address, user, fingerprint, password: _ } = real.clone();
+    Reached { address, user, fingerprint }
+}
+
+/// Its password has to be given again.
+fn real(reached: &Reached) -> RealRobot {
+    let Reached { address, user, fingerprint } = reached.clone();
+    RealRobot { address, user, password: None, fingerprint }
 }
 
 /// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early.
@@ -32,7 +49,8 @@ fn robot(data: &Path, known: &Known) -> Robot {
 pub fn check_robots(data: &Path, robots: &[Robot]) -> Result<(), BackupMisfit> {
     let ids: BTreeSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
     let is_named = |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count());
-    let fits = |robot: &Robot| is_named(robot) && robot.order.len() <= ORDER_MAX;
+    let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(|reached| check_real(&real(reached)).is_ok());
+    let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {
         return Err(BackupMisfit::Malformed);
     }
@@ -52,19 +70,46 @@ pub fn put_robots(data: &Path, robots: &[Robot]) -> std::io::Result<()> {
     for robot in robots {
         Order::within(Some(data), &robot.id).replace(robot.order.clone())?;
     }
-    let known = |robot: &Robot| Known { robot: robot.id.clone(), name: robot.name.clone(), seed: robot.seed };
+    let known = |robot: &Robot| Known {
+        robot: robot.id.clone(),
+        name: robot.name.clone(),
+        seed: robot.seed,
+        real: robot.real.as_ref().map(real),
+    };
     let known: Vec<_> = robots.iter().map(known).collect();
     if known.is_empty() { Ok(()) } else { Register::within(Some(data), SEED).replace(known) }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Robot, check_robots, put_robots, robots_in};
+    use super::{Register, Robot, check_robots, put_robots, robots_in};
     use behaviour::Id;
+    use protocol::RealRobot;
 
     fn robot(name: &str, order: &[&str]) -> Robot {
         let id = |text: &&str| Id::new(text).unwrap();
-        Robot { id: id(&name), name: name.to_uppercase(), seed: 7, order: order.iter().map(id).collect() }
+        let order = order.iter().map(id).collect();
+        Robot { id: id(&name), name: name.to_uppercase(), seed: 7, real: None, order }
+    }
+
+    #[test]
+    fn a_password_is_in_no_backup() {
+        let folder = tempfile::tempdir().unwrap();
+        let real = RealRobot {
+            address: "nao.local".into(),
+            user: Some("nao".into()),
+            password: Some("hush".into()),
+            fingerprint: None,
+        };
+        let mut register = Register::within(Some(folder.path()), 1);
+        let known = register.newcomer(&Id::new("a").unwrap(), "NAO", Some(real.clone())).unwrap();
+        register.add(known).unwrap();
+        let kept = robots_in(folder.path());
+        assert!(!serde_json::to_string(&kept).unwrap().contains("hush"));
+        let other = tempfile::tempdir().unwrap();
+        put_robots(other.path(), &kept).unwrap();
+        let again = Register::within(Some(other.path()), 1);
+        assert_eq!(again.known()[1].real, Some(RealRobot { password: None, ..real }));
     }
 
     #[test]

@@ -8,16 +8,19 @@ use super::refusal::NoRun;
 use crate::support::lock;
 use behaviour::{Id, Params, StreamKind, Value};
 use engine::{Claim, StreamIx};
-use robot::{SceneEdit, Use, Waiting};
+use robot::{Control, RobotFault, SceneEdit, Use, Waiting};
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::SyncSender;
 use std::sync::{Arc, Mutex, OnceLock};
 use std::thread::Thread;
 use std::time::Instant;
+use tokio::sync::oneshot;
 
 /// Things people did in the room that may wait.
 const EDITS_MAX: usize = 256;
+/// People who want to have the robot that may wait.
+const CONTROLS_MAX: usize = 8;
 /// Texts of one action that may wait to be spoken or shown.
 const TEXTS_MAX: usize = 8;
 
@@ -43,6 +46,8 @@ pub(super) struct Pending {
     pub(super) opens: Vec<Opening>,
     /// What people did in the room.
     pub(super) edits: VecDeque<SceneEdit>,
+    /// Who wants to have the robot.
+    pub(super) controls: Vec<Controlling>,
     commands: Fair<Use, Command>,
 }
 
@@ -63,6 +68,15 @@ pub(super) struct Opening {
     pub(super) follows: bool,
     /// Gets the answer; never waited for.
     pub(super) answer: SyncSender<Result<(), NoRun>>,
+}
+
+/// Somebody takes control of the robot, gives it back, or lets it rest.
+#[derive(Debug)]
+pub(super) struct Controlling {
+    /// What shall be.
+    pub(super) control: Control,
+    /// Gets the answer; never waited for.
+    pub(super) answer: oneshot::Sender<Result<(), RobotFault>>,
 }
 
 /// One device for one stream.
@@ -159,6 +173,16 @@ impl CommandQueue {
         self.ring();
     }
 
+    /// Asks for control; too many at once are not answered.
+    pub(super) fn control(&self, controlling: Controlling) {
+        let mut pending = lock(&self.pending);
+        if pending.controls.len() < CONTROLS_MAX {
+            pending.controls.push(controlling);
+        }
+        drop(pending);
+        self.ring();
+    }
+
     /// Hands on a value for an action; an older one of the same stream gives way.
     pub(super) fn command(&self, user: Use, device: &str, command: Command) {
         let waiting = robot::device(StreamKind::Actuator, device).map_or(Waiting::Newest, |device| device.waiting);
@@ -195,6 +219,7 @@ impl CommandQueue {
             closes: Vec::new(),
             opens: std::mem::take(&mut pending.opens),
             edits: std::mem::take(&mut pending.edits),
+            controls: std::mem::take(&mut pending.controls),
             commands: Fair::default(),
         };
         (taken, commands)

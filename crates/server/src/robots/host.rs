@@ -2,6 +2,7 @@
 //! none of them.
 
 use super::cancel_flag::CancelFlag;
+use super::command_queue::Controlling;
 use super::live::LiveValues;
 use super::mailbox::Keep;
 use super::order::Order;
@@ -19,7 +20,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
 use protocol::{Refused, RobotState, RunState};
-use robot::{Scene, SceneEdit};
+use robot::{Control, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
@@ -30,6 +31,8 @@ use tokio::sync::{oneshot, watch};
 const STACK_BYTES: usize = 8 * 1024 * 1024;
 /// The longest a Start may take, in milliseconds.
 const START_MAX_MS: u64 = 10_000;
+/// The longest that taking control waits for the robot's thread, in milliseconds.
+const CONTROL_MAX_MS: u64 = 5_000;
 /// The longest that ending waits for the threads, in milliseconds.
 const SHUT_DOWN_MAX_MS: u64 = 2_000;
 /// Threads of runs that may live, those included that have not noticed Stop yet.
@@ -272,6 +275,24 @@ impl Host {
         let table = lock(&self.shared().table);
         table.running_of(behaviour).ok_or(Refused::NotRunning)?.mailbox.end_recording();
         Ok(())
+    }
+
+    /// Takes control, gives it back, or rests. What runs is stopped first unless control is taken.
+    ///
+    /// # Errors
+    /// Why not.
+    pub(crate) async fn control(&self, control: Control, by: &str) -> Result<(), Refused> {
+        if control != Control::Take {
+            self.stop(None, by);
+        }
+        let (answer, answered) = oneshot::channel();
+        self.shared().queue.control(Controlling { control, answer });
+        let answered = tokio::time::timeout(Duration::from_millis(CONTROL_MAX_MS), answered).await;
+        match answered {
+            Ok(Ok(done)) => done.map_err(|fault| Refused::RobotCannot(fault.to_string())),
+            Ok(Err(_)) => Err(Refused::TooFast),
+            Err(_) => Err(Refused::RobotCannot(NoRun::Silent.to_string())),
+        }
     }
 
     /// Moves something in the room.

@@ -74,6 +74,8 @@ pub(crate) enum RunFailure {
     NotFollowed,
     /// The robot failed.
     Robot,
+    /// The robot wants everything to end; with its reason.
+    Halt(String),
     /// The server itself failed.
     Inside,
 }
@@ -85,6 +87,10 @@ pub(crate) enum RobotsUnchanged {
     Nameless,
     /// Its name is too long.
     LongName,
+    /// No robot can have this address.
+    Address,
+    /// Its user name or password is too long.
+    LongLogin,
     /// There are as many as may be.
     TooMany,
     /// The new one could not be written down, or has no thread.

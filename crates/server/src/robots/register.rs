@@ -3,7 +3,7 @@
 use super::refusal::RobotsUnchanged;
 use crate::support::atomic_file;
 use behaviour::{Id, has_unseen, numbered};
-use protocol::ROBOT_NAME_MAX_CHARS;
+use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, ROBOT_NAME_MAX_CHARS, RealRobot};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -19,7 +19,7 @@ pub(super) struct Register {
     seed: u64,
 }
 
-/// A simulated NAO.
+/// A robot.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", deny_unknown_fields)]
 pub(super) struct Known {
@@ -27,8 +27,11 @@ pub(super) struct Known {
     pub(super) robot: Id,
     /// What people call it.
     pub(super) name: String,
-    /// The seed of its noise.
+    /// The seed of its noise, if it is simulated.
     pub(super) seed: u64,
+    /// How it is reached, with its password; none for a simulated one. Only the server's user may read the file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) real: Option<RealRobot>,
 }
 
 impl Register {
@@ -38,7 +41,7 @@ impl Register {
         let known: Vec<Known> = path.as_deref().and_then(atomic_file::read).unwrap_or_default();
         let mut this = Self { path, known, seed };
         if let (true, Ok(robot)) = (this.known.is_empty(), Id::new(FIRST.0)) {
-            this.known.push(Known { robot, name: FIRST.1.to_owned(), seed });
+            this.known.push(Known { robot, name: FIRST.1.to_owned(), seed, real: None });
         }
         this
     }
@@ -61,8 +64,16 @@ impl Register {
     /// A robot to be, with a name and noise that no other has.
     ///
     /// # Errors
-    /// What is wrong with the name.
-    pub(super) fn newcomer(&self, robot: &Id, name: &str) -> Result<Known, RobotsUnchanged> {
+    /// What is wrong with the name, or with how it is reached.
+    pub(super) fn newcomer(&self, robot: &Id, name: &str, real: Option<RealRobot>) -> Result<Known, RobotsUnchanged> {
+        let name = self.name_for(robot, name)?;
+        real.as_ref().map_or(Ok(()), check_real)?;
+        let seed = self.known.iter().map(|known| known.seed).fold(self.seed, u64::max).wrapping_add(1);
+        Ok(Known { robot: robot.clone(), name, seed, real })
+    }
+
+    /// A name that no other robot has.
+    fn name_for(&self, robot: &Id, name: &str) -> Result<String, RobotsUnchanged> {
         let name = name.trim();
         if name.is_empty() || has_unseen(name) {
             return Err(RobotsUnchanged::Nameless);
@@ -70,10 +81,21 @@ impl Register {
         if name.chars().count() > ROBOT_NAME_MAX_CHARS {
             return Err(RobotsUnchanged::LongName);
         }
-        let is_free = |wanted: &String| self.known.iter().all(|known| known.name != *wanted);
-        let name = numbered(name, " ").find(is_free).unwrap_or_default();
-        let seed = self.known.iter().map(|known| known.seed).fold(self.seed, u64::max).wrapping_add(1);
-        Ok(Known { robot: robot.clone(), name, seed })
+        let others = || self.known.iter().filter(|known| known.robot != *robot);
+        Ok(numbered(name, " ").find(|wanted| others().all(|known| known.name != *wanted)).unwrap_or_default())
+    }
+
+    /// Another name for one; answers with the name that it got.
+    ///
+    /// # Errors
+    /// What is wrong with the name, or that it could not be kept.
+    pub(super) fn rename(&mut self, robot: &Id, name: &str) -> Result<String, RobotsUnchanged> {
+        let (name, mut after) = (self.name_for(robot, name)?, self.known.clone());
+        if let Some(known) = after.iter_mut().find(|known| known.robot == *robot) {
+            known.name.clone_from(&name);
+        }
+        self.keep(after).map_err(RobotsUnchanged::Unkept)?;
+        Ok(name)
     }
 
     /// One more.
@@ -99,10 +121,24 @@ impl Register {
     }
 }
 
+/// Whether a robot may be reached like this.
+pub(super) fn check_real(real: &RealRobot) -> Result<(), RobotsUnchanged> {
+    let is_short = |text: &Option<String>| text.as_ref().is_none_or(|text| text.chars().count() <= LOGIN_MAX_CHARS);
+    let address = &real.address;
+    if address.trim().is_empty() || has_unseen(address) || address.chars().count() > ADDRESS_MAX_CHARS {
+        return Err(RobotsUnchanged::Address);
+    }
+    if !is_short(&real.user) || !is_short(&real.password) {
+        return Err(RobotsUnchanged::LongLogin);
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::Register;
     use behaviour::Id;
+    use protocol::RealRobot;
 
     #[test]
     fn who_is_there_is_kept_under_names_of_their_own() {
@@ -110,7 +146,7 @@ mod tests {
         let id = |text: &str| Id::new(text).unwrap();
         let mut register = Register::within(Some(folder.path()), 7);
         for robot in ["a", "b"] {
-            let known = register.newcomer(&id(robot), " Simulated NAO ").unwrap();
+            let known = register.newcomer(&id(robot), " Simulated NAO ", None).unwrap();
             register.add(known).unwrap();
         }
         register.remove(&id("simulated-nao")).unwrap();
@@ -123,10 +159,38 @@ mod tests {
     fn a_name_is_needed() {
         let register = Register::within(None, 1);
         let robot = Id::new("a").unwrap();
-        assert!(register.newcomer(&robot, " \t ").is_err());
-        assert!(register.newcomer(&robot, "a\u{7}").is_err());
-        assert!(register.newcomer(&robot, "NAO\u{202e}").is_err());
-        assert!(register.newcomer(&robot, &"x".repeat(41)).is_err());
-        assert!(register.newcomer(&robot, &"x".repeat(40)).is_ok());
+        assert!(register.newcomer(&robot, " \t ", None).is_err());
+        assert!(register.newcomer(&robot, "a\u{7}", None).is_err());
+        assert!(register.newcomer(&robot, "NAO\u{202e}", None).is_err());
+        assert!(register.newcomer(&robot, &"x".repeat(41), None).is_err());
+        assert!(register.newcomer(&robot, &"x".repeat(40), None).is_ok());
+    }
+
+    #[test]
+    fn a_real_robot_is_kept_with_its_password_for_the_servers_user_only() {
+        let folder = tempfile::tempdir().unwrap();
+        let mut register = Register::within(Some(folder.path()), 1);
+        let real = RealRobot {
+            address: "nao.local".into(),
+            user: Some("nao".into()),
+            password: Some("hush".into()),
+            fingerprint: None,
+        };
+        let robot = Id::new("a").unwrap();
+        let nowhere = RealRobot { address: " ".into(), ..real.clone() };
+        assert!(register.newcomer(&robot, "NAO", Some(nowhere)).is_err());
+        let long = RealRobot { password: Some("x".repeat(201)), ..real.clone() };
+        assert!(register.newcomer(&robot, "NAO", Some(long)).is_err());
+        let known = register.newcomer(&robot, "NAO", Some(real.clone())).unwrap();
+        register.add(known).unwrap();
+        assert_eq!(register.rename(&robot, "Simulated NAO").unwrap(), "Simulated NAO 2");
+        let again = Register::within(Some(folder.path()), 1);
+        assert_eq!((again.known()[1].name.as_str(), &again.known()[1].real), ("Simulated NAO 2", &Some(real)));
+        #[cfg(unix)]
+        {
+            use std::os::unix::fs::PermissionsExt;
+            let mode = std::fs::metadata(folder.path().join("robots.json")).unwrap().permissions().mode();
+            assert_eq!(mode & 0o077, 0, "nobody else may read it");
+        }
     }
 }

@@ -2,7 +2,7 @@
 //! somebody rings, and looks at Stop first either way.
 
 use super::cancel_flag::CancelFlag;
-use super::command_queue::{Command, CommandQueue, Opening, Wanted};
+use super::command_queue::{Command, CommandQueue, Controlling, Opening, Wanted};
 use super::mailbox::{Keep, Mailbox};
 use super::refusal::{NoRun, RunFailure};
 use super::shared::RobotShared;
@@ -121,6 +121,10 @@ impl<'a> RobotThread<'a> {
             self.hand_out(reading);
         }
         self.readings = readings;
+        if let Some(reason) = self.robot.take_halt() {
+            self.shared.fault_all(&RunFailure::Halt(reason));
+            self.end_what_ended();
+        }
         if self.steps.is_multiple_of(STEPS_PER_PICTURE) {
             self.show();
             self.show_held();
@@ -153,6 +157,11 @@ impl<'a> RobotThread<'a> {
         }
         for edit in pending.edits {
             self.robot.edit(&edit);
+        }
+        for Controlling { control, answer } in pending.controls {
+            self.end_what_ended();
+            // Who gave up waiting does not hear it.
+            drop(answer.send(self.robot.control(control, self.now())));
         }
         for (user, command) in commands {
             self.end_what_ended();
@@ -289,9 +298,9 @@ impl<'a> RobotThread<'a> {
             Health::Safe => Health::Ready,
             other => other,
         };
-        let devices = self.robot.devices();
+        let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
         self.shared.feed.edit(&self.shared.robot, |state| {
-            state.health = health;
+            (state.health, state.lacking, state.condition) = (health, lacking, condition);
             if state.devices != devices {
                 state.devices = devices.into_iter().map(str::to_owned).collect();
             }

@@ -83,8 +83,7 @@ mod tests {
     use robot::Health;
 
     fn state(robot: &str) -> RobotState {
-        let robot = Id::new(robot).unwrap();
-        RobotState { robot, name: "N".into(), kind: "nao".into(), health: Health::Connecting, devices: Vec::new() }
+        RobotState::connecting(Id::new(robot).unwrap(), "N".into())
     }
 
     #[test]

@@ -4,12 +4,12 @@ use super::Command;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{RobotState, RunState};
-use robot::Health;
+use robot::{Condition, Health, Life};
 
 pub(crate) const COMMAND: Command = Command {
     name: "show robots",
     words: "",
-    help: "Shows the robots, how they are and what runs on them; the one in use has a star.",
+    help: "Shows the robots, how they and their bodies are and what runs on them; the one in use has a star.",
     run: |console, words| Box::pin(run(console, words)),
 };
 
@@ -26,7 +26,30 @@ fn line(robot: &RobotState, running: &[RunState]) -> String {
     let runs = running.iter().filter(|run| run.robot == robot.robot).map(|run| run.name.as_str());
     let runs: Vec<_> = runs.collect();
     let runs = if runs.is_empty() { "nothing runs".to_owned() } else { format!("runs {}", runs.join(", ")) };
-    format!("{} ({}, {runs})", robot.name, health(&robot.health))
+    let mut words = vec![health(&robot.health)];
+    words.extend(robot.address.iter().map(|address| format!("at {address}")));
+    words.extend(condition(&robot.condition));
+    words.push(runs);
+    format!("{} ({})", robot.name, words.join(", "))
+}
+
+/// What an operator looks at before starting something.
+fn condition(of: &Condition) -> Vec<String> {
+    let mut words = Vec::new();
+    words.extend(of.battery.map(|percent| format!("battery {percent} %")));
+    words.extend(of.awake.map(|awake| if awake { "awake" } else { "asleep" }.to_owned()));
+    words.extend(of.stiff.map(|stiff| if stiff { "motors on" } else { "motors off" }.to_owned()));
+    words.extend(of.life.map(|life| {
+        match life {
+            Life::Disabled => "own life off",
+            Life::Safeguard => "protects itself",
+            Life::Solitary | Life::Interactive => "lives by itself",
+        }
+        .to_owned()
+    }));
+    words.extend(of.fallen.filter(|fallen| *fallen).map(|_| "has fallen".to_owned()));
+    words.extend((!of.hot.is_empty()).then(|| format!("hot: {}", of.hot.join(" "))));
+    words
 }
 
 fn health(health: &Health) -> String {

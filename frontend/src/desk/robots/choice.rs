@@ -3,11 +3,12 @@
 use super::Robots;
 use crate::browser::{self, Keep};
 use crate::desk::tab::{new_id, set_if_new};
+use crate::link::NoAnswer;
 use crate::{link, words};
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Request, RobotState, RunPhase, RunState, STOP_PATH};
-use robot::{Health, Scene};
+use protocol::{Checked, FoundRobot, RealRobot, Reply, Request, RobotState, RunPhase, RunState, STOP_PATH};
+use robot::{Control, Health, Scene};
 
 const ROBOT_KEY: &str = "rrp.robot";
 
@@ -26,12 +27,50 @@ impl Robots {
         self.look();
     }
 
-    /// Adds a simulated robot and looks at it.
-    pub(crate) fn add(&self, name: &str) {
+    /// Adds a robot, simulated or real, and looks at it.
+    pub(crate) fn add(&self, name: &str, real: Option<RealRobot>) {
         let (robots, robot) = (self.clone(), new_id());
-        self.tab.ask_or_say(Request::AddRobot { robot: robot.clone(), name: name.to_owned() }, move |_| {
-            robots.choose(&robot);
+        let request = Request::AddRobot { robot: robot.clone(), name: name.to_owned(), real: real.map(Box::new) };
+        self.tab.ask_or_say(request, move |_| robots.choose(&robot));
+    }
+
+    /// Adds a robot that was looked at, and says what it is and which certificate counts from now on.
+    pub(crate) fn add_seen(&self, name: &str, real: RealRobot, checked: &Checked) {
+        if !checked.model.is_empty() {
+            self.tab.say(&words::found_robot(&checked.name, &checked.model, checked.fingerprint.as_deref()), false);
+        }
+        self.add(name, Some(RealRobot { fingerprint: checked.fingerprint.clone(), ..real }));
+    }
+
+    /// Gives a robot another name.
+    pub(crate) fn rename(&self, robot: &Id, name: &str) {
+        self.tab.ask_or_say(Request::RenameRobot { robot: robot.clone(), name: name.to_owned() }, |_| {});
+    }
+
+    /// Looks step by step whether a robot can be reached.
+    pub(crate) fn check(&self, real: RealRobot, then: impl FnOnce(Result<Checked, NoAnswer>) + 'static) {
+        self.tab.look_up(Request::CheckRobot { real: Box::new(real) }, move |answer| match answer {
+            Ok(Reply::RobotChecked { checked }) => then(Ok((**checked).clone())),
+            Ok(_) => then(Err(NoAnswer::Unreachable)),
+            Err(why) => then(Err(why)),
         });
+    }
+
+    /// Looks for robots that announce themselves; none if that cannot be done.
+    pub(crate) fn find(&self, then: impl FnOnce(Vec<FoundRobot>) + 'static) {
+        self.tab.look_up(Request::FindRobots, move |answer| {
+            then(if let Ok(Reply::FoundRobots { robots }) = answer { robots.clone() } else { Vec::new() });
+        });
+    }
+
+    /// Takes control of the robot that this tab looks at, gives it back, or lets it rest.
+    pub(crate) fn control(&self, control: Control) {
+        if let Some(robot) = self.chosen.get_untracked() {
+            let tab = self.tab.clone();
+            self.tab.ask_or_say(Request::ControlRobot { robot: robot.robot, control }, move |_| {
+                tab.say(&words::control_done(&robot.name, control), false);
+            });
+        }
     }
 
     /// Removes a robot.
@@ -52,6 +91,11 @@ impl Robots {
     /// How it is. Reactive.
     pub(crate) fn health(&self) -> Health {
         self.chosen.read().as_ref().map_or(Health::Connecting, |robot| robot.health.clone())
+    }
+
+    /// Whether its room can be played with. Reactive.
+    pub(crate) fn is_simulated(&self) -> bool {
+        self.chosen.read().as_ref().is_some_and(|robot| robot.address.is_none())
     }
 
     /// What people call it. Reactive.

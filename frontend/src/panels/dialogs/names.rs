@@ -101,7 +101,7 @@ pub(super) fn RenameProgram() -> impl IntoView {
 #[component]
 pub(super) fn AddRobot() -> impl IntoView {
     let desk = hold();
-    let done = Callback::new(move |name: String| desk.desk().robots.add(&name));
+    let done = Callback::new(move |name: String| desk.desk().robots.add(&name, None));
     view! {
         <OneName
             title=words::add_robot()
@@ -112,6 +112,20 @@ pub(super) fn AddRobot() -> impl IntoView {
             done
         />
     }
+}
+
+/// Rename the robot that this tab looked at when the dialog opened.
+#[component]
+pub(super) fn RenameRobot() -> impl IntoView {
+    let desk = hold();
+    let robot = desk.desk().robots.chosen_id();
+    let done = Callback::new(move |name: String| {
+        if let Some(robot) = &robot {
+            desk.desk().robots.rename(robot, &name);
+        }
+    });
+    let now = untrack(|| desk.desk().robots.name());
+    view! { <OneName title=words::rename_robot() now max_chars=ROBOT_NAME_MAX_CHARS done /> }
 }
 
 /// Remove the robot that this tab looked at when the question was asked, whatever it looks at meanwhile.

@@ -1,29 +1,36 @@
-//! Beside the picture: touching the head, the person, a fresh start, what the robot says and what it shows.
+//! Beside the picture: touching the robot, what else may happen, a fresh start, what the robot says and what it shows.
 
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::panels::may::{MayNot, may_operate};
+use crate::panels::menu::{Menu, MenuItem};
 use crate::words;
 use leptos::prelude::*;
 use protocol::Role;
-use robot::SceneEdit;
+use robot::{SceneEdit, Touchable};
 use web_sys::KeyboardEvent;
 
-/// The only person there is.
+/// How far at the left of the robot somebody claps, in metres.
+const CLAP_ASIDE_M: f32 = 1.0;
+/// How full a battery is that is nearly empty, in percent.
+const LOW_PERCENT: u8 = 15;
+/// The person with a button of their own.
 const PERSON: &str = "person";
 
 /// The buttons under the room.
 #[component]
 pub(super) fn Tools() -> impl IntoView {
     let desk = hold();
-    let present = Memo::new(move |_| desk.desk().robots.scene.read().people.iter().any(|person| person.present));
+    let is_here = |person: &robot::Person| person.present && person.id == PERSON;
+    let present = Memo::new(move |_| desk.desk().robots.scene.read().people.iter().any(is_here));
     let walk = move |_| {
         let edit = SceneEdit::SetPresent { id: PERSON.to_owned(), present: !present.get_untracked() };
         desk.desk().robots.scene_edit(edit);
     };
+    let part = RwSignal::new(Touchable::HeadMiddle);
     view! {
         <div class="room-tools">
-            <TouchHead />
+            <Touch part />
             <button class="button small" type="button" disabled=move || !may_operate(desk) on:click=walk>
                 <Icon name="user" />
                 {move || if present.get() { words::person_out() } else { words::person_in() }}
@@ -33,20 +40,68 @@ pub(super) fn Tools() -> impl IntoView {
                 <Icon name="reset" />
                 {words::reset()}
             </button>
+            <More part />
         </div>
         <MayNot least=Role::Operator />
     }
 }
 
-/// Touches the head for as long as it is pressed.
+/// What else may happen in the room, and where Touch touches.
 #[component]
-fn TouchHead() -> impl IntoView {
+fn More(part: RwSignal<Touchable>) -> impl IntoView {
+    let desk = hold();
+    let does = move |edit: SceneEdit| Callback::new(move |()| desk.desk().robots.scene_edit(edit.clone()));
+    let items = move || {
+        let scene = desk.desk().robots.scene.get_untracked();
+        let others = scene.people.iter().filter(|person| person.id != PERSON);
+        let mut all: Vec<(String, SceneEdit)> = Vec::new();
+        let mut comes = |name: &str, id: &str, present: bool| {
+            let label = if present { words::goes_out(name) } else { words::comes_in(name) };
+            all.push((label, SceneEdit::SetPresent { id: id.to_owned(), present: !present }));
+        };
+        others.for_each(|person| comes(words::another_person(), &person.id, person.present));
+        scene.obstacles.iter().for_each(|one| comes(&words::box_named(&one.color), &one.id, one.present));
+        scene.landmarks.iter().for_each(|mark| comes(&words::mark_named(mark.number), &mark.id, mark.present));
+        let [x, y, heading] = scene.body.base;
+        let at = [x - heading.sin() * CLAP_ASIDE_M, y + heading.cos() * CLAP_ASIDE_M, 1.0];
+        all.push((words::clap().to_owned(), SceneEdit::Noise { at }));
+        let plugged = scene.body.plugged;
+        let cable = if plugged { words::unplug() } else { words::plug() };
+        all.push((cable.to_owned(), SceneEdit::Plug { plugged: !plugged }));
+        all.push((words::battery_low().to_owned(), SceneEdit::SetBattery { percent: LOW_PERCENT }));
+        let falls = if scene.body.fallen {
+            (words::help_up().to_owned(), SceneEdit::HelpUp)
+        } else {
+            (words::push().to_owned(), SceneEdit::Push)
+        };
+        all.push(falls);
+        let all = all.into_iter().map(|(label, edit)| view! { <MenuItem label icon="" choose=does(edit) /> });
+        let parts = Touchable::ALL.map(|one| {
+            let chosen = part.get() == one;
+            view! { <MenuItem label=words::touch_part(one) icon="touch" chosen choose=Callback::new(move |()| part.set(one)) /> }
+        });
+        (all.collect_view(), view! { <div class="menu-rule" role="separator"></div> }, parts.into_iter().collect_view())
+    };
+    let label = Signal::stored(words::more_in_room().to_owned());
+    view! {
+        <Menu label icon="chevron" alone=true class="room-more" disabled=Signal::derive(move || !may_operate(desk))>{items()}</Menu>
+    }
+}
+
+/// Touches the robot for as long as it is pressed.
+#[component]
+fn Touch(part: RwSignal<Touchable>) -> impl IntoView {
     let desk = hold();
     let down = RwSignal::new(false);
+    // What was touched is let go, whatever was chosen meanwhile.
+    let touched = RwSignal::new(Touchable::HeadMiddle);
     let press = move |now: bool| {
         if down.get_untracked() != now {
             down.set(now);
-            desk.desk().robots.scene_edit(SceneEdit::TouchHead { down: now });
+            if now {
+                touched.set(part.get_untracked());
+            }
+            desk.desk().robots.scene_edit(SceneEdit::Touch { part: touched.get_untracked(), down: now });
         }
     };
     let is_press = |event: &KeyboardEvent| matches!(event.key().as_str(), " " | "Enter");
@@ -54,8 +109,8 @@ fn TouchHead() -> impl IntoView {
         <button
             class="button small"
             type="button"
-            title=words::touch_head()
-            aria-label=words::touch_head()
+            title=move || words::touch_part(part.get())
+            aria-label=move || words::touch_part(part.get())
             aria-pressed=move || down.get().to_string()
             disabled=move || !may_operate(desk)
             on:pointerdown=move |_| press(true)

@@ -8,6 +8,7 @@ use crate::invitations::{Asked, Entry};
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
 use crate::library::{bin, insight, list, thumbnails};
+use crate::robots::real;
 use crate::rooms::member::Answer;
 use crate::rooms::{Locking, Note, Parting, Whereabouts};
 use crate::state::ServerState;
@@ -104,8 +105,15 @@ impl Session {
                 let runs = self.state().robots.runs().borrow().to_vec();
                 self.outbox.say(Some(ask), Reply::Runs { runs });
             }
-            Request::Place { .. } | Request::AddRobot { .. } | Request::RemoveRobot { .. } => {
-                self.change_robots(ask, request)
+            Request::Place { .. }
+            | Request::AddRobot { .. }
+            | Request::RenameRobot { .. }
+            | Request::RemoveRobot { .. } => self.change_robots(ask, request),
+            Request::CheckRobot { real } => self.later(ask, async move { real::check(&real).await }),
+            Request::FindRobots => self.later(ask, real::find()),
+            Request::ControlRobot { robot, control } => {
+                let (host, by) = (self.state().robots.meant(Some(&robot)), self.me.name.clone());
+                self.later(ask, async move { host?.control(control, &by).await.map(|()| Reply::Done) });
             }
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
@@ -166,7 +174,8 @@ impl Session {
     fn change_robots(&self, ask: u32, request: Request) {
         let robots = self.state().robots.clone();
         let work = move || match request {
-            Request::AddRobot { robot, name } => robots.add(&robot, &name),
+            Request::AddRobot { robot, name, real } => robots.add(&robot, &name, real.map(|real| *real)),
+            Request::RenameRobot { robot, name } => robots.rename(&robot, &name),
             Request::RemoveRobot { robot } => robots.remove(&robot),
             Request::Place { behaviour, robot, above } => {
                 robots.meant(robot.as_ref())?.place(&behaviour, above.as_ref())

@@ -9,7 +9,7 @@ use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
-use robot::{Health, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
+use robot::{Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
 
@@ -30,6 +30,7 @@ struct Strings {
     made: usize,
     refuses: Option<&'static str>,
     fails: bool,
+    halts: Option<String>,
     /// What it did, in order.
     log: Vec<String>,
     /// Steps so far.
@@ -53,7 +54,7 @@ impl Puppet {
             Box::new(puppet.clone())
         };
         let (robot, name) = (Id::new("puppet").unwrap(), "Puppet".to_owned());
-        let state = RobotState { robot, name, kind: String::new(), health: Health::Connecting, devices: Vec::new() };
+        let state = RobotState::connecting(robot, name);
         Host::new(state, Arc::new(StatusFeed::default()), Box::new(make), limits, recordings, Order::default()).unwrap()
     }
 
@@ -110,6 +111,11 @@ impl Puppet {
         lock(&self.0).hook = Some(Arc::new(hook));
     }
 
+    /// In the next step it wants everything to end.
+    pub(super) fn halt(&self, why: &str) {
+        lock(&self.0).halts = Some(why.to_owned());
+    }
+
     /// It breaks in the next step.
     pub(super) fn fail(&self) {
         lock(&self.0).fails = true;
@@ -123,6 +129,23 @@ impl Robot for Puppet {
 
     fn devices(&self) -> Vec<&'static str> {
         vec!["RedBall", "Print"]
+    }
+
+    fn lacking(&self) -> Vec<Lacking> {
+        Vec::new()
+    }
+
+    fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
+        lock(&self.0).log.push(format!("{control:?}"));
+        if control == Control::Rest { Err(RobotFault::NotNow("it hangs on strings".to_owned())) } else { Ok(()) }
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        lock(&self.0).halts.take()
+    }
+
+    fn condition(&self) -> Condition {
+        Condition::default()
     }
 
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {

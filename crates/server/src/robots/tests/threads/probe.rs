@@ -10,7 +10,7 @@ use crate::support::lock;
 use behaviour::{Id, Params, Value};
 use engine::Limits;
 use protocol::RobotState;
-use robot::{Health, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
+use robot::{Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, SceneEdit, Use};
 use simulation::SimulatedNao;
 use std::sync::{Arc, Mutex};
 use std::time::Instant;
@@ -48,7 +48,7 @@ impl Probe {
             Box::new(ProbedRobot { notes: probe.0.clone(), nao: SimulatedNao::new(1) })
         };
         let (robot, name) = (Id::new("probe").unwrap(), "Probe".to_owned());
-        let state = RobotState { robot, name, kind: String::new(), health: Health::Connecting, devices: Vec::new() };
+        let state = RobotState::connecting(robot, name);
         let (feed, recordings) = (Arc::new(StatusFeed::default()), Recordings::default());
         Host::new(state, feed, Box::new(make), Limits::default, recordings, Order::default()).unwrap()
     }
@@ -93,6 +93,22 @@ impl Robot for ProbedRobot {
 
     fn devices(&self) -> Vec<&'static str> {
         vec!["RedBall", "Print"]
+    }
+
+    fn lacking(&self) -> Vec<Lacking> {
+        Vec::new()
+    }
+
+    fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
+        self.nao.control(control, Millis(0))
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        None
+    }
+
+    fn condition(&self) -> Condition {
+        self.nao.condition()
     }
 
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {

@@ -1,0 +1,111 @@
+//! `rrp robot`: the robots of a running server, from a command line. It says to the server what the console says.
+
+use clap::{Args, Subcommand};
+use shell::Console;
+use std::process::ExitCode;
+
+/// Adds, finds and looks after the robots of a running server.
+///
+/// A robot's password is taken from RRP_ROBOT_PASSWORD, so that it stands in no history. Exit codes: 0 done; 1 not.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp robot find
+  rrp robot add \"NAO blue\" --address nao.local
+  RRP_ROBOT_PASSWORD=... rrp robot add Pepper --address 192.168.1.7 --user nao
+  rrp robot check 192.168.1.7:9559")]
+pub(crate) struct RobotArgs {
+    /// The server's address.
+    #[arg(long, value_name = "URL", default_value = shell::DEFAULT_URL, global = true)]
+    server: String,
+    #[command(subcommand)]
+    what: What,
+}
+
+#[derive(Debug, Subcommand)]
+enum What {
+    /// Lists the robots, how they are and what runs on them.
+    List,
+    /// Finds the robots that announce themselves in the server's network.
+    Find,
+    /// Looks step by step whether a NAO or Pepper can be reached.
+    Check {
+        /// Its name or number in the network, with a port if it is not 9559 or 9503.
+        address: String,
+        /// The user, for robots that ask for one.
+        #[arg(long)]
+        user: Option<String>,
+    },
+    /// Adds a robot: the one at an address, or without one a simulated robot.
+    Add {
+        /// What people shall call it.
+        name: String,
+        /// Its name or number in the network, with a port if it is not 9559 or 9503.
+        #[arg(long)]
+        address: Option<String>,
+        /// The user, for robots that ask for one.
+        #[arg(long, requires = "address")]
+        user: Option<String>,
+    },
+    /// Gives a robot another name.
+    Rename {
+        /// Its name now.
+        name: String,
+        /// Its name then.
+        new: String,
+    },
+    /// Removes a robot on which nothing runs.
+    Remove {
+        /// Its name.
+        name: String,
+    },
+}
+
+impl What {
+    /// The same as a line of the console.
+    fn line(&self) -> String {
+        let at = |address: &str, user: &Option<String>| {
+            let user = user.as_ref().map(|user| format!(" as {user}"));
+            format!("{address}{}", user.unwrap_or_default())
+        };
+        match self {
+            Self::List => "show robots".to_owned(),
+            Self::Find => "find robots".to_owned(),
+            Self::Check { address, user } => format!("check robot {}", at(address, user)),
+            Self::Add { name, address: None, .. } => format!("add robot \"{name}\""),
+            Self::Add { name, address: Some(address), user } => {
+                format!("add robot \"{name}\" at {}", at(address, user))
+            }
+            Self::Rename { name, new } => format!("rename robot \"{name}\" to \"{new}\""),
+            Self::Remove { name } => format!("remove robot \"{name}\""),
+        }
+    }
+}
+
+/// Does it, and answers with the exit code.
+pub(crate) fn robot(args: &RobotArgs) -> ExitCode {
+    let Ok(runtime) = tokio::runtime::Builder::new_current_thread().enable_all().build() else {
+        return ExitCode::FAILURE;
+    };
+    let done = runtime.block_on(async {
+        let mut console = Console::new(Box::new(std::io::stdout()));
+        console.obey(&format!("connect {}", args.server)).await && console.obey(&args.what.line()).await
+    });
+    runtime.shutdown_background();
+    if done { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::What;
+
+    #[test]
+    fn a_real_robot_has_an_address() {
+        let add = |address: Option<&str>, user: Option<&str>| What::Add {
+            name: "NAO blue".into(),
+            address: address.map(str::to_owned),
+            user: user.map(str::to_owned),
+        };
+        assert_eq!(add(None, None).line(), "add robot \"NAO blue\"");
+        assert_eq!(add(Some("nao.local"), Some("nao")).line(), "add robot \"NAO blue\" at nao.local as nao");
+    }
+}

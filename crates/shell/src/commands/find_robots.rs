@@ -1,0 +1,23 @@
+//! Finds robots in the network.
+
+use super::Command;
+use crate::console::Console;
+use crate::refusal::{Answer, NotDone};
+use protocol::{Reply, Request};
+
+pub(crate) const COMMAND: Command = Command {
+    name: "find robots",
+    words: "",
+    help: "Finds the robots that announce themselves in the server's network, with their addresses.",
+    run: |console, words| Box::pin(run(console, words)),
+};
+
+async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
+    let Reply::FoundRobots { robots } = console.ask(Request::FindRobots).await? else {
+        return Err(NotDone::NoAnswer(Answer::Found));
+    };
+    if robots.is_empty() {
+        return Ok("No robot announces itself".to_owned());
+    }
+    Ok(robots.iter().map(|robot| format!("{} at {}", robot.name, robot.address)).collect::<Vec<_>>().join("\n"))
+}

@@ -1,0 +1,17 @@
+//! How the robot's body is, as plain lights with words.
+
+use super::hold::hold;
+use crate::words;
+use leptos::prelude::*;
+
+/// The lights of the robot that this tab looks at.
+#[component]
+pub(crate) fn Lights() -> impl IntoView {
+    let desk = hold();
+    let lights = Memo::new(move |_| {
+        let chosen = desk.desk().robots.chosen.read();
+        chosen.as_ref().map(|robot| words::condition(&robot.condition)).unwrap_or_default()
+    });
+    let light = |(look, words): (&'static str, String)| view! { <li data-look=look>{words}</li> };
+    view! { <ul class="lights" aria-label=words::robot()>{move || lights.get().into_iter().map(light).collect_view()}</ul> }
+}
