@@ -175,7 +175,7 @@ class Body:
 
     def push(self, onto="belly"):
         """Pushed over: its fall manager ends everything and lets the motors go."""
-        if self.lying:
+        if self.lying or self.table.kind == "pepper":
             return
         memory = self.house.memory
         self.lying = "LyingBack" if onto == "back" else "LyingBelly"

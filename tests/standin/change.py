@@ -1,7 +1,12 @@
 """What `StandIn.world` can change, a function a field; `standin.py` says what each means."""
 
+import math
+
 from near import touch
 from service import Refused
+
+# How loud somebody speaks and claps, as in the simulation.
+SPOKEN, LOUD = 0.6, 0.95
 
 
 def balls(house, wanted):
@@ -24,12 +29,12 @@ def people(house, wanted):
 def landmarks(house, wanted):
     for name, fields in wanted.items():
         int(name)
-        kept(house.world.landmarks, name, fields, {"radius": 0.05, "heading": 0.0, "turned": 0.0})
+        kept(house.world.landmarks, name, fields, {"radius": 0.06, "facing": math.pi, "present": True})
 
 
 def obstacles(house, wanted):
     for name, fields in wanted.items():
-        kept(house.world.obstacles, name, fields, {"radius": 0.2, "height": 0.5})
+        kept(house.world.obstacles, name, fields, {"size": [0.3, 0.3, 0.4], "color": "grey", "present": True})
 
 
 def kept(things, name, fields, at_first):
@@ -42,12 +47,13 @@ def kept(things, name, fields, at_first):
 
 
 def word(house, wanted):
-    house.services["ALSpeechRecognition"]._hear(wanted["word"], float(wanted.get("confidence", 0.6)))
+    house.services["ALSpeechRecognition"]._spot(wanted["word"], wanted.get("confidence"))
+    if "at" in wanted:
+        house.services["ALSoundLocalization"]._heard(wanted["at"], SPOKEN)
 
 
 def sound(house, wanted):
-    energy, confidence = float(wanted.get("energy", 0.6)), float(wanted.get("confidence", 0.8))
-    house.services["ALSoundLocalization"]._heard(wanted["at"], energy, confidence)
+    house.services["ALSoundLocalization"]._heard(wanted["at"], float(wanted.get("loudness", LOUD)))
 
 
 def heat(house, wanted):

@@ -5,11 +5,19 @@ paused. Assumed: the empty value after a word is `["", -3.0]`; the robot hears i
 """
 
 import math
+import re
 
 from service import Extractor, Refused, api, stamp
+from space import length
 from speech import LANGUAGES
 
 MISHEARD = 0.45
+# At this distance a sound has half its energy, as in the simulation.
+HALF_M = 2.0
+
+
+def starts(whole, part):
+    return bool(part) and whole[:len(part)] == part
 
 
 class Recognition(Extractor):
@@ -61,21 +69,28 @@ class Recognition(Extractor):
     def _began(self):
         self.house.memory.put("WordRecognized", ["", -3.0])
 
+    def _spot(self, said, confidence=None):
+        """Somebody says it: the first word of the vocabulary in it, as sure as the simulation is."""
+        pieces = re.findall(r"\w+", said.lower())
+        for start in range(len(pieces)):
+            here = [word for word in self.vocabulary if starts(pieces[start:], re.findall(r"\w+", word.lower()))]
+            if here:
+                word = max(here, key=len)
+                alone = len(re.findall(r"\w+", word)) == len(pieces)
+                self._hear(word, (0.8 if alone else 0.6) if confidence is None else confidence)
+                return
+
     def _hear(self, word, confidence):
-        """Somebody says it; whether the robot takes note."""
-        if not self.subscribers or self.paused or word not in self.vocabulary:
-            return False
+        if not self.subscribers or self.paused:
+            return
         heard = "<...> %s <...>" % word if self.spotting else word
         self.house.memory.put("WordRecognizedAndGrammar", [heard, confidence, "modifiable_grammar"])
         self.house.memory.put("WordRecognized", [heard, confidence])
         self.house.memory.put("WordRecognized", ["", -3.0])
-        return True
 
     def _hear_itself(self, text):
         if self.hears_itself:
-            for word in self.vocabulary:
-                if word.lower() in text.lower():
-                    self._hear(word, MISHEARD)
+            self._spot(text, MISHEARD)
 
     def _state(self):
         listening = bool(self.subscribers) and not self.paused
@@ -98,13 +113,16 @@ class Localization(Extractor):
         if name == "Sensitivity":
             self.sensitivity = float(value)
 
-    def _heard(self, at, energy, confidence):
+    def _heard(self, at, loudness):
         """A sound somewhere in the room; angles from the head, left and up positive."""
         if not self.subscribers or self.paused:
             return
         head = self.house.body.head()
         x, y, z = head.into(at)
-        angles = [math.atan2(y, x), math.atan2(z, math.hypot(x, y)), confidence, energy]
+        energy = loudness / (1 + (length((x, y, z)) / HALF_M) ** 2)
+        if energy <= 1 - self.sensitivity:
+            return
+        angles = [math.atan2(y, x), math.atan2(z, math.hypot(x, y)), 0.5 + energy / 2, energy]
         torso = self.house.body.torso()
         value = [stamp(), angles, (torso.inverse() * head).six(), head.six()]
         self.house.memory.put("ALSoundLocalization/SoundLocated", value)

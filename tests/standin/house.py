@@ -15,6 +15,8 @@ from service import Refused
 
 CYCLE_MS = 20
 CALLS_MAX = 200_000
+# Calls that end when they are cancelled; a cancelled `say` goes on, as measured.
+CANCELLED = ("animation",)
 # Polled so often that nobody wants to read them.
 QUIET = {"getData", "getListData", "getAngles", "ping", "getBatteryCharge", "getStiffnesses", "robotIsWakeUp"}
 
@@ -35,9 +37,9 @@ def plain(value):
 class Job:
     """A call that has not been answered yet."""
 
-    def __init__(self, kind, call, due, ended):
+    def __init__(self, kind, call, due, ended, cancelled):
         self.kind, self.call, self.due, self.ended = kind, call, due, ended
-        self.promise = qi.Promise()
+        self.promise = qi.Promise(cancelled) if cancelled else qi.Promise()
 
 
 class House:
@@ -61,45 +63,53 @@ class House:
 
     def answer(self, service, method, do, arguments):
         """Logs a call and does it, or what a fault wants instead."""
-        if service == "StandIn":
-            return self.done(service, method, do)
+        if service.name == "StandIn":
+            return self.done(service, method, do, arguments)
         with self.lock:
             self.note(service, method, arguments)
-            fault = self.fault(service, method)
-            if fault.get("do") == "error":
-                return failed(fault.get("text", "%s::%s\n\tnot today" % (service, method)))
-            if fault.get("do") == "never":
+            fault = self.fault(service, method) if self.faults else {}
+            wanted = fault.get("do")
+            if wanted == "error":
+                return failed(fault.get("text", "%s::%s\n\tnot today" % (service.name, method)))
+            if wanted == "never":
                 self.never.append(qi.Promise())
                 return self.never[-1].future()
-            if fault.get("do") == "answer":
+            if wanted == "answer":
                 return fault.get("value")
-            result = self.done(service, method, do)
-        return late(result, fault["ms"]) if fault.get("do") == "delay" else result
+            result = self.done(service, method, do, arguments)
+        return late(result, fault["ms"]) if wanted == "delay" else result
 
-    def done(self, service, method, do):
+    def done(self, service, method, do, arguments):
         with self.lock:
-            self.calling = (service, method)
+            self.calling = (service.name, method)
             try:
-                return do()
+                return do(service, *arguments)
             except Refused as refused:
-                return failed("%s::%s\n\t%s" % (service, method, refused))
+                return failed("%s::%s\n\t%s" % (service.name, method, refused))
             except Exception:
                 traceback.print_exc()
-                return failed("%s::%s\n\tthe stand-in has a fault: %s" % (service, method, traceback.format_exc()))
+                why = traceback.format_exc()
+                return failed("%s::%s\n\tthe stand-in has a fault: %s" % (service.name, method, why))
 
     def note(self, service, method, arguments):
+        """As quick as it can be: others measure how long a call takes."""
         self.seq += 1
-        call = {"seq": self.seq, "t_ms": int(self.now()), "service": service, "method": method}
-        call["args"] = plain(arguments)
-        self.log.append(call)
+        self.log.append((self.seq, self.now(), service.name, method, arguments))
         if self.aloud and method not in QUIET:
-            words = ", ".join(json.dumps(word, ensure_ascii=False) for word in call["args"])
-            print("%8.2f s  %s.%s(%s)" % (call["t_ms"] / 1e3, service, method, words), flush=True)
+            words = ", ".join(json.dumps(word, ensure_ascii=False) for word in plain(arguments))
+            print("%8.2f s  %s.%s(%s)" % (self.now() / 1e3, service.name, method, words), flush=True)
+
+    def calls(self, after=0):
+        """What was noted after the call of that number, for JSON."""
+        return [
+            {"seq": seq, "t_ms": int(at), "service": service, "method": method, "args": plain(arguments)}
+            for seq, at, service, method, arguments in self.log if seq > after
+        ]
 
     def fault(self, service, method):
         """The fault that waits for this call, used up by one."""
         for fault in self.faults:
-            if fault.get("service", "*") in ("*", service) and fault.get("method", "*") in ("*", method):
+            if fault.get("service", "*") in ("*", service.name) and fault.get("method", "*") in ("*", method):
                 fault["times"] = fault.get("times", 1) - 1
                 if fault["times"] <= 0:
                     self.faults.remove(fault)
@@ -108,7 +118,8 @@ class House:
 
     def block(self, kind, due, ended=None):
         """A call that is answered once `due(now)`, or released; `ended(whole)` is told and gives the answer."""
-        job = Job(kind, self.calling, due, ended)
+        cancelled = (lambda promise: self.cancel(job)) if kind in CANCELLED else None
+        job = Job(kind, self.calling, due, ended, cancelled)
         self.jobs.append(job)
         return job.promise.future()
 
@@ -127,8 +138,10 @@ class House:
             self.jobs.remove(job)
             job.promise.setValue(job.ended(whole) if job.ended else None)
 
-    def busy(self, *kinds):
-        return any(job.kind in kinds for job in self.jobs)
+    def cancel(self, job):
+        """The caller does not want it any more."""
+        with self.lock:
+            self.end(job, False)
 
     def run(self):
         """One step every 20 ms, for ever."""

@@ -51,11 +51,13 @@ class Life(Service):
 
     @api("v::()")
     def stopAll(self):
-        self.house.release("behavior")
+        behaviors = self.house.services["ALBehaviorManager"]
+        behaviors.stopAllBehaviors.__wrapped__(behaviors)
 
     @api("v::()")
     def stopFocus(self):
-        self.house.release("behavior")
+        behaviors = self.house.services["ALBehaviorManager"]
+        behaviors.stopAllBehaviors.__wrapped__(behaviors)
 
     def _known(self, name):
         if name not in ABILITIES:
@@ -70,6 +72,7 @@ class Life(Service):
         self.house.memory.put("AutonomousLife/State", state)
         if state == "disabled":
             services["ALTextToSpeech"].stopAll.__wrapped__(services["ALTextToSpeech"])
+            Life.stopAll.__wrapped__(self)
             self.house.release("animation")
             if self.rests and not self.house.body.lying:
                 return type(motion)._rest.__wrapped__(motion)

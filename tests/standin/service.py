@@ -15,7 +15,7 @@ def api(signature, name=None):
         public = name or method.__name__
 
         def call(self, *arguments):
-            return self.house.answer(self.name, public, lambda: method(self, *arguments), arguments)
+            return self.house.answer(self, public, method, arguments)
 
         call.__name__ = method.__name__
         call.__wrapped__ = method

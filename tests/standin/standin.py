@@ -14,11 +14,11 @@ A mistake in the JSON is an error of the call, and then nothing has changed afte
     {"balls":     {"red": {"at": [x, y, z], "radius": 0.03, "color": "red", "shape": "ball" | "block", "present": true,
                            "path": {"amplitude": [x, y, z], "hz": [x, y, z], "phase": [x, y, z]} | null}},
      "people":    {"person": {"at": [x, y], "height": 1.1, "present": true}},
-     "landmarks": {"64": {"at": [x, y, z], "radius": 0.05, "heading": 0.0, "turned": 0.0} | null},
-     "obstacles": {"box": {"at": [x, y], "radius": 0.2, "height": 0.5} | null},
+     "landmarks": {"64": {"at": [x, y, z], "facing": 3.14, "radius": 0.06, "present": true} | null},
+     "obstacles": {"box": {"at": [x, y], "size": [x, y, z], "color": "grey", "present": true} | null},
      "touch":     {"part": "FrontTactilTouched", "down": true},
-     "word":      {"word": "yes", "confidence": 0.6},
-     "sound":     {"at": [x, y, z], "energy": 0.6, "confidence": 0.8},
+     "word":      {"word": "oh yes", "confidence": 0.6, "at": [x, y, z]},   sureness and place may be left out
+     "sound":     {"at": [x, y, z], "loudness": 0.9},
      "battery":   80,  "plugged": true,
      "heat":      {"LKneePitch": 80.0},
      "push":      "belly" | "back",        pushed over
@@ -31,7 +31,8 @@ A mistake in the JSON is an error of the call, and then nothing has changed afte
      "learned":   {"1": "Aiko"},           faces that it knows, by the number of the person; all of them
      "speech_ms_per_char": 55, "hears_itself": true, "life_disabled_rests": true}
 
-Balls red, green and blue and one person (absent, number 1) are there at first, as in the simulation; new names add some.
+At first there is what the simulation has: the balls red, green and blue; absent the people person (1) and friend (2), the
+obstacles box and block and the landmarks 64 and 80. New names add some. `facing` is the heading that a mark's front looks.
 A ball swings about `at` by amplitude * sin(2 pi hz t + phase) on each axis.
 
 **state**: {"t_ms", "joints": {name: rad}, "targets": {name: rad}, "stiffness": {name: 0..1}, "celsius": {name: C},
@@ -115,11 +116,11 @@ class StandIn(Service):
 
     @api("s::()")
     def calls(self):
-        return json.dumps(list(self.house.log))
+        return json.dumps(self.house.calls())
 
     @api("s::(i)")
     def calls_since(self, seq):
-        return json.dumps([call for call in self.house.log if call["seq"] > seq])
+        return json.dumps(self.house.calls(seq))
 
     @api("v::()")
     def clear(self):

@@ -95,9 +95,9 @@ class Table:
     def _finish(self, rows):
         self.body = [name for group in self.groups.values() for name in group]
         self.joints = {name: rows[name] for name in self.body}
-        for posture in self.postures.values():
-            for name in self.body:
-                posture.setdefault(name, min(max(0.0, self.joints[name][0]), self.joints[name][1]))
+        middle = {name: min(max(0.0, lowest), highest) for name, (lowest, highest, _) in self.joints.items()}
+        for name, angles in self.postures.items():
+            self.postures[name] = {joint: angles.get(joint, middle[joint]) for joint in self.body}
         revolute = [name for name in self.body if not name.endswith("Hand")]
         legs = self.groups.get("LLeg", []) + self.groups.get("RLeg", []) + self.groups.get("Leg", [])
         self.groups.update({

@@ -137,7 +137,7 @@ class Tracker(Service):
             faces = world.faces(min(self.far, 3.0))
             return (faces[0][1], world.head_at(faces[0][0])) if faces else None
         if self.target == "RedBall":
-            seen = world.ball(lambda name, ball: name == "red")
+            seen = world.ball(lambda name, ball: ball.get("color", name) == "red")
         elif self.event == "ALTracker/ColorBlobDetected":
             blob = self.house.services["ALColorBlobDetection"]
             seen = world.ball(blob._wanted) if blob.subscribers else None

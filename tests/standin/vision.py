@@ -10,7 +10,7 @@ from service import Extractor, Refused, api, stamp
 from space import Pose, length
 from world import COLORS
 
-MARK_DEG, MARK_TURN = (2.0, 23.0), math.radians(45)
+MARK_SIZES = (math.radians(2.0), math.radians(23.0))
 
 
 class Seeing(Extractor):
@@ -53,7 +53,7 @@ class RedBall(Seeing):
     outputs = ("redBallDetected",)
 
     def _extract(self):
-        seen = self.house.world.ball(lambda name, ball: name == "red" and ball["shape"] == "ball", self.camera)
+        seen = self.house.world.ball(lambda name, ball: ball.get("color", name) == "red" and ball["shape"] == "ball", self.camera)
         if seen:
             _, (x, y, size), _ = seen
             self.house.memory.put("redBallDetected", [stamp(), [x, y, size, size], *self._poses()])
@@ -110,8 +110,13 @@ class Blob(Seeing):
         color = COLORS.get(ball.get("color", name), (128, 128, 128))
         return all(abs(a - b) <= self.threshold for a, b in zip(color, self.color))
 
+    def _boxes(self, name, box):
+        return self.shape != "Circle" and self._wanted(name, dict(box, shape="box"))
+
     def _extract(self):
-        seen = self.house.world.ball(self._wanted, self.camera)
+        world = self.house.world
+        found = [world.ball(self._wanted, self.camera), world.colored(self._boxes, self.camera)]
+        seen = max((one for one in found if one), key=lambda one: one[1][2], default=None)
         row = self.house.body.table.camera_table[self.camera]
         wide, high = (2 * math.tan(row[field] / 2) for field in ("hfov", "vfov"))
         # Pixels in a picture of 320 x 240.
@@ -143,13 +148,10 @@ class Landmark(Seeing):
         self.seen = False
 
     def _extract(self):
-        marks = []
-        for name, mark in self.house.world.landmarks.items():
-            sight = self.house.world.see(mark["at"], mark["radius"], "landmark " + name, self.camera)
-            large = sight and MARK_DEG[0] <= math.degrees(2 * sight[2]) <= MARK_DEG[1]
-            if large and abs(mark["turned"]) < MARK_TURN:
-                x, y, size = sight
-                marks.append([[1, x, y, 2 * size, 2 * size, mark["heading"]], [int(name)]])
+        marks = [
+            [[1, x, y, 2 * size, 2 * size, 0.0], [number]]
+            for number, (x, y, size) in self.house.world.marks(MARK_SIZES, self.camera)
+        ]
         if marks:
             camera = ["CameraTop", "CameraBottom"][self.camera]
             self.house.memory.put("LandmarkDetected", [stamp(), marks, *self._poses()[:2], camera])
