@@ -62,10 +62,11 @@ class Body:
     def step(self, seconds):
         for name, (target, fraction) in list(self.targets.items()):
             lowest, highest = self._range(name)
-            target = min(max(target, lowest), highest)
+            inside = min(max(target, lowest), highest)
             most = self.table.joints[name][2] * fraction * seconds
-            self.angles[name] = nearer(self.angles[name], target, most)
-            if self.angles[name] == target:
+            self.angles[name] = nearer(self.angles[name], inside, most)
+            # A pitch that waits for the head to turn goes on when there is more room.
+            if self.angles[name] == inside and (inside == target or "HeadYaw" not in self.targets):
                 del self.targets[name]
         for follower, leader in self.table.coupled.items():
             self.angles[follower] = self.angles[leader]
