@@ -3,7 +3,7 @@
 use behaviour::{BehaviourFile, Value};
 use house::Outcome;
 use house::rehearsal::{Report, Script, Told, rehearse};
-use robot::{JOINTS, Millis, Scene, SceneEdit};
+use robot::{JOINTS, Millis, Scene, SceneEdit, Touchable};
 use std::collections::BTreeSet;
 
 const SEED: u64 = 7;
@@ -259,7 +259,8 @@ fn ball(id: &str, at: [f32; 3]) -> SceneEdit {
 
 /// A hand on the head for a tenth of a second.
 fn touch(at_ms: u64) -> Vec<(Millis, SceneEdit)> {
-    vec![at(at_ms, SceneEdit::TouchHead { down: true }), at(at_ms + 100, SceneEdit::TouchHead { down: false })]
+    let part = Touchable::HeadFront;
+    vec![at(at_ms, SceneEdit::Touch { part, down: true }), at(at_ms + 100, SceneEdit::Touch { part, down: false })]
 }
 
 fn present(present: bool) -> SceneEdit {

@@ -8,6 +8,7 @@ mod desk;
 mod few;
 mod fields;
 mod icons;
+mod json;
 mod layout;
 mod link;
 mod live;

@@ -164,7 +164,7 @@ fn hear(generation: u32, text: &str) {
         link.heard_ms = browser::now_ms();
         link.desk.clone().filter(|_| link.generation == generation)
     });
-    let (Some(desk), Ok(message)) = (desk, serde_json::from_str::<Message>(text)) else { return };
+    let (Some(desk), Ok(message)) = (desk, crate::json::read::<Message>(text)) else { return };
     let message = match with(|link| link.assembly.take(message)) {
         Ok(Some(message)) => message,
         Ok(None) => return,

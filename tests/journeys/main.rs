@@ -17,6 +17,7 @@ mod presence;
 mod quick;
 mod record;
 mod robots;
+mod room;
 mod runaway;
 mod steps;
 mod stop;

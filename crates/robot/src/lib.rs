@@ -22,7 +22,7 @@ pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
 pub use helpers::shipped_helpers;
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
-pub use scene::{Ball, Body, JOINTS, Landmark, Obstacle, Person, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
+pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
 
 use behaviour::{Id, Params, Value};
 use serde::{Deserialize, Serialize};

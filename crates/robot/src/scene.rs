@@ -48,7 +48,7 @@ pub struct Scene {
     /// What stands in the way.
     pub obstacles: Vec<Obstacle>,
     /// The printed marks.
-    pub landmarks: Vec<Landmark>,
+    pub landmarks: Vec<Mark>,
 }
 
 /// The robot's body.
@@ -207,7 +207,7 @@ pub struct Obstacle {
 /// A printed mark with a number, upright.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Landmark {
+pub struct Mark {
     /// Its name for [`SceneEdit`]: `mark64`, `mark80`.
     pub id: String,
     /// Its number.

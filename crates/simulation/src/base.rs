@@ -3,8 +3,10 @@
 use crate::math::{nearer, wrapped};
 use crate::servo::STEP_S;
 
-/// Fastest walk in metres a second; our planning value, half of what is published for a NAO.
+/// Fastest walk ahead or back in metres a second; our planning value, half of what is published for a NAO.
 pub(crate) const WALK_MPS: f32 = 0.10;
+/// Fastest walk to a side in metres a second; our planning value.
+pub(crate) const ASIDE_MPS: f32 = 0.06;
 /// Fastest turn on the spot in radians a second; our planning value.
 pub(crate) const TURN_RPS: f32 = 0.50;
 /// How quickly the walk speeds up, in metres a second squared.
@@ -19,37 +21,45 @@ const REACH_M: f32 = 1.8;
 pub(crate) struct Base {
     /// x, y in metres, heading in radians.
     pub(crate) at: [f32; 3],
-    /// Speed ahead and turn rate now.
-    pub(crate) speed: [f32; 2],
-    /// Speed ahead and turn rate wanted.
-    pub(crate) wanted: [f32; 2],
+    /// Speed ahead, speed to the left and turn rate now.
+    pub(crate) speed: [f32; 3],
+    /// Speed ahead, speed to the left and turn rate wanted.
+    pub(crate) wanted: [f32; 3],
 }
 
 impl Base {
     /// Stands still at once.
     pub(crate) fn hold(&mut self) {
-        self.speed = [0.0; 2];
-        self.wanted = [0.0; 2];
+        self.speed = [0.0; 3];
+        self.wanted = [0.0; 3];
     }
 
-    /// Asks for a speed ahead and a turn rate, inside what the robot can do.
-    pub(crate) fn want(&mut self, ahead: f32, turn: f32) {
-        self.wanted = [ahead.clamp(0.0, WALK_MPS), turn.clamp(-TURN_RPS, TURN_RPS)];
+    /// Asks for a speed ahead, a speed to the left and a turn rate, inside what the robot can do.
+    pub(crate) fn want(&mut self, [ahead, aside, turn]: [f32; 3]) {
+        let within = |speed: f32, most: f32| speed.clamp(-most, most);
+        self.wanted = [within(ahead, WALK_MPS), within(aside, ASIDE_MPS), within(turn, TURN_RPS)];
+    }
+
+    /// Whether it neither moves nor is about to.
+    pub(crate) fn is_still(&self) -> bool {
+        self.speed.iter().chain(&self.wanted).all(|speed| *speed == 0.0)
     }
 
     /// One step. It does not walk where `blocked` says that something stands.
     pub(crate) fn step(&mut self, blocked: impl Fn([f32; 2]) -> bool) {
-        self.speed[0] = nearer(self.speed[0], self.wanted[0], WALK_MPS2 * STEP_S);
-        self.speed[1] = nearer(self.speed[1], self.wanted[1], TURN_RPS2 * STEP_S);
+        for (axis, gain) in [WALK_MPS2, WALK_MPS2, TURN_RPS2].into_iter().enumerate() {
+            self.speed[axis] = nearer(self.speed[axis], self.wanted[axis], gain * STEP_S);
+        }
         let (sin, cos) = libm::sincosf(self.at[2]);
-        let way = self.speed[0] * STEP_S;
-        let next = [self.at[0] + cos * way, self.at[1] + sin * way].map(|place| place.clamp(-REACH_M, REACH_M));
-        if way > 0.0 && blocked(next) {
-            self.speed[0] = 0.0;
+        let [ahead, aside] = [self.speed[0] * STEP_S, self.speed[1] * STEP_S];
+        let way = [cos * ahead - sin * aside, sin * ahead + cos * aside];
+        let next = [self.at[0] + way[0], self.at[1] + way[1]].map(|place| place.clamp(-REACH_M, REACH_M));
+        if (ahead != 0.0 || aside != 0.0) && blocked(next) {
+            [self.speed[0], self.speed[1]] = [0.0; 2];
         } else {
             [self.at[0], self.at[1]] = next;
         }
-        self.at[2] = wrapped(self.at[2] + self.speed[1] * STEP_S);
+        self.at[2] = wrapped(self.at[2] + self.speed[2] * STEP_S);
         self.mend();
     }
 

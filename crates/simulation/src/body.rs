@@ -1,17 +1,15 @@
 //! Where every link, the camera and the hands are, from the joint angles: forward kinematics.
 
-use crate::math::{Pose, Vector, pose};
+use crate::math::{Pose, Vector, pose, vector};
 use crate::model::{MOTORS, Model, REVOLUTE};
+use crate::table::Shape;
 
 /// The middle of a closed hand in the frame of its link, in metres: the middle of its capsule in the table.
 const PALM: Vector = Vector::new(0.041, 0.0, -0.004);
-/// The four corners of a sole in the frame of its foot, in metres: the box of the table.
-const SOLE: [Vector; 4] = [
-    Vector::new(0.1, 0.044, -0.045_19),
-    Vector::new(0.1, -0.044, -0.045_19),
-    Vector::new(-0.05, 0.044, -0.045_19),
-    Vector::new(-0.05, -0.044, -0.045_19),
-];
+/// The tip of a foot in the frame of its link, where its bumpers are, in metres: the front of its box in the table.
+const TOES: [Vector; 2] = [Vector::new(0.1, 0.035, -0.0353), Vector::new(0.1, -0.035, -0.0353)];
+/// The heel likewise.
+const HEELS: [Vector; 2] = [Vector::new(-0.05, 0.035, -0.0353), Vector::new(-0.05, -0.035, -0.0353)];
 
 /// An arm.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -26,6 +24,11 @@ impl Side {
         if self == Self::Left { 1.0 } else { -1.0 }
     }
 
+    /// The letter that its joints begin with.
+    pub(crate) fn letter(self) -> char {
+        if self == Self::Left { 'L' } else { 'R' }
+    }
+
     /// Its word.
     pub(crate) fn word(self) -> &'static str {
         if self == Self::Left { "left" } else { "right" }
@@ -37,34 +40,67 @@ pub(crate) struct Body {
     model: &'static Model,
     links: Vec<Pose>,
     hands: [usize; 2],
+    feet: [usize; 2],
     torso_height: f32,
+    /// The joints and the lean for which that height is.
+    measured: Option<([f32; MOTORS], f32)>,
 }
 
 impl Body {
-    /// A body standing in its posture with its lower foot on the floor. The torso is kept level.
+    /// A body standing in StandInit with its lowest part on the floor.
     pub(crate) fn new(model: &'static Model) -> Self {
         let links = vec![Pose::IDENTITY; model.links.len()];
-        let mut body = Self { model, links, hands: [model.link("LHand"), model.link("RHand")], torso_height: 0.0 };
-        body.place([0.0; 3], &model.stand);
-        body.torso_height = body.below();
-        body.place([0.0; 3], &model.stand);
+        let hands = [model.link("LHand"), model.link("RHand")];
+        let feet = [model.link("LFoot"), model.link("RFoot")];
+        let mut body = Self { model, links, hands, feet, torso_height: 0.0, measured: None };
+        body.place([0.0; 3], 0.0, &model.postures.stand_init);
         body
     }
 
-    /// How deep the soles are under the torso, in metres.
-    fn below(&self) -> f32 {
-        let feet = [self.model.link("LFoot"), self.model.link("RFoot")];
-        let corners =
-            feet.iter().flat_map(|foot| SOLE.iter().map(|corner| self.links[*foot].transform_point(*corner).z));
-        -corners.fold(f32::INFINITY, f32::min)
-    }
-
-    /// Puts all links where the base (x, y, heading) and the joints say.
-    pub(crate) fn place(&mut self, base: [f32; 3], joints: &[f32; MOTORS]) {
-        self.links[0] = pose(Vector::new(base[0], base[1], self.torso_height), Vector::Z, base[2]);
+    /// Puts all links where the base (x, y, heading), the lean ahead and the joints say, the lowest part on the floor.
+    pub(crate) fn place(&mut self, base: [f32; 3], lean: f32, joints: &[f32; MOTORS]) {
+        let stand = pose(Vector::new(base[0], base[1], self.torso_height), Vector::Z, base[2]);
+        self.links[0] = stand * pose(Vector::ZERO, Vector::Y, lean);
         for (hinge, angle) in self.model.hinges.iter().zip(&joints[..REVOLUTE]) {
             self.links[hinge.child] = self.links[hinge.parent] * pose(hinge.at, hinge.axis, *angle);
         }
+        if self.measured.as_ref().is_none_or(|measured| measured.0 != *joints || measured.1 != lean) {
+            self.put_down();
+            self.measured = Some((*joints, lean));
+        }
+    }
+
+    /// Raises or lowers everything so that the lowest part is on the floor.
+    fn put_down(&mut self) {
+        let parts = self.model.links.iter().zip(&self.links);
+        let lowest = parts.flat_map(|(link, at)| link.shapes.iter().map(|shape| lowest(shape, at)));
+        let lowest = lowest.fold(f32::INFINITY, f32::min);
+        self.torso_height -= lowest;
+        self.links.iter_mut().for_each(|link| link.translation.z -= lowest);
+    }
+
+    /// The head.
+    pub(crate) fn head(&self) -> Pose {
+        self.links[self.model.camera.link]
+    }
+
+    /// How high the torso is above the floor, in metres.
+    pub(crate) fn height(&self) -> f32 {
+        self.torso_height
+    }
+
+    /// The tip of the left (0) or right (1) foot: its two corners.
+    pub(crate) fn toes(&self, foot: usize) -> [Vector; 2] {
+        TOES.map(|corner| self.links[self.feet[foot]].transform_point(corner))
+    }
+
+    /// The corners of both feet.
+    pub(crate) fn corners(&self) -> impl Iterator<Item = Vector> {
+        let corners = TOES.into_iter().chain(HEELS);
+        self.feet
+            .into_iter()
+            .flat_map(move |foot| corners.clone().map(move |corner| (foot, corner)))
+            .map(|(foot, corner)| self.links[foot].transform_point(corner))
     }
 
     /// The pose of each link, in the order of the table.
@@ -93,6 +129,19 @@ impl Body {
         let (at, ahead) = (camera.translation, camera.transform_vector(Vector::X));
         let yaw = libm::atan2f(ahead.y, ahead.x);
         [at.x, at.y, at.z, yaw, libm::atan2f(-ahead.z, libm::hypotf(ahead.x, ahead.y))]
+    }
+}
+
+/// How low a shape reaches in the room, in metres.
+fn lowest(shape: &Shape, link: &Pose) -> f32 {
+    let height = |at: [f32; 3]| link.transform_point(vector(at)).z;
+    match shape {
+        Shape::Sphere { at, r } => height(*at) - r,
+        Shape::Capsule { a, b, r } => height(*a).min(height(*b)) - r,
+        Shape::Box { at, half } => {
+            let axes = [Vector::X, Vector::Y, Vector::Z].map(|axis| link.transform_vector(axis).z.abs());
+            height(*at) - axes.iter().zip(half).map(|(axis, half)| axis * half).sum::<f32>()
+        }
     }
 }
 

@@ -1,5 +1,13 @@
 //! A fingerprint of the whole state, the same on every machine: FNV-1a over bytes in a chosen order.
 
+use robot::Use;
+
+/// Adds whose it is.
+pub(crate) fn digest_use(user: &Use, digest: &mut Digest) {
+    digest.whole(user.run);
+    digest.text(user.stream.as_str());
+}
+
 /// A running fingerprint.
 pub(crate) struct Digest(u64);
 

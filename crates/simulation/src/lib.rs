@@ -7,12 +7,11 @@
 
 mod base;
 mod body;
-mod command;
-mod device;
+mod condition;
+mod devices;
 mod edit;
-mod eyes;
-mod follow;
 mod hash;
+mod hearing;
 mod looking;
 mod math;
 mod model;
@@ -20,7 +19,7 @@ mod movers;
 mod nao;
 mod noise;
 mod parts;
-mod pointing;
+mod picture;
 mod robot_impl;
 mod room;
 mod senses;
@@ -28,9 +27,9 @@ mod servo;
 mod sight;
 mod speech;
 mod table;
-mod track;
 mod world;
 
+pub use devices::Played;
 pub use edit::RoomFault;
 pub use nao::SimulatedNao;
 pub use noise::Noise;

@@ -1,8 +1,10 @@
 //! The table of the robot: links, joints with limits and speeds, camera and posture, compiled in.
 
-use crate::math::{Pose, Vector, pose, vector};
-use crate::table::{JointRow, Link, Table, TableFault};
+use crate::body::Side;
+use crate::math::{Pose, Vector, pose, turn, vector};
+use crate::table::{JointRow, Link, SonarRow, Table, TableFault};
 use robot::JOINTS;
+use std::ops::Range;
 use std::sync::OnceLock;
 
 /// Joints and hands.
@@ -13,6 +15,8 @@ pub(crate) const REVOLUTE: usize = MOTORS - 2;
 pub(crate) const HEAD_YAW: usize = 0;
 /// Head joints in [`JOINTS`].
 pub(crate) const HEAD_PITCH: usize = 1;
+/// The joints of the legs in [`JOINTS`].
+pub(crate) const LEGS: Range<usize> = 12..REVOLUTE;
 
 /// A hinge between two links.
 pub(crate) struct Hinge {
@@ -38,6 +42,22 @@ pub(crate) struct Camera {
     pub(crate) half: [f32; 2],
 }
 
+/// A sonar: x of its mount is the middle of its cone.
+pub(crate) struct Sonar {
+    pub(crate) link: usize,
+    pub(crate) mount: Pose,
+    /// Half the opening of its cone in radians.
+    pub(crate) half_cone: f32,
+}
+
+/// Postures in the order of [`JOINTS`].
+pub(crate) struct Postures {
+    pub(crate) stand: [f32; MOTORS],
+    pub(crate) stand_init: [f32; MOTORS],
+    pub(crate) crouch: [f32; MOTORS],
+    pub(crate) sit: [f32; MOTORS],
+}
+
 /// The robot's table, with names resolved.
 pub(crate) struct Model {
     pub(crate) links: Vec<Link>,
@@ -45,8 +65,9 @@ pub(crate) struct Model {
     pub(crate) motors: Vec<Motor>,
     pub(crate) head_pitch_by_yaw: Vec<[f32; 3]>,
     pub(crate) camera: Camera,
-    /// The posture StandInit in the order of [`JOINTS`].
-    pub(crate) stand: [f32; MOTORS],
+    /// The sonars in the chest, left and right.
+    pub(crate) sonars: Vec<Sonar>,
+    pub(crate) postures: Postures,
 }
 
 impl Model {
@@ -69,7 +90,8 @@ impl Model {
             hinges: hinges(&table)?,
             motors: motors(&table),
             camera: camera(&table)?,
-            stand: table.postures.stand_init.try_into().map_err(|_| TableFault::Posture)?,
+            sonars: sonars(&table)?,
+            postures: postures(&table)?,
             head_pitch_by_yaw: table.head_pitch_by_yaw,
             links: table.links,
         })
@@ -84,6 +106,19 @@ impl Model {
 /// Where a joint stands in [`JOINTS`].
 pub(crate) fn motor(name: &str) -> Option<usize> {
     JOINTS.iter().position(|joint| *joint == name)
+}
+
+/// The joints of an arm, without its side, in the order of NAOqi; the hand comes after them.
+const ARM: [&str; 5] = ["ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll", "WristYaw"];
+
+/// The motors of an arm, without its hand.
+pub(crate) fn arm_motors(side: Side) -> impl Iterator<Item = usize> {
+    ARM.iter().filter_map(move |joint| motor(&format!("{}{joint}", side.letter())))
+}
+
+/// The motors of an arm, its hand last.
+pub(crate) fn arm_motors_and_hand(side: Side) -> impl Iterator<Item = usize> {
+    arm_motors(side).chain(motor(&format!("{}Hand", side.letter())))
 }
 
 fn link_of(table: &Table, name: &str) -> Result<usize, TableFault> {
@@ -118,16 +153,40 @@ fn camera(table: &Table) -> Result<Camera, TableFault> {
     Ok(Camera { link, mount: pose(vector(row.at), Vector::Y, row.pitch_down), half: [row.hfov / 2.0, row.vfov / 2.0] })
 }
 
+fn sonars(table: &Table) -> Result<Vec<Sonar>, TableFault> {
+    let sonar = |row: &SonarRow| {
+        let tilt = Pose::from_parts(Vector::ZERO, turn(Vector::Y, row.pitch_down));
+        let mount = pose(vector(row.at), Vector::Z, row.yaw) * tilt;
+        Ok(Sonar { link: link_of(table, &row.link)?, mount, half_cone: row.half_cone })
+    };
+    let sonars: Vec<Sonar> = table.sonars.iter().map(sonar).collect::<Result<_, TableFault>>()?;
+    if sonars.len() == 2 { Ok(sonars) } else { Err(TableFault::Sonars) }
+}
+
+fn postures(table: &Table) -> Result<Postures, TableFault> {
+    let whole = |angles: &Vec<f32>| angles.clone().try_into().map_err(|_| TableFault::Posture);
+    let rows = &table.postures;
+    Ok(Postures {
+        stand: whole(&rows.stand)?,
+        stand_init: whole(&rows.stand_init)?,
+        crouch: whole(&rows.crouch)?,
+        sit: whole(&rows.sit)?,
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::{MOTORS, Model, motor};
 
     #[test]
-    fn the_table_is_whole_and_its_posture_is_inside_the_limits() {
+    fn the_table_is_whole_and_its_postures_are_inside_the_limits() {
         let model = Model::nao();
         assert_eq!((model.motors.len(), model.links.len(), model.hinges.len()), (MOTORS, 25, 24));
-        for (motor, angle) in model.motors.iter().zip(model.stand) {
-            assert!((motor.limits[0]..=motor.limits[1]).contains(&angle), "{angle}");
+        let postures = &model.postures;
+        for posture in [&postures.stand, &postures.stand_init, &postures.crouch, &postures.sit] {
+            for (motor, angle) in model.motors.iter().zip(posture) {
+                assert!((motor.limits[0] - 0.01..=motor.limits[1] + 0.01).contains(angle), "{angle}");
+            }
         }
         assert_eq!(model.motors[motor("RHipYawPitch").expect("present")].couple, motor("LHipYawPitch"));
     }

@@ -1,7 +1,6 @@
 //! Who moves each motor: when a use of the robot ends, what it moves holds, and nothing else does.
 
-use crate::follow::digest_use;
-use crate::hash::Digest;
+use crate::hash::{Digest, digest_use};
 use robot::Use;
 use std::collections::BTreeMap;
 
@@ -24,6 +23,16 @@ impl Movers {
         let own: Vec<usize> = self.0.iter().filter(|(_, mover)| *mover == user).map(|(motor, _)| *motor).collect();
         own.iter().for_each(|motor| drop(self.0.remove(motor)));
         own
+    }
+
+    /// Whether a motor was last sent somewhere by this use.
+    pub(crate) fn is(&self, motor: usize, user: &Use) -> bool {
+        self.0.get(&motor) == Some(user)
+    }
+
+    /// Motors are nobody's.
+    pub(crate) fn free(&mut self, motors: impl IntoIterator<Item = usize>) {
+        motors.into_iter().for_each(|motor| drop(self.0.remove(&motor)));
     }
 
     /// Adds who moves what.

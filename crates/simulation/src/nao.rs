@@ -2,9 +2,10 @@
 
 use crate::base::Base;
 use crate::body::Body;
-use crate::eyes::Eyes;
-use crate::follow::{Follow, Point};
-use crate::hash::Digest;
+use crate::condition::Own;
+use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Pads, Played, Playing, Point, Sounds, Walking};
+use crate::hash::{Digest, digest_use};
+use crate::hearing::Hearing;
 use crate::model::{Model, motor};
 use crate::movers::Movers;
 use crate::noise::{Noise, Random};
@@ -14,11 +15,10 @@ use crate::speech::{Speech, Spoken};
 use crate::world::World;
 use robot::Millis;
 use std::collections::{BTreeMap, VecDeque};
+use std::sync::Arc;
 
 /// One step in milliseconds.
 pub(crate) const STEP_MS: u64 = 10;
-/// Texts shown beside the room; the oldest go first.
-pub(crate) const PRINTED_MAX: usize = 20;
 
 /// A NAO in its room, computed. Time is handed in; the same seed and the same calls give the same bits on every
 /// machine.
@@ -31,14 +31,24 @@ pub struct SimulatedNao {
     pub(crate) body: Body,
     pub(crate) world: World,
     pub(crate) senses: Senses,
-    pub(crate) acts: BTreeMap<robot::Use, crate::device::Act>,
+    pub(crate) acts: BTreeMap<robot::Use, Arc<dyn Act>>,
     pub(crate) follow: Option<Follow>,
     pub(crate) points: Vec<Point>,
+    pub(crate) walking: Option<Walking>,
+    pub(crate) playing: Option<Playing>,
+    pub(crate) going: Option<Going>,
+    pub(crate) lean: Lean,
     pub(crate) speech: Speech,
+    pub(crate) sounds: Sounds,
+    pub(crate) hearing: Hearing,
+    pub(crate) pads: Pads,
+    pub(crate) charge: Charge,
+    pub(crate) own: Own,
+    /// Why everything ended, until somebody asks.
+    pub(crate) halted: Option<String>,
     pub(crate) eyes: Eyes,
     pub(crate) printed: VecDeque<String>,
     pub(crate) known: Vec<bool>,
-    pub(crate) touched: bool,
     pub(crate) safe: bool,
     pub(crate) noise: Noise,
     pub(crate) random: Random,
@@ -64,10 +74,19 @@ impl SimulatedNao {
             acts: BTreeMap::new(),
             follow: None,
             points: Vec::new(),
+            walking: None,
+            playing: None,
+            going: None,
+            lean: Lean::default(),
             speech: Speech::default(),
+            sounds: Sounds::default(),
+            hearing: Hearing::default(),
+            pads: Pads::default(),
+            charge: Charge::default(),
+            own: Own::default(),
+            halted: None,
             eyes: Eyes::default(),
             printed: VecDeque::new(),
-            touched: false,
             safe: false,
             noise: Noise::default(),
             random: Random::new(seed),
@@ -98,16 +117,41 @@ impl SimulatedNao {
         self.noise = Noise { angle: sound(noise.angle), size: sound(noise.size), drop: sound(noise.drop) };
     }
 
-    /// One step of 10 ms: trackers look, motors and base move, physics answers, the voice goes on.
+    /// The sounds that were played, oldest first, at most 100.
+    #[must_use]
+    pub fn sounds(&self) -> &[Played] {
+        self.sounds.log()
+    }
+
+    /// One step of 10 ms: it falls or stands, whatever moves it looks and decides, motors and base move, physics answers,
+    /// the voice goes on, and skin and ears feel and hear.
     pub(crate) fn step(&mut self) {
         self.now += STEP_MS;
+        self.lean();
         self.track();
+        self.play();
+        self.walk();
         self.servo.step();
-        let (world, from) = (&self.world, self.base.at);
-        self.base.step(|next| world.person_blocks(from, next));
-        self.body.place(self.base.at, &self.servo.now);
+        self.arrive();
+        self.move_base();
+        self.body.place(self.base.at, self.lean.angle, &self.servo.now);
         self.world.step(&self.body, self.base.at);
         self.speech.step(self.now);
+        self.sounds.step(self.now);
+        self.hear();
+        self.feel();
+        self.drain();
+    }
+
+    fn move_base(&mut self) {
+        let (world, body, from) = (&self.world, &self.body, self.base.at);
+        self.base.step(|next| world.person_blocks(from, next) || world.obstacle_blocks(body, from, next));
+    }
+
+    fn feel(&mut self) {
+        let mut pads = core::mem::take(&mut self.pads);
+        pads.step(|part| self.is_pressed(part));
+        self.pads = pads;
     }
 
     /// A fingerprint of the whole state: two robots that were told the same have the same, on every machine.
@@ -133,12 +177,19 @@ impl SimulatedNao {
             digest.floats(numbers);
         }
         self.movers.digest(digest);
+        self.lean.digest(digest);
         digest.truth(self.follow.is_some());
         if let Some(follow) = &self.follow {
             follow.digest(digest);
         }
         digest.count(self.points.len());
         self.points.iter().for_each(|point| point.digest(digest));
+        digest.truth(self.walking.is_some());
+        self.walking.iter().for_each(|walking| walking.digest(digest));
+        digest.truth(self.playing.is_some());
+        self.playing.iter().for_each(|playing| playing.digest(digest));
+        digest.truth(self.going.is_some());
+        self.going.iter().for_each(|going| going.digest(digest));
     }
 
     fn digest_mind(&self, digest: &mut Digest) {
@@ -147,10 +198,15 @@ impl SimulatedNao {
         digest.count(self.printed.len());
         self.printed.iter().for_each(|text| digest.text(text));
         self.known.iter().for_each(|known| digest.truth(*known));
-        digest.truth(self.touched);
+        self.pads.digest(digest);
+        self.sounds.digest(digest);
+        self.hearing.digest(digest);
+        self.charge.digest(digest);
+        self.own.digest(digest);
+        digest.text(self.halted.as_deref().unwrap_or_default());
         digest.truth(self.safe);
         for (user, act) in &self.acts {
-            crate::follow::digest_use(user, digest);
+            digest_use(user, digest);
             digest.text(&format!("{act:?}"));
         }
     }

@@ -3,7 +3,7 @@
 use crate::body::Body;
 use crate::math::{Pose, Vector, vector};
 use crate::model::Model;
-use crate::room::{HALF_M, HEAD_M, PersonKind, WAIST_M};
+use crate::room::{HALF_M, HEAD_M, ObstacleKind, PersonKind, WAIST_M};
 use crate::table::{Link, Shape};
 use rapier3d::prelude::{ColliderBuilder, PhysicsWorld, RigidBodyBuilder, RigidBodyHandle};
 
@@ -18,7 +18,7 @@ pub(crate) mod group {
     /// The robot's head.
     pub(crate) const HEAD: Group = Group::GROUP_2;
     /// Everything else.
-    const THING: Group = Group::GROUP_3;
+    pub(crate) const THING: Group = Group::GROUP_3;
 
     /// Groups of a part of the robot.
     pub(crate) fn robot(head: bool) -> InteractionGroups {
@@ -85,4 +85,12 @@ pub(crate) fn add_person(physics: &mut PhysicsWorld, kind: &PersonKind) -> Rigid
     physics.insert_collider(waist.collision_groups(group::things()), Some(body));
     physics.insert_collider(head.collision_groups(group::things()), Some(body));
     body
+}
+
+/// Adds an obstacle, outside the room at first.
+pub(crate) fn add_obstacle(physics: &mut PhysicsWorld, kind: &ObstacleKind) -> RigidBodyHandle {
+    let half = kind.size.map(|size| size / 2.0);
+    let body = RigidBodyBuilder::kinematic_position_based().pose(Pose::translation(kind.at[0], kind.at[1], half[2]));
+    let shape = ColliderBuilder::cuboid(half[0], half[1], half[2]).collision_groups(group::things());
+    physics.insert(body.enabled(false), shape).0
 }

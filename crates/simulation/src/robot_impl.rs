@@ -1,10 +1,9 @@
 //! What every robot can do, done by the simulated one.
 
-use crate::body::Side;
-use crate::device::{Device, NAMES, device};
+use crate::devices::{Opened, names, open};
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
-use robot::{Ball, Body, Health, Millis, Person, Reading, Robot, RobotFault, Scene, Use};
+use robot::{Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};
 
 /// Most open devices.
 const USES_MAX: usize = 512;
@@ -17,19 +16,23 @@ impl Robot for SimulatedNao {
     }
 
     fn devices(&self) -> Vec<&'static str> {
-        NAMES.to_vec()
+        names().collect()
+    }
+
+    fn lacking(&self) -> Vec<Lacking> {
+        Vec::new()
     }
 
     fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), RobotFault> {
-        let device = device(name, params)?;
+        let device = open(name, params)?;
         self.close(user);
         if self.senses.len() + self.acts.len() >= USES_MAX {
             return Err(RobotFault::Full(USES_MAX));
         }
         self.safe = false;
         match device {
-            Device::Sense(sense) => self.senses.open(user, sense, self.now),
-            Device::Act(act) => {
+            Opened::Sense(sense) => self.senses.open(user, sense, self.now),
+            Opened::Act(act) => {
                 self.acts.insert(user.clone(), act);
             }
         }
@@ -38,9 +41,12 @@ impl Robot for SimulatedNao {
 
     fn close(&mut self, user: &Use) {
         self.senses.close(user);
-        if self.acts.remove(user).is_some() {
-            self.release(user);
-            self.speech.end(user, self.now);
+        if let Some(act) = self.acts.remove(user) {
+            act.end(self, user);
+            self.end_going(user);
+            for motor in self.movers.end(user) {
+                self.servo.hold_one(motor);
+            }
         }
     }
 
@@ -52,7 +58,10 @@ impl Robot for SimulatedNao {
         if !value.is_finite() {
             return Err(RobotFault::Infinite);
         }
-        self.act(user, &act, value)?;
+        if act.moves() {
+            self.ready()?;
+        }
+        act.act(self, user, value)?;
         self.safe = false;
         Ok(())
     }
@@ -68,71 +77,26 @@ impl Robot for SimulatedNao {
     }
 
     fn stop(&mut self, _now: Millis) {
-        self.follow = None;
-        self.points.clear();
-        self.base.hold();
-        self.servo.hold();
-        self.speech.stop(self.now);
-        self.safe = true;
+        self.hold();
+    }
+
+    fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
+        self.control_by(control)
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        self.halted.take()
     }
 
     fn health(&self) -> Health {
         if self.safe { Health::Safe } else { Health::Ready }
     }
 
+    fn condition(&self) -> Condition {
+        self.condition_now()
+    }
+
     fn scene(&self) -> Scene {
-        Scene {
-            at_ms: self.now,
-            body: self.body_picture(),
-            balls: self.ball_pictures(),
-            people: self.people_pictures(),
-        }
-    }
-}
-
-impl SimulatedNao {
-    fn body_picture(&self) -> Body {
-        let hands = [Side::Left, Side::Right].map(|side| self.body.hand(side).to_array());
-        Body {
-            base: self.base.at,
-            joints: self.servo.now.to_vec(),
-            eyes: self.eyes.shine(),
-            saying: self.speech.saying().to_owned(),
-            tracking: self.tracking(),
-            printed: self.printed.iter().cloned().collect(),
-            gaze: self.body.gaze(),
-            gaze_half: self.model.camera.half[0],
-            hands,
-            head_touched: self.touched,
-        }
-    }
-
-    fn tracking(&self) -> String {
-        let head = self.follow.iter().map(crate::follow::Follow::words);
-        let arms = self.points.iter().map(crate::follow::Point::words);
-        head.chain(arms).collect::<Vec<_>>().join(", ")
-    }
-
-    fn ball_pictures(&self) -> Vec<Ball> {
-        let picture = |(index, ball): (usize, &crate::world::BallBody)| Ball {
-            id: ball.color.to_owned(),
-            color: ball.color.to_owned(),
-            at: self.world.ball_at(ball).to_array(),
-            radius: ball.radius,
-            seen: self.ball_in_view(index).is_some(),
-        };
-        self.world.balls.iter().enumerate().map(picture).collect()
-    }
-
-    fn people_pictures(&self) -> Vec<Person> {
-        let picture = |(index, person): (usize, &crate::world::PersonBody)| Person {
-            id: person.id.to_owned(),
-            at: person.at,
-            height: person.height,
-            seen: self.face_in_view(index).is_some(),
-            known: self.known[index],
-            present: person.present,
-        };
-        self.world.people.iter().enumerate().map(picture).collect()
+        self.picture()
     }
 }

@@ -25,7 +25,7 @@ pub(crate) struct Servo {
 impl Servo {
     /// Motors resting in the posture StandInit.
     pub(crate) fn new(model: &'static Model) -> Self {
-        let stand = model.stand;
+        let stand = model.postures.stand_init;
         let follow = 1.0 - libm::expf(-STEP_S / LAG_S);
         Self { model, now: stand, reference: stand, target: stand, speed: [0.3; MOTORS], follow }
     }
@@ -68,7 +68,7 @@ impl Servo {
 
     /// Inside the limits; the standing posture if it is no number at all.
     fn sound(&self, motor: usize, angle: f32) -> f32 {
-        self.inside(motor, if angle.is_finite() { angle } else { self.model.stand[motor] })
+        self.inside(motor, if angle.is_finite() { angle } else { self.model.postures.stand_init[motor] })
     }
 
     fn inside(&self, motor: usize, angle: f32) -> f32 {

@@ -1,7 +1,6 @@
 //! Speaking: a short queue, and a log of what was said.
 
-use crate::follow::digest_use;
-use crate::hash::Digest;
+use crate::hash::{Digest, digest_use};
 use robot::{Millis, RobotFault, Use};
 use std::collections::VecDeque;
 

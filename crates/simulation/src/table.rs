@@ -15,6 +15,8 @@ pub(crate) enum TableFault {
     /// It has no link of this name.
     NoLink(String),
     NoCamera,
+    /// It has not two sonars.
+    Sonars,
 }
 
 impl fmt::Display for TableFault {
@@ -25,6 +27,7 @@ impl fmt::Display for TableFault {
             Self::Posture => to.write_str("a posture has 26 angles"),
             Self::NoLink(name) => write!(to, "no link {name}"),
             Self::NoCamera => to.write_str("no top camera"),
+            Self::Sonars => to.write_str("a NAO has two sonars"),
         }
     }
 }
@@ -37,6 +40,7 @@ pub(crate) struct Table {
     pub(crate) hands: Vec<HandRow>,
     pub(crate) head_pitch_by_yaw: Vec<[f32; 3]>,
     pub(crate) cameras: Vec<CameraRow>,
+    pub(crate) sonars: Vec<SonarRow>,
     pub(crate) postures: Postures,
 }
 
@@ -85,7 +89,19 @@ pub(crate) struct CameraRow {
 }
 
 #[derive(Deserialize)]
+pub(crate) struct SonarRow {
+    pub(crate) link: String,
+    pub(crate) at: [f32; 3],
+    pub(crate) yaw: f32,
+    pub(crate) pitch_down: f32,
+    pub(crate) half_cone: f32,
+}
+
+#[derive(Deserialize)]
 #[serde(rename_all = "PascalCase")]
 pub(crate) struct Postures {
+    pub(crate) stand: Vec<f32>,
     pub(crate) stand_init: Vec<f32>,
+    pub(crate) crouch: Vec<f32>,
+    pub(crate) sit: Vec<f32>,
 }

@@ -4,13 +4,16 @@ use crate::body::Body;
 use crate::hash::Digest;
 use crate::math::{Pose, Vector, across};
 use crate::model::Model;
-use crate::parts::{add_parts, add_person, add_room, group};
-use crate::room::{self, HALF_M, PEOPLE, WAIST_M};
+use crate::parts::{add_obstacle, add_parts, add_person, add_room, group};
+use crate::room::{self, HALF_M, MARKS, OBSTACLES, PEOPLE, WAIST_M};
 use crate::servo::STEP_S;
 use rapier3d::prelude::{
     ColliderBuilder, InteractionGroups, InteractionTestMode, PhysicsWorld, QueryFilter, Ray, RigidBodyBuilder,
     RigidBodyHandle, RigidBodyType,
 };
+
+/// A surface sends a sonar's ray back if it meets it this steeply: within 41° of straight, so that the floor is silent.
+const ECHO_COS: f32 = 0.75;
 
 /// A ball as a body.
 pub(crate) struct BallBody {
@@ -30,12 +33,34 @@ pub(crate) struct PersonBody {
     pub(crate) body: RigidBodyHandle,
 }
 
+/// An obstacle as a body.
+pub(crate) struct ObstacleBody {
+    pub(crate) id: &'static str,
+    pub(crate) color: &'static str,
+    pub(crate) at: [f32; 2],
+    pub(crate) size: [f32; 3],
+    pub(crate) present: bool,
+    pub(crate) body: RigidBodyHandle,
+}
+
+/// A printed mark, too thin to be a body.
+pub(crate) struct Mark {
+    pub(crate) id: &'static str,
+    pub(crate) number: u16,
+    pub(crate) at: Vector,
+    /// The heading of its front in radians.
+    pub(crate) facing: f32,
+    pub(crate) present: bool,
+}
+
 /// The room with everything in it.
 pub(crate) struct World {
     physics: PhysicsWorld,
     parts: Vec<(usize, RigidBodyHandle)>,
     pub(crate) balls: Vec<BallBody>,
     pub(crate) people: Vec<PersonBody>,
+    pub(crate) obstacles: Vec<ObstacleBody>,
+    pub(crate) marks: Vec<Mark>,
 }
 
 impl World {
@@ -54,7 +79,16 @@ impl World {
             body: add_person(&mut physics, kind),
         });
         let people = people.collect();
-        let mut world = Self { physics, parts, balls, people };
+        let obstacles = OBSTACLES.iter().map(|kind| ObstacleBody {
+            id: kind.id,
+            color: kind.color,
+            at: kind.at,
+            size: kind.size,
+            present: false,
+            body: add_obstacle(&mut physics, kind),
+        });
+        let obstacles = obstacles.collect();
+        let mut world = Self { physics, parts, balls, people, obstacles, marks: marks() };
         world.physics.step();
         world
     }
@@ -107,6 +141,48 @@ impl World {
             body.set_position(Pose::translation(at[0], at[1], 0.0), true);
             body.set_enabled(present);
         }
+    }
+
+    /// Moves an obstacle and says whether it is in the room.
+    pub(crate) fn put_obstacle(&mut self, obstacle: usize, at: [f32; 2], present: bool) {
+        let Some(obstacle) = self.obstacles.get_mut(obstacle) else { return };
+        (obstacle.at, obstacle.present) = (at, present);
+        if let Some(body) = self.physics.bodies.get_mut(obstacle.body) {
+            body.set_position(Pose::translation(at[0], at[1], obstacle.size[2] / 2.0), true);
+            body.set_enabled(present);
+        }
+    }
+
+    /// The obstacles that are in the room.
+    pub(crate) fn in_the_way(&self) -> impl Iterator<Item = &ObstacleBody> {
+        self.obstacles.iter().filter(|obstacle| obstacle.present)
+    }
+
+    /// Whether a foot would meet an obstacle on the way from `base` to `next`, and more than it does already.
+    pub(crate) fn obstacle_blocks(&self, robot: &Body, base: [f32; 3], next: [f32; 2]) -> bool {
+        let way = Vector::new(next[0] - base[0], next[1] - base[1], 0.0);
+        self.in_the_way().any(|obstacle| {
+            let nearest = |way: Vector| {
+                robot.corners().map(|corner| obstacle.distance(corner + way)).fold(f32::INFINITY, f32::min)
+            };
+            let distance = nearest(way);
+            distance < room::FOOT_CLEAR_M && distance < nearest(Vector::ZERO)
+        })
+    }
+
+    /// How far the nearest obstacle or ball is from a point, in metres; negative inside of it.
+    pub(crate) fn distance_to_things(&self, point: Vector) -> f32 {
+        let obstacles = self.in_the_way().map(|obstacle| obstacle.distance(point));
+        let balls = self.balls.iter().map(|ball| (self.ball_at(ball) - point).length() - ball.radius);
+        obstacles.chain(balls).fold(f32::INFINITY, f32::min)
+    }
+
+    /// How far a sonar's ray goes before something sends it back: neither the robot, nor what it grazes.
+    pub(crate) fn echo(&self, from: Vector, way: Vector, most: f32) -> Option<f32> {
+        let things = InteractionGroups::new(group::ALL, group::THING, InteractionTestMode::And);
+        let (ray, filter) = (Ray::new(from, way), QueryFilter::new().groups(things));
+        let (_, hit) = self.physics.cast_ray_and_get_normal(&ray, most, true, filter)?;
+        (-hit.normal.dot(way) > ECHO_COS).then_some(hit.time_of_impact)
     }
 
     /// Whether somebody stands closer to `next` than the robot may walk, and nearer than from `base`.
@@ -166,7 +242,42 @@ impl World {
             digest.floats(&person.at);
             digest.truth(person.present);
         }
+        for obstacle in &self.obstacles {
+            digest.floats(&obstacle.at);
+            digest.truth(obstacle.present);
+        }
+        for mark in &self.marks {
+            digest.floats(&mark.at.to_array());
+            digest.floats(&[mark.facing]);
+            digest.truth(mark.present);
+        }
     }
+}
+
+impl ObstacleBody {
+    /// How far its surface is from a point, in metres; negative inside.
+    fn distance(&self, point: Vector) -> f32 {
+        let half = self.size.map(|size| size / 2.0);
+        let out = [
+            (point.x - self.at[0]).abs() - half[0],
+            (point.y - self.at[1]).abs() - half[1],
+            (point.z - half[2]).abs() - half[2],
+        ];
+        let outside = Vector::new(out[0].max(0.0), out[1].max(0.0), out[2].max(0.0)).length();
+        outside + out.into_iter().fold(f32::NEG_INFINITY, f32::max).min(0.0)
+    }
+}
+
+/// The marks as they are at first, facing where the robot stands then.
+fn marks() -> Vec<Mark> {
+    let mark = |kind: &room::MarkKind| Mark {
+        id: kind.id,
+        number: kind.number,
+        at: kind.at,
+        facing: libm::atan2f(-kind.at.y, -kind.at.x),
+        present: false,
+    };
+    MARKS.iter().map(mark).collect()
 }
 
 fn add_ball(physics: &mut PhysicsWorld, kind: &room::BallKind) -> BallBody {

@@ -191,7 +191,7 @@ fn newest(desk: Hold, id: &Id) -> Option<(bool, Value)> {
     }
     let stream = signals.record.get_untracked();
     let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
-    serde_json::from_str(device.example).ok().map(|example| (true, example))
+    crate::json::read(device.example).ok().map(|example| (true, example))
 }
 
 /// The trials in one line: "now 14.2 → passes".

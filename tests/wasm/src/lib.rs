@@ -7,7 +7,7 @@ mod graphs;
 pub mod runs;
 
 use behaviour::{Id, Params, Value};
-use robot::{Millis, Robot, SceneEdit, Use};
+use robot::{Millis, Robot, SceneEdit, Touchable, Use};
 use simulation::{Noise, SimulatedNao};
 
 /// What happens in the story: every beat is 20 ms.
@@ -52,6 +52,9 @@ fn open_all(nao: &mut SimulatedNao) {
     open(nao, "ball", "RedBall", &[]);
     open(nao, "touch", "HeadTouch", &[("release", "yes")]);
     open(nao, "yaw", "JointPosition", &[("joint", "HeadYaw")]);
+    for device in robot::sensors().chain(robot::actuators()) {
+        open(nao, &format!("every_{}", device.name.to_lowercase()), device.name, &[]);
+    }
 }
 
 fn open(nao: &mut SimulatedNao, stream: &str, device: &str, params: &[(&str, &str)]) {
@@ -68,13 +71,40 @@ fn tell(nao: &mut SimulatedNao, stream: &str, value: &Value) {
 fn happen(nao: &mut SimulatedNao, beat: u64) {
     let aside = 0.4 * libm::sinf(beat as f32 * 0.02);
     let _refused = nao.edit(&SceneEdit::MoveBall { id: "red".to_owned(), at: [1.1, aside, 0.45] });
-    tell(nao, "walk", &Value::Bool(true));
+    if !(150..300).contains(&beat) {
+        tell(nao, "walk", &Value::Bool(true));
+    }
     match beat {
         2 | 15 => tell(nao, "say", &Value::Int(beat.cast_signed())),
         3 => drop(nao.edit(&SceneEdit::SetPresent { id: "person".to_owned(), present: true })),
         5 => drop(nao.throw_ball("green", [-2.0, -1.5, 1.0])),
-        12 | 14 => drop(nao.edit(&SceneEdit::TouchHead { down: beat == 12 })),
+        12 | 14 => drop(nao.edit(&SceneEdit::Touch { part: Touchable::HeadFront, down: beat == 12 })),
         18 => tell(nao, "learn", &Value::Bool(true)),
+        50..60 => happen_in_the_room(nao, beat),
+        40 => tell(nao, "every_animation", &Value::Bool(true)),
+        130 => tell(nao, "every_sound", &Value::Bool(true)),
+        150..200 => tell(nao, "every_walk", &Value::object([("x", 0.05.into()), ("turn", (-0.1).into())])),
+        200 => tell(nao, "every_posture", &Value::Bool(true)),
+        300 => drop(nao.edit(&SceneEdit::Push)),
+        370 => drop(nao.edit(&SceneEdit::HelpUp)),
         _ => {}
     }
+}
+
+/// Things and marks come, somebody speaks and claps, the battery is half empty.
+fn happen_in_the_room(nao: &mut SimulatedNao, beat: u64) {
+    let id = |id: &str| id.to_owned();
+    let edit = match beat {
+        50 => SceneEdit::MoveObstacle { id: id("box"), at: [0.9, -0.5] },
+        51 => SceneEdit::SetPresent { id: id("box"), present: true },
+        52 => SceneEdit::SetPresent { id: id("mark64"), present: true },
+        53 => SceneEdit::MoveLandmark { id: id("mark64"), at: [1.0, 0.1, 0.5], facing: 3.0 },
+        54 => SceneEdit::Speak { words: id("well, yes") },
+        55 => SceneEdit::Noise { at: [0.5, 1.0, 0.3] },
+        56 => SceneEdit::SetBattery { percent: 50 },
+        57 => SceneEdit::SetPresent { id: id("friend"), present: true },
+        58 => SceneEdit::Plug { plugged: true },
+        _ => return,
+    };
+    drop(nao.edit(&edit));
 }

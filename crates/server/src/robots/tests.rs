@@ -3,6 +3,7 @@
 mod applying;
 mod between;
 mod ending;
+mod halting;
 mod multiplying;
 mod puppet;
 mod recording;

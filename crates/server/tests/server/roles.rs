@@ -54,7 +54,7 @@ fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "apply", "behaviour": "none"}), Operator),
         (json!({"is": "stop", "behaviour": null}), Viewer),
         (json!({"is": "stimulate", "behaviour": "none", "stream": "a", "value": 1}), Operator),
-        (json!({"is": "scene", "edit": {"do": "touchHead", "down": false}}), Operator),
+        (json!({"is": "scene", "edit": {"do": "touch", "part": "headFront", "down": false}}), Operator),
         (json!({"is": "addRobot", "robot": "other", "name": "Other"}), Operator),
         (json!({"is": "removeRobot", "robot": "none"}), Operator),
         (json!({"is": "invite", "role": "viewer", "lasts": "day", "label": ""}), Host),

@@ -1,7 +1,7 @@
 //! A bench: a simulated robot with a clock, so that tests read like sentences.
 
 use behaviour::{Id, Params, Value};
-use robot::{Millis, Reading, Robot, RobotFault, SceneEdit, Use};
+use robot::{Millis, Reading, Robot, RobotFault, SceneEdit, Touchable, Use};
 use simulation::SimulatedNao;
 
 /// A robot and the readings so far.
@@ -22,7 +22,13 @@ impl Bench {
 
     /// Opens a device under the name of its stream; parameters are texts.
     pub(crate) fn open(&mut self, stream: &str, device: &str, params: &[(&str, &str)]) {
-        let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), Value::text(value))).collect();
+        let params: Vec<(&str, Value)> = params.iter().map(|(name, value)| (*name, Value::text(value))).collect();
+        self.open_with(stream, device, &params);
+    }
+
+    /// Opens a device with parameters of any kind.
+    pub(crate) fn open_with(&mut self, stream: &str, device: &str, params: &[(&str, Value)]) {
+        let params: Params = params.iter().map(|(name, value)| ((*name).to_owned(), value.clone())).collect();
         self.nao.open(&user(stream), device, &params).expect("it has this device");
     }
 
@@ -59,12 +65,36 @@ impl Bench {
         self.nao.edit(&SceneEdit::SetPresent { id, present }).expect("there is a person");
     }
 
-    pub(crate) fn touch(&mut self, down: bool) {
-        self.nao.edit(&SceneEdit::TouchHead { down }).expect("there is a head");
+    /// Something a person does in the room.
+    pub(crate) fn edit(&mut self, edit: &SceneEdit) {
+        self.nao.edit(edit).expect("that can be done");
+    }
+
+    /// Brings somebody or something in, or sends it out.
+    pub(crate) fn present(&mut self, id: &str, present: bool) {
+        self.edit(&SceneEdit::SetPresent { id: id.to_owned(), present });
+    }
+
+    pub(crate) fn obstacle(&mut self, id: &str, at: [f32; 2]) {
+        self.edit(&SceneEdit::MoveObstacle { id: id.to_owned(), at });
+        self.present(id, true);
+    }
+
+    pub(crate) fn touch(&mut self, part: Touchable, down: bool) {
+        self.edit(&SceneEdit::Touch { part, down });
+    }
+
+    pub(crate) fn speak(&mut self, words: &str) {
+        self.edit(&SceneEdit::Speak { words: words.to_owned() });
     }
 
     pub(crate) fn joint(&self, name: &str) -> f32 {
         self.nao.joint(name).expect("there is this joint")
+    }
+
+    /// What a stream read since last asked.
+    pub(crate) fn values(&mut self, stream: &str) -> Vec<Value> {
+        self.read(stream).into_iter().map(|reading| reading.value).collect()
     }
 
     /// Readings of a stream since last asked.

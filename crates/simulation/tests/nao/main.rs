@@ -2,7 +2,10 @@
 
 mod arms;
 mod bench;
+mod control;
+mod devices;
 mod ends;
 mod head;
+mod lissajous;
 mod room;
 mod senses;

@@ -1,7 +1,8 @@
 //! The room keeps its bounds, whatever happens in it; and the same story gives the same bits.
 
 use super::bench::Bench;
-use robot::{JOINTS, Millis, Robot, SceneEdit};
+use behaviour::Value;
+use robot::{JOINTS, Millis, Robot, SceneEdit, Touchable};
 use simulation::SimulatedNao;
 
 #[test]
@@ -67,7 +68,7 @@ fn reset_brings_everything_back() {
     let first = bench.nao.scene();
     bench.ball("red", [1.5, 0.4, 0.5]);
     bench.person([1.0, 1.0], true);
-    bench.touch(true);
+    bench.touch(Touchable::HeadRear, true);
     bench.keep("tracker", true, 4_000);
     bench.nao.edit(&SceneEdit::Reset).expect("always possible");
     bench.wait(10);
@@ -110,6 +111,44 @@ fn torture_neither_panics_nor_breaks_a_limit() {
 }
 
 #[test]
+fn no_device_and_no_edit_breaks_on_wild_values() {
+    let mut bench = Bench::new();
+    let actions: Vec<_> = robot::actuators().map(|device| device.name).collect();
+    for device in robot::sensors().chain(robot::actuators()) {
+        bench.open(&device.name.to_lowercase(), device.name, &[]);
+    }
+    bench.open("head", "SetJointPosition", &[("joint", "Head")]);
+    for (round, value) in
+        [f64::NAN, f64::INFINITY, -1e30, f64::MAX, 0.0, 5e-324].into_iter().cycle().take(60).enumerate()
+    {
+        let (narrow, id) = (value as f32, "mark64".to_owned());
+        for action in &actions {
+            let velocity = Value::object([("x", value.into()), ("y", (-value).into()), ("turn", value.into())]);
+            let _ = bench.try_tell(&action.to_lowercase(), velocity);
+            let _ = bench.try_tell(&action.to_lowercase(), value);
+        }
+        let _ = bench.try_tell("head", Value::list([value.into(), value.into()]));
+        for edit in [
+            SceneEdit::MoveObstacle { id: "box".to_owned(), at: [narrow, -narrow] },
+            SceneEdit::MoveLandmark { id: id.clone(), at: [narrow; 3], facing: narrow },
+            SceneEdit::SetPresent { id: "box".to_owned(), present: round % 2 == 0 },
+            SceneEdit::SetPresent { id, present: round % 3 == 0 },
+            SceneEdit::Noise { at: [narrow; 3] },
+            SceneEdit::SetBattery { percent: round as u8 * 4 },
+            SceneEdit::Plug { plugged: round % 5 == 0 },
+            if round % 7 == 0 { SceneEdit::Push } else { SceneEdit::HelpUp },
+        ] {
+            let _ = bench.nao.edit(&edit);
+        }
+        (0..40).for_each(|touch| bench.touch(Touchable::BumperLeft, touch % 3 == 0));
+        (0..40).for_each(|_| drop(bench.nao.edit(&SceneEdit::Speak { words: "yes".to_owned() })));
+        bench.wait(70);
+        assert_sound(&bench);
+    }
+    assert!(bench.readings.iter().all(|reading| reading.value.is_finite()));
+}
+
+#[test]
 fn thrown_at_the_robot_with_300_metres_a_second() {
     let mut bench = Bench::new();
     for from in [[1.0, 0.0, 0.45], [0.0, 1.0, 0.3], [0.5, 0.5, 0.5], [0.2, 0.0, 0.3]] {
@@ -121,24 +160,52 @@ fn thrown_at_the_robot_with_300_metres_a_second() {
     }
 }
 
-/// A busy story; every call is a pure function of the beat.
+/// A busy story, with every device open; every call is a pure function of the beat.
 fn story(seed: u64) -> (u64, usize) {
     let mut bench = Bench::new();
     bench.nao = SimulatedNao::new(seed);
+    for device in robot::sensors() {
+        bench.open(&device.name.to_lowercase(), device.name, &[]);
+    }
     bench.open("move", "Tracker", &[("mode", "Move"), ("effector", "Nearest")]);
     bench.open("say", "SayInput", &[]);
-    bench.open("red", "RedBall", &[]);
+    for action in ["Animation", "Posture", "Walk", "Sound"] {
+        bench.open(&action.to_lowercase(), action, &[]);
+    }
+    for id in ["person", "friend", "mark64"] {
+        bench.present(id, true);
+    }
+    bench.obstacle("box", [1.4, -0.5]);
     for beat in 0..200 {
         let aside = 0.5 * libm::sinf(beat as f32 * 0.07);
         bench.ball("red", [1.2, aside, 0.45]);
-        if beat == 50 {
-            bench.nao.throw_ball("green", [-2.0, -1.0, 1.0]).expect("there is a green ball");
-        }
-        bench.tell("say", format!("beat {}", beat / 20).as_str());
-        bench.tell("move", true);
+        happen(&mut bench, beat);
         bench.wait(33);
     }
     (bench.nao.state_hash(), bench.readings.len())
+}
+
+fn happen(bench: &mut Bench, beat: u64) {
+    match beat {
+        10 | 11 => bench.touch(Touchable::HandLeftBack, beat == 10),
+        20 => bench.speak("yes please"),
+        25 => bench.edit(&SceneEdit::Noise { at: [0.5, 1.0, 0.3] }),
+        30 => bench.tell("animation", true),
+        50 => bench.nao.throw_ball("green", [-2.0, -1.0, 1.0]).expect("there is a green ball"),
+        60 => bench.tell("sound", true),
+        70 => bench.edit(&SceneEdit::SetBattery { percent: 50 }),
+        80..100 => bench.tell("walk", 0.05),
+        100 => bench.tell("posture", true),
+        160 => bench.edit(&SceneEdit::Push),
+        180 => bench.edit(&SceneEdit::HelpUp),
+        _ => {}
+    }
+    if !(80..=130).contains(&beat) {
+        let _refused_on_the_floor = bench.try_tell("move", true);
+    }
+    if beat.is_multiple_of(20) {
+        bench.tell("say", format!("beat {beat}").as_str());
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, number};
 use behaviour::Value;
-use robot::{Millis, Robot};
+use robot::{Millis, Robot, Touchable};
 
 #[test]
 fn the_red_ball_is_seen_thirty_times_a_second_where_it_is() {
@@ -115,7 +115,7 @@ fn a_touch_is_told_once_and_when_let_go_only_if_that_is_wanted() {
     bench.open("rear", "HeadTouch", &[("part", "rear"), ("release", "yes")]);
     bench.wait(100);
     for down in [true, true, false] {
-        bench.touch(down);
+        bench.touch(Touchable::HeadRear, down);
     }
     bench.wait(100);
     let mut felt =

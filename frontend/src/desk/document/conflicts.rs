@@ -231,7 +231,7 @@ impl Document {
 
     /// Takes up what waited before the page was loaded again.
     pub(in crate::desk) fn restore_conflicts(&self) {
-        let kept = Keep::Tab.get(CONFLICTS_KEY).and_then(|text| serde_json::from_str::<Vec<Conflict>>(&text).ok());
+        let kept = Keep::Tab.get(CONFLICTS_KEY).and_then(|text| crate::json::read::<Vec<Conflict>>(&text).ok());
         let Some(mut kept) = kept else { return };
         {
             let state = self.state();

@@ -285,7 +285,7 @@ impl Document {
 
     /// Takes up what waited before the page was loaded again.
     pub(in crate::desk) fn restore_queue(&self) {
-        let kept = Keep::Tab.get(QUEUE_KEY).and_then(|text| serde_json::from_str(&text).ok());
+        let kept = Keep::Tab.get(QUEUE_KEY).and_then(|text| crate::json::read(&text).ok());
         if let Some(queue) = kept {
             self.state().queue = queue;
         }

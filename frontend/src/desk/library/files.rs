@@ -118,9 +118,9 @@ async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrought> {
     }
     let (good, text) = post(file, by).await.ok_or(NotBrought::Unreachable)?;
     if good {
-        return serde_json::from_str(&text).map_err(|_| NotBrought::Unclear);
+        return crate::json::read(&text).map_err(|_| NotBrought::Unclear);
     }
-    let refused = serde_json::from_str::<Refused>(&text).map(|refused| NotBrought::Refused(refused.error));
+    let refused = crate::json::read::<Refused>(&text).map(|refused| NotBrought::Refused(refused.error));
     Err(refused.unwrap_or(NotBrought::Unclear))
 }
 

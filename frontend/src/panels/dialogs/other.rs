@@ -17,7 +17,7 @@ pub(super) fn Stimulate(id: Id) -> impl IntoView {
     let example = device.map_or("1", |device| device.example);
     let text = RwSignal::new(example.to_owned());
     let refusal = RwSignal::new(None);
-    let save = Callback::new(move |()| match serde_json::from_str::<Value>(&text.get_untracked()) {
+    let save = Callback::new(move |()| match crate::json::read::<Value>(&text.get_untracked()) {
         Ok(value) => {
             refusal.set(None);
             desk.desk().robots.stimulate(&id, value);

@@ -69,7 +69,7 @@ fn put(key: &str, draft: &Draft) {
 
 /// A draft is offered where it belongs: for the same connector, or for a new one of the same word.
 fn restore(form: Form, key: &str) {
-    let Some(draft) = Keep::Tab.get(key).and_then(|text| serde_json::from_str::<Draft>(&text).ok()) else { return };
+    let Some(draft) = Keep::Tab.get(key).and_then(|text| crate::json::read::<Draft>(&text).ok()) else { return };
     let is_other = !form.is_edit() && draft.kind != form.kind.get_untracked().word;
     let is_only_begun = form.begun.with_value(|begun| begun.trim() == draft.body.trim());
     if is_other || is_only_begun || draft.body.trim().is_empty() {

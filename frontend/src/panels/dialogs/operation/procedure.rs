@@ -164,5 +164,5 @@ fn question(form: Form) -> Option<Question> {
 
 /// The value to start from as it is typed, as long as it is one. Reactive.
 fn start_of(form: Form) -> Value {
-    serde_json::from_str(form.start.get().trim()).unwrap_or_default()
+    crate::json::read(form.start.get().trim()).unwrap_or_default()
 }

@@ -108,7 +108,7 @@ fn typed(body: &str, begun: &str, is_optional: bool) -> Result<Option<String>, U
 fn start(typed: &str) -> Result<Value, Unfilled> {
     match typed.trim() {
         "" => Ok(Value::Null),
-        typed => serde_json::from_str(typed).map_err(|_| Unfilled::Start),
+        typed => crate::json::read(typed).map_err(|_| Unfilled::Start),
     }
 }
 

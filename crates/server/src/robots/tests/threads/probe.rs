@@ -99,18 +99,6 @@ impl Robot for ProbedRobot {
         Vec::new()
     }
 
-    fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
-        self.nao.control(control, Millis(0))
-    }
-
-    fn take_halt(&mut self) -> Option<String> {
-        None
-    }
-
-    fn condition(&self) -> Condition {
-        self.nao.condition()
-    }
-
     fn open(&mut self, user: &Use, device: &str, _params: &Params) -> Result<(), RobotFault> {
         if device == "RedBall" {
             lock(&self.notes).ball = Some(user.clone());
@@ -142,8 +130,20 @@ impl Robot for ProbedRobot {
         self.nao.stop(now);
     }
 
+    fn control(&mut self, control: Control, now: Millis) -> Result<(), RobotFault> {
+        self.nao.control(control, now)
+    }
+
+    fn take_halt(&mut self) -> Option<String> {
+        self.nao.take_halt()
+    }
+
     fn health(&self) -> Health {
         Health::Ready
+    }
+
+    fn condition(&self) -> Condition {
+        self.nao.condition()
     }
 
     fn scene(&self) -> Scene {

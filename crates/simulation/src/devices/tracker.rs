@@ -1,15 +1,23 @@
 //! Trackers at work: at every picture the head, the base and the arms go to where the target was seen.
 
+mod follow;
+mod pointing;
+
+pub(crate) use follow::{Follow, Point, Target};
+
+use super::{Act, Chosen, Driver, Opened};
 use crate::body::Side;
-use crate::follow::{Effector, Follow, HOLD_MS, Mode, Pictures, Point, Target};
 use crate::math::{Vector, across};
-use crate::model::{HEAD_PITCH, HEAD_YAW};
+use crate::model::{HEAD_PITCH, HEAD_YAW, arm_motors};
 use crate::nao::SimulatedNao;
-use crate::pointing::{arm_motors, nearest, point, put_back};
 use crate::servo::STEP_S;
 use crate::sight::Sighting;
 use behaviour::Value;
-use robot::Use;
+use follow::{Effector, HOLD_MS, Mode, Pictures};
+use pointing::{nearest, point, put_back};
+use robot::{RobotFault, Use};
+
+pub(super) const DRIVER: Driver = Driver { name: "Tracker", open };
 
 /// Speed of a following head, as a fraction of the top speed: 24° take about 0.3 s.
 const HEAD_SPEED: f32 = 0.3;
@@ -22,9 +30,59 @@ const NEAR_M: f32 = 0.35;
 /// It only walks ahead when the target is not further to the side than this, in radians.
 const AHEAD: f32 = 0.50;
 
+/// What it follows, and with what.
+#[derive(Debug)]
+struct Tracker {
+    target: Target,
+    mode: Mode,
+    effector: Effector,
+}
+
+fn open(chosen: &Chosen) -> Option<Opened> {
+    let target = if chosen.is("target", "Face") { Target::Face } else { Target::RedBall };
+    let mode = match chosen.text("mode")? {
+        "Head" => Mode::Head,
+        "WholeBody" => Mode::WholeBody,
+        "Move" => Mode::Move,
+        _ => Mode::Arm,
+    };
+    let effector = match chosen.text("effector")? {
+        "LArm" => Effector::Arm(Side::Left),
+        "RArm" => Effector::Arm(Side::Right),
+        "Nearest" => Effector::Nearest,
+        "Value" => Effector::Value,
+        // An arm tracker that names no arm takes the one its value names, else the nearest.
+        _ if mode == Mode::Arm => Effector::Value,
+        _ => Effector::None,
+    };
+    Opened::act(Tracker { target, mode, effector })
+}
+
+impl Act for Tracker {
+    fn moves(&self) -> bool {
+        true
+    }
+
+    fn act(&self, nao: &mut SimulatedNao, user: &Use, value: &Value) -> Result<(), RobotFault> {
+        if self.mode.walks() {
+            nao.get_ready(user)?;
+        }
+        nao.engage(user, (self.target, self.mode, self.effector), value);
+        Ok(())
+    }
+
+    /// Ends whatever it follows.
+    fn end(&self, nao: &mut SimulatedNao, user: &Use) {
+        if nao.follow.as_ref().is_some_and(|follow| follow.user == *user) {
+            nao.release_head();
+        }
+        nao.points.retain(|point| point.user != *user);
+    }
+}
+
 impl SimulatedNao {
     /// A value came to a tracker: it follows from now on for the hold time.
-    pub(crate) fn engage(&mut self, user: &Use, settings: (Target, Mode, Effector), value: &Value) {
+    fn engage(&mut self, user: &Use, settings: (Target, Mode, Effector), value: &Value) {
         let (target, mode, effector) = settings;
         if mode != Mode::Arm {
             self.engage_head(user, target, mode);
@@ -44,7 +102,10 @@ impl SimulatedNao {
             follow.until = until;
             return;
         }
-        self.base.want(0.0, 0.0);
+        self.release_legs();
+        if mode.walks() {
+            self.stand_still();
+        }
         let pictures = Pictures::from(self.now);
         self.follow = Some(Follow { user: user.clone(), target, mode, until, pictures, turning: false });
     }
@@ -62,25 +123,22 @@ impl SimulatedNao {
         self.points.push(Point { user: user.clone(), target, wish, side: None, until, pictures });
     }
 
-    /// Ends whatever a stream follows and moves: its joints hold where they are.
-    pub(crate) fn release(&mut self, user: &Use) {
-        if self.follow.as_ref().is_some_and(|follow| follow.user == *user) {
-            self.release_head();
-        }
-        self.points.retain(|point| point.user != *user);
-        for motor in self.movers.end(user) {
-            self.servo.hold_one(motor);
-        }
-    }
-
     fn release_arms(&mut self, user: &Use) {
         self.release_points(|point| point.user == *user);
     }
 
+    /// Nothing that is followed moves the legs any more.
+    pub(crate) fn release_legs(&mut self) {
+        if let Some(follow) = self.follow.take_if(|follow| follow.mode.walks()) {
+            self.base.want([0.0; 3]);
+            drop(follow);
+        }
+    }
+
     /// Stops following with the head: it holds, and the robot stands.
-    pub(crate) fn release_head(&mut self) {
+    fn release_head(&mut self) {
+        self.release_legs();
         self.follow = None;
-        self.base.want(0.0, 0.0);
         self.servo.hold_one(HEAD_YAW);
         self.servo.hold_one(HEAD_PITCH);
     }
@@ -90,7 +148,7 @@ impl SimulatedNao {
         let (ended, kept): (Vec<_>, Vec<_>) = self.points.drain(..).partition(ends);
         self.points = kept;
         for (side, user) in ended.iter().filter_map(|point| Some((point.side?, &point.user))) {
-            put_back(&mut self.servo, side, &self.model.stand);
+            put_back(&mut self.servo, side, &self.model.postures.stand_init);
             self.movers.take(arm_motors(side), user);
         }
     }
@@ -98,8 +156,8 @@ impl SimulatedNao {
     /// A joint was told an angle: what follows with that joint ends, and the joint is free.
     pub(crate) fn take_joint(&mut self, motor: usize) {
         if motor == HEAD_YAW || motor == HEAD_PITCH {
+            self.release_legs();
             self.follow = None;
-            self.base.want(0.0, 0.0);
         }
         self.points.retain(|point| !point.side.is_some_and(|side| arm_motors(side).any(|used| used == motor)));
     }
@@ -120,7 +178,8 @@ impl SimulatedNao {
         if follow.pictures.due(self.now) {
             match self.see_target(follow.target) {
                 Some((seen, place)) => self.head_to(&mut follow, seen, place),
-                None => self.base.want(0.0, 0.0),
+                None if follow.mode.walks() => self.base.want([0.0; 3]),
+                None => {}
             }
         }
         self.follow = Some(follow);
@@ -143,13 +202,13 @@ impl SimulatedNao {
     fn turn_to(&mut self, follow: &mut Follow, aside: f32) {
         let from = if follow.turning { TURN_UNTIL } else { TURN_FROM };
         follow.turning = aside.abs() > from;
-        self.base.want(0.0, if follow.turning { aside * 1.5 } else { 0.0 });
+        self.base.want([0.0, 0.0, if follow.turning { aside * 1.5 } else { 0.0 }]);
     }
 
     /// A unicycle: it turns towards the target and walks when that is about ahead.
     fn walk_to(&mut self, aside: f32, distance: f32) {
         let ahead = if aside.abs() < AHEAD { (distance - NEAR_M).max(0.0) / (50.0 * STEP_S) } else { 0.0 };
-        self.base.want(ahead, aside * 1.5);
+        self.base.want([ahead, 0.0, aside * 1.5]);
     }
 
     fn track_arms(&mut self) {
@@ -161,7 +220,7 @@ impl SimulatedNao {
             let Some((_, place)) = self.see_target(pointing.target) else { continue };
             let side = pointing.wish.unwrap_or_else(|| nearest(place));
             if let Some(other) = pointing.side.filter(|other| *other != side) {
-                put_back(&mut self.servo, other, &self.model.stand);
+                put_back(&mut self.servo, other, &self.model.postures.stand_init);
                 self.movers.take(arm_motors(other), &pointing.user);
             }
             self.movers.take(arm_motors(side), &pointing.user);

@@ -1,7 +1,20 @@
 //! The eye lights: a colour and a brightness.
 
+use super::{Act, Driver, Opened, number};
+use crate::nao::SimulatedNao;
 use behaviour::Value;
-use robot::RobotFault;
+use robot::{RobotFault, Use};
+
+pub(super) const COLOR: Driver =
+    Driver { name: "EyeLedColor", open: |chosen| Opened::act(Color(chosen.text("color")?.to_owned())) };
+pub(super) const BRIGHTNESS: Driver = Driver { name: "EyeBrightness", open: |_| Opened::act(Brightness) };
+
+/// A colour by its name, or `Value`.
+#[derive(Debug)]
+struct Color(String);
+
+#[derive(Debug)]
+struct Brightness;
 
 /// Both eyes; white and bright at first.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,6 +36,28 @@ impl Eyes {
     }
 }
 
+impl Act for Color {
+    fn moves(&self) -> bool {
+        false
+    }
+
+    fn act(&self, nao: &mut SimulatedNao, _user: &Use, value: &Value) -> Result<(), RobotFault> {
+        nao.eyes.color = color(&self.0, value)?;
+        Ok(())
+    }
+}
+
+impl Act for Brightness {
+    fn moves(&self) -> bool {
+        false
+    }
+
+    fn act(&self, nao: &mut SimulatedNao, _user: &Use, value: &Value) -> Result<(), RobotFault> {
+        nao.eyes.brightness = number(value)?.clamp(0.0, 1.0) as f32;
+        Ok(())
+    }
+}
+
 /// The colour of a name.
 fn named(name: &str) -> Option<[f32; 3]> {
     Some(match name {
@@ -39,7 +74,7 @@ fn named(name: &str) -> Option<[f32; 3]> {
 }
 
 /// The colour a setting and a value mean.
-pub(crate) fn color(setting: &str, value: &Value) -> Result<[f32; 3], RobotFault> {
+fn color(setting: &str, value: &Value) -> Result<[f32; 3], RobotFault> {
     let wanted = if setting == "Value" { value.as_text() } else { Some(setting) };
     let found = match wanted {
         Some(name) => named(name.trim()),

@@ -2,7 +2,7 @@
 
 use crate::body::Side;
 use crate::math::{Vector, across};
-use crate::model::motor;
+use crate::model::arm_motors;
 use crate::servo::Servo;
 
 /// The shoulder in the torso's frame, left; in metres.
@@ -17,15 +17,6 @@ const BEND: f32 = 0.0349;
 const SPEED: f32 = 0.3;
 /// Speed of an arm that goes back, as a fraction of the top speed.
 const BACK_SPEED: f32 = 0.08;
-/// The joints of an arm, without its side.
-const ARM: [&str; 5] = ["ShoulderPitch", "ShoulderRoll", "ElbowYaw", "ElbowRoll", "WristYaw"];
-
-/// The motors of an arm in the order of [`ARM`].
-pub(crate) fn arm_motors(side: Side) -> impl Iterator<Item = usize> {
-    let letter = if side == Side::Left { "L" } else { "R" };
-    ARM.iter().filter_map(move |joint| motor(&format!("{letter}{joint}")))
-}
-
 /// Where the shoulder is in the torso's frame.
 fn shoulder(side: Side) -> Vector {
     Vector::new(SHOULDER[0], SHOULDER[1] * side.sign(), SHOULDER[2])
@@ -83,7 +74,7 @@ mod tests {
         let (mut servo, mut body) = (Servo::new(Model::nao()), Body::new(Model::nao()));
         point(&mut servo, side, target);
         (0..200).for_each(|_| servo.step());
-        body.place([0.0; 3], &servo.now);
+        body.place([0.0; 3], 0.0, &servo.now);
         let palm = body.torso().inverse_transform_point(body.hand(side)) - shoulder(side);
         let way = target - shoulder(side);
         libm::acosf((palm.dot(way) / (palm.length() * way.length())).clamp(-1.0, 1.0))

@@ -1,7 +1,7 @@
 //! What the trackers do: who asked to follow what, with which part of the body, and until when.
 
 use crate::body::Side;
-use crate::hash::Digest;
+use crate::hash::{Digest, digest_use};
 use robot::Use;
 
 /// A tracker follows for so long after a value, in milliseconds.
@@ -61,6 +61,13 @@ pub(crate) struct Point {
     pub(crate) side: Option<Side>,
     pub(crate) until: u64,
     pub(crate) pictures: Pictures,
+}
+
+impl Mode {
+    /// Whether it also moves the legs.
+    pub(crate) fn walks(self) -> bool {
+        matches!(self, Self::WholeBody | Self::Move)
+    }
 }
 
 impl Pictures {
@@ -129,10 +136,4 @@ fn with(mode: Mode) -> &'static str {
         Mode::Move => "walking",
         Mode::Arm => "arm",
     }
-}
-
-/// Adds whose it is.
-pub(crate) fn digest_use(user: &Use, digest: &mut Digest) {
-    digest.whole(user.run);
-    digest.text(user.stream.as_str());
 }

@@ -1,0 +1,135 @@
+//! How the robot is, who has it, and why everything ends.
+
+use crate::devices::Kind;
+use crate::hash::Digest;
+use crate::nao::SimulatedNao;
+use robot::{Condition, Control, Life, RobotFault};
+
+/// How fast it stands up and crouches for control, as a fraction of the speed of a posture.
+const SPEED: f32 = 0.5;
+
+/// What is the robot's own.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Own {
+    /// Its motors are on and it holds a posture.
+    pub(crate) awake: bool,
+    pub(crate) stiff: bool,
+    life: Life,
+    /// Its life before control was taken.
+    before: Option<Life>,
+    /// Crouching, to rest then.
+    resting: bool,
+    /// Whether its battery is known to be empty.
+    pub(crate) empty: bool,
+}
+
+impl Default for Own {
+    fn default() -> Self {
+        Self { awake: true, stiff: true, life: Life::Disabled, before: None, resting: false, empty: false }
+    }
+}
+
+impl Own {
+    /// Adds the state.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest.text(&format!("{self:?}"));
+    }
+}
+
+impl SimulatedNao {
+    /// Whether it may move its body.
+    ///
+    /// # Errors
+    /// Why not now, and what to do.
+    pub(crate) fn ready(&self) -> Result<(), RobotFault> {
+        self.able()?;
+        let rests = !self.own.awake || self.own.resting;
+        if rests { Err(RobotFault::NotNow("it rests; take control first".to_owned())) } else { Ok(()) }
+    }
+
+    /// Whether it could move its body if it were awake.
+    fn able(&self) -> Result<(), RobotFault> {
+        let why = match (self.lean.is_fallen(), self.own.empty) {
+            (true, _) => "it lies on the floor; help it up first",
+            (false, true) => "its battery is empty; put it on the cable first",
+            (false, false) => return Ok(()),
+        };
+        Err(RobotFault::NotNow(why.to_owned()))
+    }
+
+    /// Ends everything for this reason, which is told once.
+    pub(crate) fn halt(&mut self, why: &str) {
+        self.hold();
+        self.halted.get_or_insert_with(|| why.to_owned());
+    }
+
+    /// Takes control, gives it back, or rests.
+    pub(crate) fn control_by(&mut self, control: Control) -> Result<(), RobotFault> {
+        let own = &mut self.own;
+        match control {
+            Control::GiveBack => own.life = own.before.take().unwrap_or(own.life),
+            Control::Take => {
+                self.wake()?;
+                self.own.before.get_or_insert(self.own.life);
+                self.own.life = Life::Disabled;
+            }
+            Control::Rest => {
+                self.able()?;
+                self.hold();
+                self.assume(Kind::Crouch, SPEED, None);
+                self.own.resting = true;
+            }
+        }
+        Ok(())
+    }
+
+    fn wake(&mut self) -> Result<(), RobotFault> {
+        self.able()?;
+        let slept = !self.own.awake || self.own.resting;
+        (self.own.awake, self.own.stiff, self.own.resting) = (true, true, false);
+        if slept || self.family() != Kind::Stand.family() {
+            self.assume(Kind::Stand, SPEED, None);
+        }
+        Ok(())
+    }
+
+    /// It has crouched: if that was to rest, its motors go off.
+    pub(crate) fn fall_asleep(&mut self) {
+        if self.own.resting {
+            (self.own.awake, self.own.stiff, self.own.resting) = (false, false, false);
+        }
+    }
+
+    /// Nothing moves, sounds or speaks any more; joints hold where they are.
+    pub(crate) fn hold(&mut self) {
+        self.end_motion();
+        self.base.hold();
+        self.servo.hold();
+        self.speech.stop(self.now);
+        self.sounds.stop(self.now);
+        self.own.resting = false;
+        self.safe = true;
+    }
+
+    /// Ends whatever moves the body; joints go on to where they were sent.
+    pub(crate) fn end_motion(&mut self) {
+        self.follow = None;
+        self.points.clear();
+        self.playing = None;
+        self.going = None;
+        self.stand_still();
+    }
+
+    /// How the body is, for people.
+    pub(crate) fn condition_now(&self) -> Condition {
+        Condition {
+            battery: Some(self.charge.percent()),
+            plugged: Some(self.charge.plugged),
+            awake: Some(self.own.awake),
+            stiff: Some(self.own.stiff),
+            life: Some(self.own.life),
+            hot: Vec::new(),
+            fallen: Some(self.lean.is_fallen()),
+        }
+    }
+}

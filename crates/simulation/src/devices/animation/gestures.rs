@@ -1,0 +1,137 @@
+//! The gestures of the simulated robot, of our own making: for each joint when it is where, in milliseconds and radians.
+
+use super::BACK_MS;
+use crate::model::motor;
+
+/// A gesture.
+pub(super) struct Gesture {
+    /// Its name in files.
+    pub(super) name: &'static str,
+    /// What people call it.
+    pub(super) words: &'static str,
+    pub(super) rows: &'static [Row],
+}
+
+/// A joint and its keys; it begins and ends where it was.
+pub(super) struct Row(&'static str, &'static [(u64, f32)]);
+
+const NOD: &[(u64, f32)] = &[(300, 0.35), (600, -0.10), (900, 0.35), (1_200, -0.10)];
+const SHAKE: &[(u64, f32)] = &[(300, 0.45), (700, -0.45), (1_100, 0.45), (1_500, -0.45)];
+const WAVE: &[(u64, f32)] = &[(700, 0.6), (1_000, 1.3), (1_300, 0.6), (1_600, 1.3), (1_900, 0.6), (2_200, 1.3)];
+
+/// All gestures; `robot` says which there are.
+pub(super) const GESTURES: &[Gesture] = &[
+    Gesture {
+        name: "Hey",
+        words: "waving",
+        rows: &[
+            Row("RShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
+            Row("RShoulderRoll", &[(700, -0.3), (2_200, -0.3)]),
+            Row("RElbowYaw", &[(700, 1.2), (2_200, 1.2)]),
+            Row("RElbowRoll", WAVE),
+            Row("RHand", &[(700, 0.9), (2_200, 0.9)]),
+        ],
+    },
+    Gesture { name: "Yes", words: "nodding", rows: &[Row("HeadPitch", NOD)] },
+    Gesture { name: "No", words: "shaking the head", rows: &[Row("HeadYaw", SHAKE)] },
+    Gesture {
+        name: "Bow",
+        words: "bowing",
+        rows: &[
+            Row("HeadPitch", &[(800, 0.5), (1_600, 0.5)]),
+            Row("LShoulderPitch", &[(800, 1.75), (1_600, 1.75)]),
+            Row("RShoulderPitch", &[(800, 1.75), (1_600, 1.75)]),
+        ],
+    },
+    Gesture {
+        name: "Me",
+        words: "pointing to itself",
+        rows: &[
+            Row("RShoulderPitch", &[(700, 1.0), (1_700, 1.0)]),
+            Row("RShoulderRoll", &[(700, 0.2), (1_700, 0.2)]),
+            Row("RElbowYaw", &[(700, 0.3), (1_700, 0.3)]),
+            Row("RElbowRoll", &[(700, 1.5), (1_700, 1.5)]),
+        ],
+    },
+    Gesture {
+        name: "Explain",
+        words: "explaining",
+        rows: &[
+            Row("LShoulderPitch", &[(600, 0.9), (1_200, 1.2), (1_800, 0.9)]),
+            Row("LElbowRoll", &[(600, -1.3), (1_200, -0.9), (1_800, -1.3)]),
+            Row("LHand", &[(600, 0.9), (1_800, 0.9)]),
+            Row("RShoulderPitch", &[(600, 1.2), (1_200, 0.9), (1_800, 1.2)]),
+            Row("RElbowRoll", &[(600, 0.9), (1_200, 1.3), (1_800, 0.9)]),
+            Row("RHand", &[(600, 0.9), (1_800, 0.9)]),
+        ],
+    },
+    Gesture {
+        name: "Happy",
+        words: "cheering",
+        rows: &[
+            Row("HeadPitch", &[(600, -0.4), (1_800, -0.4)]),
+            Row("LShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
+            Row("RShoulderPitch", &[(600, -1.2), (1_000, -0.8), (1_400, -1.2), (1_800, -0.8)]),
+            Row("LHand", &[(600, 1.0), (1_800, 1.0)]),
+            Row("RHand", &[(600, 1.0), (1_800, 1.0)]),
+        ],
+    },
+];
+
+impl Gesture {
+    /// How long it takes until all joints are back, in milliseconds.
+    pub(super) fn lasts_ms(&self) -> u64 {
+        self.rows.iter().map(Row::lasts_ms).max().unwrap_or(0)
+    }
+}
+
+impl Row {
+    pub(super) fn motor(&self) -> Option<usize> {
+        motor(self.0)
+    }
+
+    fn lasts_ms(&self) -> u64 {
+        self.1.last().map_or(0, |key| key.0) + BACK_MS
+    }
+
+    /// Where the joint shall be so long after the beginning, linear between the keys.
+    pub(super) fn angle(&self, start: f32, at: u64) -> f32 {
+        let mut before = (0, start);
+        for key in self.1.iter().chain(&[(self.lasts_ms(), start)]) {
+            if at < key.0 {
+                let part = (at - before.0) as f32 / (key.0 - before.0) as f32;
+                return before.1 + (key.1 - before.1) * part;
+            }
+            before = *key;
+        }
+        start
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::GESTURES;
+    use crate::model::Model;
+    use behaviour::StreamKind;
+    use robot::ParamKind;
+
+    #[test]
+    fn there_is_every_gesture_of_the_catalogue_in_its_words() {
+        let device = robot::device(StreamKind::Actuator, "Animation").expect("it is in the catalogue");
+        let ParamKind::Choice(choices) = device.params[0].kind else { panic!("a choice") };
+        assert_eq!(GESTURES.iter().map(|one| (one.name, one.words)).collect::<Vec<_>>(), choices);
+    }
+
+    #[test]
+    fn keys_are_in_order_inside_the_limits_and_slow_enough() {
+        let motors = &Model::nao().motors;
+        for row in GESTURES.iter().flat_map(|gesture| gesture.rows) {
+            let motor = &motors[row.motor().expect("a joint of the robot")];
+            assert!(row.1.iter().all(|key| (motor.limits[0]..=motor.limits[1]).contains(&key.1)), "{}", row.0);
+            for pair in row.1.windows(2) {
+                let seconds = (pair[1].0 - pair[0].0) as f32 / 1_000.0;
+                assert!((pair[1].1 - pair[0].1).abs() / seconds < 0.6 * motor.top_speed, "{}", row.0);
+            }
+        }
+    }
+}

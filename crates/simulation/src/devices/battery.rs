@@ -1,0 +1,102 @@
+//! The battery: what moves and what stands drains it, the cable fills it; told at first and when its percentage changes.
+
+use super::{Beat, Driver, Opened, Sense};
+use crate::hash::Digest;
+use crate::nao::SimulatedNao;
+use behaviour::Value;
+
+pub(super) const DRIVER: Driver = Driver { name: "Battery", open: |_| Opened::sense(Battery(None)) };
+
+/// What a full battery holds: standing drains 2 a step, so that it lasts for 90 minutes.
+const FULL: u32 = 90 * 60 * 100 * 2;
+/// What a step takes: resting, standing, and walking, for which it lasts 60 minutes. Our planning values.
+const DRAIN: [u32; 3] = [1, 2, 3];
+/// What a step on the cable gives: full in 90 minutes.
+const CHARGE: u32 = 2;
+
+/// What it said last.
+#[derive(Debug)]
+struct Battery(Option<u8>);
+
+/// How full the battery is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Charge {
+    left: u32,
+    pub(crate) plugged: bool,
+}
+
+/// What the robot does with its energy.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Effort {
+    Rest,
+    Stand,
+    Walk,
+}
+
+impl Default for Charge {
+    fn default() -> Self {
+        Self { left: FULL, plugged: false }
+    }
+}
+
+impl Charge {
+    /// From 0 to 100; 0 only when nothing is left.
+    pub(crate) fn percent(&self) -> u8 {
+        u8::try_from((self.left * 100).div_ceil(FULL)).unwrap_or(100)
+    }
+
+    /// Makes it so full.
+    pub(crate) fn set(&mut self, percent: u8) {
+        self.left = FULL / 100 * u32::from(percent.min(100));
+    }
+
+    /// Whether the robot cannot go on.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.left == 0 && !self.plugged
+    }
+
+    /// One step.
+    fn step(&mut self, effort: Effort) {
+        self.left = if self.plugged {
+            (self.left + CHARGE).min(FULL)
+        } else {
+            self.left.saturating_sub(DRAIN[effort as usize])
+        };
+    }
+
+    /// Adds the state.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest.whole(u64::from(self.left));
+        digest.truth(self.plugged);
+    }
+}
+
+impl SimulatedNao {
+    /// One step of the battery; an empty one ends everything.
+    pub(crate) fn drain(&mut self) {
+        let effort = match (self.own.awake, self.base.is_still()) {
+            (false, _) => Effort::Rest,
+            (true, true) => Effort::Stand,
+            (true, false) => Effort::Walk,
+        };
+        self.charge.step(effort);
+        if self.charge.is_empty() != self.own.empty {
+            self.own.empty = !self.own.empty;
+            if self.own.empty {
+                self.halt("its battery is empty");
+            }
+        }
+    }
+}
+
+impl Sense for Battery {
+    fn beat(&self) -> Beat {
+        Beat::Step
+    }
+
+    fn read(&mut self, nao: &mut SimulatedNao, _count: u64) -> Option<Value> {
+        let percent = nao.charge.percent();
+        let changed = self.0.replace(percent) != Some(percent);
+        changed.then(|| Value::Int(i64::from(percent)))
+    }
+}

@@ -1,0 +1,47 @@
+//! Faces: the largest one in view, ten times a second, and remembering it.
+
+use super::balls::place;
+use super::{Act, Beat, Driver, Opened, Sense};
+use crate::nao::SimulatedNao;
+use behaviour::Value;
+use robot::{RobotFault, Use};
+
+pub(super) const DETECTION: Driver = Driver { name: "FaceDetection", open: |_| Opened::sense(Detection) };
+pub(super) const REMEMBER: Driver = Driver { name: "RememberFace", open: |_| Opened::act(Remember) };
+
+#[derive(Debug)]
+struct Detection;
+
+#[derive(Debug)]
+struct Remember;
+
+impl Sense for Detection {
+    fn beat(&self) -> Beat {
+        Beat::PerSecond(10)
+    }
+
+    fn read(&mut self, nao: &mut SimulatedNao, _count: u64) -> Option<Value> {
+        let (person, seen) = nao.see_face()?;
+        let new = !nao.known[person];
+        let label = if new { String::new() } else { format!("face {}", person + 1) };
+        let words = [
+            ("id", Value::Int(person as i64 + 1)),
+            ("label", Value::text(label)),
+            ("new", Value::Bool(new)),
+            ("recognized_new_face", Value::Bool(new && nao.is_near(person))),
+        ];
+        Some(Value::object(words.into_iter().chain(place(seen, nao.now))))
+    }
+}
+
+impl Act for Remember {
+    fn moves(&self) -> bool {
+        false
+    }
+
+    fn act(&self, nao: &mut SimulatedNao, _user: &Use, _value: &Value) -> Result<(), RobotFault> {
+        let (person, _) = nao.see_face().ok_or(RobotFault::NoFace)?;
+        nao.known[person] = true;
+        Ok(())
+    }
+}

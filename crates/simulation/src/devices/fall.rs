@@ -1,0 +1,97 @@
+//! Falling: a push lets the robot fall ahead within half a second, which ends everything; helped up, it stands again.
+
+use super::posture::Kind;
+use super::{Beat, Chosen, Driver, Opened, Sense};
+use crate::hash::Digest;
+use crate::math::nearer;
+use crate::nao::SimulatedNao;
+use crate::servo::STEP_S;
+use behaviour::Value;
+use core::f32::consts::FRAC_PI_2;
+
+pub(super) const DRIVER: Driver = Driver { name: "Fall", open };
+
+/// How fast it falls, and is helped up, in radians a second.
+const SPEED_RPS: [f32; 2] = [FRAC_PI_2 / 0.5, FRAC_PI_2 / 1.5];
+/// How fast it stands up when helped, as a fraction of the speed of a posture.
+const UP_SPEED: f32 = 0.5;
+
+/// Whether it also tells when the robot stands again.
+#[derive(Debug)]
+struct Fall {
+    release: bool,
+}
+
+/// How the robot leans.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Lean {
+    /// How far ahead, in radians.
+    pub(crate) angle: f32,
+    /// Whether it was pushed and nobody helped it up yet.
+    pushed: bool,
+    /// Whether it has fallen and does not stand again, and whether that was so in the step before.
+    fallen: [bool; 2],
+}
+
+fn open(chosen: &Chosen) -> Option<Opened> {
+    Opened::sense(Fall { release: chosen.is("release", "yes") })
+}
+
+impl Lean {
+    /// Whether it falls, lies, or is being helped up.
+    pub(crate) fn is_fallen(&self) -> bool {
+        self.pushed || self.angle > 0.0
+    }
+
+    /// Adds the state.
+    pub(crate) fn digest(&self, digest: &mut Digest) {
+        digest.floats(&[self.angle]);
+        digest.truth(self.pushed);
+        self.fallen.iter().for_each(|fallen| digest.truth(*fallen));
+    }
+}
+
+impl SimulatedNao {
+    /// Somebody pushes the robot over.
+    pub(crate) fn push(&mut self) {
+        self.lean.pushed = true;
+    }
+
+    /// Somebody puts the robot on its feet.
+    pub(crate) fn help_up(&mut self) {
+        if self.lean.pushed {
+            self.lean.pushed = false;
+            self.assume(Kind::StandInit, UP_SPEED, None);
+        }
+    }
+
+    /// One step of falling or being helped up.
+    pub(crate) fn lean(&mut self) {
+        let lean = &mut self.lean;
+        let (to, speed) = if lean.pushed { (FRAC_PI_2, SPEED_RPS[0]) } else { (0.0, SPEED_RPS[1]) };
+        lean.angle = nearer(lean.angle, to, speed * STEP_S);
+        lean.fallen = [lean.is_fallen(), lean.fallen[0]];
+        match lean.fallen {
+            [true, false] => {
+                self.own.stiff = false;
+                self.halt("it fell");
+            }
+            [false, true] => {
+                self.own.stiff = true;
+                self.own.awake = true;
+            }
+            [true, true] | [false, false] => {}
+        }
+    }
+}
+
+impl Sense for Fall {
+    fn beat(&self) -> Beat {
+        Beat::Step
+    }
+
+    fn read(&mut self, nao: &mut SimulatedNao, _count: u64) -> Option<Value> {
+        let [now, before] = nao.lean.fallen;
+        (now != before && (now || self.release)).then_some(Value::Bool(now))
+    }
+}

@@ -1,0 +1,31 @@
+//! Texts shown beside the room.
+
+use super::{Act, Driver, Opened};
+use crate::nao::SimulatedNao;
+use behaviour::Value;
+use robot::{RobotFault, Use};
+
+pub(super) const DRIVER: Driver = Driver { name: "Print", open: |_| Opened::act(Print) };
+
+/// Texts shown; the oldest go first.
+const PRINTED_MAX: usize = 20;
+/// Longest printed text in characters.
+const PRINT_MAX_CHARS: usize = 200;
+
+#[derive(Debug)]
+struct Print;
+
+impl Act for Print {
+    fn moves(&self) -> bool {
+        false
+    }
+
+    fn act(&self, nao: &mut SimulatedNao, _user: &Use, value: &Value) -> Result<(), RobotFault> {
+        let text = value.as_text().map_or_else(|| value.to_string(), str::to_owned);
+        if nao.printed.len() >= PRINTED_MAX {
+            nao.printed.pop_front();
+        }
+        nao.printed.push_back(text.chars().take(PRINT_MAX_CHARS).collect());
+        Ok(())
+    }
+}

@@ -1,0 +1,103 @@
+//! A robot that is played with: somebody speaks, a box comes, a part is touched, a button of the program is pressed, and
+//! what is told of its body.
+
+use house::{Outcome, Page, skip};
+
+use crate::steps::*;
+
+/// Waits until this stands beside a stream.
+async fn shown(page: &Page, stream: &str, text: &str) -> Outcome<()> {
+    let text = serde_json::Value::from(text);
+    let js = format!(
+        "function () {{ return this.closest('.at').querySelector('.value b')?.textContent.includes({text}); }}"
+    );
+    page.until_on("button", &format!("{stream}, *"), &js, &format!("{stream} shows {text}")).await.map(drop)
+}
+
+#[tokio::test]
+async fn a_robot_hears_words_that_are_typed() -> Outcome<()> {
+    if !skip::ready("journey: words") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Listen").await?;
+    add_sense(&aiko, "WordRecognized").await?;
+    start(&aiko).await?;
+    aiko.fill("textbox", "Say something to the robot", "Well, yes").await?;
+    aiko.key("Enter").await?;
+    shown(&aiko, "WordRecognized", "yes").await?;
+    stop(&aiko).await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn an_operator_presses_a_button_of_the_program() -> Outcome<()> {
+    if !skip::ready("journey: a button of the program") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Press").await?;
+    add_sense(&aiko, "Button").await?;
+    let buttons = aiko.within("group", "Buttons of the program");
+    buttons.find("button", "Go on").await?;
+    start(&aiko).await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    ben.within("group", "Buttons of the program").press("button", "Go on").await?;
+    shown(&aiko, "Button", "true").await?;
+    stop(&aiko).await?;
+    calm(&aiko)?;
+    calm(&ben)
+}
+
+#[tokio::test]
+async fn a_fall_ends_what_runs_and_a_person_starts_it_again() -> Outcome<()> {
+    if !skip::ready("journey: a fall") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Stand").await?;
+    add_sense(&aiko, "RedBall").await?;
+    says(&aiko, "Start runs version").await?;
+    says(&aiko, "Battery 100 %").await?;
+    start(&aiko).await?;
+    aiko.press("button", "More").await?;
+    aiko.press("menuitem", "Push it over").await?;
+    at_rest(&aiko).await?;
+    says(&aiko, "Has fallen").await?;
+    says(&aiko, "press Start again").await?;
+    aiko.press("button", "More").await?;
+    aiko.press("menuitem", "Help it up").await?;
+    silent(&aiko, "Has fallen").await?;
+    at_rest(&aiko).await?;
+    start(&aiko).await?;
+    stop(&aiko).await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn a_robot_rests_and_is_taken_again_and_has_another_name() -> Outcome<()> {
+    if !skip::ready("journey: rest and another name") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    let ben = stage.person("ben").await?;
+    aiko.press("button", "Robot: Simulated NAO").await?;
+    aiko.press("menuitem", "Let it rest").await?;
+    says(&aiko, "sits down to rest").await?;
+    says(&ben, "Asleep").await?;
+    aiko.press("button", "Robot: Simulated NAO").await?;
+    aiko.press("menuitem", "Take control").await?;
+    says(&ben, "Awake").await?;
+    aiko.press("button", "Robot: Simulated NAO").await?;
+    aiko.press("menuitem", "Rename").await?;
+    let dialog = aiko.within("dialog", "Rename the robot");
+    dialog.fill("textbox", "Name", "Momo").await?;
+    dialog.press("button", "Save").await?;
+    ben.find("button", "Robot: Momo").await?;
+    calm(&aiko)?;
+    calm(&ben)
+}
