@@ -13,7 +13,7 @@ const ARROWS: [(&str, &[&str]); 15] = [
     ("behaviour", &[]),
     ("engine", &["behaviour", "robot"]),
     ("frontend", &["behaviour", "engine", "protocol", "robot", "simulation"]),
-    ("house", &["behaviour", "engine", "load", "protocol", "robot", "rrp", "server", "shell", "simulation", "store"]),
+    ("house", &["behaviour", "engine", "load", "protocol", "qi", "robot", "rrp", "server", "shell", "simulation", "store"]),
     ("house-wasm", &["behaviour", "engine", "robot", "simulation"]),
     ("load", &["behaviour", "protocol", "shell"]),
     ("protocol", &["behaviour", "robot"]),

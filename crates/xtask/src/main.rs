@@ -8,6 +8,7 @@ mod neo4j;
 mod order;
 mod page;
 mod qi_python;
+mod robot;
 mod serve;
 mod styles;
 mod supply;
@@ -26,6 +27,7 @@ cargo xtask COMMAND
                             to build after an edit, slower to use)
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
   qi                        make the Python with libqi that tests use, and say how to name it to `cargo test`
+  robot [PORT]              start a NAO that is not one on the real libqi, at port 9559 unless you name one, for trying things
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
@@ -60,6 +62,7 @@ fn obey(words: &[String]) -> Outcome<()> {
             println!("RRP_QI_PYTHON={}", qi_python::ensure(&Workspace::here()?)?.display());
             Ok(())
         }
+        ["robot", rest @ ..] if rest.iter().all(|word| !word.starts_with('-')) => robot::run(&Workspace::here()?, rest),
         ["bench", "engine", rest @ ..] if rest.iter().all(|word| !word.starts_with('-')) => {
             bench::engine(&Workspace::here()?, rest)
         }
