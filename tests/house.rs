@@ -9,18 +9,22 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 15] = [
+const ARROWS: [(&str, &[&str]); 16] = [
     ("behaviour", &[]),
     ("engine", &["behaviour", "robot"]),
     ("frontend", &["behaviour", "engine", "protocol", "robot", "simulation"]),
-    ("house", &["behaviour", "engine", "load", "protocol", "qi", "robot", "rrp", "server", "shell", "simulation", "store"]),
+    (
+        "house",
+        &["behaviour", "engine", "load", "protocol", "qi", "robot", "rrp", "server", "shell", "simulation", "store"],
+    ),
     ("house-wasm", &["behaviour", "engine", "robot", "simulation"]),
     ("load", &["behaviour", "protocol", "shell"]),
+    ("nao", &["behaviour", "qi", "robot"]),
     ("protocol", &["behaviour", "robot"]),
     ("qi", &[]),
     ("robot", &["behaviour"]),
     ("rrp", &["behaviour", "engine", "load", "robot", "server", "shell", "simulation", "store"]),
-    ("server", &["behaviour", "engine", "protocol", "robot", "simulation", "store"]),
+    ("server", &["behaviour", "engine", "nao", "protocol", "robot", "simulation", "store"]),
     ("shell", &["behaviour", "protocol", "robot"]),
     ("simulation", &["behaviour", "robot"]),
     ("store", &["behaviour"]),
@@ -70,10 +74,11 @@ const MADE: &str = "target";
 /// Where connectors may be named: their own files, and the engine that runs them.
 const CONNECTOR_ROOMS: [&str; 2] = ["crates/behaviour/src/connectors", "crates/engine/src/"];
 /// Where devices may be named: their own files, and the robots that have them.
-const DEVICE_ROOMS: [&str; 2] = ["crates/robot/src/devices", "crates/simulation/src/"];
+const DEVICE_ROOMS: [&str; 3] = ["crates/robot/src/devices", "crates/nao/src/", "crates/simulation/src/"];
 /// Files or folders in which one of them (none: any of them) is named all the same, and why.
-const NAMED_ELSEWHERE: [(&str, &str, &str); 3] = [
+const NAMED_ELSEWHERE: [(&str, &str, &str); 4] = [
     ("crates/behaviour/src/connectors/", "Tracker", "a stream of an example, as people call it"),
+    ("crates/nao/src/senses.rs", "subscribe", "a method of NAOqi's extractors"),
     ("crates/store/src/contract/", "", "what every store is tried with"),
     ("frontend/src/panels/room.rs", "sample", "a class of the stylesheet: a spot of colour"),
 ];

@@ -15,6 +15,7 @@ mod locks;
 mod order;
 mod presence;
 mod quick;
+mod real_robot;
 mod record;
 mod robots;
 mod room;

@@ -1,11 +1,8 @@
 //! A stand-in of its own for each test, and what tests ask of it.
 
-use house::skip;
+use house::StandIn;
 use qi::{Event, Keep, Object, Options, QiError, Session, Subscription, Value};
 use serde_json::{Value as Json, json};
-use std::io::{BufRead, BufReader};
-use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
 use std::time::Duration;
 
 /// How long anything may take before a test gives up.
@@ -15,27 +12,18 @@ const PAUSE: Duration = Duration::from_millis(20);
 
 /// A robot that is not one, and a session with it; it ends when this is dropped.
 pub(crate) struct Nao {
-    child: Child,
+    _child: StandIn,
     pub(crate) session: Session,
 }
 
 impl Nao {
     /// Starts one, unless there is no libqi, which is said by name as `part`.
     pub(crate) async fn start(part: &str, words: &[&str]) -> Option<Self> {
-        let python = std::env::var_os("RRP_QI_PYTHON").map(PathBuf::from).filter(|path| path.is_file());
-        let missing = "there is no libqi; `cargo xtask qi` makes one, and RRP_QI_PYTHON names it";
-        if !skip::possible(part, python.is_none().then(|| missing.to_owned())) {
-            return None;
-        }
-        let mut command = Command::new(python.unwrap());
-        command.arg(house::root().join("tests/standin/nao.py")).args(words);
-        let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap();
-        let mut lines = BufReader::new(child.stdout.take().unwrap()).lines();
-        let address = lines.next().unwrap().unwrap();
-        let address = address.strip_prefix("listening ").unwrap();
+        let child = StandIn::start(part, words).unwrap()?;
+        let address = format!("tcp://{}", child.address());
         let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
         let session = Session::connect(&address.parse().unwrap(), options).await.unwrap();
-        Some(Self { child, session })
+        Some(Self { _child: child, session })
     }
 
     pub(crate) async fn service(&self, name: &str) -> Object {
@@ -100,13 +88,6 @@ impl Nao {
 pub(crate) struct Listening {
     _of: Object,
     pub(crate) events: Subscription,
-}
-
-impl Drop for Nao {
-    fn drop(&mut self) {
-        let _already_gone = self.child.kill();
-        let _ = self.child.wait();
-    }
 }
 
 fn value(json: &Json) -> Value {

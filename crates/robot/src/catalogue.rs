@@ -4,6 +4,7 @@ use crate::params::{DeviceFault, Param, check_params};
 use crate::{Shape::Object, devices};
 use behaviour::connectors::Carries;
 use behaviour::{Filled, Params, StreamKind, Value};
+use std::borrow::Cow;
 
 /// A sense or an action.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +28,8 @@ pub struct Device {
     /// Which of its values count when several wait: readings of a sense for a behaviour, commands of an action for the
     /// robot.
     pub waiting: Waiting,
+    /// The parameter that says what stands on the button by which an operator gives its values; none if there is no button.
+    pub button: Option<&'static str>,
     /// How an action is offered as the next step of a stream.
     pub next_step: NextStep,
     /// An example value in JSON, for stimulating by hand.
@@ -138,6 +141,15 @@ impl Shape {
 }
 
 impl Device {
+    /// What stands on its button with these parameters, if it has one.
+    #[must_use]
+    pub fn button_words<'a>(&'a self, params: &'a Params) -> Option<Cow<'a, str>> {
+        let param = self.params.iter().find(|param| Some(param.name) == self.button)?;
+        let chosen = params.get(param.name).and_then(Value::as_text).filter(|text| !text.trim().is_empty());
+        let default = || param.default().as_text().map(|text| Cow::Owned(text.to_owned()));
+        chosen.map(Cow::Borrowed).or_else(default)
+    }
+
     /// Whether these parameters fit: known names, right kinds, inside their ranges.
     ///
     /// # Errors

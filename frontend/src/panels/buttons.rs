@@ -6,9 +6,6 @@ use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
 
-/// The sense of the catalogue that they are.
-const SENSE: &str = "Button";
-
 /// One for each button that the program senses; none if it senses none.
 #[component]
 pub(crate) fn Buttons() -> impl IntoView {
@@ -37,9 +34,6 @@ pub(crate) fn Buttons() -> impl IntoView {
 fn label(desk: super::hold::Hold, id: &Id) -> Option<String> {
     let stream = desk.desk().document.stream(id)?;
     let stream = stream.record.read();
-    if stream.kind != StreamKind::Sensor || stream.device.as_deref() != Some(SENSE) {
-        return None;
-    }
-    let label = stream.params.get("label").and_then(Value::as_text).filter(|label| !label.trim().is_empty());
-    Some(label.map_or_else(|| stream.name.clone(), str::to_owned))
+    let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
+    device.button_words(&stream.params).map(|words| words.into_owned())
 }

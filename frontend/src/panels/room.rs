@@ -29,10 +29,12 @@ pub(crate) fn Room() -> impl IntoView {
         _ => Map::of(&desk.desk().robots.scene.read()),
     });
     let svg = NodeRef::<leptos::svg::Svg>::new();
+    let hint =
+        move || if desk.desk().robots.is_simulated() { words::room_hint() } else { words::room_of_real() }.to_owned();
     view! {
         <section class="room" aria-label=words::room()>
             <p class="room-title">
-                <span>{move || desk.desk().unheard.get().map_or(words::room_hint().to_owned(), words::room_as_it_was)}</span>
+                <span>{move || desk.desk().unheard.get().map_or_else(hint, words::room_as_it_was)}</span>
                 <span class="legend">
                     <svg viewBox="0 0 16 16" width="16" height="16" aria-hidden="true" focusable="false">
                         <circle class="sample" cx="8" cy="8" r="3" />

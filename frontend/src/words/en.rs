@@ -528,7 +528,8 @@ pub(crate) fn cannot_start(problem: &str) -> String {
 }
 
 pub(crate) fn robot_lost(reason: &str) -> String {
-    format!("The robot cannot be reached ({reason}). Look whether it is on and connected.")
+    // The reason says what to do, or that it comes back by itself.
+    format!("The robot cannot be reached: {reason}.")
 }
 
 pub(crate) fn remove_question(name: &str) -> String {

@@ -25,6 +25,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Head, Resource::LeftArm, Resource::RightArm]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep::NEVER,
     example: "true",
 };

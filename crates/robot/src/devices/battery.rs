@@ -13,6 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Number("%"),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: "80",
 };

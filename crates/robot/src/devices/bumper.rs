@@ -24,6 +24,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep::NEVER,
     example: "true",
 };

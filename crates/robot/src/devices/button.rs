@@ -17,6 +17,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    button: Some("label"),
     next_step: NextStep::NEVER,
     example: "true",
 };

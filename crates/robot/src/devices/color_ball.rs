@@ -18,6 +18,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Object(BALL),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
 };

@@ -14,6 +14,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Number("0 to 1"),
     resources: Resources::Always(&[Resource::Eyes]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep { for_streams: &[(Carries::Number, &[])], ..NextStep::NEVER },
     example: "0.5",
 };

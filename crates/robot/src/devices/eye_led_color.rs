@@ -28,6 +28,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Eyes]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep { for_streams: &[(Carries::Touch, &[]), (Carries::Truth, &[])], ..NextStep::NEVER },
     example: r#""red""#,
 };

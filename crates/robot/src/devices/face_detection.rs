@@ -22,6 +22,7 @@ pub(crate) const DEVICE: Device = Device {
     ]),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"id":1,"label":"","new":true,"recognized_new_face":true,"x":0.0,"y":-0.1,"size":0.1,"time":0}"#,
 };

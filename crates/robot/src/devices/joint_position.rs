@@ -14,6 +14,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Number("rad"),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: "0.1",
 };

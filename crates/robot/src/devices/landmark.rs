@@ -24,6 +24,7 @@ pub(crate) const DEVICE: Device = Device {
     ]),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"number":64,"x":0.1,"y":0.0,"size":0.05,"heading":0.0,"time":0}"#,
 };

@@ -23,6 +23,7 @@ pub(crate) const DEVICE: Device = Device {
     ]),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"count":1,"id":1,"distance":1.2,"x":0.1,"y":-0.2,"time":0}"#,
 };

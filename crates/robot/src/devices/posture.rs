@@ -29,6 +29,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Head, Resource::LeftArm, Resource::RightArm, Resource::Legs]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: "true",
 };

@@ -13,6 +13,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Text,
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#""Standing""#,
 };

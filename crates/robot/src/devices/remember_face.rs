@@ -14,6 +14,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Memory]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep { for_streams: &[(Carries::Face, &[])], ..NextStep::NEVER },
     example: "true",
 };

@@ -14,6 +14,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Text,
     resources: Resources::Always(&[Resource::Voice]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep { for_streams: &[(Carries::Text, &[])], ..NextStep::NEVER },
     example: r#""hello""#,
 };

@@ -14,6 +14,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Voice]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep {
         for_streams: &[
             (Carries::Ball, &[]),

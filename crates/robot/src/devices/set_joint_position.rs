@@ -21,6 +21,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Number("rad"),
     resources: Resources::By(parts),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: "0.5",
 };

@@ -17,6 +17,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Number("m"),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: "0.5",
 };

@@ -30,6 +30,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep::NEVER,
     example: "true",
 };

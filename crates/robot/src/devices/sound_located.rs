@@ -23,6 +23,7 @@ pub(crate) const DEVICE: Device = Device {
     ]),
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"azimuth":0.5,"elevation":0.0,"confidence":0.8,"energy":0.6,"time":0}"#,
 };

@@ -17,6 +17,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Number(""),
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep::NEVER,
     example: "1",
 };

@@ -44,6 +44,7 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::By(parts),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep {
         for_streams: &[
             (Carries::Ball, BALL),

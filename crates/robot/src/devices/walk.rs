@@ -28,6 +28,7 @@ pub(crate) const DEVICE: Device = Device {
     ]),
     resources: Resources::Always(&[Resource::Legs]),
     waiting: Waiting::Newest,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"x":0.05,"y":0.0,"turn":0.0}"#,
 };

@@ -42,6 +42,7 @@ pub(crate) const DEVICE: Device = Device {
     ]),
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    button: None,
     next_step: NextStep::NEVER,
     example: r#"{"word":"yes","confidence":0.6,"time":0}"#,
 };

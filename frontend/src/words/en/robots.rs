@@ -23,6 +23,7 @@ sentences! {
     take_control: "Take control";
     give_back: "Give back to its own life";
     rest: "Let it rest";
+    room_of_real: "As the robot tells";
     more_in_room: "More";
     another_person: "Another person";
     obstacle: "Box";

@@ -15,6 +15,7 @@ use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{Change, Id, Token, Value};
 use protocol::{Refused, Reply, Request};
+use robot::Control;
 use std::future::Future;
 use std::sync::Arc;
 use tokio_util::sync::CancellationToken;
@@ -101,20 +102,14 @@ impl Session {
                 let done = self.state().robots.end_recording(&behaviour, robot.as_ref());
                 self.done(ask, done);
             }
-            Request::Runs => {
-                let runs = self.state().robots.runs().borrow().to_vec();
-                self.outbox.say(Some(ask), Reply::Runs { runs });
-            }
+            Request::Runs => self.tell_runs(ask),
             Request::Place { .. }
             | Request::AddRobot { .. }
             | Request::RenameRobot { .. }
             | Request::RemoveRobot { .. } => self.change_robots(ask, request),
             Request::CheckRobot { real } => self.later(ask, async move { real::check(&real).await }),
             Request::FindRobots => self.later(ask, real::find()),
-            Request::ControlRobot { robot, control } => {
-                let (host, by) = (self.state().robots.meant(Some(&robot)), self.me.name.clone());
-                self.later(ask, async move { host?.control(control, &by).await.map(|()| Reply::Done) });
-            }
+            Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
             Request::Scene { robot, edit } => self.state().robots.edit_scene(robot.as_ref(), edit),
             Request::Watch { robot, scene, values } => {
@@ -168,6 +163,17 @@ impl Session {
                 _ => insight::contested(&*state.store).await,
             }
         });
+    }
+
+    fn tell_runs(&self, ask: u32) {
+        let runs = self.state().robots.runs().borrow().to_vec();
+        self.outbox.say(Some(ask), Reply::Runs { runs });
+    }
+
+    /// Who has a robot.
+    fn control(&self, ask: u32, robot: &Id, control: Control) {
+        let (host, by) = (self.state().robots.meant(Some(robot)), self.me.name.clone());
+        self.later(ask, async move { host?.control(control, &by).await.map(|()| Reply::Done) });
     }
 
     /// Which robots there are and who wins on them: kept before it counts, which may take its time.
