@@ -245,7 +245,7 @@ impl Robot for Nao {
         let angle = |joint: &&str| state.angles.get(*joint).copied().unwrap_or_default() as f32;
         let body = Body {
             base: state.base.map(|part| part as f32),
-            joints: JOINTS.iter().map(|joint| angle(&joint)).collect(),
+            joints: JOINTS.iter().map(angle).collect(),
             eyes: [1.0; 3],
             saying: state.saying.clone(),
             tracking: state.tracking.clone(),

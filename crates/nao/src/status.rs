@@ -70,6 +70,9 @@ pub(crate) async fn ask(session: &Session, shared: &Shared) {
         ("PostureFamilyChanged", Call::new("ALRobotPosture", "getPostureFamily", [])),
         ("stiffness", Call::new("ALMotion", "getStiffnesses", [Value::dynamic("Body")])),
         ("base", Call::new("ALMotion", "getRobotPosition", [true.into()])),
+        // What is too hot stays so, whether or not the event was heard.
+        ("HotDeviceDetected", Call::new("ALMemory", "getData", ["HotDeviceDetected".into()])),
+        ("BatteryPowerPluggedChanged", Call::new("ALMemory", "getData", ["BatteryPowerPluggedChanged".into()])),
     ];
     for (key, question) in questions {
         if let Some(value) = try_call(session, &question).await {

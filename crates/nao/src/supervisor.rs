@@ -96,6 +96,7 @@ fn lose(shared: &Shared, why: &str) {
     shared.halt("the connection to it was lost");
     let mut state = shared.state();
     state.health = Health::Lost(why.to_owned());
+    state.condition = robot::Condition::default();
     state.subscribed.clear();
     state.angles.clear();
     (state.saying, state.tracking) = (String::new(), String::new());

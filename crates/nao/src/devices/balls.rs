@@ -25,8 +25,8 @@ pub(super) const BLOB: Driver = Driver {
     },
 };
 
-/// How far a colour may be off, of 255.
-const THRESHOLD: i32 = 50;
+/// How far a colour may be off, of 255. With the colours below it is a guess: cameras and lamps differ.
+const THRESHOLD: i32 = 90;
 /// The smallest blob, in pixels; and the diameter that is assumed for the distance, in metres.
 const PIXELS_MIN: i32 = 20;
 const SPAN_M: f32 = 0.06;
@@ -64,9 +64,9 @@ impl Sense for Blob {
 
     fn begin(&self) -> Vec<Call> {
         let [red, green, blue]: [i32; 3] = match self.color.as_str() {
-            "green" => [0, 160, 60],
-            "blue" => [30, 80, 220],
-            _ => [220, 30, 30],
+            "green" => [40, 200, 60],
+            "blue" => [40, 80, 230],
+            _ => [230, 40, 40],
         };
         let color = [red.into(), green.into(), blue.into(), THRESHOLD.into()];
         let shape = if self.round { "Circle" } else { "Unknown" };

@@ -26,6 +26,6 @@ impl Sense for Battery {
 
     fn read(&mut self, _: &str, value: &qi::Value, _: u64) -> Option<Value> {
         let percent = value.as_i64().filter(|percent| (0..=100).contains(percent))?;
-        (self.told.replace(percent) != Some(percent)).then(|| Value::Int(percent))
+        (self.told.replace(percent) != Some(percent)).then_some(Value::Int(percent))
     }
 }

@@ -33,7 +33,7 @@ pub(super) fn Floor(map: Memo<Map>) -> impl IntoView {
 pub(super) fn Robot(map: Memo<Map>) -> impl IntoView {
     let desk = hold();
     let length = move |metres| move || map.get().length(metres);
-    let touched = move || desk.desk().robots.scene.read().body.touched.first().is_some();
+    let touched = move || !desk.desk().robots.scene.read().body.touched.is_empty();
     let eyes = Memo::new(move |_| {
         let [red, green, blue] =
             desk.desk().robots.scene.read().body.eyes.map(|part| (part.clamp(0.0, 1.0) * 255.0) as u8);

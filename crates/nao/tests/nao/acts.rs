@@ -1,0 +1,119 @@
+//! What is called for each action, and what the body does then.
+
+use crate::driver::Driver;
+use crate::peer::Peer;
+use behaviour::Value;
+use robot::{Millis, Robot};
+use serde_json::json;
+
+fn text(text: &str) -> Value {
+    Value::text(text)
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn joints_stay_in_their_limits_and_the_newest_target_wins() {
+    let Some(peer) = Peer::start("nao: joints", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let yaw = driver.open("yaw", "SetJointPosition", &[("joint", text("HeadYaw"))]);
+    let pitch = driver.open("pitch", "SetJointPosition", &[("joint", text("HeadPitch"))]);
+    for step in 0..2_000 {
+        driver.tell(&yaw, f64::from(step % 7) / 10.0);
+        if step % 50 == 0 {
+            driver.step().await;
+        }
+    }
+    driver.tell(&yaw, 9.0);
+    driver.sees(&peer, "the head looks aside", |state| state["joints"]["HeadYaw"].as_f64().unwrap() > 2.0).await;
+    let calls = peer.calls("ALMotion.setAngles").await;
+    assert!(calls.len() < 500, "{} calls for 2,000 values", calls.len());
+    assert_eq!(calls.last().unwrap()[0], json!(["HeadYaw"]));
+    assert!((calls.last().unwrap()[1][0].as_f64().unwrap() - 2.0857).abs() < 1e-3, "{:?}", calls.last());
+    driver.tell(&pitch, 9.0);
+    driver.sees(&peer, "it nods as far as it may", |state| state["joints"]["HeadPitch"].as_f64().unwrap() > 0.3).await;
+    let nod = peer.calls("ALMotion.setAngles").await.last().unwrap()[1][0].as_f64().unwrap();
+    assert!((nod - 0.33).abs() < 0.01, "to the side it nods less: {nod}");
+    let arm = driver.open("arm", "SetJointPosition", &[("joint", text("LArm"))]);
+    assert!(driver.nao.command(&arm, &Value::Float(1.0), Millis(0)).is_err());
+    let list = Value::List(vec![Value::Float(0.5); 6].into());
+    driver.tell(&arm, list);
+    driver.sees(&peer, "the hand opens", |state| state["targets"]["LHand"].as_f64().unwrap_or_default() > 0.4).await;
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn words_wait_for_each_other_and_end_with_who_wants_them() {
+    let Some(peer) = Peer::start("nao: words", &[]).await else { return };
+    peer.world(json!({"speech_ms_per_char": 200})).await;
+    let mut driver = Driver::at(&peer.address).await;
+    let (one, other) =
+        (driver.open("one", "SayInput", &[]), driver.open("two", "SayParameter", &[("text", text("two"))]));
+    driver.tell(&one, text("a long sentence that nobody hears the end of, as it is cut"));
+    driver.tell(&one, text("a long sentence that nobody hears the end of, as it is cut"));
+    driver.sees(&peer, "it speaks", |state| state["speaking"].is_string()).await;
+    driver.tell(&other, true);
+    driver.nao.close(&one);
+    driver
+        .sees(&peer, "the other says its word", |state| state["spoken"].as_array().unwrap().contains(&json!("two")))
+        .await;
+    assert_eq!(peer.calls("ALTextToSpeech.say").await.len(), 2, "the same words are not said twice");
+    assert!(driver.nao.command(&other, &Value::Bool(true), Millis(0)).is_ok());
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn it_walks_only_while_values_come() {
+    let Some(peer) = Peer::start("nao: walk", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let walk = driver.open("walk", "Walk", &[]);
+    driver.tell(&walk, 9.0);
+    driver.sees(&peer, "it walks", |state| state["moving"] == json!(true)).await;
+    let call = peer.calls("ALMotion.move").await[0].clone();
+    assert!((call[0].as_f64().unwrap() - 0.05).abs() < 1e-6, "no faster than chosen: {call}");
+    driver.sees(&peer, "it stops by itself", |state| state["moving"] == json!(false)).await;
+    assert!(!peer.calls("ALMotion.stopMove").await.is_empty());
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn everything_else_is_called_as_a_robot_wants_it() {
+    let Some(peer) = Peer::start("nao: actions", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let eyes = driver.open("eyes", "EyeLedColor", &[("color", text("red"))]);
+    driver.tell(&eyes, true);
+    driver.sees(&peer, "red eyes", |state| state["leds"]["FaceLeds"][1].as_f64() == Some(0.0)).await;
+    let fade = peer.calls("ALLeds.fadeRGB").await[0].clone();
+    assert_eq!((&fade[0], &fade[1]), (&json!("FaceLeds"), &json!(0xFF_0000)));
+    let bright = driver.open("bright", "EyeBrightness", &[]);
+    driver.tell(&bright, 0.5);
+    let gesture = driver.open("hey", "Animation", &[]);
+    driver.tell(&gesture, true);
+    driver.tell(&gesture, true);
+    driver.sees(&peer, "it waves", |state| !state["playing"].as_array().unwrap().is_empty()).await;
+    let posture = driver.open("sit", "Posture", &[("posture", text("Crouch"))]);
+    driver.tell(&posture, true);
+    driver.sees(&peer, "it crouches", |state| state["family"] == "Crouching").await;
+    assert_eq!(peer.calls("ALAnimationPlayer.run").await, [json!(["animations/Stand/Gestures/Hey_1"])]);
+    let follow = driver.open("follow", "Tracker", &[]);
+    driver.tell(&follow, true);
+    driver.sees(&peer, "it follows", |state| state["tracking"]["target"] == "RedBall").await;
+    driver.sees(&peer, "it follows no more", |state| state["tracking"].is_null()).await;
+    let beep = driver.open("beep", "Sound", &[]);
+    driver.tell(&beep, true);
+    let learn = driver.open("learn", "RememberFace", &[]);
+    driver.tell(&learn, text("Aiko"));
+    let print = driver.open("print", "Print", &[]);
+    driver.tell(&print, text("here"));
+    assert_eq!(driver.nao.scene().body.printed, ["here"]);
+    for method in ["ALAudioPlayer.playSine", "ALFaceDetection.learnFace", "ALLeds.setIntensity"] {
+        let mut patience = 0;
+        while peer.calls(method).await.is_empty() {
+            patience += 1;
+            assert!(patience < 1_000, "never: {method}");
+            driver.step().await;
+        }
+    }
+    assert!(
+        driver.nao.open(&crate::driver::user("x"), "Walk", &[("speed".to_owned(), Value::Float(9.0))].into()).is_err()
+    );
+    peer.was_safe().await;
+}

@@ -1,0 +1,89 @@
+//! The stand-in as a process, and what tests ask of it.
+
+use qi::{Object, Options, Session};
+use serde_json::{Value as Json, json};
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+/// How long anything may take before a test gives up.
+pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
+
+/// A robot that is not one; it ends when this is dropped.
+pub(crate) struct Peer {
+    child: Child,
+    /// Where it is: `127.0.0.1:PORT`.
+    pub(crate) address: String,
+    standin: Object,
+}
+
+impl Peer {
+    /// Starts one, unless there is no libqi, which is said by name as `part`.
+    pub(crate) async fn start(part: &str, words: &[&str]) -> Option<Self> {
+        let python = std::env::var_os("RRP_QI_PYTHON").map(PathBuf::from).filter(|path| path.is_file());
+        let Some(python) = python else {
+            let says =
+                format!("SKIPPED: {part}: there is no libqi; `cargo xtask qi` makes one, and RRP_QI_PYTHON names it");
+            assert!(std::env::var("CI").as_deref() != Ok("true"), "{says}");
+            let _ = writeln!(std::io::stderr(), "{says}");
+            return None;
+        };
+        let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/standin/nao.py");
+        let mut command = Command::new(python);
+        command.arg(script).args(words).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::null());
+        let mut child = command.spawn().unwrap();
+        let line = BufReader::new(child.stdout.take().unwrap()).lines().next().unwrap().unwrap();
+        let address = line.strip_prefix("listening tcp://").unwrap().to_owned();
+        let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
+        let session = Session::connect(&format!("tcp://{address}").parse().unwrap(), options).await.unwrap();
+        let standin = session.service("StandIn").await.unwrap();
+        Some(Self { child, address, standin })
+    }
+
+    pub(crate) fn port(&self) -> &str {
+        self.address.rsplit(':').next().unwrap()
+    }
+
+    async fn tell(&self, method: &str, what: Json) {
+        self.standin.call(method, &[what.to_string().into()]).await.unwrap();
+    }
+
+    pub(crate) async fn world(&self, change: Json) {
+        self.tell("world", change).await;
+    }
+
+    pub(crate) async fn fault(&self, fault: Json) {
+        self.tell("fault", fault).await;
+    }
+
+    pub(crate) async fn state(&self) -> Json {
+        serde_json::from_str(&self.standin.call("state", &[]).await.unwrap().as_text().unwrap()).unwrap()
+    }
+
+    /// Every call of a method so far: its arguments.
+    pub(crate) async fn calls(&self, method: &str) -> Vec<Json> {
+        let all: Json =
+            serde_json::from_str(&self.standin.call("calls", &[]).await.unwrap().as_text().unwrap()).unwrap();
+        let is_it = |call: &&Json| {
+            format!("{}.{}", call["service"].as_str().unwrap(), call["method"].as_str().unwrap()) == method
+        };
+        all.as_array().unwrap().iter().filter(is_it).map(|call| call["args"].clone()).collect()
+    }
+
+    pub(crate) async fn clear(&self) {
+        self.standin.call("clear", &[]).await.unwrap();
+    }
+
+    /// Nothing was ever done that makes a robot fall.
+    pub(crate) async fn was_safe(&self) {
+        assert_eq!(self.state().await["violations"], json!([]));
+    }
+}
+
+impl Drop for Peer {
+    fn drop(&mut self) {
+        let _already_gone = self.child.kill();
+        let _ = self.child.wait();
+    }
+}

@@ -1,0 +1,90 @@
+//! A way to the robot that can be cut, or swallow everything that comes by one connection.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use tokio::io::{AsyncReadExt, AsyncWriteExt};
+use tokio::net::{TcpListener, TcpStream};
+use tokio::sync::watch;
+
+/// A proxy; its connections are counted from 0.
+pub(crate) struct Proxy {
+    pub(crate) address: String,
+    how: watch::Sender<How>,
+    count: Arc<AtomicUsize>,
+}
+
+/// What it does with what comes.
+#[derive(Clone, Copy, Default, PartialEq)]
+pub(crate) struct How {
+    /// The connection whose bytes lead nowhere.
+    pub(crate) swallows: Option<usize>,
+    /// Grows with every cut of all.
+    cuts: usize,
+    /// One byte at a time.
+    pub(crate) crumbs: bool,
+}
+
+impl Proxy {
+    pub(crate) async fn before(peer: &str) -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").await.unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let (how, peer, count) = (watch::Sender::new(How::default()), peer.to_owned(), Arc::new(AtomicUsize::new(0)));
+        let (told, counted) = (how.clone(), Arc::clone(&count));
+        tokio::spawn(async move {
+            while let Ok((client, _)) = listener.accept().await {
+                let number = counted.fetch_add(1, Ordering::SeqCst);
+                let Ok(server) = TcpStream::connect(&peer).await else { continue };
+                let (from, to) = client.into_split();
+                let (back, ahead) = server.into_split();
+                tokio::spawn(pass(from, ahead, number, told.subscribe()));
+                tokio::spawn(pass(back, to, number, told.subscribe()));
+            }
+        });
+        Self { address, how, count }
+    }
+
+    pub(crate) fn connections(&self) -> usize {
+        self.count.load(Ordering::SeqCst)
+    }
+
+    pub(crate) fn swallow(&self, number: Option<usize>) {
+        self.how.send_modify(|how| how.swallows = number);
+    }
+
+    pub(crate) fn crumble(&self) {
+        self.how.send_modify(|how| how.crumbs = true);
+    }
+
+    pub(crate) fn cut(&self) {
+        self.how.send_modify(|how| how.cuts += 1);
+    }
+}
+
+async fn pass(
+    mut from: impl AsyncReadExt + Unpin,
+    mut to: impl AsyncWriteExt + Unpin,
+    number: usize,
+    mut how: watch::Receiver<How>,
+) {
+    let mut bytes = vec![0; 16_384];
+    let cuts = how.borrow_and_update().cuts;
+    loop {
+        let read = tokio::select! {
+            read = from.read(&mut bytes) => read.unwrap_or(0),
+            _ = how.wait_for(|how| how.cuts > cuts) => 0,
+        };
+        if read == 0 {
+            return;
+        }
+        let now = *how.borrow();
+        if now.swallows == Some(number) {
+            continue;
+        }
+        let piece = if now.crumbs { 1 } else { read };
+        for part in bytes[..read].chunks(piece) {
+            if to.write_all(part).await.is_err() {
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,78 @@
+//! Stop: nothing moves, speaks, plays or is measured any more, whatever the other link does.
+
+use crate::driver::Driver;
+use crate::peer::Peer;
+use crate::proxy::Proxy;
+use behaviour::Value;
+use robot::{Millis, Robot, Use};
+use serde_json::{Value as Json, json};
+
+/// Walks, speaks, plays, follows and looks for a ball.
+async fn busy(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
+    let walk = driver.open("walk", "Walk", &[]);
+    let say = driver.open("say", "SayParameter", &[("text", Value::text("word ".repeat(150)))]);
+    let beep =
+        driver.open("file", "Sound", &[("sound", Value::text("file")), ("file", Value::text("/home/nao/a.wav"))]);
+    let gesture = driver.open("hey", "Animation", &[]);
+    let ball = driver.open("ball", "RedBall", &[]);
+    for user in [&walk, &say, &beep, &gesture] {
+        driver.tell(user, 1.0);
+    }
+    driver
+        .sees(peer, "it speaks and is used", |state| {
+            state["speaking"].is_string() && state["subscribers"].to_string().contains("rrp-test")
+        })
+        .await;
+    vec![walk, say, beep, gesture, ball]
+}
+
+fn is_calm(state: &Json) -> bool {
+    let none = |name: &str| state[name].as_array().is_none_or(Vec::is_empty);
+    state["moving"] == json!(false)
+        && state["speaking"].is_null()
+        && state["tracking"].is_null()
+        && none("playing")
+        && none("sounding")
+        && none("waiting_texts")
+        && none("blocked")
+        && !state["subscribers"].to_string().contains("rrp-test")
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn everything_ends_and_a_new_value_works_again() {
+    let Some(peer) = Peer::start("nao: stop", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    for _ in 0..5 {
+        let users = busy(&mut driver, &peer).await;
+        driver.nao.stop(Millis(0));
+        driver.sees(&peer, "it is calm", is_calm).await;
+        users.iter().for_each(|user| driver.nao.close(user));
+        driver.wait(10).await;
+    }
+    for _ in 0..50 {
+        driver.nao.stop(Millis(0));
+        driver.step().await;
+    }
+    driver.sees(&peer, "it is calm", is_calm).await;
+    peer.clear().await;
+    let walk = driver.open("walk", "Walk", &[]);
+    driver.tell(&walk, 0.05);
+    driver.sees(&peer, "it walks again", |state| state["moving"] == json!(true)).await;
+    assert!(peer.calls("ALMotion.killMove").await.is_empty());
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn stop_has_a_way_of_its_own_when_the_other_leads_nowhere() {
+    let Some(peer) = Peer::start("nao: a black hole", &[]).await else { return };
+    let proxy = Proxy::before(&peer.address).await;
+    let mut driver = Driver::at(&proxy.address).await;
+    driver.until("both links are there", |_| proxy.connections() >= 2).await;
+    let users = busy(&mut driver, &peer).await;
+    driver.wait(20).await;
+    proxy.swallow(Some(0));
+    driver.nao.stop(Millis(0));
+    driver.sees(&peer, "it is calm", is_calm).await;
+    users.iter().for_each(|user| driver.nao.close(user));
+    peer.was_safe().await;
+}
