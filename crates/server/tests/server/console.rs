@@ -100,7 +100,7 @@ Far away: from Ball
 > contested
 Tracker: Far, Far away
 > show robots
-Simulated NAO (ready, nothing runs)
+Simulated NAO (ready, battery 100 %, awake, motors on, own life off, nothing runs)
 > add robot Momo
 Momo is there
 > use robot mo
@@ -127,7 +127,7 @@ Momo is removed
 > use robot momo
 There is no robot “momo”. There are: Simulated NAO.
 > show robots
-Simulated NAO (ready, runs Far)
+Simulated NAO (ready, battery 100 %, awake, motors on, own life off, runs Far)
 > disconnect
 Disconnected.
 ";
