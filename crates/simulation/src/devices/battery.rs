@@ -1,4 +1,5 @@
 //! The battery: what moves and what stands drains it, the cable fills it; told at first and when its percentage changes.
+//! By itself it never gets empty: a simulated robot that was forgotten overnight is of use in the morning.
 
 use super::{Beat, Driver, Opened, Sense};
 use crate::hash::Digest;
@@ -11,6 +12,8 @@ pub(super) const DRIVER: Driver = Driver { name: "Battery", open: |_| Opened::se
 const FULL: u32 = 90 * 60 * 100 * 2;
 /// What a step takes: resting, standing, and walking, for which it lasts 60 minutes. Our planning values.
 const DRAIN: [u32; 3] = [1, 2, 3];
+/// How much is left at least unless somebody takes it.
+const LEFT_MIN: u32 = FULL / 5;
 /// What a step on the cable gives: full in 90 minutes.
 const CHARGE: u32 = 2;
 
@@ -60,7 +63,7 @@ impl Charge {
         self.left = if self.plugged {
             (self.left + CHARGE).min(FULL)
         } else {
-            self.left.saturating_sub(DRAIN[effort as usize])
+            self.left.saturating_sub(DRAIN[effort as usize]).max(self.left.min(LEFT_MIN))
         };
     }
 
@@ -98,5 +101,22 @@ impl Sense for Battery {
         let percent = nao.charge.percent();
         let changed = self.0.replace(percent) != Some(percent);
         changed.then(|| Value::Int(i64::from(percent)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Charge, Effort, FULL};
+
+    #[test]
+    fn only_a_person_empties_it() {
+        let mut charge = Charge::default();
+        (0..FULL).for_each(|_| charge.step(Effort::Walk));
+        assert_eq!((charge.percent(), charge.is_empty()), (20, false));
+        charge.set(5);
+        charge.step(Effort::Walk);
+        assert_eq!(charge.percent(), 5);
+        charge.set(0);
+        assert!(charge.is_empty());
     }
 }
