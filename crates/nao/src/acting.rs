@@ -105,7 +105,18 @@ impl Acting {
             self.gate = gate;
             self.slots.clear();
             self.speech.clear();
-            (self.walk, self.track) = (None, None);
+            // What is still on its way by this link may come after the Stop by the other one: it is ended behind it.
+            if self.walk.take().is_some() || self.under_way.contains_key("walk") {
+                self.post(Call::new("ALMotion", "stopMove", []));
+            }
+            if self.track.take().is_some() {
+                self.in_turn(
+                    ["stopTracker", "unregisterAllTargets"].map(|method| Call::new("ALTracker", method, [])).to_vec(),
+                );
+            }
+            if !self.speech.saying().is_empty() {
+                self.post(Call::new("ALTextToSpeech", "stopAll", []));
+            }
             self.lasting.values().for_each(|lasting| lasting.cancel.cancel());
             self.lasting.clear();
             self.movers.clear();
@@ -207,7 +218,10 @@ impl Acting {
         }
         let (angles, there): (Vec<f64>, Vec<bool>) = {
             let state = self.shared.state();
-            let clip = |(joint, angle): (&&str, &f64)| state.limits.clip(joint, *angle, self.yaw);
+            // Where the head was sent last, unless something else has moved it since.
+            let sent = joints.contains(&"HeadYaw") || self.movers.contains_key("HeadYaw");
+            let yaw = if sent { self.yaw } else { state.angles.get("HeadYaw").copied().unwrap_or_default() };
+            let clip = |(joint, angle): (&&str, &f64)| state.limits.clip(joint, *angle, yaw);
             let there = joints.iter().map(|joint| state.joints.iter().any(|known| known == joint)).collect();
             (joints.iter().zip(&angles).map(clip).collect(), there)
         };

@@ -74,11 +74,16 @@ async fn look(settings: &Settings) -> Found {
     }
     let mut furthest: Option<(Step, String)> = None;
     for address in addresses {
-        match Session::connect(&address, settings.options()).await {
+        let connected = match settings.check_secret(&address) {
+            Ok(()) => Session::connect(&address, settings.options()).await,
+            Err(error) => Err(error),
+        };
+        match connected {
             Ok(session) => return services(&session, is_secure(&address)).await,
             Err(error) => {
                 let step = step_of(&error);
-                if furthest.as_ref().is_none_or(|(known, _)| *known <= step) {
+                let skipped = settings.check_secret(&address).is_err();
+                if furthest.as_ref().is_none_or(|(known, _)| *known <= step) && (!skipped || furthest.is_none()) {
                     furthest = Some((step, sentence(&error)));
                 }
             }
@@ -139,6 +144,9 @@ pub(crate) fn sentence(error: &QiError) -> String {
             "It shows another certificate than before: it is another robot, it was reset, or somebody is in between. If you \
              know why, remove the robot here and add it again."
                 .to_owned()
+        }
+        (Stage::Tls, Cause::Tls(why)) if why.contains("in the clear") => {
+            "User and password are only said in secret. Leave them out, or leave out the port, or write :9503.".to_owned()
         }
         (Stage::Tls, _) => "It does not speak in secret as a robot does there. Look whether the address is right.".to_owned(),
         (Stage::Login, Cause::Refused(_)) => {

@@ -57,6 +57,17 @@ pub(crate) enum Deed {
     Print(String),
 }
 
+impl Deed {
+    /// Whether the robot must be awake and on its feet for it.
+    pub(crate) fn moves(&self) -> bool {
+        match self {
+            Self::Joints { .. } | Self::Walk(_) | Self::Track(_) => true,
+            Self::Lasting { moves, .. } => *moves,
+            Self::Newest { .. } | Self::Say(_) | Self::Print(_) => false,
+        }
+    }
+}
+
 /// What is followed, and how.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Track {

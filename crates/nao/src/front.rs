@@ -183,6 +183,9 @@ impl Robot for Nao {
             if !state.is_linked() || state.halt.is_some() {
                 return Err(RobotFault::NoLink);
             }
+            if deed.moves() {
+                state.check_moves()?;
+            }
             if let Deed::Print(text) = deed {
                 state.print(text);
                 return Ok(());

@@ -105,19 +105,23 @@ impl Scanned {
     }
 }
 
-/// Ends the subscriptions that begin with our name: they outlive the process that made them.
-pub(crate) async fn clean(session: &Session, own_name: &str, shared: &Shared) {
+/// Ends the subscriptions that begin with our name: they outlive the process that made them. True if there were some.
+pub(crate) async fn clean(session: &Session, own_name: &str, shared: &Shared) -> bool {
     let ours = |name: &str| name == own_name || name.starts_with(&format!("{own_name}/"));
     let clean = EXTRACTORS.iter().map(|service| async move {
-        let Ok(object) = session.service(service).await else { return };
-        let Ok(known) = object.call("getSubscribersInfo", &[]).await else { return };
+        let mut found = false;
+        let Ok(object) = session.service(service).await else { return found };
+        let Ok(known) = object.call("getSubscribersInfo", &[]).await else { return found };
         for row in known.items().unwrap_or_default() {
             let name = row.items().and_then(|row| row.first()).and_then(Value::as_text);
             if let Some(name) = name.filter(|name| ours(name)) {
                 let _ = object.call("unsubscribe", &[name.as_ref().into()]).await;
+                found = true;
             }
         }
+        found
     });
-    join_all(clean).await;
+    let found = join_all(clean).await.contains(&true);
     shared.state().subscribed.clear();
+    found
 }

@@ -43,7 +43,10 @@ pub(crate) async fn run(
     if let Err(error) = ready {
         let why = format!("a sense could not be started ({error})");
         tracing::warn!(stream = %user.stream, %error, "a sense could not be started");
-        shared.state().health = Health::Degraded(why);
+        let mut state = shared.state();
+        if state.is_linked() {
+            state.health = Health::Degraded(why);
+        }
     }
     let first = sense.first();
     let period = sense.poll().map_or_else(|| sense.joint().map_or(NEVER_MS, |_| JOINT_MS), |(_, period)| period);

@@ -1,6 +1,6 @@
 //! How a robot is reached.
 
-use qi::{Address, Credentials, Options, Scheme, Trust};
+use qi::{Address, Cause, Credentials, Fingerprint, Options, QiError, Scheme, Stage, Trust};
 use std::fmt;
 use std::time::Duration;
 
@@ -70,11 +70,22 @@ impl Settings {
         }
     }
 
+    /// Whether this address may be tried: a password is said, and a certificate looked at, by TLS only.
+    pub(crate) fn check_secret(&self, address: &Address) -> Result<(), QiError> {
+        if is_secure(address) || (self.login.is_none() && self.trusted.is_none()) {
+            return Ok(());
+        }
+        let cause = Cause::Tls("a password is not said in the clear".to_owned());
+        Err(QiError::Connect { stage: Stage::Tls, cause })
+    }
+
     pub(crate) fn options(&self) -> Options {
         let login = self.login.as_ref();
         let credentials = login.map(|login| Credentials { user: login.user.clone(), password: login.password.clone() });
         let trusted = self.trusted.as_deref().and_then(|text| text.parse().ok());
-        let trust = trusted.map_or(Trust::First, Trust::Only);
+        // A fingerprint that cannot be read is that of nobody.
+        let nobody = self.trusted.as_ref().map(|_| Fingerprint([0; 32]));
+        let trust = trusted.or(nobody).map_or(Trust::First, Trust::Only);
         Options { credentials, trust, stage_within: Duration::from_millis(STAGE_MS), ..Options::default() }
     }
 }
@@ -100,6 +111,20 @@ mod tests {
         assert_eq!(tried("10.0.0.7:1234"), ["tcp://10.0.0.7:1234"]);
         assert_eq!(tried("tcps://nao:9999"), ["tcps://nao:9999"]);
         assert!(tried("").is_empty() && tried("nao:port").is_empty());
+    }
+
+    #[test]
+    fn a_password_is_said_in_secret_only() {
+        let open = Settings { address: "nao".into(), login: None, own_name: "rrp".into(), trusted: None };
+        let login = Some(Login { user: "nao".into(), password: "hush".into() });
+        let secret = Settings { login, ..open.clone() };
+        let pinned = Settings { trusted: Some("nonsense".into()), ..open.clone() };
+        let [clear, tls] = &open.addresses()[..] else { panic!() };
+        assert!(open.check_secret(clear).is_ok() && open.check_secret(tls).is_ok());
+        for careful in [&secret, &pinned] {
+            assert!(careful.check_secret(clear).is_err() && careful.check_secret(tls).is_ok());
+        }
+        assert_ne!(pinned.options().trust, qi::Trust::First);
     }
 
     #[test]

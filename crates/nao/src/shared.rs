@@ -2,7 +2,7 @@
 
 use crate::body::Limits;
 use behaviour::Value;
-use robot::{Condition, Health, Lacking, Use};
+use robot::{Condition, Health, Lacking, RobotFault, Use};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -88,6 +88,16 @@ impl Default for State {
 impl State {
     pub(crate) fn is_linked(&self) -> bool {
         matches!(self.health, Health::Ready | Health::Degraded(_) | Health::Safe)
+    }
+
+    /// Why it cannot move now, if it cannot; in the words of the simulated robot.
+    pub(crate) fn check_moves(&self) -> Result<(), RobotFault> {
+        let why = match (self.condition.fallen, self.condition.awake) {
+            (Some(true), _) => "it lies on the floor; help it up first",
+            (_, Some(false)) => "it rests; take control first",
+            _ => return Ok(()),
+        };
+        Err(RobotFault::NotNow(why.to_owned()))
     }
 
     /// The robot time of the coming step.

@@ -59,7 +59,12 @@ async fn serve(session: &Session, shared: &Shared) {
             () = shared.stopping.notified() => {}
             _ = session.link().ended() => return,
             () = tokio::time::sleep(Duration::from_millis(PING_MS)) => {
-                if session.link().ping(CALL).await.is_err() {
+                // A Stop does not wait for it.
+                let gone = tokio::select! {
+                    pong = session.link().ping(CALL) => pong.is_err(),
+                    () = shared.stopping.notified() => false,
+                };
+                if gone {
                     session.link().close();
                     return;
                 }
@@ -85,14 +90,19 @@ async fn burst(session: &Session, shared: &Shared) -> Result<(), QiError> {
     ];
     let animations = playing.iter().filter(|name| name.starts_with("animations/"));
     calls.extend(animations.map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()])));
-    calls.extend(subscribed.into_iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.into()])));
+    let ends = subscribed.iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
+    calls.extend(ends);
     let done = join_all(calls.iter().map(|wanted| call(session, wanted, CALL))).await;
     let freezing = freeze(session).await;
     for result in done.into_iter().chain([freezing]) {
         match result {
             // A service that is not there, or refuses, has nothing that goes on.
             Ok(_) | Err(QiError::NoService { .. } | QiError::NoMethod { .. } | QiError::Remote { .. }) => {}
-            Err(error) => return Err(error),
+            Err(error) => {
+                // They are ended with the next try.
+                shared.state().subscribed.extend(subscribed);
+                return Err(error);
+            }
         }
     }
     Ok(())

@@ -12,8 +12,8 @@ use crate::{check, senses, status, stopping};
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
 use std::collections::BTreeMap;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::sync::mpsc;
 use tokio::task::JoinHandle;
@@ -61,6 +61,8 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
                 pause_ms = AGAIN_MIN_MS;
                 let stopper = tokio::spawn(stopping::keep(address, settings.clone(), Arc::clone(shared)));
                 let why = serve(&session, settings, shared, orders, waiting).await;
+                // The other link may still be there; else it is done as soon as the robot is.
+                shared.stop();
                 end_well(shared).await;
                 stopper.abort();
                 session.link().close();
@@ -83,6 +85,10 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
 async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
     let mut failed = QiError::Address(settings.address.clone());
     for address in settings.addresses() {
+        if let Err(error) = settings.check_secret(&address) {
+            failed = error;
+            continue;
+        }
         match Session::connect(&address, settings.options()).await {
             Ok(session) => return Ok((address, session)),
             Err(error) => failed = error,
@@ -134,7 +140,10 @@ async fn serve(
         Ok(scanned) => scanned.note(&mut shared.state()),
         Err(error) => return check::sentence(&error),
     }
-    clean(session, &settings.own_name, shared).await;
+    if clean(session, &settings.own_name, shared).await {
+        // Whoever left that behind may have left it walking.
+        shared.stop();
+    }
     status::ask(session, shared).await;
     let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
     let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
@@ -144,7 +153,7 @@ async fn serve(
     let (done, mut ended) = mpsc::unbounded_channel();
     let mut acting = Acting::new(session.clone(), Arc::clone(shared), done);
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
-    let mut controlled = None;
+    let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
@@ -171,7 +180,8 @@ async fn serve(
                     acting.act(gate, user, deed);
                 }
                 Some(Order::Control(control)) => {
-                    controlled = Some(Ended(tokio::spawn(take(session.clone(), Arc::clone(shared), control))));
+                    let life = Arc::clone(&life);
+                    controlled = Some(Ended(tokio::spawn(self::control(session.clone(), Arc::clone(shared), life, control))));
                 }
             },
             Some(over) = ended.recv() => acting.done(over),
@@ -214,18 +224,35 @@ async fn ping(session: Session, shared: Arc<Shared>) {
     }
 }
 
-/// Takes control, gives it back, or lets the robot rest.
-async fn take(session: Session, shared: Arc<Shared>, control: Control) {
-    let say = |call: Call, within| {
-        let session = session.clone();
-        async move {
-            let done = self::call(&session, &call, within).await;
-            done.inspect_err(|error| tracing::warn!(method = call.method, %error, "the robot did not do it")).is_ok()
+/// Takes control, gives it back, or lets the robot rest, unless a Stop comes between: then what is left is not done.
+async fn control(session: Session, shared: Arc<Shared>, life: Arc<Mutex<Option<String>>>, control: Control) {
+    let gate = shared.gate();
+    let stopped = async {
+        while shared.gate() == gate {
+            tokio::time::sleep(Duration::from_millis(10)).await;
         }
     };
+    tokio::select! {
+        () = take(&session, &shared, &life, control) => {}
+        () = stopped => {}
+    }
+    status::ask(&session, &shared).await;
+}
+
+async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>, control: Control) {
+    let say = async |wanted: Call, within| {
+        let done = call(session, &wanted, within).await;
+        done.inspect_err(|error| tracing::warn!(method = wanted.method, %error, "the robot did not do it")).is_ok()
+    };
     let life = |state: &str| Call::new("ALAutonomousLife", "setState", [state.into()]);
+    let kept = || before.lock().unwrap_or_else(PoisonError::into_inner);
     match control {
         Control::Take => {
+            let now = try_call(session, &Call::new("ALAutonomousLife", "getState", [])).await;
+            let now = now.and_then(|state| state.as_text().map(|state| state.into_owned()));
+            if let Some(state) = now.filter(|state| state != "safeguard") {
+                *kept() = Some(state);
+            }
             say(life("disabled"), BODY).await;
             // The end of its own life may end in a rest.
             say(Call::new("ALMotion", "wakeUp", []), BODY).await;
@@ -233,7 +260,11 @@ async fn take(session: Session, shared: Arc<Shared>, control: Control) {
                 say(Call::new("ALRobotPosture", "goToPosture", ["Stand".into(), Value::F32(0.5)]), BODY).await;
             }
         }
-        Control::GiveBack => drop(say(life("solitary"), BODY).await),
+        Control::GiveBack => {
+            // Its own life as it was before control was taken here; calm if that is not known.
+            let state = kept().take().unwrap_or_else(|| "solitary".to_owned());
+            say(life(&state), BODY).await;
+        }
         Control::Rest => {
             // What was stopped has to have ended, and nobody rests while falling.
             for _ in 0..100 {
@@ -247,5 +278,4 @@ async fn take(session: Session, shared: Arc<Shared>, control: Control) {
             }
         }
     }
-    status::ask(&session, &shared).await;
 }

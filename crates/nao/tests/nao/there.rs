@@ -23,6 +23,10 @@ async fn a_whole_nao_has_the_whole_catalogue_and_tells_of_its_body() {
     driver.sees(&peer, "it stands", |state| state["family"] == "Standing").await;
     driver.nao.control(Control::Rest, Millis(0)).unwrap();
     driver.until("it rests", |driver| driver.nao.condition().awake == Some(false)).await;
+    let walk = driver.open("walk", "Walk", &[]);
+    let refused = driver.nao.command(&walk, &0.05.into(), Millis(0)).unwrap_err();
+    assert!(refused.to_string().contains("take control first"), "{refused}");
+    driver.nao.close(&walk);
     driver.nao.control(Control::GiveBack, Millis(0)).unwrap();
     driver.until("it lives", |driver| driver.nao.condition().life == Some(Life::Solitary)).await;
     peer.was_safe().await;
