@@ -32,6 +32,8 @@ const LOST_MS: u128 = 5_000;
 const CYCLE_MS: u64 = 20;
 /// How long waking up and resting may take.
 const BODY: Duration = Duration::from_secs(30);
+/// Pause before it is looked again what there is, in milliseconds.
+const SCAN_MS: u64 = 300;
 /// How long the last Stop may take at the end.
 const LAST_STOP_MS: u64 = 1_000;
 
@@ -157,6 +159,7 @@ async fn serve(
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
     let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
+    let scanning = Ended(tokio::spawn(scan_again(session.clone(), Arc::clone(shared))));
     let why = loop {
         tokio::select! {
             biased;
@@ -188,7 +191,7 @@ async fn serve(
             _ = beat.tick() => acting.cycle(),
         }
     };
-    drop((watch, pinging, controlled));
+    drop((watch, pinging, scanning, controlled));
     open.into_values().for_each(|(cancel, _)| cancel.cancel());
     why
 }
@@ -199,6 +202,22 @@ struct Ended(JoinHandle<()>);
 impl Drop for Ended {
     fn drop(&mut self) {
         self.0.abort();
+    }
+}
+
+/// Looks again whenever services come or go: a robot that starts has them one by one.
+async fn scan_again(session: Session, shared: Arc<Shared>) {
+    let (Ok(mut added), Ok(mut removed)) = (session.added().await, session.removed().await) else { return };
+    loop {
+        if let Ok(scanned) = scan(&session).await {
+            scanned.note(&mut shared.state());
+        }
+        tokio::select! {
+            change = added.next() => if change.is_err() { return },
+            change = removed.next() => if change.is_err() { return },
+        }
+        // Many come at once.
+        tokio::time::sleep(Duration::from_millis(SCAN_MS)).await;
     }
 }
 
