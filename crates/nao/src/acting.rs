@@ -106,13 +106,11 @@ impl Acting {
             self.slots.clear();
             self.speech.clear();
             // What is still on its way by this link may come after the Stop by the other one: it is ended behind it.
-            if self.walk.take().is_some() || self.under_way.contains_key("walk") {
-                self.post(Call::new("ALMotion", "stopMove", []));
+            if self.walk.is_some() || self.under_way.contains_key("walk") {
+                self.stand();
             }
-            if self.track.take().is_some() {
-                self.in_turn(
-                    ["stopTracker", "unregisterAllTargets"].map(|method| Call::new("ALTracker", method, [])).to_vec(),
-                );
+            if self.track.is_some() {
+                self.unfollow();
             }
             if !self.speech.saying().is_empty() {
                 self.post(Call::new("ALTextToSpeech", "stopAll", []));

@@ -31,7 +31,7 @@ mod tracker;
 mod walk;
 mod word_recognized;
 
-use crate::Device;
+use crate::{Device, Param, ParamKind};
 
 /// All devices in the order people see them.
 pub(crate) const ALL: &[&Device] = &[
@@ -67,23 +67,15 @@ pub(crate) const ALL: &[&Device] = &[
     &print::DEVICE,
 ];
 
-/// The joints a stream may read.
-pub(crate) const JOINT_CHOICES: &[(&str, &str)] = &[
-    ("HeadYaw", "head yaw"),
-    ("HeadPitch", "head pitch"),
-    ("LShoulderPitch", "left shoulder pitch"),
-    ("LShoulderRoll", "left shoulder roll"),
-    ("LElbowYaw", "left elbow yaw"),
-    ("LElbowRoll", "left elbow roll"),
-    ("LWristYaw", "left wrist yaw"),
-    ("LHand", "left hand"),
-    ("RShoulderPitch", "right shoulder pitch"),
-    ("RShoulderRoll", "right shoulder roll"),
-    ("RElbowYaw", "right elbow yaw"),
-    ("RElbowRoll", "right elbow roll"),
-    ("RWristYaw", "right wrist yaw"),
-    ("RHand", "right hand"),
-];
+/// Of a touch: whether it is also told that it ended.
+pub(crate) const LETTING_GO: Param =
+    Param { name: "release", label: "Also told", kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]) };
+
+/// The joints a stream may read: those that it may set, without the groups.
+pub(crate) const JOINT_CHOICES: &[(&str, &str)] = MOVED_CHOICES.split_at(MOVED_CHOICES.len() - GROUPS).0;
+
+/// Groups at the end of [`MOVED_CHOICES`].
+const GROUPS: usize = 3;
 
 /// The joints and groups a stream may set. The joints of a group are in the order of NAOqi: the head has yaw and pitch,
 /// an arm shoulder pitch and roll, elbow yaw and roll, wrist yaw and hand.

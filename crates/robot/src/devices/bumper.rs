@@ -1,5 +1,6 @@
 //! The bumpers on the feet.
 
+use super::LETTING_GO;
 use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
@@ -15,11 +16,7 @@ pub(crate) const DEVICE: Device = Device {
             label: "Foot",
             kind: ParamKind::Choice(&[("any", "either"), ("left", "left"), ("right", "right")]),
         },
-        Param {
-            name: "release",
-            label: "Also told",
-            kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]),
-        },
+        LETTING_GO,
     ],
     shape: Shape::Truth,
     resources: Resources::Always(&[]),

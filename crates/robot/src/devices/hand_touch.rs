@@ -1,5 +1,6 @@
 //! The touch fields on the backs and sides of the hands.
 
+use super::LETTING_GO;
 use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
@@ -25,11 +26,7 @@ pub(crate) const DEVICE: Device = Device {
                 ("right", "right side"),
             ]),
         },
-        Param {
-            name: "release",
-            label: "Also told",
-            kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]),
-        },
+        LETTING_GO,
     ],
     shape: Shape::Truth,
     resources: Resources::Always(&[]),

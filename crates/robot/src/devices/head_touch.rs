@@ -1,5 +1,6 @@
 //! The three touch fields on the head.
 
+use super::LETTING_GO;
 use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
@@ -15,11 +16,7 @@ pub(crate) const DEVICE: Device = Device {
             label: "Part",
             kind: ParamKind::Choice(&[("any", "anywhere"), ("front", "front"), ("middle", "middle"), ("rear", "rear")]),
         },
-        Param {
-            name: "release",
-            label: "Also told",
-            kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]),
-        },
+        LETTING_GO,
     ],
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
