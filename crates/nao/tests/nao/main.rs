@@ -3,6 +3,7 @@
 
 mod acts;
 mod driver;
+mod late;
 mod losses;
 mod peer;
 mod proxy;
