@@ -130,6 +130,11 @@ pub(crate) trait Sense: Send + Sync {
         None
     }
 
+    /// What has to be set on the robot before it is asked, if there is one of that only: uses that want it otherwise take turns.
+    fn turn(&self) -> Option<Turn> {
+        None
+    }
+
     /// The joint that it reads.
     fn joint(&self) -> Option<&'static str> {
         None
@@ -147,6 +152,15 @@ pub(crate) trait Sense: Send + Sync {
 
     /// The value of an event or an answer, if it has one.
     fn read(&mut self, key: &str, value: &qi::Value, at_ms: u64) -> Option<Value>;
+}
+
+/// A turn of a sense at something that there is one of only.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Turn {
+    /// What sets it.
+    pub(crate) calls: Vec<Call>,
+    /// How long it takes after that until an answer is for this turn, in milliseconds.
+    pub(crate) wait_ms: u64,
 }
 
 /// An action in use.

@@ -83,8 +83,7 @@ impl Nao {
         let Some((what, how)) = sense.only() else { return Ok(()) };
         let other = self.senses.values().filter_map(|open| open.only.as_ref());
         if other.into_iter().any(|(known, wanted)| *known == what && *wanted != how) {
-            let why = if what == "color" { "look for one color" } else { "listen for one list of words" };
-            return Err(RobotFault::NotNow(format!("it can {why} at a time")));
+            return Err(RobotFault::NotNow(format!("it can only use one {what} at a time")));
         }
         Ok(())
     }

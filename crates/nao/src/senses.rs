@@ -1,7 +1,7 @@
 //! A sense at work: a task of its own that prepares it, hears events or asks, reads, and cleans up after itself.
 
 use crate::deed::Call;
-use crate::devices::Sense;
+use crate::devices::{Sense, Turn};
 use crate::link::{CALL, call, try_call};
 use crate::shared::Shared;
 use qi::{Keep, QiError, Session, Value};
@@ -22,10 +22,14 @@ const PERIOD_MS: i32 = 33;
 /// A period that no sense has.
 const NEVER_MS: u64 = 3_600_000;
 
+/// Whose turn it is at what there is one of only, on one link.
+pub(crate) type Turns = Arc<tokio::sync::Mutex<Option<Turn>>>;
+
 /// Runs a sense until it is cancelled.
 pub(crate) async fn run(
     session: Session,
     shared: Arc<Shared>,
+    turns: Turns,
     name: String,
     user: Use,
     mut sense: Box<dyn Sense>,
@@ -71,7 +75,10 @@ pub(crate) async fn run(
                 Some((key, value, at)) => read(&shared, &user, &mut *sense, key, &value, at),
                 None => break,
             },
-            _ = beat.tick() => ask(&session, &shared, &user, &mut *sense).await,
+            _ = beat.tick() => tokio::select! {
+                () = ask(&session, &shared, &turns, &user, &mut *sense) => {}
+                () = cancel.cancelled() => break,
+            },
         }
     }
     drop(listeners);
@@ -166,7 +173,23 @@ pub(crate) async fn listen(
 }
 
 /// Asks what is asked again and again.
-async fn ask(session: &Session, shared: &Shared, user: &Use, sense: &mut dyn Sense) {
+async fn ask(session: &Session, shared: &Shared, turns: &Turns, user: &Use, sense: &mut dyn Sense) {
+    // Held until it has its answer: the others wait, each in its order.
+    let mut whose = None;
+    if let Some(turn) = sense.turn() {
+        let mut now = turns.lock().await;
+        if now.as_ref() != Some(&turn) {
+            *now = None;
+            for wanted in &turn.calls {
+                if try_call(session, wanted).await.is_none() {
+                    return;
+                }
+            }
+            tokio::time::sleep(Duration::from_millis(turn.wait_ms)).await;
+            *now = Some(turn);
+        }
+        whose = Some(now);
+    }
     if let Some(joint) = sense.joint() {
         let angle = shared.state().angles.get(joint).copied();
         if let Some(angle) = angle {
@@ -177,6 +200,7 @@ async fn ask(session: &Session, shared: &Shared, user: &Use, sense: &mut dyn Sen
     {
         read(shared, user, sense, "poll", &value, Instant::now());
     }
+    drop(whose);
 }
 
 fn read(shared: &Shared, user: &Use, sense: &mut dyn Sense, key: &str, value: &Value, at: Instant) {

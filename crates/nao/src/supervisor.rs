@@ -6,9 +6,11 @@ use crate::deed::Call;
 use crate::front::Order;
 use crate::link::{CALL, call, try_call};
 use crate::scan::{clean, scan};
+use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
 use crate::{check, senses, status, stopping};
+use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
 use std::collections::BTreeMap;
@@ -37,6 +39,18 @@ const BODY: Duration = Duration::from_secs(30);
 const SCAN_MS: u64 = 300;
 /// How long the last Stop may take at the end.
 const LAST_STOP_MS: u64 = 1_000;
+
+/// The services that act.
+const ACTORS: [&str; 8] = [
+    "ALMotion",
+    "ALTracker",
+    "ALTextToSpeech",
+    "ALLeds",
+    "ALAudioPlayer",
+    "ALAnimationPlayer",
+    "ALRobotPosture",
+    "ALFaceDetection",
+];
 
 type Orders = mpsc::UnboundedReceiver<Order>;
 
@@ -159,10 +173,13 @@ async fn serve(
     let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
     let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
     let cycle = cycle.and_then(|value| value.as_i64()).map_or(CYCLE_MS, |ms| ms.clamp(5, 100).cast_unsigned());
+    // Known before they are needed: what is called first also comes first.
+    join_all(ACTORS.iter().map(|name| session.service(name))).await;
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();
     let mut acting = Acting::new(session.clone(), Arc::clone(shared), done);
+    let turns = Turns::default();
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
     let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
@@ -178,7 +195,7 @@ async fn serve(
                 None => break "it is not used any more".to_owned(),
                 Some(Order::Open(user, sense)) => {
                     let (cancel, name) = (CancellationToken::new(), format!("{}/{}/{}", settings.own_name, user.run, user.stream));
-                    let task = senses::run(session.clone(), Arc::clone(shared), name, user.clone(), sense, cancel.clone());
+                    let task = senses::run(session.clone(), Arc::clone(shared), Turns::clone(&turns), name, user.clone(), sense, cancel.clone());
                     open.insert(user, (cancel, tokio::spawn(task)));
                 }
                 Some(Order::Close(user)) => {

@@ -48,7 +48,7 @@ impl Sense for Words {
     }
 
     fn only(&self) -> Option<(&'static str, String)> {
-        Some(("words", format!("{} {}", self.language, self.words.join(","))))
+        Some(("list of words to listen for", format!("{} {}", self.language, self.words.join(","))))
     }
 
     /// `[phrase, sureness, ...]`, the surest first. A spotted word comes as `<...> word <...>`, an end as an empty text.
