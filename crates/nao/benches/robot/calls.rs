@@ -1,0 +1,70 @@
+//! How long a call takes, from before its arguments are written until its answer is read.
+
+use crate::client::Client;
+use crate::figures::{Times, Verdict, micros, title};
+use crate::peer::Peer;
+use qi::{Options, Session, Value};
+use std::time::{Duration, Instant};
+
+/// Calls of each kind in a round, and rounds; who is measured takes turns.
+const CALLS: usize = 1_000;
+const ROUNDS: usize = 5;
+/// The first ones of each are not counted: connections, caches and branch predictors get warm.
+const WARM: usize = 200;
+/// The bar of a `setAngles`, in microseconds.
+const BAR_US: f64 = 150.0;
+const WITHIN: Duration = Duration::from_secs(2);
+
+/// One after the other, by `qi` and by Python.
+pub(crate) async fn measure(verdict: &mut Verdict) {
+    let Some(peer) = Peer::start("the benchmark of calls", &[]).await else { return };
+    let address = peer.address.clone();
+    let (ours, python) = tokio::task::spawn_blocking(move || turns(&address)).await.unwrap();
+    title("calls, from call to answer", "by Python");
+    for (what, at) in
+        [("machineId of the directory, which libqi answers", 1), ("ALMotion.setAngles, which Python answers", 0)]
+    {
+        python[at].print(&format!("{what}: Python client"), None);
+        ours[at].print(&format!("{what}: qi"), Some(&python[at]));
+    }
+    let own = |times: &[Times; 2]| times[0].within(50) - times[1].within(50);
+    println!("  (the stand-in's own part, p50 of one less p50 of the other: {:.3} ms)", own(&ours) / 1e3);
+    verdict.at_most("setAngles by qi, p50", ours[0].within(50), BAR_US);
+}
+
+fn turns(address: &str) -> ([Times; 2], [Times; 2]) {
+    // As `nao` has it: everything of a link on one thread.
+    let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
+    let session = runtime.block_on(Session::connect(&format!("tcp://{address}").parse().unwrap(), Options::default()));
+    let (session, mut client) = (session.unwrap(), Client::at(address));
+    let (mut ours, mut python): ([Times; 2], [Times; 2]) = Default::default();
+    for (at, what) in ["setAngles", "machineId"].into_iter().enumerate() {
+        runtime.block_on(calls(&session, what, WARM));
+        client.calls(what, WARM);
+        for _ in 0..ROUNDS {
+            ours[at].0.extend(runtime.block_on(calls(&session, what, CALLS)));
+            python[at].0.extend(client.calls(what, CALLS));
+        }
+    }
+    (ours, python)
+}
+
+async fn calls(session: &Session, what: &str, count: usize) -> Vec<f64> {
+    let mut taken = Vec::with_capacity(count);
+    for number in 0..count {
+        let began = Instant::now();
+        let (service, arguments) =
+            if what == "setAngles" { ("ALMotion", set_angles(number)) } else { ("ServiceDirectory", Vec::new()) };
+        let object = session.service(service).await.unwrap();
+        object.call_within(what, &arguments, WITHIN).await.unwrap();
+        taken.push(micros(began.elapsed()));
+    }
+    taken
+}
+
+/// The arguments as `nao` writes them; `client.py` has the same.
+pub(crate) fn set_angles(number: usize) -> Vec<Value> {
+    let names = Value::List(vec!["HeadYaw".into()]);
+    let angles = Value::List(vec![Value::F32((number % 7) as f32 / 10.0)]);
+    vec![Value::dynamic(names), Value::dynamic(angles), Value::F32(0.3)]
+}
