@@ -34,6 +34,15 @@ impl Client {
         let taken = self.told(&json!({"do": "calls", "what": what, "count": count}));
         taken.as_array().unwrap().iter().map(|taken| taken.as_f64().unwrap()).collect()
     }
+
+    /// Calls for every touch from now on.
+    pub(crate) fn react(&mut self, with: &str) {
+        self.told(&json!({"do": "react", "with": with}));
+    }
+
+    pub(crate) fn rest(&mut self) {
+        self.told(&json!({"do": "rest"}));
+    }
 }
 
 impl Drop for Client {

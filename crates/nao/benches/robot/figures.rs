@@ -3,6 +3,12 @@
 use std::process::ExitCode;
 use std::time::Duration;
 
+/// The computer's monotonic clock, in microseconds; the stand-in notes calls by the same.
+pub(crate) fn monotonic_us() -> f64 {
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::Monotonic);
+    time.tv_sec as f64 * 1e6 + time.tv_nsec as f64 / 1e3
+}
+
 pub(crate) fn micros(duration: Duration) -> f64 {
     duration.as_secs_f64() * 1e6
 }

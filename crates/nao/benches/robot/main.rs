@@ -10,11 +10,23 @@ mod calls;
 #[cfg(unix)]
 mod client;
 #[cfg(unix)]
+#[path = "../../tests/nao/driver.rs"]
+#[expect(dead_code, reason = "tests need more of it")]
+mod driver;
+#[cfg(unix)]
 mod figures;
 #[cfg(unix)]
 #[path = "../../tests/nao/peer.rs"]
 #[expect(dead_code, reason = "tests need more of it")]
 mod peer;
+#[cfg(unix)]
+#[path = "../../tests/nao/proxy.rs"]
+#[expect(dead_code, reason = "tests need more of it")]
+mod proxy;
+#[cfg(unix)]
+mod reactions;
+#[cfg(unix)]
+mod stops;
 
 /// Those that are picked, or all; every bar is looked at before it fails.
 #[cfg(unix)]
@@ -26,6 +38,12 @@ fn main() -> std::process::ExitCode {
     runtime.block_on(async {
         if picked("calls") {
             calls::measure(&mut verdict).await;
+        }
+        if picked("reactions") {
+            reactions::measure(&mut verdict).await;
+        }
+        if picked("stops") {
+            stops::measure(&mut verdict).await;
         }
     });
     verdict.tell()
