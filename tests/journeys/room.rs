@@ -52,7 +52,7 @@ async fn an_operator_presses_a_button_of_the_program() -> Outcome<()> {
 }
 
 #[tokio::test]
-async fn a_fall_ends_what_runs_and_a_person_starts_it_again() -> Outcome<()> {
+async fn a_fall_interrupts_what_runs_until_a_person_lets_it_go_on_or_stops_it() -> Outcome<()> {
     if !skip::ready("journey: a fall") {
         return Ok(());
     }
@@ -65,15 +65,19 @@ async fn a_fall_ends_what_runs_and_a_person_starts_it_again() -> Outcome<()> {
     start(&aiko).await?;
     aiko.press("button", "More").await?;
     aiko.press("menuitem", "Push it over").await?;
-    at_rest(&aiko).await?;
+    aiko.find("button", "Go on").await?;
     says(&aiko, "Has fallen").await?;
-    says(&aiko, "press Start again").await?;
+    says(&aiko, "Interrupted: it fell; look after the robot first").await?;
     aiko.press("button", "More").await?;
     aiko.press("menuitem", "Help it up").await?;
     silent(&aiko, "Has fallen").await?;
-    at_rest(&aiko).await?;
-    start(&aiko).await?;
+    aiko.press("button", "Go on").await?;
+    aiko.find("button", "Running").await?;
+    aiko.press("button", "More").await?;
+    aiko.press("menuitem", "Push it over").await?;
+    aiko.find("button", "Go on").await?;
     stop(&aiko).await?;
+    at_rest(&aiko).await?;
     calm(&aiko)
 }
 

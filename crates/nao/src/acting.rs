@@ -5,9 +5,11 @@ use crate::deed::{Call, Deed, Track};
 use crate::link::{CALL, call};
 use crate::shared::Shared;
 use crate::speech::Speech;
+use crate::targets::Targets;
+use futures_util::future::join_all;
 use qi::{Session, Value};
 use robot::Use;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
@@ -22,9 +24,15 @@ const SAY: Duration = Duration::from_secs(15);
 const SAY_CHAR: Duration = Duration::from_millis(150);
 /// How many different things may last at once.
 const LASTING_MAX: usize = 32;
+/// How fast joints go back to where they are, as a fraction of the top speed.
+const HOLD_SPEED: f64 = 0.3;
 
 /// A kind of which only the newest counts.
-type Slot = String;
+type Slot = &'static str;
+/// The kind of everything that joints do.
+const JOINTS: Slot = "joints";
+/// What hears words, and its own voice too.
+const HEARING: &str = "ALSpeechRecognition";
 
 /// What came to its end.
 pub(crate) enum Done {
@@ -49,7 +57,8 @@ pub(crate) struct Acting {
     gate: u64,
     number: u64,
     slots: BTreeMap<Slot, Call>,
-    under_way: BTreeMap<Slot, ()>,
+    targets: Targets,
+    under_way: BTreeSet<Slot>,
     speech: Speech,
     walk: Option<(Use, [f64; 3], Instant)>,
     track: Option<(Use, Track, Instant)>,
@@ -70,7 +79,8 @@ impl Acting {
             gate,
             number: 0,
             slots: BTreeMap::new(),
-            under_way: BTreeMap::new(),
+            targets: Targets::default(),
+            under_way: BTreeSet::new(),
             speech: Speech::default(),
             walk: None,
             track: None,
@@ -87,7 +97,11 @@ impl Acting {
             return;
         }
         match deed {
-            Deed::Newest { slot, call } => drop(self.slots.insert(slot.to_owned(), call)),
+            Deed::Newest { slot, call } => drop(self.slots.insert(slot, call)),
+            Deed::Eyes { color, call } => {
+                self.slots.insert("eyes", call);
+                self.shared.state().eyes = color;
+            }
             Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
             Deed::Lasting { what, calls, end, within, moves: _ } => self.last(user, what, calls, end, within),
             Deed::Say(text) => self.speech.say(text, &user),
@@ -104,9 +118,10 @@ impl Acting {
         if gate != self.gate {
             self.gate = gate;
             self.slots.clear();
+            self.targets.clear();
             self.speech.clear();
             // What is still on its way by this link may come after the Stop by the other one: it is ended behind it.
-            if self.walk.is_some() || self.under_way.contains_key("walk") {
+            if self.walk.is_some() || self.under_way.contains("walk") {
                 self.stand();
             }
             if self.track.is_some() {
@@ -134,20 +149,37 @@ impl Acting {
         if self.track.as_ref().is_some_and(|track| track.0 == *user) {
             self.unfollow();
         }
-        let mut ended = Vec::new();
-        for (what, lasting) in &mut self.lasting {
-            lasting.users.retain(|other| other != user);
-            if lasting.users.is_empty() {
-                lasting.cancel.cancel();
-                ended.push((what.clone(), lasting.end.clone()));
-            }
-        }
-        for (what, end) in ended {
-            self.lasting.remove(&what);
-            end.into_iter().for_each(|call| self.post(call));
-        }
+        self.leave_lasting(user);
         self.hold(user);
         self.show();
+    }
+
+    /// What lasts ends with its last user. What would end something else too, as all sounds end together, lasts until nobody
+    /// uses that either.
+    fn leave_lasting(&mut self, user: &Use) {
+        let used = self.lasting.values().any(|lasting| lasting.users.contains(user));
+        if !used {
+            return;
+        }
+        self.lasting.values_mut().for_each(|lasting| lasting.users.retain(|other| other != user));
+        let wanted: Vec<Vec<Call>> = self
+            .lasting
+            .values()
+            .filter(|lasting| !lasting.users.is_empty())
+            .map(|lasting| lasting.end.clone())
+            .collect();
+        let (left, over): (BTreeMap<_, _>, BTreeMap<_, _>) = std::mem::take(&mut self.lasting)
+            .into_iter()
+            .partition(|(_, lasting)| !lasting.users.is_empty() || wanted.contains(&lasting.end));
+        self.lasting = left;
+        let mut ends: Vec<Vec<Call>> = Vec::new();
+        for lasting in over.into_values() {
+            lasting.cancel.cancel();
+            if !ends.contains(&lasting.end) {
+                ends.push(lasting.end);
+            }
+        }
+        ends.into_iter().flatten().for_each(|call| self.post(call));
     }
 
     /// The joints that a use moved last stay where they are.
@@ -159,8 +191,8 @@ impl Acting {
             let state = self.shared.state();
             own.iter().filter_map(|joint| state.angles.get(*joint).copied()).collect()
         };
-        if !own.is_empty() && own.len() == angles.len() {
-            self.slots.insert(own.join(" "), set_angles(&own, &angles, HOLD_SPEED));
+        if own.len() == angles.len() {
+            own.iter().zip(angles).for_each(|(joint, angle)| self.targets.want(joint, angle, HOLD_SPEED));
         }
     }
 
@@ -175,19 +207,28 @@ impl Acting {
             self.unfollow();
         }
         // One of a kind is on its way at a time; meanwhile the newest waits.
-        let free: Vec<Slot> = self.slots.keys().filter(|slot| !self.under_way.contains_key(*slot)).cloned().collect();
+        let free: Vec<Slot> = self.slots.keys().filter(|slot| !self.under_way.contains(*slot)).copied().collect();
         for slot in free {
-            if let Some(wanted) = self.slots.remove(&slot) {
-                self.under_way.insert(slot.clone(), ());
-                let (session, done) = (self.session.clone(), self.done.clone());
-                tokio::spawn(async move {
-                    if let Err(error) = call(&session, &wanted, CALL).await {
-                        tracing::debug!(method = wanted.method, %error, "the robot did not do it");
-                    }
-                    let _over = done.send(Done::Slot(slot));
-                });
+            if let Some(wanted) = self.slots.remove(slot) {
+                self.send(slot, vec![wanted]);
             }
         }
+        if !self.under_way.contains(JOINTS) {
+            let wanted = self.targets.take();
+            if !wanted.is_empty() {
+                self.send(JOINTS, wanted);
+            }
+        }
+    }
+
+    /// Calls of one kind, at once.
+    fn send(&mut self, slot: Slot, calls: Vec<Call>) {
+        self.under_way.insert(slot);
+        let (session, done) = (self.session.clone(), self.done.clone());
+        tokio::spawn(async move {
+            join_all(calls.iter().map(|wanted| attempt(&session, wanted, CALL))).await;
+            let _over = done.send(Done::Slot(slot));
+        });
     }
 
     /// Something came to its end.
@@ -195,7 +236,7 @@ impl Acting {
         self.look_at_gate();
         match done {
             Done::Slot(slot) => {
-                self.under_way.remove(&slot);
+                self.under_way.remove(slot);
             }
             Done::Said => {
                 self.speech.over();
@@ -223,15 +264,11 @@ impl Acting {
             let there = joints.iter().map(|joint| state.joints.iter().any(|known| known == joint)).collect();
             (joints.iter().zip(&angles).map(clip).collect(), there)
         };
-        let kept = |index: &usize| there.get(*index).copied().unwrap_or_default();
-        let indexes: Vec<usize> = (0..joints.len()).filter(kept).collect();
-        let joints: Vec<&'static str> = indexes.iter().map(|index| joints[*index]).collect();
-        let angles: Vec<f64> = indexes.iter().map(|index| angles[*index]).collect();
-        for joint in &joints {
+        for (joint, angle) in
+            joints.into_iter().zip(angles).zip(there).filter(|(_, there)| *there).map(|(wanted, _)| wanted)
+        {
             self.movers.insert(joint, user.clone());
-        }
-        if !joints.is_empty() {
-            self.slots.insert(joints.join(" "), set_angles(&joints, &angles, speed));
+            self.targets.want(joint, angle, speed);
         }
     }
 
@@ -240,7 +277,7 @@ impl Acting {
             self.unfollow();
         }
         let arguments: Vec<Value> = speeds.iter().map(|speed| Value::F32(*speed as f32)).collect();
-        self.slots.insert("walk".to_owned(), Call::new("ALMotion", "move", arguments));
+        self.slots.insert("walk", Call::new("ALMotion", "move", arguments));
         self.walk = Some((user, speeds, Instant::now()));
     }
 
@@ -289,9 +326,7 @@ impl Acting {
                 if shared.gate() != gate {
                     return;
                 }
-                if let Err(error) = call(&session, &wanted, CALL).await {
-                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
-                }
+                attempt(&session, &wanted, CALL).await;
             }
         });
     }
@@ -305,9 +340,16 @@ impl Acting {
             let (session, done) = (self.session.clone(), self.done.clone());
             let within = SAY + SAY_CHAR * u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
             let wanted = Call::new("ALTextToSpeech", "say", [text.into()]);
+            // It would hear itself.
+            let hears = self.shared.state().subscribed.iter().any(|(service, _)| *service == HEARING);
+            let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
             tokio::spawn(async move {
-                if let Err(error) = call(&session, &wanted, within).await {
-                    tracing::debug!(%error, "the robot did not say it");
+                if let Some(wanted) = pause(true) {
+                    attempt(&session, &wanted, CALL).await;
+                }
+                attempt(&session, &wanted, within).await;
+                if let Some(wanted) = pause(false) {
+                    attempt(&session, &wanted, CALL).await;
                 }
                 let _over = done.send(Done::Said);
             });
@@ -330,12 +372,9 @@ impl Acting {
         let (session, done, ended, name) = (self.session.clone(), self.done.clone(), cancel.clone(), what.clone());
         tokio::spawn(async move {
             for wanted in calls {
-                let done = tokio::select! {
-                    done = call(&session, &wanted, within) => done,
+                tokio::select! {
+                    () = attempt(&session, &wanted, within) => {}
                     () = ended.cancelled() => return,
-                };
-                if let Err(error) = done {
-                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
                 }
             }
             let _over = done.send(Done::Lasted(name, number));
@@ -356,12 +395,9 @@ impl Acting {
     }
 }
 
-/// How fast joints go back to where they are, as a fraction of the top speed.
-const HOLD_SPEED: f64 = 0.3;
-
-/// One joint as a name and a number, several as lists.
-pub(crate) fn set_angles<T: AsRef<str>>(joints: &[T], angles: &[f64], speed: f64) -> Call {
-    let names = Value::List(joints.iter().map(|joint| joint.as_ref().into()).collect());
-    let angles = Value::List(angles.iter().map(|angle| Value::F32(*angle as f32)).collect());
-    Call::new("ALMotion", "setAngles", [Value::dynamic(names), Value::dynamic(angles), (speed as f32).into()])
+/// Calls; what the robot does not do is in the log.
+async fn attempt(session: &Session, wanted: &Call, within: Duration) {
+    if let Err(error) = call(session, wanted, within).await {
+        tracing::debug!(method = wanted.method, %error, "the robot did not do it");
+    }
 }

@@ -115,7 +115,7 @@ pub(crate) trait Sense: Send + Sync {
         None
     }
 
-    /// What is called before that.
+    /// What is called before that, one after the other; all of it, also if something of it fails.
     fn begin(&self) -> Vec<Call> {
         Vec::new()
     }

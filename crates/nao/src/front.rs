@@ -216,18 +216,21 @@ impl Robot for Nao {
     }
 
     fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
-        {
+        let (is_linked, may_rest) = {
             let state = self.shared.state();
-            if !state.is_linked() {
-                return Err(RobotFault::NoLink);
-            }
-            if control == Control::Rest && state.condition.fallen == Some(true) {
-                return Err(RobotFault::NotNow("it lies on the floor; help it up first".to_owned()));
-            }
+            (state.is_linked(), state.may_rest())
+        };
+        if !is_linked {
+            return Err(RobotFault::NoLink);
         }
         if control == Control::Rest {
-            self.shared.stop();
+            if !may_rest {
+                return Err(RobotFault::NotNow("it lies on the floor; help it up first".to_owned()));
+            }
+            self.shared.rest();
+            return Ok(());
         }
+        self.shared.take_rest();
         self.tell(Order::Control(control))
     }
 
@@ -249,7 +252,7 @@ impl Robot for Nao {
         let body = Body {
             base: state.base.map(|part| part as f32),
             joints: JOINTS.iter().map(angle).collect(),
-            eyes: [1.0; 3],
+            eyes: state.eyes,
             saying: state.saying.clone(),
             tracking: state.tracking.clone(),
             printed: state.printed.iter().cloned().collect(),

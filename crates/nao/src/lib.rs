@@ -25,6 +25,7 @@ mod speech;
 mod status;
 mod stopping;
 mod supervisor;
+mod targets;
 
 pub use check::{Found, Step, check};
 pub use discover::{Announced, Unheard, discover};

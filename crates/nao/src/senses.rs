@@ -36,8 +36,14 @@ pub(crate) async fn run(
     }
     let (events, mut heard) = mpsc::channel(EVENTS_MAX);
     let mut listeners = JoinSet::new();
+    let mut measuring = Measuring { session: &session, shared: &shared, name: &name, asked: None, is_known: false };
+    // Whole, whatever comes: what is paused for it goes on again.
+    let mut begun = Ok(());
+    for wanted in sense.begin() {
+        begun = begun.and(call(&session, &wanted, CALL).await.map(drop));
+    }
     let ready = tokio::select! {
-        ready = prepare(&session, &shared, &name, &*sense, &events, &mut listeners) => ready,
+        ready = prepare(begun, &mut measuring, &*sense, &events, &mut listeners) => ready,
         () = cancel.cancelled() => Ok(()),
     };
     if let Err(error) = ready {
@@ -69,36 +75,63 @@ pub(crate) async fn run(
         }
     }
     drop(listeners);
-    if let Some(service) = sense.extractor()
-        && shared.state().subscribed.remove(&(service, name.clone()))
-    {
-        let _ = try_call(&session, &Call::new(service, "unsubscribe", [name.into()])).await;
+    measuring.end().await;
+}
+
+/// What the robot measures for a sense only, from when it is asked to until it no longer is.
+struct Measuring<'a> {
+    session: &'a Session,
+    shared: &'a Shared,
+    name: &'a str,
+    /// The service that was asked.
+    asked: Option<&'static str>,
+    /// Whether the robot has answered; until then a Stop may come by its own link before the question does.
+    is_known: bool,
+}
+
+impl Measuring<'_> {
+    async fn begin(&mut self, service: &'static str) -> Result<(), QiError> {
+        let gate = self.shared.gate();
+        self.shared.state().subscribed.insert((service, self.name.to_owned()));
+        self.asked = Some(service);
+        let with_period = [self.name.into(), PERIOD_MS.into(), 0.0_f32.into()];
+        let done = call(self.session, &Call::new(service, "subscribe", with_period), CALL).await;
+        if matches!(done, Err(QiError::NoMethod { .. })) {
+            call(self.session, &Call::new(service, "subscribe", [self.name.into()]), CALL).await?;
+        } else {
+            done?;
+        }
+        // A Stop that came meanwhile may have ended what had not begun.
+        self.is_known = self.shared.gate() == gate;
+        if !self.is_known {
+            self.end().await;
+        }
+        Ok(())
+    }
+
+    /// Ends it, unless a Stop has.
+    async fn end(&mut self) {
+        let Some(service) = self.asked.take() else { return };
+        let is_ours = self.shared.state().subscribed.remove(&(service, self.name.to_owned()));
+        if is_ours || !self.is_known {
+            let _ = try_call(self.session, &Call::new(service, "unsubscribe", [self.name.into()])).await;
+        }
     }
 }
 
 async fn prepare(
-    session: &Session,
-    shared: &Shared,
-    name: &str,
+    begun: Result<(), QiError>,
+    measuring: &mut Measuring<'_>,
     sense: &dyn Sense,
     events: &mpsc::Sender<(&'static str, Value, Instant)>,
     listeners: &mut JoinSet<()>,
 ) -> Result<(), QiError> {
-    for wanted in sense.begin() {
-        call(session, &wanted, CALL).await?;
-    }
+    begun?;
     if let Some(service) = sense.extractor() {
-        shared.state().subscribed.insert((service, name.to_owned()));
-        let with_period = [name.into(), PERIOD_MS.into(), 0.0_f32.into()];
-        let done = call(session, &Call::new(service, "subscribe", with_period), CALL).await;
-        if matches!(done, Err(QiError::NoMethod { .. })) {
-            call(session, &Call::new(service, "subscribe", [name.into()]), CALL).await?;
-        } else {
-            done?;
-        }
+        measuring.begin(service).await?;
     }
     for key in sense.keys() {
-        listen(session, key, events.clone(), listeners).await?;
+        listen(measuring.session, key, events.clone(), listeners).await?;
     }
     Ok(())
 }

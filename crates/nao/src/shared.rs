@@ -6,11 +6,13 @@ use robot::{Condition, Health, Lacking, RobotFault, Use};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
 /// Readings that may wait for the next step; the oldest go first.
 const READINGS_MAX: usize = 4_096;
+/// How long a fall may take.
+const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
 const PRINTED_MAX: usize = 20;
 
@@ -22,6 +24,8 @@ pub(crate) struct Shared {
     gate: AtomicU64,
     /// Whether a Stop was not carried out yet.
     stop_wanted: AtomicBool,
+    /// Whether the robot is to rest once it holds.
+    rest_wanted: AtomicBool,
     /// Rung when it is wanted.
     pub(crate) stopping: Notify,
     /// Rung when it is done, or the stop link is there.
@@ -38,6 +42,8 @@ pub(crate) struct State {
     pub(crate) lacking: Vec<Lacking>,
     pub(crate) condition: Condition,
     pub(crate) halt: Option<String>,
+    /// When it fell last, or was about to.
+    pub(crate) falling: Option<Instant>,
     pub(crate) limits: Limits,
     /// The joints of this body, in its order.
     pub(crate) joints: Vec<String>,
@@ -45,6 +51,8 @@ pub(crate) struct State {
     pub(crate) angles: BTreeMap<String, f64>,
     /// Where it stands: x and y in metres, heading in radians.
     pub(crate) base: [f64; 3],
+    /// The colour of its eyes that was wanted last: red, green and blue from 0 to 1.
+    pub(crate) eyes: [f32; 3],
     pub(crate) saying: String,
     pub(crate) tracking: String,
     pub(crate) posture: String,
@@ -68,10 +76,12 @@ impl Default for State {
             lacking: Vec::new(),
             condition: Condition::default(),
             halt: None,
+            falling: None,
             limits: Limits::default(),
             joints: Vec::new(),
             angles: BTreeMap::new(),
             base: [0.0; 3],
+            eyes: [1.0; 3],
             saying: String::new(),
             tracking: String::new(),
             posture: String::new(),
@@ -98,6 +108,11 @@ impl State {
             _ => return Ok(()),
         };
         Err(RobotFault::NotNow(why.to_owned()))
+    }
+
+    /// Nobody rests on the floor, or on the way to it.
+    pub(crate) fn may_rest(&self) -> bool {
+        self.condition.fallen != Some(true) && self.falling.is_none_or(|at| at.elapsed() > FALL)
     }
 
     /// The robot time of the coming step.
@@ -156,6 +171,17 @@ impl Shared {
 
     pub(crate) fn wants_stop(&self) -> bool {
         self.stop_wanted.load(Ordering::SeqCst)
+    }
+
+    /// Holds, and then rests.
+    pub(crate) fn rest(&self) {
+        self.rest_wanted.store(true, Ordering::SeqCst);
+        self.stop();
+    }
+
+    /// Whether it is to rest now; asked once.
+    pub(crate) fn take_rest(&self) -> bool {
+        self.rest_wanted.swap(false, Ordering::SeqCst)
     }
 
     /// It was carried out, unless it is wanted anew.

@@ -12,6 +12,7 @@ use crate::{check, senses, status, stopping};
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
 use std::collections::BTreeMap;
+use std::hash::{BuildHasher, RandomState};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -52,7 +53,8 @@ pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders
 }
 
 async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, waiting: &AtomicUsize) {
-    let mut pause_ms = AGAIN_MIN_MS;
+    let (mut pause_ms, mut tries) = (AGAIN_MIN_MS, 0_u64);
+    let chance = RandomState::new();
     while !shared.is_ended() {
         let found = tokio::select! {
             found = find(settings) => found,
@@ -60,7 +62,6 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
         };
         let why = match found {
             Ok((address, session)) => {
-                pause_ms = AGAIN_MIN_MS;
                 let stopper = tokio::spawn(stopping::keep(address, settings.clone(), Arc::clone(shared)));
                 let why = serve(&session, settings, shared, orders, waiting).await;
                 // The other link may still be there; else it is done as soon as the robot is.
@@ -68,13 +69,19 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
                 end_well(shared).await;
                 stopper.abort();
                 session.link().close();
+                // One that was not ready yet, as it has just begun, is not pressed.
+                if shared.state().is_linked() {
+                    pause_ms = AGAIN_MIN_MS;
+                }
                 why
             }
             Err(error) => check::sentence(&error),
         };
         lose(shared, &why);
         drain(orders, waiting);
-        let jitter = pause_ms / 4 * u64::from(std::process::id() % 5) / 4;
+        tries += 1;
+        // Servers that lost the same robot do not come back at the same moment.
+        let jitter = chance.hash_one(tries) % (pause_ms / 4);
         tokio::select! {
             () = tokio::time::sleep(Duration::from_millis(pause_ms + jitter)) => {}
             () = shared.ending.notified() => {}
@@ -102,6 +109,8 @@ async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
 /// The link is gone: who used the robot has to begin again.
 fn lose(shared: &Shared, why: &str) {
     shared.halt("the connection to it was lost");
+    // Who knows who holds it when it is back.
+    shared.take_rest();
     let mut state = shared.state();
     state.health = Health::Lost(why.to_owned());
     state.condition = robot::Condition::default();
@@ -243,7 +252,7 @@ async fn ping(session: Session, shared: Arc<Shared>) {
     }
 }
 
-/// Takes control, gives it back, or lets the robot rest, unless a Stop comes between: then what is left is not done.
+/// Takes control or gives it back, unless a Stop comes between: then what is left is not done.
 async fn control(session: Session, shared: Arc<Shared>, life: Arc<Mutex<Option<String>>>, control: Control) {
     let gate = shared.gate();
     let stopped = async {
@@ -284,17 +293,7 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
             let state = kept().take().unwrap_or_else(|| "solitary".to_owned());
             say(life(&state), BODY).await;
         }
-        Control::Rest => {
-            // What was stopped has to have ended, and nobody rests while falling.
-            for _ in 0..100 {
-                if !shared.wants_stop() {
-                    break;
-                }
-                tokio::time::sleep(Duration::from_millis(20)).await;
-            }
-            if shared.state().condition.fallen != Some(true) {
-                say(Call::new("ALMotion", "rest", []), BODY).await;
-            }
-        }
+        // By the link of Stop.
+        Control::Rest => {}
     }
 }

@@ -122,7 +122,7 @@ impl<'a> RobotThread<'a> {
         }
         self.readings = readings;
         if let Some(reason) = self.robot.take_halt() {
-            self.shared.fault_all(&RunFailure::Halt(reason));
+            self.shared.pause_all(&RunFailure::Halt(reason));
             self.end_what_ended();
         }
         if self.steps.is_multiple_of(STEPS_PER_PICTURE) {

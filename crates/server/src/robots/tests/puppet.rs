@@ -112,6 +112,11 @@ impl Puppet {
     }
 
     /// In the next step it wants everything to end.
+    /// Whether what it wanted to end everything for was heard.
+    pub(super) fn has_told_halt(&self) -> bool {
+        lock(&self.0).halts.is_none()
+    }
+
     pub(super) fn halt(&self, why: &str) {
         lock(&self.0).halts = Some(why.to_owned());
     }
