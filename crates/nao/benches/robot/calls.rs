@@ -1,18 +1,25 @@
 //! How long a call takes, from before its arguments are written until its answer is read.
 
 use crate::client::Client;
-use crate::figures::{Times, Verdict, micros, title};
+use crate::driver::Driver;
+use crate::figures::{Times, Verdict, micros, monotonic_us, title};
 use crate::peer::Peer;
-use qi::{Options, Session, Value};
+use crate::reactions::Watched;
+use behaviour::Value;
+use qi::{Options, Session, Value as Said};
+use serde_json::json;
 use std::time::{Duration, Instant};
 
 /// Calls of each kind in a round, and rounds; who is measured takes turns.
-const CALLS: usize = 1_000;
-const ROUNDS: usize = 5;
+const CALLS: usize = 250;
+const ROUNDS: usize = 20;
 /// The first ones of each are not counted: connections, caches and branch predictors get warm.
 const WARM: usize = 200;
 /// The bar of a `setAngles`, in microseconds.
 const BAR_US: f64 = 150.0;
+/// Values told to an action, and steps between them.
+const TOLD: i64 = 300;
+const STEPS: usize = 8;
 const WITHIN: Duration = Duration::from_secs(2);
 
 /// One after the other, by `qi` and by Python.
@@ -27,9 +34,30 @@ pub(crate) async fn measure(verdict: &mut Verdict) {
         python[at].print(&format!("{what}: Python client"), None);
         ours[at].print(&format!("{what}: qi"), Some(&python[at]));
     }
+    let told = told(&peer).await;
+    told.print("a value told to nao, until the stand-in has the call of its action", None);
     let own = |times: &[Times; 2]| times[0].within(50) - times[1].within(50);
     println!("  (the stand-in's own part, p50 of one less p50 of the other: {:.3} ms)", own(&ours) / 1e3);
     verdict.at_most("setAngles by qi, p50", ours[0].within(50), BAR_US);
+}
+
+/// From a value that an action is told until its call is noted; what is spoken is over before the next.
+async fn told(peer: &Peer) -> Times {
+    peer.world(json!({"speech_ms_per_char": 0})).await;
+    let robot = Watched::at(&peer.address).await;
+    let mut driver = Driver::at(&peer.address).await;
+    let say = driver.open("say", "SayInput", &[]);
+    let mut began = Vec::new();
+    for number in 0..TOLD {
+        began.push(monotonic_us());
+        driver.tell(&say, Value::Int(number));
+        driver.wait(STEPS).await;
+    }
+    let calls = robot.told("calls").await;
+    let calls = calls.as_array().unwrap().iter().filter(|call| call["method"] == "say");
+    let noted: Vec<f64> = calls.map(|call| call["monotonic_us"].as_f64().unwrap()).collect();
+    assert_eq!(noted.len(), began.len());
+    Times(noted.into_iter().zip(began).map(|(noted, began)| noted - began).collect())
 }
 
 fn turns(address: &str) -> ([Times; 2], [Times; 2]) {
@@ -63,8 +91,8 @@ async fn calls(session: &Session, what: &str, count: usize) -> Vec<f64> {
 }
 
 /// The arguments as `nao` writes them; `client.py` has the same.
-pub(crate) fn set_angles(number: usize) -> Vec<Value> {
-    let names = Value::List(vec!["HeadYaw".into()]);
-    let angles = Value::List(vec![Value::F32((number % 7) as f32 / 10.0)]);
-    vec![Value::dynamic(names), Value::dynamic(angles), Value::F32(0.3)]
+pub(crate) fn set_angles(number: usize) -> Vec<Said> {
+    let names = Said::List(vec!["HeadYaw".into()]);
+    let angles = Said::List(vec![Said::F32((number % 7) as f32 / 10.0)]);
+    vec![Said::dynamic(names), Said::dynamic(angles), Said::F32(0.3)]
 }

@@ -67,14 +67,14 @@ pub(crate) async fn measure(verdict: &mut Verdict) {
 }
 
 /// The stand-in, and what is asked of it.
-struct Watched(Session);
+pub(crate) struct Watched(Session);
 
 impl Watched {
-    async fn at(address: &str) -> Self {
+    pub(crate) async fn at(address: &str) -> Self {
         Self(Session::connect(&format!("tcp://{address}").parse().unwrap(), Options::default()).await.unwrap())
     }
 
-    async fn told(&self, what: &str) -> Json {
+    pub(crate) async fn told(&self, what: &str) -> Json {
         let said = self.0.service("StandIn").await.unwrap().call(what, &[]).await.unwrap();
         serde_json::from_str(&said.as_text().unwrap_or("null".into())).unwrap()
     }
