@@ -5,6 +5,7 @@
 Each line of the input is one order as JSON; each is answered by one line of JSON:
 
     {"do": "calls", "what": "setAngles", "count": 1000}     microseconds that each of them took, from call to answer
+    {"do": "calls", "what": "ping", "count": 1000}          the same, of an empty function in Python
     {"do": "calls", "what": "machineId", "count": 1000}     the same, answered by libqi itself
     {"do": "react", "with": "setAngles" | "say"}            from now on called for every touch
     {"do": "rest"}                                          no more
@@ -33,6 +34,7 @@ def angle(number):
 
 CALLS = {
     "setAngles": lambda number: motion.setAngles(NAMES, [angle(number)], SPEED),
+    "ping": lambda number: motion.ping(),
     "machineId": lambda number: directory.machineId(),
     "say": lambda number: voice.say(str(number), _async=True),
 }

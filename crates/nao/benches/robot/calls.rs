@@ -13,6 +13,12 @@ use std::time::{Duration, Instant};
 /// Calls of each kind in a round, and rounds; who is measured takes turns.
 const CALLS: usize = 250;
 const ROUNDS: usize = 20;
+/// What is called, and by which name here and in `client.py`.
+const KINDS: [(&str, &str); 3] = [
+    ("ServiceDirectory.machineId, answered by libqi", "machineId"),
+    ("ALMotion.ping, an empty function in Python", "ping"),
+    ("ALMotion.setAngles", "setAngles"),
+];
 /// The first ones of each are not counted: connections, caches and branch predictors get warm.
 const WARM: usize = 200;
 /// The bar of a `setAngles`, in microseconds.
@@ -28,17 +34,15 @@ pub(crate) async fn measure(verdict: &mut Verdict) {
     let address = peer.address.clone();
     let (ours, python) = tokio::task::spawn_blocking(move || turns(&address)).await.unwrap();
     title("calls, from call to answer", "by Python");
-    for (what, at) in
-        [("machineId of the directory, which libqi answers", 1), ("ALMotion.setAngles, which Python answers", 0)]
-    {
-        python[at].print(&format!("{what}: Python client"), None);
-        ours[at].print(&format!("{what}: qi"), Some(&python[at]));
+    for ((kind, _), (ours, python)) in KINDS.iter().zip(ours.iter().zip(&python)) {
+        python.print(&format!("{kind}: Python client"), None);
+        ours.print(&format!("{kind}: qi"), Some(python));
     }
     let told = told(&peer).await;
     told.print("a value told to nao, until the stand-in has the call of its action", None);
-    let own = |times: &[Times; 2]| times[0].within(50) - times[1].within(50);
-    println!("  (the stand-in's own part, p50 of one less p50 of the other: {:.3} ms)", own(&ours) / 1e3);
-    verdict.at_most("setAngles by qi, p50", ours[0].within(50), BAR_US);
+    let own_us = ours[2].within(50) - ours[0].within(50);
+    println!("  (of a setAngles, {:.3} ms at p50 are Python's in the stand-in)", own_us / 1e3);
+    verdict.at_most("setAngles by qi, p50", ours[2].within(50), BAR_US);
 }
 
 /// From a value that an action is told until its call is noted; what is spoken is over before the next.
@@ -60,16 +64,18 @@ async fn told(peer: &Peer) -> Times {
     Times(noted.into_iter().zip(began).map(|(noted, began)| noted - began).collect())
 }
 
-fn turns(address: &str) -> ([Times; 2], [Times; 2]) {
+fn turns(address: &str) -> ([Times; KINDS.len()], [Times; KINDS.len()]) {
     // As `nao` has it: everything of a link on one thread.
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().unwrap();
     let session = runtime.block_on(Session::connect(&format!("tcp://{address}").parse().unwrap(), Options::default()));
     let (session, mut client) = (session.unwrap(), Client::at(address));
-    let (mut ours, mut python): ([Times; 2], [Times; 2]) = Default::default();
-    for (at, what) in ["setAngles", "machineId"].into_iter().enumerate() {
+    let (mut ours, mut python): ([Times; KINDS.len()], [Times; KINDS.len()]) = Default::default();
+    for (_, what) in KINDS {
         runtime.block_on(calls(&session, what, WARM));
         client.calls(what, WARM);
-        for _ in 0..ROUNDS {
+    }
+    for _ in 0..ROUNDS {
+        for (at, (_, what)) in KINDS.into_iter().enumerate() {
             ours[at].0.extend(runtime.block_on(calls(&session, what, CALLS)));
             python[at].0.extend(client.calls(what, CALLS));
         }
@@ -81,8 +87,8 @@ async fn calls(session: &Session, what: &str, count: usize) -> Vec<f64> {
     let mut taken = Vec::with_capacity(count);
     for number in 0..count {
         let began = Instant::now();
-        let (service, arguments) =
-            if what == "setAngles" { ("ALMotion", set_angles(number)) } else { ("ServiceDirectory", Vec::new()) };
+        let service = if what == "machineId" { "ServiceDirectory" } else { "ALMotion" };
+        let arguments = if what == "setAngles" { set_angles(number) } else { Vec::new() };
         let object = session.service(service).await.unwrap();
         object.call_within(what, &arguments, WITHIN).await.unwrap();
         taken.push(micros(began.elapsed()));
