@@ -48,11 +48,11 @@ async fn a_robot_is_added_by_its_address_and_runs_the_same_program() -> Outcome<
     let port = robot.address().rsplit(':').next().unwrap_or_default().to_owned();
     drop(robot);
     says(&aiko, "The robot cannot be reached").await?;
-    aiko.find("button", "Go on").await?;
+    aiko.find("button", "Continue").await?;
     let back = StandIn::start("journey: a real robot", &["--port", &port])?;
     silent(&aiko, "cannot be reached").await?;
     says(&aiko, "Interrupted: the connection to it was lost").await?;
-    aiko.find("button", "Go on").await?;
+    aiko.find("button", "Continue").await?;
     // A robot that starts has its services one by one: Aiko presses the button again until all that is needed is there.
     let again = "(() => {
         const start = document.querySelector('.start');

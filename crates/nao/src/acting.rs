@@ -2,6 +2,7 @@
 //! switch, one target, and what takes its time. Nothing here is waited for; what was wanted before a Stop is void.
 
 use crate::deed::{Call, Deed, Track};
+use crate::lasting::{Lastings, Work};
 use crate::link::{CALL, call};
 use crate::shared::Shared;
 use crate::speech::Speech;
@@ -13,7 +14,6 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
-use tokio_util::sync::CancellationToken;
 
 /// It walks for so long after a value: the dead-man's switch.
 const WALK_HOLD: Duration = Duration::from_millis(500);
@@ -22,8 +22,6 @@ const TRACK_HOLD: Duration = Duration::from_millis(1_000);
 /// How long speaking a text may take at most, beside so much for each character.
 const SAY: Duration = Duration::from_secs(15);
 const SAY_CHAR: Duration = Duration::from_millis(150);
-/// How many different things may last at once.
-const LASTING_MAX: usize = 32;
 /// How fast joints go back to where they are, as a fraction of the top speed.
 const HOLD_SPEED: f64 = 0.3;
 
@@ -41,28 +39,19 @@ pub(crate) enum Done {
     Lasted(String, u64),
 }
 
-/// Something that takes its time.
-struct Lasting {
-    users: Vec<Use>,
-    end: Vec<Call>,
-    number: u64,
-    cancel: CancellationToken,
-}
-
 /// Everything that is being done.
 pub(crate) struct Acting {
     session: Session,
     shared: Arc<Shared>,
     done: mpsc::UnboundedSender<Done>,
     gate: u64,
-    number: u64,
     slots: BTreeMap<Slot, Call>,
     targets: Targets,
     under_way: BTreeSet<Slot>,
     speech: Speech,
     walk: Option<(Use, [f64; 3], Instant)>,
     track: Option<(Use, Track, Instant)>,
-    lasting: BTreeMap<String, Lasting>,
+    lasting: Lastings,
     /// Where the head goes: how far it may nod depends on it.
     yaw: f64,
     /// Who moved joints last, to hold them when that ends.
@@ -77,14 +66,13 @@ impl Acting {
             shared,
             done,
             gate,
-            number: 0,
             slots: BTreeMap::new(),
             targets: Targets::default(),
             under_way: BTreeSet::new(),
             speech: Speech::default(),
             walk: None,
             track: None,
-            lasting: BTreeMap::new(),
+            lasting: Lastings::default(),
             yaw: 0.0,
             movers: BTreeMap::new(),
         }
@@ -103,7 +91,11 @@ impl Acting {
                 self.shared.state().eyes = color;
             }
             Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
-            Deed::Lasting { what, calls, end, within, moves: _ } => self.last(user, what, calls, end, within),
+            Deed::Lasting { what, calls, end, within, moves: _ } => {
+                let work = Work { what, calls, end, within };
+                self.lasting.begin(&self.session, &self.done, user, work);
+                self.show();
+            }
             Deed::Say(text) => self.speech.say(text, &user),
             Deed::Walk(speeds) => self.walk(user, speeds),
             Deed::Track(track) => self.follow(user, track),
@@ -130,7 +122,6 @@ impl Acting {
             if !self.speech.saying().is_empty() {
                 self.post(Call::new("ALTextToSpeech", "stopAll", []));
             }
-            self.lasting.values().for_each(|lasting| lasting.cancel.cancel());
             self.lasting.clear();
             self.movers.clear();
             self.show();
@@ -149,37 +140,9 @@ impl Acting {
         if self.track.as_ref().is_some_and(|track| track.0 == *user) {
             self.unfollow();
         }
-        self.leave_lasting(user);
+        self.lasting.leave(user).into_iter().for_each(|call| self.post(call));
         self.hold(user);
         self.show();
-    }
-
-    /// What lasts ends with its last user. What would end something else too, as all sounds end together, lasts until nobody
-    /// uses that either.
-    fn leave_lasting(&mut self, user: &Use) {
-        let used = self.lasting.values().any(|lasting| lasting.users.contains(user));
-        if !used {
-            return;
-        }
-        self.lasting.values_mut().for_each(|lasting| lasting.users.retain(|other| other != user));
-        let wanted: Vec<Vec<Call>> = self
-            .lasting
-            .values()
-            .filter(|lasting| !lasting.users.is_empty())
-            .map(|lasting| lasting.end.clone())
-            .collect();
-        let (left, over): (BTreeMap<_, _>, BTreeMap<_, _>) = std::mem::take(&mut self.lasting)
-            .into_iter()
-            .partition(|(_, lasting)| !lasting.users.is_empty() || wanted.contains(&lasting.end));
-        self.lasting = left;
-        let mut ends: Vec<Vec<Call>> = Vec::new();
-        for lasting in over.into_values() {
-            lasting.cancel.cancel();
-            if !ends.contains(&lasting.end) {
-                ends.push(lasting.end);
-            }
-        }
-        ends.into_iter().flatten().for_each(|call| self.post(call));
     }
 
     /// The joints that a use moved last stay where they are.
@@ -242,11 +205,7 @@ impl Acting {
                 self.speech.over();
                 self.speak();
             }
-            Done::Lasted(what, number) => {
-                if self.lasting.get(&what).is_some_and(|lasting| lasting.number == number) {
-                    self.lasting.remove(&what);
-                }
-            }
+            Done::Lasted(what, number) => self.lasting.over(&what, number),
         }
         self.show();
     }
@@ -357,32 +316,6 @@ impl Acting {
         }
     }
 
-    fn last(&mut self, user: Use, what: String, calls: Vec<Call>, end: Vec<Call>, within: Duration) {
-        if let Some(same) = self.lasting.get_mut(&what) {
-            if !same.users.contains(&user) {
-                same.users.push(user);
-            }
-            return;
-        }
-        if self.lasting.len() >= LASTING_MAX {
-            return;
-        }
-        self.number += 1;
-        let (cancel, number) = (CancellationToken::new(), self.number);
-        let (session, done, ended, name) = (self.session.clone(), self.done.clone(), cancel.clone(), what.clone());
-        tokio::spawn(async move {
-            for wanted in calls {
-                tokio::select! {
-                    () = attempt(&session, &wanted, within) => {}
-                    () = ended.cancelled() => return,
-                }
-            }
-            let _over = done.send(Done::Lasted(name, number));
-        });
-        self.lasting.insert(what, Lasting { users: vec![user], end, number, cancel });
-        self.show();
-    }
-
     /// What people see of it.
     fn show(&self) {
         let mut state = self.shared.state();
@@ -391,12 +324,12 @@ impl Acting {
             let target = if track.target == "Face" { "face" } else { "red ball" };
             format!("{target} with {}", if track.mode == "Head" { "head" } else { "whole body" })
         });
-        state.playing = self.lasting.keys().cloned().collect();
+        state.playing = self.lasting.names();
     }
 }
 
 /// Calls; what the robot does not do is in the log.
-async fn attempt(session: &Session, wanted: &Call, within: Duration) {
+pub(crate) async fn attempt(session: &Session, wanted: &Call, within: Duration) {
     if let Err(error) = call(session, wanted, within).await {
         tracing::debug!(method = wanted.method, %error, "the robot did not do it");
     }

@@ -15,6 +15,7 @@ mod deed;
 mod devices;
 mod discover;
 mod front;
+mod lasting;
 mod link;
 mod models;
 mod scan;

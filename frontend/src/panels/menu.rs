@@ -112,7 +112,7 @@ pub(crate) fn MenuItem(
                 None => view! { <span class=format!("kind {kind}")><Icon name=icon /></span> }.into_any(),
             }}
             <span class="cut">{label}</span>
-            {(!note.is_empty()).then(|| view! { <span class="faint cut">{note}</span> })}
+            {(!note.is_empty()).then(|| view! { <span class="faint note">{note}</span> })}
         </button>
     }
 }

@@ -86,11 +86,11 @@ pub(crate) fn starts_on(robot: &str, revision: u64) -> String {
 
 /// Start, of what the robot interrupted.
 pub(crate) fn go_on() -> &'static str {
-    "Go on"
+    "Continue"
 }
 
 pub(crate) fn paused(why: &str) -> String {
-    format!("Interrupted: {why}. “Go on” continues where it was; Stop ends it.")
+    format!("Interrupted: {why}. “Continue” goes on where it was; Stop ends it.")
 }
 
 /// What was asked, for a sentence that it was done.
