@@ -15,6 +15,8 @@ const STOPS: usize = 200;
 const BAR_US: f64 = 300_000.0;
 /// Steps after which the ways by which a link came again are counted: both are there then.
 const SETTLED: usize = 40;
+/// It walks at nearly full speed, in metres a second; from there the stand-in, as the simulation, comes to rest in 250 ms.
+const FULL_MPS: f64 = 0.049;
 /// Pause before the state is asked for.
 const LOOK: Duration = Duration::from_millis(2);
 
@@ -55,7 +57,7 @@ async fn load(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
     let ball = driver.open("ball", "RedBall", &[]);
     let words = driver.open("words", "WordRecognized", &[("words", Value::text("yes, no"))]);
     let busy = |state: &Json| {
-        state["moving"] == json!(true)
+        state["velocity"][0].as_f64().unwrap() > FULL_MPS
             && state["speaking"].is_string()
             && state["tracking"].is_object()
             && state["sounding"].as_array().is_some_and(|sounding| !sounding.is_empty())
