@@ -135,6 +135,11 @@ pub(crate) trait Sense: Send + Sync {
         None
     }
 
+    /// The language and the words that it listens for.
+    fn words(&self) -> Option<(&str, &[String])> {
+        None
+    }
+
     /// The joint that it reads.
     fn joint(&self) -> Option<&'static str> {
         None

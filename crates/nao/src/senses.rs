@@ -6,6 +6,7 @@ use crate::link::{CALL, call, try_call};
 use crate::shared::Shared;
 use qi::{Keep, QiError, Session, Value};
 use robot::{Health, Use};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
@@ -15,6 +16,8 @@ use tokio_util::sync::CancellationToken;
 
 /// Events of one key that may wait.
 const EVENTS_MAX: usize = 256;
+/// Words that are listened for at once.
+const WORDS_MAX: usize = 200;
 /// How often a joint is read, in milliseconds.
 const JOINT_MS: u64 = 50;
 /// The period that extractors are asked for, in milliseconds, and their precision, which is not used.
@@ -42,10 +45,7 @@ pub(crate) async fn run(
     let mut listeners = JoinSet::new();
     let mut measuring = Measuring { session: &session, shared: &shared, name: &name, asked: None, is_known: false };
     // Whole, whatever comes: what is paused for it goes on again.
-    let mut begun = Ok(());
-    for wanted in sense.begin() {
-        begun = begun.and(call(&session, &wanted, CALL).await.map(drop));
-    }
+    let begun = begin(&session, &shared, &turns, &user, &*sense).await;
     let ready = tokio::select! {
         ready = prepare(begun, &mut measuring, &*sense, &events, &mut listeners) => ready,
         () = cancel.cancelled() => Ok(()),
@@ -83,6 +83,38 @@ pub(crate) async fn run(
     }
     drop(listeners);
     measuring.end().await;
+    shared.state().words.remove(&user);
+}
+
+async fn begin(
+    session: &Session,
+    shared: &Shared,
+    turns: &Turns,
+    user: &Use,
+    sense: &dyn Sense,
+) -> Result<(), QiError> {
+    let (mut calls, mut _alone) = (sense.begin(), None);
+    if let Some((language, words)) = sense.words() {
+        // One after the other, so that the last one sets the words of all.
+        _alone = Some(turns.lock().await);
+        let mut state = shared.state();
+        state.words.insert(user.clone(), words.to_vec());
+        let all: BTreeSet<&String> = state.words.values().flatten().take(WORDS_MAX).collect();
+        let all = Value::List(all.into_iter().map(|word| word.as_str().into()).collect());
+        let hears = |method: &'static str, arguments: Vec<Value>| Call::new("ALSpeechRecognition", method, arguments);
+        calls.extend([
+            // They cannot be set otherwise; spotted among others.
+            hears("pause", vec![true.into()]),
+            hears("setLanguage", vec![language.into()]),
+            hears("setVocabulary", vec![all, true.into()]),
+            hears("pause", vec![false.into()]),
+        ]);
+    }
+    let mut begun = Ok(());
+    for wanted in calls {
+        begun = begun.and(call(session, &wanted, CALL).await.map(drop));
+    }
+    begun
 }
 
 /// What the robot measures for a sense only, from when it is asked to until it no longer is.

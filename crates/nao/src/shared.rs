@@ -60,6 +60,8 @@ pub(crate) struct State {
     pub(crate) printed: VecDeque<String>,
     /// What is measured only for us: service and the name that we subscribed by.
     pub(crate) subscribed: BTreeSet<(&'static str, String)>,
+    /// The words that each use listens for.
+    pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
     pub(crate) used: bool,
     readings: VecDeque<(Use, Value)>,
@@ -88,6 +90,7 @@ impl Default for State {
             playing: BTreeSet::new(),
             printed: VecDeque::new(),
             subscribed: BTreeSet::new(),
+            words: BTreeMap::new(),
             used: false,
             readings: VecDeque::new(),
             clock: (Instant::now(), 0),

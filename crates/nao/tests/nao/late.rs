@@ -73,6 +73,13 @@ async fn recognition_goes_on_when_its_words_cannot_be_set_and_pauses_while_the_r
 
     let hears = driver.open("hears", "WordRecognized", &[("words", Value::text("red, blue"))]);
     driver.sees(&peer, "it listens", |state| says(state, "subscribers", "rrp-test")).await;
+    // Another list beside it: each hears its own words.
+    let other = driver.open("other", "WordRecognized", &[("words", Value::text("green, yellow"))]);
+    driver
+        .sees(&peer, "it listens for all", |state| {
+            says(state, "vocabulary", "green") && says(state, "vocabulary", "blue")
+        })
+        .await;
     let say = driver.open("say", "SayInput", &[]);
     driver.tell(&say, Value::text("red ".repeat(40)));
     let heard = |state: &Json| state["speaking"].is_string();
@@ -83,7 +90,10 @@ async fn recognition_goes_on_when_its_words_cannot_be_set_and_pauses_while_the_r
     driver.readings.clear();
     peer.world(json!({"word": {"word": "blue", "confidence": 0.9}})).await;
     assert_eq!(driver.next(&hears).await.field("word").and_then(Value::as_text), Some("blue"));
+    peer.world(json!({"word": {"word": "yellow", "confidence": 0.9}})).await;
+    assert_eq!(driver.next(&other).await.field("word").and_then(Value::as_text), Some("yellow"));
     driver.nao.close(&hears);
+    driver.nao.close(&other);
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

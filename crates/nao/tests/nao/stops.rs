@@ -4,7 +4,7 @@ use crate::driver::Driver;
 use crate::peer::Peer;
 use crate::proxy::Proxy;
 use behaviour::Value;
-use robot::{Control, Health, Millis, Robot, Use};
+use robot::{Control, Health, Life, Millis, Robot, Use};
 use serde_json::{Value as Json, json};
 
 /// Walks, speaks, plays, follows and looks for a ball.
@@ -87,6 +87,7 @@ async fn it_rests_by_the_way_of_stop_and_not_while_it_falls() {
     let mut driver = Driver::at(&proxy.address).await;
     driver.until("both links are there", |_| proxy.connections() >= 2).await;
     driver.nao.control(Control::Take, Millis(0)).unwrap();
+    driver.until("its own life is over", |driver| driver.nao.condition().life == Some(Life::Disabled)).await;
     driver
         .sees(&peer, "it stands", |state| state["awake"] == json!(true) && state["family"] == json!("Standing"))
         .await;
