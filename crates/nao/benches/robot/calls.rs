@@ -7,6 +7,7 @@ use crate::peer::Peer;
 use crate::reactions::Watched;
 use behaviour::Value;
 use qi::{Options, Session, Value as Said};
+use robot::{Millis, Robot};
 use serde_json::json;
 use std::time::{Duration, Instant};
 
@@ -55,7 +56,15 @@ async fn told(peer: &Peer) -> Times {
     let mut began = Vec::new();
     for number in 0..TOLD {
         began.push(monotonic_us());
-        driver.tell(&say, Value::Int(number));
+        let told = driver.nao.command(&say, &Value::Int(number), Millis(0));
+        assert_eq!(
+            told,
+            Ok(()),
+            "value {number}: {:?} {:?} {:?}",
+            driver.nao.health(),
+            driver.nao.condition(),
+            driver.nao.take_halt()
+        );
         driver.wait(STEPS).await;
     }
     let calls = robot.told("calls").await;
