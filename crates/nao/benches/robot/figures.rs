@@ -1,11 +1,21 @@
 //! Times that were taken, how they are printed, and what is beyond its bar.
 
+use rustix::time::ClockId;
 use std::process::ExitCode;
 use std::time::Duration;
 
 /// The computer's monotonic clock, in microseconds; the stand-in notes calls by the same.
 pub(crate) fn monotonic_us() -> f64 {
-    let time = rustix::time::clock_gettime(rustix::time::ClockId::Monotonic);
+    at(ClockId::Monotonic)
+}
+
+/// What this thread has computed, in microseconds.
+pub(crate) fn computed_us() -> f64 {
+    at(ClockId::ThreadCPUTime)
+}
+
+fn at(clock: ClockId) -> f64 {
+    let time = rustix::time::clock_gettime(clock);
     time.tv_sec as f64 * 1e6 + time.tv_nsec as f64 / 1e3
 }
 

@@ -49,6 +49,8 @@ pub(crate) async fn measure(verdict: &mut Verdict) {
 /// It walks, speaks, plays, follows the ball with its head and looks for it.
 async fn load(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
     let file = [("sound", Value::text("file")), ("file", Value::text("/usr/share/naoqi/wav/random.wav"))];
+    // Away from the wall that it walked to.
+    peer.world(json!({"pose": [0, 0, 0]})).await;
     let walk = driver.open("walk", "Walk", &[]);
     let say = driver.open("say", "SayParameter", &[("text", Value::text("word ".repeat(150)))]);
     let sound = driver.open("file", "Sound", &file);
