@@ -27,6 +27,8 @@ const HOLD_SPEED: f64 = 0.3;
 
 /// A kind of which only the newest counts.
 type Slot = &'static str;
+/// What the names of animations begin with.
+const ANIMATION: &str = "animations/";
 /// The kind of everything that joints do.
 const JOINTS: Slot = "joints";
 /// What hears words, and its own voice too.
@@ -48,6 +50,10 @@ pub(crate) struct Acting {
     slots: BTreeMap<Slot, Call>,
     targets: Targets,
     under_way: BTreeSet<Slot>,
+    /// When one of a kind was sent, in this cycle.
+    sent: BTreeMap<Slot, Instant>,
+    /// The motion cycle of the robot.
+    cycle: Duration,
     speech: Speech,
     walk: Option<(Use, [f64; 3], Instant)>,
     track: Option<(Use, Track, Instant)>,
@@ -59,7 +65,12 @@ pub(crate) struct Acting {
 }
 
 impl Acting {
-    pub(crate) fn new(session: Session, shared: Arc<Shared>, done: mpsc::UnboundedSender<Done>) -> Self {
+    pub(crate) fn new(
+        session: Session,
+        shared: Arc<Shared>,
+        done: mpsc::UnboundedSender<Done>,
+        cycle: Duration,
+    ) -> Self {
         let gate = shared.gate();
         Self {
             session,
@@ -69,6 +80,8 @@ impl Acting {
             slots: BTreeMap::new(),
             targets: Targets::default(),
             under_way: BTreeSet::new(),
+            sent: BTreeMap::new(),
+            cycle,
             speech: Speech::default(),
             walk: None,
             track: None,
@@ -92,6 +105,9 @@ impl Acting {
             }
             Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
             Deed::Lasting { what, calls, end, within, moves: _ } => {
+                if what.starts_with(ANIMATION) {
+                    self.shared.state().animations.insert(what.clone());
+                }
                 let work = Work { what, calls, end, within };
                 self.lasting.begin(&self.session, &self.done, user, work);
                 self.show();
@@ -102,6 +118,7 @@ impl Acting {
             Deed::Print(text) => self.shared.state().print(text),
         }
         self.speak();
+        self.send_quiet();
     }
 
     /// A Stop forgets everything; the stop link ends it on the robot.
@@ -159,6 +176,13 @@ impl Acting {
         }
     }
 
+    /// Of a kind that was quiet for a cycle the first is sent at once.
+    fn send_quiet(&mut self) {
+        let now = Instant::now();
+        self.sent.retain(|_, at| now.duration_since(*at) < self.cycle);
+        self.send_newest();
+    }
+
     /// What is due at the motion cycle.
     pub(crate) fn cycle(&mut self) {
         self.look_at_gate();
@@ -169,14 +193,21 @@ impl Acting {
         if self.track.as_ref().is_some_and(|track| now.duration_since(track.2) > TRACK_HOLD) {
             self.unfollow();
         }
-        // One of a kind is on its way at a time; meanwhile the newest waits.
-        let free: Vec<Slot> = self.slots.keys().filter(|slot| !self.under_way.contains(*slot)).copied().collect();
+        self.sent.retain(|_, at| now.duration_since(*at) < self.cycle / 4 * 3);
+        self.send_newest();
+    }
+
+    /// One of a kind is on its way at a time, and one in a cycle; meanwhile the newest waits.
+    fn send_newest(&mut self) {
+        let is_free = |slot: &Slot| !self.under_way.contains(slot) && !self.sent.contains_key(slot);
+        let free: Vec<Slot> = self.slots.keys().filter(|slot| is_free(slot)).copied().collect();
+        let joints_are_free = is_free(&JOINTS);
         for slot in free {
             if let Some(wanted) = self.slots.remove(slot) {
                 self.send(slot, vec![wanted]);
             }
         }
-        if !self.under_way.contains(JOINTS) {
+        if joints_are_free {
             let wanted = self.targets.take();
             if !wanted.is_empty() {
                 self.send(JOINTS, wanted);
@@ -187,6 +218,7 @@ impl Acting {
     /// Calls of one kind, at once.
     fn send(&mut self, slot: Slot, calls: Vec<Call>) {
         self.under_way.insert(slot);
+        self.sent.insert(slot, Instant::now());
         let (session, done) = (self.session.clone(), self.done.clone());
         tokio::spawn(async move {
             join_all(calls.iter().map(|wanted| attempt(&session, wanted, CALL))).await;
@@ -205,7 +237,10 @@ impl Acting {
                 self.speech.over();
                 self.speak();
             }
-            Done::Lasted(what, number) => self.lasting.over(&what, number),
+            Done::Lasted(what, number) => {
+                self.lasting.over(&what, number);
+                self.shared.state().animations.remove(&what);
+            }
         }
         self.show();
     }

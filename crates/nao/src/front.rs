@@ -7,7 +7,8 @@ use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, with_defaults,
+    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
+    with_defaults,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -208,6 +209,19 @@ impl Robot for Nao {
         let sensed: Vec<_> = sensed.map(|(to, value)| Reading { to, at: now, value }).collect();
         readings.extend(sensed);
         self.beats(now.0, readings);
+    }
+
+    fn sense(&mut self, readings: &mut Vec<Reading>) {
+        let (waiting, at) = {
+            let mut state = self.shared.state();
+            (state.take_readings(), Millis(state.time_at(std::time::Instant::now())))
+        };
+        let sensed = waiting.into_iter().filter(|(to, _)| self.senses.contains_key(to));
+        readings.extend(sensed.map(|(to, value)| Reading { to, at, value }));
+    }
+
+    fn wake_with(&mut self, wake: Wake) {
+        self.shared.wake_with(wake);
     }
 
     fn stop(&mut self, _now: Millis) {

@@ -238,6 +238,6 @@ async fn ask(session: &Session, shared: &Shared, turns: &Turns, user: &Use, sens
 fn read(shared: &Shared, user: &Use, sense: &mut dyn Sense, key: &str, value: &Value, at: Instant) {
     let at_ms = shared.state().time_at(at);
     if let Some(read) = sense.read(key, value, at_ms) {
-        shared.state().put_reading(user, read);
+        shared.sensed(user, read);
     }
 }

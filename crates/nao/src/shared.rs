@@ -2,10 +2,10 @@
 
 use crate::body::Limits;
 use behaviour::Value;
-use robot::{Condition, Health, Lacking, RobotFault, Use};
+use robot::{Condition, Health, Lacking, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
@@ -20,6 +20,8 @@ const PRINTED_MAX: usize = 20;
 #[derive(Default)]
 pub(crate) struct Shared {
     state: Mutex<State>,
+    /// Rung when a sense has read something.
+    wake: OnceLock<Wake>,
     /// Grows with every Stop: what was wanted before it is void.
     gate: AtomicU64,
     /// Whether a Stop was not carried out yet.
@@ -58,6 +60,8 @@ pub(crate) struct State {
     pub(crate) posture: String,
     pub(crate) playing: BTreeSet<String>,
     pub(crate) printed: VecDeque<String>,
+    /// The animations that were begun, until they are known to have ended.
+    pub(crate) animations: BTreeSet<String>,
     /// What is measured only for us: service and the name that we subscribed by.
     pub(crate) subscribed: BTreeSet<(&'static str, String)>,
     /// The words that each use listens for.
@@ -88,6 +92,7 @@ impl Default for State {
             tracking: String::new(),
             posture: String::new(),
             playing: BTreeSet::new(),
+            animations: BTreeSet::new(),
             printed: VecDeque::new(),
             subscribed: BTreeSet::new(),
             words: BTreeMap::new(),
@@ -132,7 +137,7 @@ impl State {
         ahead.saturating_sub(u64::try_from(before).unwrap_or(u64::MAX))
     }
 
-    pub(crate) fn put_reading(&mut self, user: &Use, value: Value) {
+    fn put_reading(&mut self, user: &Use, value: Value) {
         if self.readings.len() >= READINGS_MAX {
             self.readings.pop_front();
         }
@@ -158,6 +163,19 @@ impl State {
 impl Shared {
     pub(crate) fn state(&self) -> MutexGuard<'_, State> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// From now on this is rung when a sense has read something.
+    pub(crate) fn wake_with(&self, wake: Wake) {
+        drop(self.wake.set(wake));
+    }
+
+    /// A sense has read this.
+    pub(crate) fn sensed(&self, user: &Use, value: Value) {
+        self.state().put_reading(user, value);
+        if let Some(wake) = self.wake.get() {
+            wake();
+        }
     }
 
     /// What counts now; a deed that was wanted at another gate is void.

@@ -102,10 +102,9 @@ async fn serve(session: &Session, shared: &Shared) {
 async fn burst(session: &Session, shared: &Shared) -> bool {
     let (playing, subscribed) = {
         let state = shared.state();
-        (state.playing.clone(), state.subscribed.clone())
+        (state.animations.clone(), state.subscribed.clone())
     };
-    let animations = playing.iter().filter(|name| name.starts_with("animations/"));
-    let animations = animations.map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
+    let animations = playing.iter().map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
     let ends = subscribed.iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
     let calls = EVERYTHING.map(|(service, method)| Call::new(service, method, []));
     let mut left: Vec<Call> = calls.into_iter().chain(animations).chain(ends).collect();
@@ -130,7 +129,9 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
         tracing::warn!(left = left.len(), "what does not answer is stopped again");
     }
     // Not before: what is not known to have ended ends with the next try.
-    shared.state().subscribed.retain(|known| !subscribed.contains(known));
+    let mut state = shared.state();
+    state.subscribed.retain(|known| !subscribed.contains(known));
+    state.animations.retain(|known| !playing.contains(known));
     true
 }
 

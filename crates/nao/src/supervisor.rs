@@ -132,6 +132,7 @@ fn lose(shared: &Shared, why: &str) {
     state.angles.clear();
     (state.saying, state.tracking) = (String::new(), String::new());
     state.playing.clear();
+    state.animations.clear();
 }
 
 /// A Stop that is wanted at the end is still carried out, if that can be.
@@ -178,7 +179,7 @@ async fn serve(
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();
-    let mut acting = Acting::new(session.clone(), Arc::clone(shared), done);
+    let mut acting = Acting::new(session.clone(), Arc::clone(shared), done, Duration::from_millis(cycle));
     let turns = Turns::default();
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
     let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));
