@@ -1,7 +1,7 @@
 """ALAnimationPlayer and ALBehaviorManager. Names are those of a NAO with the standard packages; each takes two seconds.
 
-Documented: ALAnimationPlayer is a wrapper of ALBehaviorManager. Taken from that: the manager ends what either has begun. Assumed: an animation
-that is stopped is answered like one that ended; an arm moves meanwhile, so that one sees something.
+Documented: ALAnimationPlayer is a wrapper of ALBehaviorManager. Taken from that: the manager ends what either has begun.
+Assumed: an animation that is stopped is answered like one that ended; an arm moves meanwhile, so that one sees something.
 """
 
 from service import Refused, Service, api

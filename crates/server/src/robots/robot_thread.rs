@@ -96,7 +96,7 @@ impl<'a> RobotThread<'a> {
             began,
             users: BTreeMap::new(),
             readings: Vec::new(),
-            may_sense: began,
+            may_sense: Instant::now(),
             parts: Precedence::default(),
             blocked: Blocked::new(),
             shown: BTreeMap::new(),
