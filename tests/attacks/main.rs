@@ -8,6 +8,7 @@ mod connections;
 mod downloads;
 mod log;
 mod messages;
+mod robots;
 mod stops;
 mod target;
 
@@ -36,7 +37,7 @@ const KEPT_KIB: u64 = 100 << 10;
 /// An attack, which goes on until it is dropped.
 type Attack = fn(Target) -> BoxFuture<'static, ()>;
 
-const ATTACKS: [(&str, Attack); 10] = [
+const ATTACKS: [(&str, Attack); 11] = [
     ("proposals that are slow to check", |target| Box::pin(messages::procedures(target))),
     ("requests as fast as they go", |target| Box::pin(messages::floods(target))),
     ("sockets that ask and never read", |target| Box::pin(messages::unread(target))),
@@ -47,6 +48,7 @@ const ATTACKS: [(&str, Attack); 10] = [
     ("downloads that nobody reads", |target| Box::pin(downloads::unread(target))),
     ("imports that are slow to read", |target| Box::pin(downloads::imports(target))),
     ("a library that grows without end", |target| Box::pin(messages::growth(target))),
+    ("robots that lie", |target| Box::pin(robots::lying(target))),
 ];
 
 #[test]

@@ -180,8 +180,11 @@ impl Robot for Nao {
         let deed = act.deed(value)?;
         let gate = {
             let mut state = self.shared.state();
-            if !state.is_linked() || state.halt.is_some() {
+            if !state.is_linked() {
                 return Err(RobotFault::NoLink);
+            }
+            if state.halt.is_some() {
+                return Err(RobotFault::NotNow("it has just halted".to_owned()));
             }
             if deed.moves() {
                 state.check_moves()?;
