@@ -43,17 +43,17 @@ async fn a_robot_is_added_by_its_address_and_runs_the_same_program() -> Outcome<
     stop(&aiko).await?;
     at_rest(&aiko).await?;
 
-    // It goes away while a program runs: that ends, says why, and does not go on by itself.
+    // It goes away while a program runs: that is interrupted, says why, and does not go on by itself.
     start(&aiko).await?;
     let port = robot.address().rsplit(':').next().unwrap_or_default().to_owned();
     drop(robot);
     says(&aiko, "The robot cannot be reached").await?;
-    at_rest(&aiko).await?;
+    aiko.find("button", "Continue").await?;
     let back = StandIn::start("journey: a real robot", &["--port", &port])?;
     silent(&aiko, "cannot be reached").await?;
-    says(&aiko, "the connection to it was lost").await?;
-    at_rest(&aiko).await?;
-    // A robot that starts has its services one by one: Aiko presses Start again until all that is needed is there.
+    says(&aiko, "Interrupted: the connection to it was lost").await?;
+    aiko.find("button", "Continue").await?;
+    // A robot that starts has its services one by one: Aiko presses the button again until all that is needed is there.
     let again = "(() => {
         const start = document.querySelector('.start');
         if (start.getAttribute('aria-pressed') === 'true') return true;
@@ -64,6 +64,7 @@ async fn a_robot_is_added_by_its_address_and_runs_the_same_program() -> Outcome<
     aiko.until(again, "it runs again").await?;
     shows_value(&aiko, "Tracker").await?;
     stop(&aiko).await?;
+    at_rest(&aiko).await?;
     drop(back);
     calm(&aiko)
 }

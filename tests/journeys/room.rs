@@ -52,7 +52,30 @@ async fn an_operator_presses_a_button_of_the_program() -> Outcome<()> {
 }
 
 #[tokio::test]
-async fn a_fall_ends_what_runs_and_a_person_starts_it_again() -> Outcome<()> {
+async fn a_number_presses_a_button_of_the_program_but_not_while_somebody_types() -> Outcome<()> {
+    if !skip::ready("journey: a button by its number") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Press").await?;
+    add_sense(&aiko, "Button").await?;
+    start(&aiko).await?;
+    aiko.fill("textbox", "Say something to the robot", "1").await?;
+    aiko.key("1").await?;
+    aiko.until("document.activeElement.value === '11'", "what is typed is written").await?;
+    let nothing =
+        "function () { return !this.closest('.at').querySelector('.value b')?.textContent.includes('true'); }";
+    aiko.until_on("button", "Button, *", nothing, "and presses nothing").await?;
+    aiko.until("(document.activeElement.blur(), true)", "nothing is typed into").await?;
+    aiko.key("1").await?;
+    shown(&aiko, "Button", "true").await?;
+    stop(&aiko).await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
+async fn a_fall_interrupts_what_runs_until_a_person_lets_it_go_on_or_stops_it() -> Outcome<()> {
     if !skip::ready("journey: a fall") {
         return Ok(());
     }
@@ -65,15 +88,19 @@ async fn a_fall_ends_what_runs_and_a_person_starts_it_again() -> Outcome<()> {
     start(&aiko).await?;
     aiko.press("button", "More").await?;
     aiko.press("menuitem", "Push it over").await?;
-    at_rest(&aiko).await?;
+    aiko.find("button", "Continue").await?;
     says(&aiko, "Has fallen").await?;
-    says(&aiko, "press Start again").await?;
+    says(&aiko, "Interrupted: it fell; look after the robot first").await?;
     aiko.press("button", "More").await?;
     aiko.press("menuitem", "Help it up").await?;
     silent(&aiko, "Has fallen").await?;
-    at_rest(&aiko).await?;
-    start(&aiko).await?;
+    aiko.press("button", "Continue").await?;
+    aiko.find("button", "Running").await?;
+    aiko.press("button", "More").await?;
+    aiko.press("menuitem", "Push it over").await?;
+    aiko.find("button", "Continue").await?;
     stop(&aiko).await?;
+    at_rest(&aiko).await?;
     calm(&aiko)
 }
 

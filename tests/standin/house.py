@@ -102,7 +102,8 @@ class House:
     def calls(self, after=0):
         """What was noted after the call of that number, for JSON."""
         return [
-            {"seq": seq, "t_ms": int(at), "service": service, "method": method, "args": plain(arguments)}
+            {"seq": seq, "t_ms": int(at), "monotonic_us": int((self.born * 1e3 + at) * 1e3), "service": service,
+             "method": method, "args": plain(arguments)}
             for seq, at, service, method, arguments in self.log if seq > after
         ]
 

@@ -6,3 +6,4 @@ mod calls;
 mod nao;
 mod senses;
 mod simulated;
+mod templates;

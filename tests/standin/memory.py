@@ -1,8 +1,9 @@
 """ALMemory: keys, events, and an object to listen to each of them.
 
-Measured on the real libqi: one object may be handed to many, each registration gets its own copy of an event, and
-events that follow each other closely may arrive in another order. Here numbers inside values travel as 8 bytes; a robot
-sends 4.
+Measured on the real libqi: each registration gets its own copy of an event, and events that follow each other closely may
+arrive in another order. An object of Python that is handed out while somebody registers at it may lock libqi for good (seen
+in qi 3.1.5: one thread has the signal and wants Python, another has Python and wants the signal); so everybody gets one of
+their own. Here numbers inside values travel as 8 bytes; a robot sends 4.
 """
 
 import qi
@@ -14,11 +15,12 @@ class Key:
     """What `subscriber` answers with."""
 
     def __init__(self):
-        self.listened = False
+        self.listened = self.was_listened = False
         self.signal = qi.Signal("m", self._listened)
 
     def _listened(self, some):
         self.listened = bool(some)
+        self.was_listened = True
 
     _listened.__qi_signature__ = "DONOTBIND"
 
@@ -32,7 +34,10 @@ class Memory(Service):
 
     @api("o::(s)")
     def subscriber(self, key):
-        return self.keys.setdefault(key, Key())
+        # Those that nobody listens to any more go.
+        known = [one for one in self.keys.get(key, []) if one.listened or not one.was_listened]
+        self.keys[key] = [*known, Key()]
+        return self.keys[key][-1]
 
     @api("m::(s)")
     def getData(self, key):
@@ -76,8 +81,8 @@ class Memory(Service):
     def put(self, key, value):
         """Raises an event: the value is kept, and told to those who listen."""
         self.values[key] = value
-        if key in self.keys:
-            self.keys[key].signal(value)
+        for one in list(self.keys.get(key, [])):
+            one.signal(value)
 
     def _look(self, key):
         """Joints are measured at the moment they are asked for."""
@@ -87,7 +92,7 @@ class Memory(Service):
         return self.values.get(key)
 
     def _state(self):
-        return {"listened": sorted(key for key, one in self.keys.items() if one.listened)}
+        return {"listened": sorted(key for key, all in self.keys.items() if any(one.listened for one in all))}
 
 
 def first(memory, table):

@@ -1,5 +1,6 @@
 """ALAnimationPlayer and ALBehaviorManager. Names are those of a NAO with the standard packages; each takes two seconds.
 
+Documented: ALAnimationPlayer is a wrapper of ALBehaviorManager. Taken from that: the manager ends what either has begun.
 Assumed: an animation that is stopped is answered like one that ended; an arm moves meanwhile, so that one sees something.
 """
 
@@ -31,7 +32,13 @@ class Player(Service):
             if name in self.playing:
                 self.playing.remove(name)
 
-        return self.house.wait(kind, LASTS_MS, ended)
+        future = self.house.wait(kind, LASTS_MS, ended)
+        self.house.jobs[-1].plays = name
+        return future
+
+    def _end(self, *names):
+        for job in [job for job in self.house.jobs if getattr(job, "plays", None) in names]:
+            self.house.end(job, False)
 
 
 class Animations(Player):
@@ -109,11 +116,11 @@ class Behaviors(Player):
 
     @api("v::(s)")
     def stopBehavior(self, name):
-        self.house.release("behavior " + name)
+        self._end(name)
 
     @api("v::()")
     def stopAllBehaviors(self):
-        self.house.release(*{"behavior " + name for name in self.playing})
+        self._end(*BEHAVIORS, *ANIMATIONS)
 
     def _begin(self, name):
         if name not in BEHAVIORS + ANIMATIONS:

@@ -47,8 +47,9 @@ A ball swings about `at` by amplitude * sin(2 pi hz t + phase) on each axis.
 "subscribers": {service: {name: period_ms}}, "paused": [service], "blocked": ["Service.method"],
 "violations": [text], "balls": {name: {"at": [x, y, z], "seen": [x, y, size] | null}}}
 
-**calls**: [{"seq": 1, "t_ms": 1234, "service": "ALMotion", "method": "setAngles", "args": ["HeadYaw", 0.5, 0.3]}]; a
-call is noted when it comes, whatever becomes of it. `ServiceDirectory` and `StandIn` are not noted.
+**calls**: [{"seq": 1, "t_ms": 1234, "monotonic_us": 5678901234, "service": "ALMotion", "method": "setAngles",
+"args": ["HeadYaw", 0.5, 0.3]}]; a call is noted when it comes, whatever becomes of it; `monotonic_us` is that moment on the
+computer's monotonic clock. `ServiceDirectory` and `StandIn` are not noted.
 
 **fault**: the first four wait for a call of "service" and "method" ("*" or left out: any), "times" times (once).
 

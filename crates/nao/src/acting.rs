@@ -2,16 +2,18 @@
 //! switch, one target, and what takes its time. Nothing here is waited for; what was wanted before a Stop is void.
 
 use crate::deed::{Call, Deed, Track};
+use crate::lasting::{Lastings, Work};
 use crate::link::{CALL, call};
 use crate::shared::Shared;
 use crate::speech::Speech;
+use crate::targets::Targets;
+use futures_util::future::join_all;
 use qi::{Session, Value};
 use robot::Use;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
-use tokio_util::sync::CancellationToken;
 
 /// It walks for so long after a value: the dead-man's switch.
 const WALK_HOLD: Duration = Duration::from_millis(500);
@@ -20,11 +22,17 @@ const TRACK_HOLD: Duration = Duration::from_millis(1_000);
 /// How long speaking a text may take at most, beside so much for each character.
 const SAY: Duration = Duration::from_secs(15);
 const SAY_CHAR: Duration = Duration::from_millis(150);
-/// How many different things may last at once.
-const LASTING_MAX: usize = 32;
+/// How fast joints go back to where they are, as a fraction of the top speed.
+const HOLD_SPEED: f64 = 0.3;
 
 /// A kind of which only the newest counts.
-type Slot = String;
+type Slot = &'static str;
+/// What the names of animations begin with.
+const ANIMATION: &str = "animations/";
+/// The kind of everything that joints do.
+const JOINTS: Slot = "joints";
+/// What hears words, and its own voice too.
+const HEARING: &str = "ALSpeechRecognition";
 
 /// What came to its end.
 pub(crate) enum Done {
@@ -33,27 +41,23 @@ pub(crate) enum Done {
     Lasted(String, u64),
 }
 
-/// Something that takes its time.
-struct Lasting {
-    users: Vec<Use>,
-    end: Vec<Call>,
-    number: u64,
-    cancel: CancellationToken,
-}
-
 /// Everything that is being done.
 pub(crate) struct Acting {
     session: Session,
     shared: Arc<Shared>,
     done: mpsc::UnboundedSender<Done>,
     gate: u64,
-    number: u64,
     slots: BTreeMap<Slot, Call>,
-    under_way: BTreeMap<Slot, ()>,
+    targets: Targets,
+    under_way: BTreeSet<Slot>,
+    /// When one of a kind was sent, in this cycle.
+    sent: BTreeMap<Slot, Instant>,
+    /// The motion cycle of the robot.
+    cycle: Duration,
     speech: Speech,
     walk: Option<(Use, [f64; 3], Instant)>,
     track: Option<(Use, Track, Instant)>,
-    lasting: BTreeMap<String, Lasting>,
+    lasting: Lastings,
     /// Where the head goes: how far it may nod depends on it.
     yaw: f64,
     /// Who moved joints last, to hold them when that ends.
@@ -61,20 +65,27 @@ pub(crate) struct Acting {
 }
 
 impl Acting {
-    pub(crate) fn new(session: Session, shared: Arc<Shared>, done: mpsc::UnboundedSender<Done>) -> Self {
+    pub(crate) fn new(
+        session: Session,
+        shared: Arc<Shared>,
+        done: mpsc::UnboundedSender<Done>,
+        cycle: Duration,
+    ) -> Self {
         let gate = shared.gate();
         Self {
             session,
             shared,
             done,
             gate,
-            number: 0,
             slots: BTreeMap::new(),
-            under_way: BTreeMap::new(),
+            targets: Targets::default(),
+            under_way: BTreeSet::new(),
+            sent: BTreeMap::new(),
+            cycle,
             speech: Speech::default(),
             walk: None,
             track: None,
-            lasting: BTreeMap::new(),
+            lasting: Lastings::default(),
             yaw: 0.0,
             movers: BTreeMap::new(),
         }
@@ -87,15 +98,27 @@ impl Acting {
             return;
         }
         match deed {
-            Deed::Newest { slot, call } => drop(self.slots.insert(slot.to_owned(), call)),
+            Deed::Newest { slot, call } => drop(self.slots.insert(slot, call)),
+            Deed::Eyes { color, call } => {
+                self.slots.insert("eyes", call);
+                self.shared.state().eyes = color;
+            }
             Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
-            Deed::Lasting { what, calls, end, within, moves: _ } => self.last(user, what, calls, end, within),
+            Deed::Lasting { what, calls, end, within, moves: _ } => {
+                if what.starts_with(ANIMATION) {
+                    self.shared.state().animations.insert(what.clone());
+                }
+                let work = Work { what, calls, end, within };
+                self.lasting.begin(&self.session, &self.done, user, work);
+                self.show();
+            }
             Deed::Say(text) => self.speech.say(text, &user),
             Deed::Walk(speeds) => self.walk(user, speeds),
             Deed::Track(track) => self.follow(user, track),
             Deed::Print(text) => self.shared.state().print(text),
         }
         self.speak();
+        self.send_quiet();
     }
 
     /// A Stop forgets everything; the stop link ends it on the robot.
@@ -104,9 +127,10 @@ impl Acting {
         if gate != self.gate {
             self.gate = gate;
             self.slots.clear();
+            self.targets.clear();
             self.speech.clear();
             // What is still on its way by this link may come after the Stop by the other one: it is ended behind it.
-            if self.walk.is_some() || self.under_way.contains_key("walk") {
+            if self.walk.is_some() || self.under_way.contains("walk") {
                 self.stand();
             }
             if self.track.is_some() {
@@ -115,7 +139,6 @@ impl Acting {
             if !self.speech.saying().is_empty() {
                 self.post(Call::new("ALTextToSpeech", "stopAll", []));
             }
-            self.lasting.values().for_each(|lasting| lasting.cancel.cancel());
             self.lasting.clear();
             self.movers.clear();
             self.show();
@@ -134,18 +157,7 @@ impl Acting {
         if self.track.as_ref().is_some_and(|track| track.0 == *user) {
             self.unfollow();
         }
-        let mut ended = Vec::new();
-        for (what, lasting) in &mut self.lasting {
-            lasting.users.retain(|other| other != user);
-            if lasting.users.is_empty() {
-                lasting.cancel.cancel();
-                ended.push((what.clone(), lasting.end.clone()));
-            }
-        }
-        for (what, end) in ended {
-            self.lasting.remove(&what);
-            end.into_iter().for_each(|call| self.post(call));
-        }
+        self.lasting.leave(user).into_iter().for_each(|call| self.post(call));
         self.hold(user);
         self.show();
     }
@@ -159,9 +171,16 @@ impl Acting {
             let state = self.shared.state();
             own.iter().filter_map(|joint| state.angles.get(*joint).copied()).collect()
         };
-        if !own.is_empty() && own.len() == angles.len() {
-            self.slots.insert(own.join(" "), set_angles(&own, &angles, HOLD_SPEED));
+        if own.len() == angles.len() {
+            own.iter().zip(angles).for_each(|(joint, angle)| self.targets.want(joint, angle, HOLD_SPEED));
         }
+    }
+
+    /// Of a kind that was quiet for a cycle the first is sent at once.
+    fn send_quiet(&mut self) {
+        let now = Instant::now();
+        self.sent.retain(|_, at| now.duration_since(*at) < self.cycle);
+        self.send_newest();
     }
 
     /// What is due at the motion cycle.
@@ -174,20 +193,37 @@ impl Acting {
         if self.track.as_ref().is_some_and(|track| now.duration_since(track.2) > TRACK_HOLD) {
             self.unfollow();
         }
-        // One of a kind is on its way at a time; meanwhile the newest waits.
-        let free: Vec<Slot> = self.slots.keys().filter(|slot| !self.under_way.contains_key(*slot)).cloned().collect();
+        self.sent.retain(|_, at| now.duration_since(*at) < self.cycle / 4 * 3);
+        self.send_newest();
+    }
+
+    /// One of a kind is on its way at a time, and one in a cycle; meanwhile the newest waits.
+    fn send_newest(&mut self) {
+        let is_free = |slot: &Slot| !self.under_way.contains(slot) && !self.sent.contains_key(slot);
+        let free: Vec<Slot> = self.slots.keys().filter(|slot| is_free(slot)).copied().collect();
+        let joints_are_free = is_free(&JOINTS);
         for slot in free {
-            if let Some(wanted) = self.slots.remove(&slot) {
-                self.under_way.insert(slot.clone(), ());
-                let (session, done) = (self.session.clone(), self.done.clone());
-                tokio::spawn(async move {
-                    if let Err(error) = call(&session, &wanted, CALL).await {
-                        tracing::debug!(method = wanted.method, %error, "the robot did not do it");
-                    }
-                    let _over = done.send(Done::Slot(slot));
-                });
+            if let Some(wanted) = self.slots.remove(slot) {
+                self.send(slot, vec![wanted]);
             }
         }
+        if joints_are_free {
+            let wanted = self.targets.take();
+            if !wanted.is_empty() {
+                self.send(JOINTS, wanted);
+            }
+        }
+    }
+
+    /// Calls of one kind, at once.
+    fn send(&mut self, slot: Slot, calls: Vec<Call>) {
+        self.under_way.insert(slot);
+        self.sent.insert(slot, Instant::now());
+        let (session, done) = (self.session.clone(), self.done.clone());
+        tokio::spawn(async move {
+            join_all(calls.iter().map(|wanted| attempt(&session, wanted, CALL))).await;
+            let _over = done.send(Done::Slot(slot));
+        });
     }
 
     /// Something came to its end.
@@ -195,16 +231,15 @@ impl Acting {
         self.look_at_gate();
         match done {
             Done::Slot(slot) => {
-                self.under_way.remove(&slot);
+                self.under_way.remove(slot);
             }
             Done::Said => {
                 self.speech.over();
                 self.speak();
             }
             Done::Lasted(what, number) => {
-                if self.lasting.get(&what).is_some_and(|lasting| lasting.number == number) {
-                    self.lasting.remove(&what);
-                }
+                self.lasting.over(&what, number);
+                self.shared.state().animations.remove(&what);
             }
         }
         self.show();
@@ -223,15 +258,11 @@ impl Acting {
             let there = joints.iter().map(|joint| state.joints.iter().any(|known| known == joint)).collect();
             (joints.iter().zip(&angles).map(clip).collect(), there)
         };
-        let kept = |index: &usize| there.get(*index).copied().unwrap_or_default();
-        let indexes: Vec<usize> = (0..joints.len()).filter(kept).collect();
-        let joints: Vec<&'static str> = indexes.iter().map(|index| joints[*index]).collect();
-        let angles: Vec<f64> = indexes.iter().map(|index| angles[*index]).collect();
-        for joint in &joints {
+        for (joint, angle) in
+            joints.into_iter().zip(angles).zip(there).filter(|(_, there)| *there).map(|(wanted, _)| wanted)
+        {
             self.movers.insert(joint, user.clone());
-        }
-        if !joints.is_empty() {
-            self.slots.insert(joints.join(" "), set_angles(&joints, &angles, speed));
+            self.targets.want(joint, angle, speed);
         }
     }
 
@@ -240,7 +271,7 @@ impl Acting {
             self.unfollow();
         }
         let arguments: Vec<Value> = speeds.iter().map(|speed| Value::F32(*speed as f32)).collect();
-        self.slots.insert("walk".to_owned(), Call::new("ALMotion", "move", arguments));
+        self.slots.insert("walk", Call::new("ALMotion", "move", arguments));
         self.walk = Some((user, speeds, Instant::now()));
     }
 
@@ -289,9 +320,7 @@ impl Acting {
                 if shared.gate() != gate {
                     return;
                 }
-                if let Err(error) = call(&session, &wanted, CALL).await {
-                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
-                }
+                attempt(&session, &wanted, CALL).await;
             }
         });
     }
@@ -305,43 +334,21 @@ impl Acting {
             let (session, done) = (self.session.clone(), self.done.clone());
             let within = SAY + SAY_CHAR * u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
             let wanted = Call::new("ALTextToSpeech", "say", [text.into()]);
+            // It would hear itself.
+            let hears = self.shared.state().subscribed.iter().any(|(service, _)| *service == HEARING);
+            let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
             tokio::spawn(async move {
-                if let Err(error) = call(&session, &wanted, within).await {
-                    tracing::debug!(%error, "the robot did not say it");
+                if let Some(wanted) = pause(true) {
+                    attempt(&session, &wanted, CALL).await;
+                }
+                attempt(&session, &wanted, within).await;
+                if let Some(wanted) = pause(false) {
+                    attempt(&session, &wanted, CALL).await;
                 }
                 let _over = done.send(Done::Said);
             });
             self.show();
         }
-    }
-
-    fn last(&mut self, user: Use, what: String, calls: Vec<Call>, end: Vec<Call>, within: Duration) {
-        if let Some(same) = self.lasting.get_mut(&what) {
-            if !same.users.contains(&user) {
-                same.users.push(user);
-            }
-            return;
-        }
-        if self.lasting.len() >= LASTING_MAX {
-            return;
-        }
-        self.number += 1;
-        let (cancel, number) = (CancellationToken::new(), self.number);
-        let (session, done, ended, name) = (self.session.clone(), self.done.clone(), cancel.clone(), what.clone());
-        tokio::spawn(async move {
-            for wanted in calls {
-                let done = tokio::select! {
-                    done = call(&session, &wanted, within) => done,
-                    () = ended.cancelled() => return,
-                };
-                if let Err(error) = done {
-                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
-                }
-            }
-            let _over = done.send(Done::Lasted(name, number));
-        });
-        self.lasting.insert(what, Lasting { users: vec![user], end, number, cancel });
-        self.show();
     }
 
     /// What people see of it.
@@ -352,16 +359,13 @@ impl Acting {
             let target = if track.target == "Face" { "face" } else { "red ball" };
             format!("{target} with {}", if track.mode == "Head" { "head" } else { "whole body" })
         });
-        state.playing = self.lasting.keys().cloned().collect();
+        state.playing = self.lasting.names();
     }
 }
 
-/// How fast joints go back to where they are, as a fraction of the top speed.
-const HOLD_SPEED: f64 = 0.3;
-
-/// One joint as a name and a number, several as lists.
-pub(crate) fn set_angles<T: AsRef<str>>(joints: &[T], angles: &[f64], speed: f64) -> Call {
-    let names = Value::List(joints.iter().map(|joint| joint.as_ref().into()).collect());
-    let angles = Value::List(angles.iter().map(|angle| Value::F32(*angle as f32)).collect());
-    Call::new("ALMotion", "setAngles", [Value::dynamic(names), Value::dynamic(angles), (speed as f32).into()])
+/// Calls; what the robot does not do is in the log.
+pub(crate) async fn attempt(session: &Session, wanted: &Call, within: Duration) {
+    if let Err(error) = call(session, wanted, within).await {
+        tracing::debug!(method = wanted.method, %error, "the robot did not do it");
+    }
 }

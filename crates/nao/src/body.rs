@@ -59,12 +59,16 @@ impl Limits {
 
     /// The nearest angle that the joint may take; `yaw` is where the head is, or goes.
     pub(crate) fn clip(&self, joint: &str, angle: f64, yaw: f64) -> f64 {
-        let (mut lowest, mut highest) = self
-            .0
-            .get(joint)
-            .copied()
-            .or_else(|| JOINTS.iter().find(|row| row.0 == joint).map(|row| (row.1, row.2)))
-            .unwrap_or((angle, angle));
+        let table = JOINTS.iter().find(|row| row.0 == joint).map(|row| (row.1, row.2));
+        let (mut lowest, mut highest) = match (table, self.0.get(joint).copied()) {
+            // Both, unless this body is quite another one.
+            (Some(known), Some(told)) if known.0.max(told.0) <= known.1.min(told.1) => {
+                (known.0.max(told.0), known.1.min(told.1))
+            }
+            (_, Some(told)) => told,
+            (Some(known), None) => known,
+            (None, None) => (angle, angle),
+        };
         if joint == "HeadPitch" {
             let (up, down) = nod(yaw.abs());
             (lowest, highest) = (lowest.max(up), highest.min(down));
@@ -101,11 +105,15 @@ mod tests {
     }
 
     #[test]
-    fn a_body_that_tells_its_limits_is_believed() {
+    fn a_body_that_tells_its_limits_is_believed_within_the_table() {
         let mut limits = Limits::default();
-        limits.tell("HeadYaw", -0.5, 0.5);
+        let near = |one: f64, other: f64| assert!((one - other).abs() < 1e-9, "{one} {other}");
+        limits.tell("HeadYaw", -0.5, 9.0);
         limits.tell("HeadYaw", f64::NAN, 9.0);
-        assert!((limits.clip("HeadYaw", 3.0, 0.0) - 0.5).abs() < 1e-9);
+        near(limits.clip("HeadYaw", -3.0, 0.0), -0.5);
+        near(limits.clip("HeadYaw", 3.0, 0.0), 2.0857);
+        limits.tell("LHand", 5.0, 6.0);
+        near(limits.clip("LHand", 0.0, 0.0), 5.0);
     }
 
     #[test]

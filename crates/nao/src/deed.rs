@@ -27,7 +27,14 @@ pub(crate) enum Deed {
         /// What is called.
         call: Call,
     },
-    /// Joints go to angles; the newest of these joints counts.
+    /// The eyes get a colour; the newest counts.
+    Eyes {
+        /// Red, green and blue from 0 to 1.
+        color: [f32; 3],
+        /// What is called.
+        call: Call,
+    },
+    /// Joints go to angles; the newest of each joint counts.
     Joints {
         joints: Vec<&'static str>,
         angles: Vec<f64>,
@@ -63,7 +70,7 @@ impl Deed {
         match self {
             Self::Joints { .. } | Self::Walk(_) | Self::Track(_) => true,
             Self::Lasting { moves, .. } => *moves,
-            Self::Newest { .. } | Self::Say(_) | Self::Print(_) => false,
+            Self::Newest { .. } | Self::Eyes { .. } | Self::Say(_) | Self::Print(_) => false,
         }
     }
 }

@@ -115,7 +115,7 @@ pub(crate) trait Sense: Send + Sync {
         None
     }
 
-    /// What is called before that.
+    /// What is called before that, one after the other; all of it, also if something of it fails.
     fn begin(&self) -> Vec<Call> {
         Vec::new()
     }
@@ -127,6 +127,16 @@ pub(crate) trait Sense: Send + Sync {
 
     /// What is asked again and again, and read under the key `poll`, with the period in milliseconds.
     fn poll(&self) -> Option<(Call, u64)> {
+        None
+    }
+
+    /// What has to be set on the robot before it is asked, if there is one of that only: uses that want it otherwise take turns.
+    fn turn(&self) -> Option<Turn> {
+        None
+    }
+
+    /// The language and the words that it listens for.
+    fn words(&self) -> Option<(&str, &[String])> {
         None
     }
 
@@ -147,6 +157,15 @@ pub(crate) trait Sense: Send + Sync {
 
     /// The value of an event or an answer, if it has one.
     fn read(&mut self, key: &str, value: &qi::Value, at_ms: u64) -> Option<Value>;
+}
+
+/// A turn of a sense at something that there is one of only.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Turn {
+    /// What sets it.
+    pub(crate) calls: Vec<Call>,
+    /// How long it takes after that until an answer is for this turn, in milliseconds.
+    pub(crate) wait_ms: u64,
 }
 
 /// An action in use.

@@ -7,7 +7,8 @@ use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, with_defaults,
+    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
+    with_defaults,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -83,8 +84,7 @@ impl Nao {
         let Some((what, how)) = sense.only() else { return Ok(()) };
         let other = self.senses.values().filter_map(|open| open.only.as_ref());
         if other.into_iter().any(|(known, wanted)| *known == what && *wanted != how) {
-            let why = if what == "color" { "look for one color" } else { "listen for one list of words" };
-            return Err(RobotFault::NotNow(format!("it can {why} at a time")));
+            return Err(RobotFault::NotNow(format!("it can only use one {what} at a time")));
         }
         Ok(())
     }
@@ -211,23 +211,39 @@ impl Robot for Nao {
         self.beats(now.0, readings);
     }
 
+    fn sense(&mut self, readings: &mut Vec<Reading>) {
+        let (waiting, at) = {
+            let mut state = self.shared.state();
+            (state.take_readings(), Millis(state.time_at(std::time::Instant::now())))
+        };
+        let sensed = waiting.into_iter().filter(|(to, _)| self.senses.contains_key(to));
+        readings.extend(sensed.map(|(to, value)| Reading { to, at, value }));
+    }
+
+    fn wake_with(&mut self, wake: Wake) {
+        self.shared.wake_with(wake);
+    }
+
     fn stop(&mut self, _now: Millis) {
         self.shared.stop();
     }
 
     fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
-        {
+        let (is_linked, may_rest) = {
             let state = self.shared.state();
-            if !state.is_linked() {
-                return Err(RobotFault::NoLink);
-            }
-            if control == Control::Rest && state.condition.fallen == Some(true) {
-                return Err(RobotFault::NotNow("it lies on the floor; help it up first".to_owned()));
-            }
+            (state.is_linked(), state.may_rest())
+        };
+        if !is_linked {
+            return Err(RobotFault::NoLink);
         }
         if control == Control::Rest {
-            self.shared.stop();
+            if !may_rest {
+                return Err(RobotFault::NotNow("it lies on the floor; help it up first".to_owned()));
+            }
+            self.shared.rest();
+            return Ok(());
         }
+        self.shared.take_rest();
         self.tell(Order::Control(control))
     }
 
@@ -249,7 +265,7 @@ impl Robot for Nao {
         let body = Body {
             base: state.base.map(|part| part as f32),
             joints: JOINTS.iter().map(angle).collect(),
-            eyes: [1.0; 3],
+            eyes: state.eyes,
             saying: state.saying.clone(),
             tracking: state.tracking.clone(),
             printed: state.printed.iter().cloned().collect(),

@@ -15,6 +15,7 @@ mod deed;
 mod devices;
 mod discover;
 mod front;
+mod lasting;
 mod link;
 mod models;
 mod scan;
@@ -25,6 +26,7 @@ mod speech;
 mod status;
 mod stopping;
 mod supervisor;
+mod targets;
 
 pub use check::{Found, Step, check};
 pub use discover::{Announced, Unheard, discover};

@@ -1,11 +1,12 @@
 //! A sense at work: a task of its own that prepares it, hears events or asks, reads, and cleans up after itself.
 
 use crate::deed::Call;
-use crate::devices::Sense;
+use crate::devices::{Sense, Turn};
 use crate::link::{CALL, call, try_call};
 use crate::shared::Shared;
 use qi::{Keep, QiError, Session, Value};
 use robot::{Health, Use};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
@@ -15,6 +16,8 @@ use tokio_util::sync::CancellationToken;
 
 /// Events of one key that may wait.
 const EVENTS_MAX: usize = 256;
+/// Words that are listened for at once.
+const WORDS_MAX: usize = 200;
 /// How often a joint is read, in milliseconds.
 const JOINT_MS: u64 = 50;
 /// The period that extractors are asked for, in milliseconds, and their precision, which is not used.
@@ -22,10 +25,14 @@ const PERIOD_MS: i32 = 33;
 /// A period that no sense has.
 const NEVER_MS: u64 = 3_600_000;
 
+/// Whose turn it is at what there is one of only, on one link.
+pub(crate) type Turns = Arc<tokio::sync::Mutex<Option<Turn>>>;
+
 /// Runs a sense until it is cancelled.
 pub(crate) async fn run(
     session: Session,
     shared: Arc<Shared>,
+    turns: Turns,
     name: String,
     user: Use,
     mut sense: Box<dyn Sense>,
@@ -36,8 +43,11 @@ pub(crate) async fn run(
     }
     let (events, mut heard) = mpsc::channel(EVENTS_MAX);
     let mut listeners = JoinSet::new();
+    let mut measuring = Measuring { session: &session, shared: &shared, name: &name, asked: None, is_known: false };
+    // Whole, whatever comes: what is paused for it goes on again.
+    let begun = begin(&session, &shared, &turns, &user, &*sense).await;
     let ready = tokio::select! {
-        ready = prepare(&session, &shared, &name, &*sense, &events, &mut listeners) => ready,
+        ready = prepare(begun, &mut measuring, &*sense, &events, &mut listeners) => ready,
         () = cancel.cancelled() => Ok(()),
     };
     if let Err(error) = ready {
@@ -65,40 +75,102 @@ pub(crate) async fn run(
                 Some((key, value, at)) => read(&shared, &user, &mut *sense, key, &value, at),
                 None => break,
             },
-            _ = beat.tick() => ask(&session, &shared, &user, &mut *sense).await,
+            _ = beat.tick() => tokio::select! {
+                () = ask(&session, &shared, &turns, &user, &mut *sense) => {}
+                () = cancel.cancelled() => break,
+            },
         }
     }
     drop(listeners);
-    if let Some(service) = sense.extractor()
-        && shared.state().subscribed.remove(&(service, name.clone()))
-    {
-        let _ = try_call(&session, &Call::new(service, "unsubscribe", [name.into()])).await;
+    measuring.end().await;
+    shared.state().words.remove(&user);
+}
+
+async fn begin(
+    session: &Session,
+    shared: &Shared,
+    turns: &Turns,
+    user: &Use,
+    sense: &dyn Sense,
+) -> Result<(), QiError> {
+    let (mut calls, mut _alone) = (sense.begin(), None);
+    if let Some((language, words)) = sense.words() {
+        // One after the other, so that the last one sets the words of all.
+        _alone = Some(turns.lock().await);
+        let mut state = shared.state();
+        state.words.insert(user.clone(), words.to_vec());
+        let all: BTreeSet<&String> = state.words.values().flatten().take(WORDS_MAX).collect();
+        let all = Value::List(all.into_iter().map(|word| word.as_str().into()).collect());
+        let hears = |method: &'static str, arguments: Vec<Value>| Call::new("ALSpeechRecognition", method, arguments);
+        calls.extend([
+            // They cannot be set otherwise; spotted among others.
+            hears("pause", vec![true.into()]),
+            hears("setLanguage", vec![language.into()]),
+            hears("setVocabulary", vec![all, true.into()]),
+            hears("pause", vec![false.into()]),
+        ]);
+    }
+    let mut begun = Ok(());
+    for wanted in calls {
+        begun = begun.and(call(session, &wanted, CALL).await.map(drop));
+    }
+    begun
+}
+
+/// What the robot measures for a sense only, from when it is asked to until it no longer is.
+struct Measuring<'a> {
+    session: &'a Session,
+    shared: &'a Shared,
+    name: &'a str,
+    /// The service that was asked.
+    asked: Option<&'static str>,
+    /// Whether the robot has answered; until then a Stop may come by its own link before the question does.
+    is_known: bool,
+}
+
+impl Measuring<'_> {
+    async fn begin(&mut self, service: &'static str) -> Result<(), QiError> {
+        let gate = self.shared.gate();
+        self.shared.state().subscribed.insert((service, self.name.to_owned()));
+        self.asked = Some(service);
+        let with_period = [self.name.into(), PERIOD_MS.into(), 0.0_f32.into()];
+        let done = call(self.session, &Call::new(service, "subscribe", with_period), CALL).await;
+        if matches!(done, Err(QiError::NoMethod { .. })) {
+            call(self.session, &Call::new(service, "subscribe", [self.name.into()]), CALL).await?;
+        } else {
+            done?;
+        }
+        // A Stop that came meanwhile may have ended what had not begun.
+        self.is_known = self.shared.gate() == gate;
+        if !self.is_known {
+            self.end().await;
+        }
+        Ok(())
+    }
+
+    /// Ends it, unless a Stop has.
+    async fn end(&mut self) {
+        let Some(service) = self.asked.take() else { return };
+        let is_ours = self.shared.state().subscribed.remove(&(service, self.name.to_owned()));
+        if is_ours || !self.is_known {
+            let _ = try_call(self.session, &Call::new(service, "unsubscribe", [self.name.into()])).await;
+        }
     }
 }
 
 async fn prepare(
-    session: &Session,
-    shared: &Shared,
-    name: &str,
+    begun: Result<(), QiError>,
+    measuring: &mut Measuring<'_>,
     sense: &dyn Sense,
     events: &mpsc::Sender<(&'static str, Value, Instant)>,
     listeners: &mut JoinSet<()>,
 ) -> Result<(), QiError> {
-    for wanted in sense.begin() {
-        call(session, &wanted, CALL).await?;
-    }
+    begun?;
     if let Some(service) = sense.extractor() {
-        shared.state().subscribed.insert((service, name.to_owned()));
-        let with_period = [name.into(), PERIOD_MS.into(), 0.0_f32.into()];
-        let done = call(session, &Call::new(service, "subscribe", with_period), CALL).await;
-        if matches!(done, Err(QiError::NoMethod { .. })) {
-            call(session, &Call::new(service, "subscribe", [name.into()]), CALL).await?;
-        } else {
-            done?;
-        }
+        measuring.begin(service).await?;
     }
     for key in sense.keys() {
-        listen(session, key, events.clone(), listeners).await?;
+        listen(measuring.session, key, events.clone(), listeners).await?;
     }
     Ok(())
 }
@@ -133,7 +205,23 @@ pub(crate) async fn listen(
 }
 
 /// Asks what is asked again and again.
-async fn ask(session: &Session, shared: &Shared, user: &Use, sense: &mut dyn Sense) {
+async fn ask(session: &Session, shared: &Shared, turns: &Turns, user: &Use, sense: &mut dyn Sense) {
+    // Held until it has its answer: the others wait, each in its order.
+    let mut whose = None;
+    if let Some(turn) = sense.turn() {
+        let mut now = turns.lock().await;
+        if now.as_ref() != Some(&turn) {
+            *now = None;
+            for wanted in &turn.calls {
+                if try_call(session, wanted).await.is_none() {
+                    return;
+                }
+            }
+            tokio::time::sleep(Duration::from_millis(turn.wait_ms)).await;
+            *now = Some(turn);
+        }
+        whose = Some(now);
+    }
     if let Some(joint) = sense.joint() {
         let angle = shared.state().angles.get(joint).copied();
         if let Some(angle) = angle {
@@ -144,11 +232,12 @@ async fn ask(session: &Session, shared: &Shared, user: &Use, sense: &mut dyn Sen
     {
         read(shared, user, sense, "poll", &value, Instant::now());
     }
+    drop(whose);
 }
 
 fn read(shared: &Shared, user: &Use, sense: &mut dyn Sense, key: &str, value: &Value, at: Instant) {
     let at_ms = shared.state().time_at(at);
     if let Some(read) = sense.read(key, value, at_ms) {
-        shared.state().put_reading(user, read);
+        shared.sensed(user, read);
     }
 }

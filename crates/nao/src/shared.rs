@@ -2,15 +2,17 @@
 
 use crate::body::Limits;
 use behaviour::Value;
-use robot::{Condition, Health, Lacking, RobotFault, Use};
+use robot::{Condition, Health, Lacking, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
-use std::time::Instant;
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
 /// Readings that may wait for the next step; the oldest go first.
 const READINGS_MAX: usize = 4_096;
+/// How long a fall may take.
+const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
 const PRINTED_MAX: usize = 20;
 
@@ -18,10 +20,14 @@ const PRINTED_MAX: usize = 20;
 #[derive(Default)]
 pub(crate) struct Shared {
     state: Mutex<State>,
+    /// Rung when a sense has read something.
+    wake: OnceLock<Wake>,
     /// Grows with every Stop: what was wanted before it is void.
     gate: AtomicU64,
     /// Whether a Stop was not carried out yet.
     stop_wanted: AtomicBool,
+    /// Whether the robot is to rest once it holds.
+    rest_wanted: AtomicBool,
     /// Rung when it is wanted.
     pub(crate) stopping: Notify,
     /// Rung when it is done, or the stop link is there.
@@ -38,6 +44,8 @@ pub(crate) struct State {
     pub(crate) lacking: Vec<Lacking>,
     pub(crate) condition: Condition,
     pub(crate) halt: Option<String>,
+    /// When it fell last, or was about to.
+    pub(crate) falling: Option<Instant>,
     pub(crate) limits: Limits,
     /// The joints of this body, in its order.
     pub(crate) joints: Vec<String>,
@@ -45,13 +53,19 @@ pub(crate) struct State {
     pub(crate) angles: BTreeMap<String, f64>,
     /// Where it stands: x and y in metres, heading in radians.
     pub(crate) base: [f64; 3],
+    /// The colour of its eyes that was wanted last: red, green and blue from 0 to 1.
+    pub(crate) eyes: [f32; 3],
     pub(crate) saying: String,
     pub(crate) tracking: String,
     pub(crate) posture: String,
     pub(crate) playing: BTreeSet<String>,
     pub(crate) printed: VecDeque<String>,
+    /// The animations that were begun, until they are known to have ended.
+    pub(crate) animations: BTreeSet<String>,
     /// What is measured only for us: service and the name that we subscribed by.
     pub(crate) subscribed: BTreeSet<(&'static str, String)>,
+    /// The words that each use listens for.
+    pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
     pub(crate) used: bool,
     readings: VecDeque<(Use, Value)>,
@@ -68,16 +82,20 @@ impl Default for State {
             lacking: Vec::new(),
             condition: Condition::default(),
             halt: None,
+            falling: None,
             limits: Limits::default(),
             joints: Vec::new(),
             angles: BTreeMap::new(),
             base: [0.0; 3],
+            eyes: [1.0; 3],
             saying: String::new(),
             tracking: String::new(),
             posture: String::new(),
             playing: BTreeSet::new(),
+            animations: BTreeSet::new(),
             printed: VecDeque::new(),
             subscribed: BTreeSet::new(),
+            words: BTreeMap::new(),
             used: false,
             readings: VecDeque::new(),
             clock: (Instant::now(), 0),
@@ -100,6 +118,11 @@ impl State {
         Err(RobotFault::NotNow(why.to_owned()))
     }
 
+    /// Nobody rests on the floor, or on the way to it.
+    pub(crate) fn may_rest(&self) -> bool {
+        self.condition.fallen != Some(true) && self.falling.is_none_or(|at| at.elapsed() > FALL)
+    }
+
     /// The robot time of the coming step.
     pub(crate) fn tell_time(&mut self, now_ms: u64) {
         self.clock = (Instant::now(), now_ms);
@@ -114,7 +137,7 @@ impl State {
         ahead.saturating_sub(u64::try_from(before).unwrap_or(u64::MAX))
     }
 
-    pub(crate) fn put_reading(&mut self, user: &Use, value: Value) {
+    fn put_reading(&mut self, user: &Use, value: Value) {
         if self.readings.len() >= READINGS_MAX {
             self.readings.pop_front();
         }
@@ -142,6 +165,19 @@ impl Shared {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// From now on this is rung when a sense has read something.
+    pub(crate) fn wake_with(&self, wake: Wake) {
+        drop(self.wake.set(wake));
+    }
+
+    /// A sense has read this.
+    pub(crate) fn sensed(&self, user: &Use, value: Value) {
+        self.state().put_reading(user, value);
+        if let Some(wake) = self.wake.get() {
+            wake();
+        }
+    }
+
     /// What counts now; a deed that was wanted at another gate is void.
     pub(crate) fn gate(&self) -> u64 {
         self.gate.load(Ordering::SeqCst)
@@ -156,6 +192,17 @@ impl Shared {
 
     pub(crate) fn wants_stop(&self) -> bool {
         self.stop_wanted.load(Ordering::SeqCst)
+    }
+
+    /// Holds, and then rests.
+    pub(crate) fn rest(&self) {
+        self.rest_wanted.store(true, Ordering::SeqCst);
+        self.stop();
+    }
+
+    /// Whether it is to rest now; asked once.
+    pub(crate) fn take_rest(&self) -> bool {
+        self.rest_wanted.swap(false, Ordering::SeqCst)
     }
 
     /// It was carried out, unless it is wanted anew.

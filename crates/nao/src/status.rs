@@ -119,7 +119,10 @@ fn note(shared: &Shared, key: &str, value: &Value) {
 fn said(state: &mut State, key: &str, value: &Value) -> Option<String> {
     let condition = &mut state.condition;
     match key {
-        "ALMotion/RobotIsFalling" => truth(value).unwrap_or(true).then(|| "it falls".to_owned()),
+        "ALMotion/RobotIsFalling" => truth(value).unwrap_or(true).then(|| {
+            state.falling = Some(Instant::now());
+            "it falls".to_owned()
+        }),
         "robotHasFallen" => {
             let fallen = truth(value)?;
             condition.fallen = Some(fallen);

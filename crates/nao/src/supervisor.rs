@@ -6,12 +6,15 @@ use crate::deed::Call;
 use crate::front::Order;
 use crate::link::{CALL, call, try_call};
 use crate::scan::{clean, scan};
+use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
 use crate::{check, senses, status, stopping};
+use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
 use std::collections::BTreeMap;
+use std::hash::{BuildHasher, RandomState};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
@@ -37,6 +40,18 @@ const SCAN_MS: u64 = 300;
 /// How long the last Stop may take at the end.
 const LAST_STOP_MS: u64 = 1_000;
 
+/// The services that act.
+const ACTORS: [&str; 8] = [
+    "ALMotion",
+    "ALTracker",
+    "ALTextToSpeech",
+    "ALLeds",
+    "ALAudioPlayer",
+    "ALAnimationPlayer",
+    "ALRobotPosture",
+    "ALFaceDetection",
+];
+
 type Orders = mpsc::UnboundedReceiver<Order>;
 
 /// The thread of the link.
@@ -52,7 +67,8 @@ pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders
 }
 
 async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, waiting: &AtomicUsize) {
-    let mut pause_ms = AGAIN_MIN_MS;
+    let (mut pause_ms, mut tries) = (AGAIN_MIN_MS, 0_u64);
+    let chance = RandomState::new();
     while !shared.is_ended() {
         let found = tokio::select! {
             found = find(settings) => found,
@@ -60,7 +76,6 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
         };
         let why = match found {
             Ok((address, session)) => {
-                pause_ms = AGAIN_MIN_MS;
                 let stopper = tokio::spawn(stopping::keep(address, settings.clone(), Arc::clone(shared)));
                 let why = serve(&session, settings, shared, orders, waiting).await;
                 // The other link may still be there; else it is done as soon as the robot is.
@@ -68,13 +83,19 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
                 end_well(shared).await;
                 stopper.abort();
                 session.link().close();
+                // One that was not ready yet, as it has just begun, is not pressed.
+                if shared.state().is_linked() {
+                    pause_ms = AGAIN_MIN_MS;
+                }
                 why
             }
             Err(error) => check::sentence(&error),
         };
         lose(shared, &why);
         drain(orders, waiting);
-        let jitter = pause_ms / 4 * u64::from(std::process::id() % 5) / 4;
+        tries += 1;
+        // Servers that lost the same robot do not come back at the same moment.
+        let jitter = chance.hash_one(tries) % (pause_ms / 4);
         tokio::select! {
             () = tokio::time::sleep(Duration::from_millis(pause_ms + jitter)) => {}
             () = shared.ending.notified() => {}
@@ -102,6 +123,8 @@ async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
 /// The link is gone: who used the robot has to begin again.
 fn lose(shared: &Shared, why: &str) {
     shared.halt("the connection to it was lost");
+    // Who knows who holds it when it is back.
+    shared.take_rest();
     let mut state = shared.state();
     state.health = Health::Lost(why.to_owned());
     state.condition = robot::Condition::default();
@@ -109,6 +132,7 @@ fn lose(shared: &Shared, why: &str) {
     state.angles.clear();
     (state.saying, state.tracking) = (String::new(), String::new());
     state.playing.clear();
+    state.animations.clear();
 }
 
 /// A Stop that is wanted at the end is still carried out, if that can be.
@@ -150,10 +174,13 @@ async fn serve(
     let watch = Ended(tokio::spawn(status::watch(session.clone(), Arc::clone(shared))));
     let cycle = try_call(session, &Call::new("ALMotion", "getMotionCycleTime", [])).await;
     let cycle = cycle.and_then(|value| value.as_i64()).map_or(CYCLE_MS, |ms| ms.clamp(5, 100).cast_unsigned());
+    // Known before they are needed: what is called first also comes first.
+    join_all(ACTORS.iter().map(|name| session.service(name))).await;
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();
-    let mut acting = Acting::new(session.clone(), Arc::clone(shared), done);
+    let mut acting = Acting::new(session.clone(), Arc::clone(shared), done, Duration::from_millis(cycle));
+    let turns = Turns::default();
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
     let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
@@ -169,7 +196,7 @@ async fn serve(
                 None => break "it is not used any more".to_owned(),
                 Some(Order::Open(user, sense)) => {
                     let (cancel, name) = (CancellationToken::new(), format!("{}/{}/{}", settings.own_name, user.run, user.stream));
-                    let task = senses::run(session.clone(), Arc::clone(shared), name, user.clone(), sense, cancel.clone());
+                    let task = senses::run(session.clone(), Arc::clone(shared), Turns::clone(&turns), name, user.clone(), sense, cancel.clone());
                     open.insert(user, (cancel, tokio::spawn(task)));
                 }
                 Some(Order::Close(user)) => {
@@ -243,7 +270,7 @@ async fn ping(session: Session, shared: Arc<Shared>) {
     }
 }
 
-/// Takes control, gives it back, or lets the robot rest, unless a Stop comes between: then what is left is not done.
+/// Takes control or gives it back, unless a Stop comes between: then what is left is not done.
 async fn control(session: Session, shared: Arc<Shared>, life: Arc<Mutex<Option<String>>>, control: Control) {
     let gate = shared.gate();
     let stopped = async {
@@ -284,17 +311,7 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
             let state = kept().take().unwrap_or_else(|| "solitary".to_owned());
             say(life(&state), BODY).await;
         }
-        Control::Rest => {
-            // What was stopped has to have ended, and nobody rests while falling.
-            for _ in 0..100 {
-                if !shared.wants_stop() {
-                    break;
-                }
-                tokio::time::sleep(Duration::from_millis(20)).await;
-            }
-            if shared.state().condition.fallen != Some(true) {
-                say(Call::new("ALMotion", "rest", []), BODY).await;
-            }
-        }
+        // By the link of Stop.
+        Control::Rest => {}
     }
 }

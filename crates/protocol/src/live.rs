@@ -104,6 +104,9 @@ pub enum RunPhase {
     Stopped(String),
     /// It ended by itself, its actuators safe; with the reason.
     Faulted(String),
+    /// The robot interrupted it, as it fell, is too hot or was lost; with the reason. It goes on where it was when somebody
+    /// presses Start, and ends when somebody presses Stop.
+    Paused(String),
 }
 
 /// What changed in a running behaviour since the last such message.

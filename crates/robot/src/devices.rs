@@ -35,15 +35,16 @@ use crate::{Device, Param, ParamKind};
 
 /// All devices in the order people see them.
 pub(crate) const ALL: &[&Device] = &[
+    // What people try first comes first: an empty program offers three of these.
     &red_ball::DEVICE,
+    &face_detection::DEVICE,
+    &head_touch::DEVICE,
     &color_ball::DEVICE,
     &blob::DEVICE,
-    &face_detection::DEVICE,
     &people::DEVICE,
     &landmark::DEVICE,
     &word_recognized::DEVICE,
     &sound_located::DEVICE,
-    &head_touch::DEVICE,
     &hand_touch::DEVICE,
     &bumper::DEVICE,
     &sonar::DEVICE,

@@ -69,6 +69,9 @@ pub enum Health {
     Safe,
 }
 
+/// What a robot rings when its senses have read something.
+pub type Wake = std::sync::Arc<dyn Fn() + Send + Sync>;
+
 /// A robot, real or simulated: owned by one thread, never blocking.
 pub trait Robot {
     /// The kind of robot: `nao`.
@@ -99,6 +102,17 @@ pub trait Robot {
 
     /// Brings the robot to `now` (a simulation computes up to there) and appends what its senses read, in order.
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>);
+
+    /// Between two polls: appends what its senses have read since, while robot time stands still. A robot that computes by
+    /// steps has nothing then.
+    fn sense(&mut self, readings: &mut Vec<Reading>) {
+        let _nothing = readings;
+    }
+
+    /// Rings `wake`, from any thread, whenever there is something to [`Robot::sense`].
+    fn wake_with(&mut self, wake: Wake) {
+        drop(wake);
+    }
 
     /// Holds safely at once: stop moving, tracking and speaking, keep the joints where they are. Wins over everything
     /// told before; commands that come later work again.

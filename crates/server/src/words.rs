@@ -171,7 +171,7 @@ impl fmt::Display for RunFailure {
             Self::Late => write!(to, "{}", NoRun::Late),
             Self::NotFollowed => to.write_str("it could not go on with what was applied; start it again"),
             Self::Robot => to.write_str("the robot failed and is started again"),
-            Self::Halt(reason) => write!(to, "{reason}; look after the robot, then press Start again"),
+            Self::Halt(reason) => write!(to, "{reason}; look after the robot first"),
             Self::Inside => inside(to),
         }
     }

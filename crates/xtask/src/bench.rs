@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::neo4j;
+use crate::qi_python;
 use crate::tools::{self, Outcome, Workspace};
 
 /// Others that run the engine's graphs, at the versions that claims are made about.
@@ -38,6 +39,19 @@ pub(crate) fn stores(workspace: &Workspace) -> Outcome<()> {
         Err(sentence) => println!("SKIPPED by name: the benchmark of Neo4j ({sentence})"),
     }
     tools::run(&mut cargo, "The benchmark of stores")
+}
+
+/// Measures a robot over the link, against the stand-in and beside the Python client of libqi; `words` pick a part.
+pub(crate) fn nao(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    let python = match qi_python::ensure(workspace) {
+        Ok(python) => python,
+        Err(sentence) => {
+            println!("SKIPPED by name: the benchmark of the robot ({sentence})");
+            return Ok(());
+        }
+    };
+    let mut cargo = workspace.cargo(&["bench", "--package", "nao", "--bench", "robot", "--"]);
+    tools::run(cargo.args(words).env("RRP_QI_PYTHON", python), "The benchmark of the robot")
 }
 
 /// Measures the engine, how long runaway procedures hold it, and the hand-overs between the threads around it; `words`

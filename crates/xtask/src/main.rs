@@ -31,6 +31,8 @@ cargo xtask COMMAND
   bench engine [GRAPH]      measure the engine beside RxJS, RxPY and Node-RED, which are installed into target/bench;
                             GRAPH is chain10, tracking, fanout100, merge100 or bars; or threads, from a sense over the
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
+  bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
+                            calls, reactions or stops
   bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 7
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
@@ -68,6 +70,9 @@ fn obey(words: &[String]) -> Outcome<()> {
         }
         ["bench", "rooms", rest @ ..] if rest.len() < 2 && rest.iter().all(|word| !word.starts_with('-')) => {
             bench::rooms(&Workspace::here()?, rest)
+        }
+        ["bench", "nao", rest @ ..] if rest.len() < 2 && rest.iter().all(|word| !word.starts_with('-')) => {
+            bench::nao(&Workspace::here()?, rest)
         }
         ["bench", "stores"] => bench::stores(&Workspace::here()?),
         ["test"] => test::all(&Workspace::here()?),

@@ -85,7 +85,7 @@ pub(crate) fn MenuItem(
     /// Whether it is the one of several that is chosen now.
     #[prop(optional)]
     chosen: Option<bool>,
-    /// Small, at the end.
+    /// Small, below it.
     #[prop(optional, into)]
     note: String,
     #[prop(optional)] disabled: bool,
@@ -111,8 +111,11 @@ pub(crate) fn MenuItem(
                 Some(lamp) => view! { <span class="lamp" data-health=lamp aria-hidden="true"></span> }.into_any(),
                 None => view! { <span class=format!("kind {kind}")><Icon name=icon /></span> }.into_any(),
             }}
-            <span class="cut">{label}</span>
-            {(!note.is_empty()).then(|| view! { <span class="faint cut">{note}</span> })}
+            {if note.is_empty() {
+                view! { <span class="cut">{label}</span> }.into_any()
+            } else {
+                view! { <span class="two"><span class="cut">{label}</span><span class="faint">{note}</span></span> }.into_any()
+            }}
         </button>
     }
 }

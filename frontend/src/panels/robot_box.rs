@@ -100,9 +100,11 @@ fn Start() -> impl IntoView {
     let runs = Memo::new(move |_| desk.desk().robots.running().is_some());
     let unheard = Memo::new(move |_| desk.desk().unheard.read().is_some());
     let blocked = Memo::new(move |_| unheard.get() || (!runs.get() && why_not(desk).is_some()));
+    let paused = Memo::new(move |_| paused(desk).is_some());
     let word = move || match (runs.get(), unheard.get()) {
         (true, true) => words::was_running(),
         (true, false) => words::running(),
+        (false, _) if paused.get() => words::go_on(),
         (false, _) => words::start(),
     };
     let press = move |_| match desk.desk().robots.running() {
@@ -160,7 +162,11 @@ fn Line() -> impl IntoView {
     let heard = Memo::new(move |_| unheard().is_none());
     let may_move = move || if running.get().is_some() { words::may_still_move().to_owned() } else { text() };
     let can_apply = move || older.get().is_some() && blocked.get().is_none() && heard.get();
-    let bad = move || heard.get() && running.get().is_none() && faulted(desk).is_some();
+    let bad = move || {
+        heard.get()
+            && running.get().is_none()
+            && last_phase(desk).is_some_and(|phase| !matches!(phase, RunPhase::Stopped(_)))
+    };
     // The seconds are seen and not said: nobody wants to hear them count.
     view! {
         <p class="robot-line" class:bad=bad id="robot-line" role="status">
@@ -182,6 +188,9 @@ fn starts(desk: Hold) -> String {
 
 /// How the last run of this program ended, or what else runs. Reactive.
 fn last_words(desk: Hold) -> Option<String> {
+    if let Some(why) = paused(desk) {
+        return Some(words::paused(&why));
+    }
     if let Some(why) = faulted(desk) {
         return Some(words::ended(&why));
     }
@@ -190,9 +199,19 @@ fn last_words(desk: Hold) -> Option<String> {
     other.map(|run| words::other_runs(&run.name))
 }
 
+/// Why the last run of this program ended by itself, if it did.
 fn faulted(desk: Hold) -> Option<String> {
+    if let RunPhase::Faulted(why) = last_phase(desk)? { Some(why.trim_end_matches('.').to_owned()) } else { None }
+}
+
+/// Why the robot interrupted it, if it did.
+fn paused(desk: Hold) -> Option<String> {
+    if let RunPhase::Paused(why) = last_phase(desk)? { Some(why.trim_end_matches('.').to_owned()) } else { None }
+}
+
+fn last_phase(desk: Hold) -> Option<RunPhase> {
     let desk = desk.desk();
     let open = desk.document.open.get()?;
     let last: RunState = desk.robots.runs_here().into_iter().rfind(|run| run.behaviour == open)?;
-    if let RunPhase::Faulted(why) = last.phase { Some(why.trim_end_matches('.').to_owned()) } else { None }
+    Some(last.phase)
 }

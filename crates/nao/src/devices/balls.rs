@@ -1,6 +1,7 @@
-//! Balls: the red one by its own detector, others as blobs of a colour, of which the robot looks for one at a time.
+//! Balls: the red one by its own detector, others as blobs of a colour. The robot looks for one colour at a time; uses with
+//! different ones take turns.
 
-use super::{Driver, Opened, Sense, at, float, time};
+use super::{Driver, Opened, Sense, Turn, at, float, time};
 use crate::deed::Call;
 use behaviour::Value;
 
@@ -30,6 +31,8 @@ const THRESHOLD: i32 = 90;
 /// The smallest blob, in pixels; and the diameter that is assumed for the distance, in metres.
 const PIXELS_MIN: i32 = 20;
 const SPAN_M: f32 = 0.06;
+/// After so long a picture was looked at for another colour, in milliseconds: two at 15 a second.
+const PICTURES_MS: u64 = 140;
 /// The camera's field of view in radians: the picture is told in parts of it.
 const FIELD: [f64; 2] = [0.9826, 0.7627];
 
@@ -62,7 +65,7 @@ impl Sense for Blob {
         Some("ALColorBlobDetection")
     }
 
-    fn begin(&self) -> Vec<Call> {
+    fn turn(&self) -> Option<Turn> {
         let [red, green, blue]: [i32; 3] = match self.color.as_str() {
             "green" => [40, 200, 60],
             "blue" => [40, 80, 230],
@@ -71,19 +74,16 @@ impl Sense for Blob {
         let color = [red.into(), green.into(), blue.into(), THRESHOLD.into()];
         let shape = if self.round { "Circle" } else { "Unknown" };
         let properties = [PIXELS_MIN.into(), SPAN_M.into(), shape.into()];
-        vec![
+        let calls = vec![
             Call::new("ALColorBlobDetection", "setColor", color),
             Call::new("ALColorBlobDetection", "setObjectProperties", properties),
-        ]
+        ];
+        Some(Turn { calls, wait_ms: PICTURES_MS })
     }
 
     /// Where it is in the picture is not in the event, so it is asked for, as often as pictures come.
     fn poll(&self) -> Option<(Call, u64)> {
         Some((Call::new("ALColorBlobDetection", "getCircle", []), 66))
-    }
-
-    fn only(&self) -> Option<(&'static str, String)> {
-        Some(("color", format!("{} {}", self.color, self.round)))
     }
 
     /// `[x, y, radius]` from 0 to 1 of the picture, from its upper left corner; empty when there is none.

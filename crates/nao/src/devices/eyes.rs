@@ -25,7 +25,8 @@ impl Act for Color {
         let wanted = if self.0 == "Value" { value.as_text() } else { Some(self.0.as_str()) };
         let color = wanted.map_or_else(|| parts(value), |name| named(name.trim())).ok_or(RobotFault::NoColor)?;
         let call = Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), color.into(), FADE_S.into()]);
-        Ok(Deed::Newest { slot: "eyes", call })
+        let part = |shift: i32| (color >> shift & 0xFF) as f32 / 255.0;
+        Ok(Deed::Eyes { color: [part(16), part(8), part(0)], call })
     }
 }
 

@@ -1,7 +1,7 @@
-//! Words that somebody says. The robot listens for one list of words at a time, which cannot be changed while it listens.
+//! Words that somebody says. The robot listens for one list of words, which cannot be changed while it listens: it has the
+//! words of all that listen, and each takes its own.
 
 use super::{Driver, Opened, Sense, at, float, time, within};
-use crate::deed::Call;
 use behaviour::Value;
 
 pub(super) const DRIVER: Driver = Driver {
@@ -35,20 +35,12 @@ impl Sense for Words {
         Some("ALSpeechRecognition")
     }
 
-    /// Paused while the words are set, as they cannot be set otherwise; spotted among others.
-    fn begin(&self) -> Vec<Call> {
-        const SERVICE: &str = "ALSpeechRecognition";
-        let words = qi::Value::List(self.words.iter().map(|word| word.as_str().into()).collect());
-        vec![
-            Call::new(SERVICE, "pause", [true.into()]),
-            Call::new(SERVICE, "setLanguage", [self.language.as_str().into()]),
-            Call::new(SERVICE, "setVocabulary", [words, true.into()]),
-            Call::new(SERVICE, "pause", [false.into()]),
-        ]
+    fn words(&self) -> Option<(&str, &[String])> {
+        Some((&self.language, &self.words))
     }
 
     fn only(&self) -> Option<(&'static str, String)> {
-        Some(("words", format!("{} {}", self.language, self.words.join(","))))
+        Some(("language", self.language.clone()))
     }
 
     /// `[phrase, sureness, ...]`, the surest first. A spotted word comes as `<...> word <...>`, an end as an empty text.

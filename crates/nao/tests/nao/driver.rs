@@ -17,8 +17,12 @@ pub(crate) struct Driver {
 impl Driver {
     /// A robot at an address, once it is there.
     pub(crate) async fn at(address: &str) -> Self {
-        let settings =
-            Settings { address: address.to_owned(), login: None, own_name: "rrp-test".into(), trusted: None };
+        Self::with(Settings { address: address.to_owned(), login: None, own_name: "rrp-test".into(), trusted: None })
+            .await
+    }
+
+    /// One that is reached so, once it is there.
+    pub(crate) async fn with(settings: Settings) -> Self {
         let mut this = Self { nao: Nao::start(settings), steps: 0, readings: Vec::new() };
         this.until("it is there", |driver| driver.nao.health() == Health::Ready).await;
         this

@@ -3,9 +3,13 @@
 
 mod acts;
 mod driver;
+mod gateway;
+mod late;
 mod losses;
 mod peer;
 mod proxy;
+
 mod senses;
 mod stops;
 mod there;
+mod ways;

@@ -1,4 +1,4 @@
-//! A way to the robot that can be cut, or swallow everything that comes by one connection.
+//! A way to the robot that can be cut, or swallow or hold back everything that comes by one connection.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -18,6 +18,8 @@ pub(crate) struct Proxy {
 pub(crate) struct How {
     /// The connection whose bytes lead nowhere.
     pub(crate) swallows: Option<usize>,
+    /// The connection whose bytes come later.
+    holds: Option<usize>,
     /// Grows with every cut of all.
     cuts: usize,
     /// One byte at a time.
@@ -51,6 +53,11 @@ impl Proxy {
         self.how.send_modify(|how| how.swallows = number);
     }
 
+    /// Holds back what comes by a connection, until this is told again.
+    pub(crate) fn hold(&self, number: Option<usize>) {
+        self.how.send_modify(|how| how.holds = number);
+    }
+
     pub(crate) fn crumble(&self) {
         self.how.send_modify(|how| how.crumbs = true);
     }
@@ -76,7 +83,10 @@ async fn pass(
         if read == 0 {
             return;
         }
-        let now = *how.borrow();
+        let now = match how.wait_for(|how| how.holds != Some(number)).await {
+            Ok(now) => *now,
+            Err(_) => return,
+        };
         if now.swallows == Some(number) {
             continue;
         }

@@ -27,11 +27,19 @@ async fn balls_are_where_they_are() {
     for (at, field) in ["x", "y", "size"].iter().enumerate() {
         assert!((number(&value, field) - seen[at].as_f64().unwrap()).abs() < 0.03, "{field}: {value} {seen}");
     }
-    let blue = [("color".to_owned(), text("blue"))].into();
-    let refused = driver.nao.open(&crate::driver::user("blue"), "ColorBall", &blue).unwrap_err();
-    assert!(refused.to_string().contains("one color"), "{refused}");
+    // The robot looks for one color at a time: another one takes turns with it, and nothing is mistaken.
+    peer.world(json!({"balls": {"blue": {"at": [0.9, 0.2, 0.45]}}})).await;
+    let blue = driver.open("blue", "ColorBall", &[("color", text("blue"))]);
+    for _ in 0..3 {
+        for (user, ball) in [(&blue, "blue"), (&green, "green")] {
+            let value = driver.next(user).await;
+            let seen = peer.state().await["balls"][ball]["seen"].clone();
+            assert!((number(&value, "x") - seen[0].as_f64().unwrap()).abs() < 0.03, "{ball}: {value} {seen}");
+        }
+    }
     driver.nao.close(&ball);
     driver.nao.close(&green);
+    driver.nao.close(&blue);
     driver
         .sees(&peer, "nothing is measured any more", |state| {
             state["subscribers"].as_object().unwrap().values().all(|of| of.as_object().unwrap().is_empty())

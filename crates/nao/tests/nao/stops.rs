@@ -4,15 +4,18 @@ use crate::driver::Driver;
 use crate::peer::Peer;
 use crate::proxy::Proxy;
 use behaviour::Value;
-use robot::{Millis, Robot, Use};
+use robot::{Control, Health, Life, Millis, Robot, Use};
 use serde_json::{Value as Json, json};
 
 /// Walks, speaks, plays, follows and looks for a ball.
-async fn busy(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
+pub(crate) async fn busy(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
     let walk = driver.open("walk", "Walk", &[]);
     let say = driver.open("say", "SayParameter", &[("text", Value::text("word ".repeat(150)))]);
-    let beep =
-        driver.open("file", "Sound", &[("sound", Value::text("file")), ("file", Value::text("/home/nao/a.wav"))]);
+    let beep = driver.open(
+        "file",
+        "Sound",
+        &[("sound", Value::text("file")), ("file", Value::text("/home/nao/sounds/bell.wav"))],
+    );
     let gesture = driver.open("hey", "Animation", &[]);
     let ball = driver.open("ball", "RedBall", &[]);
     for user in [&walk, &say, &beep, &gesture] {
@@ -26,7 +29,7 @@ async fn busy(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
     vec![walk, say, beep, gesture, ball]
 }
 
-fn is_calm(state: &Json) -> bool {
+pub(crate) fn is_calm(state: &Json) -> bool {
     let none = |name: &str| state[name].as_array().is_none_or(Vec::is_empty);
     state["moving"] == json!(false)
         && state["speaking"].is_null()
@@ -74,5 +77,47 @@ async fn stop_has_a_way_of_its_own_when_the_other_leads_nowhere() {
     driver.nao.stop(Millis(0));
     driver.sees(&peer, "it is calm", is_calm).await;
     users.iter().for_each(|user| driver.nao.close(user));
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn it_rests_by_the_way_of_stop_and_not_while_it_falls() {
+    let Some(peer) = Peer::start("nao: a rest", &[]).await else { return };
+    let proxy = Proxy::before(&peer.address).await;
+    let mut driver = Driver::at(&proxy.address).await;
+    driver.until("both links are there", |_| proxy.connections() >= 2).await;
+    driver.nao.control(Control::Take, Millis(0)).unwrap();
+    driver.until("its own life is over", |driver| driver.nao.condition().life == Some(Life::Disabled)).await;
+    driver
+        .sees(&peer, "it stands", |state| state["awake"] == json!(true) && state["family"] == json!("Standing"))
+        .await;
+    let users = busy(&mut driver, &peer).await;
+    proxy.swallow(Some(0));
+    driver.nao.control(Control::Rest, Millis(0)).unwrap();
+    driver.sees(&peer, "it rests", |state| is_calm(state) && state["awake"] == json!(false)).await;
+    proxy.swallow(None);
+    users.iter().for_each(|user| driver.nao.close(user));
+    driver.until("it is there", |driver| driver.nao.health() == Health::Ready).await;
+    peer.fault(json!({"do": "raise", "key": "ALMotion/RobotIsFalling", "value": true})).await;
+    driver.until("the fall is known", |driver| driver.nao.control(Control::Rest, Millis(0)).is_err()).await;
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_service_that_does_not_answer_keeps_nothing_else_from_stopping() {
+    let Some(peer) = Peer::start("nao: a mute service", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let users = busy(&mut driver, &peer).await;
+    peer.clear().await;
+    peer.fault(json!({"do": "never", "service": "ALTracker", "method": "unregisterAllTargets"})).await;
+    driver.nao.stop(Millis(0));
+    driver.sees(&peer, "it is calm", is_calm).await;
+    let mut asked = 0;
+    while asked < 2 {
+        driver.wait(10).await;
+        asked = peer.calls("ALTracker.unregisterAllTargets").await.len();
+    }
+    users.iter().for_each(|user| driver.nao.close(user));
+    assert_eq!(peer.calls("ALAudioPlayer.stopAll").await.len(), 1, "only what did not answer is told again");
     peer.was_safe().await;
 }

@@ -30,6 +30,8 @@ pub(super) struct CommandQueue {
     stop: AtomicBool,
     end: AtomicBool,
     rung: AtomicBool,
+    /// Whether the robot's senses have read something.
+    sensed: AtomicBool,
     /// Whether runs ended whose devices are not given back yet.
     closing: AtomicBool,
     /// The robot's thread.
@@ -127,6 +129,17 @@ impl CommandQueue {
     /// Whether somebody wanted that since the last question.
     pub(super) fn take_stop(&self) -> bool {
         self.stop.swap(false, Ordering::SeqCst)
+    }
+
+    /// The robot's senses have read something. Takes no lock and waits for nothing.
+    pub(super) fn sense(&self) {
+        self.sensed.store(true, Ordering::SeqCst);
+        self.ring();
+    }
+
+    /// Whether they have since that was asked last with `takes`.
+    pub(super) fn has_sensed(&self, takes: bool) -> bool {
+        if takes { self.sensed.swap(false, Ordering::SeqCst) } else { self.sensed.load(Ordering::SeqCst) }
     }
 
     /// Wants the robot's thread to end.

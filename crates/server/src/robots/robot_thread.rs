@@ -17,6 +17,8 @@ use std::time::{Duration, Instant};
 
 /// Length of a step of the robot's thread, in milliseconds.
 pub(super) const STEP_MS: u64 = 10;
+/// Senses that read all the time are looked at so often at most between two steps.
+const SENSE_MIN: Duration = Duration::from_millis(1);
 /// Steps between two pictures of the room: about 30 a second.
 const STEPS_PER_PICTURE: u64 = 3;
 /// After a longer gap than this robot time goes on where it was instead of catching up, in milliseconds.
@@ -36,10 +38,14 @@ pub(super) trait RoomRobot: Robot {
 pub(super) type Make = Box<dyn Fn() -> Box<dyn RoomRobot> + Send>;
 
 /// Keeps a robot going until its queue says end; one that fails is made anew.
-pub(super) fn keep(shared: &RobotShared, make: &Make) {
+pub(super) fn keep(shared: &Arc<RobotShared>, make: &Make) {
     shared.queue.attend();
     while !shared.queue.is_ended() {
-        let kept = catch_unwind(AssertUnwindSafe(|| RobotThread::new(shared, make(), Instant::now()).work()));
+        let kept = catch_unwind(AssertUnwindSafe(|| {
+            let (mut robot, ring) = (make(), Arc::clone(shared));
+            robot.wake_with(Arc::new(move || ring.queue.sense()));
+            RobotThread::new(shared, robot, Instant::now()).work();
+        }));
         if kept.is_err() {
             shared.fault_all(&RunFailure::Robot);
             let reason = "it failed and is started again".to_owned();
@@ -58,6 +64,8 @@ pub(super) struct RobotThread<'a> {
     began: Instant,
     users: BTreeMap<u64, User>,
     readings: Vec<Reading>,
+    /// When it looks between two steps again what the senses have read.
+    may_sense: Instant,
     /// Who holds which part of the robot.
     parts: Precedence,
     blocked: Blocked,
@@ -88,6 +96,7 @@ impl<'a> RobotThread<'a> {
             began,
             users: BTreeMap::new(),
             readings: Vec::new(),
+            may_sense: Instant::now(),
             parts: Precedence::default(),
             blocked: Blocked::new(),
             shown: BTreeMap::new(),
@@ -101,6 +110,8 @@ impl<'a> RobotThread<'a> {
             self.serve();
             if self.is_due() {
                 self.step();
+            } else if self.may_sense <= Instant::now() && self.queue().has_sensed(true) {
+                self.sense();
             }
             self.pause();
         }
@@ -114,6 +125,17 @@ impl<'a> RobotThread<'a> {
         self.end_what_ended();
     }
 
+    /// What a real robot has sensed does not wait for the next step.
+    fn sense(&mut self) {
+        let mut readings = std::mem::take(&mut self.readings);
+        self.robot.sense(&mut readings);
+        for reading in readings.drain(..) {
+            self.hand_out(reading);
+        }
+        self.readings = readings;
+        self.may_sense = Instant::now() + SENSE_MIN;
+    }
+
     fn step(&mut self) {
         let mut readings = std::mem::take(&mut self.readings);
         self.robot.poll(self.now(), &mut readings);
@@ -122,7 +144,7 @@ impl<'a> RobotThread<'a> {
         }
         self.readings = readings;
         if let Some(reason) = self.robot.take_halt() {
-            self.shared.fault_all(&RunFailure::Halt(reason));
+            self.shared.pause_all(&RunFailure::Halt(reason));
             self.end_what_ended();
         }
         if self.steps.is_multiple_of(STEPS_PER_PICTURE) {
@@ -330,7 +352,8 @@ impl<'a> RobotThread<'a> {
         if late > Duration::from_millis(GAP_MAX_MS) {
             self.began += late;
         }
-        self.queue().wait(self.due());
+        let until = if self.queue().has_sensed(false) { self.due().min(self.may_sense) } else { self.due() };
+        self.queue().wait(until);
     }
 
     fn queue(&self) -> &'a CommandQueue {

@@ -4,7 +4,7 @@ use super::cancel_flag::CancelFlag;
 use super::live::LiveValues;
 use super::mailbox::{Keep, Mailbox};
 use behaviour::{BehaviourFile, Id};
-use engine::StreamIx;
+use engine::{Handover, StreamIx};
 use protocol::{RunPhase, RunState};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -20,6 +20,28 @@ pub(super) const RUNNING_MAX_RUNS: usize = 16;
 pub(super) struct RunTable {
     preparing: BTreeMap<u64, Preparing>,
     runs: BTreeMap<u64, Entry>,
+    /// Of the runs that the robot interrupted: what they may go on with.
+    paused: BTreeMap<u64, Paused>,
+}
+
+/// A run that the robot interrupted.
+#[derive(Debug)]
+struct Paused {
+    /// What a Stop sets.
+    cancel: Arc<CancelFlag>,
+    /// None until its thread has noticed.
+    memory: Option<PausedMemory>,
+}
+
+/// What an interrupted run goes on with.
+#[derive(Debug)]
+pub(super) struct PausedMemory {
+    /// What ran.
+    pub(super) file: Arc<BehaviourFile>,
+    /// What its connectors remember.
+    pub(super) memory: Handover,
+    /// The next instant of its logical time, which stands still meanwhile.
+    pub(super) open_ms: u64,
 }
 
 /// A run that is not there yet.
@@ -101,6 +123,7 @@ impl RunTable {
             return None;
         }
         let by = entry.state.by.clone();
+        self.give_up(|paused, _| paused.behaviour == entry.state.behaviour, &by);
         let replaced = self.end(Some(&entry.state.behaviour), &RunPhase::Stopped(by));
         self.runs.insert(entry.state.run, entry);
         Some(replaced)
@@ -127,7 +150,48 @@ impl RunTable {
     pub(super) fn end_stopped(&mut self) -> Vec<Entry> {
         let by = |entry: &Entry| entry.cancel.stopped_by().filter(|_| entry.cancel.is_cancelled()).map(str::to_owned);
         let stopped: Vec<_> = self.running().filter_map(|entry| Some((entry.state.run, by(entry)?))).collect();
+        let given_up: Vec<_> = self
+            .paused
+            .iter()
+            .filter_map(|(run, paused)| Some((*run, paused.cancel.stopped_by()?.to_owned())))
+            .collect();
+        for (run, by) in given_up {
+            self.give_up(|_, paused| paused == run, &by);
+        }
         stopped.into_iter().filter_map(|(run, by)| self.end_run(run, RunPhase::Stopped(by))).collect()
+    }
+
+    /// An ended run may go on, until `cancel` is set.
+    pub(super) fn pause(&mut self, run: u64, cancel: Arc<CancelFlag>) {
+        self.paused.insert(run, Paused { cancel, memory: None });
+    }
+
+    /// What an interrupted run remembers; of any other run that is not kept.
+    pub(super) fn keep_memory(&mut self, run: u64, memory: impl FnOnce() -> PausedMemory) {
+        if let Some(paused) = self.paused.get_mut(&run) {
+            paused.memory = Some(memory());
+        }
+    }
+
+    /// What a behaviour goes on with, if the robot interrupted it and nobody pressed Stop since.
+    pub(super) fn take_memory(&mut self, behaviour: &Id) -> Option<PausedMemory> {
+        let of_it = |run: &u64| self.runs.get(run).is_some_and(|entry| entry.state.behaviour == *behaviour);
+        let run = self.paused.keys().rfind(|run| of_it(run)).copied()?;
+        let paused = self.paused.get_mut(&run).filter(|paused| !paused.cancel.is_cancelled())?;
+        paused.memory.take()
+    }
+
+    /// Interrupted runs do not go on any more.
+    fn give_up(&mut self, is_meant: impl Fn(&RunState, u64) -> bool, by: &str) {
+        for (run, entry) in &mut self.runs {
+            if is_meant(&entry.state, *run)
+                && let Some(paused) = self.paused.remove(run)
+            {
+                // Nobody needs to set it any more.
+                paused.cancel.cancel();
+                entry.state.phase = RunPhase::Stopped(by.to_owned());
+            }
+        }
     }
 
     /// Cancels all that is only being prepared.
@@ -177,6 +241,9 @@ impl RunTable {
         let ended: Vec<u64> = ended.map(|entry| entry.state.run).collect();
         for run in ended.iter().take(ended.len().saturating_sub(ENDED_MAX_RUNS)) {
             self.runs.remove(run);
+            if let Some(paused) = self.paused.remove(run) {
+                paused.cancel.cancel();
+            }
         }
     }
 }

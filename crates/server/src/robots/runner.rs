@@ -7,14 +7,14 @@ use super::host::Start;
 use super::live::LiveValues;
 use super::mailbox::{Arrived, Keep, Mailbox, Mark};
 use super::refusal::{NoRun, RunFailure};
-use super::run_table::{Applying, Entry, Senses};
+use super::run_table::{Applying, Entry, PausedMemory, Senses};
 use super::shared::RobotShared;
 use super::successor::{RunHandover, Successor};
 use super::tally::Tally;
 use crate::recordings::{About, NotRecorded, Note, Recorder, Recordings};
 use crate::support::lock;
 use behaviour::{BehaviourFile, Id, StreamKind};
-use engine::{Claim, Limits, Run};
+use engine::{Claim, Limits, Matching, Run};
 use protocol::{RunPhase, RunState};
 use robot::Millis;
 use std::cell::Cell;
@@ -106,6 +106,10 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
     runner.sink.recorder = recorder(job)?;
     entry.state.recording = runner.sink.recorder.as_mut().and_then(Recorder::news);
     runner.began = Instant::now();
+    let kept = lock(&job.shared.table).take_memory(&job.start.behaviour);
+    if let Some(kept) = kept {
+        runner.go_on(kept);
+    }
     let state = entry.state.clone();
     if job.shared.begin(entry) {
         return Ok((runner, state));
@@ -225,6 +229,23 @@ impl<'a> Runner<'a> {
         self
     }
 
+    /// Where the robot interrupted it: what did not change meanwhile keeps its memory, and logical time continues.
+    fn go_on(&mut self, kept: PausedMemory) {
+        self.run.resume_from(kept.memory, &Matching::between(&kept.file, &self.sink.job.start.file));
+        self.open_ms = kept.open_ms;
+        self.began = self.began.checked_sub(Duration::from_millis(kept.open_ms)).unwrap_or(self.began);
+    }
+
+    /// What an interrupted run remembers, unless it was in the middle of a frame.
+    fn keep_memory(&self) {
+        if self.run.is_between() {
+            let job = self.sink.job;
+            let memory =
+                || PausedMemory { file: job.start.file.clone(), memory: self.run.handover(), open_ms: self.open_ms };
+            lock(&job.shared.table).keep_memory(job.run, memory);
+        }
+    }
+
     /// Works until it is cancelled, it ends by itself or another one follows.
     fn work(mut self) -> End {
         let mut reason = None;
@@ -253,6 +274,9 @@ impl<'a> Runner<'a> {
         let (run, dropped) = (self.sink.job.run, self.mailbox.dropped());
         tracing::debug!(run, dropped, "a run ended");
         let why = reason.as_ref().map(RunFailure::to_string);
+        if reason.is_none() {
+            self.keep_memory();
+        }
         self.sink.end_recording(why.as_deref().unwrap_or("it was stopped"));
         reason.map_or(End::Stopped, End::Fault)
     }

@@ -97,6 +97,20 @@ impl RobotShared {
         self.show(&table);
     }
 
+    /// Interrupts every run, as the robot wants. Each may go on when somebody starts it.
+    pub(super) fn pause_all(&self, why: &RunFailure) {
+        let mut table = lock(&self.table);
+        table.cancel_all();
+        // What was stopped just before stays stopped.
+        let mut ended = table.end_stopped();
+        for entry in table.end(None, &RunPhase::Paused(why.to_string())) {
+            table.pause(entry.state.run, self.cancel_flags.add(&entry.state.behaviour));
+            ended.push(entry);
+        }
+        self.clear_away(&table, &ended);
+        self.show(&table);
+    }
+
     /// Ends every run because the robot failed.
     pub(super) fn fault_all(&self, why: &RunFailure) {
         let mut table = lock(&self.table);

@@ -21,14 +21,14 @@ macro_rules! scenarios {
 
 scenarios! {
     "RedBall" red_ball: seeing;
+    "FaceDetection" face_detection: seeing;
+    "HeadTouch" head_touch: touching;
     "ColorBall" color_ball: seeing;
     "Blob" blob: seeing;
-    "FaceDetection" face_detection: seeing;
     "People" people: seeing;
     "Landmark" landmark: seeing;
     "WordRecognized" word_recognized: hearing;
     "SoundLocated" sound_located: hearing;
-    "HeadTouch" head_touch: touching;
     "HandTouch" hand_touch: touching;
     "Bumper" bumper: touching;
     "Sonar" sonar: touching;

@@ -4,6 +4,7 @@ use super::frame::{Feet, Frame, Refused, close};
 use crate::fields::TextField;
 use crate::panels::hold::hold;
 use crate::words;
+use leptos::html;
 use leptos::prelude::*;
 use protocol::{ADDRESS_MAX_CHARS, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, ROBOT_NAME_MAX_CHARS, RealRobot};
 
@@ -108,7 +109,14 @@ fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
             </li>
         }
     };
-    view! { <ol class="check-steps">{steps.into_iter().map(line).collect_view()}</ol> }
+    // On a phone it lies below all fields.
+    let list = NodeRef::<html::Ol>::new();
+    list.on_load(|list| {
+        if let Some(last) = list.last_element_child() {
+            last.scroll_into_view_with_bool(false);
+        }
+    });
+    view! { <ol class="check-steps" node_ref=list>{steps.into_iter().map(line).collect_view()}</ol> }
 }
 
 /// Robots that announce themselves: one press fills in the address.

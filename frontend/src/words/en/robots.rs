@@ -84,6 +84,15 @@ pub(crate) fn starts_on(robot: &str, revision: u64) -> String {
     format!("Start runs version {revision} on “{robot}”.")
 }
 
+/// Start, of what the robot interrupted.
+pub(crate) fn go_on() -> &'static str {
+    "Continue"
+}
+
+pub(crate) fn paused(why: &str) -> String {
+    format!("Interrupted: {why}. “Continue” goes on where it was; Stop ends it.")
+}
+
 /// What was asked, for a sentence that it was done.
 pub(crate) fn control_done(robot: &str, control: Control) -> String {
     match control {

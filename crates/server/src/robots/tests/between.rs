@@ -26,6 +26,7 @@ struct Still {
     puppet: Puppet,
     shared: Arc<RobotShared>,
     cancel: Arc<CancelFlag>,
+    mailbox: Arc<Mailbox>,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -36,7 +37,7 @@ fn shared() -> Arc<RobotShared> {
 impl Still {
     fn new() -> Self {
         let shared = shared();
-        Self { puppet: Puppet::default(), shared, cancel: Arc::default(), thread: None }
+        Self { puppet: Puppet::default(), shared, cancel: Arc::default(), mailbox: Arc::default(), thread: None }
     }
 
     /// From now on somebody looks at the queue.
@@ -53,8 +54,7 @@ impl Still {
         let (name, device, params) = (String::new(), "Print".to_owned(), Params::default());
         let devices = vec![Wanted { stream: id("page"), index: StreamIx::of(0), name, device, params, claim }];
         let (answer, opened) = sync_channel(1);
-        let (behaviour, cancel, mailbox) =
-            ((id("one"), String::new()), self.cancel.clone(), Arc::new(Mailbox::default()));
+        let (behaviour, cancel, mailbox) = ((id("one"), String::new()), self.cancel.clone(), self.mailbox.clone());
         self.shared.queue.open(Opening { run: 1, behaviour, cancel, mailbox, devices, follows: false, answer });
         opened
     }
@@ -91,6 +91,27 @@ async fn whoever_puts_something_in_the_queue_waits_for_no_step() {
     until("the robot holds", || still.puppet.log() == ["told 5", "told 6", "held"]).await;
     still.shared.queue.close(1);
     until("the devices are given back", || still.puppet.users().is_empty()).await;
+    still.ends().await;
+}
+
+#[tokio::test]
+async fn what_the_senses_read_waits_for_no_step() {
+    let mut still = Still::new();
+    still.begin();
+    let opened = still.open();
+    until("the devices are open", || matches!(opened.try_recv(), Ok(Ok(())))).await;
+    for value in [5, 6] {
+        still.puppet.reads(Value::Int(value));
+        still.shared.queue.sense();
+        let mut read = Vec::new();
+        until("it is handed out", || {
+            read.extend(still.mailbox.take(Some(Instant::now())).readings);
+            !read.is_empty()
+        })
+        .await;
+        assert_eq!(read.len(), 1);
+        assert_eq!(read[0].value, Value::Int(value));
+    }
     still.ends().await;
 }
 

@@ -1,9 +1,11 @@
 //! A robot that wants everything to end: it fell, is too hot, or its link is gone. And who has it.
 
 use super::puppet::Puppet;
-use super::{filtered, phase, shows_until_told, until};
+use super::{filtered, id, phase, shows_until_told, stopped_by, until};
+use crate::robots::{Host, Start};
+use behaviour::Value;
 use engine::Limits;
-use protocol::{Refused, RunPhase};
+use protocol::{Refused, RunPhase, RunState};
 use robot::Control;
 
 #[tokio::test]
@@ -17,11 +19,64 @@ async fn everything_ends_with_the_robots_reason_and_nothing_goes_on_by_itself() 
     puppet.halt("it fell");
     until("nobody uses the robot", || puppet.users().is_empty() && puppet.stops() > stops).await;
     for run in [&one, &two] {
-        let RunPhase::Faulted(why) = phase(&robots, run) else { panic!("{:?}", phase(&robots, run)) };
-        assert!(why.starts_with("it fell") && why.contains("press Start"), "{why}");
+        let RunPhase::Paused(why) = phase(&robots, run) else { panic!("{:?}", phase(&robots, run)) };
+        assert!(why.starts_with("it fell") && why.contains("look after"), "{why}");
     }
     let again = robots.start(filtered("one", "true")).await.unwrap();
     shows_until_told(&puppet, &again, 6).await;
+    assert_eq!(phase(&robots, &one), stopped_by("Aiko"), "another run goes on for it");
+    assert!(matches!(phase(&robots, &two), RunPhase::Paused(_)));
+}
+
+/// A behaviour that shows the ball only where it is another one than before.
+fn distinct(name: &str) -> Start {
+    let start = filtered(name, "true");
+    let mut file = (*start.file).clone();
+    (file.connectors[0].operation, file.connectors[0].body) = ("distinct".to_owned(), None);
+    Start { file: file.into(), ..start }
+}
+
+/// What the next run of it shows of a five and a six.
+async fn shows_of_five_and_six(puppet: &Puppet, robots: &Host) -> (RunState, Vec<Value>) {
+    let run = robots.start(distinct("one")).await.unwrap();
+    for value in [5, 6] {
+        robots.stimulate(&id("one"), &id("ball"), Value::Int(value)).unwrap();
+    }
+    until("the six comes out", || puppet.told(run.run).contains(&Value::Int(6))).await;
+    let told = puppet.told(run.run);
+    (run, told)
+}
+
+async fn interrupts(puppet: &Puppet, robots: &Host, run: &RunState) {
+    puppet.halt("it fell");
+    until("it is interrupted", || matches!(phase(robots, run), RunPhase::Paused(_))).await;
+    until("its thread has ended", || robots.shared().threads() == 0).await;
+}
+
+#[tokio::test]
+async fn what_the_robot_interrupts_goes_on_with_its_memory_unless_somebody_presses_stop() {
+    let puppet = Puppet::default();
+    let robots = puppet.robots(Limits::default);
+    let first = robots.start(distinct("one")).await.unwrap();
+    shows_until_told(&puppet, &first, 5).await;
+    interrupts(&puppet, &robots, &first).await;
+    let (second, told) = shows_of_five_and_six(&puppet, &robots).await;
+    assert_eq!(told, [Value::Int(6)], "the five is known");
+    interrupts(&puppet, &robots, &second).await;
+    assert!(robots.stop(None, "Ben"));
+    assert_eq!(phase(&robots, &second), stopped_by("Ben"));
+    let (third, told) = shows_of_five_and_six(&puppet, &robots).await;
+    assert_eq!(told, [Value::Int(5), Value::Int(6)], "it began anew");
+    // One that was stopped just before is not interrupted.
+    assert!(robots.stop(Some(&id("one")), "Ben"));
+    interrupted_late(&puppet, &robots, &third).await;
+}
+
+async fn interrupted_late(puppet: &Puppet, robots: &Host, run: &RunState) {
+    let stops = puppet.stops();
+    puppet.halt("it is too hot");
+    until("the robot has told it", || puppet.stops() >= stops && puppet.has_told_halt()).await;
+    assert_eq!(phase(robots, run), stopped_by("Ben"));
 }
 
 #[tokio::test]

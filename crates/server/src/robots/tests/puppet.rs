@@ -25,6 +25,8 @@ struct Strings {
     open: BTreeSet<Use>,
     told: Vec<(Use, Value)>,
     balls: Vec<Value>,
+    /// What its senses have read between two steps.
+    sensed: Vec<Value>,
     stops: usize,
     opened: usize,
     made: usize,
@@ -111,6 +113,16 @@ impl Puppet {
         lock(&self.0).hook = Some(Arc::new(hook));
     }
 
+    /// Every open device senses this when it is asked between two steps.
+    pub(super) fn reads(&self, value: Value) {
+        lock(&self.0).sensed.push(value);
+    }
+
+    /// Whether what it wanted to end everything for was heard.
+    pub(super) fn has_told_halt(&self) -> bool {
+        lock(&self.0).halts.is_none()
+    }
+
     /// In the next step it wants everything to end.
     pub(super) fn halt(&self, why: &str) {
         lock(&self.0).halts = Some(why.to_owned());
@@ -187,6 +199,15 @@ impl Robot for Puppet {
         }
         drop(strings);
         assert!(!fails, "the puppet breaks, as the test wants");
+    }
+
+    fn sense(&mut self, readings: &mut Vec<Reading>) {
+        let mut strings = lock(&self.0);
+        let sensed = std::mem::take(&mut strings.sensed);
+        for to in &strings.open {
+            let reading = |value: &Value| Reading { to: to.clone(), at: Millis(0), value: value.clone() };
+            readings.extend(sensed.iter().map(reading));
+        }
     }
 
     fn stop(&mut self, _now: Millis) {

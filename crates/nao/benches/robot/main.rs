@@ -1,0 +1,55 @@
+//! How quick a robot is over the link, on loopback against the stand-in, beside the Python client of libqi on the same work.
+//!
+//! `cargo xtask bench nao` prints calls, passages from events to actions, and Stops, and fails beyond a bar; `calls`,
+//! `reactions` or `stops` picks one. The stand-in is a Python that two cores share with everything else, so its own part
+//! of a call is in every figure: ratios of one run mean something.
+#![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a bench prints, and may give up")]
+
+#[cfg(unix)]
+mod calls;
+#[cfg(unix)]
+mod client;
+#[cfg(unix)]
+#[path = "../../tests/nao/driver.rs"]
+#[expect(dead_code, reason = "tests need more of it")]
+mod driver;
+#[cfg(unix)]
+mod figures;
+#[cfg(unix)]
+#[path = "../../tests/nao/peer.rs"]
+#[expect(dead_code, reason = "tests need more of it")]
+mod peer;
+#[cfg(unix)]
+#[path = "../../tests/nao/proxy.rs"]
+#[expect(dead_code, reason = "tests need more of it")]
+mod proxy;
+#[cfg(unix)]
+mod reactions;
+#[cfg(unix)]
+mod stops;
+
+/// Those that are picked, or all; every bar is looked at before it fails.
+#[cfg(unix)]
+fn main() -> std::process::ExitCode {
+    let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
+    let picked = |part: &str| words.is_empty() || words.iter().any(|word| word == part);
+    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap();
+    let mut verdict = figures::Verdict::default();
+    runtime.block_on(async {
+        if picked("calls") {
+            calls::measure(&mut verdict).await;
+        }
+        if picked("reactions") {
+            reactions::measure(&mut verdict).await;
+        }
+        if picked("stops") {
+            stops::measure(&mut verdict).await;
+        }
+    });
+    verdict.tell()
+}
+
+#[cfg(not(unix))]
+fn main() {
+    println!("SKIPPED by name: the benchmark of the robot (there is no libqi for this system)");
+}

@@ -1,0 +1,163 @@
+//! Stops in a row under load: from `Robot::stop` until the stand-in tells that nothing moves, speaks, plays or is measured.
+
+use crate::driver::Driver;
+use crate::figures::{Times, Verdict, micros, title};
+use crate::peer::{PATIENCE, Peer};
+use crate::proxy::Proxy;
+use behaviour::Value;
+use robot::{Health, Millis, Robot, Use};
+use serde_json::{Value as Json, json};
+use std::time::{Duration, Instant};
+
+/// Half of them while the link by which the robot is driven leads nowhere.
+const STOPS: usize = 200;
+/// The bar of the slowest, in microseconds.
+const BAR_US: f64 = 300_000.0;
+/// Steps after which the ways by which a link came again are counted: both are there then.
+const SETTLED: usize = 40;
+/// It walks at nearly full speed, in metres a second; from there the stand-in, as the simulation, comes to rest in 250 ms.
+const FULL_MPS: f64 = 0.049;
+/// Pause before the state is asked for.
+const LOOK: Duration = Duration::from_millis(2);
+
+/// With a black hole and without, in turn.
+pub(crate) async fn measure(verdict: &mut Verdict) {
+    let Some(peer) = Peer::start("the benchmark of Stops", &[]).await else { return };
+    let proxy = Proxy::before(&peer.address).await;
+    let mut driver = Driver::at(&proxy.address).await;
+    let (mut plain, mut holed) = (Ends::default(), Ends::default());
+    for number in 0..STOPS {
+        let users = load(&mut driver, &peer).await;
+        if number % 2 == 0 {
+            stop(&mut driver, &peer, &mut plain).await;
+        } else {
+            black_hole(&mut driver, &peer, &proxy).await;
+            stop(&mut driver, &peer, &mut holed).await;
+            cut(&mut driver, &proxy).await;
+        }
+        users.iter().for_each(|user| driver.nao.close(user));
+        driver.wait(2).await;
+    }
+    title("from Stop until the robot is calm, as it tells itself", "");
+    plain.print("while it does all of this");
+    holed.print("the same, the other link in a black hole");
+    verdict.at_most("Stop, worst", plain.all.within(100), BAR_US);
+    verdict.at_most("Stop with a black hole, worst", holed.all.within(100), BAR_US);
+    peer.was_safe().await;
+}
+
+/// It walks, speaks, plays, follows the ball with its head and looks for it.
+async fn load(driver: &mut Driver, peer: &Peer) -> Vec<Use> {
+    let file = [("sound", Value::text("file")), ("file", Value::text("/usr/share/naoqi/wav/random.wav"))];
+    // Away from the wall that it walked to.
+    peer.world(json!({"pose": [0, 0, 0]})).await;
+    let walk = driver.open("walk", "Walk", &[]);
+    let say = driver.open("say", "SayParameter", &[("text", Value::text("word ".repeat(150)))]);
+    let sound = driver.open("file", "Sound", &file);
+    let gesture = driver.open("hey", "Animation", &[]);
+    let follow = driver.open("follow", "Tracker", &[]);
+    let ball = driver.open("ball", "RedBall", &[]);
+    let words = driver.open("words", "WordRecognized", &[("words", Value::text("yes, no"))]);
+    let busy = |state: &Json| {
+        state["velocity"][0].as_f64().unwrap() > FULL_MPS
+            && state["speaking"].is_string()
+            && state["tracking"].is_object()
+            && state["sounding"].as_array().is_some_and(|sounding| !sounding.is_empty())
+            && used_by_us(state) == 2
+    };
+    let end = Instant::now() + PATIENCE;
+    loop {
+        for user in [&walk, &say, &sound, &gesture, &follow] {
+            driver.tell(user, 1.0);
+        }
+        let state = peer.state().await;
+        if busy(&state) {
+            return vec![walk, say, sound, gesture, follow, ball, words];
+        }
+        assert!(Instant::now() < end, "never busy: {state}");
+        driver.step().await;
+    }
+}
+
+/// How many extractors measure for us.
+fn used_by_us(state: &Json) -> usize {
+    let subscribers = state["subscribers"].as_object().unwrap();
+    subscribers.values().filter(|names| names.to_string().contains("rrp-test")).count()
+}
+
+/// What has to end, and whether it goes on.
+type Part = (&'static str, fn(&Json) -> bool);
+
+const PARTS: [Part; 7] = [
+    ("walking", |state| state["moving"] != json!(false)),
+    ("speaking", |state| !state["speaking"].is_null() || has(state, "waiting_texts")),
+    ("following", |state| !state["tracking"].is_null()),
+    ("playing a gesture", |state| has(state, "playing")),
+    ("playing a sound", |state| has(state, "sounding")),
+    ("measuring for us", |state| used_by_us(state) > 0),
+    ("calls that block", |state| has(state, "blocked")),
+];
+
+fn has(state: &Json, name: &str) -> bool {
+    !state[name].as_array().unwrap().is_empty()
+}
+
+/// When each part was over, and all of them.
+#[derive(Default)]
+struct Ends {
+    parts: [Times; PARTS.len()],
+    all: Times,
+}
+
+impl Ends {
+    fn print(&self, what: &str) {
+        self.all.print(what, None);
+        for ((part, _), times) in PARTS.iter().zip(&self.parts) {
+            times.print(&format!("  {part}"), None);
+        }
+    }
+}
+
+/// The state is asked for again and again; what was still there counts until the next answer.
+async fn stop(driver: &mut Driver, peer: &Peer, ends: &mut Ends) {
+    let mut ended = [None; PARTS.len()];
+    let began = Instant::now();
+    driver.nao.stop(Millis(0));
+    while ended.contains(&None) {
+        tokio::time::sleep(LOOK).await;
+        let state = peer.state().await;
+        let now = micros(began.elapsed());
+        for ((_, goes_on), ended) in PARTS.iter().zip(&mut ended) {
+            *ended = if goes_on(&state) { None } else { ended.or(Some(now)) };
+        }
+        assert!(began.elapsed() < PATIENCE, "never calm: {state}");
+    }
+    let ended = ended.map(Option::unwrap_or_default);
+    ends.all.0.push(ended.into_iter().fold(0.0, f64::max));
+    ended.into_iter().zip(&mut ends.parts).for_each(|(ended, times)| times.0.push(ended));
+}
+
+/// From now on nothing comes by the link that drives the robot: the one before the last, which is for Stop alone.
+async fn black_hole(driver: &mut Driver, peer: &Peer, proxy: &Proxy) {
+    proxy.swallow(Some(proxy.connections() - 2));
+    driver.wait(4).await;
+    // Joints are read by that link all the time.
+    peer.clear().await;
+    driver.wait(20).await;
+    assert!(peer.calls("ALMotion.getAngles").await.is_empty(), "it still comes by");
+}
+
+/// The link is cut, and comes back.
+async fn cut(driver: &mut Driver, proxy: &Proxy) {
+    proxy.swallow(None);
+    proxy.cut();
+    driver.until("the loss is noticed", |driver| matches!(driver.nao.health(), Health::Lost(_))).await;
+    let mut is_told = false;
+    driver
+        .until("it is there again", |driver| {
+            is_told |= driver.nao.take_halt().is_some();
+            is_told && driver.nao.health() == Health::Ready
+        })
+        .await;
+    driver.wait(SETTLED).await;
+}

@@ -1,0 +1,110 @@
+//! What takes its time, like a gesture or a sound: begun once, however many want it, and ended with the last of them.
+
+use crate::acting::{Done, attempt};
+use crate::deed::Call;
+use qi::Session;
+use robot::Use;
+use std::collections::{BTreeMap, BTreeSet};
+use std::time::Duration;
+use tokio::sync::mpsc;
+use tokio_util::sync::CancellationToken;
+
+/// How many different things may last at once.
+const LASTING_MAX: usize = 32;
+
+/// What is to be done.
+pub(crate) struct Work {
+    /// What it is, among all that may last.
+    pub(crate) what: String,
+    /// What is called, one after the other.
+    pub(crate) calls: Vec<Call>,
+    /// What ends it early.
+    pub(crate) end: Vec<Call>,
+    /// The longest that a call may take.
+    pub(crate) within: Duration,
+}
+
+/// Something that is being done.
+struct Lasting {
+    users: Vec<Use>,
+    end: Vec<Call>,
+    number: u64,
+    cancel: CancellationToken,
+}
+
+/// Everything that is being done and takes its time, by what it is.
+#[derive(Default)]
+pub(crate) struct Lastings {
+    all: BTreeMap<String, Lasting>,
+    number: u64,
+}
+
+impl Lastings {
+    /// Begins it, unless it lasts already; what is too much is left out. `done` hears of its end.
+    pub(crate) fn begin(&mut self, session: &Session, done: &mpsc::UnboundedSender<Done>, user: Use, work: Work) {
+        let Work { what, calls, end, within } = work;
+        if let Some(same) = self.all.get_mut(&what) {
+            if !same.users.contains(&user) {
+                same.users.push(user);
+            }
+            return;
+        }
+        if self.all.len() >= LASTING_MAX {
+            return;
+        }
+        self.number += 1;
+        let (cancel, number) = (CancellationToken::new(), self.number);
+        let (session, done, ended, name) = (session.clone(), done.clone(), cancel.clone(), what.clone());
+        tokio::spawn(async move {
+            for wanted in calls {
+                tokio::select! {
+                    () = attempt(&session, &wanted, within) => {}
+                    () = ended.cancelled() => return,
+                }
+            }
+            let _over = done.send(Done::Lasted(name, number));
+        });
+        self.all.insert(what, Lasting { users: vec![user], end, number, cancel });
+    }
+
+    /// It came to its end.
+    pub(crate) fn over(&mut self, what: &str, number: u64) {
+        if self.all.get(what).is_some_and(|lasting| lasting.number == number) {
+            self.all.remove(what);
+        }
+    }
+
+    /// A use ends: answers with what ends that nobody else uses. What would end something else too, as all sounds end
+    /// together, lasts until nobody uses that either.
+    pub(crate) fn leave(&mut self, user: &Use) -> Vec<Call> {
+        if !self.all.values().any(|lasting| lasting.users.contains(user)) {
+            return Vec::new();
+        }
+        self.all.values_mut().for_each(|lasting| lasting.users.retain(|other| other != user));
+        let used = self.all.values().filter(|lasting| !lasting.users.is_empty());
+        let kept: Vec<Vec<Call>> = used.map(|lasting| lasting.end.clone()).collect();
+        let is_used = |lasting: &Lasting| !lasting.users.is_empty() || kept.contains(&lasting.end);
+        let (left, over): (BTreeMap<_, _>, BTreeMap<_, _>) =
+            std::mem::take(&mut self.all).into_iter().partition(|(_, lasting)| is_used(lasting));
+        self.all = left;
+        let mut ends: Vec<Vec<Call>> = Vec::new();
+        for lasting in over.into_values() {
+            lasting.cancel.cancel();
+            if !ends.contains(&lasting.end) {
+                ends.push(lasting.end);
+            }
+        }
+        ends.into_iter().flatten().collect()
+    }
+
+    /// Waits for nothing any more; what ends it on the robot is another's.
+    pub(crate) fn clear(&mut self) {
+        self.all.values().for_each(|lasting| lasting.cancel.cancel());
+        self.all.clear();
+    }
+
+    /// What lasts.
+    pub(crate) fn names(&self) -> BTreeSet<String> {
+        self.all.keys().cloned().collect()
+    }
+}
