@@ -100,13 +100,20 @@ const NEAR: f64 = 0.02;
 /// Fields that are moments.
 const MOMENTS: [&str; 2] = ["time", "t"];
 
+fn is_moment(field: &std::sync::Arc<str>) -> bool {
+    MOMENTS.contains(&field.as_ref())
+}
+
 /// Whether two values say the same.
 pub(crate) fn alike(one: &Value, other: &Value) -> bool {
     match (one, other) {
         (Value::Float(one), Value::Float(other)) => (one - other).abs() < NEAR,
-        (Value::Map(one), Value::Map(other)) => one.iter().zip(other.iter()).all(|(one, other)| {
-            one.0 == other.0 && (MOMENTS.contains(&one.0.as_ref()) || alike(one.1, other.1))
-        }),
+        (Value::Map(one), Value::Map(other)) => {
+            let same = |(one, other): ((&_, &Value), (&_, &Value))| {
+                one.0 == other.0 && (is_moment(one.0) || alike(one.1, other.1))
+            };
+            one.iter().len() == other.iter().len() && one.iter().zip(other.iter()).all(same)
+        }
         _ => one == other,
     }
 }

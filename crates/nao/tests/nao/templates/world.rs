@@ -10,32 +10,30 @@ pub(crate) enum Change {
     Ball(&'static str, [f32; 3]),
     /// Somebody comes or goes.
     Person(&'static str, bool),
-    /// A hand on the front of the head, for a moment.
-    Tap,
+    /// A hand comes to the front of the head, or leaves it.
+    Hand(bool),
     /// The head of the stand-in is turned ahead: it alone had moved it.
     HeadAhead,
 }
 
 impl Change {
     /// For the stand-in.
-    pub(crate) fn told(self) -> Vec<Json> {
+    pub(crate) fn told(self) -> Json {
         match self {
-            Self::Ball(color, at) => vec![json!({"balls": {color: {"at": at}}})],
-            Self::Person(name, present) => vec![json!({"people": {name: {"present": present}}})],
-            Self::Tap => [true, false]
-                .map(|down| json!({"touch": {"part": "FrontTactilTouched", "down": down}}))
-                .to_vec(),
-            Self::HeadAhead => vec![json!({"joints": {"HeadYaw": 0.0, "HeadPitch": 0.0}})],
+            Self::Ball(color, at) => json!({"balls": {color: {"at": at}}}),
+            Self::Person(name, present) => json!({"people": {name: {"present": present}}}),
+            Self::Hand(down) => json!({"touch": {"part": "FrontTactilTouched", "down": down}}),
+            Self::HeadAhead => json!({"joints": {"HeadYaw": 0.0, "HeadPitch": 0.0}}),
         }
     }
 
     /// For the simulation.
-    pub(crate) fn edits(self) -> Vec<SceneEdit> {
+    pub(crate) fn edit(self) -> Option<SceneEdit> {
         match self {
-            Self::Ball(color, at) => vec![SceneEdit::MoveBall { id: color.into(), at }],
-            Self::Person(name, present) => vec![SceneEdit::SetPresent { id: name.into(), present }],
-            Self::Tap => [true, false].map(|down| SceneEdit::Touch { part: Touchable::HeadFront, down }).to_vec(),
-            Self::HeadAhead => Vec::new(),
+            Self::Ball(color, at) => Some(SceneEdit::MoveBall { id: color.into(), at }),
+            Self::Person(name, present) => Some(SceneEdit::SetPresent { id: name.into(), present }),
+            Self::Hand(down) => Some(SceneEdit::Touch { part: Touchable::HeadFront, down }),
+            Self::HeadAhead => None,
         }
     }
 }
