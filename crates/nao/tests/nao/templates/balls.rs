@@ -27,8 +27,11 @@ const COLORS: &[(&str, &str)] = &[
     ("ALColorBlobDetection", "blue-ball"),
 ];
 
+/// Red, green and blue as the detector is told them.
+const LOOKED_FOR: &[[i32; 4]] = &[[230, 40, 40, 90], [40, 200, 60, 90], [40, 80, 230, 90]];
+
 fn colors(template: &'static str) -> Case {
-    Case { again: true, subscribed: COLORS, ..Case::of(template) }
+    Case { again: true, subscribed: COLORS, colors: LOOKED_FOR, ..Case::of(template) }
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

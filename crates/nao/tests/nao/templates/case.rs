@@ -58,6 +58,8 @@ pub(crate) struct Case {
     /// The service and stream of every subscription, and the events that are heard.
     pub(crate) subscribed: &'static [(&'static str, &'static str)],
     pub(crate) heard: &'static [&'static str],
+    /// The colours that are looked for, in turn: red, green, blue and how far they may be off.
+    pub(crate) colors: &'static [[i32; 4]],
     pub(crate) phases: Vec<Phase>,
     /// What is called when the run ends.
     pub(crate) ending: Vec<Call>,
@@ -86,6 +88,7 @@ impl Case {
             apart: &[],
             subscribed: &[],
             heard: &[],
+            colors: &[],
             phases: Vec::new(),
             ending: Vec::new(),
         }
@@ -211,6 +214,9 @@ impl Both {
         for list in [&self.log.begun, &self.log.ended] {
             assert_eq!(list.len(), self.case.subscribed.len(), "{name}: each once: {list:?}");
         }
+        let mut colors = self.log.colors.clone();
+        colors.sort_by_key(ToString::to_string);
+        assert_eq!(colors, self.case.colors.iter().map(|color| json!(color)).collect::<Vec<_>>(), "{name}");
         assert_eq!(self.real.troubles, [""; 0], "{name}");
         assert_eq!(self.simulated.troubles, [""; 0], "{name}, simulated");
         assert_eq!(self.real.shapes, self.simulated.shapes, "{name}: values of the same form");

@@ -9,6 +9,7 @@ pub(crate) const TEMPLATES: &[&str] = &["count_my_touches", "hello_once", "goodb
 
 const FACE: &[(&str, &str)] = &[("ALFaceDetection", "face")];
 const COMES: &[super::world::Change] = &[Person("person", true)];
+const ANOTHER_COMES: &[super::world::Change] = &[Person("person", false), Person("friend", true)];
 const GOES: &[super::world::Change] = &[Person("person", false)];
 
 fn faces(template: &'static str) -> Case {
@@ -36,7 +37,7 @@ async fn hello_is_said_once_to_each() {
         phase(COMES, 1_000, say("Hello")),
         phase(GOES, 2_000, Vec::new()),
         phase(COMES, 2_000, Vec::new()),
-        phase(&[Person("person", false), Person("friend", true)], 1_000, say("Hello")),
+        phase(ANOTHER_COMES, 1_000, say("Hello")),
     ];
     // A robot has to look for a while to tell that it does not know a face; the simulation knows at once.
     Case { phases, apart: &["another", "hello"], ..faces("hello_once") }.hold().await;
@@ -56,10 +57,12 @@ async fn goodbye_is_said_when_nobody_is_there_for_long() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_new_face_is_greeted_remembered_and_greeted_again() {
-    let both = [say("Hello"), vec![("ALFaceDetection.learnFace", json!(["face 1"]))]].concat();
+    let learn =
+        |face: &str| Wanted::Together([say("Hello"), vec![("ALFaceDetection.learnFace", json!([face]))]].concat());
     let phases = vec![
-        Phase { changes: COMES, for_ms: 12_000, wanted: Wanted::Together(both) },
+        Phase { changes: COMES, for_ms: 12_000, wanted: learn("face 1") },
         phase(&[], 10_000, say("Hello Again")),
+        Phase { changes: ANOTHER_COMES, for_ms: 10_000, wanted: learn("face 2") },
     ];
     let subscribed = &[("ALFaceDetection", "face-detection")];
     Case { phases, subscribed, again: true, ..faces("greeter") }.hold().await;
