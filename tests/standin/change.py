@@ -103,6 +103,7 @@ FIELDS = {
     "obstacles": obstacles,
     "learned": learned,
     "hears_itself": lambda house, on: setattr(house.services["ALSpeechRecognition"], "hears_itself", on),
+    "face_unknown_ms": lambda house, ms: setattr(house.services["ALFaceDetection"], "unknown_ms", float(ms)),
     "speech_ms_per_char": lambda house, ms: setattr(house.services["ALTextToSpeech"], "ms_per_char", float(ms)),
     "life_disabled_rests": lambda house, on: setattr(house.services["ALAutonomousLife"], "rests", on),
     "touch": lambda house, wanted: touch(house, wanted["part"], wanted["down"]),

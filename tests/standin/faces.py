@@ -10,7 +10,7 @@ from vision import Seeing
 
 FACE_M, LEARN_M, LEARN_MS = 3.0, 2.0, 500
 PEOPLE_M, NEAREST_M = 3.5, 0.5
-UNKNOWN_MS, AGAIN_MS = 8_000, 4_000
+AGAIN_MS = 4_000
 
 
 def eye(x, y):
@@ -26,7 +26,7 @@ class Faces(Seeing):
     def __init__(self, house):
         super().__init__(house)
         self.learned, self.recognises, self.tracks = {}, True, False
-        self.seen, self.since, self.last = False, 0.0, {}
+        self.seen, self.since, self.last, self.unknown_ms = False, 0.0, {}, 8_000.0
 
     @api("b::(s)")
     def learnFace(self, name):
@@ -102,7 +102,7 @@ class Faces(Seeing):
             points = [eye(x + size / 3, y - size / 4), eye(x - size / 3, y - size / 4), [], [], [x, y] * 3, [x, y + size / 2] * 8]
             found.append([[0, x, y, 1.6 * size, 2 * size], [person["number"], 0.6 if label else 0.0, label, *points]])
         unknown = not any(self.learned.get(person["number"]) for person, _, _ in faces)
-        found.append(self._recognised(again, unknown and now - self.since >= UNKNOWN_MS))
+        found.append(self._recognised(again, unknown and now - self.since >= self.unknown_ms))
         self.house.memory.put("FaceDetected", [stamp(), found, *self._poses()])
 
     def _recognised(self, labels, unknown):

@@ -12,6 +12,7 @@ use qi::{Session, Value};
 use robot::Use;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
 
@@ -41,6 +42,13 @@ pub(crate) enum Done {
     Lasted(String, u64),
 }
 
+/// Whose turn it is to set the tracker, and the number of the newest that wants to.
+#[derive(Default)]
+struct Tracker {
+    turn: tokio::sync::Mutex<()>,
+    newest: AtomicU64,
+}
+
 /// Everything that is being done.
 pub(crate) struct Acting {
     session: Session,
@@ -57,6 +65,7 @@ pub(crate) struct Acting {
     speech: Speech,
     walk: Option<(Use, [f64; 3], Instant)>,
     track: Option<(Use, Track, Instant)>,
+    tracker: Arc<Tracker>,
     lasting: Lastings,
     /// Where the head goes: how far it may nod depends on it.
     yaw: f64,
@@ -85,6 +94,7 @@ impl Acting {
             speech: Speech::default(),
             walk: None,
             track: None,
+            tracker: Arc::default(),
             lasting: Lastings::default(),
             yaw: 0.0,
             movers: BTreeMap::new(),
@@ -300,7 +310,7 @@ impl Acting {
             Call::new("ALTracker", "setEffector", [track.effector.into()]),
             Call::new("ALTracker", "track", [track.target.into()]),
         ];
-        self.in_turn(calls);
+        self.turn_tracker(calls);
         self.track = Some((user, track, now));
         self.show();
     }
@@ -308,21 +318,27 @@ impl Acting {
     fn unfollow(&mut self) {
         self.track = None;
         let calls = ["stopTracker", "unregisterAllTargets"].map(|method| Call::new("ALTracker", method, []));
-        self.in_turn(calls.to_vec());
+        self.turn_tracker(calls.to_vec());
         self.show();
+    }
+
+    /// The tracker is set to one thing after the other, each whole; of what waits for that only the newest counts.
+    fn turn_tracker(&self, calls: Vec<Call>) {
+        let (session, shared, gate) = (self.session.clone(), Arc::clone(&self.shared), self.gate);
+        let tracker = Arc::clone(&self.tracker);
+        let number = tracker.newest.fetch_add(1, Ordering::SeqCst) + 1;
+        tokio::spawn(async move {
+            let _turn = tracker.turn.lock().await;
+            if tracker.newest.load(Ordering::SeqCst) == number {
+                each(&session, &shared, gate, calls).await;
+            }
+        });
     }
 
     /// Calls, one after the other, unless a Stop comes between.
     fn in_turn(&self, calls: Vec<Call>) {
         let (session, shared, gate) = (self.session.clone(), Arc::clone(&self.shared), self.gate);
-        tokio::spawn(async move {
-            for wanted in calls {
-                if shared.gate() != gate {
-                    return;
-                }
-                attempt(&session, &wanted, CALL).await;
-            }
-        });
+        tokio::spawn(async move { each(&session, &shared, gate, calls).await });
     }
 
     fn post(&self, wanted: Call) {
@@ -360,6 +376,16 @@ impl Acting {
             format!("{target} with {}", if track.mode == "Head" { "head" } else { "whole body" })
         });
         state.playing = self.lasting.names();
+    }
+}
+
+/// Calls, one after the other, unless a Stop comes between.
+async fn each(session: &Session, shared: &Shared, gate: u64, calls: Vec<Call>) {
+    for wanted in calls {
+        if shared.gate() != gate {
+            return;
+        }
+        attempt(session, &wanted, CALL).await;
     }
 }
 

@@ -72,14 +72,22 @@ impl Sense for Detection {
     }
 }
 
-/// Under the text of the value, else under a number.
+/// The number of a face in view: two are not learned under one name.
+fn number_of(face: &Value) -> Option<i64> {
+    match face.field("id") {
+        Some(Value::Int(id)) if *id > 0 => Some(*id),
+        _ => None,
+    }
+}
+
+/// Under the text of the value, else under the number of the face that it is, else under 1.
 struct Remember;
 
 impl Act for Remember {
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
         let name = match value.as_text().map(str::trim).filter(|text| !text.is_empty()) {
             Some(text) => text.chars().take(60).collect(),
-            None => "face 1".to_owned(),
+            None => format!("face {}", number_of(value).unwrap_or(1)),
         };
         Ok(Deed::Lasting {
             what: "RememberFace".to_owned(),

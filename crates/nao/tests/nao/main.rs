@@ -11,5 +11,6 @@ mod proxy;
 
 mod senses;
 mod stops;
+mod templates;
 mod there;
 mod ways;

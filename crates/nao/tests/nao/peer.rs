@@ -71,6 +71,12 @@ impl Peer {
         all.as_array().unwrap().iter().filter(is_it).map(|call| call["args"].clone()).collect()
     }
 
+    /// Every call after the one of that number.
+    pub(crate) async fn calls_since(&self, seq: i32) -> Vec<Json> {
+        let told = self.standin.call("calls_since", &[seq.into()]).await.unwrap();
+        serde_json::from_str(&told.as_text().unwrap()).unwrap()
+    }
+
     pub(crate) async fn clear(&self) {
         self.standin.call("clear", &[]).await.unwrap();
     }
