@@ -87,7 +87,11 @@ async fn serve(mut stream: TcpStream, lie: Lie) -> std::io::Result<()> {
 /// As libqi at first, and then not.
 async fn answer(mut stream: TcpStream, lie: Lie) -> std::io::Result<()> {
     let written = |signature: &str, value: &Value| {
-        signature.parse().ok().and_then(|signature| encode(value, &signature, Layout::default()).ok()).unwrap_or_default()
+        signature
+            .parse()
+            .ok()
+            .and_then(|signature| encode(value, &signature, Layout::default()).ok())
+            .unwrap_or_default()
     };
     let texts = Value::List(vec![Value::from("x".repeat(TEXT_BYTES).as_str()); TEXTS]);
     let flood = written("[s]", &texts);

@@ -6,4 +6,3 @@ mod calls;
 mod nao;
 mod senses;
 mod simulated;
-mod templates;

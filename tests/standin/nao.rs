@@ -12,7 +12,7 @@ const PAUSE: Duration = Duration::from_millis(20);
 
 /// A robot that is not one, and a session with it; it ends when this is dropped.
 pub(crate) struct Nao {
-    child: StandIn,
+    _child: StandIn,
     pub(crate) session: Session,
 }
 
@@ -23,12 +23,7 @@ impl Nao {
         let address = format!("tcp://{}", child.address());
         let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
         let session = Session::connect(&address.parse().unwrap(), options).await.unwrap();
-        Some(Self { child, session })
-    }
-
-    /// Where it is: `127.0.0.1:PORT`.
-    pub(crate) fn address(&self) -> String {
-        self.child.address().to_owned()
+        Some(Self { _child: child, session })
     }
 
     pub(crate) async fn service(&self, name: &str) -> Object {

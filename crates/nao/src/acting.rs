@@ -42,10 +42,11 @@ pub(crate) enum Done {
     Lasted(String, u64),
 }
 
-/// Whose turn it is to set the tracker, and the number of the newest that wants to.
+/// What the tracker was set to last, with the gate of that, for whose turn it is; and the number of the newest that wants to
+/// set it.
 #[derive(Default)]
 struct Tracker {
-    turn: tokio::sync::Mutex<()>,
+    set: tokio::sync::Mutex<(u64, Vec<Call>)>,
     newest: AtomicU64,
 }
 
@@ -328,9 +329,11 @@ impl Acting {
         let tracker = Arc::clone(&self.tracker);
         let number = tracker.newest.fetch_add(1, Ordering::SeqCst) + 1;
         tokio::spawn(async move {
-            let _turn = tracker.turn.lock().await;
-            if tracker.newest.load(Ordering::SeqCst) == number {
-                each(&session, &shared, gate, calls).await;
+            let mut set = tracker.set.lock().await;
+            let wanted = (gate, calls);
+            if tracker.newest.load(Ordering::SeqCst) == number && *set != wanted {
+                each(&session, &shared, gate, wanted.1.clone()).await;
+                *set = wanted;
             }
         });
     }

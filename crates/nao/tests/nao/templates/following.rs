@@ -2,7 +2,7 @@
 
 use super::case::{Case, Phase, Wanted, phase};
 use super::log::{track, untrack};
-use super::world::Change::{Ball, HeadAhead};
+use super::world::Change::{self, Ball, HeadAhead};
 
 pub(crate) const TEMPLATES: &[&str] = &["track_far_and_close", "track_nearest_arm", "track_nearest_arm_in_time"];
 
@@ -42,6 +42,11 @@ async fn a_far_ball_turns_the_head_and_a_close_one_the_body() {
     Case { phases, ..ball("track_far_and_close") }.hold().await;
 }
 
+/// An arm at last: while the head turns, which is told a moment later, it may be the other one.
+fn nearest(changes: &'static [Change], for_ms: u64, arm: &str, other: &str) -> Phase {
+    Phase { changes, for_ms, wanted: Wanted::AtLast(track("Head", arm), track("Head", other)) }
+}
+
 /// The graph as it was printed: its arm goes on following a ball that went away.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn the_printed_graph_takes_head_body_or_the_nearest_arm_and_never_forgets() {
@@ -49,7 +54,7 @@ async fn the_printed_graph_takes_head_body_or_the_nearest_arm_and_never_forgets(
     let phases = vec![
         phase(&[Ball("red", MEDIUM)], 1_500, track("WholeBody", "None")),
         phase(&[Ball("red", FAR)], 1_500, head.clone()),
-        phase(&[Ball("red", CLOSE_LEFT)], 1_500, arm.clone()),
+        nearest(&[Ball("red", CLOSE_LEFT)], 1_500, "LArm", "RArm"),
         Phase { changes: &[Ball("red", FAR)], for_ms: 3_000, wanted: Wanted::All(vec![head, arm]) },
     ];
     Case { phases, apart: APART, step_ms: 5, ending: untrack(), ..ball("track_nearest_arm") }.hold().await;
@@ -60,9 +65,9 @@ async fn the_printed_graph_takes_head_body_or_the_nearest_arm_and_never_forgets(
 async fn the_graph_with_times_forgets_the_ball_after_a_second() {
     let (head, arm) = (track("Head", "None"), track("Head", "LArm"));
     let phases = vec![
-        phase(&[Ball("red", CLOSE_RIGHT)], 1_000, track("Head", "RArm")),
+        nearest(&[Ball("red", CLOSE_RIGHT)], 1_000, "RArm", "LArm"),
         phase(&[Ball("red", BEHIND)], 2_000, untrack()),
-        phase(&[HeadAhead, Ball("red", CLOSE_LEFT)], 1_000, arm.clone()),
+        nearest(&[HeadAhead, Ball("red", CLOSE_LEFT)], 1_000, "LArm", "RArm"),
         Phase { changes: &[Ball("red", FAR)], for_ms: 2_000, wanted: Wanted::AtLast(head, arm) },
         phase(&[Ball("red", MEDIUM)], 1_000, track("WholeBody", "None")),
     ];
