@@ -19,7 +19,7 @@ enum Lie {
     Silence,
     /// The head of a message of the largest size, and then zeros without end.
     Huge,
-    /// Lets the server in, and answers everything with 8 MB of texts.
+    /// Lets the server in, and answers everything with 4 MB of texts.
     Flood,
     /// Lets the server in, and answers everything with events that nobody asked for.
     Events,
@@ -27,7 +27,7 @@ enum Lie {
 
 const LIES: [Lie; 5] = [Lie::Garbage, Lie::Silence, Lie::Huge, Lie::Flood, Lie::Events];
 /// Texts of a flooding answer, and bytes of each.
-const TEXTS: usize = 8_192;
+const TEXTS: usize = 4_096;
 const TEXT_BYTES: usize = 1_024;
 /// Events for one call.
 const EVENTS: usize = 10_000;
