@@ -12,6 +12,49 @@ const form = document.getElementById("stop-form");
 const said = document.getElementById("stop-said");
 const words = form.dataset;
 
+// ---- The language: as chosen, else as the browser is set; English needs nothing --------------------------------------
+
+const LANGUAGE = "rrp.language";
+const LANGUAGES = { ja: "./ja.txt" };
+const WORDS_WAIT_MS = 4_000;
+
+function language() {
+  let chosen = null;
+  try { chosen = localStorage.getItem(LANGUAGE); } catch { /* Private windows may have no storage. */ }
+  return chosen ?? navigator.language.slice(0, 2);
+}
+
+// The table of a second language, which the program takes when it starts. Without it the page speaks English.
+async function table(code) {
+  if (!Object.hasOwn(LANGUAGES, code)) return null;
+  try {
+    const answer = await fetch(LANGUAGES[code], { signal: AbortSignal.timeout(WORDS_WAIT_MS) });
+    return answer.ok ? await answer.text() : null;
+  } catch {
+    return null;
+  }
+}
+
+// Stop speaks it too.
+function sayStop(text, code) {
+  const said = new Map(text.split("\n\n").map((block) => block.split("\n").filter((line) => line && !line.startsWith("#"))));
+  for (const key of Object.keys(words)) words[key] = said.get(words[key]) ?? words[key];
+  const button = document.getElementById("stop");
+  button.title = said.get(button.title) ?? button.title;
+  form.setAttribute("aria-label", said.get(form.getAttribute("aria-label")) ?? form.getAttribute("aria-label"));
+  const label = button.querySelector("span");
+  label.textContent = said.get(label.textContent) ?? label.textContent;
+  const loading = document.getElementById("loading");
+  if (loading) loading.textContent = said.get(loading.textContent) ?? loading.textContent;
+  document.documentElement.lang = code;
+}
+
+// Both are fetched at once: neither waits for the other.
+const spoken = language();
+const wanted = table(spoken);
+const code = fetch("./app_bg.wasm");
+code.catch(() => { /* Said where it is waited for. */ });
+
 // ---- Stop ---------------------------------------------------------------------------------------------------------
 
 let quietLater = 0;
@@ -116,7 +159,9 @@ function addManifest() {
 
 try {
   const { default: init } = await import("./app.js");
-  await init({ module_or_path: "./app_bg.wasm" });
+  window.rrpWords = await wanted;
+  if (window.rrpWords) sayStop(window.rrpWords, spoken);
+  await init({ module_or_path: code });
   document.getElementById("loading")?.remove();
   setTimeout(() => { if (!panicked) setReloads(0); }, HEALTHY_MS);
   setTimeout(addManifest, HEALTHY_MS / 10);

@@ -43,6 +43,7 @@ const SERVER: Arrows = &[
 ];
 
 const DESK: Arrows = &[
+    ("carried", &[]),
     ("hear", &["identity"]),
     ("robots", &["document", "library", "tab"]),
     ("library", &["document", "tab"]),
@@ -50,7 +51,7 @@ const DESK: Arrows = &[
     ("identity", &["tab"]),
     ("inviting", &["tab"]),
     ("roles", &["tab"]),
-    ("tab", &[]),
+    ("tab", &["carried"]),
 ];
 
 #[test]

@@ -9,10 +9,10 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 16] = [
+const ARROWS: [(&str, &[&str]); 17] = [
     ("behaviour", &[]),
     ("engine", &["behaviour", "robot"]),
-    ("frontend", &["behaviour", "engine", "protocol", "robot", "simulation"]),
+    ("frontend", &["behaviour", "engine", "protocol", "robot", "sentences", "simulation"]),
     (
         "house",
         &["behaviour", "engine", "load", "protocol", "qi", "robot", "rrp", "server", "shell", "simulation", "store"],
@@ -23,7 +23,8 @@ const ARROWS: [(&str, &[&str]); 16] = [
     ("protocol", &["behaviour", "robot"]),
     ("qi", &[]),
     ("robot", &["behaviour"]),
-    ("rrp", &["behaviour", "engine", "load", "robot", "server", "shell", "simulation", "store"]),
+    ("rrp", &["behaviour", "engine", "load", "robot", "sentences", "server", "shell", "simulation", "store"]),
+    ("sentences", &["behaviour", "robot"]),
     ("server", &["behaviour", "engine", "nao", "protocol", "robot", "simulation", "store"]),
     ("shell", &["behaviour", "protocol", "robot"]),
     ("simulation", &["behaviour", "robot"]),
@@ -32,21 +33,22 @@ const ARROWS: [(&str, &[&str]); 16] = [
 ];
 
 /// Rooms whose outside libraries are listed in full.
-const LIBRARIES: [(&str, &[&str]); 7] = [
-    ("behaviour", &["serde", "uuid"]),
+const LIBRARIES: [(&str, &[&str]); 8] = [
+    ("behaviour", &["serde", "unicode-normalization", "unicode-xid", "uuid"]),
     ("engine", &["libm", "rhai", "serde"]),
     ("protocol", &["serde"]),
     ("qi", &["rustls", "sha2", "thiserror", "tokio", "tokio-rustls"]),
     ("robot", &["serde"]),
+    ("sentences", &["serde"]),
     ("simulation", &["libm", "rapier3d", "serde", "toml"]),
     ("store", &["async-trait", "neo4rs", "quick-xml", "rusqlite", "serde", "serde_json", "thiserror", "tokio"]),
 ];
 
 /// Rooms without clock, threads, network or chance.
-const PURE: [&str; 5] = ["behaviour", "engine", "protocol", "robot", "simulation"];
+const PURE: [&str; 6] = ["behaviour", "engine", "protocol", "robot", "sentences", "simulation"];
 const IMPURE: [&str; 6] = ["std::time::Instant", "Instant::now", "SystemTime", "std::thread", "std::net", "tokio"];
 /// Rooms whose work must happen in the same order in every run.
-const ORDERED: [&str; 3] = ["behaviour", "engine", "simulation"];
+const ORDERED: [&str; 4] = ["behaviour", "engine", "sentences", "simulation"];
 const UNORDERED: [&str; 2] = ["HashMap", "HashSet"];
 /// Functions of the standard library that differ between machines; `libm` does not.
 const TRIGONOMETRY: [&str; 8] =
@@ -71,10 +73,17 @@ const TOP: [&str; 13] = [
 /// Where cargo and the tests put what they make; never in a commit.
 const MADE: &str = "target";
 
-/// Where connectors may be named: their own files, and the engine that runs them.
-const CONNECTOR_ROOMS: [&str; 2] = ["crates/behaviour/src/connectors", "crates/engine/src/"];
-/// Where devices may be named: their own files, and the robots that have them.
-const DEVICE_ROOMS: [&str; 3] = ["crates/robot/src/devices", "crates/nao/src/", "crates/simulation/src/"];
+/// Where connectors may be named: their own files, the engine that runs them, and what sentences take them for.
+const CONNECTOR_ROOMS: [&str; 3] =
+    ["crates/behaviour/src/connectors", "crates/engine/src/", "crates/sentences/src/does.rs"];
+/// Where devices may be named: their own files, the robots that have them, and what sentences say of each.
+const DEVICE_ROOMS: [&str; 5] = [
+    "crates/robot/src/devices",
+    "crates/nao/src/",
+    "crates/simulation/src/",
+    "crates/sentences/src/clauses.rs",
+    "crates/sentences/src/words/",
+];
 /// Files or folders in which one of them (none: any of them) is named all the same, and why.
 const NAMED_ELSEWHERE: [(&str, &str, &str); 4] = [
     ("crates/behaviour/src/connectors/", "Tracker", "a stream of an example, as people call it"),

@@ -10,6 +10,12 @@ pub(crate) fn window() -> Option<Window> {
     if cfg!(target_arch = "wasm32") { web_sys::window() } else { None }
 }
 
+/// Whether this person wants little motion.
+pub(crate) fn is_calm() -> bool {
+    let query = window().and_then(|window| window.match_media("(prefers-reduced-motion: reduce)").ok().flatten());
+    query.is_some_and(|query| query.matches())
+}
+
 /// Milliseconds since the page was loaded.
 pub(crate) fn now_ms() -> f64 {
     window().and_then(|window| window.performance()).map_or(0.0, |clock| clock.now())
@@ -20,13 +26,18 @@ pub(crate) fn today_ms() -> f64 {
     if cfg!(target_arch = "wasm32") { js_sys::Date::now() } else { 0.0 }
 }
 
+/// In which language days and times are said.
+fn locale() -> &'static str {
+    if crate::words::language::is_second() { "ja" } else { "en-GB" }
+}
+
 /// A time since 1970 as a day, in words: `12 Mar 2026`.
 pub(crate) fn day_words(ms: f64) -> String {
     let options = js_sys::Object::new();
     for (part, shape) in [("day", "numeric"), ("month", "short"), ("year", "numeric")] {
         let _ = js_sys::Reflect::set(&options, &part.into(), &shape.into());
     }
-    js_sys::Date::new(&ms.into()).to_locale_date_string("en-GB", &options).into()
+    js_sys::Date::new(&ms.into()).to_locale_date_string(locale(), &options).into()
 }
 
 /// A time since 1970 as a day of the year, in words: `12 March`.
@@ -35,7 +46,7 @@ pub(crate) fn date_words(ms: f64) -> String {
     for (part, shape) in [("day", "numeric"), ("month", "long")] {
         let _ = js_sys::Reflect::set(&options, &part.into(), &shape.into());
     }
-    js_sys::Date::new(&ms.into()).to_locale_date_string("en-GB", &options).into()
+    js_sys::Date::new(&ms.into()).to_locale_date_string(locale(), &options).into()
 }
 
 /// How much the clock on the wall here was ahead of UTC at a time since 1970, in milliseconds.
@@ -49,7 +60,7 @@ pub(crate) fn clock_words(ms: f64) -> String {
     for part in ["hour", "minute"] {
         let _ = js_sys::Reflect::set(&options, &part.into(), &"2-digit".into());
     }
-    js_sys::Date::new(&ms.into()).to_locale_time_string_with_options("en-GB", &options).into()
+    js_sys::Date::new(&ms.into()).to_locale_time_string_with_options(locale(), &options).into()
 }
 
 /// A number from 0 to 1.
@@ -83,6 +94,34 @@ pub(crate) fn every(ms: i32, act: impl FnMut() + 'static) {
 pub(crate) fn hear(target: &web_sys::EventTarget, event: &str, act: impl FnMut(JsValue) + 'static) {
     let act = Closure::<dyn FnMut(JsValue)>::new(act).into_js_value();
     let _ = target.add_event_listener_with_callback(event, act.unchecked_ref());
+}
+
+/// Something that is heard until this is dropped.
+pub(crate) struct Heard {
+    event: String,
+    act: Closure<dyn FnMut(web_sys::Event)>,
+}
+
+/// Hears an event of the window before anybody else, and may keep it from them and from the browser.
+pub(crate) fn hear_first(event: &str, act: impl FnMut(web_sys::Event) + 'static) -> Heard {
+    let act = Closure::<dyn FnMut(web_sys::Event)>::new(act);
+    if let Some(window) = window() {
+        let how = web_sys::AddEventListenerOptions::new();
+        how.set_capture(true);
+        how.set_passive(false);
+        let hears = act.as_ref().unchecked_ref();
+        let _ = window.add_event_listener_with_callback_and_add_event_listener_options(event, hears, &how);
+    }
+    Heard { event: event.to_owned(), act }
+}
+
+impl Drop for Heard {
+    fn drop(&mut self) {
+        if let Some(window) = window() {
+            let hears = self.act.as_ref().unchecked_ref();
+            let _ = window.remove_event_listener_with_callback_and_bool(&self.event, hears, true);
+        }
+    }
 }
 
 /// Which drawer something is kept in.

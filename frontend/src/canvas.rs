@@ -1,39 +1,78 @@
 //! The canvas: streams and chips as HTML over one layer of SVG edges, panned and zoomed by one transform.
 
+mod above;
+mod bounds;
+mod bubble;
+mod carry;
 mod chip;
+mod clipboard;
+mod context;
 mod cull;
 mod curve;
 mod differs;
+mod flyout;
+mod fold;
 mod follow;
+mod frames;
+mod ghost;
 mod hand;
 mod keys;
+mod lit;
 mod mark;
 mod menu;
+mod minimap;
 mod node;
+mod notes;
+mod noting;
+mod offer;
+mod paper;
 mod people;
+mod plus;
 mod pointers;
+mod rename;
 mod room;
+mod several;
 mod stage;
 mod strip;
 mod strip_spot;
-mod suggest;
 mod view;
 mod walk;
+mod wire;
 mod zoom;
 
+pub(crate) use above::SENTENCES_MAX;
+pub(crate) use bubble::bubble;
+pub(crate) use carry::carry;
+pub(crate) use clipboard::{chord, paste};
+pub(crate) use context::context;
+pub(crate) use differs::shadows;
+pub(crate) use frames::{boxes, frames};
+pub(crate) use ghost::ghost;
+pub(crate) use lit::lit;
+pub(crate) use minimap::minimap;
+pub(crate) use notes::notes;
+pub(crate) use offer::offer;
+pub(crate) use paper::PaperTitle;
+pub(crate) use pointers::edit;
+pub(crate) use several::several;
 pub(crate) use stage::Stage;
+pub(crate) use strip::strip;
 
-use crate::desk::use_desk;
+use crate::desk::{Desk, Lit, Selected, use_desk};
+use crate::later::{Later, Rest, second_piece};
 use crate::panels::EmptyStage;
 use crate::words;
 use chip::{Chip, Edge};
-use differs::Shadows;
 use follow::Following;
 use leptos::prelude::*;
 use node::StreamNode;
+use paper::Paper;
 use people::Pointers;
-use strip::Strip;
+use plus::Pluses;
+use rename::Renaming;
+use several::Lasso;
 use wasm_bindgen::JsCast;
+use wire::{Handles, WireLine, WireWords};
 use zoom::Zoom;
 
 /// Below this zoom details are hidden.
@@ -53,19 +92,30 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow_selection(&desk);
     stage.tell_view(&desk);
     stage.follow(&desk);
-    let glides = stage.glides.clone();
+    stage.follow_asked(&desk);
+    let (glides, wiring) = (stage.glides.clone(), stage.targets.clone());
+    let compared = desk.document.compared.clone();
+    let compares = ArcMemo::new(move |_| compared.with(Option::is_some));
+    let offering = stage.offering.clone();
+    let offers = ArcMemo::new(move |_| offering.with(Option::is_some));
+    let ids = desk.document.stream_ids.clone();
+    let large = ArcMemo::new(move |_| ids.with(Vec::len) >= minimap::FROM);
+    let (many, is_open) = (has_tools(&desk), open_memo(&desk));
+    let context = stage.context.clone();
+    let asked = ArcMemo::new(move |_| context.with(Option::is_some));
     let pointers = pointers::Pointers::new(stage.clone(), desk.clone());
     let [down, moved, up, cancel, lost] = [(); 5].map(|()| pointers.clone());
-    let [leave, wheel, click, double] = [(); 4].map(|()| pointers.clone());
-    let (key_desk, key_stage) = (desk.clone(), stage.clone());
-    let (far, tiny, transform) = (stage.clone(), stage.clone(), stage.clone());
-    let seen = stage.clone();
+    let [leave, wheel, click, double, menu] = [(); 5].map(|()| pointers.clone());
+    let [seen, unseen, shape, wide, high, far, tiny, transform] = [(); 8].map(|()| stage.clone());
+    let [(key_desk, key_stage), (paste_desk, paste_stage)] = [(); 2].map(|()| (desk.clone(), stage.clone()));
     view! {
         <main
             class="stage"
             class:gliding=move || glides.get()
-            class:far=move || far.view.with(|view| view.zoom < FAR)
-            class:tiny=move || tiny.view.with(|view| view.zoom < TINY)
+            class:wiring=move || wiring.with(Option::is_some)
+            class:far=move || far.is_below(FAR)
+            class:tiny=move || tiny.is_below(TINY)
+            data-paper=move || shape.paper.with(|paper| paper.as_ref().map(Paper::shape))
             id="stage"
             tabindex="-1"
             aria-label=words::graph()
@@ -79,23 +129,133 @@ pub(crate) fn Canvas() -> impl IntoView {
             on:wheel=move |event| wheel.wheel(&event)
             on:click=move |event| click.click(&event)
             on:dblclick=move |event| double.double_click(&event)
-            on:contextmenu=move |event| pointers::no_menu(&event)
+            on:contextmenu=move |event| menu.menu(&event)
             on:keydown=move |event| keys::key(&event, &key_desk, &key_stage)
+            on:paste=move |event| {
+                if pasted(event.as_ref()).is_some_and(|text| paste_stage.paste(&paste_desk, text)) {
+                    event.prevent_default();
+                }
+            }
             on:focusin=move |event| seen.focused_on(&event)
+            on:focusout=move |event| unseen.focus_left(&event)
         >
-            <div class="world" style:transform=move || transform.transform()>
+            <PaperTitle />
+            <div class="world" style:transform=move || transform.transform()
+                style:width=move || wide.paper_size().0 style:height=move || high.paper_size().1>
+                <Grouped show=|rest| (rest.frames)() />
+                <Meant />
                 <Edges />
-                <Shadows />
+                {move || compares.get().then(|| view! { <Later show=|rest| (rest.shadows)() /> })}
                 <Streams />
                 <Chips />
+                <Asides />
+                <Pluses />
+                <Preview />
+                <Lasso />
+                <WireLine />
+                <Handles />
+                <Renaming />
                 <Pointers />
             </div>
-            <Strip />
+            <Told />
+            {move || is_open.get().then(|| view! { <Later show=|rest| (rest.bubble)() /> })}
+            <Suggested />
+            {move || many.get().then(|| view! { <Later show=|rest| (rest.several)() /> })}
+            {move || offers.get().then(|| view! { <Later show=|rest| (rest.offer)() /> })}
+            {move || asked.get().then(|| view! { <Later show=|rest| (rest.context)() /> })}
+            <Carried />
+            <WireWords />
             <Following />
+            {move || large.get().then(|| view! { <Later show=|rest| (rest.minimap)() /> })}
             <Zoom />
             <EmptyStage />
         </main>
     }
+}
+
+/// Whether a program is open.
+fn open_memo(desk: &Desk) -> ArcMemo<bool> {
+    let open = desk.document.open.clone();
+    ArcMemo::new(move |_| open.with(Option::is_some))
+}
+
+/// Whether what is chosen has its tools beside it: several things, a note or a group.
+fn has_tools(desk: &Desk) -> ArcMemo<bool> {
+    let (several, alone) = (desk.document.several.clone(), desk.document.selected.clone());
+    ArcMemo::new(move |_| {
+        let aside = |one: &Option<Selected>| matches!(one, Some(Selected::Note(_) | Selected::Group(_)));
+        several.with(|several| several.len() > 1) || alone.with(aside)
+    })
+}
+
+/// The parts that some words mean, while they mean some.
+#[component]
+fn Meant() -> impl IntoView {
+    let lit = use_desk().document.lit.clone();
+    let lights = ArcMemo::new(move |_| lit.with(|lit| *lit != Lit::default()));
+    move || lights.get().then(|| view! { <Later show=|rest| (rest.lit)() /> })
+}
+
+/// Something of the groups, while there are some.
+#[component]
+fn Grouped(show: fn(Rest) -> AnyView) -> impl IntoView {
+    let ids = use_desk().document.group_ids.clone();
+    let any = ArcMemo::new(move |_| !ids.with(Vec::is_empty));
+    move || any.get().then(|| view! { <Later show /> })
+}
+
+/// The boxes of folded groups, and the notes, while there are some or one is written.
+#[component]
+fn Asides() -> impl IntoView {
+    let (ids, noting) = (use_desk().document.note_ids.clone(), expect_context::<Stage>().noting);
+    let any = ArcMemo::new(move |_| !ids.with(Vec::is_empty) || noting.with(Option::is_some));
+    view! {
+        <Grouped show=|rest| (rest.boxes)() />
+        {move || any.get().then(|| view! { <Later show=|rest| (rest.notes)() /> })}
+    }
+}
+
+/// What a typed sentence would add, while one is typed.
+#[component]
+fn Preview() -> impl IntoView {
+    let ghost = use_desk().document.ghost.clone();
+    let previews = ArcMemo::new(move |_| ghost.with(Option::is_some));
+    move || previews.get().then(|| view! { <Later show=|rest| (rest.ghost)() /> })
+}
+
+/// What belongs to what is selected, once something is.
+#[component]
+fn Suggested() -> impl IntoView {
+    let selected = use_desk().document.selected.clone();
+    let is_one = ArcMemo::new(move |_| selected.with(Option::is_some));
+    move || is_one.get().then(|| view! { <Later show=|rest| (rest.strip)() /> })
+}
+
+/// The sentences over the graph, once there is one.
+#[component]
+fn Told() -> impl IntoView {
+    let open = open_memo(&use_desk());
+    move || open.get().then(|| view! { <Later show=|rest| (rest.told)() /> })
+}
+
+/// What is carried here from the left list, if the second piece is there to hear of it.
+#[component]
+fn Carried() -> impl IntoView {
+    let carried = use_desk().carried.clone();
+    let is_pressed = ArcMemo::new(move |_| carried.with(Option::is_some));
+    let piece = second_piece();
+    move || piece.get().filter(|_| is_pressed.get()).map(|rest| (rest.carry)())
+}
+
+/// The text that is pasted, unless it goes into a field.
+pub(crate) fn pasted(event: &web_sys::Event) -> Option<String> {
+    let target = event.target()?.dyn_into::<web_sys::Element>().ok()?;
+    if target.closest("input, textarea").ok().flatten().is_some() {
+        return None;
+    }
+    let data = js_sys::Reflect::get(event, &"clipboardData".into()).ok()?;
+    let get = js_sys::Reflect::get(&data, &"getData".into()).ok()?.dyn_into::<js_sys::Function>().ok()?;
+    get.call1(&data, &"text/plain".into()).ok()?.as_string()
 }
 
 /// The first thing that Tab comes to: a way past all tools.
@@ -141,7 +301,7 @@ fn Streams() -> impl IntoView {
 fn Chips() -> impl IntoView {
     let stage = expect_context::<Stage>();
     view! {
-        <For each=move || stage.connectors() key=Clone::clone let:id>
+        <For each=move || stage.chips() key=Clone::clone let:id>
             <Chip id=id />
         </For>
     }

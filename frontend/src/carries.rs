@@ -1,7 +1,7 @@
 //! What a stream carries: its newest value says it, and before there is one, what makes it is looked at. Pure.
 
 use behaviour::connectors::{Carries, Passes};
-use behaviour::{Behaviour, Graph, Helper, Id, Procedure, Value};
+use behaviour::{Behaviour, Graph, Helper, Id, Procedure, Value, ValueType};
 use robot::Shape;
 
 /// How many connectors upwards are looked at.
@@ -39,16 +39,47 @@ fn guess(behaviour: &Behaviour, helpers: &[Helper], id: &Id) -> Carries {
     Carries::Anything
 }
 
+/// The helper that made what a stream carries, as far as that only passed on since.
+pub(crate) fn made_by<'a>(behaviour: &Behaviour, helpers: &'a [Helper], id: &Id) -> Option<&'a Helper> {
+    let graph = Graph::of(behaviour);
+    let mut at = id;
+    for _ in 0..UPWARDS_MAX {
+        let (_, connector) = graph.into_stream(at).first()?;
+        match (connector.operation.spec().passes, connector.operation.procedure()) {
+            (Passes::Result, Some(Procedure::Helper(name))) => {
+                return helpers.iter().find(|helper| helper.name == *name);
+            }
+            (Passes::Same, _) => at = connector.inputs.first()?,
+            (Passes::Result | Passes::Other, _) => return None,
+        }
+    }
+    None
+}
+
 fn of_shape(shape: &Shape) -> Carries {
     let has = |name: &str| shape.fields().iter().any(|field| field.name == name);
-    match shape {
+    match shape.usual() {
         Shape::Number(_) => Carries::Number,
         Shape::Truth => Carries::Touch,
         Shape::Text => Carries::Text,
         Shape::Object(_) if has("label") => Carries::Face,
         Shape::Object(_) if has("size") => Carries::Ball,
-        Shape::Object(_) | Shape::Anything => Carries::Anything,
+        Shape::Object(_) | Shape::ObjectOrFirst(_) | Shape::List(_) | Shape::By { .. } | Shape::Anything => {
+            Carries::Anything
+        }
     }
+}
+
+/// What a stream of such values carries, if that says enough.
+pub(crate) fn carried_by(kind: &ValueType) -> Option<Carries> {
+    Some(match kind {
+        ValueType::Number { .. } => Carries::Number,
+        ValueType::Truth => Carries::Truth,
+        ValueType::Text => Carries::Text,
+        ValueType::Record(fields) if fields.contains_key("label") => Carries::Face,
+        ValueType::Record(fields) if fields.contains_key("size") => Carries::Ball,
+        ValueType::Record(_) | ValueType::List(_) | ValueType::Any | ValueType::Nothing => return None,
+    })
 }
 
 fn of_value(value: &Value) -> Option<Carries> {

@@ -4,6 +4,7 @@
 //! Every field is its own `ArcRwSignal`, every record has its own signals, and nothing here lives in an owner's arena,
 //! because replies arrive outside of any component.
 
+mod carried;
 mod document;
 mod hear;
 mod identity;
@@ -13,13 +14,15 @@ mod robots;
 mod roles;
 mod tab;
 
+pub(crate) use carried::{Carried, Item, Moved, Phase};
 pub(crate) use document::{
-    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, Editor, Mark, Output, Own, Reading, Saving, Selected,
-    Sign, StreamSignals, Version, Writing, bare, draft_key, initials, signs,
+    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, Editor, Gap, Ghost, GhostConnector, GhostStream,
+    GroupSignals, Joining, LineUp, Lit, Mark, NoteSignals, Output, Own, Part, Put, Reading, Saving, Selected, Sign,
+    Spot, StreamSignals, Version, WireEnd, Writing, bare, draft_key, initials, signs, wire_ends,
 };
 pub(crate) use inviting::Invited;
-pub(crate) use library::{NotBrought, ProgramPage, file_address, first_file};
-pub(crate) use tab::{Dialog, LinkState};
+pub(crate) use library::{NotBrought, ProgramPage, Settle, file_address, first_file};
+pub(crate) use tab::{Choice, Dialog, LinkState};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;
@@ -87,6 +90,13 @@ impl Desk {
             Some(gone) => self.library.bring_back(&gone),
             None => self.document.undo(),
         }
+    }
+
+    /// Whether there is something to work with: a program, or the library. Reactive.
+    pub(crate) fn is_usable(&self) -> bool {
+        self.document.open.read().is_some()
+            || !self.library.programs.read().is_empty()
+            || !self.library.templates.read().is_empty()
     }
 
     /// Hands on what the document tells.

@@ -7,7 +7,7 @@ mod text;
 mod unfilled;
 
 pub(crate) use choice::{Choice, Options, Select};
-pub(crate) use code::CodeField;
+pub(crate) use code::{CodeField, pieces};
 pub(crate) use params::{ParamFields, ParamForm};
 pub(crate) use text::{NumberField, TextField};
 pub(crate) use unfilled::Unfilled;

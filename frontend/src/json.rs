@@ -247,7 +247,7 @@ mod tests {
             let text = serde_json::to_string(&message).unwrap();
             assert_eq!(read::<Message>(&text).unwrap(), message, "{text}");
         }
-        assert_eq!(read::<RunPhase>(r#"{"is":"stopped","why":"Aiko"}"#).unwrap(), RunPhase::Stopped("Aiko".into()));
+        assert_eq!(read::<RunPhase>(r#"{"stopped":"Aiko"}"#).unwrap(), RunPhase::Stopped("Aiko".into()));
         assert!(read::<Summary>("[]").is_err());
     }
 }

@@ -1,17 +1,23 @@
 //! Where things stand: sizes of streams, the free spot for a new one, and tidying everything.
 
+mod aside;
 mod label;
 mod spot;
 mod tidy;
 mod was;
 
+pub(crate) use aside::{BOX, box_place, note_size};
 pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is};
 pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
 pub(crate) use tidy::tidy;
 pub(crate) use was::{called, what_it_was, whole};
 
-use behaviour::{Place, Stream};
+use behaviour::{Behaviour, Id, Place, Stream};
 use label::name_width;
+use std::collections::BTreeMap;
+
+/// A way to lay out a whole behaviour. The one that there is, `tidy`, comes later (`later.rs`).
+pub(crate) type Tidy = fn(&Behaviour) -> BTreeMap<Id, Place>;
 
 /// The height of a stream, in canvas units.
 pub(crate) const STREAM_HEIGHT: f64 = 48.0;

@@ -4,19 +4,23 @@
 mod browser;
 mod canvas;
 mod carries;
+mod commands;
 mod desk;
 mod few;
 mod fields;
 mod icons;
 mod json;
+mod later;
 mod layout;
 mod link;
 mod live;
+mod naming;
 mod panels;
+mod steps;
 mod words;
 
 use canvas::{Canvas, ToGraph};
-use desk::Desk;
+use desk::{Desk, LinkState, Saving};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
@@ -31,8 +35,16 @@ pub fn main() {
         console_error_panic_hook::hook(panic);
         tell_page(&panic.to_string());
     }));
+    if let Some(table) = window_text("rrpWords") {
+        words::language::speak(table);
+    }
     let Some(root) = document().get_element_by_id("app").and_then(|root| root.dyn_into().ok()) else { return };
     mount_to(root, App).forget();
+}
+
+/// A text that the plain part of the page left for this one.
+fn window_text(name: &str) -> Option<String> {
+    js_sys::Reflect::get(&js_sys::global(), &name.into()).ok()?.as_string()
 }
 
 /// Tells the plain part of the page, which shows it and reloads.
@@ -48,7 +60,13 @@ fn App() -> impl IntoView {
     let desk = Desk::new();
     desk.start_up();
     undo_keys(&desk);
+    commands::keys(&desk);
+    title(&desk);
+    paper(&desk);
     let over = desk.revoked.clone();
+    let later = later::SecondPiece::new();
+    later.serve(&desk);
+    provide_context(later);
     provide_context(desk);
     let phone = is_phone();
     move || {
@@ -69,7 +87,7 @@ fn Page(phone: ArcRwSignal<bool>) -> impl IntoView {
         <panels::Toolbar />
         <panels::Palette />
         {move || if phone.get() {
-            view! { <panels::Outline /> }.into_any()
+            view! { <later::Later show=|rest| (rest.outline)() /> }.into_any()
         } else {
             view! { <Canvas /> }.into_any()
         }}
@@ -78,6 +96,7 @@ fn Page(phone: ArcRwSignal<bool>) -> impl IntoView {
         <panels::Dialogs />
         <panels::Notices />
         <panels::Editors />
+        <panels::TourPlace />
     }
 }
 
@@ -98,6 +117,37 @@ fn undo_keys(desk: &Desk) {
         }
         event.prevent_default();
     });
+}
+
+/// The tab says which program is open, whether it runs, and whether something is the matter.
+fn title(desk: &Desk) {
+    let desk = desk.clone();
+    Effect::new(move |_| {
+        let open = desk.document.open.with(Option::is_some);
+        let name = if open { desk.document.name.get() } else { String::new() };
+        let waits = matches!(desk.document.saving.get(), Saving::Offline(1..) | Saving::Away(1.., _));
+        let state = match () {
+            () if waits || !desk.document.conflicts_here().is_empty() => Some(words::title_not_saved()),
+            () if desk.online.get() == LinkState::Offline || desk.unheard.read().is_some() => {
+                Some(words::title_offline())
+            }
+            () if desk.robots.fails_now() > 0 => Some(words::title_fails()),
+            () => None,
+        };
+        document().set_title(&words::page_title(&name, desk.robots.running().is_some(), state));
+    });
+}
+
+/// What goes to paper is shown whole while it is printed.
+fn paper(desk: &Desk) {
+    for (event, prints) in [("beforeprint", true), ("afterprint", false)] {
+        let printing = desk.printing.clone();
+        browser::hear(&window(), event, move |_| {
+            if printing.get_untracked() != prints {
+                printing.set(prints);
+            }
+        });
+    }
 }
 
 /// Follows the width of the window.

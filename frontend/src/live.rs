@@ -2,13 +2,18 @@
 
 mod words;
 
-pub(crate) use words::{rate_words, short_value, sparkline};
+pub(crate) use words::{measured, rate_words, short_value, sparkline, unit};
 
 use behaviour::Value;
 use protocol::{ConnectorSample, StreamSample};
+use std::collections::VecDeque;
 
 /// How many numbers a sparkline keeps.
 const RECENT_MAX: usize = 32;
+/// How many of the last values of a stream are kept.
+pub(crate) const LAST_MAX: usize = 5;
+/// How large they may be together, about, in bytes.
+const LAST_MAX_BYTES: usize = 16_384;
 /// How long a connector that fired is lit, in milliseconds.
 pub(crate) const LIT_MS: i32 = 150;
 /// A stream without a value for so long is quiet, in milliseconds.
@@ -28,6 +33,8 @@ pub(crate) struct LiveStream {
     pub(crate) received: f64,
     /// The last numbers, oldest first, at most 32; empty for other values.
     pub(crate) recent: Vec<f64>,
+    /// The last values of any kind, oldest first, at most five that differ; fewer where they are large.
+    pub(crate) last: VecDeque<Value>,
 }
 
 impl LiveStream {
@@ -43,13 +50,35 @@ impl LiveStream {
         }
         let many = self.recent.len().saturating_sub(RECENT_MAX);
         self.recent.drain(..many);
+        self.keep(&sample.value);
         self.value = Some(sample.value);
+    }
+
+    fn keep(&mut self, value: &Value) {
+        if self.last.back() == Some(value) {
+            return;
+        }
+        self.last.push_back(value.clone());
+        let large = |last: &VecDeque<Value>| last.iter().map(about_bytes).sum::<usize>() > LAST_MAX_BYTES;
+        while self.last.len() > LAST_MAX || (self.last.len() > 1 && large(&self.last)) {
+            self.last.pop_front();
+        }
     }
 
     /// For how many whole seconds nothing came, if that is long; `now` is `performance.now()`.
     pub(crate) fn quiet_for(&self, now: f64) -> Option<u32> {
         let silence = now - self.received;
         (self.value.is_some() && silence >= QUIET_MS).then_some((silence / 1_000.0) as u32)
+    }
+}
+
+/// About how large a value is, in bytes.
+fn about_bytes(value: &Value) -> usize {
+    match value {
+        Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_) => 16,
+        Value::Text(text) => 16 + text.len(),
+        Value::List(items) => 16 + items.iter().map(about_bytes).sum::<usize>(),
+        Value::Map(fields) => 16 + fields.iter().map(|(name, value)| name.len() + about_bytes(value)).sum::<usize>(),
     }
 }
 
@@ -83,7 +112,7 @@ impl LiveConnector {
 
 #[cfg(test)]
 mod tests {
-    use super::{LiveConnector, LiveStream, RECENT_MAX};
+    use super::{LAST_MAX, LiveConnector, LiveStream, RECENT_MAX};
     use behaviour::{Id, Value};
     use protocol::{ConnectorSample, StreamSample};
 
@@ -99,6 +128,19 @@ mod tests {
         assert_eq!((live.quiet_for(2_000.0), live.quiet_for(4_100.0)), (None, Some(3)));
         live.hear(sample(100, Value::text("x")), 5_000.0);
         assert!(live.recent.is_empty());
+    }
+
+    #[test]
+    fn the_last_values_of_any_kind_are_kept_within_bounds() {
+        let mut live = LiveStream::default();
+        let kept = |live: &LiveStream| live.last.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
+        let ball = |x: f64| Value::object([("x", Value::Float(x))]);
+        [1.0, 1.0, 2.0].into_iter().for_each(|x| live.hear(sample(1, ball(x)), 0.0));
+        assert_eq!(live.last, [ball(1.0), ball(2.0)], "the same one again is no other value");
+        (0..9).for_each(|count| live.hear(sample(count, Value::Bool(count % 2 == 0)), 0.0));
+        assert_eq!((live.last.len(), kept(&live).as_str()), (LAST_MAX, "true false true false true"));
+        live.hear(sample(10, Value::text("x".repeat(50_000))), 0.0);
+        assert_eq!(live.last.len(), 1, "the newest is kept however large it is");
     }
 
     #[test]

@@ -170,6 +170,7 @@ fn helper() -> (RecordId, Option<Record>) {
         params: vec!["x".to_owned()],
         body: format!("x + {}1", " ".repeat(7_000)),
         says: "s".repeat(3_000),
+        ..behaviour::Helper::default()
     };
     (RecordId::new(Kind::Helper, &name), Some(Record::Helper(helper)))
 }

@@ -84,7 +84,7 @@ pub(crate) fn note_id(id: &Id) -> RecordId {
 }
 
 pub(crate) fn note(text: &str) -> Record {
-    Record::Note(Note { text: text.to_owned() })
+    Record::Note(Note::new(text.to_owned()))
 }
 
 /// The records of a change that puts something where nothing was.

@@ -99,7 +99,7 @@ async fn a_pen_drags_and_the_wheel_zooms_at_the_pointer() -> Outcome<()> {
     assert!((to.x - from.x + 60.0 * zoom).abs() < 12.0, "{from:?} {to:?}");
 
     let (x, y) = to.centre();
-    aiko.wheel((x, y), 0.0, 300.0).await?;
+    aiko.wheel_zoom((x, y), 300.0).await?;
     let smaller = rests(&aiko, BALL).await?;
     assert!(view(&aiko).await?.2 < zoom * 0.8);
     let (nx, ny) = smaller.centre();

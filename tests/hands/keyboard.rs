@@ -41,6 +41,10 @@ async fn keys_reach_walk_edit_remove_and_bring_back() -> Outcome<()> {
         ("ArrowDown", "Head and body tracker, red ball · whole body, actuator stream"),
         ("ArrowUp", "Close ball, stream"),
     ] {
+        if key == "ArrowDown" {
+            aiko.key(key).await?;
+            aiko.until("document.activeElement.matches('.plus')", "the keyboard is on an edge").await?;
+        }
         aiko.key(key).await?;
         comes_to(&aiko, stream).await?;
     }
@@ -51,10 +55,67 @@ async fn keys_reach_walk_edit_remove_and_bring_back() -> Outcome<()> {
     comes_to(&aiko, "Close ball, stream").await?;
 
     aiko.key("Delete").await?;
+    aiko.until("document.activeElement.innerText === 'Remove it, and go on from Distance'", "it asks how").await?;
+    aiko.key("ArrowDown").await?;
+    aiko.key("Enter").await?;
     aiko.gone("button", "Close ball, stream").await?;
     comes_to(&aiko, "Distance, stream").await?;
     aiko.key("Control+z").await?;
     aiko.find("button", "Close ball, stream").await?;
     aiko.find("button", "filter (distance < 0.5), connector from Distance to Close ball").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_new_name_is_typed_where_the_stream_stands() -> Outcome<()> {
+    let stage = stage!("rename");
+    let program = stage.wire.make("Names", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    aiko.press("button", "Distance, stream").await?;
+    aiko.key("F2").await?;
+    aiko.until("document.activeElement.className === 'rename'", "the name can be typed").await?;
+    aiko.type_text("How far").await?;
+    aiko.key("Enter").await?;
+    comes_to(&aiko, "How far, stream").await?;
+    aiko.find("button", "filter (howFar < 0.5), connector from How far to Close ball").await?;
+    aiko.key("F2").await?;
+    aiko.until("document.activeElement.className === 'rename'", "the name can be typed again").await?;
+    aiko.type_text("Nothing").await?;
+    aiko.key("Escape").await?;
+    comes_to(&aiko, "How far, stream").await?;
+    aiko.key("Control+z").await?;
+    aiko.find("button", "Distance, stream").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn commands_are_found_and_done_by_keys_alone() -> Outcome<()> {
+    let stage = stage!("commands");
+    let program = stage.wire.make("Commands", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    aiko.find("button", "Close ball, stream").await?;
+    aiko.key("Control+k").await?;
+    aiko.until(
+        "document.activeElement.type === 'search' && !!document.activeElement.closest('[role=dialog]')",
+        "it asks what",
+    )
+    .await?;
+    aiko.type_text("close ball").await?;
+    aiko.key("Enter").await?;
+    comes_to(&aiko, "Close ball, stream").await?;
+    aiko.key("Control+k").await?;
+    aiko.until(
+        "document.activeElement.type === 'search' && !!document.activeElement.closest('[role=dialog]')",
+        "it asks again",
+    )
+    .await?;
+    aiko.type_text("select all").await?;
+    aiko.key("Enter").await?;
+    aiko.find("toolbar", "11 selected").await?;
+    aiko.key("Escape").await?;
+    aiko.key("Control+f").await?;
+    aiko.until("document.activeElement.id === 'find'", "the field that finds has the keyboard").await?;
+    aiko.type_text("far").await?;
+    aiko.find("button", "Go to Far ball").await?;
     aiko.no_errors()
 }

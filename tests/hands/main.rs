@@ -1,12 +1,25 @@
 //! Hands on the canvas: fingers, pens, mice and keys, how much work a drag is, and that nothing gets in the way of
 //! anything else.
 
+mod carry;
+mod control;
 mod drags;
+mod editor;
+mod groups;
+mod hints;
+mod inputs;
 mod keyboard;
 mod library;
 mod many;
+mod map;
+mod notes;
+mod offers;
+mod paper;
+mod rewire;
 mod room;
+mod several;
 mod sight;
 mod steps;
 mod together;
+mod told;
 mod wire;

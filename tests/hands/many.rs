@@ -13,6 +13,11 @@ const WORK_MAX: f64 = 40.0;
 
 /// Work of the page's main thread for each move of a drag by the mouse.
 async fn work_per_move(page: &Page, from: (f64, f64)) -> Outcome<f64> {
+    Ok(kinds_per_move(page, from).await?.0)
+}
+
+/// The same, and what of it is script, style, layout.
+async fn kinds_per_move(page: &Page, from: (f64, f64)) -> Outcome<(f64, String)> {
     page.hold(from).await?;
     page.pull((from.0 + 8.0, from.1 + 2.0)).await?;
     let before = page.cpu().await?;
@@ -22,7 +27,11 @@ async fn work_per_move(page: &Page, from: (f64, f64)) -> Outcome<f64> {
     }
     let after = page.cpu().await?;
     page.release((from.0 + 8.0, from.1 + 2.0)).await?;
-    Ok((after.task - before.task) / f64::from(MOVES))
+    let each = |after: f64, before: f64| (after - before) / f64::from(MOVES);
+    let (script, style, layout) =
+        (each(after.script, before.script), each(after.style, before.style), each(after.layout, before.layout));
+    let kinds = format!("script {script:.2}, style {style:.2}, layout {layout:.2}");
+    Ok((each(after.task, before.task), kinds))
 }
 
 /// The same for a bare box that follows the mouse, on a page with nothing else.
@@ -48,8 +57,12 @@ async fn check(count: usize, budget: f64) -> Outcome<()> {
     aiko.until(&whole, "everything is in view").await?;
     let rest = rests(&aiko, stream).await?;
     let (zoom, drawn) = (view(&aiko).await?.2, aiko.eval("document.querySelectorAll('#stage .stream').length").await?);
+    // The smaller things are, the less is drawn of them.
+    let levels =
+        aiko.eval("['far', 'tiny'].map(level => document.querySelector('#stage').classList.contains(level))").await?;
+    assert_eq!((levels[0].as_bool(), levels[1].as_bool()), (Some(zoom < 0.35), Some(zoom < 0.08)), "at {zoom}");
     picture(&aiko, &format!("many-{count}")).await?;
-    let whole = work_per_move(&aiko, rest.centre()).await?;
+    let (whole, kinds) = kinds_per_move(&aiko, rest.centre()).await?;
     aiko.eval("document.querySelector('.zoom .percent').click(), 0").await?;
     rests(&aiko, stream).await.ok();
     let near = aiko.find_all("button", "Stream *").await?;
@@ -64,7 +77,7 @@ async fn check(count: usize, budget: f64) -> Outcome<()> {
     aiko.no_errors()?;
     let bare = bare_work(&aiko).await?;
     say(&format!(
-        "Dragging one of {count} streams: {whole:.2} ms a step with {drawn} of them in view at {:.0} %, {real:.2} ms at \
+        "Dragging one of {count} streams: {whole:.2} ms a step ({kinds}) with {drawn} of them in view at {:.0} %, {real:.2} ms at \
          100 % (budget {budget} ms); a bare box {bare:.2} ms.",
         zoom * 100.0
     ));
@@ -92,6 +105,7 @@ async fn selecting_and_opening_again_and_again_leaves_nothing_behind() -> Outcom
         [stage.wire.make("One", Some("Greeter")).await?, stage.wire.make("Two", Some("Track with nearest arm")).await?];
     let aiko = stage.person("aiko", &programs[0]).await?;
     rests(&aiko, "Face,*").await?;
+    aiko.until("document.querySelectorAll('.told .sentence').length === 3", "the sentences are there").await?;
     let before = elements(&aiko).await?;
     for _ in 0..50 {
         aiko.eval(SELECT).await?;
@@ -105,6 +119,7 @@ async fn selecting_and_opening_again_and_again_leaves_nothing_behind() -> Outcom
         aiko.until(&format!("document.querySelector('[aria-label^=\"{stream},\"]') !== null"), "it is open").await?;
     }
     rests(&aiko, "Face,*").await?;
+    aiko.until("document.querySelectorAll('.told .sentence').length === 3", "the sentences are there again").await?;
     let after = elements(&aiko).await?;
     assert!(after <= before + 20, "elements of the page before {before}, after {after}");
     aiko.no_errors()

@@ -105,8 +105,8 @@ async fn the_first_sense_stands_at_the_top_and_the_strip_keeps_off_values() -> O
     assert_eq!(aiko.count("button", "Tidy").await?, 0, "an empty program has nothing to zoom");
     picture(&aiko, "first-none").await?;
     aiko.press("button", "Add sensor").await?;
-    aiko.press("option", "RedBall*").await.or(aiko.press("menuitem", "RedBall*").await)?;
-    let ball = rests(&aiko, "RedBall, sensor stream").await?;
+    aiko.press("option", "Red ball*").await.or(aiko.press("menuitem", "Red ball*").await)?;
+    let ball = rests(&aiko, "Red ball, sensor stream").await?;
     let paper = aiko
         .on("main", "", "function () { const at = this.getBoundingClientRect(); return [at.x, at.y, at.width] }")
         .await?;
@@ -145,7 +145,16 @@ async fn the_strip_keeps_off_streams() -> Outcome<()> {
         strip_is_clear(&aiko).await?;
     }
     aiko.press("button", "filter (distance < 0.5)*").await?;
+    aiko.find("group", "filter (distance < 0.5)").await?;
+    aiko.until("document.querySelector('.flyout .slider') !== null", "it has a slider").await?;
     picture(&aiko, "strip-chip").await?;
-    strip_is_clear(&aiko).await?;
+    let js = "(() => {
+        const meet = (a, b) => a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+        const flyout = document.querySelector('.flyout').getBoundingClientRect();
+        const own = ['.chip.selected', '[aria-label^=\"Distance,\"]', '[aria-label^=\"Close ball,\"]'];
+        return own.filter(one => meet(document.querySelector(`#stage ${one}`).getBoundingClientRect(), flyout)).join();
+    })()";
+    assert_eq!(aiko.eval(js).await?, "", "it covers neither its chip nor the streams of that");
+    assert_eq!(aiko.eval(OUTSIDE).await?, "");
     aiko.no_errors()
 }

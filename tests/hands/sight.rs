@@ -153,7 +153,7 @@ async fn start_moves_nothing_and_what_is_added_comes_into_view() -> Outcome<()> 
         still(&aiko).await?;
         aiko.until(seen, "what was added is in view").await?;
     }
-    aiko.press("button", "Apply to the running robot").await?;
+    aiko.within("region", "Robot").press("button", "Use my changes").await?;
     aiko.until("document.querySelector('.notice') !== null", "the page says that it was applied").await?;
     still(&aiko).await?;
     picture(&aiko, "notice").await?;

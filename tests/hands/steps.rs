@@ -35,6 +35,11 @@ impl Stage {
         self.person_at(name, program, (1180, 820, true)).await
     }
 
+    /// A person at a phone with a program open.
+    pub(crate) async fn phone(&self, name: &str, program: &str) -> Outcome<Page> {
+        self.person_at(name, program, (390, 844, true)).await
+    }
+
     async fn person_at(&self, name: &str, program: &str, size: (u32, u32, bool)) -> Outcome<Page> {
         let page = self.browser.person(name).await?;
         page.size(size.0, size.1, size.2).await?;

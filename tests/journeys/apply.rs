@@ -17,7 +17,7 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
     running_ball(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
     let before = newest_run(&stage).await?;
-    says(&aiko, &format!("Running version {}", before.revision)).await?;
+    says(&aiko, "The robot runs this version").await?;
 
     // Ben adds something; Aiko sees that the robot runs what it ran.
     select(&ben, "Distance").await?;
@@ -25,15 +25,15 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
     ben.find("button", "Tracker, *").await?;
     saved(&ben).await?;
     for page in [&aiko, &ben] {
-        says(page, &format!("Running version {}, editing ", before.revision)).await?;
+        says(page, "The robot runs your older version").await?;
     }
     assert_eq!(newest_run(&stage).await?.revision, before.revision, "an edit disturbs nothing");
 
-    aiko.press("button", "Apply to the running robot").await?;
+    aiko.within("region", "Robot").press("button", "Use my changes").await?;
     says(&aiko, "The robot goes on with version").await?;
     for page in [&aiko, &ben] {
         silent(page, ", editing ").await?;
-        page.gone("button", "Apply to the running robot").await?;
+        page.gone("button", "Use my changes").await?;
     }
     shows_value(&aiko, "Tracker").await?;
     let after = newest_run(&stage).await?;
@@ -57,24 +57,24 @@ async fn only_what_would_run_differently_is_an_edit() -> Outcome<()> {
 
     // A helper that it uses makes a difference.
     aiko.press("button", "Edit helper").await?;
-    aiko.press("menuitem", "distance *").await?;
-    aiko.within("dialog", "Edit helper").fill("textbox", "Body", "1000").await?;
+    aiko.press("menuitem", "Distance in cm*").await?;
+    aiko.within("dialog", "Edit helper").fill("textbox", "Procedure", "1000").await?;
     save(&aiko, "Edit helper").await?;
-    says(&aiko, "a helper was edited since").await?;
-    aiko.press("button", "Apply to the running robot").await?;
-    silent(&aiko, "a helper was edited since").await?;
+    says(&aiko, "The robot runs an older helper").await?;
+    aiko.within("region", "Robot").press("button", "Use my changes").await?;
+    silent(&aiko, "The robot runs an older helper").await?;
     aiko.until("document.body.innerText.includes('1000')", "the new helper works").await?;
 
     // Where a stream stands is nothing to the robot, though it is saved as the next version.
-    let ball = aiko.boxed("button", "RedBall, *").await?.centre();
+    let ball = aiko.boxed("button", "Red ball, *").await?.centre();
     aiko.drag(ball, (ball.0 - 120.0, ball.1 + 40.0), 8).await?;
     let moved = format!("{}", run.revision + 1);
-    aiko.until(&format!("document.body.innerText.includes('Running version {}')", run.revision), "it runs").await?;
+    says(&aiko, "The robot runs this version").await?;
     saved(&aiko).await?;
     let mut visitor = Visitor::enter(&stage.server).await?;
     assert_eq!(visitor.open_newest().await?.revision.to_string(), moved);
     silent(&aiko, ", editing ").await?;
-    aiko.gone("button", "Apply to the running robot").await?;
+    aiko.gone("button", "Use my changes").await?;
     stop(&aiko).await?;
     at_rest(&aiko).await?;
     calm(&aiko)

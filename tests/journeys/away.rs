@@ -13,7 +13,7 @@ async fn what_is_done_while_the_data_is_away_is_saved_later() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     let (here, away) = (stage.folder().join(FILE), stage.folder().join("away.sqlite"));
     std::fs::rename(&here, &away)?;

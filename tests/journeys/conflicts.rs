@@ -80,7 +80,7 @@ async fn the_second_to_save_sees_both_decides_later_and_goes_on_top() -> Outcome
     usable(&aiko).await?;
     aiko.until_on("button", theirs, IS_UNDECIDED, "the chip is marked after a reload").await?;
     aiko.press("button", theirs).await?;
-    next(&aiko, "map", "Edit").await?;
+    next(&aiko, "map", "More…").await?;
     aiko.find("dialog", BOTH).await?;
     differs(&aiko, "2 + 2", "3").await?;
     save_body(&ben, theirs, "4").await?;
@@ -118,8 +118,8 @@ async fn an_edit_without_connection_that_comes_too_late_asks_by_itself() -> Outc
     aiko.gone("dialog", BOTH).await?;
     saved(&aiko).await?;
     aiko.press("button", "map (3), connector*").await?;
-    next(&aiko, "map", "Edit").await?;
-    assert_eq!(aiko.within("dialog", "Operation").text("textbox", "Body").await?, "3", "no draft is left");
+    next(&aiko, "map", "More…").await?;
+    assert_eq!(aiko.within("dialog", "Operation").text("textbox", "Procedure").await?, "3", "no draft is left");
     calm(&ben)
 }
 
@@ -133,9 +133,9 @@ async fn several_come_one_after_the_other() -> Outcome<()> {
     let (socket, ben) = two(&stage, &aiko).await?;
     cut(&aiko, &socket).await?;
     save_body(&aiko, CHIP, "2 + 2").await?;
-    rename(&aiko, "RedBall", "Mine").await?;
+    rename(&aiko, "Red ball", "Mine").await?;
     save_body(&ben, CHIP, "3").await?;
-    rename(&ben, "RedBall", "Theirs").await?;
+    rename(&ben, "Red ball", "Theirs").await?;
     ben.find("button", "Theirs, sensor stream").await?;
     mend(&aiko, &socket).await?;
     aiko.find("dialog", BOTH).await?;
@@ -155,9 +155,9 @@ async fn several_come_one_after_the_other() -> Outcome<()> {
 async fn rename(page: &Page, from: &str, to: &str) -> Outcome<()> {
     select(page, from).await?;
     next(page, from, "Edit").await?;
-    page.within("dialog", "Edit stream sensor").fill("textbox", "Name", to).await?;
-    page.within("dialog", "Edit stream sensor").press("button", "Save").await?;
-    page.gone("dialog", "Edit stream sensor").await
+    page.within("dialog", "Red ball settings").fill("textbox", "Name", to).await?;
+    page.within("dialog", "Red ball settings").press("button", "Save").await?;
+    page.gone("dialog", "Red ball settings").await
 }
 
 #[tokio::test]
@@ -219,7 +219,7 @@ async fn who_is_editing_it_keeps_mine_from_going_on_top() -> Outcome<()> {
     mend(&aiko, &socket).await?;
     aiko.find("dialog", BOTH).await?;
     ben.press("button", "map (3), connector*").await?;
-    next(&ben, "map", "Edit").await?;
+    next(&ben, "map", "More…").await?;
     ben.find("dialog", "Operation").await?;
     aiko.until("!!document.querySelector('.ring .tag svg')", "Ben is editing it").await?;
     aiko.press("button", "Keep mine").await?;

@@ -39,7 +39,7 @@ async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
     let Some((stage, data)) = set().await? else { return Ok(()) };
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
 
     std::fs::write(data.join(MARK), "")?;
     rename_program(&aiko, "Ours", "Ours, later").await?;
@@ -47,7 +47,7 @@ async fn a_full_disk_is_told_and_nothing_is_lost() -> Outcome<()> {
     says(&aiko, "Not saved: 1 change waits here").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     says(&ben, "Nothing can be saved now (The disk is full").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     ben.find("button", "Ours").await?;
 
     std::fs::remove_file(data.join(MARK))?;
@@ -62,11 +62,11 @@ async fn a_recording_that_loses_something_says_so() -> Outcome<()> {
     let Some((stage, data)) = set().await? else { return Ok(()) };
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Watcher").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     saved(&aiko).await?;
     aiko.press("checkbox", "Record the next run").await?;
     start(&aiko).await?;
-    shows_value(&aiko, "RedBall").await?;
+    shows_value(&aiko, "Red ball").await?;
     std::fs::write(data.join(MARK), "")?;
     says(&aiko, "The recording stopped: it could not be written on").await?;
     stop(&aiko).await?;

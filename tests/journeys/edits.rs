@@ -38,10 +38,10 @@ async fn a_bad_edit_is_answered_and_changes_nothing() -> Outcome<()> {
     calm(&aiko)
 }
 
-/// RedBall, distance, Tracker, by the suggestions.
+/// Red ball, distance, Tracker, by the suggestions.
 async fn ball_to_tracker(page: &Page) -> Outcome<()> {
-    add_sense(page, "RedBall").await?;
-    next(page, "RedBall", "distance").await?;
+    add_sense(page, "Red ball").await?;
+    next(page, "Red ball", "Distance in cm").await?;
     page.find("button", "Distance, stream").await?;
     next(page, "Distance", "Tracker").await?;
     page.find("button", "Tracker, *").await?;
@@ -50,8 +50,10 @@ async fn ball_to_tracker(page: &Page) -> Outcome<()> {
 
 /// Saves a body that is no procedure; answers with what the dialog says.
 async fn bad_body(page: &Page) -> Outcome<String> {
-    thunderbolt(page, "RedBall", "map").await?;
-    page.within("dialog", "Operation").fill("textbox", "Body", "redBall.size +").await?;
+    thunderbolt(page, "Red ball", "map").await?;
+    let dialog = page.within("dialog", "Operation");
+    dialog.fill("textbox", "Procedure", "redBall.size +").await?;
+    dialog.fill("textbox", "Output stream name", "Larger").await?;
     refused(page, "Operation").await
 }
 
@@ -59,20 +61,21 @@ async fn bad_body(page: &Page) -> Outcome<String> {
 async fn bad_name(page: &Page, name: &str) -> Outcome<String> {
     select(page, "Distance").await?;
     next(page, "Distance", "Edit").await?;
-    page.find("dialog", "Edit stream").await?;
+    page.find("dialog", "Stream settings").await?;
     // The box takes no more than a name may have, so it is filled past its limit.
     let js = format!(
         "function () {{ this.value = {}; this.dispatchEvent(new Event('input', {{ bubbles: true }})); }}",
         serde_json::Value::from(name)
     );
     page.on("textbox", "Name", &js).await?;
-    refused(page, "Edit stream").await
+    refused(page, "Stream settings").await
 }
 
 /// Presses Save, reads why not, and closes the dialog.
 async fn refused(page: &Page, dialog: &str) -> Outcome<String> {
     page.within("dialog", dialog).press("button", "Save").await?;
-    let sentence = page.within("dialog", dialog).text("alert", "").await?;
+    let sentence = page.until("document.querySelector('.dialog .refusal')?.innerText", "it says why not").await?;
+    let sentence = sentence.as_str().unwrap_or_default().to_owned();
     if !is_clear(&sentence) {
         return Err(Trouble(format!("this is no clear sentence: {sentence}")));
     }
@@ -98,7 +101,7 @@ type Bad = (&'static str, Change, &'static str);
 
 /// Edits that the page does not offer, and a part of the answer to each.
 fn not_offered(now: &Opened) -> Outcome<[Bad; 4]> {
-    let (ball, distance, tracker) = (now.stream("RedBall")?, now.stream("Distance")?, now.stream("Tracker")?);
+    let (ball, distance, tracker) = (now.stream("Red ball")?, now.stream("Distance")?, now.stream("Tracker")?);
     let change = |name: &str| Ok::<_, Trouble>(Change::of(id(name)?, "Visitor", name));
     let (new, way) = (id("new")?, id("way")?);
     let records = &now.records;

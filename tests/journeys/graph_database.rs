@@ -20,9 +20,9 @@ async fn neo4j_hangs_dies_and_comes_back() -> Outcome<()> {
     let stage = Stage::set_with(house::folder()?, &["--store", &neo4j.url()]).await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     let ben = stage.beside(&aiko, "ben").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
 
     neo4j.hold();
     says(&ben, "Nothing can be saved now").await?;
@@ -43,6 +43,6 @@ async fn neo4j_hangs_dies_and_comes_back() -> Outcome<()> {
     ben.reload().await?;
     usable(&ben).await?;
     ben.find("button", "Ours, at last").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     calm(&aiko)
 }

@@ -12,8 +12,8 @@ async fn a_connector_explains_itself_with_marbles() -> Outcome<()> {
     let stage = Stage::set().await?;
     let page = &stage.person("aiko").await?;
     add_program(page, "Help").await?;
-    page.within("navigation", "Find or add").press("button", "Add RedBall").await?;
-    page.within("toolbar", "Next steps for RedBall").press("button", "distance").await?;
+    page.within("navigation", "Find or add").press("button", "Add Red ball").await?;
+    page.within("toolbar", "Next steps for Red ball").press("button", "Distance in cm").await?;
     page.within("toolbar", "Next steps for Distance").press("button", "filter").await?;
     let dialog = page.within("dialog", "Operation");
     dialog.find("button", "How it works").await?;

@@ -11,7 +11,7 @@ async fn two(stage: &Stage) -> Outcome<(Page, Page)> {
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
     call_myself(&aiko, "Aiko").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
     aiko.find("button", "Follow Ben").await?;
@@ -43,21 +43,21 @@ async fn each_takes_back_only_their_own() -> Outcome<()> {
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     offers_no_undo(&ben).await?;
-    add_sense(&ben, "HeadTouch").await?;
-    offers(&ben, "Undo: Add HeadTouch").await?;
-    offers(&aiko, "Undo: Add RedBall").await?;
+    add_sense(&ben, "Head touch").await?;
+    offers(&ben, "Undo: Add Head touch").await?;
+    offers(&aiko, "Undo: Add Red ball").await?;
     aiko.press("button", "Undo").await?;
     for person in [&aiko, &ben] {
-        person.gone("button", "RedBall, sensor stream").await?;
-        person.find("button", "HeadTouch, anywhere, sensor stream").await?;
+        person.gone("button", "Red ball, sensor stream").await?;
+        person.find("button", "Head touch, anywhere, sensor stream").await?;
     }
-    offers(&aiko, "Redo: Add RedBall").await?;
+    offers(&aiko, "Redo: Add Red ball").await?;
     offers_no_undo(&aiko).await?;
     ben.key("Control+z").await?;
-    aiko.gone("button", "HeadTouch, anywhere, sensor stream").await?;
+    aiko.gone("button", "Head touch, anywhere, sensor stream").await?;
     aiko.key("Control+Shift+z").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
-    ben.gone("button", "HeadTouch, anywhere, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
+    ben.gone("button", "Head touch, anywhere, sensor stream").await?;
     calm(&ben)?;
     calm(&aiko)
 }
@@ -84,7 +84,7 @@ async fn undo_survives_a_reload_and_names_who_changed_it_since() -> Outcome<()> 
     aiko.find("button", "Aiko's").await?;
     aiko.press("button", "Undo").await?;
     ben.find("button", "Ours").await?;
-    offers(&aiko, "Undo: Add RedBall").await?;
+    offers(&aiko, "Undo: Add Red ball").await?;
     aiko.reload().await?;
     usable(&aiko).await?;
     offers(&aiko, "Redo: Rename program").await?;
@@ -103,9 +103,9 @@ async fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_l
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     let ben = stage.beside(&aiko, "ben").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     socket.cut().await?;
     says(&aiko, "Offline").await?;
     rename_program(&aiko, "Ours", "Later").await?;
@@ -114,25 +114,25 @@ async fn without_a_connection_undo_takes_back_what_waits_and_asks_for_the_rest_l
     aiko.find("button", "Ours").await?;
     silent(&aiko, "1 change waits here").await?;
     aiko.press("button", "Undo").await?;
-    aiko.gone("button", "RedBall, sensor stream").await?;
+    aiko.gone("button", "Red ball, sensor stream").await?;
     says(&aiko, "Offline: 1 change waits here").await?;
     offers_no_undo(&aiko).await?;
     aiko.press("button", "Redo").await?;
-    aiko.find("button", "RedBall, sensor stream").await?;
+    aiko.find("button", "Red ball, sensor stream").await?;
     silent(&aiko, "1 change waits here").await?;
     offers(&aiko, "Redo: Rename program").await?;
     aiko.press("button", "Redo").await?;
     says(&aiko, "Offline: 1 change waits here").await?;
     aiko.press("button", "Undo").await?;
     aiko.press("button", "Undo").await?;
-    aiko.gone("button", "RedBall, sensor stream").await?;
+    aiko.gone("button", "Red ball, sensor stream").await?;
     socket.mend().await?;
-    ben.gone("button", "RedBall, sensor stream").await?;
+    ben.gone("button", "Red ball, sensor stream").await?;
     saved(&aiko).await?;
     ben.find("button", "Ours").await?;
-    offers(&aiko, "Redo: Add RedBall").await?;
+    offers(&aiko, "Redo: Add Red ball").await?;
     aiko.press("button", "Redo").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     offers(&aiko, "Redo: Rename program").await?;
     aiko.press("button", "Redo").await?;
     ben.find("button", "Later").await?;
@@ -147,34 +147,34 @@ async fn a_version_has_a_name_is_compared_and_gone_back_to() -> Outcome<()> {
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     open_history(&ben).await?;
-    ben.find("button", "Aiko added RedBall *").await?;
+    ben.find("button", "Aiko added Red ball *").await?;
     open_history(&aiko).await?;
-    aiko.find("button", "You added RedBall *").await?;
+    aiko.find("button", "You added Red ball *").await?;
     aiko.key("n").await?;
     aiko.within("region", "History").fill("textbox", "Name of this version", "Before group B").await?;
     aiko.key("Enter").await?;
     ben.find("button", "Before group B *").await?;
 
-    add_sense(&aiko, "HeadTouch").await?;
-    ben.find("button", "Aiko added HeadTouch *").await?;
-    ben.press("button", "RedBall, sensor stream").await?;
-    next(&ben, "RedBall", "Remove").await?;
-    aiko.find("button", "Ben removed RedBall *").await?;
+    add_sense(&aiko, "Head touch").await?;
+    ben.find("button", "Aiko added Head touch *").await?;
+    ben.press("button", "Red ball, sensor stream").await?;
+    next(&ben, "Red ball", "Remove").await?;
+    aiko.find("button", "Ben removed Red ball *").await?;
     aiko.press("button", "Before group B *").await?;
     says(&aiko, "1 new").await?;
     says(&aiko, "1 removed").await?;
-    aiko.find("button", "HeadTouch, anywhere, sensor stream, new").await?;
-    aiko.find("image", "RedBall, removed by Ben").await?;
+    aiko.find("button", "Head touch, anywhere, sensor stream, new").await?;
+    aiko.find("image", "Red ball, removed by Ben").await?;
     aiko.until("!!document.querySelector('.history th[scope=row]')", "the table is there").await?;
     aiko.press("button", "Go back to it …").await?;
     aiko.press("button", "Go back").await?;
     for person in [&aiko, &ben] {
-        person.find("button", "RedBall, sensor stream").await?;
-        person.gone("button", "HeadTouch, anywhere, sensor stream").await?;
+        person.find("button", "Red ball, sensor stream").await?;
+        person.gone("button", "Head touch, anywhere, sensor stream").await?;
     }
     ben.find("button", "Aiko went back to “Before group B” *").await?;
     aiko.press("button", "Undo").await?;
-    ben.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    ben.find("button", "Head touch, anywhere, sensor stream").await?;
     calm(&ben)?;
     calm(&aiko)
 }
@@ -187,19 +187,19 @@ async fn two_versions_are_compared_with_the_keyboard() -> Outcome<()> {
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
     ben.close().await?;
-    add_sense(&aiko, "HeadTouch").await?;
+    add_sense(&aiko, "Head touch").await?;
     rename_program(&aiko, "Ours", "Mine").await?;
     open_history(&aiko).await?;
     aiko.until("document.activeElement.innerText.includes('renamed')", "the newest line has the keyboard").await?;
     for _ in 0..2 {
         aiko.key("ArrowDown").await?;
     }
-    aiko.until("document.activeElement.innerText.includes('RedBall')", "the keyboard is at the first ball").await?;
+    aiko.until("document.activeElement.innerText.includes('Red ball')", "the keyboard is at the first ball").await?;
     aiko.key("Enter").await?;
     says(&aiko, "1 new").await?;
     says(&aiko, "1 changed").await?;
     let choose = "function () {
-        this.value = [...this.options].find(option => option.text.includes('Add HeadTouch')).value;
+        this.value = [...this.options].find(option => option.text.includes('Add Head touch')).value;
         this.dispatchEvent(new Event('change', { bubbles: true }));
     }";
     aiko.on("combobox", "Compare with", choose).await?;
@@ -207,7 +207,7 @@ async fn two_versions_are_compared_with_the_keyboard() -> Outcome<()> {
     says(&aiko, "1 new").await?;
     aiko.key("Escape").await?;
     silent(&aiko, "Compared:").await?;
-    aiko.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    aiko.find("button", "Head touch, anywhere, sensor stream").await?;
     aiko.find("region", "History").await?;
     calm(&aiko)
 }
@@ -219,15 +219,15 @@ async fn what_somebody_removed_is_brought_back() -> Outcome<()> {
     }
     let stage = Stage::set().await?;
     let (aiko, ben) = two(&stage).await?;
-    aiko.press("button", "RedBall, sensor stream").await?;
-    next(&aiko, "RedBall", "Remove").await?;
-    ben.gone("button", "RedBall, sensor stream").await?;
+    aiko.press("button", "Red ball, sensor stream").await?;
+    next(&aiko, "Red ball", "Remove").await?;
+    ben.gone("button", "Red ball, sensor stream").await?;
     open_history(&ben).await?;
     ben.press("button", "Bring it back").await?;
     for person in [&aiko, &ben] {
-        person.find("button", "RedBall, sensor stream").await?;
+        person.find("button", "Red ball, sensor stream").await?;
     }
-    ben.find("button", "You brought back “RedBall” *").await?;
+    ben.find("button", "You brought back “Red ball” *").await?;
     ben.press("button", "Bring it back").await?;
     says(&ben, "Nothing that was removed there is missing now.").await?;
     calm(&ben)?;
@@ -245,13 +245,13 @@ async fn a_program_that_was_removed_comes_back() -> Outcome<()> {
     says(&aiko, "“Ours” is in the bin.").await?;
     says(&ben, "Aiko removed “Ours”.").await?;
     ben.press("button", "Bring it back").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     aiko.key("Control+z").await?;
-    aiko.find("button", "RedBall, sensor stream").await?;
+    aiko.find("button", "Red ball, sensor stream").await?;
     remove_program(&aiko).await?;
     aiko.press("button", "Bring it back").await?;
-    aiko.find("button", "RedBall, sensor stream").await?;
-    offers(&aiko, "Undo: Add RedBall").await?;
+    aiko.find("button", "Red ball, sensor stream").await?;
+    offers(&aiko, "Undo: Add Red ball").await?;
     calm(&aiko)
 }
 

@@ -37,7 +37,7 @@ async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<
     usable(&page).await?;
     let hash = aiko.eval("location.hash").await?;
     page.eval(&format!("location.hash = {hash}; 0")).await?;
-    page.find("button", "RedBall, sensor stream").await?;
+    page.find("button", "Red ball, sensor stream").await?;
     Ok(page)
 }
 
@@ -84,7 +84,7 @@ async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outco
     says(&aiko, "here now").await?;
 
     says(&ben, "You may look. Ask the person who invited you for more.").await?;
-    for button in ["Add a program", "Add a helper", "Add RedBall", "Start", "Tidy"] {
+    for button in ["Add a program", "Add a helper", "Add Red ball", "Start", "Tidy"] {
         can_press(&ben, button, false).await?;
     }
     ben.gone("button", "Invite").await?;
@@ -94,10 +94,10 @@ async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outco
     ben.key("Escape").await?;
     ben.gone("dialog", "Operation").await?;
     // The keyboard gets nobody further.
-    ben.press("button", "RedBall, sensor stream").await?;
+    ben.press("button", "Red ball, sensor stream").await?;
     ben.key("Delete").await?;
     says(&ben, "Only an editor may do this.").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     stop(&ben).await?;
 
     aiko.press("button", "Revoke: Ben, tablet").await?;
@@ -122,7 +122,7 @@ async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
     let link = invite(&aiko, "start and stop", "for a day", "").await?;
     let ben = come_in(&stage, "ben", &link, &aiko).await?;
     says(&ben, "You may start and stop, not edit.").await?;
-    for button in ["Add a program", "Add RedBall", "Tidy"] {
+    for button in ["Add a program", "Add Red ball", "Tidy"] {
         can_press(&ben, button, false).await?;
     }
     for button in ["Start", "Touch head"] {
@@ -146,8 +146,8 @@ async fn an_editor_who_says_a_name_is_listed_by_it() -> Outcome<()> {
     yuki.within("form", "Your name").fill("textbox", "Others see you as", "Yuki").await?;
     yuki.within("form", "Your name").press("button", "Save").await?;
     says(&aiko, "Yuki, here now").await?;
-    add_sense(&yuki, "HeadTouch").await?;
-    aiko.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    add_sense(&yuki, "Head touch").await?;
+    aiko.find("button", "Head touch, anywhere, sensor stream").await?;
     yuki.gone("button", "Invite").await?;
     calm_but_uninvited(&yuki)?;
     calm(&aiko)
@@ -178,10 +178,10 @@ async fn the_person_at_the_servers_computer_takes_over_what_somebody_is_editing(
     call_myself(&aiko, "Aiko").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
-    open_map(&ben, "Edit").await?;
+    open_map(&ben, "More…").await?;
     may_write(&ben, true).await?;
-    ben.within("dialog", "Operation").fill("textbox", "Body", "2 + 2").await?;
-    open_map(&aiko, "Edit").await?;
+    ben.within("dialog", "Operation").fill("textbox", "Procedure", "2 + 2").await?;
+    open_map(&aiko, "More…").await?;
     may_write(&aiko, false).await?;
     aiko.press("button", "Take over").await?;
     says(&aiko, "Ben cannot save it then").await?;
@@ -192,7 +192,7 @@ async fn the_person_at_the_servers_computer_takes_over_what_somebody_is_editing(
     may_write(&aiko, true).await?;
     may_write(&ben, false).await?;
     says(&ben, "Aiko is editing").await?;
-    assert_eq!(ben.within("dialog", "Operation").text("textbox", "Body").await?, "2 + 2", "what Ben wrote stays");
+    assert_eq!(ben.within("dialog", "Operation").text("textbox", "Procedure").await?, "2 + 2", "what Ben wrote stays");
     calm(&ben)?;
     calm(&aiko)
 }

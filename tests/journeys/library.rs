@@ -89,7 +89,7 @@ async fn links_lead_to_whoever_else_uses_it() -> Outcome<()> {
     aiko.press("button", "Shine*").await?;
     aiko.find("button", "Shine").await?;
     aiko.press("button", "Edit helper").await?;
-    aiko.press("menuitem", "ball_to_distance*").await?;
+    aiko.press("menuitem", "Distance in m*").await?;
     let dialog = aiko.within("dialog", "Edit helper");
     dialog.find("button", "Follow too").await?;
     dialog.press("button", "Follow").await?;
@@ -141,7 +141,7 @@ async fn a_file_that_is_dropped_becomes_a_program() -> Outcome<()> {
 }
 
 /// Makes a program without a page, as often as the server wants to hear.
-async fn make(visitor: &mut Visitor, name: &str, template: Option<&str>) -> Outcome<()> {
+pub(crate) async fn make(visitor: &mut Visitor, name: &str, template: Option<&str>) -> Outcome<()> {
     let behaviour = id(&name.to_lowercase().replace(' ', "-"))?;
     loop {
         let (behaviour, template) = (behaviour.clone(), template.map(str::to_owned));
@@ -154,7 +154,7 @@ async fn make(visitor: &mut Visitor, name: &str, template: Option<&str>) -> Outc
 }
 
 /// Opens Load program with everything in it.
-async fn open_library(page: &Page) -> Outcome<()> {
+pub(crate) async fn open_library(page: &Page) -> Outcome<()> {
     page.press("button", "Load program").await?;
     page.press("menuitem", "All programs and templates …").await?;
     page.find("dialog", "Load program").await.map(drop)

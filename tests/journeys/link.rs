@@ -16,7 +16,7 @@ const CLAIMS: &str = "(() => {
     if ([...document.querySelectorAll('.value')].some(value => !value.matches('.quiet'))) found.push('a value');
     const other = document.querySelector('.people .avatar[aria-pressed]');
     if (getComputedStyle(other).borderStyle !== 'dashed') found.push('an avatar');
-    const lines = ['All changes saved', 'Running version'].filter(line => document.body.innerText.includes(line));
+    const lines = ['All changes saved', 'The robot runs this version'].filter(line => document.body.innerText.includes(line));
     return [...found, ...lines].join(', ');
 })()";
 
@@ -94,7 +94,7 @@ async fn what_waits_is_counted_and_all_of_it_goes() -> Outcome<()> {
     let aiko = stage.nobody("aiko").await?;
     let socket = stage.enter_with_switch(&aiko).await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     saved(&aiko).await?;
     socket.cut().await?;
     says(&aiko, "Offline").await?;

@@ -26,7 +26,7 @@ async fn two(stage: &Stage) -> Outcome<(Page, Page)> {
 /// Opens the editor of the map.
 async fn open_map(page: &Page) -> Outcome<()> {
     page.press("button", "map (1), connector*").await?;
-    next(page, "map", "Edit").await?;
+    next(page, "map", "More…").await?;
     page.find("dialog", "Operation").await.map(drop)
 }
 
@@ -37,7 +37,7 @@ async fn may_write(page: &Page, may: bool) -> Outcome<()> {
 }
 
 async fn body(page: &Page) -> Outcome<String> {
-    page.within("dialog", "Operation").text("textbox", "Body").await
+    page.within("dialog", "Operation").text("textbox", "Procedure").await
 }
 
 #[tokio::test]
@@ -64,7 +64,7 @@ async fn what_one_edits_others_read_until_it_is_handed_over() -> Outcome<()> {
     may_write(&aiko, false).await?;
     says(&aiko, "Your text stays here until you close.").await?;
     assert_eq!(body(&aiko).await?, "2 + 2");
-    ben.within("dialog", "Operation").fill("textbox", "Body", "3").await?;
+    ben.within("dialog", "Operation").fill("textbox", "Procedure", "3").await?;
     save(&ben, "Operation").await?;
     aiko.press("button", "Go on editing").await?;
     may_write(&aiko, true).await?;
@@ -90,7 +90,7 @@ async fn who_keeps_it_is_asked_again_later_and_who_closes_it_frees_it() -> Outco
     aiko.press("button", "Keep it").await?;
     says(&ben, "Aiko keeps it for now. You can ask again in").await?;
     silent(&aiko, "Ben would like to edit this.").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", "7").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Procedure", "7").await?;
     save(&aiko, "Operation").await?;
     says(&ben, "Nobody is editing it any more.").await?;
     assert_eq!(body(&ben).await?, "7", "what is saved is shown at once");

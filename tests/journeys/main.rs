@@ -2,6 +2,8 @@
 
 mod apply;
 mod away;
+mod by_keyboard;
+mod by_touch;
 mod conflicts;
 mod disk_full;
 mod edits;
@@ -9,6 +11,7 @@ mod graph_database;
 mod help;
 mod history;
 mod invite;
+mod later;
 mod library;
 mod link;
 mod locks;
@@ -22,6 +25,8 @@ mod room;
 mod runaway;
 mod steps;
 mod stop;
+mod tags;
+mod teaching;
 mod templates;
 mod together;
 mod truth;

@@ -67,8 +67,8 @@ async fn grip(page: &Page, name: &str) -> Outcome<(f64, f64)> {
 /// A program that follows the ball with the head, and runs.
 async fn follower(page: &Page, name: &str) -> Outcome<()> {
     add_program(page, name).await?;
-    add_sense(page, "RedBall").await?;
-    next(page, "RedBall", "distance").await?;
+    add_sense(page, "Red ball").await?;
+    next(page, "Red ball", "Distance in cm").await?;
     page.find("button", "Distance, stream").await?;
     next(page, "Distance", "Tracker").await?;
     page.find("button", "Tracker, *").await?;

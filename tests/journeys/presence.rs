@@ -178,7 +178,7 @@ async fn who_follows_sees_what_the_other_sees_until_a_hand_or_a_key_ends_it() ->
 /// Turns the wheel, so that something else is in view.
 async fn look_elsewhere(page: &Page, down: f64) -> Outcome<()> {
     let before = page.eval(VIEW).await?;
-    page.wheel((700.0, 500.0), 0.0, down).await?;
+    page.wheel_zoom((700.0, 500.0), down).await?;
     page.until(&format!("{VIEW} !== {before}"), "something else is in view").await.map(drop)
 }
 

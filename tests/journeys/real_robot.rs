@@ -23,8 +23,8 @@ async fn a_robot_is_added_by_its_address_and_runs_the_same_program() -> Outcome<
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
-    next(&aiko, "RedBall", "distance").await?;
+    add_sense(&aiko, "Red ball").await?;
+    next(&aiko, "Red ball", "Distance in cm").await?;
     next(&aiko, "Distance", "Tracker").await?;
     aiko.find("button", "Tracker, *").await?;
     saved(&aiko).await?;

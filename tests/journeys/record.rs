@@ -12,11 +12,11 @@ async fn a_run_is_recorded_if_somebody_wants_it() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Watcher").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     saved(&aiko).await?;
     aiko.press("checkbox", "Record the next run").await?;
     start(&aiko).await?;
-    shows_value(&aiko, "RedBall").await?;
+    shows_value(&aiko, "Red ball").await?;
     aiko.fill("textbox", "What happens now?", "She smiles.").await?;
     aiko.press("button", "Mark").await?;
     says(&aiko, "Marked in the recording.").await?;

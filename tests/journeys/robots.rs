@@ -12,8 +12,8 @@ async fn two_robots_run_the_same_program_and_each_has_its_stop() -> Outcome<()> 
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
-    next(&aiko, "RedBall", "distance").await?;
+    add_sense(&aiko, "Red ball").await?;
+    next(&aiko, "Red ball", "Distance in cm").await?;
     next(&aiko, "Distance", "Tracker").await?;
     aiko.find("button", "Tracker, *").await?;
     saved(&aiko).await?;

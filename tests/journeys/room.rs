@@ -15,6 +15,33 @@ async fn shown(page: &Page, stream: &str, text: &str) -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn what_a_sense_would_tell_is_pretended_at_one_press() -> Outcome<()> {
+    if !skip::ready("journey: pretending") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Pretend").await?;
+    add_sense(&aiko, "Word").await?;
+    start(&aiko).await?;
+    select(&aiko, "Word").await?;
+    aiko.press("button", "Send a value").await?;
+    let dialog = aiko.within("dialog", "Send a value: Word");
+    dialog.press("button", "somebody said “no”").await?;
+    says(&aiko, "Sent to Word").await?;
+    shown(&aiko, "Word", "no").await?;
+    dialog.fill("textbox", "The word as it was chosen", "perhaps").await?;
+    dialog.find("slider", "How sure the robot is, from 0 to 1").await?;
+    dialog.press("button", "Send").await?;
+    shown(&aiko, "Word", "perhaps").await?;
+    aiko.until("!document.querySelector('.dialog details').open", "the value as text is put away").await?;
+    aiko.key("Escape").await?;
+    aiko.gone("dialog", "Send a value: Word").await?;
+    stop(&aiko).await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
 async fn a_robot_hears_words_that_are_typed() -> Outcome<()> {
     if !skip::ready("journey: words") {
         return Ok(());
@@ -22,11 +49,11 @@ async fn a_robot_hears_words_that_are_typed() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Listen").await?;
-    add_sense(&aiko, "WordRecognized").await?;
+    add_sense(&aiko, "Word").await?;
     start(&aiko).await?;
     aiko.fill("textbox", "Say something to the robot", "Well, yes").await?;
     aiko.key("Enter").await?;
-    shown(&aiko, "WordRecognized", "yes").await?;
+    shown(&aiko, "Word", "yes").await?;
     stop(&aiko).await?;
     calm(&aiko)
 }
@@ -82,8 +109,8 @@ async fn a_fall_interrupts_what_runs_until_a_person_lets_it_go_on_or_stops_it() 
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Stand").await?;
-    add_sense(&aiko, "RedBall").await?;
-    says(&aiko, "Start runs version").await?;
+    add_sense(&aiko, "Red ball").await?;
+    says(&aiko, "Nothing leads to an action yet: the robot only watches.").await?;
     says(&aiko, "Battery 100 %").await?;
     start(&aiko).await?;
     aiko.press("button", "More").await?;

@@ -15,8 +15,8 @@ async fn an_endless_loop_harms_only_itself() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Runaway").await?;
-    add_sense(&aiko, "RedBall").await?;
-    thunderbolt(&aiko, "RedBall", "filter").await?;
+    add_sense(&aiko, "Red ball").await?;
+    thunderbolt(&aiko, "Red ball", "filter").await?;
     write_endless(&aiko).await?;
     start(&aiko).await?;
     let js = "function () { return this.closest('.at').querySelector('.fault')?.textContent; }";
@@ -25,8 +25,8 @@ async fn an_endless_loop_harms_only_itself() -> Outcome<()> {
 
     let ben = stage.person("ben").await?;
     add_program(&ben, "Beside").await?;
-    add_sense(&ben, "RedBall").await?;
-    next(&ben, "RedBall", "distance").await?;
+    add_sense(&ben, "Red ball").await?;
+    next(&ben, "Red ball", "Distance in cm").await?;
     ben.find("button", "Distance, stream").await?;
     saved(&ben).await?;
     start(&ben).await?;
@@ -42,7 +42,13 @@ async fn an_endless_loop_harms_only_itself() -> Outcome<()> {
 }
 
 async fn write_endless(page: &Page) -> Outcome<()> {
-    page.within("dialog", "Operation").fill("textbox", "Body", ENDLESS).await?;
+    let dialog = page.within("dialog", "Operation");
+    dialog.fill("textbox", "Procedure", ENDLESS).await?;
+    // A whole procedure names nothing: the name is asked for.
+    dialog.press("button", "Save").await?;
+    says(page, "Give the stream a name.").await?;
+    page.until("document.activeElement.id === 'output-name'", "the name has the keyboard").await?;
+    page.type_text("Endless").await?;
     save(page, "Operation").await?;
     page.find("button", CHIP).await.map(drop)
 }
@@ -51,9 +57,9 @@ async fn write_endless(page: &Page) -> Outcome<()> {
 async fn still_answers(page: &Page) -> Outcome<()> {
     page.press("button", CHIP).await?;
     page.find("toolbar", "Next steps for filter").await?;
-    select(page, "RedBall").await?;
-    let before = page.boxed("button", "RedBall, sensor stream").await?;
+    select(page, "Red ball").await?;
+    let before = page.boxed("button", "Red ball, sensor stream").await?;
     page.within("group", "Zoom").press("button", "Zoom in").await?;
     let wider = format!("function () {{ return this.getBoundingClientRect().width > {}; }}", before.width * 1.1);
-    page.until_on("button", "RedBall, sensor stream", &wider, "the graph is larger").await.map(drop)
+    page.until_on("button", "Red ball, sensor stream", &wider, "the graph is larger").await.map(drop)
 }

@@ -4,6 +4,9 @@ use house::{Browser, Outcome, Page, Server, Switch};
 use std::path::Path;
 use tempfile::TempDir;
 
+/// A number of a sentence is a field, and has the keyboard.
+pub(crate) const NUMBER_IS_TYPED: &str = "!!document.activeElement.closest('.inline.open')";
+
 /// A server on a fresh folder, and a browser. Server and browser end before the folder goes.
 pub(crate) struct Stage {
     pub(crate) server: Server,

@@ -15,7 +15,7 @@ async fn stop_works_while_a_dialog_is_open_and_by_escape() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
+    thunderbolt(&aiko, "Red ball", "map").await?;
     stop(&aiko).await?;
     aiko.find("dialog", "Operation").await?;
     at_rest(&aiko).await?;
@@ -23,7 +23,7 @@ async fn stop_works_while_a_dialog_is_open_and_by_escape() -> Outcome<()> {
     aiko.gone("dialog", "Operation").await?;
 
     start(&aiko).await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
+    thunderbolt(&aiko, "Red ball", "map").await?;
     escape_twice(&aiko).await?;
     says(&aiko, "Stopped. The robot holds still.").await?;
     aiko.gone("dialog", "Operation").await?;
@@ -80,8 +80,8 @@ async fn stop_works_without_the_program() -> Outcome<()> {
 /// A program with a red ball and its distance, which runs.
 pub(crate) async fn running_ball(page: &Page) -> Outcome<()> {
     add_program(page, "To be stopped").await?;
-    add_sense(page, "RedBall").await?;
-    next(page, "RedBall", "distance").await?;
+    add_sense(page, "Red ball").await?;
+    next(page, "Red ball", "Distance in cm").await?;
     page.find("button", "Distance, stream").await?;
     saved(page).await?;
     start(page).await?;

@@ -14,25 +14,25 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     call_myself(&ben, "Ben").await?;
     aiko.find("button", "Follow Ben").await?;
 
     rename_program(&aiko, "Ours", "Our ball").await?;
     ben.find("button", "Our ball").await?;
-    rename_stream(&aiko, "RedBall", "The ball").await?;
+    rename_stream(&aiko, "Red ball", "The ball").await?;
     ben.find("button", "The ball, sensor stream").await?;
     drag_aside(&aiko, &ben, "The ball, sensor stream").await?;
 
-    add_sense(&ben, "HeadTouch").await?;
-    aiko.find("button", "HeadTouch, anywhere, sensor stream").await?;
+    add_sense(&ben, "Head touch").await?;
+    aiko.find("button", "Head touch, anywhere, sensor stream").await?;
     rename_program(&aiko, "Our ball", "My ball").await?;
     ben.find("button", "My ball").await?;
     aiko.press("button", "Undo").await?;
     for person in [&aiko, &ben] {
         person.find("button", "Our ball").await?;
-        person.find("button", "HeadTouch, anywhere, sensor stream").await?;
+        person.find("button", "Head touch, anywhere, sensor stream").await?;
     }
     calm(&ben)?;
     ben.close().await?;
@@ -43,9 +43,9 @@ async fn what_one_does_the_other_sees() -> Outcome<()> {
 /// Makes a program with a map whose body is 1.
 pub(crate) async fn add_map(page: &Page) -> Outcome<()> {
     add_program(page, "Ours").await?;
-    add_sense(page, "RedBall").await?;
-    thunderbolt(page, "RedBall", "map").await?;
-    page.within("dialog", "Operation").fill("textbox", "Body", "1").await?;
+    add_sense(page, "Red ball").await?;
+    thunderbolt(page, "Red ball", "map").await?;
+    page.within("dialog", "Operation").fill("textbox", "Procedure", "1").await?;
     save(page, "Operation").await
 }
 
@@ -57,10 +57,10 @@ async fn what_is_done_offline_is_sent_later() -> Outcome<()> {
     let mut stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Ours").await?;
-    add_sense(&aiko, "RedBall").await?;
+    add_sense(&aiko, "Red ball").await?;
     saved(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
-    ben.find("button", "RedBall, sensor stream").await?;
+    ben.find("button", "Red ball, sensor stream").await?;
     stage.server.kill9().await?;
     says(&aiko, "No connection. You can go on; it is sent when the connection is back.").await?;
     rename_program(&aiko, "Ours", "Ours, later").await?;
@@ -90,8 +90,8 @@ pub(crate) async fn call_myself(page: &Page, name: &str) -> Outcome<()> {
 async fn rename_stream(page: &Page, from: &str, to: &str) -> Outcome<()> {
     select(page, from).await?;
     next(page, from, "Edit").await?;
-    page.within("dialog", "Edit stream sensor").fill("textbox", "Name", to).await?;
-    save(page, "Edit stream sensor").await
+    page.within("dialog", "Red ball settings").fill("textbox", "Name", to).await?;
+    save(page, "Red ball settings").await
 }
 
 /// One drags a stream; it ends at the same place for the other.
@@ -109,6 +109,6 @@ async fn drag_aside(one: &Page, other: &Page, stream: &str) -> Outcome<()> {
 /// Opens a connector's dialog and writes another body, without saving.
 pub(crate) async fn write_body(page: &Page, chip: &str, body: &str) -> Outcome<()> {
     page.press("button", chip).await?;
-    next(page, "map", "Edit").await?;
-    page.within("dialog", "Operation").fill("textbox", "Body", body).await
+    next(page, "map", "More…").await?;
+    page.within("dialog", "Operation").fill("textbox", "Procedure", body).await
 }

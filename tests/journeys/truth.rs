@@ -34,9 +34,9 @@ async fn what_fails_is_counted_where_people_look() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Failing").await?;
-    add_sense(&aiko, "RedBall").await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", FAILS).await?;
+    add_sense(&aiko, "Red ball").await?;
+    thunderbolt(&aiko, "Red ball", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Procedure", FAILS).await?;
     save(&aiko, "Operation").await?;
     aiko.find("image", "ready").await?;
     start(&aiko).await?;
@@ -49,6 +49,9 @@ async fn what_fails_is_counted_where_people_look() -> Outcome<()> {
     let said = "[...document.querySelectorAll('.robot [role=status]')].some(said => \
         said.textContent.startsWith('“map (throw 1)” fails:'))";
     aiko.until(said, "it is announced").await?;
+    let once = "[...document.querySelectorAll('[role=status], [role=alert], [aria-live]')]
+        .filter(live => live.textContent.includes('“map (throw 1)” fails:')).length === 1";
+    aiko.until(once, "by one voice only").await?;
     aiko.press_at((300.0, 700.0)).await?;
     says(&aiko, "“map (throw 1)” failed").await?;
     silent(&aiko, "Nothing is missing").await?;
@@ -79,7 +82,7 @@ async fn while_the_server_is_silent_nothing_is_claimed() -> Outcome<()> {
     aiko.find("button", "Was running").await?;
     assert!(aiko.find("button", "Was running").await?.disabled);
     aiko.until("document.querySelector('.lamp').dataset.health === 'unheard'", "the lamp is hollow").await?;
-    for claim in ["All changes saved", "Running version"] {
+    for claim in ["All changes saved", "The robot runs this version"] {
         silent(&aiko, claim).await?;
     }
     says(&aiko, "as it was").await?;
@@ -121,11 +124,11 @@ async fn a_dialog_says_who_removed_its_stream() -> Outcome<()> {
     let ben = stage.beside(&aiko, "ben").await?;
     select(&aiko, "1").await?;
     next(&aiko, "1", "Edit").await?;
-    aiko.within("dialog", "Edit stream").fill("textbox", "Name", "Mine").await?;
+    aiko.within("dialog", "Stream settings").fill("textbox", "Name", "Mine").await?;
     select(&ben, "1").await?;
     next(&ben, "1", "Remove").await?;
     says(&aiko, " removed this. What you wrote is still here: copy it, or close.").await?;
-    let sentence = aiko.within("dialog", "Edit stream").text("alert", "").await?;
+    let sentence = aiko.within("dialog", "Stream settings").text("alert", "").await?;
     assert!(sentence.starts_with("Guest "), "it says who: {sentence}");
     calm(&aiko)
 }
@@ -154,7 +157,7 @@ async fn a_dialog_whose_connector_somebody_removed_stays_with_what_was_written()
     says(&aiko, " removed this. What you wrote is still here: copy it, or close.").await?;
     assert!(dialog.find("button", "Save").await?.disabled);
     aiko.key("Control+Enter").await?;
-    assert_eq!(dialog.text("textbox", "Body").await?, "2 + 2");
+    assert_eq!(dialog.text("textbox", "Procedure").await?, "2 + 2");
     dialog.press("button", "Copy what I wrote").await?;
     says(&aiko, "Copied.").await?;
 
@@ -225,20 +228,20 @@ async fn what_one_types_replaces_what_was_only_proposed() -> Outcome<()> {
     aiko.key("Enter").await?;
     aiko.find("button", "My own").await?;
     aiko.find("heading", "Add a sense to begin").await?;
-    add_sense(&aiko, "RedBall").await?;
-    next(&aiko, "RedBall", "distance").await?;
+    add_sense(&aiko, "Red ball").await?;
+    next(&aiko, "Red ball", "Distance in cm").await?;
     aiko.find("button", "Distance, stream").await?;
 
     thunderbolt(&aiko, "Distance", "filter").await?;
-    has(&aiko, "Body", "distance < ").await?;
+    has(&aiko, "Procedure", "distance < ").await?;
     aiko.until("document.activeElement.tagName === 'TEXTAREA'", "the body has the keyboard").await?;
     aiko.type_text("distance > 5").await?;
-    has(&aiko, "Body", "distance > 5").await?;
+    has(&aiko, "Procedure", "distance > 5").await?;
     aiko.press("textbox", "Output stream name").await?;
     aiko.until("getSelection().toString() === 'Distance > 5'", "the proposed name is selected").await?;
     aiko.type_text("Far").await?;
     has(&aiko, "Output stream name", "Far").await?;
-    aiko.press("textbox", "Body").await?;
+    aiko.press("textbox", "Procedure").await?;
     aiko.key("Enter").await?;
     aiko.gone("dialog", "Operation").await?;
     sees(&aiko, &["filter (distance > 5), connector*", "Far, stream"]).await?;
@@ -247,12 +250,12 @@ async fn what_one_types_replaces_what_was_only_proposed() -> Outcome<()> {
     typed_over(&aiko, "Name", "twice").await?;
     aiko.key("Escape").await?;
     aiko.gone("dialog", "Add a helper").await?;
-    select(&aiko, "RedBall").await?;
-    next(&aiko, "RedBall", "Say…").await?;
-    aiko.find("dialog", "Edit stream actuator").await?;
+    select(&aiko, "Red ball").await?;
+    next(&aiko, "Red ball", "Say…").await?;
+    aiko.find("dialog", "Say a text settings").await?;
     typed_over(&aiko, "Text", "Good morning").await?;
     aiko.key("Enter").await?;
-    aiko.gone("dialog", "Edit stream actuator").await?;
+    aiko.gone("dialog", "Say a text settings").await?;
     says(&aiko, "Good morning").await?;
     calm(&aiko)
 }
@@ -278,20 +281,20 @@ async fn what_is_old_or_an_example_is_called_so() -> Outcome<()> {
     let stage = Stage::set().await?;
     let aiko = stage.person("aiko").await?;
     add_program(&aiko, "Old and new").await?;
-    add_sense(&aiko, "RedBall").await?;
-    thunderbolt(&aiko, "RedBall", "map").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", "redBall.size").await?;
+    add_sense(&aiko, "Red ball").await?;
+    thunderbolt(&aiko, "Red ball", "map").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Procedure", "redBall.size").await?;
     says(&aiko, "for example x").await?;
     silent(&aiko, "now x").await?;
     save(&aiko, "Operation").await?;
     start(&aiko).await?;
-    shows_value(&aiko, "RedBall.size").await?;
+    shows_value(&aiko, "Red ball.size").await?;
     let chip = "map (redBall.size), connector*";
     aiko.press("button", chip).await?;
-    says(&aiko, "Passed on").await?;
+    says(&aiko, "worked, ").await?;
 
-    next(&aiko, "map", "Edit").await?;
-    aiko.within("dialog", "Operation").fill("textbox", "Body", "redBall.size * 2").await?;
+    next(&aiko, "map", "More…").await?;
+    aiko.within("dialog", "Operation").fill("textbox", "Procedure", "redBall.size * 2").await?;
     says(&aiko, "now x").await?;
     save(&aiko, "Operation").await?;
     let ring = "function () { return this.querySelector('.unused') !== null && this.ariaDescription.includes('not used yet'); }";
@@ -299,9 +302,9 @@ async fn what_is_old_or_an_example_is_called_so() -> Outcome<()> {
     aiko.until_on("button", edited, ring, "the chip says that it is not used yet").await?;
     let ben = stage.beside(&aiko, "ben").await?;
     ben.until_on("button", edited, ring, "who comes later is told too").await?;
-    says(&aiko, "Not used yet: the robot still runs it as it was before.").await?;
-    silent(&aiko, "Passed on").await?;
-    aiko.press("button", "Apply to the running robot").await?;
+    says(&aiko, "The robot still uses redBall.size.").await?;
+    silent(&aiko, "worked, ").await?;
+    aiko.within("region", "Robot").press("button", "Use my changes").await?;
     let used = "function () { return this.querySelector('.unused') === null; }";
     for page in [&aiko, &ben] {
         page.until_on("button", edited, used, "it is used now").await?;

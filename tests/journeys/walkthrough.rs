@@ -8,7 +8,7 @@ use crate::visitor::Visitor;
 
 /// Everything on the canvas at the end.
 const ALL: [&str; 7] = [
-    "RedBall, sensor stream",
+    "Red ball, sensor stream",
     "map (distance), connector*",
     "DistanceToBall, stream",
     "filter (distanceToBall < 60), connector*",
@@ -44,7 +44,7 @@ async fn the_walkthrough_of_the_thesis() -> Outcome<()> {
     let mut visitor = Visitor::enter(&stage.server).await?;
     drag_the_ball(&aiko, &mut visitor).await?;
     for person in [&aiko, &ben] {
-        for stream in ["RedBall", "DistanceToBall", "Close balls"] {
+        for stream in ["Red ball", "DistanceToBall", "Close balls"] {
             shows_value(person, stream).await?;
         }
         calm(person)?;
@@ -73,15 +73,15 @@ async fn the_walkthrough_of_the_thesis() -> Outcome<()> {
 
 async fn add_red_ball(page: &Page) -> Outcome<()> {
     page.press("button", "Add sensor").await?;
-    page.press("menuitem", "RedBall").await?;
+    page.press("menuitem", "Red ball").await?;
     sees(page, &ALL[..1]).await
 }
 
 async fn map_to_distance(page: &Page) -> Outcome<()> {
-    thunderbolt(page, "RedBall", "map").await?;
+    thunderbolt(page, "Red ball", "map").await?;
     let dialog = page.within("dialog", "Operation");
-    dialog.press("radio", "Helper").await?;
-    choose(page, "Helper", "distance (", "distance").await?;
+    dialog.press("radio", "Use a helper").await?;
+    choose(page, "Helper", "Distance in c", "distance").await?;
     dialog.fill("textbox", "Output stream name", "DistanceToBall").await?;
     save(page, "Operation").await?;
     sees(page, &ALL[..3]).await
@@ -90,9 +90,9 @@ async fn map_to_distance(page: &Page) -> Outcome<()> {
 async fn filter_close_balls(page: &Page) -> Outcome<()> {
     thunderbolt(page, "DistanceToBall", "filter").await?;
     let dialog = page.within("dialog", "Operation");
-    dialog.fill("textbox", "Body", "distancetoball < 60").await?;
+    dialog.fill("textbox", "Procedure", "distancetoball < 60").await?;
     dialog.press("button", "Change distancetoball to distanceToBall").await?;
-    assert_eq!(dialog.text("textbox", "Body").await?, "distanceToBall < 60");
+    assert_eq!(dialog.text("textbox", "Procedure").await?, "distanceToBall < 60");
     dialog.fill("textbox", "Output stream name", "Close balls").await?;
     save(page, "Operation").await?;
     sees(page, &ALL[..5]).await
@@ -108,9 +108,9 @@ async fn lead_to_tracker(page: &Page) -> Outcome<()> {
 async fn edit_tracker(page: &Page) -> Outcome<()> {
     select(page, "Tracker").await?;
     next(page, "Tracker", "Edit").await?;
-    page.within("dialog", "Edit stream actuator").press("radio", "head").await?;
-    choose(page, "Effector", "left", "LArm").await?;
-    save(page, "Edit stream actuator").await?;
+    page.within("dialog", "Tracker settings").press("radio", "head").await?;
+    choose(page, "Arm", "left", "LArm").await?;
+    save(page, "Tracker settings").await?;
     says(page, "left arm").await
 }
 

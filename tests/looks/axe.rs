@@ -1,6 +1,8 @@
 //! axe finds nothing, on any screen, in light and dark, on a desktop and on a phone.
 
-use crate::screens::{Stage, nothing, rests, walk};
+use crate::look::{DESKTOP, PHONE, colours, set};
+use crate::screens::{Stage, nothing, rests, run_template, selected, walk};
+use crate::words::Words;
 use house::{Outcome, Page, skip};
 use std::cell::RefCell;
 
@@ -12,24 +14,13 @@ async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
     let stage = Stage::set().await?;
     let page = &stage.page;
     let found = RefCell::new(Vec::new());
-    let walked = walk(page, async |screen: &str| {
-        for dark in [false, true] {
-            page.theme(dark).await?;
-            rests(page).await?;
-            let place = format!("{screen}, {}", if dark { "dark" } else { "light" });
-            let more = check(page, &place).await?;
+    let walked = walk(page, &Words::english(), async |screen: &str| {
+        for window in [PHONE, DESKTOP] {
+            set(page, &window).await?;
+            let more = colours(page, &format!("{screen}-{}", window.0)).await?;
             found.borrow_mut().extend(more);
         }
-        page.size(390, 844, true).await?;
-        rests(page).await?;
-        let more = check(page, &format!("{screen}, phone, dark")).await?;
-        found.borrow_mut().extend(more);
-        page.theme(false).await?;
-        rests(page).await?;
-        let more = check(page, &format!("{screen}, phone, light")).await?;
-        found.borrow_mut().extend(more);
-        page.size(1440, 900, false).await?;
-        rests(page).await
+        page.theme(false).await
     })
     .await;
     let mut found = found.into_inner();
@@ -47,4 +38,42 @@ pub(crate) async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {
         format!("{place}: {} ({}): {}\n      {nodes}", violation.rule, violation.impact, violation.help)
     };
     Ok(violations.into_iter().map(line).collect())
+}
+
+/// The lamp and the connector that is chosen, as they are seen where the page has no colours of its own.
+const SEEN: &str = "(() => {
+    const lamp = getComputedStyle(document.querySelector('.robot-head .lamp'));
+    const chip = getComputedStyle(document.querySelector('.chip.selected'));
+    const line = style => [style.outlineStyle, style.borderTopStyle].some(one => one !== 'none');
+    const ground = getComputedStyle(document.querySelector('.robot-head')).backgroundColor;
+    return (line(lamp) || lamp.backgroundColor !== ground) && chip.outlineStyle !== 'none' && parseFloat(chip.outlineWidth) >= 2;
+})()";
+
+#[tokio::test]
+async fn with_forced_colours_axe_finds_nothing_and_the_lamp_and_what_is_chosen_are_seen() -> Outcome<()> {
+    if !skip::ready("axe with forced colours") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let page = &stage.page;
+    page.media("forced-colors", "active").await?;
+    let mut found = check(page, "empty-library, forced").await?;
+    run_template(page, &Words::english()).await?;
+    selected(page, &Words::english(), "Distance").await?;
+    rests(page).await?;
+    found.extend(check(page, "running, forced").await?);
+    page.eval("document.querySelector('.chip').click(), 0").await?;
+    page.until("document.querySelector('.chip.selected') !== null", "a connector is chosen").await?;
+    rests(page).await?;
+    page.until(SEEN, "the lamp and the chosen connector are seen").await?;
+    found.extend(check(page, "chip, forced").await?);
+    page.screenshot(&house::target().join("looks/forced-colours.png")).await?;
+    page.key("Control+k").await?;
+    page.find("dialog", "Keys and gestures").await?;
+    found.extend(check(page, "commands, forced").await?);
+    page.size(390, 844, true).await?;
+    rests(page).await?;
+    found.extend(check(page, "commands, phone, forced").await?);
+    nothing("findings of axe", &found)?;
+    page.no_errors()
 }

@@ -1,11 +1,10 @@
 //! How it looks when two changed one thing, and when the link is lost: on every size, in light and dark.
 
 use crate::axe::check;
-use crate::rules::{broken, list};
+use crate::look::{DESKTOP, WINDOWS, look_in, set};
 use crate::screens::{edit, nothing, rests, run_template, usable};
-use crate::targets::SMALL;
+use crate::words::Words;
 use house::{Browser, Outcome, Page, Server, Switch, skip};
-use std::path::PathBuf;
 
 /// The connector that both change.
 const CHIP: &str = "filter (distance < 0.5), connector*";
@@ -20,7 +19,7 @@ async fn axe_finds_nothing_where_two_changes_stand_side_by_side() -> Outcome<()>
     let browser = Browser::launch().await?;
     let aiko = browser.person("aiko").await?;
     let socket = enter(&aiko, &server.url(), "Aiko").await?;
-    run_template(&aiko).await?;
+    run_template(&aiko, &Words::english()).await?;
     let yuki = browser.person("yuki").await?;
     enter(&yuki, &aiko.address().await?, "Yuki").await?;
 
@@ -57,45 +56,25 @@ async fn enter<'a>(page: &'a Page, url: &str, name: &str) -> Outcome<Switch<'a>>
 
 async fn write(page: &Page, test: &str) -> Outcome<()> {
     page.press("button", CHIP).await?;
-    edit(page).await?;
+    edit(page, &Words::english()).await?;
     let dialog = page.within("dialog", "Operation");
-    dialog.fill("textbox", "Body", test).await?;
+    dialog.fill("textbox", "Procedure", test).await?;
     dialog.press("button", "Save").await?;
     page.gone("dialog", "Operation").await
 }
 
-/// Looks at a state in light and dark, on a desktop, a tablet and a phone, also a very low one; a button of it is there on all.
+/// Looks at a state everywhere, also in a very low window; a button of it is there in all.
 async fn look(page: &Page, state: &str, button: &str) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
-    for (size, width, height, touch) in
-        [("desktop", 1440, 900, false), ("tablet", 1180, 820, true), ("phone", 390, 844, true)]
-    {
-        page.size(width, height, touch).await?;
+    for window in &WINDOWS {
+        set(page, window).await?;
         page.find("button", button).await?;
-        for dark in [false, true] {
-            page.theme(dark).await?;
-            rests(page).await?;
-            let place = format!("{state}-{size}-{}", if dark { "dark" } else { "light" });
-            found.extend(check(page, &place).await?);
-            picture(page, &place).await?;
-        }
-        found.extend(broken(page, &format!("{state}, {size}")).await?);
-        let least = if touch { 44 } else { 24 };
-        found.extend(list(page, &format!("{SMALL}({least})"), &format!("{state}, {size}")).await?);
+        found.extend(look_in(page, state, std::slice::from_ref(window)).await?);
     }
     // As low as under the keyboard of a phone, where long contents must scroll by keys too.
     page.size(390, 420, true).await?;
     rests(page).await?;
     found.extend(check(page, &format!("{state}, low")).await?);
-    page.theme(false).await?;
-    page.size(1440, 900, false).await?;
+    set(page, &DESKTOP).await?;
     Ok(found)
-}
-
-/// Keeps a picture where `LOOKS_PICTURES` says, if it says so.
-async fn picture(page: &Page, name: &str) -> Outcome<()> {
-    match std::env::var_os("LOOKS_PICTURES") {
-        Some(folder) => page.screenshot(&PathBuf::from(folder).join(format!("{name}.png"))).await,
-        None => Ok(()),
-    }
 }

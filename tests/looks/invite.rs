@@ -1,7 +1,8 @@
 //! How it looks to let others in, to be one who may only look, and to be out.
 
-use crate::locks::look;
+use crate::look::look;
 use crate::screens::{Stage, nothing, run_template, usable};
+use crate::words::Words;
 use house::{Browser, Outcome, Page, Server, skip};
 use serde_json::json;
 
@@ -17,7 +18,7 @@ async fn axe_finds_nothing_about_inviting_and_who_may_only_look() -> Outcome<()>
     aiko.size(1440, 900, false).await?;
     aiko.goto(&server.url()).await?;
     usable(&aiko).await?;
-    run_template(&aiko).await?;
+    run_template(&aiko, &Words::english()).await?;
     let mut found = Vec::new();
     aiko.press("button", "Invite").await?;
     let dialog = aiko.within("dialog", "Invite somebody");
@@ -32,8 +33,7 @@ async fn axe_finds_nothing_about_inviting_and_who_may_only_look() -> Outcome<()>
 
     ben.press("button", "filter (distance < 0.5), connector*").await?;
     found.extend(look(&ben, "may-look").await?);
-    ben.until("!!document.querySelector('.strip [aria-label=\"Look at it\"]')", "it can be looked at").await?;
-    ben.eval("document.querySelector('.strip [aria-label=\"Look at it\"]').click()").await?;
+    ben.within("toolbar", "Next steps for filter").press("button", "Look at it").await?;
     ben.find("dialog", "Operation").await?;
     found.extend(look(&ben, "reads").await?);
 

@@ -1,11 +1,10 @@
 //! How it looks when two people want to edit one thing: ring, padlock, who reads, who is asked, who lost it.
 
 use crate::axe::check;
-use crate::rules::list;
-use crate::screens::{Stage, edit, nothing, rests, run_template, usable};
-use crate::targets::SMALL;
+use crate::look::{look, picture};
+use crate::screens::{Stage, edit, nothing, run_template, usable};
+use crate::words::Words;
 use house::{Outcome, Page, skip};
-use std::path::PathBuf;
 
 /// The connector that both want.
 const CHIP: &str = "filter (distance < 0.5), connector*";
@@ -17,7 +16,7 @@ async fn axe_finds_nothing_while_somebody_else_is_editing() -> Outcome<()> {
     }
     let stage = Stage::set().await?;
     let aiko = &stage.page;
-    run_template(aiko).await?;
+    run_template(aiko, &Words::english()).await?;
     let yuki = stage.browser.person("yuki").await?;
     yuki.size(1440, 900, false).await?;
     yuki.goto(&stage.server.url()).await?;
@@ -46,7 +45,7 @@ async fn axe_finds_nothing_when_something_is_handed_over() -> Outcome<()> {
     }
     let stage = Stage::set().await?;
     let yuki = &stage.page;
-    run_template(yuki).await?;
+    run_template(yuki, &Words::english()).await?;
     let aiko = stage.browser.person("aiko").await?;
     aiko.goto(&yuki.address().await?).await?;
     usable(&aiko).await?;
@@ -65,34 +64,6 @@ async fn axe_finds_nothing_when_something_is_handed_over() -> Outcome<()> {
 
 async fn open_filter(page: &Page) -> Outcome<()> {
     page.press("button", CHIP).await?;
-    edit(page).await?;
+    edit(page, &Words::english()).await?;
     page.find("dialog", "Operation").await.map(drop)
-}
-
-/// Looks at a state in light and dark, on a desktop and on a phone.
-pub(crate) async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
-    let mut found = Vec::new();
-    for (size, width, height, touch) in [("desktop", 1440, 900, false), ("phone", 390, 844, true)] {
-        page.size(width, height, touch).await?;
-        for dark in [false, true] {
-            page.theme(dark).await?;
-            rests(page).await?;
-            let place = format!("{state}-{size}-{}", if dark { "dark" } else { "light" });
-            found.extend(check(page, &place).await?);
-            picture(page, &place).await?;
-        }
-        let least = if touch { 44 } else { 24 };
-        found.extend(list(page, &format!("{SMALL}({least})"), &format!("{state}, {size}")).await?);
-    }
-    page.theme(false).await?;
-    page.size(1440, 900, false).await?;
-    Ok(found)
-}
-
-/// Keeps a picture where `LOOKS_PICTURES` says, if it says so.
-async fn picture(page: &Page, name: &str) -> Outcome<()> {
-    match std::env::var_os("LOOKS_PICTURES") {
-        Some(folder) => page.screenshot(&PathBuf::from(folder).join(format!("{name}.png"))).await,
-        None => Ok(()),
-    }
 }

@@ -1,14 +1,20 @@
 //! How every screen looks at every size: accessibility, nothing cut or scrolled sideways, Stop on top, the first load.
 
+mod asides;
 mod axe;
 mod conflicts;
+mod corners;
 mod graphs;
 mod history;
 mod invite;
+mod japanese;
 mod load;
 mod locks;
+mod look;
 mod presence;
 mod rules;
 mod screens;
 mod sizes;
 mod targets;
+mod tour;
+mod words;

@@ -1,7 +1,8 @@
 //! How it looks when others are here: their signs and pointers, the field for one's name, following, the list of people.
 
-use crate::locks::look;
+use crate::look::look;
 use crate::screens::{Stage, nothing, run_template, usable};
+use crate::words::Words;
 use house::{Outcome, Page, skip};
 
 #[tokio::test]
@@ -11,7 +12,7 @@ async fn axe_finds_nothing_while_others_are_here() -> Outcome<()> {
     }
     let stage = Stage::set().await?;
     let aiko = &stage.page;
-    run_template(aiko).await?;
+    run_template(aiko, &Words::english()).await?;
     let yuki = beside(&stage, "yuki", "Yuki").await?;
     let _guest = beside(&stage, "guest", "Guest 42").await?;
     yuki.press("button", "Distance, *").await?;

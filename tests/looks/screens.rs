@@ -1,5 +1,6 @@
 //! Walks through the screens as a person reaches them, and stops at each.
 
+use crate::words::Words;
 use house::{Browser, Outcome, Page, Server, Trouble};
 use tempfile::TempDir;
 
@@ -34,12 +35,17 @@ pub(crate) struct Stage {
 
 impl Stage {
     pub(crate) async fn set() -> Outcome<Stage> {
+        Self::set_in(&Words::english()).await
+    }
+
+    /// The same in one language.
+    pub(crate) async fn set_in(words: &Words) -> Outcome<Stage> {
         let folder = house::folder()?;
         let server = Server::start(folder.path()).await?;
         let browser = Browser::launch().await?;
         let page = browser.person("aiko").await?;
         page.size(1440, 900, false).await?;
-        page.goto(&server.url()).await?;
+        words.open(&page, &server.url()).await?;
         usable(&page).await?;
         Ok(Stage { page, server, browser, _folder: folder })
     }
@@ -58,125 +64,173 @@ pub(crate) async fn rests(page: &Page) -> Outcome<()> {
 }
 
 /// Visits every screen on a desktop, with its name; whoever visits may change size and theme and must put them back.
-pub(crate) async fn walk(page: &Page, visit: impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+pub(crate) async fn walk(page: &Page, words: &Words, visit: impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
     visit("empty-library").await?;
-    page.press("button", "Add a program").await?;
-    page.find("dialog", "Add a program").await?;
+    page.press("button", &words.say("Add a program")).await?;
+    page.find("dialog", &words.say("Add a program")).await?;
     visit("add-program").await?;
-    page.press("button", "Create").await?;
-    page.find("heading", "Add a sense to begin").await?;
+    page.press("button", &words.say("Create")).await?;
+    page.find("heading", &words.say("Add a sense to begin")).await?;
     page.until("document.activeElement.matches('.sense-card')", "the first sense has the keyboard").await?;
     visit("empty-program").await?;
-    run_template(page).await?;
+    learning(page, words, &visit).await?;
+    run_template(page, words).await?;
     visit("running").await?;
-    robots(page, &visit).await?;
-    operations(page, &visit).await?;
-    selected(page, "Head tracker").await?;
-    edit(page).await?;
-    page.find("dialog", "Edit stream actuator").await?;
+    robots(page, words, &visit).await?;
+    operations(page, words, &visit).await?;
+    selected(page, words, "Head tracker").await?;
+    edit(page, words).await?;
+    page.find("dialog", &words.fill("{what} settings", &[("what", &words.say("Tracker"))])).await?;
     visit("edit-actuator").await?;
     leave(page).await?;
-    page.press("button", "Edit helper").await?;
-    page.press("menuitem", "select_arm*").await?;
-    page.find("dialog", "Edit helper").await?;
+    page.press("button", &words.say("Edit helper")).await?;
+    page.press("menuitem", &words.begins("Arm on that side")).await?;
+    page.find("dialog", &words.say("Edit helper")).await?;
     visit("helper").await?;
     leave(page).await?;
-    page.press("button", "Load program").await?;
-    page.press("menuitem", "All programs and templates …").await?;
-    page.find("dialog", "Load program").await?;
-    page.until("document.querySelectorAll('.program-line .picture path').length > 0", "its picture is there").await?;
-    visit("load-program").await?;
-    page.press("button", &format!("More about {TEMPLATE}")).await?;
-    page.find("button", "Back to the list").await?;
-    visit("load-program-details").await?;
-    page.press("radio", "Templates").await?;
-    visit("load-program-templates").await?;
-    page.press("radio", "Bin").await?;
-    page.until("document.body.innerText.includes('The bin is empty')", "the bin is empty").await?;
-    visit("load-program-bin").await?;
-    leave(page).await?;
-    page.press("button", "Load program").await?;
-    page.press("menuitem", "Save as file …").await?;
-    page.find("dialog", "Save as file").await?;
+    programs(page, words, &visit).await?;
+    page.press("button", &words.say("Load program")).await?;
+    page.press("menuitem", &words.say("Save as file …")).await?;
+    page.find("dialog", &words.say("Save as file")).await?;
     visit("save-as-file").await?;
     leave(page).await
 }
 
+/// The list of programs, of templates, and of what was removed.
+async fn programs(page: &Page, words: &Words, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+    page.press("button", &words.say("Load program")).await?;
+    page.press("menuitem", &words.say("All programs and templates …")).await?;
+    page.find("dialog", &words.say("Load program")).await?;
+    page.until("document.querySelectorAll('.program-line .picture path').length > 0", "its picture is there").await?;
+    visit("load-program").await?;
+    page.press("button", &words.fill("More about {name}", &[("name", TEMPLATE)])).await?;
+    page.find("button", &words.say("Back to the list")).await?;
+    visit("load-program-details").await?;
+    page.press("radio", &words.say("Templates")).await?;
+    visit("load-program-templates").await?;
+    page.press("radio", &words.say("Bin")).await?;
+    says(page, &words.say("The bin is empty. What is removed stays here for 30 days.")).await?;
+    visit("load-program-bin").await?;
+    leave(page).await
+}
+
 /// Opens the template and starts it.
-pub(crate) async fn run_template(page: &Page) -> Outcome<()> {
-    page.press("button", "Load program").await?;
-    page.press("menuitem", &format!("{TEMPLATE}*")).await?;
-    page.until(
-        &format!("document.title.includes('{TEMPLATE}') || document.body.innerText.includes('Head tracker')"),
-        "the template is open",
-    )
-    .await?;
-    page.press("button", "Start").await?;
-    page.find("button", "Running").await?;
-    page.until("document.body.innerText.includes('/s')", "values come").await.map(drop)
+pub(crate) async fn run_template(page: &Page, words: &Words) -> Outcome<()> {
+    open_template(page, words).await?;
+    page.press("button", &words.say("Start")).await?;
+    page.find("button", &words.say("Running")).await?;
+    says(page, "/s").await
+}
+
+/// Opens the template.
+pub(crate) async fn open_template(page: &Page, words: &Words) -> Outcome<()> {
+    page.press("button", &words.say("Load program")).await?;
+    page.press("menuitem", &words.begins(TEMPLATE)).await?;
+    let open = format!("document.title.includes('{TEMPLATE}') || document.body.innerText.includes('Head tracker')");
+    page.until(&open, "the template is open").await.map(drop)
+}
+
+/// Waits until these words are in the page.
+pub(crate) async fn says(page: &Page, said: &str) -> Outcome<()> {
+    let quoted = serde_json::Value::from(said);
+    page.until(&format!("document.body.innerText.includes({quoted})"), &format!("it says “{said}”")).await.map(drop)
+}
+
+/// Does what the list of commands calls like that, in English.
+pub(crate) async fn command(page: &Page, english: &str) -> Outcome<()> {
+    page.key("Control+k").await?;
+    let asks = "document.activeElement.type === 'search' && !!document.activeElement.closest('[role=dialog]')";
+    page.until(asks, "it asks what").await?;
+    page.type_text(english).await?;
+    page.until("!!document.querySelector('.commands-list .menu-item')", "it is found").await?;
+    page.key("Enter").await?;
+    // What comes then may be this very list, empty.
+    page.until("!document.querySelector('.commands-list') || !document.activeElement.value", "the list is gone")
+        .await
+        .map(drop)
+}
+
+/// The tour at its first two steps, and a task that is missed.
+async fn learning(page: &Page, words: &Words, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+    command(page, "take the tour").await?;
+    page.find("complementary", &words.say("Tour")).await?;
+    says(page, &words.fill("Step {at} of {of}", &[("at", "2"), ("of", "9")])).await?;
+    visit("tour").await?;
+    page.press("button", &words.say("Leave the tour")).await?;
+    command(page, "load program").await?;
+    page.press("radio", &words.say("Templates")).await?;
+    page.press("button", &words.begins("Brighter when nearer")).await?;
+    let named = words.fill("Task: {name}", &[("name", "Brighter when nearer")]);
+    let task = page.within("region", &named);
+    task.press("button", &words.say("Try it")).await?;
+    page.until("document.querySelector('.verdict') !== null", "it is tried").await?;
+    visit("task").await
 }
 
 /// Adds a second robot and goes back to the one on which something runs.
-async fn robots(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
-    page.press("button", "Robot: Simulated NAO").await?;
-    page.press("menuitem", "Add a simulated robot").await?;
-    page.find("dialog", "Add a simulated robot").await?;
+async fn robots(page: &Page, words: &Words, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+    let picker = words.fill("Robot: {name}", &[("name", "*")]);
+    page.press("button", &picker).await?;
+    page.press("menuitem", &words.say("Add a simulated robot")).await?;
+    page.find("dialog", &words.say("Add a simulated robot")).await?;
     visit("add-robot").await?;
-    page.press("button", "Create").await?;
-    page.press("button", "Robot: Simulated NAO 2").await?;
-    page.find("menu", "Robot: Simulated NAO 2").await?;
+    page.press("button", &words.say("Create")).await?;
+    page.find("button", &words.say("Start")).await?;
+    page.press("button", &picker).await?;
+    page.find("menu", &picker).await?;
     visit("robots").await?;
-    page.press("menuitemradio", "Simulated NAO runs *").await?;
-    page.find("button", "Running").await?;
+    page.eval("document.querySelector('.robot-picker [role=menuitemradio]').click()").await?;
+    page.find("button", &words.say("Running")).await?;
     page.until("document.body.innerText.includes('/s')", "values come again").await.map(drop)
 }
 
-async fn operations(page: &Page, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
-    operation(page).await?;
+async fn operations(page: &Page, words: &Words, visit: &impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
+    operation(page, words).await?;
     for connector in CONNECTORS {
-        page.press("radio", connector).await?;
+        page.press("radio", &words.say(connector)).await?;
         if connector == "filter" {
-            page.fill("textbox", "Body", "distance < 0.5").await?;
-            page.until(
-                "document.body.innerText.includes('passes') || document.body.innerText.includes('stopped')",
-                "the test is tried",
-            )
-            .await?;
+            page.fill("textbox", &words.say("Procedure"), "distance < 0.5").await?;
+            let [passes, left_out] = ["passes", "left out"].map(|word| words.say(word));
+            let tried = format!("/{passes}|{left_out}/.test(document.querySelector('[role=dialog]').innerText)");
+            page.until(&tried, "the test is tried").await?;
         }
         let screen = connector.replace(' ', "-");
         visit(&format!("operation-{screen}")).await?;
         if HELP.contains(&connector) {
-            page.press("button", "How it works").await?;
+            page.press("button", &words.say("How it works")).await?;
             page.until("!!document.querySelector('.how-example .marble')", "the help is open").await?;
             visit(&format!("operation-{screen}-help")).await?;
-            page.press("button", "Hide how it works").await?;
+            page.press("button", &words.say("Hide how it works")).await?;
         }
     }
     leave(page).await
 }
 
 /// Opens the Operation dialog for a filter out of “Distance”.
-pub(crate) async fn operation(page: &Page) -> Outcome<()> {
-    selected(page, "Distance").await?;
-    page.press("button", "Add connector").await?;
-    page.press("menuitem", "filter").await?;
-    page.find("dialog", "Operation").await.map(drop)
+pub(crate) async fn operation(page: &Page, words: &Words) -> Outcome<()> {
+    selected(page, words, "Distance").await?;
+    page.press("button", &words.say("Add connector")).await?;
+    page.press("menuitem", &words.say("filter")).await?;
+    page.find("dialog", &words.say("Operation")).await.map(drop)
 }
 
 /// Selects a stream on the canvas.
-pub(crate) async fn selected(page: &Page, stream: &str) -> Outcome<()> {
-    page.press("button", &format!("{stream}, *")).await
+pub(crate) async fn selected(page: &Page, words: &Words, stream: &str) -> Outcome<()> {
+    page.press("button", &words.stream(stream)).await
 }
 
 /// Presses Edit beside what is selected.
-pub(crate) async fn edit(page: &Page) -> Outcome<()> {
-    let press = "[...document.querySelectorAll('.right button')].find(button => button.textContent.trim() === 'Edit')";
+pub(crate) async fn edit(page: &Page, words: &Words) -> Outcome<()> {
+    let edit = words.say("Edit");
+    let press = format!(
+        "[...document.querySelectorAll('.right button')].find(button => button.textContent.trim() === '{edit}')"
+    );
     page.until(&format!("!!{press}"), "Edit is offered").await?;
     page.eval(&format!("{press}.click()")).await.map(drop)
 }
 
 /// Closes the dialog.
-async fn leave(page: &Page) -> Outcome<()> {
+pub(crate) async fn leave(page: &Page) -> Outcome<()> {
     page.key("Escape").await?;
     page.until("!document.querySelector('[role=dialog]')", "the dialog is closed").await?;
     // Twice Escape within a moment would be Stop.

@@ -1,19 +1,16 @@
 //! Every screen at every size and theme: pictures in `target/looks`, and what holds everywhere.
 
 use crate::graphs::{self, Names};
+use crate::look::{DESKTOP, PHONE, SIDEWAYS, TABLET, Window};
 use crate::rules;
 use crate::screens::{Stage, nothing, rests, usable, walk};
+use crate::words::Words;
 use house::{Outcome, Page, skip};
 use std::cell::RefCell;
 
-/// Name, width, height, and whether it is a touch screen. The last two are a desktop and a tablet at 200 %.
-pub(crate) const SIZES: [(&str, u32, u32, bool); 5] = [
-    ("desktop", 1440, 900, false),
-    ("tablet", 1180, 820, true),
-    ("phone", 390, 844, true),
-    ("desktop-200", 720, 450, false),
-    ("tablet-200", 590, 410, false),
-];
+/// The windows of the design, and a desktop and a tablet at 200 %.
+const SIZES: [Window; 6] =
+    [DESKTOP, TABLET, PHONE, SIDEWAYS, ("desktop-200", 720, 450, false), ("tablet-200", 590, 410, false)];
 /// The screens that are kept as pictures.
 const KEPT: [&str; 7] = [
     "empty-library",
@@ -34,7 +31,7 @@ async fn every_screen_keeps_the_rules_at_every_size() -> Outcome<()> {
     let page = &stage.page;
     page.media("prefers-reduced-motion", "reduce").await?;
     let found = RefCell::new(Vec::new());
-    let walked = walk(page, async |screen: &str| {
+    let walked = walk(page, &Words::english(), async |screen: &str| {
         for (size, width, height, touch) in SIZES {
             page.size(width, height, touch).await?;
             settle(page).await?;
@@ -96,8 +93,14 @@ async fn few_and_many_streams_with_any_names_keep_the_rules() -> Outcome<()> {
                 settle(page).await?;
                 let place = format!("{count} {names:?}, {size}");
                 found.extend(rules::broken(page, &place).await?);
-                if size != "tablet-200" {
-                    page.screenshot(&house::target().join(format!("looks/many-{count}-{names:?}-{size}.png"))).await?;
+                for (dark, theme) in [(true, "dark"), (false, "light")] {
+                    page.theme(dark).await?;
+                    let dark_too = size == DESKTOP.0 || size == SIDEWAYS.0;
+                    if size != "tablet-200" && (dark_too || !dark) {
+                        rests(page).await?;
+                        let picture = format!("looks/many-{count}-{names:?}-{size}-{theme}.png");
+                        page.screenshot(&house::target().join(picture)).await?;
+                    }
                 }
             }
             page.size(1440, 900, false).await?;

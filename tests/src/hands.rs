@@ -9,6 +9,19 @@ use crate::{Outcome, Trouble};
 /// A place in the window, in CSS pixels.
 pub(crate) type Point = (f64, f64);
 
+/// How far around a place the same thing is hit.
+const AROUND: &str = "((x, y) => {
+    const of = element => element?.closest('button, a, input, select, textarea, label, [role=button], [role=menuitem], [role=img]');
+    const own = of(document.elementFromPoint(x, y));
+    const far = (dx, dy) => {
+        let steps = 0;
+        while (steps < 44 && own && of(document.elementFromPoint(x + dx * (steps + 1), y + dy * (steps + 1))) === own)
+            steps += 1;
+        return steps;
+    };
+    return [far(1, 0) + far(-1, 0) + 1, far(0, 1) + far(0, -1) + 1];
+})";
+
 /// In how many moves two fingers pinch.
 const PINCH_STEPS: u32 = 10;
 
@@ -41,7 +54,33 @@ impl Page {
     /// Touches it with one finger.
     pub async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
         let at = self.reach(role, name).await?;
+        self.tap_at(at).await
+    }
+
+    /// How wide and high it is where a finger hits it, once it rests in view; 89 CSS pixels are not told from more.
+    pub async fn hit_size(&self, role: &str, name: &str) -> Outcome<(f64, f64)> {
+        let at = self.reach(role, name).await?;
+        self.hit_size_at(at).await
+    }
+
+    pub(crate) async fn hit_size_at(&self, at: Point) -> Outcome<(f64, f64)> {
+        let size = self.eval(&format!("{AROUND}({}, {})", at.0, at.1)).await?;
+        Ok((size[0].as_f64().unwrap_or_default(), size[1].as_f64().unwrap_or_default()))
+    }
+
+    /// Touches a place in the window with one finger, whatever is there.
+    pub async fn tap_at(&self, at: Point) -> Outcome<()> {
         self.touch("touchStart", &[at]).await?;
+        self.touch("touchEnd", &[]).await
+    }
+
+    /// Puts one finger down at a place and leaves it there.
+    pub async fn touch_down(&self, at: Point) -> Outcome<()> {
+        self.touch("touchStart", &[at]).await
+    }
+
+    /// Lifts all fingers.
+    pub async fn touch_up(&self) -> Outcome<()> {
         self.touch("touchEnd", &[]).await
     }
 
@@ -123,6 +162,11 @@ impl Page {
     /// Turns the wheel at a place, by CSS pixels to the right and down.
     pub async fn wheel(&self, at: (f64, f64), right: f64, down: f64) -> Outcome<()> {
         self.mouse("mouseWheel", at, json!({ "deltaX": right, "deltaY": down })).await
+    }
+
+    /// Turns the wheel at a place with Control held, which zooms.
+    pub async fn wheel_zoom(&self, at: (f64, f64), down: f64) -> Outcome<()> {
+        self.mouse("mouseWheel", at, json!({ "deltaX": 0, "deltaY": down, "modifiers": 2 })).await
     }
 
     /// Drags with one finger, in `steps` moves.

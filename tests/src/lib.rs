@@ -7,7 +7,7 @@
 //! let browser = house::Browser::launch().await?;
 //! let aiko = browser.person("aiko").await?;
 //! aiko.goto(&server.url()).await?;
-//! aiko.press("button", "New behaviour").await?;
+//! aiko.press("button", "Add a program").await?;
 //! aiko.until("document.title.includes('behaviour')", "the title names the behaviour").await?;
 //! aiko.no_errors()
 //! # }

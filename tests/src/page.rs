@@ -108,6 +108,13 @@ impl Page {
         self.call("Emulation.setTouchEmulationEnabled", touch).await.map(drop)
     }
 
+    /// Whatever is opened next speaks this language, as if the person had chosen it in the page before.
+    pub async fn speaks(&self, code: &str) -> Outcome<()> {
+        let source = format!("try {{ localStorage.setItem('rrp.language', '{code}'); }} catch {{ /* about:blank */ }}");
+        self.call("Page.enable", json!({})).await?;
+        self.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source })).await.map(drop)
+    }
+
     /// Prefers dark or light colours.
     pub async fn theme(&self, dark: bool) -> Outcome<()> {
         self.media("prefers-color-scheme", if dark { "dark" } else { "light" }).await
@@ -115,12 +122,27 @@ impl Page {
 
     /// Prefers any media feature, such as `prefers-reduced-motion` `reduce`; earlier ones stay.
     pub async fn media(&self, feature: &str, value: &str) -> Outcome<()> {
+        self.media.lock().unwrap_or_else(PoisonError::into_inner).insert(feature.to_owned(), value.to_owned());
+        self.emulate("").await
+    }
+
+    /// Goes to paper as the browser does when somebody prints, or comes back from there.
+    pub async fn paper(&self, on: bool) -> Outcome<()> {
+        if on {
+            self.eval("dispatchEvent(new Event('beforeprint'))").await?;
+            self.emulate("print").await
+        } else {
+            self.emulate("").await?;
+            self.eval("dispatchEvent(new Event('afterprint'))").await.map(drop)
+        }
+    }
+
+    async fn emulate(&self, media: &str) -> Outcome<()> {
         let features: Vec<Value> = {
-            let mut media = self.media.lock().unwrap_or_else(PoisonError::into_inner);
-            media.insert(feature.to_owned(), value.to_owned());
-            media.iter().map(|(name, value)| json!({ "name": name, "value": value })).collect()
+            let known = self.media.lock().unwrap_or_else(PoisonError::into_inner);
+            known.iter().map(|(name, value)| json!({ "name": name, "value": value })).collect()
         };
-        self.call("Emulation.setEmulatedMedia", json!({ "features": features })).await.map(drop)
+        self.call("Emulation.setEmulatedMedia", json!({ "media": media, "features": features })).await.map(drop)
     }
 
     /// Cuts the page off from the network, or connects it again.

@@ -2,6 +2,7 @@
 
 use std::fs::OpenOptions;
 use std::io::Write;
+use std::process::{Command, Stdio};
 
 use crate::paths;
 
@@ -49,6 +50,17 @@ pub fn possible(part: &str, missing: Option<String>) -> bool {
 pub fn ready_browser(part: &str) -> bool {
     let missing = paths::chromium().is_none().then(|| "there is no Chromium; name one in RRP_CHROMIUM".to_owned());
     proceed(part, missing)
+}
+
+/// Whether the browser, the server's binary and a font with Japanese letters are here, to look at the page in Japanese.
+///
+/// # Panics
+/// When one is missing and `CI` is `true`.
+pub fn ready_in_japanese(part: &str) -> bool {
+    let listed = Command::new("fc-list").args([":lang=ja", "family"]).stderr(Stdio::null()).output();
+    let there = listed.is_ok_and(|found| found.status.success() && !found.stdout.trim_ascii().is_empty());
+    let missing = (!there).then(|| "there is no Japanese font; install fonts-vlgothic and fontconfig".to_owned());
+    ready(part) && proceed(part, missing)
 }
 
 /// Whether the optimised server is built, and this is Linux, which tells what a process takes of the memory.

@@ -45,6 +45,18 @@ impl Within<'_> {
         self.page.press_at(at).await
     }
 
+    /// As [`Page::tap`].
+    pub async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
+        let at = self.page.reach_in(self.inside(), role, name).await?;
+        self.page.tap_at(at).await
+    }
+
+    /// As [`Page::hit_size`].
+    pub async fn hit_size(&self, role: &str, name: &str) -> Outcome<(f64, f64)> {
+        let at = self.page.reach_in(self.inside(), role, name).await?;
+        self.page.hit_size_at(at).await
+    }
+
     /// As [`Page::fill`].
     pub async fn fill(&self, role: &str, name: &str, text: &str) -> Outcome<()> {
         self.press(role, name).await?;

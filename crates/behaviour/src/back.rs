@@ -69,7 +69,7 @@ impl Room {
 
     /// Whether what stands at a position is there, or comes back too.
     fn has_ground(&self, change: &Change, id: &RecordId) -> bool {
-        let stands = |id: &RecordId| matches!(id.kind, Kind::Stream | Kind::Connector | Kind::Note);
+        let stands = |id: &RecordId| matches!(id.kind, Kind::Stream | Kind::Connector | Kind::Note | Kind::Group);
         let mut all = self.behaviour().records.keys().chain(change.edits.iter().map(|edit| &edit.id));
         id.kind != Kind::Place || all.any(|other| other.id == id.id && stands(other))
     }
@@ -100,7 +100,8 @@ fn rank(id: &RecordId, record: &Record) -> (u8, i64, Id) {
         Record::Stream(stream) => (0, stream.order),
         Record::Helper(_) | Record::Note(_) | Record::Settings(_) => (1, 0),
         Record::Connector(connector) => (2, connector.order),
-        Record::Place(_) => (3, 0),
+        Record::Group(_) => (3, 0),
+        Record::Place(_) => (4, 0),
     };
     (kind, order, id.id.clone())
 }

@@ -102,7 +102,7 @@ mod tests {
     use crate::{Behaviour, Id, Kind, Note, Record, RecordId};
 
     fn note(text: &str) -> Record {
-        Record::Note(Note { text: text.into() })
+        Record::Note(Note::new(text.into()))
     }
 
     #[test]

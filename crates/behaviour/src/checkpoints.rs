@@ -120,6 +120,6 @@ mod tests {
         let mut all = Checkpoints::default();
         (0..CHECKPOINTS_MAX).for_each(|number| drop(all.add(1, named(1, &format!("n{number}"))).unwrap()));
         let no = all.add(1, named(1, "one more")).unwrap_err();
-        assert_eq!(no.to_string(), "A behaviour holds at most 400 named versions. Remove some first.");
+        assert_eq!(no.to_string(), "A program holds at most 400 named versions. Remove some first.");
     }
 }

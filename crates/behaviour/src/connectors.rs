@@ -54,6 +54,42 @@ pub fn to_new_value() -> &'static Spec {
     &map::SPEC
 }
 
+/// The connector that passes on whatever comes on any of several streams: how a stream is fed by one more.
+#[must_use]
+pub fn to_join() -> &'static Spec {
+    &merge::SPEC
+}
+
+/// The connector that passes on the values that pass a test.
+#[must_use]
+pub fn to_choose() -> &'static Spec {
+    &filter::SPEC
+}
+
+/// The connector that passes on the newest value at a steady beat.
+#[must_use]
+pub fn to_slow_down() -> &'static Spec {
+    &sample::SPEC
+}
+
+/// The connector that passes on only what differs from the value before.
+#[must_use]
+pub fn to_leave_out_the_same() -> &'static Spec {
+    &distinct::SPEC
+}
+
+/// The connector that puts the time beside each value.
+#[must_use]
+pub fn to_tell_the_time() -> &'static Spec {
+    &timestamp::SPEC
+}
+
+/// The connector that remembers the newest value of each of its streams, however old it is.
+#[must_use]
+pub fn to_combine() -> &'static Spec {
+    &combine_latest::SPEC
+}
+
 /// The words of those that fulfil a condition, in order.
 pub fn words(of: impl Fn(&Spec) -> bool) -> impl Iterator<Item = &'static str> {
     ALL.iter().filter(move |spec| of(spec)).map(|spec| spec.word)
@@ -134,8 +170,9 @@ mod tests {
     fn every_stream_that_is_made_can_be_called_something() {
         const HOLES: [&str; 6] = ["{input}", "{others}", "{helper}", "{body}", "{period}", "{every}"];
         for spec in ALL {
-            let last = spec.called.last().unwrap();
-            assert!(!last.replace("{input}", "").contains('{'), "{spec:?}: {last} needs more than an input");
+            assert_eq!(spec.called.is_empty(), spec.acts(), "{spec:?}: an action is called after its device");
+            let says = |name: &&str| HOLES.iter().any(|hole| name.contains(hole));
+            assert!(spec.called.iter().all(says), "{spec:?}: its name tells what it does");
             for name in spec.called {
                 let rest = HOLES.iter().fold((*name).to_owned(), |rest, hole| rest.replace(hole, ""));
                 assert!(!rest.contains(['{', '}']), "{spec:?}: {name}");

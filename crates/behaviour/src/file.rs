@@ -6,7 +6,7 @@ mod records;
 
 pub use records::{Flaw, FlawKind};
 
-use crate::{Engine, Params, Place, StreamKind, Value};
+use crate::{Declared, Engine, Params, Place, StreamKind, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -30,6 +30,12 @@ pub struct BehaviourFile {
     /// How time runs, `event` if absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub engine: Option<Engine>,
+    /// The exercise it was begun as.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exercise: Option<String>,
+    /// Short words by which it is found in a library.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tags: Vec<String>,
     /// The helpers it uses.
     pub helpers: Vec<FileHelper>,
     /// Its streams.
@@ -39,6 +45,9 @@ pub struct BehaviourFile {
     /// The notes on the canvas.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<FileNote>,
+    /// The titled frames around streams.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub groups: Vec<FileGroup>,
     /// The creation numbers of streams and connectors, by id, where they are not their position in the file.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub order: BTreeMap<String, i64>,
@@ -48,7 +57,7 @@ pub struct BehaviourFile {
 }
 
 /// A helper in a file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FileHelper {
     /// Its name.
@@ -60,6 +69,12 @@ pub struct FileHelper {
     /// What it is for.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub says: String,
+    /// What it takes for each parameter, as far as somebody said so.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub takes: Vec<Declared>,
+    /// What it gives, if somebody said so.
+    #[serde(default, skip_serializing_if = "Declared::is_auto")]
+    pub gives: Declared,
 }
 
 /// A stream in a file.
@@ -127,4 +142,25 @@ pub struct FileNote {
     pub id: String,
     /// Its text.
     pub text: String,
+    /// Who wrote it last.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by: Option<String>,
+    /// When it was written last, in milliseconds since 1970.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub at: Option<u64>,
+}
+
+/// A titled frame around streams in a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FileGroup {
+    /// Its id.
+    pub id: String,
+    /// Its title.
+    pub title: String,
+    /// The streams in it, by id. Some may be gone.
+    pub streams: Vec<String>,
+    /// Drawn as one box; no if absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub folded: Option<bool>,
 }

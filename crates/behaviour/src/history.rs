@@ -1,6 +1,6 @@
 //! Whether a history that comes from elsewhere, such as a backup, hangs together.
 
-use crate::rules::{check_graph, check_helper_names, check_names};
+use crate::rules::{check_graph, check_groups, check_helper_names, check_names};
 use crate::{Behaviour, Change, Edit, Engine, Id, Kind, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind};
 use std::collections::BTreeSet;
 
@@ -33,6 +33,9 @@ impl History {
         if touches(Kind::Stream) || touches(Kind::Connector) {
             check_names(&self.behaviour)?;
             check_graph(&self.behaviour)?;
+        }
+        if touches(Kind::Group) {
+            check_groups(&self.behaviour)?;
         }
         if touches(Kind::Helper) { check_helper_names(&self.behaviour) } else { Ok(()) }
     }
@@ -82,7 +85,7 @@ fn check_record(record: &Record) -> Result<(), Refusal> {
             let bad = names.into_iter().find(|name| !crate::is_identifier(name));
             bad.map_or(Ok(()), |bad| Err(Refusal::Identifier(bad.clone())))
         }
-        Record::Place(_) | Record::Note(_) => Ok(()),
+        Record::Place(_) | Record::Note(_) | Record::Group(_) => Ok(()),
     }
 }
 
@@ -148,7 +151,7 @@ mod tests {
     #[test]
     fn what_was_right_and_is_too_large_or_unknown_today_is_taken() {
         let long = connectors::map::SPEC.with(Procedure::body(&"no_such_function(value) + ".repeat(10_000)));
-        let helper = Helper { name: "near".into(), params: vec![], body: "?".into(), says: String::new() };
+        let helper = Helper { name: "near".into(), params: vec![], body: "?".into(), ..Helper::default() };
         let helper = (RecordId::new(Kind::Helper, &id("h")), Record::Helper(helper));
         assert_eq!(with(vec![connector("a", "b", long), helper, stream(&"x".repeat(60))]), Ok(()));
     }

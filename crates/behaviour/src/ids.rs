@@ -90,19 +90,22 @@ pub enum Kind {
     Stream,
     /// A connector.
     Connector,
-    /// Where a stream, connector or note stands; it has the id of what it places.
+    /// Where a stream, connector, note or folded group stands; it has the id of what it places.
     Place,
     /// A note on the canvas.
     Note,
+    /// A titled frame around streams.
+    Group,
 }
 
-const WORDS: [(Kind, &str); 6] = [
+const WORDS: [(Kind, &str); 7] = [
     (Kind::Settings, "settings"),
     (Kind::Helper, "helper"),
     (Kind::Stream, "stream"),
     (Kind::Connector, "connector"),
     (Kind::Place, "place"),
     (Kind::Note, "note"),
+    (Kind::Group, "group"),
 ];
 
 impl Kind {
@@ -170,7 +173,8 @@ mod tests {
 
     #[test]
     fn a_record_id_reads_as_it_is_written() {
-        for text in ["stream/s0", "place/a-b_C", "settings/behaviour", "helper/x", "connector/c1", "note/9"] {
+        for text in ["stream/s0", "place/a-b_C", "settings/behaviour", "helper/x", "connector/c1", "note/9", "group/g"]
+        {
             assert_eq!(text.parse::<RecordId>().unwrap().to_string(), text);
         }
         assert_eq!(RecordId::settings().kind, Kind::Settings);

@@ -16,6 +16,7 @@ pub mod flow;
 mod graph;
 mod history;
 mod ids;
+mod lasting;
 pub mod library;
 mod locks;
 pub mod marbles;
@@ -28,6 +29,7 @@ mod room;
 mod rules;
 mod size;
 mod spec;
+mod types;
 mod undo;
 mod unseen;
 mod value;
@@ -39,27 +41,38 @@ pub use change::{Change, Edit};
 pub use checkpoints::{CHECKPOINT_NAME_MAX_CHARS, CHECKPOINTS_MAX, Checkpoint, Checkpoints};
 pub use compare::{Comparison, Difference};
 pub use fields::{Fields, Names};
-pub use file::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Flaw, FlawKind};
+pub use file::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, Flaw, FlawKind};
 pub use filled::Filled;
 pub use graph::Graph;
 pub use history::History;
 pub use ids::{BadId, Id, Kind, LIBRARY, RecordId};
+pub use lasting::Lasting;
 pub use locks::{
     Asked, Denied, Grant, Held, Holder, LOCKED_MAX, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks,
     Presented, Token, Why,
 };
 pub use names::{
-    argument_names, called_names, calls_helper, is_identifier, rename_helpers, rename_identifier, shown_spellings,
+    argument_names, arguments_of, called_names, calls_helper, in_names_of_today, is_identifier, is_name_letter,
+    rename_helpers, rename_identifier, shown_spellings,
 };
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
-pub use problems::{Problem, ProblemKind, problems};
+pub use problems::{Fix, FixKind, Problem, ProblemKind, fixes, fixes_seeing, near, problems, problems_seeing};
 pub use record::{
-    Behaviour, Connector, Engine, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,
+    Behaviour, Connector, Engine, Group, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,
 };
 pub use room::{Accepted, Committed, Decision, Room};
-pub use rules::{BODY_MAX_CHARS, CONNECTORS_MAX, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX};
-pub use size::{BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes};
+pub use rules::{
+    BODY_MAX_CHARS, CONNECTORS_MAX, Call, EDITS_MAX, Knowledge, NAME_MAX_CHARS, RATE_MS, Refusal, STREAMS_MAX,
+    TAG_MAX_CHARS, TAGS_MAX,
+};
+pub use size::{
+    BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, GROUPS_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes,
+};
+pub use types::{
+    Claims, Declared, DeviceType, Fit, Inference, Pace, Quantity, Seen, Signature, TYPE_MAX_DEPTH, TYPE_MAX_FIELDS,
+    TYPE_MAX_PARTS, Unit, ValueType, infer, infer_seeing,
+};
 pub use undo::{UNDO_MAX, UndoLog};
 pub use unseen::{has_unseen, without_unseen};
 pub use value::Value;

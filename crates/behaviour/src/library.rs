@@ -82,6 +82,21 @@ impl Contested {
     pub const SHOWN_MAX: usize = 50;
 }
 
+/// A tag, and how many behaviours have it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Tagged {
+    /// The tag.
+    pub tag: String,
+    /// How many behaviours outside the bin.
+    pub count: u64,
+}
+
+impl Tagged {
+    /// The most tags that are told of a library.
+    pub const SHOWN_MAX: usize = 200;
+}
+
 /// A behaviour that uses the same senses and actions as another.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]

@@ -77,7 +77,8 @@ impl Operation {
     pub fn arguments<'n>(&self, inputs: impl IntoIterator<Item = &'n str>) -> Vec<String> {
         match self.procedure() {
             Some(Procedure::Body { args: Some(args), .. }) => args.clone(),
-            Some(_) | None => self.spec.argument_names(inputs),
+            Some(Procedure::Body { body, args: None }) => self.spec.arguments_of(body, inputs),
+            Some(Procedure::Helper(_)) | None => self.spec.argument_names(inputs),
         }
     }
 
@@ -87,7 +88,7 @@ impl Operation {
         self.parameters.period_ms
     }
 
-    /// What was chosen, as texts: the value to start from, the body or the helper's name, the duration with its unit.
+    /// What was chosen, as texts: the value to start from, the body or the helper's name, the duration in words.
     #[must_use]
     pub fn chosen(&self) -> Vec<String> {
         let Parameters { procedure, period_ms, start } = &self.parameters;
@@ -95,7 +96,7 @@ impl Operation {
             Procedure::Body { body, .. } => body.clone(),
             Procedure::Helper(name) => name.clone(),
         });
-        let period = period_ms.map(|period_ms| format!("{period_ms} ms"));
+        let period = period_ms.map(|ms| self.spec.lasts(ms));
         start.as_ref().map(Value::to_string).into_iter().chain(procedure).chain(period).collect()
     }
 

@@ -1,9 +1,21 @@
-//! What is still missing before a behaviour can run. Problems never stop editing; most stop Start.
+//! What is still missing before a behaviour can run, and what is probably not meant. Problems never stop editing; what
+//! blocks stops Start, the rest are hints.
+
+mod around;
+mod fix;
+mod near;
+mod ways;
+mod words;
+
+pub use fix::{Fix, FixKind, fixes, fixes_seeing};
+pub use near::near;
 
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
 use crate::{
-    Behaviour, Connector, Engine, Filled, Graph, Helper, Id, Kind, Knowledge, Procedure, RecordId, Settings, StreamKind,
+    Behaviour, Connector, Engine, Filled, Fit, Helper, Id, Kind, Knowledge, Procedure, RecordId, Seen, Settings,
+    StreamKind, Unit, ValueType,
 };
+use around::Around;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -61,24 +73,99 @@ pub enum ProblemKind {
     Unused,
     /// A stream at which one reading becomes more values than one instant may carry.
     Multiplies,
+    /// A connector that gets numbers of another unit than its helper or its action wants.
+    WrongUnit {
+        /// The unit it wants.
+        wants: Unit,
+        /// The unit it gets.
+        gets: Unit,
+    },
+    /// A connector that gets another kind of value than its helper or its action wants.
+    WrongType {
+        /// The kind it wants.
+        wants: ValueType,
+        /// The kind it gets.
+        gets: ValueType,
+    },
+    /// An action that is told by the same readings as another one with the same part of the robot.
+    FightingActions {
+        /// The name of the other action.
+        with: String,
+        /// The part of the robot.
+        part: String,
+    },
+    /// An action that is told by a touch, and once more by its end.
+    PressAndRelease {
+        /// The name of the sense.
+        sense: String,
+    },
+    /// A connector that goes on with an old value of one stream as often as another stream gives one.
+    StaleCombine {
+        /// The name of the stream whose value may be old.
+        old: String,
+        /// The name of the other stream.
+        with: String,
+    },
+    /// An action that takes long, and is told many times a second.
+    FasterThanAction {
+        /// The name of the sense.
+        sense: String,
+    },
+    /// A body that compares an object with a number, or reckons with it: that is always false, or fails.
+    ObjectAsNumber {
+        /// What the body calls it.
+        name: String,
+    },
+    /// A body that uses a name which means nothing, and is nearly one that does.
+    UnknownName {
+        /// The name as it is written.
+        name: String,
+        /// The name that is probably meant.
+        near: String,
+    },
 }
 
 /// All problems of a behaviour, in file order, connectors after streams. `helpers` is the library.
 #[must_use]
 pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Knowledge) -> Vec<Problem> {
-    let library: BTreeMap<&str, &Helper> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
-    let graph = Graph::of(behaviour);
-    let reaching = graph.reaching_action(behaviour);
+    problems_seeing(behaviour, helpers, knowledge, &Seen::new())
+}
+
+/// The same, where values of which nobody knows the kind are of the kind that was seen last.
+#[must_use]
+pub fn problems_seeing(
+    behaviour: &Behaviour,
+    helpers: &[&Helper],
+    knowledge: &dyn Knowledge,
+    seen: &Seen,
+) -> Vec<Problem> {
+    let around = Around::of(behaviour, helpers, knowledge, seen);
+    let mut found = stream_problems(&around);
+    for (id, connector) in behaviour.connectors_in_order() {
+        let word = connector.operation.word();
+        let add = |(kind, blocks)| problem(Kind::Connector, id, word, kind, blocks);
+        found.extend(connector_problem(&around, connector).map(add));
+    }
+    found
+}
+
+fn stream_problems(around: &Around) -> Vec<Problem> {
+    let behaviour = around.behaviour;
+    let reaching = around.graph.reaching_action(behaviour);
     let multiplying = multiplying(behaviour);
+    let mut hints: BTreeMap<&Id, Vec<ProblemKind>> = BTreeMap::new();
+    for (id, kind) in [ways::fighting(around), ways::pressed_and_released(around), ways::too_fast(around)].concat() {
+        hints.entry(id).or_default().push(kind);
+    }
     let mut found = Vec::new();
     for (id, stream) in behaviour.streams_in_order() {
         let mut add = |kind, blocks| found.push(problem(Kind::Stream, id, &stream.name, kind, blocks));
         if let Some(device) = &stream.device
-            && let Err(reason) = knowledge.device(stream.kind, device, &stream.params)
+            && let Err(reason) = around.knowledge.device(stream.kind, device, &stream.params)
         {
             add(ProblemKind::Device(reason), true);
         }
-        if stream.kind != StreamKind::Sensor && graph.into_stream(id).is_empty() {
+        if stream.kind != StreamKind::Sensor && around.graph.into_stream(id).is_empty() {
             add(ProblemKind::NoSource, false);
         }
         if stream.kind != StreamKind::Actuator && !reaching.contains(id) {
@@ -87,11 +174,7 @@ pub fn problems(behaviour: &Behaviour, helpers: &[&Helper], knowledge: &dyn Know
         if let Some((_, blocks)) = multiplying.filter(|(at, _)| *at == id) {
             add(ProblemKind::Multiplies, blocks);
         }
-    }
-    for (id, connector) in behaviour.connectors_in_order() {
-        let word = connector.operation.word();
-        let kinds = connector_problems(behaviour, connector, &library, knowledge);
-        found.extend(kinds.into_iter().map(|kind| problem(Kind::Connector, id, word, kind, true)));
+        hints.remove(id).into_iter().flatten().for_each(|kind| add(kind, false));
     }
     found
 }
@@ -127,41 +210,67 @@ fn problem(kind_of: Kind, id: &Id, name: &str, kind: ProblemKind, blocks: bool) 
     Problem { at: RecordId::new(kind_of, id), name: name.to_owned(), kind, blocks }
 }
 
-fn connector_problems(
-    behaviour: &Behaviour,
-    connector: &Connector,
-    library: &BTreeMap<&str, &Helper>,
-    knowledge: &dyn Knowledge,
-) -> Option<ProblemKind> {
+/// The first problem of a connector, and whether it stops Start.
+fn connector_problem(around: &Around, connector: &Connector) -> Option<(ProblemKind, bool)> {
     let (spec, inputs) = (connector.operation.spec(), connector.inputs.len());
     if inputs == 0 {
-        return Some(ProblemKind::NoInputs);
+        return Some((ProblemKind::NoInputs, true));
     }
     if inputs < spec.inputs.least() {
-        return Some(ProblemKind::FewInputs(spec.inputs.least()));
+        return Some((ProblemKind::FewInputs(spec.inputs.least()), true));
     }
-    match connector.operation.procedure()? {
+    let missing = connector.operation.procedure().and_then(|procedure| match procedure {
         Procedure::Body { body, .. } if body.trim().is_empty() => Some(ProblemKind::EmptyBody),
         Procedure::Body { body, .. } => {
-            knowledge.body(&behaviour.arguments(connector), body).err().map(ProblemKind::Body)
+            let reason = around.knowledge.body(&around.behaviour.arguments(connector), body).err()?;
+            Some(mistyped(around, connector).unwrap_or(ProblemKind::Body(reason)))
         }
-        Procedure::Helper(name) => helper_problem(name, spec.argument_count(inputs), library, knowledge),
-    }
+        Procedure::Helper(name) => helper_problem(name, spec.argument_count(inputs), around),
+    });
+    missing.map(|kind| (kind, true)).or_else(|| Some((hint(around, connector)?, false)))
 }
 
-fn helper_problem(
-    name: &str,
-    gets: usize,
-    library: &BTreeMap<&str, &Helper>,
-    knowledge: &dyn Knowledge,
-) -> Option<ProblemKind> {
-    let Some(helper) = library.get(name) else { return Some(ProblemKind::MissingHelper(name.to_owned())) };
+/// What is probably not meant.
+fn hint(around: &Around, connector: &Connector) -> Option<ProblemKind> {
+    let unfit = |(at, wants, fit): (usize, ValueType, Fit)| match fit {
+        Fit::Good => None,
+        Fit::Unit { wants, gets } => Some(ProblemKind::WrongUnit { wants, gets }),
+        Fit::Not => {
+            let gets = around.inference.of_stream(connector.inputs.get(at)?).clone();
+            Some(ProblemKind::WrongType { wants, gets })
+        }
+    };
+    let stale = || {
+        let (old, new) = ways::stale(around, connector)?;
+        let name = |at: usize| around.name(&connector.inputs[at]);
+        Some(ProblemKind::StaleCombine { old: name(old), with: name(new) })
+    };
+    let object = || misused(around, connector).map(|(name, _)| ProblemKind::ObjectAsNumber { name });
+    around.misfit(connector).and_then(unfit).or_else(|| mistyped(around, connector)).or_else(object).or_else(stale)
+}
+
+/// An object in a body that stands where a number is wanted, and how often.
+fn misused(around: &Around, connector: &Connector) -> Option<(String, usize)> {
+    let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
+    around.inference.misused(&around.inference.arguments(around.behaviour, connector), body)
+}
+
+/// A name in a body that means nothing and is nearly one that does.
+fn mistyped(around: &Around, connector: &Connector) -> Option<ProblemKind> {
+    let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
+    let arguments = around.inference.arguments(around.behaviour, connector);
+    let (name, known) = around.inference.unknown_name(&arguments, body)?;
+    near(&name, &known).map(|near| ProblemKind::UnknownName { name, near })
+}
+
+fn helper_problem(name: &str, gets: usize, around: &Around) -> Option<ProblemKind> {
+    let Some(helper) = around.library.get(name) else { return Some(ProblemKind::MissingHelper(name.to_owned())) };
     if helper.params.len() != gets {
         return Some(ProblemKind::HelperInputs { helper: name.to_owned(), takes: helper.params.len(), gets });
     }
     if helper.body.trim().is_empty() {
         return Some(ProblemKind::EmptyHelper(name.to_owned()));
     }
-    let reason = knowledge.body(&helper.params, &helper.body).err()?;
+    let reason = around.knowledge.body(&helper.params, &helper.body).err()?;
     Some(ProblemKind::Helper { helper: name.to_owned(), reason })
 }

@@ -1,8 +1,8 @@
 //! The records a behaviour is made of.
 
-use crate::{Id, Kind, Operation, RecordId, Value};
+use crate::{Declared, Id, Kind, Operation, RecordId, Value};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The parameters of a stream's device, by name.
 pub type Params = BTreeMap<String, Value>;
@@ -85,7 +85,7 @@ pub struct Connector {
 }
 
 /// A named reusable procedure of the shared library.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Helper {
     /// Unique in the library; a valid Rhai name.
@@ -97,9 +97,23 @@ pub struct Helper {
     /// What it is for, in a sentence.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub says: String,
+    /// What it takes for each parameter in order, as far as somebody said so; of those that are missing nobody did.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub takes: Vec<Declared>,
+    /// What it gives, if somebody said so.
+    #[serde(default, skip_serializing_if = "Declared::is_auto")]
+    pub gives: Declared,
 }
 
-/// Where something stands on the canvas: the middle of its top edge for streams, in canvas units.
+impl Helper {
+    /// What somebody said that it takes for the parameter at this place.
+    #[must_use]
+    pub fn taken(&self, at: usize) -> Declared {
+        self.takes.get(at).copied().unwrap_or_default()
+    }
+}
+
+/// Where something stands on the canvas: the middle of its top edge for streams and folded groups, in canvas units.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Place {
@@ -110,11 +124,50 @@ pub struct Place {
 }
 
 /// A note on the canvas.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Note {
     /// Its text.
     pub text: String,
+    /// The name of who wrote it last; empty if nobody knows.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub by: String,
+    /// When it was written last, in milliseconds since 1970; 0 if nobody knows.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub at_ms: u64,
+}
+
+impl Note {
+    /// A note of which nobody knows who wrote it, and when.
+    #[must_use]
+    pub fn new(text: String) -> Self {
+        Self { text, ..Self::default() }
+    }
+}
+
+/// A titled frame around streams. Its frame follows them; it has a [`Place`] only where its folded box was moved to, else
+/// the box stands in the middle of its streams. It means nothing to a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Group {
+    /// What people call it; others may have the same title.
+    pub title: String,
+    /// The streams in it, each in no other group. Some may be gone: a removed stream that comes back is in it again.
+    pub streams: BTreeSet<Id>,
+    /// Drawn as one box, for everybody.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub folded: bool,
+}
+
+// Where pointers have 32 bits, a number of 64 is no smaller than one.
+#[cfg_attr(not(target_arch = "wasm32"), expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so"))]
+fn is_zero(number: &u64) -> bool {
+    *number == 0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
+fn is_false(truth: &bool) -> bool {
+    !truth
 }
 
 /// How time runs in a behaviour.
@@ -143,13 +196,25 @@ pub struct Settings {
     /// How time runs.
     #[serde(default)]
     pub engine: Engine,
+    /// Short words by which it is found in the library, each once; at most [`crate::TAGS_MAX`].
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tags: Vec<String>,
+    /// The exercise it was begun as, by the name of its beginning; the page then shows the goal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub exercise: Option<String>,
 }
 
 impl Settings {
     /// The settings of a new behaviour for a NAO.
     #[must_use]
     pub fn named(name: &str) -> Self {
-        Self { name: name.to_owned(), robot: "nao".to_owned(), engine: Engine::default() }
+        Self {
+            name: name.to_owned(),
+            robot: "nao".to_owned(),
+            engine: Engine::default(),
+            tags: Vec::new(),
+            exercise: None,
+        }
     }
 }
 
@@ -169,6 +234,8 @@ pub enum Record {
     Place(Place),
     /// A note.
     Note(Note),
+    /// A titled frame around streams.
+    Group(Group),
 }
 
 impl Record {
@@ -182,6 +249,7 @@ impl Record {
             Self::Connector(_) => Kind::Connector,
             Self::Place(_) => Kind::Place,
             Self::Note(_) => Kind::Note,
+            Self::Group(_) => Kind::Group,
         }
     }
 }
@@ -228,7 +296,7 @@ impl Behaviour {
         }
     }
 
-    /// The position of a stream, connector or note.
+    /// The position of a stream, connector, note or folded group.
     #[must_use]
     pub fn place(&self, id: &Id) -> Option<Place> {
         match self.records.get(&RecordId::new(Kind::Place, id)) {
@@ -261,6 +329,28 @@ impl Behaviour {
         })
     }
 
+    /// All notes by id.
+    pub fn notes(&self) -> impl Iterator<Item = (&Id, &Note)> {
+        self.records.iter().filter_map(|(key, record)| match record {
+            Record::Note(note) => Some((&key.id, note)),
+            _ => None,
+        })
+    }
+
+    /// All groups by id.
+    pub fn groups(&self) -> impl Iterator<Item = (&Id, &Group)> {
+        self.records.iter().filter_map(|(key, record)| match record {
+            Record::Group(group) => Some((&key.id, group)),
+            _ => None,
+        })
+    }
+
+    /// The group that a stream is in, if it is in one.
+    #[must_use]
+    pub fn group_of(&self, stream: &Id) -> Option<(&Id, &Group)> {
+        self.groups().find(|(_, group)| group.streams.contains(stream))
+    }
+
     /// Streams in file order.
     #[must_use]
     pub fn streams_in_order(&self) -> Vec<(&Id, &Stream)> {
@@ -283,6 +373,23 @@ impl Behaviour {
         let streams = self.streams().map(|(_, stream)| stream.order);
         let connectors = self.connectors().map(|(_, connector)| connector.order);
         streams.chain(connectors).max().map_or(0, |highest| highest.saturating_add(1))
+    }
+
+    /// Every body that was written with the argument names of before gets those of today; it means the same.
+    pub fn use_names_of_today(&mut self) {
+        let today = |(id, connector): (&Id, &Connector)| {
+            let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() else { return None };
+            let names = connector.inputs.iter().map(|id| self.stream(id).map_or("", |stream| stream.name.as_str()));
+            let now = connector.operation.spec().in_names_of_today(body, names);
+            (now != *body).then(|| (RecordId::new(Kind::Connector, id), now))
+        };
+        let rewritten: Vec<_> = self.connectors().filter_map(today).collect();
+        for (id, body) in rewritten {
+            let Some(Record::Connector(connector)) = self.records.get_mut(&id) else { continue };
+            if let Some(procedure) = connector.operation.procedure_mut() {
+                *procedure = Procedure::body(&body);
+            }
+        }
     }
 
     /// The argument names of a connector: as given, else from the names of its inputs.

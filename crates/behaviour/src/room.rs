@@ -189,6 +189,7 @@ impl Room {
             Some(Record::Settings(_)) => "the name or settings".to_owned(),
             Some(Record::Place(_)) => "this position".to_owned(),
             Some(Record::Note(_)) => "this note".to_owned(),
+            Some(Record::Group(_)) => "this group".to_owned(),
             None => "this".to_owned(),
         }
     }

@@ -2,8 +2,8 @@
 
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
-    Behaviour, Change, Connector, Edit, Filled, Graph, Helper, Id, Params, Procedure, Record, Settings, Stream,
-    StreamKind, has_unseen, record_bytes,
+    Behaviour, Change, Connector, DeviceType, Edit, Filled, Graph, Group, Helper, Id, Note, Params, Procedure, Record,
+    Settings, Signature, Stream, StreamKind, ValueType, has_unseen, record_bytes,
 };
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,6 +15,12 @@ pub const NAME_MAX_CHARS: usize = 200;
 pub const BODY_MAX_CHARS: usize = 8_192;
 /// The longest note, in characters.
 pub(crate) const NOTE_MAX_CHARS: usize = 4_000;
+/// The latest time that a note may say, in milliseconds since 1970: the end of the year 9999.
+pub(crate) const NOTE_MAX_MS: u64 = 253_402_300_799_999;
+/// Tags of one behaviour.
+pub const TAGS_MAX: usize = 8;
+/// The longest tag, in characters.
+pub const TAG_MAX_CHARS: usize = 24;
 /// Streams in one behaviour.
 pub const STREAMS_MAX: usize = 2_000;
 /// Connectors in one behaviour.
@@ -37,11 +43,51 @@ pub trait Knowledge {
     /// # Errors
     /// A sentence for the person.
     fn body(&self, arguments: &[String], body: &str) -> Result<(), String>;
+
+    /// What a device gives or takes with these parameters, and how; nothing by default.
+    fn device_type(&self, _kind: StreamKind, _device: &str, _params: &Params) -> DeviceType {
+        DeviceType::default()
+    }
+
+    /// The kind of value that a body makes of arguments of these kinds; `helper` says what a helper makes, if there is one
+    /// of that name with so many parameters. Any kind by default, and at every doubt.
+    fn result(&self, _arguments: &[(String, ValueType)], _body: &str, _helper: Call) -> ValueType {
+        ValueType::Any
+    }
+
+    /// What a helper was declared to take and give; nothing by default.
+    fn signature(&self, _helper: &Helper) -> Option<Signature> {
+        None
+    }
+
+    /// An argument of the body that is an object and is compared with a number or reckoned with, and how often; nothing by
+    /// default, and at every doubt.
+    fn misused(&self, _arguments: &[(String, ValueType)], _body: &str, _helper: Call) -> Option<(String, usize)> {
+        None
+    }
+
+    /// What a stream is called that a helper of this name makes, if not by its name; nothing by default.
+    fn stream_of(&self, _helper: &str) -> Option<&'static str> {
+        None
+    }
+
+    /// A name in the body that means nothing with these arguments and helpers, with those that would in its place.
+    fn unknown_name(
+        &self,
+        _arguments: &[(String, ValueType)],
+        _body: &str,
+        _helpers: &[&str],
+    ) -> Option<(String, Vec<String>)> {
+        None
+    }
 }
+
+/// What a helper makes of arguments of these kinds, if there is one of that name with so many parameters.
+pub type Call<'a> = &'a dyn Fn(&str, &[ValueType]) -> Option<ValueType>;
 
 /// Why a change was not made. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", tag = "why", content = "what")]
+#[serde(rename_all = "camelCase")]
 pub enum Refusal {
     /// Somebody changed these names of things meanwhile.
     Stale(String),
@@ -75,7 +121,7 @@ pub enum Refusal {
     NameTaken(String),
     /// A text is too long; with its limit in characters.
     TooLong(String, usize),
-    /// More streams, connectors, notes, places or helpers than fit; with the limit.
+    /// More streams, connectors, notes, groups, places or helpers than fit; with the limit.
     TooMany(String, usize),
     /// The behaviour or the library would hold more than fits; which of them, and the limit in bytes.
     Full(String, usize),
@@ -115,8 +161,19 @@ pub enum Refusal {
     Body(String),
     /// A helper's name or parameter cannot be used in a procedure.
     Identifier(String),
+    /// A helper that is said to take more values than it has parameters; with how many those are.
+    TakesMore(String, usize),
     /// These behaviours and helpers use the helper that was to go.
     HelperUsed(String, Vec<String>),
+    /// The helper of this name is used by more programs than can follow its new name; with how many could.
+    UsedByMany(String, usize),
+    /// The stream of this name is in the group of this title already, and can be in one only.
+    InGroup {
+        /// The name of the stream.
+        stream: String,
+        /// The title of the group that has it.
+        group: String,
+    },
     /// Saving failed; with the reason. Nothing was changed.
     NotSaved(String),
 }
@@ -141,6 +198,9 @@ pub(crate) fn check(
         check_names(after)?;
         check_graph(after)?;
     }
+    if change.edits.iter().any(|edit| edit.id.kind == crate::Kind::Group) {
+        check_groups(after)?;
+    }
     check_helper_names(after)
 }
 
@@ -162,7 +222,10 @@ fn check_bounds(edit: &Edit) -> Result<(), Refusal> {
 /// Every name that people read in a record.
 fn names_in(record: &Record) -> Vec<&str> {
     match record {
-        Record::Settings(settings) => vec![&settings.name, &settings.robot],
+        Record::Settings(settings) => {
+            let own = [&settings.name, &settings.robot].into_iter().chain(&settings.exercise);
+            own.chain(&settings.tags).map(String::as_str).collect()
+        }
         Record::Helper(helper) => std::iter::once(&helper.name).chain(&helper.params).map(String::as_str).collect(),
         Record::Stream(stream) => {
             let names = stream.params.keys().chain(stream.resources.iter().flatten()).chain(&stream.device);
@@ -173,6 +236,7 @@ fn names_in(record: &Record) -> Vec<&str> {
             Some(Procedure::Helper(name)) => vec![name],
             None => Vec::new(),
         },
+        Record::Group(group) => vec![&group.title],
         Record::Place(_) | Record::Note(_) => Vec::new(),
     }
 }
@@ -185,7 +249,8 @@ fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) 
             Record::Stream(stream) => check_stream(stream, knowledge)?,
             Record::Connector(connector) => check_connector(after, connector, knowledge)?,
             Record::Helper(helper) => check_helper(helper, knowledge)?,
-            Record::Note(note) => within("This note", &note.text, NOTE_MAX_CHARS)?,
+            Record::Note(note) => check_note(note)?,
+            Record::Group(group) => check_group(group)?,
             Record::Place(place) if place.x.is_finite() && place.y.is_finite() => {}
             Record::Place(_) => return Err(Refusal::Malformed("a position".into())),
         }
@@ -193,13 +258,56 @@ fn check_touched(after: &Behaviour, change: &Change, knowledge: &dyn Knowledge) 
     Ok(())
 }
 
+fn check_note(note: &Note) -> Result<(), Refusal> {
+    within("This note", &note.text, NOTE_MAX_CHARS)?;
+    within("This name", &note.by, NAME_MAX_CHARS)?;
+    if note.at_ms > NOTE_MAX_MS { Err(Refusal::Malformed("the time of a note".into())) } else { Ok(()) }
+}
+
+fn check_group(group: &Group) -> Result<(), Refusal> {
+    check_name(&group.title)?;
+    let fits = group.streams.len() <= STREAMS_MAX;
+    if fits { Ok(()) } else { Err(Refusal::TooMany("streams".to_owned(), STREAMS_MAX)) }
+}
+
+/// A stream is in one group at most, whether it is there or gone.
+pub(crate) fn check_groups(after: &Behaviour) -> Result<(), Refusal> {
+    let mut seen: BTreeMap<&Id, &Group> = BTreeMap::new();
+    for (_, group) in after.groups() {
+        for id in &group.streams {
+            if let Some(other) = seen.insert(id, group) {
+                let stream = after.stream(id).map_or_else(|| id.to_string(), |stream| stream.name.clone());
+                return Err(Refusal::InGroup { stream, group: other.title.clone() });
+            }
+        }
+    }
+    Ok(())
+}
+
 fn check_settings(settings: &Settings) -> Result<(), Refusal> {
     check_name(&settings.name)?;
+    check_tags(&settings.tags)?;
     match settings.engine {
         crate::Engine::Event => Ok(()),
         crate::Engine::Frame { frame_ms } if (1..=1000).contains(&frame_ms) => Ok(()),
         crate::Engine::Frame { frame_ms } => Err(Refusal::Rate(frame_ms)),
     }
+}
+
+/// Tags are short, few, and different from each other in more than their case.
+fn check_tags(tags: &[String]) -> Result<(), Refusal> {
+    if tags.len() > TAGS_MAX {
+        return Err(Refusal::TooMany("tags".to_owned(), TAGS_MAX));
+    }
+    let mut seen = BTreeSet::new();
+    tags.iter().try_for_each(|tag| {
+        if tag.trim() != tag {
+            return Err(Refusal::Name(shortened(tag)));
+        }
+        check_name(tag)?;
+        within("This tag", tag, TAG_MAX_CHARS)?;
+        if seen.insert(tag.to_lowercase()) { Ok(()) } else { Err(Refusal::NameTaken(tag.clone())) }
+    })
 }
 
 fn check_name(name: &str) -> Result<(), Refusal> {
@@ -259,6 +367,9 @@ fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusa
     distinct.sort();
     if let Some(pair) = distinct.windows(2).find(|pair| pair[0] == pair[1]) {
         return Err(Refusal::NameTaken(pair[0].clone()));
+    }
+    if helper.takes.len() > helper.params.len() {
+        return Err(Refusal::TakesMore(shortened(&helper.name), helper.params.len()));
     }
     if helper.body.trim().is_empty() {
         return Ok(());

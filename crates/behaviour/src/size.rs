@@ -5,11 +5,11 @@
 //! kept up to date edit by edit.
 
 use crate::{
-    Behaviour, Change, Connector, Edit, Helper, Id, Kind, Note, Procedure, Record, RecordId, Refusal, Settings, Stream,
-    Value,
+    Behaviour, Change, Connector, Edit, Group, Helper, Id, Kind, Note, Procedure, Record, RecordId, Refusal, Settings,
+    Stream, Value,
 };
 
-/// The streams, connectors, places, notes and settings of one behaviour together, in bytes.
+/// The streams, connectors, places, notes, groups and settings of one behaviour together, in bytes.
 pub const BEHAVIOUR_MAX_BYTES: usize = 6 << 20;
 /// All helpers of the library together, in bytes.
 pub const LIBRARY_MAX_BYTES: usize = 2 << 20;
@@ -19,10 +19,12 @@ pub(crate) const RECORD_MAX_BYTES: usize = 96 << 10;
 pub const HELPERS_MAX: usize = 1_000;
 /// Notes in one behaviour.
 pub const NOTES_MAX: usize = 2_000;
+/// Groups in one behaviour.
+pub const GROUPS_MAX: usize = 200;
 /// Entries of all lists in one behaviour: inputs and arguments of connectors, parameters and resources of streams.
 pub const ENTRIES_MAX: usize = 40_000;
-/// Places in one behaviour: one for each stream, connector and note.
-pub const PLACES_MAX: usize = crate::STREAMS_MAX + crate::CONNECTORS_MAX + NOTES_MAX;
+/// Places in one behaviour: one for each stream, connector, note and group.
+pub const PLACES_MAX: usize = crate::STREAMS_MAX + crate::CONNECTORS_MAX + NOTES_MAX + GROUPS_MAX;
 
 /// What a character takes at most that JSON or XML write in a longer way.
 const ESCAPED_BYTES: usize = 8;
@@ -32,7 +34,10 @@ const HELPER_BYTES: usize = 96;
 const STREAM_BYTES: usize = 256;
 const CONNECTOR_BYTES: usize = 224;
 const PLACE_BYTES: usize = 96;
-const NOTE_BYTES: usize = 64;
+const NOTE_BYTES: usize = 128;
+const GROUP_BYTES: usize = 128;
+/// The marks around one stream of a group, of which many are in one line of a file.
+const MEMBER_BYTES: usize = 12;
 /// The words around one name, input or argument of a list.
 const ITEM_BYTES: usize = 32;
 /// The words around one parameter of a device.
@@ -53,6 +58,7 @@ pub(crate) struct Size {
     connectors: Amount,
     places: Amount,
     notes: Amount,
+    groups: Amount,
     settings: Amount,
 }
 
@@ -107,6 +113,7 @@ impl Size {
             Kind::Connector => &mut self.connectors,
             Kind::Place => &mut self.places,
             Kind::Note => &mut self.notes,
+            Kind::Group => &mut self.groups,
         }
     }
 
@@ -117,7 +124,8 @@ impl Size {
 
     /// Everything but helpers, which live in the library.
     fn behaviour_bytes(&self) -> usize {
-        [self.settings, self.streams, self.connectors, self.places, self.notes].iter().map(|amount| amount.bytes).sum()
+        let all = [self.settings, self.streams, self.connectors, self.places, self.notes, self.groups];
+        all.iter().map(|amount| amount.bytes).sum()
     }
 
     fn behaviour_entries(&self) -> usize {
@@ -134,6 +142,7 @@ impl Size {
             ("streams", self.streams.count, before.streams.count, crate::STREAMS_MAX),
             ("connectors", self.connectors.count, before.connectors.count, crate::CONNECTORS_MAX),
             ("notes", self.notes.count, before.notes.count, NOTES_MAX),
+            ("groups", self.groups.count, before.groups.count, GROUPS_MAX),
             ("places", self.places.count, before.places.count, PLACES_MAX),
             ("inputs, arguments and parameters", self.behaviour_entries(), before.behaviour_entries(), ENTRIES_MAX),
         ];
@@ -145,7 +154,7 @@ impl Size {
             return Err(Refusal::Full("library".to_owned(), LIBRARY_MAX_BYTES));
         }
         if behaviour > BEHAVIOUR_MAX_BYTES && behaviour > before.behaviour_bytes() {
-            return Err(Refusal::Full("behaviour".to_owned(), BEHAVIOUR_MAX_BYTES));
+            return Err(Refusal::Full("program".to_owned(), BEHAVIOUR_MAX_BYTES));
         }
         Ok(())
     }
@@ -160,7 +169,8 @@ pub fn record_bytes(id: &RecordId, record: &Record) -> usize {
         Record::Stream(stream) => stream_bytes(stream),
         Record::Connector(connector) => connector_bytes(connector),
         Record::Place(_) => PLACE_BYTES,
-        Record::Note(Note { text }) => NOTE_BYTES + text_bytes(text),
+        Record::Note(Note { text, by, at_ms: _ }) => NOTE_BYTES + text_bytes(text) + text_bytes(by),
+        Record::Group(group) => group_bytes(group),
     };
     own + ID_TIMES * id_bytes(&id.id)
 }
@@ -178,7 +188,7 @@ fn entries(record: &Record) -> usize {
             };
             connector.inputs.len() + args + connector.operation.start().map_or(0, value_entries)
         }
-        Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) => 0,
+        Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) | Record::Group(_) => 0,
     }
 }
 
@@ -207,12 +217,19 @@ impl Change {
 }
 
 fn settings_bytes(settings: &Settings) -> usize {
-    SETTINGS_BYTES + text_bytes(&settings.name) + text_bytes(&settings.robot)
+    let texts = [&settings.name, &settings.robot].into_iter().chain(&settings.exercise);
+    SETTINGS_BYTES + texts.map(|text| text_bytes(text)).sum::<usize>() + names_bytes(&settings.tags)
+}
+
+fn group_bytes(group: &Group) -> usize {
+    let members = group.streams.iter().map(|id| MEMBER_BYTES + id_bytes(id));
+    GROUP_BYTES + text_bytes(&group.title) + members.sum::<usize>()
 }
 
 fn helper_bytes(helper: &Helper) -> usize {
     let texts = [&helper.name, &helper.body, &helper.says].into_iter().map(|text| text_bytes(text));
-    HELPER_BYTES + texts.sum::<usize>() + names_bytes(&helper.params)
+    let gives = if helper.gives.is_auto() { 0 } else { ITEM_BYTES };
+    HELPER_BYTES + texts.sum::<usize>() + names_bytes(&helper.params) + ITEM_BYTES * helper.takes.len() + gives
 }
 
 fn stream_bytes(stream: &Stream) -> usize {
@@ -264,7 +281,7 @@ mod tests {
     use crate::{Behaviour, Change, Id, Kind, Note, Place, Record, RecordId};
 
     fn note(text: &str) -> Record {
-        Record::Note(Note { text: text.into() })
+        Record::Note(Note::new(text.into()))
     }
 
     #[test]
@@ -290,11 +307,25 @@ mod tests {
     }
 
     #[test]
+    fn all_streams_fit_into_one_group_and_count_in_full() {
+        let id = |at: usize| Id::new(&format!("{at:032}")).unwrap();
+        let streams = (0..crate::STREAMS_MAX).map(id).collect();
+        let group = Record::Group(crate::Group { title: "All \"of\" them".into(), streams, folded: true });
+        let key = RecordId::new(Kind::Group, &id(0));
+        let bytes = record_bytes(&key, &group);
+        assert!(bytes <= super::RECORD_MAX_BYTES, "{bytes}");
+        assert!(bytes >= serde_json::to_string(&(&key, &group)).unwrap().len());
+    }
+
+    #[test]
     fn what_is_written_in_a_longer_way_counts_so() {
         let id = RecordId::new(Kind::Note, &Id::new("a").unwrap());
         for text in ["plain", "a < b && \"c\"", "\u{1}\u{1f}\n\t", "赤いボール"] {
             let written = serde_json::to_string(&(&id, note(text))).unwrap();
             assert!(record_bytes(&id, &note(text)) >= written.len(), "{text:?}");
+            let signed = Record::Note(Note { text: text.into(), by: text.into(), at_ms: u64::MAX });
+            let written = serde_json::to_string(&(&id, &signed)).unwrap();
+            assert!(record_bytes(&id, &signed) >= written.len(), "{text:?}");
         }
     }
 }

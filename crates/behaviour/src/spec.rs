@@ -2,7 +2,7 @@
 
 use crate::flow::Gives;
 use crate::marbles::Example;
-use crate::{Operation, Parameters, Procedure, StreamKind, Value};
+use crate::{Lasting, Operation, Parameters, Procedure, StreamKind, Value};
 use std::fmt;
 
 /// The duration of a connector for which none was chosen, in milliseconds.
@@ -17,6 +17,8 @@ pub struct Spec {
     pub name: &'static str,
     /// What it does, in a sentence.
     pub says: &'static str,
+    /// What comes of a value, in a few words: what stands beside its name where it is offered.
+    pub brief: &'static str,
     /// Its picture.
     pub icon: Icon,
     /// How many streams it takes from.
@@ -34,8 +36,9 @@ pub struct Spec {
     /// When it is offered as the next step of a stream.
     pub offered: Offered,
     /// What the stream is called that it makes, until somebody types a name: the first of these whose holes can all be
-    /// filled. `{input}` is the name of its first input, `{others}` are those of the others, `{helper}` is its helper,
-    /// `{body}` its short body, `{period}` its duration (`2 s`) and `{every}` how often that is (`every 2 s`).
+    /// filled; if none can, the name has to be asked for. `{input}` is the name of its first input, `{others}` are those
+    /// of the others, `{helper}` is its helper, `{body}` its short body, `{period}` its duration (`2 s`) and `{every}` how
+    /// often that is (`every 2 s`).
     pub called: &'static [&'static str],
     /// How it works, for who wants to know more.
     pub help: Help,
@@ -194,6 +197,19 @@ impl Spec {
         Operation::of(self, Parameters { procedure, period_ms, start })
     }
 
+    /// Whether its duration is a beat: it counts again and again.
+    #[must_use]
+    pub fn beats(&self) -> bool {
+        self.called.iter().any(|name| name.contains("{every}"))
+    }
+
+    /// Its duration in words: `every 1 second` of a beat, else `1 second`.
+    #[must_use]
+    pub fn lasts(&self, ms: u64) -> String {
+        let lasting = Lasting::of(ms);
+        if self.beats() { format!("every {lasting}") } else { lasting.to_string() }
+    }
+
     /// A part that a connector needs and that is missing here, as files call it.
     #[must_use]
     pub fn lacks(&self, given: &Parameters) -> Option<&'static str> {
@@ -236,6 +252,18 @@ impl Spec {
     #[must_use]
     pub fn argument_names<'a>(&self, inputs: impl IntoIterator<Item = &'a str>) -> Vec<String> {
         crate::argument_names(self.before().iter().copied().chain(inputs))
+    }
+
+    /// The names of the arguments that this body knows: those of before too, if it was written with them.
+    #[must_use]
+    pub fn arguments_of<'a>(&self, body: &str, inputs: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+        crate::arguments_of(body, &self.before().iter().copied().chain(inputs).collect::<Vec<_>>())
+    }
+
+    /// The body with the argument names of today, if it was written with those of before.
+    #[must_use]
+    pub fn in_names_of_today<'a>(&self, body: &str, inputs: impl IntoIterator<Item = &'a str>) -> String {
+        crate::in_names_of_today(body, &self.before().iter().copied().chain(inputs).collect::<Vec<_>>())
     }
 
     /// How many arguments its procedure has with so many inputs.

@@ -1,7 +1,7 @@
-//! Every refusal and problem in one English sentence that says what to do.
+//! Every refusal in one English sentence that says what to do.
 
 use crate::ids::ID_MAX_CHARS;
-use crate::{BadId, FORMAT, Flaw, FlawKind, Problem, ProblemKind, Refusal, StreamKind, connectors};
+use crate::{BadId, FORMAT, Flaw, FlawKind, Refusal, StreamKind, Unit, ValueType, connectors};
 use std::fmt;
 
 impl fmt::Display for Refusal {
@@ -13,7 +13,7 @@ impl fmt::Display for Refusal {
                 write!(to, "{by} changed {what} since then, so your change cannot be taken back. Change it by hand.")
             }
             Self::NothingToUndo => to.write_str("There is nothing more of yours to take back or to do again."),
-            Self::Gone => to.write_str("This behaviour was removed. Open another one."),
+            Self::Gone => to.write_str("This program was removed. Open another one."),
             Self::Edits(0) => to.write_str("There was nothing to change."),
             Self::Edits(many) => write!(to, "{many} edits at once are too many. Do it in smaller steps."),
             Self::Malformed(what) => write!(to, "This change is damaged ({what}). Reload the page and try again."),
@@ -27,7 +27,7 @@ impl fmt::Display for Refusal {
             Self::TooMany(what, limit) if what == "helpers" => {
                 write!(to, "The library holds at most {limit} helpers. Remove some that nobody uses first.")
             }
-            Self::TooMany(what, limit) => write!(to, "A behaviour holds at most {limit} {what}. Remove some first."),
+            Self::TooMany(what, limit) => write!(to, "A program holds at most {limit} {what}. Remove some first."),
             Self::Full(what, limit) => {
                 let limit = limit >> 20;
                 write!(
@@ -53,7 +53,7 @@ impl fmt::Display for Refusal {
                 write!(to, "{} takes exactly one stream. Use {many} for several.", capital(word))
             }
             Self::InputTwice(name) => write!(to, "“{name}” is chosen twice. Choose every stream once."),
-            Self::Rate(_) => to.write_str("The rate must be from 1 to 3,600,000 milliseconds."),
+            Self::Rate(_) => to.write_str("It must last from 1 millisecond to 1 hour."),
             Self::Infinite => to.write_str("A parameter is not a finite number."),
             Self::NeedsDevice(kind, name) => {
                 let what = if *kind == StreamKind::Sensor { "a sense" } else { "an action" };
@@ -63,6 +63,9 @@ impl fmt::Display for Refusal {
             Self::OrdinaryDevice => to.write_str("An ordinary stream has no sense or action."),
             Self::Device(reason) => write!(to, "{}.", capital(reason)),
             Self::Body(reason) => write!(to, "This procedure cannot run: {reason}."),
+            Self::TakesMore(name, params) => {
+                write!(to, "“{name}” is said to take more values than its {params} parameters. Leave the others out.")
+            }
             Self::Identifier(name) => {
                 write!(
                     to,
@@ -72,44 +75,36 @@ impl fmt::Display for Refusal {
             Self::HelperUsed(name, users) => {
                 write!(to, "“{name}” is still used by {}. Change them first.", users.join(", "))
             }
+            Self::UsedByMany(name, most) => {
+                write!(to, "“{name}” is used by more than {most} programs. Add a helper of the new name beside it.")
+            }
+            Self::InGroup { stream, group } => {
+                write!(to, "“{stream}” is in the group “{group}” already. Take it out there first.")
+            }
             Self::NotSaved(reason) => write!(to, "This could not be saved ({reason}). Nothing was changed; try again."),
         }
     }
 }
 
-impl fmt::Display for Problem {
+/// How many fields of an object a sentence names.
+const FIELDS_SAID_MAX: usize = 4;
+
+impl fmt::Display for ValueType {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        let name = &self.name;
-        match &self.kind {
-            ProblemKind::FewInputs(least) => {
-                write!(to, "{} needs {least} input streams or more. Add one.", capital(name))
+        match self {
+            Self::Any => to.write_str("anything"),
+            Self::Truth => to.write_str("true or false"),
+            Self::Number { unit: Some(Unit::Fraction), .. } => to.write_str(Unit::Fraction.name()),
+            Self::Number { unit: Some(unit), .. } => write!(to, "a number in {}", unit.name()),
+            Self::Number { unit: None, .. } => to.write_str("a number"),
+            Self::Text => to.write_str("a text"),
+            Self::Record(fields) => {
+                let said: Vec<_> = fields.keys().take(FIELDS_SAID_MAX).map(String::as_str).collect();
+                let more = if fields.len() > FIELDS_SAID_MAX { ", …" } else { "" };
+                write!(to, "an object with {}{more}", said.join(", "))
             }
-            ProblemKind::NoInputs => write!(to, "{} has no input streams. Add one.", capital(name)),
-            ProblemKind::EmptyBody => {
-                write!(to, "{} has no procedure yet. Write one or choose a helper.", capital(name))
-            }
-            ProblemKind::MissingHelper(helper) => {
-                write!(to, "The helper “{helper}” does not exist. Choose another or add it.")
-            }
-            ProblemKind::HelperInputs { helper, takes, gets } => {
-                write!(to, "The helper “{helper}” takes {takes} values, but gets {gets}. Choose another.")
-            }
-            ProblemKind::Helper { helper, reason } => write!(to, "The helper “{helper}” cannot run: {reason}."),
-            ProblemKind::EmptyHelper(helper) => {
-                write!(to, "The helper “{helper}” cannot run: it has no procedure yet.")
-            }
-            ProblemKind::Body(reason) => write!(to, "The procedure of {name} cannot run: {reason}."),
-            ProblemKind::Device(reason) => write!(to, "{}.", capital(reason)),
-            ProblemKind::NoSource => write!(to, "“{name}” gets no values. Lead a connector to it."),
-            ProblemKind::Unused => write!(to, "“{name}” leads to no action."),
-            ProblemKind::Multiplies => {
-                let becomes = if self.blocks { "becomes" } else { "can become" };
-                write!(
-                    to,
-                    "Values multiply at “{name}”: one reading {becomes} more than 100,000 values. Lead fewer ways of \
-                     the same stream together there, or put a sample before it."
-                )
-            }
+            Self::List(_) => to.write_str("a list"),
+            Self::Nothing => to.write_str("nothing"),
         }
     }
 }
@@ -143,12 +138,27 @@ impl fmt::Display for FlawKind {
             Self::NoStream(id) => write!(to, "there is no stream {id:?}"),
             Self::NoConnector(word) => write!(to, "there is no connector {word:?}"),
             Self::NoPeriod(word) => write!(to, "{word} needs a periodMs of 1 or more"),
+            Self::InTwoGroups(id) => write!(to, "the stream {id:?} is in another group too"),
             Self::BodyAndHelper => to.write_str("it has both a body and a helper"),
         }
     }
 }
 
-fn capital(text: &str) -> String {
+/// A text with a capital letter.
+pub(crate) fn capital(text: &str) -> String {
     let mut rest = text.chars();
     rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Unit, ValueType};
+
+    #[test]
+    fn a_kind_of_value_is_said() {
+        let many = ["a", "b", "c", "d", "e"].map(|name| (name, ValueType::Truth));
+        assert_eq!(ValueType::record(many).to_string(), "an object with a, b, c, d, …");
+        assert_eq!(ValueType::in_unit(Unit::Fraction).to_string(), "a number from 0 to 1");
+        assert_eq!(ValueType::in_unit(Unit::Metres).to_string(), "a number in m");
+    }
 }

@@ -1,8 +1,8 @@
 //! A behaviour as a file and back: nothing that its records hold is lost.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Connector, Flaw, FlawKind, Id, Kind, Note, Params, Place, Procedure, Record, RecordId,
-    Settings, Stream, StreamKind, connectors,
+    Behaviour, BehaviourFile, Connector, Flaw, FlawKind, Group, Id, Kind, Note, Params, Place, Procedure, Record,
+    RecordId, Settings, Stream, StreamKind, connectors,
 };
 
 fn id(text: &str) -> Id {
@@ -25,7 +25,13 @@ fn stream(name: &str, order: i64) -> Record {
 fn full() -> Behaviour {
     let sample = connectors::map::SPEC.with(Procedure::Body { body: "a".to_owned(), args: Some(vec!["a".to_owned()]) });
     let connector = Connector { operation: sample, inputs: vec![id("s1")], output: id("s0"), order: 9 };
-    let settings = Settings { robot: "pepper".to_owned(), ..Settings::named("Full") };
+    let (robot, exercise) = ("pepper".to_owned(), Some("Near".to_owned()));
+    let settings = Settings { robot, exercise, ..Settings::named("Full") };
+    let signed = Note { text: String::new(), by: "Aiko".to_owned(), at_ms: 1 };
+    let group = |streams: &[&str], folded| {
+        let streams = streams.iter().map(|stream| id(stream)).collect();
+        Record::Group(Group { title: "Group".to_owned(), streams, folded })
+    };
     let place = |x| Record::Place(Place { x, y: -0.5 });
     let records = [
         (RecordId::settings(), Record::Settings(settings)),
@@ -33,7 +39,11 @@ fn full() -> Behaviour {
         (RecordId::new(Kind::Stream, &id("s1")), stream("First", -3)),
         (RecordId::new(Kind::Stream, &id("s2")), stream("Middle", 1)),
         (RecordId::new(Kind::Connector, &id("c0")), Record::Connector(connector)),
-        (RecordId::new(Kind::Note, &id("n0")), Record::Note(Note { text: "Look\nhere".to_owned() })),
+        (RecordId::new(Kind::Note, &id("n0")), Record::Note(Note::new("Look\nhere".to_owned()))),
+        (RecordId::new(Kind::Note, &id("n1")), Record::Note(signed)),
+        (RecordId::new(Kind::Group, &id("g0")), group(&["s0", "gone"], true)),
+        (RecordId::new(Kind::Group, &id("g1")), group(&[], false)),
+        (RecordId::new(Kind::Place, &id("g0")), place(2.0)),
         (RecordId::new(Kind::Place, &id("n0")), place(1.0)),
         (RecordId::new(Kind::Place, &id("s0")), place(0.1)),
         (RecordId::new(Kind::Place, &id("gone")), place(3.0)),
@@ -56,6 +66,10 @@ fn a_copy_has_new_ids_the_same_order_and_its_notes() {
     assert_eq!(names, ["First", "Middle", "Last"]);
     assert!(copy.records.contains_key(&RecordId::new(Kind::Note, &id("new-n0"))));
     assert_eq!(copy.place(&id("new-n0")), Some(Place { x: 1.0, y: -0.5 }));
+    let (_, group) = copy.group_of(&id("new-s0")).unwrap();
+    assert_eq!((group.streams.len(), group.folded), (1, true), "what is gone stays behind");
+    assert_eq!(copy.place(&id("new-g0")).unwrap().x.to_bits(), 2.0_f64.to_bits());
+    assert_eq!(copy.settings().unwrap().exercise.as_deref(), Some("Near"));
     assert_eq!(copy.connector(&id("new-c0")).unwrap().inputs, [id("new-s1")]);
     assert_eq!(copy.records.len(), full().records.len() - 1, "the place of nothing stays behind");
 }
@@ -77,4 +91,19 @@ fn an_id_names_one_thing() {
     file.notes[0].id = "c0".to_owned();
     let twice = Flaw { at: "c0".to_owned(), kind: FlawKind::IdTwice };
     assert_eq!(file.records(|_| None).unwrap_err(), [twice]);
+}
+
+#[test]
+fn a_stream_is_in_one_group_of_a_file() {
+    let mut file = BehaviourFile::of(&full(), &[]);
+    file.groups[1].streams = vec!["s1".to_owned(), "s0".to_owned()];
+    let twice = Flaw { at: "g1".to_owned(), kind: FlawKind::InTwoGroups("s0".to_owned()) };
+    assert_eq!(file.records(|_| None).unwrap_err(), [twice]);
+}
+
+#[test]
+fn what_stands_around_the_graph_does_not_change_how_it_runs() {
+    let (with, mut without) = (full(), full());
+    without.records.retain(|id, _| !matches!(id.kind, Kind::Group | Kind::Note | Kind::Place));
+    assert_eq!(BehaviourFile::of(&with, &[]).fingerprint(), BehaviourFile::of(&without, &[]).fingerprint());
 }

@@ -2,9 +2,9 @@
 #![expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 
 use behaviour::{
-    BEHAVIOUR_MAX_BYTES, Behaviour, Change, Connector, Decision, HELPERS_MAX, Helper, Id, Kind, Knowledge,
-    LIBRARY_MAX_BYTES, NOTES_MAX, Note, PLACES_MAX, Params, Place, Procedure, Record, RecordId, Refusal, Room,
-    STREAMS_MAX, Settings, Stream, StreamKind, Value, connectors, record_bytes,
+    BEHAVIOUR_MAX_BYTES, Behaviour, Change, Connector, Decision, GROUPS_MAX, Group, HELPERS_MAX, Helper, Id, Kind,
+    Knowledge, LIBRARY_MAX_BYTES, NOTES_MAX, Note, PLACES_MAX, Params, Place, Procedure, Record, RecordId, Refusal,
+    Room, STREAMS_MAX, Settings, Stream, StreamKind, Value, connectors, record_bytes,
 };
 
 struct Anything;
@@ -34,11 +34,11 @@ fn key(kind: Kind, at: usize) -> RecordId {
 
 fn helper(at: usize, body: &str) -> Record {
     let (name, params) = (format!("h{at}"), vec!["v".to_owned()]);
-    Record::Helper(Helper { name, params, body: body.to_owned(), says: String::new() })
+    Record::Helper(Helper { name, params, body: body.to_owned(), ..Helper::default() })
 }
 
 fn note(text: &str) -> Record {
-    Record::Note(Note { text: text.to_owned() })
+    Record::Note(Note::new(text.to_owned()))
 }
 
 fn place(x: f64) -> Record {
@@ -87,11 +87,14 @@ fn too_many_notes() -> Behaviour {
 fn each_kind_has_a_bound_of_its_count() {
     let helpers = of((0..HELPERS_MAX).map(|at| (key(Kind::Helper, at), helper(at, ""))));
     let notes = of((0..NOTES_MAX).map(|at| (key(Kind::Note, at), note("n"))));
+    let group = || Record::Group(Group { title: "G".into(), ..Group::default() });
+    let groups = of((0..GROUPS_MAX).map(|at| (key(Kind::Group, at), group())));
     let places = of((0..PLACES_MAX).map(|at| (key(Kind::Place, at), place(0.0))));
     let streams = of((0..STREAMS_MAX).map(|at| (key(Kind::Stream, at), Record::Stream(stream(&format!("S{at}"))))));
     let one_more = [
         (helpers, Kind::Helper, helper(99_999, "v")),
         (notes, Kind::Note, note("one more")),
+        (groups, Kind::Group, group()),
         (places, Kind::Place, place(1.0)),
         (streams, Kind::Stream, Record::Stream(stream("One more"))),
     ];
@@ -127,7 +130,7 @@ fn the_library_and_a_behaviour_have_a_bound_of_their_bytes() {
     assert!(used <= LIBRARY_MAX_BYTES);
 
     let room = Room::open(too_many_notes(), 1);
-    let full = Refusal::Full("behaviour".into(), BEHAVIOUR_MAX_BYTES);
+    let full = Refusal::Full("program".into(), BEHAVIOUR_MAX_BYTES);
     assert_eq!(refusal(put(&room, key(Kind::Stream, 0), Record::Stream(stream("S")))), full);
     let settings = (RecordId::settings(), Some(Record::Settings(Settings::named("Play"))));
     assert_eq!(refusal(propose(&room, &Never, vec![settings])), full);
@@ -157,7 +160,7 @@ fn one_record_has_a_bound_whatever_is_large_in_it() {
         Record::Connector(Connector { operation, inputs: (0..inputs).map(id).collect(), output: id(0), order: 0 })
     };
     let body = |args| connectors::map::SPEC.with(Procedure::Body { body: "1".to_owned(), args: Some(args) });
-    let helper = |params| Record::Helper(Helper { name: "h".into(), params, body: String::new(), says: String::new() });
+    let helper = |params| Record::Helper(Helper { name: "h".into(), params, body: String::new(), ..Helper::default() });
     let deep = (0..60).fold(Value::text(&long), |inner, _| Value::list([inner]));
     let cases = [
         (key(Kind::Stream, 1), Record::Stream(params(Value::text(&long)))),

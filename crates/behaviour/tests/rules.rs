@@ -1,8 +1,8 @@
 //! Every rule of the graph: what breaks it is refused with one sentence, and nothing changes.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Change, Connector, Decision, Id, Kind, Knowledge, Operation, Parameters, Params,
-    Procedure, Record, RecordId, Refusal, Room, Settings, Stream, StreamKind, connectors, problems,
+    Behaviour, BehaviourFile, Change, Connector, Decision, Group, Id, Kind, Knowledge, Note, Operation, Parameters,
+    Params, Procedure, Record, RecordId, Refusal, Room, Settings, Stream, StreamKind, connectors, problems,
 };
 
 struct Anything;
@@ -96,8 +96,8 @@ fn each_broken_rule_is_refused_with_its_sentence() {
         (new(map(""), &["close"], "ball"), "cannot take values"),
         (new(map("(("), &["close"], "tracker"), "closing ) is missing"),
         (new(connectors::merge::SPEC.with(()), &["ball", "ball"], "close"), "chosen twice"),
-        (new(sample(0), &["close"], "tracker"), "1 to 3,600,000"),
-        (new(sample(3_600_001), &["close"], "tracker"), "1 to 3,600,000"),
+        (new(sample(0), &["close"], "tracker"), "from 1 millisecond to 1 hour"),
+        (new(sample(3_600_001), &["close"], "tracker"), "from 1 millisecond to 1 hour"),
         (new(sub, &["ball", "close"], "tracker"), "exactly one stream"),
         (new(map(""), &["nobody"], "close"), "without a stream"),
         ((Kind::Stream, "close", None), "without a stream"),
@@ -250,4 +250,84 @@ fn values_that_multiply_are_a_problem_and_where_filters_choose_a_hint() {
     let settings = Settings { engine: behaviour::Engine::Frame { frame_ms: 50 }, ..Settings::named("Test") };
     frames.records.insert(RecordId::settings(), Record::Settings(settings));
     assert_eq!(said(&frames), None, "a frame carries one value a stream");
+}
+
+#[test]
+fn tags_are_few_short_and_different() {
+    let settled = |tags: &[&str]| {
+        let tags = tags.iter().map(|tag| (*tag).to_owned()).collect();
+        let settings = Settings { tags, ..Settings::named("Test") };
+        match propose(&[(Kind::Settings, "behaviour", Some(Record::Settings(settings)))]) {
+            Decision::Refuse(no) => no.to_string(),
+            _ => String::new(),
+        }
+    };
+    let longest = "あ".repeat(behaviour::TAG_MAX_CHARS);
+    assert_eq!(settled(&["group b", "赤", longest.as_str(), "it's 100%"]), "");
+    let nine: Vec<String> = (0..9).map(|at| format!("t{at}")).collect();
+    let nine: Vec<&str> = nine.iter().map(String::as_str).collect();
+    assert_eq!(settled(&nine[..8]), "");
+    assert_eq!(settled(&nine), "A program holds at most 8 tags. Remove some first.");
+    assert_eq!(settled(&[&format!("{longest}あ")]), "This tag is too long. It may have 24 characters.");
+    assert_eq!(settled(&["Ball", "ball"]), "There is already a “ball”. Choose another name.");
+    for bad in ["", " ", " a", "a ", "a\nb", "a\u{202e}b"] {
+        assert_ne!(settled(&[bad]), "", "{bad:?}");
+    }
+}
+
+#[test]
+fn settings_of_before_tags_still_read() {
+    let settings: Settings = serde_json::from_str(r#"{"name":"Old","robot":"nao"}"#).expect("settings");
+    assert_eq!(settings, Settings::named("Old"));
+    assert!(!serde_json::to_string(&settings).expect("a text").contains("tags"), "and are written as they were");
+}
+
+fn group(title: &str, streams: &[&str]) -> Option<Record> {
+    let streams = streams.iter().map(|stream| id(stream)).collect();
+    Some(Record::Group(Group { title: title.into(), streams, folded: false }))
+}
+
+#[test]
+fn a_stream_is_in_one_group_at_most() {
+    let one = (Kind::Group, "g", group("Near", &["ball", "gone"]));
+    assert!(matches!(propose(&[one.clone(), (Kind::Group, "h", group("Near", &[]))]), Decision::Save(_)));
+    let Decision::Refuse(refusal) = propose(&[one, (Kind::Group, "h", group("Far", &["ball"]))]) else { panic!() };
+    assert_eq!(refusal, Refusal::InGroup { stream: "Ball".into(), group: "Near".into() });
+    assert_eq!(refusal.to_string(), "“Ball” is in the group “Near” already. Take it out there first.");
+    for title in ["", " ", "a\u{7}", "a\u{202e}b", &"x".repeat(201)] {
+        assert!(matches!(propose(&[(Kind::Group, "g", group(title, &[]))]), Decision::Refuse(_)), "{title:?}");
+    }
+}
+
+#[test]
+fn a_stream_of_a_group_can_go_and_is_in_it_again_when_it_comes_back() {
+    let mut room = Room::open(start(), 7);
+    let mut make = |op: &str, edits: &[Touched]| {
+        let change = edits.iter().fold(Change::of(id(op), "Aiko", "Test"), |change, (kind, name, after)| {
+            let key = RecordId::new(*kind, &id(name));
+            match after {
+                Some(record) => change.put(room.behaviour(), key, record.clone()),
+                None => change.take(room.behaviour(), key),
+            }
+        });
+        let Decision::Save(made) = room.propose(1, change, &Anything) else { panic!("{op}") };
+        room.commit(&made);
+        (made.change, room.clone())
+    };
+    make("group", &[(Kind::Group, "g", group("Near", &["close", "tracker"]))]);
+    let (removal, room) = make("remove", &[(Kind::Stream, "close", None), (Kind::Connector, "c2", None)]);
+    assert_eq!(room.behaviour().groups().next().unwrap().1.streams.len(), 2);
+    let back = room.bring_back(&removal, Change::of(id("back"), "Aiko", "Back"), &Anything).unwrap().unwrap();
+    let mut whole = room.behaviour().clone();
+    whole.apply(&back);
+    assert_eq!(whole.group_of(&id("close")).map(|(id, _)| id.as_str()), Some("g"));
+}
+
+#[test]
+fn who_wrote_a_note_and_when_is_bounded() {
+    let note = |by: &str, at_ms| Some(Record::Note(Note { text: "Look".into(), by: by.into(), at_ms }));
+    let proposed = |note| propose(&[(Kind::Note, "n", note)]);
+    assert!(matches!(proposed(note("Aiko", 1_700_000_000_000)), Decision::Save(_)));
+    assert!(matches!(proposed(note(&"x".repeat(201), 0)), Decision::Refuse(Refusal::TooLong(_, 200))));
+    assert!(matches!(proposed(note("", u64::MAX)), Decision::Refuse(Refusal::Malformed(_))));
 }

@@ -20,7 +20,7 @@ pub use cost::Limits;
 pub use faults::{
     BodyFault, CallFault, Fault, Misuse, Place, Reason, RunFault, Syntax, TrialFault, ValueFault, ValueKind,
 };
-pub use procedure::{check_body, try_body};
+pub use procedure::{check_body, misused, result_type, try_body, unknown_name};
 pub use program::{ConnectorInfo, Program, StreamInfo, validate};
 pub use run::{Handover, Matching, Run};
 pub use timeline::{Emission, End};

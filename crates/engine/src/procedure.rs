@@ -4,10 +4,12 @@ mod calls;
 mod closures;
 pub(crate) mod compiled;
 pub(crate) mod helpers;
+mod kinds;
 mod parse;
 mod trial;
 mod walk;
 
+pub use kinds::{misused, result_type, unknown_name};
 pub use trial::{check_body, try_body};
 
 use crate::rhai::conversion::{from_rhai, put_rhai};

@@ -91,7 +91,7 @@ fn short_closures_count_together() {
 
 #[test]
 fn a_helper_with_the_name_of_a_list_function_is_not_trusted_with_closures() {
-    let keeps = FileHelper { name: "map".into(), params: vec!["f".into()], body: "f".into(), says: String::new() };
+    let keeps = FileHelper { name: "map".into(), params: vec!["f".into()], body: "f".into(), ..FileHelper::default() };
     let body = "let a = 1; a = map(|| a); 2";
     let made = try_body(&[keeps], &[], body, &[], &Limits::default());
     assert!(made.is_err_and(|fault| fault.to_string().contains("only be called or handed to a list")));
@@ -136,7 +136,7 @@ fn chain(length: usize, depth: usize) -> Vec<FileHelper> {
     let helper = |at: usize| {
         let inside = if at + 1 < length { format!("h{}(v)", at + 1) } else { "v".to_owned() };
         let body = format!("{}{inside}{}", "abs(1 + ".repeat(depth), ")".repeat(depth));
-        FileHelper { name: format!("h{at}"), params: vec!["v".to_owned()], body, says: String::new() }
+        FileHelper { name: format!("h{at}"), params: vec!["v".to_owned()], body, ..FileHelper::default() }
     };
     (0..length).map(helper).collect()
 }

@@ -67,6 +67,20 @@ fn until(run: &mut Run, at: u64) -> String {
 }
 
 #[test]
+fn streams_of_every_script_give_their_names_to_arguments() {
+    let text = "距離 sensor\n近い ordinary\nfilter 距離 > 近い: 距離 < 40\nнет ordinary\nmap 近い > нет: 近い * 2 - 距離2(近い)\n";
+    let mut file = graph(text);
+    file.helpers.push(
+        serde_json::from_value(serde_json::json!({"name": "距離2", "params": ["値"], "body": "値 + 1"})).unwrap(),
+    );
+    let mut run = Run::build(&file, Limits::default()).map_err(|faults| faults[0].to_string()).unwrap();
+    assert_eq!(feed(&mut run, 1, "距離", 30), "1 距離=30, 1 近い=30, 1 нет=29");
+    assert_eq!(feed(&mut run, 2, "距離", 50), "2 距離=50");
+    let mut before = start("距離 sensor\n近い ordinary\nfilter 距離 > 近い: x__ < 40\n");
+    assert_eq!(feed(&mut before, 1, "距離", 30), "1 距離=30, 1 近い=30", "a body of before means what it meant");
+}
+
+#[test]
 fn ten_thousand_maps_in_a_row_work() {
     let mut text = "s0 sensor\n".to_owned();
     for at in 0..10_000 {

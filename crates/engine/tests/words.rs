@@ -30,7 +30,7 @@ fn every_kept_word_is_refused_by_rhai_and_every_other_works() {
         let argument = argument_names([word]).remove(0);
         assert!(works_as_argument(&argument), "{word} as {argument}");
         let helper =
-            FileHelper { name: argument.clone(), params: vec!["v".into()], body: "v".into(), says: String::new() };
+            FileHelper { name: argument.clone(), params: vec!["v".into()], body: "v".into(), ..FileHelper::default() };
         if ["timestamp", "sleep", "parse_json"].contains(&word) {
             continue;
         }
@@ -97,7 +97,8 @@ fn a_fault_says_what_in_plain_words() {
     ];
     let names = ["ball".to_owned(), "n".to_owned()];
     let inputs = [Value::object([("size", Value::Float(0.1))]), Value::Int(5)];
-    let far = FileHelper { name: "far".into(), params: vec!["b".into()], body: "b.siz".into(), says: String::new() };
+    let far =
+        FileHelper { name: "far".into(), params: vec!["b".into()], body: "b.siz".into(), ..FileHelper::default() };
     for (body, words) in cases {
         let made = try_body(std::slice::from_ref(&far), &names, body, &inputs, &Limits::default());
         assert_eq!(made.unwrap_err().to_string(), words, "{body}");

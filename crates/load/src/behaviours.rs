@@ -17,12 +17,12 @@ pub(crate) fn named(text: &str) -> Id {
 
 /// What a client's note says after so many edits.
 pub(crate) fn text(client: usize, edits: u64) -> Record {
-    Record::Note(Note { text: format!("Edit {edits} of client {client}, as long as notes of people are.") })
+    Record::Note(Note::new(format!("Edit {edits} of client {client}, as long as notes of people are.")))
 }
 
 /// How often the note of a client was edited, as the note says.
 pub(crate) fn edits(record: &Record) -> Option<u64> {
-    let Record::Note(Note { text }) = record else { return None };
+    let Record::Note(Note { text, .. }) = record else { return None };
     text.strip_prefix("Edit ")?.split(' ').next()?.parse().ok()
 }
 

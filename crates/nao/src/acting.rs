@@ -126,7 +126,7 @@ impl Acting {
             Deed::Say(text) => self.speech.say(text, &user),
             Deed::Walk(speeds) => self.walk(user, speeds),
             Deed::Track(track) => self.follow(user, track),
-            Deed::Print(text) => self.shared.state().print(text),
+            Deed::Print(text) => self.shared.state().print(user, text),
         }
         self.speak();
         self.send_quiet();

@@ -190,7 +190,7 @@ impl Robot for Nao {
                 state.check_moves()?;
             }
             if let Deed::Print(text) = deed {
-                state.print(text);
+                state.print(user.clone(), text);
                 return Ok(());
             }
             self.shared.gate()

@@ -2,7 +2,7 @@
 
 use crate::body::Limits;
 use behaviour::Value;
-use robot::{Condition, Health, Lacking, RobotFault, Use, Wake};
+use robot::{Condition, Health, Lacking, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
@@ -30,7 +30,7 @@ pub(crate) struct Shared {
     rest_wanted: AtomicBool,
     /// Rung when it is wanted.
     pub(crate) stopping: Notify,
-    /// Rung when it is done, or the stop link is there.
+    /// Whether everything is to end.
     pub(crate) ended: AtomicBool,
     /// Rung when everything is to end.
     pub(crate) ending: Notify,
@@ -59,7 +59,7 @@ pub(crate) struct State {
     pub(crate) tracking: String,
     pub(crate) posture: String,
     pub(crate) playing: BTreeSet<String>,
-    pub(crate) printed: VecDeque<String>,
+    pub(crate) printed: VecDeque<Printed>,
     /// The animations that were begun, until they are known to have ended.
     pub(crate) animations: BTreeSet<String>,
     /// What is measured only for us: service and the name that we subscribed by.
@@ -152,11 +152,12 @@ impl State {
         self.readings.retain(|(of, _)| of != user);
     }
 
-    pub(crate) fn print(&mut self, text: String) {
+    pub(crate) fn print(&mut self, by: Use, text: String) {
         if self.printed.len() >= PRINTED_MAX {
             self.printed.pop_front();
         }
-        self.printed.push_back(text);
+        let at_ms = self.time_at(Instant::now());
+        self.printed.push_back(Printed { by, at_ms, text });
     }
 }
 

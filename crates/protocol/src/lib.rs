@@ -15,21 +15,22 @@ mod reply;
 mod request;
 
 pub use behaviour::LIBRARY;
-pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
+pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
 pub use history::{HISTORY_MAX_LINES, HistoryLine};
 pub use invitation::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
-    FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, WORDS_MAX_CHARS,
+    Exercise, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, Tried,
+    WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};
 pub use real_robot::{ADDRESS_MAX_CHARS, CheckStage, CheckStep, Checked, FoundRobot, LOGIN_MAX_CHARS, RealRobot};
 pub use recording::{Recorded, Recording};
-pub use reply::{LockShown, Message, Person, Refused, Reply};
+pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
 pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 9;
+pub const VERSION: u32 = 12;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

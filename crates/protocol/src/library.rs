@@ -19,10 +19,12 @@ pub const FOUND_MAX: usize = 200;
 pub struct ListQuery {
     /// Where to look.
     pub place: Place,
-    /// Words that must all occur, in any case, in names, streams, notes or procedures; empty for everything.
+    /// Words that must all occur, in any case, in names, tags, streams, notes or procedures; empty for everything.
     pub words: String,
     /// Only those that this person made.
     pub owner: Option<String>,
+    /// Only those that have this tag.
+    pub tag: Option<String>,
     /// The order.
     pub sort: Sort,
     /// After which line the page begins.
@@ -37,6 +39,7 @@ impl Default for ListQuery {
             place: Place::Here,
             words: String::new(),
             owner: None,
+            tag: None,
             sort: Sort::Changed,
             after: None,
             most: LIST_MAX_LINES,
@@ -63,9 +66,53 @@ pub struct Summary {
     pub owner: String,
     /// How many streams it has.
     pub streams: u32,
+    /// Its tags.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub tags: Vec<String>,
     /// What its graph looks like: for a template.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub picture: Option<Picture>,
+}
+
+/// A behaviour to learn with: what one begins with, and what it shall become.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Exercise {
+    /// What one begins with, as a template of which the id says which exercise it is.
+    pub start: Summary,
+    /// What it shall become, in a sentence.
+    pub goal: String,
+}
+
+impl Exercise {
+    /// The text of the note by which behaviours said of which exercise they are, before their settings did.
+    #[must_use]
+    pub fn note(&self) -> String {
+        format!("Task: {}", self.start.id)
+    }
+}
+
+/// What a rehearsal of an exercise shows.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Tried {
+    /// The goal is reached; with a sentence that says so.
+    Reached(String),
+    /// Something is not as it shall be.
+    Missed {
+        /// What, in a sentence.
+        says: String,
+        /// What went wrong first in a procedure, if anything did.
+        fault: Option<String>,
+    },
+    /// There is nothing in the behaviour yet.
+    Empty,
+    /// It has more parts than are rehearsed.
+    TooLarge,
+    /// It cannot run; with the reason.
+    CannotRun(String),
+    /// It takes more time than a rehearsal may.
+    TooLong,
 }
 
 /// Whose picture is wanted.

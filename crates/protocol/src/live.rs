@@ -96,7 +96,7 @@ pub struct HeldPart {
 
 /// Whether a run runs.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", tag = "is", content = "why")]
+#[serde(rename_all = "camelCase")]
 pub enum RunPhase {
     /// It runs.
     Running,

@@ -108,7 +108,7 @@ pub struct PartMissing;
 
 impl std::fmt::Display for PartMissing {
     fn fmt(&self, to: &mut std::fmt::Formatter) -> std::fmt::Result {
-        to.write_str("a part of the behaviour did not come")
+        to.write_str("a part of the program did not come")
     }
 }
 
@@ -124,7 +124,7 @@ mod tests {
     fn behaviour(lengths: &[usize]) -> Behaviour {
         let record = |(at, length): (usize, &usize)| {
             let id = RecordId::new(Kind::Note, &Id::new(&format!("n{at:04}")).unwrap());
-            (id, Record::Note(Note { text: "n".repeat(*length) }))
+            (id, Record::Note(Note::new("n".repeat(*length))))
         };
         Behaviour { records: lengths.iter().enumerate().map(record).collect() }
     }

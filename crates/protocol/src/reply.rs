@@ -1,13 +1,15 @@
 //! What the server says, asked or unasked.
 
 use crate::{
-    Area, Checked, Contested, Cursor, Driver, FoundRobot, HistoryLine, Invitation, Picture, Pointer, Recording,
-    RobotState, Role, RunState, Similar, Summary, Used, Values,
+    Area, Checked, Contested, Cursor, Driver, Exercise, FoundRobot, HistoryLine, Invitation, Picture, Pointer,
+    Recording, RobotState, Role, RunState, Similar, Summary, Tagged, Tried, Used, Values,
 };
-use behaviour::{Accepted, Asked, Behaviour, Checkpoint, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value};
+use behaviour::{
+    Accepted, Asked, Behaviour, Checkpoint, Fix, Grant, Id, LockEvent, Problem, RecordId, Refusal, Value, ValueType,
+};
 use robot::Scene;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A reply, with the number of the ask it answers if it answers one.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,6 +19,16 @@ pub struct Message {
     pub ask: Option<u32>,
     /// What is said.
     pub reply: Reply,
+}
+
+/// A name in a procedure that means nothing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct UnknownName {
+    /// The name as it is written.
+    pub name: String,
+    /// The name that is probably meant.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub near: Option<String>,
 }
 
 /// What the server says. Named from outside (`{"opened": {..}}`), so that it is read as it comes: a name within would mean to
@@ -45,6 +57,8 @@ pub enum Reply {
         library_revision: u64,
         /// Names and sentences of the templates.
         templates: Vec<Summary>,
+        /// The exercises to learn with.
+        exercises: Vec<Exercise>,
     },
     /// A page of the list of behaviours.
     Programs {
@@ -85,6 +99,19 @@ pub enum Reply {
     Similar {
         /// Most shared first.
         similar: Vec<Similar>,
+    },
+    /// The tags of behaviours outside the bin.
+    Tags {
+        /// By tag, at most [`Tagged::SHOWN_MAX`].
+        tags: Vec<Tagged>,
+    },
+    /// A helper has another name.
+    HelperRenamed {
+        /// Programs that say the new name.
+        programs: u32,
+        /// Programs that somebody was editing just then and that still say the old name, which stays for them.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        left: Vec<String>,
     },
     /// A behaviour was made.
     Created {
@@ -190,6 +217,27 @@ pub enum Reply {
         error: Option<String>,
         /// One result, or one sentence, per set of values.
         results: Vec<Result<Value, String>>,
+        /// A name in it that means nothing.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        unknown: Option<UnknownName>,
+    },
+    /// What mends a problem, the likeliest first; none if only people know.
+    Fixes {
+        /// Each one change.
+        fixes: Vec<Fix>,
+    },
+    /// What a rehearsal of an exercise showed.
+    Tried {
+        /// What.
+        tried: Tried,
+    },
+    /// What every stream carries.
+    Types {
+        /// By stream; of an action, what it takes.
+        types: BTreeMap<Id, ValueType>,
+        /// What is probably not meant, as far as only what was seen tells it.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        hints: Vec<Problem>,
     },
     /// Who is in a behaviour, with pointers and selections.
     People {
@@ -303,7 +351,7 @@ pub enum Reply {
 
 /// Why something was not done. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(rename_all = "camelCase", tag = "why", content = "what")]
+#[serde(rename_all = "camelCase")]
 pub enum Refused {
     /// The client speaks another version; with the server's.
     Version(u32),
@@ -386,10 +434,10 @@ impl std::fmt::Display for Refused {
             Self::Greeting => to.write_str("The connection was not greeted first. Reload the page."),
             Self::Unreadable(reason) => write!(to, "This message could not be read ({reason})."),
             Self::TooFast => to.write_str("That was too much at once. Wait a moment and try again."),
-            Self::NoBehaviour => to.write_str("There is no such behaviour any more. Choose another one."),
+            Self::NoBehaviour => to.write_str("There is no such program any more. Choose another one."),
             Self::NoTemplate(name) => write!(to, "There is no template “{name}”. Choose one from the list."),
             Self::Change(refusal) => write!(to, "{refusal}"),
-            Self::NoVersion => to.write_str("There is no such version of this behaviour. Look at its history again."),
+            Self::NoVersion => to.write_str("There is no such version of this program. Look at its history again."),
             Self::FarBack => to.write_str(
                 "Too much changed since then to go back in one step. Go back to a version in between first.",
             ),
@@ -417,13 +465,13 @@ impl std::fmt::Display for Refused {
             Self::RobotStays(reason) => write!(to, "The robot stays: {reason}."),
             Self::NoRecording => to.write_str("There is no such recording any more. Look at the list again."),
             Self::CannotRecord(reason) => write!(to, "The recording did not do this: {reason}."),
-            Self::NotRunning => to.write_str("This behaviour does not run. Press Start first."),
-            Self::Running => to.write_str("This behaviour runs on the robot. Press Stop first."),
-            Self::NoSensor => to.write_str("There is no such sensor stream in this behaviour."),
+            Self::NotRunning => to.write_str("This program does not run. Press Start first."),
+            Self::Running => to.write_str("This program runs on the robot. Press Stop first."),
+            Self::NoSensor => to.write_str("There is no such sensor stream in this program."),
             Self::Store(reason) => {
-                write!(to, "The behaviours cannot be reached just now ({reason}). Try again in a moment.")
+                write!(to, "The programs cannot be reached just now ({reason}). Try again in a moment.")
             }
-            Self::NothingOpen => to.write_str("No behaviour is open. Load one first."),
+            Self::NothingOpen => to.write_str("No program is open. Load one first."),
             Self::Role(Role::Host) => write!(to, "Only {} may do this. Ask them.", Role::Host),
             Self::Role(role) => write!(to, "Only {role} may do this. Ask {} for another invitation.", Role::Host),
             Self::NotInvited => write!(to, "Your invitation ended. Ask {} for another one.", Role::Host),

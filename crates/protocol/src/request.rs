@@ -1,7 +1,7 @@
 //! What a client may ask.
 
 use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role};
-use behaviour::{Change, Id, RecordId, Token, Value};
+use behaviour::{Change, Helper, Id, Problem, RecordId, Seen, Token, Value};
 use robot::{Control, SceneEdit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -58,6 +58,8 @@ pub enum Request {
         /// As which.
         behaviour: Id,
     },
+    /// The tags of all behaviours. Answered by `Tags`.
+    Tags,
     /// A new behaviour, empty or from a template. Answered by `Created`.
     Create {
         /// Its id, chosen by the client so that asking twice makes one.
@@ -225,6 +227,16 @@ pub enum Request {
         /// Which name.
         name: String,
     },
+    /// Another name for a helper of the library, and for all its uses: in each program by a change of its own in this
+    /// person's name. Answered by `HelperRenamed`, or by `No` before anything changed.
+    RenameHelper {
+        /// Which.
+        helper: Id,
+        /// As this person saw it.
+        seen: Box<Helper>,
+        /// As it shall be.
+        after: Box<Helper>,
+    },
     /// Whether a procedure can run, and what it makes of given values. Answered by `Checked`.
     Check {
         /// Argument names.
@@ -233,6 +245,33 @@ pub enum Request {
         body: String,
         /// Sets of argument values to try it on; at most 8.
         inputs: Vec<Vec<Value>>,
+    },
+    /// What mends a problem of a behaviour as it is saved. Answered by `Fixes`; proposing one is up to who asked.
+    Fixes {
+        /// Which behaviour.
+        behaviour: Id,
+        /// The problem, as it was told.
+        problem: Problem,
+        /// The kinds of the newest values that were seen.
+        #[serde(default, skip_serializing_if = "Seen::is_empty")]
+        seen: Seen,
+    },
+    /// What every stream of a behaviour carries, as far as one can tell before it runs, else by what was seen. Answered by
+    /// `Types`.
+    Types {
+        /// Which behaviour.
+        behaviour: Id,
+        /// The kinds of the newest values that were seen.
+        #[serde(default, skip_serializing_if = "Seen::is_empty")]
+        seen: Seen,
+    },
+    /// Whether a behaviour as it is saved reaches the goal of an exercise: it is rehearsed on fixed readings in logical time,
+    /// without a robot. Answered by `Tried`.
+    TryExercise {
+        /// Which behaviour.
+        behaviour: Id,
+        /// The id of its start.
+        exercise: String,
     },
     /// Where this person is; told to the others in the behaviour, never stored, not answered.
     Present {

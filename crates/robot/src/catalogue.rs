@@ -1,9 +1,10 @@
 //! The catalogue: every sense and action, declared once; palette, forms, checks and help are drawn from it.
 
+use crate::Shape::{Object, ObjectOrFirst};
+use crate::devices;
 use crate::params::{DeviceFault, Param, check_params};
-use crate::{Shape::Object, devices};
 use behaviour::connectors::Carries;
-use behaviour::{Filled, Params, StreamKind, Value};
+use behaviour::{Filled, Params, StreamKind, Unit, Value};
 use std::borrow::Cow;
 
 /// A sense or an action.
@@ -28,12 +29,16 @@ pub struct Device {
     /// Which of its values count when several wait: readings of a sense for a behaviour, commands of an action for the
     /// robot.
     pub waiting: Waiting,
+    /// How its values come, or how long one of them keeps it busy.
+    pub pace: Pace,
     /// The parameter that says what stands on the button by which an operator gives its values; none if there is no button.
     pub button: Option<&'static str>,
     /// How an action is offered as the next step of a stream.
     pub next_step: NextStep,
     /// An example value in JSON, for stimulating by hand.
     pub example: Example,
+    /// What can be pretended of a sense at one press; nothing for an action.
+    pub pretend: &'static [Pretend],
 }
 
 /// Which values count when several wait.
@@ -43,6 +48,23 @@ pub enum Waiting {
     Newest,
     /// Every one, up to a bound: what happened, or is said.
     Every,
+}
+
+/// How values of a sense come, or how long an action is busy with one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Pace {
+    /// A sense that reads many times a second, always.
+    Steady,
+    /// A sense that reads many times a second for as long as there is something to sense.
+    WhileThere,
+    /// A sense that tells when something happens.
+    Happening,
+    /// A sense with the beat of this parameter, in milliseconds.
+    Beat(&'static str),
+    /// An action that is done at once, or goes on until told otherwise.
+    Brief,
+    /// An action that is busy for a second or longer with each value.
+    Lasting,
 }
 
 /// How an action is offered as the next step of a stream.
@@ -86,6 +108,15 @@ pub enum Resources {
     By(fn(&Params) -> Vec<Resource>),
 }
 
+/// Something that can be pretended: what a sense would tell then.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pretend {
+    /// What there would be, behind "as if": `ball near`.
+    pub says: &'static str,
+    /// The value.
+    pub value: Example,
+}
+
 /// A value written as JSON.
 pub type Example = &'static str;
 
@@ -113,14 +144,27 @@ pub enum Resource {
 pub enum Shape {
     /// Any value; it only matters that one comes.
     Anything,
-    /// A number with its unit.
-    Number(&'static str),
+    /// A number with its unit, if it has one.
+    Number(Option<Unit>),
     /// A text.
     Text,
     /// True or false.
     Truth,
     /// An object with these fields.
     Object(&'static [Field]),
+    /// An object with these fields, or a number: the first of them.
+    ObjectOrFirst(&'static [Field]),
+    /// A list of such values.
+    List(&'static Shape),
+    /// What the parameter says.
+    By {
+        /// The parameter.
+        param: &'static str,
+        /// The shapes by what is chosen for it.
+        cases: &'static [(&'static str, Shape)],
+        /// The shape if it is none of these.
+        usual: &'static Shape,
+    },
 }
 
 /// A field of an object.
@@ -130,13 +174,21 @@ pub struct Field {
     pub name: &'static str,
     /// What it is, with its unit.
     pub says: &'static str,
+    /// Its shape.
+    pub of: Shape,
 }
 
 impl Shape {
     /// The fields of an object, else none.
     #[must_use]
     pub fn fields(&self) -> &'static [Field] {
-        if let Object(fields) = self { fields } else { &[] }
+        if let Object(fields) | ObjectOrFirst(fields) = self.usual() { fields } else { &[] }
+    }
+
+    /// The shape where no parameter says another.
+    #[must_use]
+    pub fn usual(&self) -> &Shape {
+        if let Self::By { usual, .. } = self { usual } else { self }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A device in words: what `rrp devices` and the page of the catalogue say about it.
 
-use crate::{Device, Param, ParamKind, Shape};
+use crate::{Device, Param, ParamKind};
 use behaviour::StreamKind;
 
 impl Device {
@@ -13,14 +13,11 @@ impl Device {
     /// What it gives or takes: "a number in m"; for an object its fields, comma by comma.
     #[must_use]
     pub fn value_words(&self) -> String {
-        match self.shape {
-            Shape::Anything => "anything".to_owned(),
-            Shape::Number("") => "a number".to_owned(),
-            Shape::Number(unit) => format!("a number in {unit}"),
-            Shape::Text => "a text".to_owned(),
-            Shape::Truth => "true or false".to_owned(),
-            Shape::Object(fields) => fields.iter().map(|field| field.name).collect::<Vec<_>>().join(", "),
+        let shape = self.shape.usual();
+        if shape.fields().is_empty() {
+            return shape.value_type().to_string();
         }
+        shape.fields().iter().map(|field| field.name).collect::<Vec<_>>().join(", ")
     }
 }
 

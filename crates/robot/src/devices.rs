@@ -31,7 +31,17 @@ mod tracker;
 mod walk;
 mod word_recognized;
 
-use crate::{Device, Param, ParamKind};
+use crate::{Device, Param, ParamKind, Shape};
+use behaviour::Unit;
+
+const NUMBER: Shape = Shape::Number(None);
+const METRES: Shape = Shape::Number(Some(Unit::Metres));
+const RADIANS: Shape = Shape::Number(Some(Unit::Radians));
+const MILLISECONDS: Shape = Shape::Number(Some(Unit::Milliseconds));
+const FRACTION: Shape = Shape::Number(Some(Unit::Fraction));
+const PERCENT: Shape = Shape::Number(Some(Unit::Percent));
+const METRES_PER_SECOND: Shape = Shape::Number(Some(Unit::MetresPerSecond));
+const RADIANS_PER_SECOND: Shape = Shape::Number(Some(Unit::RadiansPerSecond));
 
 /// All devices in the order people see them.
 pub(crate) const ALL: &[&Device] = &[

@@ -92,7 +92,7 @@ mod tests {
         ]);
         let said: Vec<_> = missing(&made, &["RedBall", "Tracker"], &[]).iter().map(ToString::to_string).collect();
         assert_eq!(said[0], "“S1” needs Sonar, which this robot does not have.");
-        assert!(said[1].starts_with("“S3” does not fit: Tracking mode must be one of:"), "{}", said[1]);
+        assert!(said[1].starts_with("“S3” does not fit: What follows must be one of:"), "{}", said[1]);
         assert_eq!(said[2..], ["“S4” has no device yet. Choose one."]);
         let sonar = Lacking { device: "Sonar".into(), why: "it has no sonars".into() };
         let said = missing(&made, &["RedBall", "Tracker"], &[sonar])[0].to_string();

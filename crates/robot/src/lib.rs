@@ -12,17 +12,19 @@ mod helpers;
 mod params;
 mod parts;
 mod scene;
+mod types;
 
 pub use catalogue::{
-    Device, Example, Field, NextStep, Resource, Resources, Shape, Waiting, actuators, device, sensors,
+    Device, Example, Field, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
 pub use condition::{Condition, Control, Lacking, Life};
 pub use describe::catalogue_lines;
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
-pub use helpers::shipped_helpers;
+pub use helpers::{helper_label, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature};
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
-pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
+pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
+pub use types::device_type;
 
 use behaviour::{Id, Params, Value};
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,7 @@
 //! The robot in its room as a picture: enough to draw it and to move things in it, in metres and radians.
 //! x points ahead of where the robot first stood, y to its left, z up.
 
+use crate::Use;
 use serde::{Deserialize, Serialize};
 
 /// The joints of a NAO in the order of [`Body::joints`]; the last two are hands (0 closed, 1 open).
@@ -51,6 +52,18 @@ pub struct Scene {
     pub landmarks: Vec<Mark>,
 }
 
+/// A value that the robot was told to show.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Printed {
+    /// The running behaviour, and its stream.
+    pub by: Use,
+    /// Robot time in milliseconds.
+    pub at_ms: u64,
+    /// The value, as a text.
+    pub text: String,
+}
+
 /// The robot's body.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase", default)]
@@ -65,8 +78,8 @@ pub struct Body {
     pub saying: String,
     /// What it follows and how, empty when it follows nothing: "red ball with head".
     pub tracking: String,
-    /// The last texts printed, newest last; at most 20.
-    pub printed: Vec<String>,
+    /// What was printed last, newest last; at most 20.
+    pub printed: Vec<Printed>,
     /// Where the head's top camera is and its direction in the room: x, y, z, yaw, pitch (down positive).
     pub gaze: [f32; 5],
     /// Half of the camera's horizontal field of view in radians.

@@ -4,6 +4,7 @@ mod bench;
 mod check;
 mod data_folder;
 mod devices;
+mod explain;
 mod export;
 mod failure;
 mod import;
@@ -50,6 +51,7 @@ enum What {
     Export(export::ExportArgs),
     Import(import::ImportArgs),
     Check(check::CheckArgs),
+    Explain(explain::ExplainArgs),
     Backup(keep::BackupArgs),
     Restore(keep::RestoreArgs),
     Migrate(keep::MigrateArgs),
@@ -77,6 +79,7 @@ const EXAMPLES: &str = "Examples:
   rrp import tracking.xml              bring a behaviour in, as a copy
   rrp devices                          what robots can sense and do
   rrp check tracking.xml               look what is wrong with a file
+  rrp explain tracking.json            what it does, in plain sentences
   rrp backup monday.rrpbackup          keep everything in one file";
 
 fn main() -> ExitCode {
@@ -91,6 +94,7 @@ fn main() -> ExitCode {
         What::Export(args) => ended(export::export(&args)),
         What::Import(args) => import::import(&args),
         What::Check(args) => check::check(&args),
+        What::Explain(args) => explain::explain(&args),
         What::Backup(args) => ended(keep::backup(&args)),
         What::Restore(args) => ended(keep::restore(&args)),
         What::Migrate(args) => ended(keep::migrate(&args)),

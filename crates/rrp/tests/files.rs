@@ -148,6 +148,37 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     assert!(fine(&["check", "--help"]).contains("3 it cannot be imported"));
 }
 
+#[test]
+fn explain_prints_a_sentence_a_line_in_both_languages() {
+    let room = Room::new();
+    let far = template("track_far_and_close");
+    let said = rrp(&["explain", &far]);
+    let english =
+        "When the red ball is at least 0.5 m away, the head follows it.\nOtherwise the whole body follows it.\n";
+    assert_eq!((said.code, said.out.as_str()), (0, english));
+    let said = rrp(&["explain", &far, "--language", "ja"]);
+    assert!(said.out.starts_with("赤いボールが 0.5 m 以上離れているとき、頭で追いかけます。\n"), "{}", said.out);
+
+    // What a helper of one's own gives has its unit.
+    let own = r#"{"format": "rrp-behaviour/1", "name": "Own",
+        "helpers": [{"name": "reach", "params": ["ball"], "body": "100.0 * 0.03 / sin(ball.size)", "gives": "cm"}],
+        "streams": [{"id": "ball", "kind": "sensor", "name": "Red ball", "device": "RedBall"},
+            {"id": "gap", "kind": "ordinary", "name": "Gap"}, {"id": "near", "kind": "ordinary", "name": "Near"},
+            {"id": "head", "kind": "actuator", "name": "Head", "device": "Tracker"}],
+        "connectors": [{"id": "c1", "type": "map", "inputs": ["ball"], "output": "gap", "helper": "reach"},
+            {"id": "c2", "type": "filter", "inputs": ["gap"], "output": "near", "body": "gap < 40"},
+            {"id": "c3", "type": "subscribe", "inputs": ["near"], "output": "head"}]}"#;
+    let said = rrp(&["explain", &room.put("own.json", own)]);
+    assert!(said.code == 0 && said.out.contains("40 cm"), "{} {}", said.out, said.err);
+
+    let said = rrp(&["explain", &room.put("bad.json", "{\"format\": 7")]);
+    assert!(said.code == 3 && said.out.is_empty() && said.err.contains("bad.json:1:"), "{}", said.err);
+    let said = rrp(&["explain", &room.path("nothing.json")]);
+    assert!(said.code == 4 && said.err.contains("could not be opened"), "{}", said.err);
+    let said = rrp(&["explain", &far, "--language", "fr"]);
+    assert!(said.code == 2 && said.err.contains("choose en or ja"), "{}", said.err);
+}
+
 /// A backup without its first and last line, which hold the epoch and the sum over it.
 fn middle(path: &str) -> Vec<String> {
     let lines: Vec<String> = read(path).lines().map(str::to_owned).collect();
@@ -201,7 +232,7 @@ fn a_migration_moves_everything_and_proves_it() {
 
 #[test]
 fn every_command_has_an_example() {
-    for command in ["export", "import", "check", "backup", "restore", "migrate"] {
+    for command in ["export", "import", "check", "explain", "backup", "restore", "migrate"] {
         let said = fine(&[command, "--help"]);
         assert!(said.contains("Example") && said.contains("Exit codes"), "{said}");
     }

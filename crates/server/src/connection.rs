@@ -3,6 +3,7 @@
 mod clients;
 mod close_signal;
 mod hear;
+mod hints;
 mod inbox;
 mod outbox;
 mod rate_limit;

@@ -2,9 +2,11 @@
 
 pub(crate) mod bin;
 pub(crate) mod create;
+pub(crate) mod exercises;
 pub(crate) mod import;
 pub(crate) mod insight;
 pub(crate) mod list;
+pub(crate) mod rename;
 pub(crate) mod templates;
 pub(crate) mod thumbnails;
 pub(crate) mod trial;
@@ -34,4 +36,6 @@ pub(crate) struct Library {
     pub(crate) tasks: Tasks,
     /// One behaviour is made at a time, so that names stay unique.
     pub(crate) creating: Mutex<()>,
+    /// One helper is renamed at a time.
+    pub(crate) renaming: Mutex<()>,
 }

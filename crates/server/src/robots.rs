@@ -126,6 +126,8 @@ impl Robots {
         if register.known().len() == 1 {
             return Err(RobotsUnchanged::OnlyOne.stays());
         }
+        // Who removes it just after a Stop need not wait until that is written down.
+        host.settle();
         if !host.is_idle() {
             return Err(RobotsUnchanged::InUse.stays());
         }

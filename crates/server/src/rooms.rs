@@ -15,12 +15,12 @@ use crate::support::message::encode;
 use crate::support::store_health::StoreHealth;
 use crate::support::tasks::Tasks;
 use crate::support::workers::Workers;
-use behaviour::{Behaviour, Change, Id, RecordId, Room, Token};
+use behaviour::{Behaviour, Change, Decision, Id, Knowledge, RecordId, Refusal, Room, Token};
 use knowledge::Knowing;
 use list_news::ListNews;
 use member::{Answer, Member};
 use past::Past;
-use protocol::{Area, LIBRARY, Pointer, Refused, Reply, Role, Summary};
+use protocol::{Area, Exercise, LIBRARY, Pointer, Refused, Reply, Role, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
 use std::collections::{BTreeMap, BTreeSet};
@@ -53,6 +53,8 @@ pub(crate) enum Note {
     Present(u64, Whereabouts),
     /// A link's person is called something else from now on.
     Rename(u64, String),
+    /// The server asks whether locks of others would let in a change of its own.
+    MayChange(Change, oneshot::Sender<Result<(), Refused>>),
     /// The server itself wants to see it as it is.
     Look(oneshot::Sender<Result<Look, Refused>>),
 }
@@ -128,6 +130,17 @@ impl Look {
     pub(crate) fn revision(&self) -> u64 {
         self.0.revision()
     }
+
+    /// Whether the rules would let in a change.
+    ///
+    /// # Errors
+    /// The broken rule.
+    pub(crate) fn judge(&self, change: Change, knowledge: &dyn Knowledge) -> Result<(), Refusal> {
+        match self.0.propose(0, change, knowledge) {
+            Decision::Save(_) | Decision::Duplicate(_) => Ok(()),
+            Decision::Refuse(refusal) => Err(refusal),
+        }
+    }
 }
 
 impl Note {
@@ -139,6 +152,7 @@ impl Note {
                 answer.no(no);
             }
             Self::Locking(_, locking) => locking.refuse(no),
+            Self::MayChange(_, waiting) => drop(waiting.send(Err(no))),
             Self::Look(waiting) => drop(waiting.send(Err(no))),
             Self::Leave(..) | Self::Present(..) | Self::Rename(..) => {}
         }
@@ -175,6 +189,8 @@ pub(crate) struct Surroundings {
     pub(crate) epoch: u64,
     /// The templates, for who comes in.
     pub(crate) templates: Vec<Summary>,
+    /// The exercises, for who comes in.
+    pub(crate) exercises: Vec<Exercise>,
     /// Whether a behaviour runs on a robot, or is about to.
     pub(crate) is_running: Box<dyn Fn(&Id) -> bool + Send + Sync>,
 }
@@ -252,12 +268,18 @@ impl Rooms {
 
     /// Proposes a change to the library in the server's own name.
     pub(crate) async fn propose_to_library(&self, change: Change) -> Result<(), Refused> {
+        self.propose(self.library(), change).await
+    }
+
+    /// Proposes a change in the server's own name.
+    pub(crate) async fn propose(&self, behaviour: &Id, change: Change) -> Result<(), Refused> {
         let (waiting, answer) = oneshot::channel();
-        self.tell(self.library(), Note::Propose(change, Vec::new(), Answer::Server(waiting)));
+        self.tell(behaviour, Note::Propose(change, Vec::new(), Answer::Server(waiting)));
         match answer.await {
             Ok(Reply::No { no }) => Err(no),
             Ok(_) => Ok(()),
-            Err(_) => Err(Refused::Store(format!("the {LIBRARY} is closed"))),
+            Err(_) if behaviour == self.library() => Err(Refused::Store(format!("the {LIBRARY} is closed"))),
+            Err(_) => Err(Refused::NoBehaviour),
         }
     }
 }

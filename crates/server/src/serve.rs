@@ -13,6 +13,7 @@ use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
 use crate::invitations::Invitations;
 use crate::library::create::first_library;
+use crate::library::exercises::{ExerciseStart, exercises};
 use crate::library::templates::{Template, templates};
 use crate::library::thumbnails::Thumbnails;
 use crate::library::{Library, bin};
@@ -239,6 +240,7 @@ async fn open(
         news: ListNews::default(),
         epoch,
         templates: templates().iter().map(Template::summary).collect(),
+        exercises: exercises().iter().map(ExerciseStart::told).collect(),
         is_running: Box::new({
             let robots = robots.clone();
             move |behaviour| robots.has(behaviour)
@@ -266,6 +268,7 @@ fn put_together(
         rooms: rooms.clone(),
         tasks: tasks.clone(),
         creating: tokio::sync::Mutex::default(),
+        renaming: tokio::sync::Mutex::default(),
     });
     let thumbnails = Thumbnails::default();
     ServerState {

@@ -87,7 +87,7 @@ impl fmt::Display for NotImported {
         match self {
             Self::Fault(fault) => write!(to, "{fault}"),
             Self::Present => to.write_str(
-                "This behaviour is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
+                "This program is here already, perhaps in the bin. Import it as a copy, or restore it from the bin.",
             ),
             Self::TooLarge => {
                 write!(to, "The file is larger than {FILE_MAX_BYTES} bytes. Split it into several.")
@@ -141,7 +141,7 @@ impl fmt::Display for Stuck {
 impl fmt::Display for NoRun {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::TooMany => to.write_str("too many behaviours run already; stop one first"),
+            Self::TooMany => to.write_str("too many programs run already; stop one first"),
             Self::NoThread(error) => write!(to, "there is no room for another run ({error})"),
             Self::Unprepared => to.write_str("it failed while it was prepared"),
             Self::Late => to.write_str("it took too long to prepare"),

@@ -215,7 +215,7 @@ mod tests {
         assert_eq!(shown(connectors::scan::SPEC.with(counts)), "scan (0, soFar + 1)");
         assert_eq!(shown(connectors::distinct::SPEC.with(())), "distinct");
         assert_eq!(shown(connectors::distinct::SPEC.with(Procedure::body("face.id"))), "distinct (face.id)");
-        assert_eq!(shown(connectors::debounce::SPEC.with(Parameters::period(5_000))), "debounce (5000 ms)");
+        assert_eq!(shown(connectors::debounce::SPEC.with(Parameters::period(5_000))), "debounce (5 seconds)");
         assert_eq!(shown(connectors::delay::SPEC.with(Parameters::period(1))), "delay (1 ms)");
         assert_eq!(shown(connectors::with_latest::SPEC.with(Procedure::Helper("far".into()))), "withLatest (far)");
     }

@@ -13,7 +13,7 @@ use crate::senses::Senses;
 use crate::servo::Servo;
 use crate::speech::{Speech, Spoken};
 use crate::world::World;
-use robot::Millis;
+use robot::{Millis, Printed};
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::Arc;
 
@@ -47,7 +47,7 @@ pub struct SimulatedNao {
     /// Why everything ended, until somebody asks.
     pub(crate) halted: Option<String>,
     pub(crate) eyes: Eyes,
-    pub(crate) printed: VecDeque<String>,
+    pub(crate) printed: VecDeque<Printed>,
     pub(crate) known: Vec<bool>,
     pub(crate) safe: bool,
     pub(crate) noise: Noise,
@@ -190,7 +190,7 @@ impl SimulatedNao {
         digest.floats(&self.eyes.color);
         digest.floats(&[self.eyes.brightness, self.noise.angle, self.noise.size, self.noise.drop]);
         digest.count(self.printed.len());
-        self.printed.iter().for_each(|text| digest.text(text));
+        self.printed.iter().for_each(|printed| digest.text(&printed.text));
         self.known.iter().for_each(|known| digest.truth(*known));
         self.pads.digest(digest);
         self.sounds.digest(digest);

@@ -35,7 +35,7 @@ pub enum StoreError {
     #[error("This is no address of a store: {0}.")]
     Address(String),
     /// The behaviour is in the bin and takes no changes.
-    #[error("This behaviour is in the bin. Restore it before changing it.")]
+    #[error("This program is in the bin. Restore it before changing it.")]
     Gone,
     /// The change holds something that cannot be kept; with the reason.
     #[error("This change cannot be saved: {0}.")]

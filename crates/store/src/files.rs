@@ -92,7 +92,7 @@ fn sentence(reason: &str) -> String {
 /// The first fault.
 pub fn read(bytes: &[u8]) -> Result<BehaviourFile, FileFault> {
     let looked = look(bytes);
-    let unknown = || FileFault { line: 1, column: 1, reason: "This is no behaviour.".to_owned() };
+    let unknown = || FileFault { line: 1, column: 1, reason: "This is no program.".to_owned() };
     looked.file.ok_or_else(|| looked.faults.into_iter().next().unwrap_or_else(unknown))
 }
 
@@ -112,7 +112,7 @@ fn looked(bytes: &[u8]) -> Result<Looked, FileFault> {
     let tree = match text.as_bytes().get(start) {
         Some(b'{') => json::tree(text, &lines)?,
         Some(b'<') => xml::tree(text, &lines)?,
-        Some(_) => return Err(lines.fault(start, "This is no behaviour: a file begins with { (JSON) or < (XML).")),
+        Some(_) => return Err(lines.fault(start, "This is no program: a file begins with { (JSON) or < (XML).")),
         None => return Err(lines.fault(start, "The file is empty. Choose another one.")),
     };
     Ok(shape::behaviour(&tree, &lines))
@@ -122,7 +122,7 @@ fn looked(bytes: &[u8]) -> Result<Looked, FileFault> {
 fn text(bytes: &[u8]) -> Result<&str, FileFault> {
     let at_start = |reason: String| FileFault { line: 1, column: 1, reason };
     if bytes.len() > FILE_MAX_BYTES {
-        let reason = format!("The file has {} bytes, and a behaviour may have {FILE_MAX_BYTES}.", bytes.len());
+        let reason = format!("The file has {} bytes, and a program may have {FILE_MAX_BYTES}.", bytes.len());
         return Err(at_start(reason + " Split it into several."));
     }
     let text = std::str::from_utf8(bytes).map_err(|error| {

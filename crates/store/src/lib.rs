@@ -22,10 +22,11 @@ mod neo4j;
 mod open;
 mod query;
 mod sqlite;
+mod tags;
 mod usage;
 
 pub use behaviour::LIBRARY;
-pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Used};
+pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
 pub use error::{StoreError, Unkept};
 pub use folder::FolderStore;
 pub use folder_lock::{FolderLock, lock_folder};
@@ -119,6 +120,12 @@ pub trait Store: Send + Sync {
     /// Other behaviours outside the bin that use the same senses and actions, most shared first, then by id.
     async fn similar(&self, behaviour: &Id, most: u32) -> Result<Vec<Similar>, StoreError>;
 
+    /// The tags of behaviours outside the bin, in order of the tag without its case; those that most have, if they are
+    /// more than [`Tagged::SHOWN_MAX`].
+    async fn tags(&self) -> Result<Vec<Tagged>, StoreError> {
+        tags::of_all(self).await
+    }
+
     /// The next number of a server start. Grows by one at each call and is durable when it answers.
     async fn next_epoch(&self) -> Result<u64, StoreError>;
 
@@ -179,4 +186,6 @@ pub struct Listed {
     pub owner: String,
     /// How many streams it has.
     pub streams: u32,
+    /// Its tags, as it has them.
+    pub tags: Vec<String>,
 }

@@ -234,7 +234,8 @@ impl Kept {
         let found = there.into_iter().filter(|(shelf, line)| {
             let text = if needles.is_empty() { String::new() } else { search_text(&shelf.behaviour) };
             let mine = query.owner.as_ref().is_none_or(|owner| *owner == line.owner);
-            mine && needles.iter().all(|word| text.contains(word)) && query.comes_after(line)
+            let tagged = query.tag.as_ref().is_none_or(|tag| line.tags.contains(tag));
+            mine && tagged && needles.iter().all(|word| text.contains(word)) && query.comes_after(line)
         });
         let mut lines: Vec<_> = found.map(|(_, line)| line).collect();
         match query.sort {
@@ -296,10 +297,11 @@ impl Shelf {
     fn line(&self, id: &Id) -> Option<Listed> {
         let last = &self.history.last()?.change;
         let (changed_ms, by) = self.removed.clone().unwrap_or_else(|| (last.at_ms, last.author.clone()));
-        let name = self.behaviour.settings()?.name.clone();
+        let settings = self.behaviour.settings()?;
+        let (name, tags) = (settings.name.clone(), settings.tags.clone());
         let streams = u32::try_from(self.behaviour.streams().count()).unwrap_or(u32::MAX);
         let owner = self.history.first()?.change.author.clone();
-        Some(Listed { id: id.clone(), name, revision: self.head(), changed_ms, by, owner, streams })
+        Some(Listed { id: id.clone(), name, revision: self.head(), changed_ms, by, owner, streams, tags })
     }
 
     fn uses(&self, id: &Id, helper: &str) -> Vec<Used> {

@@ -18,6 +18,8 @@ pub struct Query {
     pub words: String,
     /// Only those that this person made.
     pub owner: Option<String>,
+    /// Only those that have this tag.
+    pub tag: Option<String>,
     /// The order.
     pub sort: Sort,
     /// After which line the page begins.
@@ -32,6 +34,7 @@ impl Default for Query {
             place: Place::Here,
             words: String::new(),
             owner: None,
+            tag: None,
             sort: Sort::Changed,
             after: None,
             most: PAGE_MAX_LINES,
@@ -90,11 +93,15 @@ pub(crate) fn name_key(name: &str) -> String {
     name.to_lowercase()
 }
 
-/// The text in which words are searched, in lower case: the name, then streams with their devices, notes, and
+/// The text in which words are searched, in lower case: the name and the tags, then streams with their devices, notes, and
 /// procedures.
 #[must_use]
 pub fn search_text(behaviour: &Behaviour) -> String {
     let mut text = behaviour.name().to_owned();
+    for tag in behaviour.settings().into_iter().flat_map(|settings| &settings.tags) {
+        text.push('\n');
+        text.push_str(tag);
+    }
     for part in behaviour.records.values().flat_map(parts) {
         text.push('\n');
         text.push_str(part);
@@ -113,6 +120,7 @@ fn parts(record: &Record) -> Vec<&str> {
             [Some(stream.name.as_str()), stream.device.as_deref()].into_iter().flatten().collect()
         }
         Record::Note(note) => vec![&note.text],
+        Record::Group(group) => vec![&group.title],
         Record::Connector(connector) => match connector.operation.procedure() {
             Some(Procedure::Body { body, .. }) => vec![body],
             Some(Procedure::Helper(name)) => vec![name],
@@ -131,7 +139,7 @@ mod tests {
     fn the_searched_text_has_a_bound_and_begins_with_the_name() {
         let mut behaviour = Behaviour::default();
         behaviour.records.insert(RecordId::settings(), Record::Settings(Settings::named("Ball İ")));
-        let note = Record::Note(Note { text: "é".repeat(SEARCH_MAX_BYTES) });
+        let note = Record::Note(Note::new("é".repeat(SEARCH_MAX_BYTES)));
         behaviour.records.insert(RecordId::new(Kind::Note, &Id::new("n").unwrap()), note);
         let text = search_text(&behaviour);
         assert!(text.starts_with("ball ") && text.len() <= SEARCH_MAX_BYTES && text.len() > SEARCH_MAX_BYTES - 4);

@@ -35,7 +35,7 @@ pub(crate) fn words(record: &Record) -> BTreeSet<String> {
 }
 
 fn words_of(body: &str) -> BTreeSet<String> {
-    let words = body.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    let words = body.split(|c| !behaviour::is_name_letter(c));
     words.filter(|word| !word.is_empty()).map(str::to_owned).collect()
 }
 

@@ -17,7 +17,7 @@ fn id(text: &str) -> Id {
 fn committed(revision: u64) -> Committed {
     let change = Change::of(id(&format!("op{revision}")), "Aiko", "Note");
     let key = RecordId::new(Kind::Note, &id(&format!("n{}", revision % 50)));
-    let note = Record::Note(Note { text: revision.to_string() });
+    let note = Record::Note(Note::new(revision.to_string()));
     Committed { revision, change: change.put(&Behaviour::default(), key, note) }
 }
 

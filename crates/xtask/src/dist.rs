@@ -75,15 +75,21 @@ fn write_smaller(folder: &Path, name: &str, content: &[u8], same: bool) -> Resul
     Ok(kept)
 }
 
-/// The size of a page in a few words: as it is and as it travels.
-pub(crate) fn sizes(folder: &Path) -> Result<String, String> {
+/// The size of a page in a few words: as it is and as it travels, first and later.
+pub(crate) fn sizes(folder: &Path, is_later: fn(&str) -> bool) -> Result<String, String> {
     let files = listing(folder)?;
-    let whole: u64 =
-        files.iter().filter(|(name, _)| !name.ends_with(".br") && !name.ends_with(".gz")).map(|f| f.1).sum();
-    let small: u64 = files.iter().filter(|(name, _)| name.ends_with(".br")).map(|f| f.1).sum();
-    let code = files.get("app_bg.wasm").copied().unwrap_or(0);
-    let travels = if small > 0 { format!("; {} KB with brotli", small / 1024) } else { String::new() };
-    Ok(format!("{} KB, of these {} KB wasm{travels}", whole / 1024, code / 1024))
+    let sum = |wanted: &dyn Fn(&str) -> bool| -> u64 { files.iter().filter(|f| wanted(f.0)).map(|f| f.1).sum() };
+    let whole = sum(&|name| !name.ends_with(".br") && !name.ends_with(".gz"));
+    let code = sum(&|name| name.ends_with(".wasm"));
+    let first = sum(&|name| name.ends_with(".br") && !is_later(name));
+    let later = sum(&|name| name.ends_with(".br") && is_later(name));
+    let kb = |bytes: u64| bytes / 1_000;
+    let travels = if first > 0 {
+        format!("; with brotli the first load is {} KB, and {} KB come later", kb(first), kb(later))
+    } else {
+        String::new()
+    };
+    Ok(format!("{} KB, of these {} KB wasm{travels}", kb(whole), kb(code)))
 }
 
 fn is_compressed(name: &str) -> bool {

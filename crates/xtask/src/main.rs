@@ -10,6 +10,7 @@ mod page;
 mod qi_python;
 mod robot;
 mod serve;
+mod split;
 mod styles;
 mod supply;
 mod test;

@@ -11,6 +11,7 @@ use wasm_bindgen_cli_support::Bindgen;
 
 use crate::dist::{self, Files};
 use crate::order;
+use crate::split;
 use crate::styles;
 use crate::tools::{self, Outcome, WASM, Workspace};
 
@@ -19,7 +20,7 @@ const PACKAGE: &str = "frontend";
 /// The page's module is `app.js`, its code `app_bg.wasm`.
 const NAME: &str = "app";
 /// Raised when this program writes something else for the same input.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 5;
 
 /// Where cargo reads flags of the compiler for the page, and the flag that keeps the type of a view from growing with all
 /// that is in it: a sixth of the page's bytes, and half of the time to compile it.
@@ -74,7 +75,7 @@ fn compile(workspace: &Workspace, package: &str, mode: Mode) -> Outcome<PathBuf>
     let folder = workspace.target.join("page-build");
     let mut cargo = workspace.cargo(&["build", "--lib", "--target", WASM, "--package", package]);
     cargo.args(["--profile", mode.profile(), "--target-dir"]).arg(&folder);
-    cargo.env(FLAGS, ERASED);
+    cargo.env(FLAGS, format!("{ERASED} {}", split::FLAGS));
     tools::run(&mut cargo, "Building the page")?;
     let wasm = folder.join(WASM).join(mode.folder()).join(package.replace('-', "_")).with_extension("wasm");
     if !wasm.is_file() {
@@ -95,9 +96,13 @@ fn assemble(target: &Path, statics: &Path, wasm: &Path, mode: Mode) -> Outcome<(
         println!("The page in {} is up to date.", page.display());
         return Ok(());
     }
-    let files = join(bind(target, code, mode)?, statics)?;
+    let files = join(bind(target, &code, mode)?, statics)?;
     let changed = dist::write(&page, &files, mode == Mode::Small)?;
-    println!("The page is in {}: {}, {changed} of its files new.", page.display(), dist::sizes(&page)?);
+    println!(
+        "The page is in {}: {}, {changed} of its files new.",
+        page.display(),
+        dist::sizes(&page, split::is_later)?
+    );
     stamp.save(&page)
 }
 
@@ -108,22 +113,29 @@ fn fingerprint(code: &[u8], statics: &Files, mode: Mode) -> u64 {
     hasher.finish()
 }
 
-/// Turns compiled code into a module for the browser: `app.js`, `app_bg.wasm` and snippets.
-fn bind(target: &Path, code: Vec<u8>, mode: Mode) -> Outcome<Files> {
+/// Turns compiled code into a module for the browser, `app.js` and `app_bg.wasm`, and what that fetches later.
+fn bind(target: &Path, code: &[u8], mode: Mode) -> Outcome<Files> {
     let folder = target.join("page-build/bound");
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|error| format!("{} cannot be emptied: {error}.", folder.display()))?;
     }
+    let module = format!("{NAME}.js");
+    let mut pieces = split::cut(&target.join("page-build/cut"), code, &module)?;
     let mut bindgen = Bindgen::new();
-    bindgen.input_bytes(NAME, code).typescript(false).out_name(NAME);
+    bindgen.input_bytes(NAME, std::mem::take(&mut pieces.first)).typescript(false).out_name(NAME);
     bindgen.remove_name_section(mode == Mode::Small).remove_producers_section(true);
+    // The pieces reach each other by what the linker exports.
+    bindgen.keep_lld_exports(true).demangle(false);
     let made = bindgen.web(true).and_then(|bindgen| bindgen.generate(&folder));
     made.map_err(|error| format!("wasm-bindgen could not bind the page: {error:#}."))?;
     let mut files = dist::read(&folder)?;
-    if mode == Mode::Small
-        && let Some(code) = files.get_mut(&format!("{NAME}_bg.wasm"))
-    {
-        *code = order::alike_together(code)?;
+    let text = files.get(&module).and_then(|text| std::str::from_utf8(text).ok()).unwrap_or_default();
+    files.insert(module, pieces.with_loader(text)?.into_bytes());
+    files.append(&mut pieces.later);
+    if mode == Mode::Small {
+        for (_, code) in files.iter_mut().filter(|(name, _)| name.ends_with(".wasm")) {
+            *code = order::alike_together(code)?;
+        }
     }
     Ok(files)
 }

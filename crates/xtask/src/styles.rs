@@ -9,7 +9,7 @@ const FOLDER: &str = "styles/";
 const SHEET: &str = "page.css";
 /// Of two rules that weigh alike the later one holds: tokens first, then the page from top to bottom, what adapts it to
 /// small screens after it, and the canvas last.
-const ORDER: [&str; 42] = [
+const ORDER: [&str; 51] = [
     "tokens",
     "base",
     "frame",
@@ -29,7 +29,9 @@ const ORDER: [&str; 42] = [
     "library",
     "empty_stage",
     "programs",
+    "tags",
     "marbles",
+    "teaching",
     "insight",
     "files",
     "outline",
@@ -50,7 +52,14 @@ const ORDER: [&str; 42] = [
     "differs",
     "far",
     "strip",
+    "flyout",
+    "wires",
+    "aside",
+    "carried",
+    "told",
+    "typed",
     "zoom",
+    "low",
     "adapted",
 ];
 
@@ -96,7 +105,10 @@ mod tests {
         let joined = join(all())?;
         assert_eq!(joined.len(), 1);
         let text = std::str::from_utf8(&joined[SHEET])?;
-        assert!(text.starts_with("tokens;base;frame;") && text.ends_with("strip;zoom;adapted;"));
+        assert!(
+            text.starts_with("tokens;base;frame;")
+                && text.ends_with("strip;flyout;wires;carried;told;typed;zoom;adapted;")
+        );
         Ok(())
     }
 

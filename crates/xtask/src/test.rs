@@ -1,6 +1,5 @@
 //! Every check of the house, step by step; the same on a laptop and in CI.
 
-use std::env;
 use std::fs;
 use std::path::PathBuf;
 use std::process::Command;
@@ -21,6 +20,9 @@ const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
+
+/// What all of it takes on the disk when nothing was built before.
+const WANTED_GIGABYTES: u32 = 9;
 
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
@@ -56,11 +58,15 @@ struct Run<'a> {
 pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
     let started = Instant::now();
     let mut run = Run::on(workspace);
+    tell_disk(workspace);
     for (number, (name, check)) in STEPS.iter().enumerate() {
         let began = Instant::now();
         println!("\n== {} of {}: {name}", number + 1, STEPS.len());
         let result = check(&mut run);
         println!("-- {name}: {} after {}", if result.is_ok() { "good" } else { "FAILED" }, seconds(began.elapsed()));
+        if result.is_err() {
+            tell_disk(workspace);
+        }
         result.map_err(|sentence| format!("step {} ({name}): {sentence}", number + 1))?;
     }
     println!("\nAll {} steps are good, in {}.", STEPS.len(), seconds(started.elapsed()));
@@ -91,7 +97,7 @@ impl<'a> Run<'a> {
                 println!("{part} is at {}.", place.display());
                 Ok(Some(place))
             }
-            Err(why) if in_ci() => Err(format!("CI needs {part} for the {tests}: {why}")),
+            Err(why) if tools::in_ci() => Err(format!("CI needs {part} for the {tests}: {why}")),
             Err(why) => {
                 self.skip(format!("{tests} ({})", why.trim_end_matches('.')));
                 Ok(None)
@@ -171,10 +177,14 @@ fn find_tools(run: &mut Run) -> Outcome<()> {
     if tools::on_path("xmllint").is_none() {
         tools::install("xmllint", &["libxml2-utils"]);
     }
+    // What the page looks like in Japanese is looked at with it; those tests say so if it is not to be had.
+    if !tools::has_japanese_font() {
+        tools::install("A Japanese font", &["fontconfig", "fonts-vlgothic"]);
+    }
     run.chromium = tools::ensure_chromium();
     match &run.chromium {
         Some(path) => println!("Chromium is {}.", path.display()),
-        None if in_ci() => {
+        None if tools::in_ci() => {
             return Err(format!("CI needs Chromium for the browser journeys; {HOW_TO_GET_CHROMIUM}."));
         }
         None => run.skip(format!("browser journeys (no Chromium; {HOW_TO_GET_CHROMIUM})")),
@@ -196,10 +206,6 @@ fn find_libqi(run: &mut Run) -> Outcome<()> {
     Ok(())
 }
 
-fn in_ci() -> bool {
-    env::var("CI").is_ok_and(|value| value == "true")
-}
-
 fn check_supply(run: &mut Run) -> Outcome<()> {
     match supply::check(run.workspace)? {
         Some(part) => run.skip(part),
@@ -211,6 +217,17 @@ fn check_supply(run: &mut Run) -> Outcome<()> {
 fn document(run: &mut Run) -> Outcome<()> {
     let mut cargo = run.workspace.cargo(&["doc", "--workspace", "--no-deps"]);
     tools::run(cargo.env("RUSTDOCFLAGS", "-D warnings"), "`cargo doc`")
+}
+
+/// What is free, and what is wanted where nothing was built yet.
+fn tell_disk(workspace: &Workspace) {
+    let _ = fs::create_dir_all(&workspace.target);
+    if let Some(free) = tools::free_gigabytes(&workspace.target) {
+        println!(
+            "{free:.1} GB are free for {}; a first run takes about {WANTED_GIGABYTES}.",
+            workspace.target.display()
+        );
+    }
 }
 
 fn tell_skipped(skipped: &[String]) {

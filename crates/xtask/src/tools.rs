@@ -82,6 +82,10 @@ impl Workspace {
 
     fn ours(&self, mut command: Command, words: &[&str]) -> Command {
         command.args(words).current_dir(&self.root);
+        // What is built once has no use for what would make the next build quicker, and that is gigabytes.
+        if in_ci() {
+            command.env("CARGO_INCREMENTAL", "0");
+        }
         for (name, _) in env::vars_os() {
             if name.to_str().is_some_and(is_outer) {
                 command.env_remove(name);
@@ -89,6 +93,18 @@ impl Workspace {
         }
         command
     }
+}
+
+/// Whether this is a run that nobody watches, on a machine of its own.
+pub(crate) fn in_ci() -> bool {
+    env::var("CI").is_ok_and(|value| value == "true")
+}
+
+/// How many gigabytes are free on the disk that holds `folder`, where `df` can tell.
+pub(crate) fn free_gigabytes(folder: &Path) -> Option<f64> {
+    let printed = said(Command::new("df").args(["-P", "-k"]).arg(folder))?;
+    let kilobytes: f64 = printed.lines().nth(1)?.split_whitespace().nth(3)?.parse().ok()?;
+    Some(kilobytes / 1e6)
 }
 
 /// Whether a nested cargo must not see the variable `name`.
@@ -149,6 +165,11 @@ fn chromium() -> Option<PathBuf> {
 /// Where PATH has a program of that name.
 pub(crate) fn on_path(name: &str) -> Option<PathBuf> {
     env::split_paths(&env::var_os("PATH")?).map(|folder| folder.join(name)).find(|path| path.is_file())
+}
+
+/// Whether there is a font with Japanese letters, as far as `fc-list` knows them.
+pub(crate) fn has_japanese_font() -> bool {
+    said(Command::new("fc-list").args([":lang=ja", "family"])).is_some_and(|fonts| !fonts.is_empty())
 }
 
 fn install_chromium() {

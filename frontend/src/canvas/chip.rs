@@ -1,34 +1,62 @@
 //! One connector: its chip, and its edges behind everything.
 
 use super::Stage;
-use super::curve::{chip_place, curves};
+use super::curve::{asides, chip_place, curves, straight, straight_ways, ways};
 use super::differs::{Differs, differs_memo};
+use super::fold::{End, end_of, inputs_outside};
 use super::mark::{self, MarkBadge, mark_memo};
-use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo};
+use super::node::{OthersRing, ProblemBadge, editor_memo, problem_memo, unused_memo};
 use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
+use crate::fields::pieces;
 use crate::icons::Icon;
 use crate::layout::{ChipWords, chip_width, chip_words};
 use crate::words;
-use behaviour::{Connector, Id, Kind, Place, RecordId};
+use behaviour::{Connector, Id, Kind, Place, ProblemKind, RecordId};
 use leptos::prelude::*;
 
 /// Where a connector runs.
 #[derive(Clone, Debug, PartialEq)]
 struct Way {
     inputs: Vec<Place>,
-    chip: Place,
+    /// None where it leads into a folded group: its chip is in there.
+    chip: Option<Place>,
     output: Place,
+}
+
+impl Way {
+    /// As a path, with a small head at its end or without.
+    fn path(&self, head: bool) -> String {
+        match (self.chip, head) {
+            (Some(chip), true) => curves(&self.inputs, chip, self.output),
+            (Some(chip), false) => ways(&self.inputs, chip, self.output),
+            (None, true) => straight(&self.inputs, self.output),
+            (None, false) => straight_ways(&self.inputs, self.output),
+        }
+    }
 }
 
 /// Reactive: follows the connector and the places of its streams.
 fn way(desk: &Desk, connector: &Connector) -> Option<Way> {
-    let output = desk.document.stream(&connector.output)?;
-    let kind = output.record.with(|stream| stream.kind);
-    let inputs: Vec<Place> =
-        connector.inputs.iter().filter_map(|id| Some(desk.document.stream(id)?.place.get())).collect();
-    let output = output.place.get();
-    Some(Way { chip: chip_place(&inputs, output, kind), inputs, output })
+    let kind = desk.document.stream(&connector.output)?.record.with(|stream| stream.kind);
+    let outside = inputs_outside(desk, connector);
+    let inputs: Vec<Place> = outside.into_iter().filter_map(|id| end_of(desk, id, End::Input)).collect();
+    let output = end_of(desk, &connector.output, End::Output)?;
+    let is_seen = desk.document.hidden_in(&connector.output).is_none();
+    let chip = is_seen.then(|| chip_place(&inputs, output, kind, aside(desk, connector)));
+    Some(Way { chip, inputs, output })
+}
+
+/// How far the chip stands aside of the action that it leads to with others. Reactive.
+fn aside(desk: &Desk, connector: &Connector) -> Option<f64> {
+    let others = desk.document.shared.with(|shared| shared.get(&connector.output).cloned())?;
+    let all = others.iter().filter_map(|id| Some(desk.document.connector(id)?.record.get()));
+    let all: Vec<Connector> = all.collect();
+    let x = |id: &Id| Some(end_of(desk, id, End::Input)?.x);
+    let from = |one: &Connector| one.inputs.iter().filter_map(x).sum::<f64>() / f64::max(one.inputs.len() as f64, 1.0);
+    let chips: Vec<(f64, f64)> = all.iter().map(|one| (from(one), chip_width(&chip_words(one)))).collect();
+    let mine = all.iter().position(|one| one == connector)?;
+    asides(&chips).get(mine).copied()
 }
 
 fn way_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<Option<Way>> {
@@ -38,9 +66,7 @@ fn way_memo(desk: &Desk, signals: &ConnectorSignals) -> ArcMemo<Option<Way>> {
 
 fn chosen_memo(desk: &Desk, id: &Id) -> ArcMemo<bool> {
     let (desk, id) = (desk.clone(), id.clone());
-    ArcMemo::new(move |_| {
-        desk.document.selected.with(|selected| matches!(selected, Some(Selected::Connector(chosen)) if *chosen == id))
-    })
+    ArcMemo::new(move |_| desk.document.is_chosen(&Selected::Connector(id.clone())))
 }
 
 fn lit_memo(stage: &Stage, signals: &ConnectorSignals) -> ArcMemo<bool> {
@@ -57,7 +83,7 @@ pub(super) fn Edge(id: Id) -> impl IntoView {
     let way = way_memo(&desk, &signals);
     let lit = lit_memo(&stage, &signals);
     let chosen = chosen_memo(&desk, &id);
-    let path = move || way.with(|way| way.as_ref().map(|way| curves(&way.inputs, way.chip, way.output)));
+    let path = move || way.with(|way| way.as_ref().map(|way| way.path(true)));
     view! {
         <path class="edge" class:fired=move || lit.get() class:selected=move || chosen.get() d=path />
     }
@@ -77,17 +103,17 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         let record = signals.record.clone();
         ArcMemo::new(move |_| record.with(chip_words))
     };
-    let at = move || way.with(|way| way.as_ref().map_or_else(String::new, |way| placed(way.chip)));
-    let problem = problem_memo(&desk, RecordId::new(Kind::Connector, &id));
+    let at = move || way.with(|way| way.as_ref().and_then(|way| way.chip).map_or_else(String::new, placed));
+    let problem = problem_memo(&stage, RecordId::new(Kind::Connector, &id));
     let troubles = problem.clone();
+    let unknown = unknown_memo(&desk, &id);
     let ends = ends_memo(&desk, &signals);
     let reached = near_selection(&desk, &signals);
-    let unused = {
-        let (desk, id) = (desk.clone(), id.clone());
-        ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)))
-    };
+    let unused = unused_memo(&desk, &id);
     let ring = unused.clone();
     let editor = editor_memo(&stage, &id);
+    let target = stage.wire_target(&id);
+    let over = target.clone();
     let differs = differs_memo(&desk, &RecordId::new(Kind::Connector, &id));
     let differing = differs.clone();
     let locked = editor.clone();
@@ -106,13 +132,17 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
     };
     let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
     let (pressed, picked, record) = (chosen.clone(), chosen, signals.record.clone());
+    let tests = record.clone();
     view! {
         <div class="at of-chip" style:transform=at>
         <div
             class="chip connector"
             class:fired=move || lit.get()
             class:selected=move || picked.get()
+            class:target=move || target.get().is_some()
+            class:over=move || over.get() == Some(true)
             data-chip=id.to_string()
+            data-tests=move || tests.with(|connector| connector.operation.spec().is_test()).then_some("")
             role="button"
             tabindex=move || if reached() { "0" } else { "-1" }
             aria-label=move || {
@@ -132,7 +162,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
                 view! { <span class="icon"><Icon name=icon /></span> }
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
-            <span class="detail" aria-hidden="true">{move || detail.with(|words| words.detail.clone())}</span>
+            <span class="detail" aria-hidden="true">{move || underlined(&detail.with(|words| words.detail.clone()), unknown.get().as_deref())}</span>
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
@@ -143,6 +173,28 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         </div>
     }
     .into_any()
+}
+
+/// A name in its procedure that means nothing.
+fn unknown_memo(desk: &Desk, id: &Id) -> ArcMemo<Option<String>> {
+    let (problems, at) = (desk.document.problems.clone(), RecordId::new(Kind::Connector, id));
+    ArcMemo::new(move |_| {
+        problems.with(|problems| {
+            problems.iter().filter(|problem| problem.at == at).find_map(|problem| match &problem.kind {
+                ProblemKind::UnknownName { name, .. } => Some(name.clone()),
+                _ => None,
+            })
+        })
+    })
+}
+
+/// The words of a chip, a name that means nothing underlined.
+fn underlined(detail: &str, unknown: Option<&str>) -> AnyView {
+    if unknown.is_none() {
+        return detail.to_owned().into_any();
+    }
+    let piece = |(class, text): (&'static str, String)| view! { <span class=class>{text}</span> };
+    pieces(detail, &[], unknown).into_iter().map(piece).collect_view().into_any()
 }
 
 fn placed(chip: Place) -> String {
@@ -167,7 +219,7 @@ fn near_selection(desk: &Desk, signals: &ConnectorSignals) -> impl Fn() -> bool 
         let Some(selected) = selected.get() else { return false };
         record.with(|connector| match &selected {
             Selected::Stream(id) => connector.output == *id || connector.inputs.contains(id),
-            Selected::Connector(_) => false,
+            Selected::Connector(_) | Selected::Note(_) | Selected::Group(_) => false,
         }) || matches!(&selected, Selected::Connector(_))
     }
 }
@@ -236,7 +288,12 @@ fn Bubble(id: Id, said: ArcMemo<Option<Said>>) -> impl IntoView {
     }
 }
 
-/// Where the chip of a connector is. Reactive.
+/// The edges of a connector as a path, without the head at their end. Reactive.
+pub(super) fn path_of(desk: &Desk, connector: &Connector) -> Option<String> {
+    way(desk, connector).map(|way| way.path(false))
+}
+
+/// Where the chip of a connector is, if it is seen. Reactive.
 pub(super) fn chip_of(desk: &Desk, connector: &Connector) -> Option<Place> {
-    way(desk, connector).map(|way| way.chip)
+    way(desk, connector).and_then(|way| way.chip)
 }

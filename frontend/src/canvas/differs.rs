@@ -4,7 +4,7 @@
 use super::curve::{chip_place, curves};
 use crate::desk::{Compared, Desk, use_desk};
 use crate::icons::Icon;
-use crate::layout::{self, chip_width, chip_words, stream_width, what_it_was};
+use crate::layout::{GAP, chip_width, chip_words, stream_width, what_it_was};
 use crate::words;
 use behaviour::{Behaviour, Connector, Difference, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
@@ -61,10 +61,10 @@ enum Shadow {
     Connector { id: Id, connector: Connector, path: String, chip: Place, differs: Option<Differing> },
 }
 
-fn shadows(desk: &Desk, compared: &Compared) -> Vec<Shadow> {
+fn missing(desk: &Desk, compared: &Compared) -> Vec<Shadow> {
     let mut found = Vec::new();
     for (one, other) in [(&compared.was, None), (&compared.is, Some(&compared.was))] {
-        let places = Places { desk, free: layout::missing_places(one), behaviour: one };
+        let places = Places { desk, free: desk.document.missing_places(one), behaviour: one };
         for (id, record) in &one.records {
             let known = other.is_some_and(|other| other.records.contains_key(id));
             if !known && !is_there(desk, id) {
@@ -79,7 +79,7 @@ fn is_there(desk: &Desk, id: &RecordId) -> bool {
     match id.kind {
         Kind::Stream => desk.document.stream(&id.id).is_some(),
         Kind::Connector => desk.document.connector(&id.id).is_some(),
-        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note => true,
+        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group => true,
     }
 }
 
@@ -96,6 +96,15 @@ impl Places<'_> {
         now.or_else(|| self.behaviour.place(id)).or_else(|| self.free.get(id).copied())
     }
 
+    /// Beside the chips that lead to the same action now.
+    fn aside(&self, connector: &Connector, inputs: &[Place], output: Place) -> Option<f64> {
+        let now = self.desk.document.connector_ids.get().into_iter().filter_map(|id| self.desk.document.connector(&id));
+        let same = now.map(|signals| signals.record.get()).filter(|other| other.output == connector.output);
+        let half = same.map(|other| chip_width(&chip_words(&other))).reduce(|all, next| all + GAP + next)? / 2.0;
+        let from = inputs.iter().map(|place| place.x - output.x).sum::<f64>();
+        Some((half + GAP + chip_width(&chip_words(connector)) / 2.0) * if from < 0.0 { -1.0 } else { 1.0 })
+    }
+
     fn shadow(&self, id: &RecordId, record: &Record, differs: Option<Differing>) -> Option<Shadow> {
         let id = id.id.clone();
         match record {
@@ -107,22 +116,26 @@ impl Places<'_> {
                 let inputs: Vec<Place> = connector.inputs.iter().filter_map(|input| self.of(input)).collect();
                 let output = self.of(&connector.output)?;
                 let kind = self.behaviour.stream(&connector.output).map_or(StreamKind::Ordinary, |stream| stream.kind);
-                let chip = chip_place(&inputs, output, kind);
+                let chip = chip_place(&inputs, output, kind, self.aside(connector, &inputs, output));
                 let path = curves(&inputs, chip, output);
                 Some(Shadow::Connector { id, connector: connector.clone(), path, chip, differs })
             }
-            Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) => None,
+            Record::Settings(_) | Record::Helper(_) | Record::Place(_) | Record::Note(_) | Record::Group(_) => None,
         }
     }
 }
 
 /// Everything that one of the compared versions has and the graph has not.
+pub(crate) fn shadows() -> AnyView {
+    view! { <Shadows /> }.into_any()
+}
+
 #[component]
-pub(super) fn Shadows() -> impl IntoView {
+fn Shadows() -> impl IntoView {
     let desk = use_desk();
     let all = ArcMemo::new(move |_| {
         let compared = desk.document.compared.get();
-        compared.map_or_else(Vec::new, |compared| shadows(&desk, &compared))
+        compared.map_or_else(Vec::new, |compared| missing(&desk, &compared))
     });
     move || {
         let all = all.get();

@@ -11,7 +11,12 @@ pub(super) type Point = (f64, f64);
 /// What a pointer went down on.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Target {
+    /// A stream, or what else can be dragged: a note, the title of a group or its box.
     Stream(Id),
+    /// Where the wires of a stream begin.
+    Handle(Id),
+    /// Free ground, with the key that chooses more.
+    Ground,
     Other,
 }
 
@@ -24,6 +29,15 @@ pub(super) enum Act {
     /// The stream, that far from where it was grabbed.
     Drag(Id, Point),
     Drop(Id),
+    /// A wire out of the stream begins to follow the pointer.
+    Wire(Id),
+    /// The wire follows.
+    WireOn,
+    DropWire,
+    ForgetWire,
+    /// A lasso, from where it began to where it is.
+    Lasso(Point, Point),
+    EndLasso,
     /// The drag came to nothing.
     PutBack(Id),
     Pan(Point),
@@ -39,6 +53,8 @@ enum Grip {
     Idle,
     Pressed(Target, Point),
     Dragging(Id, Point),
+    Wiring,
+    Lassoing(Point),
     Panning,
     Pinching,
 }
@@ -57,8 +73,15 @@ impl Hand {
         let next = if self.pointers.len() == 1 { Grip::Pressed(target, at) } else { Grip::Pinching };
         match std::mem::replace(&mut self.grip, next) {
             Grip::Dragging(id, _) => Act::PutBack(id),
+            Grip::Wiring => Act::ForgetWire,
+            Grip::Lassoing(_) => Act::EndLasso,
             Grip::Idle | Grip::Pressed(..) | Grip::Panning | Grip::Pinching => Act::Nothing,
         }
+    }
+
+    /// Whether one pointer is down and has not moved.
+    pub(super) fn rests(&self) -> bool {
+        matches!(self.grip, Grip::Pressed(..)) && self.pointers.len() == 1
     }
 
     /// At most two things follow from a move: the grab first.
@@ -78,6 +101,16 @@ impl Hand {
                 self.grip = Grip::Dragging(id.clone(), from);
                 [Act::Grab, Act::Drag(id, minus(at, from))]
             }
+            Grip::Pressed(Target::Handle(id), _) => {
+                self.grip = Grip::Wiring;
+                [Act::Grab, Act::Wire(id)]
+            }
+            Grip::Wiring => [Act::Nothing, Act::WireOn],
+            Grip::Pressed(Target::Ground, from) => {
+                self.grip = Grip::Lassoing(from);
+                [Act::Grab, Act::Lasso(from, at)]
+            }
+            Grip::Lassoing(from) => [Act::Nothing, Act::Lasso(from, at)],
             Grip::Pressed(Target::Other, from) => {
                 self.grip = Grip::Panning;
                 [Act::Grab, Act::Pan(minus(at, from))]
@@ -88,16 +121,21 @@ impl Hand {
         }
     }
 
+    /// Whether no pointer is down.
+    pub(super) fn is_idle(&self) -> bool {
+        self.pointers.is_empty()
+    }
+
     pub(super) fn up(&mut self, pointer: i32) -> Act {
-        self.end(pointer, Act::Drop)
+        self.end(pointer, Act::Drop, Act::DropWire)
     }
 
     /// The browser took the pointer away.
     pub(super) fn cancel(&mut self, pointer: i32) -> Act {
-        self.end(pointer, Act::PutBack)
+        self.end(pointer, Act::PutBack, Act::ForgetWire)
     }
 
-    fn end(&mut self, pointer: i32, of_drag: impl FnOnce(Id) -> Act) -> Act {
+    fn end(&mut self, pointer: i32, of_drag: impl FnOnce(Id) -> Act, of_wire: Act) -> Act {
         let known = self.pointers.len();
         self.pointers.retain(|(other, _)| *other != pointer);
         if self.pointers.len() == known {
@@ -106,6 +144,8 @@ impl Hand {
         let next = if self.pointers.is_empty() { Grip::Idle } else { Grip::Panning };
         match std::mem::replace(&mut self.grip, next) {
             Grip::Dragging(id, _) => of_drag(id),
+            Grip::Wiring => of_wire,
+            Grip::Lassoing(_) => Act::EndLasso,
             Grip::Panning | Grip::Pinching => Act::Rest,
             Grip::Idle | Grip::Pressed(..) => Act::Nothing,
         }
@@ -167,6 +207,21 @@ mod tests {
         assert_eq!(hand.moved(2, (50.0, 0.0))[1], Act::Pinch((20.0, 0.0), (30.0, 0.0), 2.0));
         assert_eq!(hand.up(2), Act::Rest);
         assert_eq!(hand.moved(1, (12.0, 0.0))[1], Act::Pan((2.0, 0.0)));
+    }
+
+    #[test]
+    fn a_wire_follows_the_hand_from_its_handle() {
+        let mut hand = Hand::default();
+        hand.down(1, (0.0, 0.0), Target::Handle(ball()));
+        assert_eq!(hand.moved(1, (2.0, 0.0)), [Act::Nothing, Act::Nothing]);
+        assert_eq!(hand.moved(1, (9.0, 0.0)), [Act::Grab, Act::Wire(ball())]);
+        assert_eq!(hand.moved(1, (30.0, 9.0))[1], Act::WireOn);
+        assert_eq!(hand.down(2, (60.0, 0.0), Target::Other), Act::ForgetWire);
+        hand.up(2);
+        hand.up(1);
+        hand.down(1, (0.0, 0.0), Target::Handle(ball()));
+        hand.moved(1, (9.0, 0.0));
+        assert_eq!(hand.up(1), Act::DropWire);
     }
 
     #[test]

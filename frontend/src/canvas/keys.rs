@@ -1,38 +1,76 @@
-//! The keyboard on the canvas: arrows walk, Enter edits, Delete removes, Escape deselects.
+//! The keyboard on the canvas: arrows walk, Enter edits or opens a control, Delete removes, Escape deselects.
 
-use super::Stage;
+use super::plus::plus_below;
 use super::pointers::edit;
 use super::walk::{Way, walk};
+use super::wire::press_soon;
+use super::{Stage, flyout};
 use crate::desk::{Desk, Selected};
 use behaviour::Id;
 use leptos::prelude::*;
+use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
 /// Hears a key on the stage or in it.
 pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else { return };
-    let own = target.closest("input, textarea, select, [role=menu]").ok().flatten().is_some();
-    if own || event.ctrl_key() || event.meta_key() || event.alt_key() {
+    let own = target
+        .closest("input, textarea, select, [role=menu], .offer, .flyout, .told, .minimap")
+        .ok()
+        .flatten()
+        .is_some();
+    if own || event.alt_key() {
+        return;
+    }
+    if event.ctrl_key() || event.meta_key() {
+        if stage.piece.now().is_some_and(|rest| (rest.chord)(event, desk, Some(stage))) {
+            event.prevent_default();
+        }
         return;
     }
     if !matches!(event.key().as_str(), "Shift" | "Tab") && desk.document.unfollow() && event.key() == "Escape" {
         return;
     }
+    if target.closest(".offer").ok().flatten().is_none() && stage.wire_key(event) {
+        event.prevent_default();
+        return;
+    }
+    let plus = target.closest(".plus").ok().flatten();
+    if plus.is_some_and(|plus| stage.plus_key(&plus, &event.key())) {
+        event.prevent_default();
+        return;
+    }
     let here = selected_at(&target).or_else(|| desk.document.selected.get_untracked());
+    let several = desk.document.several.with_untracked(|several| !several.is_empty());
     let on_button = target.closest("button").ok().flatten().is_some();
+    let go = |here: Option<Selected>, way: Way| {
+        if event.shift_key() { extend(desk, stage, here, way) } else { step(desk, stage, here, way) }
+    };
     let done = match event.key().as_str() {
-        "Escape" => deselect(desk, stage),
-        "Enter" if !on_button => with(here, |here| edit(desk, &here)),
+        "Escape" if !several => deselect(desk, stage),
+        "c" | "C" => connect(stage, here),
+        "n" | "N" => then(|| stage.add_note()),
+        "f" | "F" => fold(stage, here),
+        "i" | "I" => here.is_some_and(|here| stage.insert_before(&here)),
+        "F2" => rename(stage, here),
+        "Enter" if !on_button => with(here, |here| open(desk, stage, &here)),
+        " " if !on_button && event.shift_key() => with(here, |here| desk.document.choose_too(here)),
         " " if !on_button => with(here, |here| desk.document.selected.set(Some(here))),
+        "Escape" if several => then(|| desk.document.choose(BTreeSet::new())),
+        "Delete" | "Backspace" if several && !on_button => {
+            then(|| desk.document.remove_several(&desk.document.chosen()))
+        }
         "Delete" | "Backspace" if !on_button => with(here, |here| remove(desk, stage, &here)),
-        "ArrowDown" => step(desk, stage, here, Way::Down),
-        "ArrowUp" => step(desk, stage, here, Way::Up),
-        "ArrowLeft" if !on_button => step(desk, stage, here, Way::Left),
-        "ArrowRight" if !on_button => step(desk, stage, here, Way::Right),
+        "ArrowDown" if !several && !event.shift_key() && to_plus(stage, &target) => true,
+        "ArrowDown" => go(here, Way::Down),
+        "ArrowUp" => go(here, Way::Up),
+        "ArrowLeft" if !on_button => go(here, Way::Left),
+        "ArrowRight" if !on_button => go(here, Way::Right),
         "+" | "=" => then(|| stage.zoom_by(1.25)),
         "-" => then(|| stage.zoom_by(0.8)),
         "0" => then(|| stage.fit()),
+        "1" => then(|| stage.to_real_size()),
         _ => false,
     };
     if done {
@@ -40,8 +78,61 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     }
 }
 
+/// Another name for the stream or group that is meant, or for what a connector makes; another text for the note.
+fn rename(stage: &Stage, here: Option<Selected>) -> bool {
+    match here {
+        Some(Selected::Stream(id) | Selected::Group(id)) => stage.rename(&id),
+        Some(note @ Selected::Note(_)) => drop(stage.open_aside(&note)),
+        Some(Selected::Connector(id)) => {
+            let signals = stage.desk.document.connector(&id);
+            let made = signals.map(|signals| signals.record.with_untracked(|connector| connector.output.clone()));
+            return made.map(|made| stage.rename(&made)).is_some();
+        }
+        None => return false,
+    }
+    true
+}
+
+/// Opens the editor of a stream, a note or a group, or the control of a connector with the keyboard in its first field.
+fn open(desk: &Desk, stage: &Stage, what: &Selected) {
+    match what {
+        Selected::Connector(id) => {
+            desk.document.selected.set(Some(what.clone()));
+            flyout::enter(desk, id);
+        }
+        _ if stage.open_aside(what) => {}
+        _ => edit(desk, what),
+    }
+}
+
+/// Folds or unfolds the group that is meant, or that a stream is in.
+fn fold(stage: &Stage, here: Option<Selected>) -> bool {
+    match here {
+        Some(Selected::Group(id)) => stage.turn(&id),
+        Some(Selected::Stream(id)) => stage.turn_around(&id),
+        Some(Selected::Connector(_) | Selected::Note(_)) | None => false,
+    }
+}
+
+/// From a stream the keyboard goes to the plus of its first edge.
+fn to_plus(stage: &Stage, target: &Element) -> bool {
+    let Some(Selected::Stream(id)) = selected_at(target) else { return false };
+    let plus = plus_below(&id).filter(|plus| !stage.leads_into_fold(plus));
+    if let Some(plus) = &plus {
+        stage.focus_plus(plus);
+    }
+    plus.is_some()
+}
+
 fn then(act: impl FnOnce()) -> bool {
     act();
+    true
+}
+
+/// Begins a wire out of a stream.
+fn connect(stage: &Stage, here: Option<Selected>) -> bool {
+    let Some(Selected::Stream(id)) = here else { return false };
+    stage.begin_wire(&id, false);
     true
 }
 
@@ -51,37 +142,75 @@ fn with(here: Option<Selected>, act: impl FnOnce(Selected)) -> bool {
 
 fn selected_at(target: &Element) -> Option<Selected> {
     let id = |mark: &str| target.get_attribute(mark).and_then(|id| Id::new(&id).ok());
-    id("data-node").map(Selected::Stream).or_else(|| id("data-chip").map(Selected::Connector))
+    let graph = id("data-node").map(Selected::Stream).or_else(|| id("data-chip").map(Selected::Connector));
+    graph.or_else(|| id("data-note").map(Selected::Note)).or_else(|| id("data-group").map(Selected::Group))
 }
 
 fn deselect(desk: &Desk, stage: &Stage) -> bool {
     let Some(selected) = desk.document.selected.get_untracked() else { return false };
     desk.document.selected.set(None);
-    if let Selected::Stream(id) = selected {
-        stage.focus(&id);
+    if !matches!(selected, Selected::Connector(_)) {
+        stage.focus(selected.id());
     }
     true
 }
 
-/// Removes something; the keyboard goes on to what it came from.
+/// Removes something; the keyboard goes on to what it came from. In the middle of a way it asks how.
 fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
+    if matches!(what, Selected::Stream(id) if desk.document.healed_by(id).is_some()) {
+        desk.document.selected.set(Some(what.clone()));
+        press_soon(".strip .remove > button");
+        return;
+    }
     let next = match what {
         Selected::Stream(id) => walk(&desk.document.behaviour(), id, Way::Up, |_| None),
         Selected::Connector(id) => desk
             .document
             .connector(id)
             .and_then(|signals| signals.record.with_untracked(|connector| connector.inputs.first().cloned())),
+        Selected::Note(_) | Selected::Group(_) => desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()),
     };
     desk.document.remove(what);
     if let Some(next) = next {
-        desk.document.selected.set(Some(Selected::Stream(next.clone())));
-        stage.focus(&next);
+        go(desk, stage, next);
     }
 }
 
+/// Goes on with what is there chosen too; back over what is chosen already it is let go of again.
+fn extend(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
+    let Some(next) = next(desk, here.clone(), way).map(|next| stage.seen_as(next)) else { return true };
+    let mut chosen = desk.document.chosen();
+    match here {
+        Some(here) if chosen.contains(&next) => drop(chosen.remove(&here)),
+        here => chosen.extend(here),
+    }
+    chosen.insert(next.clone());
+    desk.document.choose(chosen);
+    stage.focus(next.id());
+    true
+}
+
+/// To a stream, or to the folded group that it is in.
+fn go(desk: &Desk, stage: &Stage, next: Id) {
+    let next = stage.seen_as(next);
+    desk.document.choose([next.clone()].into());
+    stage.focus(next.id());
+}
+
 fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
+    if let Some(aside @ (Selected::Note(_) | Selected::Group(_))) = &here {
+        return stage.step_aside(aside, way);
+    }
+    if let Some(next) = next(desk, here, way) {
+        go(desk, stage, next);
+    }
+    true
+}
+
+/// The stream that is reached from there.
+fn next(desk: &Desk, here: Option<Selected>, way: Way) -> Option<Id> {
     let place = |id: &Id| desk.document.stream(id).map(|signals| signals.place.get_untracked());
-    let next = match here {
+    match here {
         Some(Selected::Stream(id)) => walk(&desk.document.behaviour(), &id, way, place),
         Some(Selected::Connector(id)) => desk.document.connector(&id).and_then(|signals| {
             signals.record.with_untracked(|connector| match way {
@@ -90,11 +219,7 @@ fn step(desk: &Desk, stage: &Stage, here: Option<Selected>, way: Way) -> bool {
                 Way::Left | Way::Right => None,
             })
         }),
+        Some(Selected::Note(_) | Selected::Group(_)) => None,
         None => desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()),
-    };
-    if let Some(next) = next {
-        desk.document.selected.set(Some(Selected::Stream(next.clone())));
-        stage.focus(&next);
     }
-    true
 }

@@ -1,7 +1,7 @@
 //! The thunderbolt: every connector that can come out of a stream.
 
 use crate::browser;
-use crate::desk::{Dialog, use_desk};
+use crate::desk::{Dialog, Spot, use_desk};
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
@@ -19,7 +19,7 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
     let [expanded, shown, toggle, keys, leave] = [(); 5].map(|()| open.clone());
     let choose = move |kind: &'static Spec| {
         open.set(false);
-        desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind }));
+        desk.dialog.set(Some(Dialog::Operation { input: input.clone(), connector: None, kind, spot: Spot::default() }));
     };
     view! {
         <div class="bolt" node_ref=root
@@ -40,9 +40,9 @@ pub(super) fn BoltMenu(input: Id) -> impl IntoView {
                         let choose = choose.clone();
                         view! {
                             <button type="button" role="menuitem" tabindex="-1" class="item"
-                                title=kind.says on:click=move |_| choose(kind)>
+                                title=words::connector_says(kind) on:click=move |_| choose(kind)>
                                 <Icon name=kind.icon.name />
-                                <span>{kind.name}</span>
+                                <span>{words::connector_word(kind.name)}</span>
                             </button>
                         }
                     }).collect_view()}

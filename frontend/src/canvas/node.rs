@@ -7,9 +7,9 @@ use super::stage::Edited;
 use crate::desk::{Desk, Selected, StreamSignals, use_desk};
 use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
-use crate::live::{rate_words, short_value, sparkline};
+use crate::live::{measured, rate_words, sparkline};
 use crate::words;
-use behaviour::{Id, Kind, Problem, ProblemKind, RecordId, Stream, StreamKind};
+use behaviour::{Id, Kind, Problem, ProblemKind, RecordId, Stream, StreamKind, ValueType};
 use leptos::prelude::*;
 
 /// The box of a sparkline, in pixels.
@@ -26,16 +26,11 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
     let StreamSignals { record, place, .. } = signals.clone();
     let chosen = {
         let (desk, id) = (desk.clone(), id.clone());
-        ArcMemo::new(move |_| {
-            desk.document.selected.with(|selected| matches!(selected, Some(Selected::Stream(chosen)) if *chosen == id))
-        })
+        ArcMemo::new(move |_| desk.document.is_chosen(&Selected::Stream(id.clone())))
     };
     let is_stop = {
-        let (stage, desk, id) = (stage.clone(), desk.clone(), id.clone());
-        move || match stage.stop.get() {
-            Some(stop) => stop == id,
-            None => desk.document.stream_ids.with(|ids| ids.first() == Some(&id)),
-        }
+        let (stop, id) = (stage.stop_now.clone(), id.clone());
+        move || stop.with(|stop| stop.as_ref() == Some(&id))
     };
     let is_dragged = {
         let (stage, id) = (stage.clone(), id.clone());
@@ -48,16 +43,23 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         let place = place.get();
         format!("translate({:.1}px,{:.1}px) translateX(-50%)", place.x, place.y)
     };
-    let problem = problem_memo(&desk, RecordId::new(Kind::Stream, &id));
+    let problem = problem_memo(&stage, RecordId::new(Kind::Stream, &id));
     let troubles = problem.clone();
     let mark = mark_memo(&desk, RecordId::new(Kind::Stream, &id));
     let marked = mark.clone();
+    let unused = unused_memo(&desk, &id);
+    let ring = unused.clone();
     let describes = move || {
         let marked = marked.get().map(|mark| mark::said(mark).to_owned());
-        let all: Vec<_> = troubles.get().map(|(sentence, _)| sentence).into_iter().chain(marked).collect();
+        let waits = unused.get().then(|| words::not_used_yet().to_owned());
+        let trouble = troubles.get().map(|(sentence, _)| sentence);
+        let all: Vec<_> = trouble.into_iter().chain(waits).chain(marked).collect();
         (!all.is_empty()).then(|| all.join(" "))
     };
     let editor = editor_memo(&stage, &id);
+    let target = stage.wire_target(&id);
+    let over = target.clone();
+    let source = stage.wire_source(&id);
     let differs = differs_memo(&desk, &RecordId::new(Kind::Stream, &id));
     let differing = differs.clone();
     view! {
@@ -69,6 +71,9 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         <div
             class=move || format!("stream {}", kind_class(by_kind.with(|stream| stream.kind)))
             class:selected=move || lit.get()
+            class:target=move || target.get().is_some()
+            class:over=move || over.get() == Some(true)
+            class:source=move || source.get()
             data-node=id.to_string()
             role="button"
             tabindex=move || if is_stop() { "0" } else { "-1" }
@@ -89,6 +94,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
                 " "
                 <span class="second" aria-hidden="true">{move || by_second.with(what_it_is)}</span>
             </span>
+            {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />
             <Differs differs=differs />
@@ -130,8 +136,17 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
         ArcMemo::new(move |_| live.with(|live| live.value.is_some()))
     };
     let running = stage.running.clone();
+    let kind = {
+        let (desk, id) = (desk.clone(), id.clone());
+        ArcMemo::new(move |_| desk.document.types.with(|types| types.get(&id).cloned()))
+    };
+    let own = kind.clone();
     let cold = ArcMemo::new(move |_| {
-        let value = || quiet.with(|live| live.value.as_ref().map(short_value)).unwrap_or_default();
+        let value = || {
+            quiet
+                .with(|live| live.value.as_ref().map(|value| own.with(|kind| measured(value, kind.as_ref()))))
+                .unwrap_or_default()
+        };
         match (running.get(), desk.unheard.get()) {
             (false, _) => Some(words::last_was(&value())),
             (true, Some(seconds)) => Some(words::value_ago(&value(), seconds)),
@@ -152,13 +167,17 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
                 view! { <span class="value quiet" aria-hidden="true" style:max-width=width><b title=words.clone()>{words.clone()}</b></span> }
                     .into_any()
             }
-            None => view! { <NewestValue live=live.clone() width=width /> }.into_any(),
+            None => view! { <NewestValue live=live.clone() kind=kind.clone() width=width /> }.into_any(),
         }
     }
 }
 
 #[component]
-fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>, width: String) -> impl IntoView {
+fn NewestValue(
+    live: ArcRwSignal<crate::live::LiveStream>,
+    kind: ArcMemo<Option<ValueType>>,
+    width: String,
+) -> impl IntoView {
     let (value, rate, points) = (live.clone(), live.clone(), live);
     let has_line = {
         let points = points.clone();
@@ -166,7 +185,7 @@ fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>, width: String) -> imp
     };
     view! {
         <span class="value" aria-hidden="true" style:max-width=width>
-            <b>{move || value.with(|live| live.value.as_ref().map(short_value).unwrap_or_default())}</b>
+            <b>{move || value.with(|live| live.value.as_ref().map(|value| kind.with(|kind| measured(value, kind.as_ref()))).unwrap_or_default())}</b>
             <i>{move || rate.with(|live| rate_words(live.rate))}</i>
             {move || {
                 let points = points.clone();
@@ -180,17 +199,36 @@ fn NewestValue(live: ArcRwSignal<crate::live::LiveStream>, width: String) -> imp
     }
 }
 
+/// Whether the robot does not use something yet as it is now.
+pub(super) fn unused_memo(desk: &Desk, id: &Id) -> ArcMemo<bool> {
+    let (desk, id) = (desk.clone(), id.clone());
+    ArcMemo::new(move |_| desk.robots.unused.with(|unused| unused.contains(&id)))
+}
+
 /// The first problem of something as a sentence, and whether it keeps the behaviour from running. What leads nowhere
-/// yet is only in the list: it would blame everything that is being built.
-pub(super) fn problem_memo(desk: &Desk, at: RecordId) -> ArcMemo<Option<(String, bool)>> {
-    let desk = desk.clone();
+/// yet is only in the list while something is built: it would blame everything.
+pub(super) fn problem_memo(stage: &Stage, at: RecordId) -> ArcMemo<Option<(String, bool)>> {
+    let (desk, finished, running) = (stage.desk.clone(), stage.finished.clone(), stage.running.clone());
     ArcMemo::new(move |_| {
+        let is_shown = |problem: &Problem| {
+            problem.kind != ProblemKind::Unused
+                || (finished.get() && (running.get() || is_left_over(&desk, &problem.at.id)))
+        };
         desk.document.problems.with(|problems| {
-            let known = |problem: &&Problem| problem.at == at && problem.kind != ProblemKind::Unused;
-            let first = problems.iter().find(known)?;
-            Some((first.to_string(), first.blocks))
+            let first = problems.iter().find(|problem| problem.at == at && is_shown(problem))?;
+            Some((words::told_by(first), first.blocks))
         })
     })
+}
+
+/// Whether a way ends at this stream and nobody is working on it. Reactive.
+fn is_left_over(desk: &Desk, id: &Id) -> bool {
+    let goes_on = |connector: &Id| {
+        let signals = desk.document.connector(connector);
+        signals.is_some_and(|signals| signals.record.with(|connector| connector.inputs.contains(id)))
+    };
+    let is_selected = desk.document.selected.with(|selected| selected.as_ref().map(Selected::id) == Some(id));
+    !is_selected && !desk.document.connector_ids.with(|ids| ids.iter().any(goes_on))
 }
 
 /// A sign on what has a problem, with the problem as its title; what has it says it too.
@@ -213,22 +251,37 @@ pub(super) fn editor_memo(stage: &Stage, id: &Id) -> ArcMemo<Option<String>> {
     ArcMemo::new(move |_| edited.with(|edited| edited.get(&id).filter(|at| at.is_it).map(|at| at.editor.name.clone())))
 }
 
+/// The colour of a ring, and what its tag says, with a padlock if somebody is editing.
+pub(super) type Ringed = Option<(u8, Option<(bool, String)>)>;
+
+/// Who else is editing one of these, what leads to it, or has selected it. Reactive.
+pub(super) fn ringed(stage: &Stage, these: &[Id]) -> Ringed {
+    let edited = stage.edited.with(|edited| {
+        let of = || these.iter().filter_map(|id| edited.get(id));
+        of().find(|edited| edited.is_it).or_else(|| of().next()).cloned()
+    });
+    if let Some(Edited { editor, is_it }) = edited {
+        return Some((editor.color, is_it.then(|| (true, words::is_editing(&editor.name)))));
+    }
+    stage.others.with(|others| {
+        let here = || others.iter().filter(|(selected, ..)| these.contains(selected));
+        let color = here().map(|(_, color, _)| *color).next()?;
+        let names: Vec<&str> = here().map(|(.., name)| name.as_str()).collect();
+        Some((color, Some((false, words::listed(names)))))
+    })
+}
+
 /// A ring in the colour of somebody else who is editing this, what leads to it, or has selected it.
 #[component]
 pub(super) fn OthersRing(id: Id) -> impl IntoView {
     let stage = expect_context::<Stage>();
-    let ring = ArcMemo::new(move |_| {
-        let edited = stage.edited.with(|edited| edited.get(&id).cloned());
-        if let Some(Edited { editor, is_it }) = edited {
-            return Some((editor.color, is_it.then(|| (true, words::is_editing(&editor.name)))));
-        }
-        stage.others.with(|others| {
-            let here = || others.iter().filter(|(selected, ..)| *selected == id);
-            let color = here().map(|(_, color, _)| *color).next()?;
-            let names: Vec<&str> = here().map(|(.., name)| name.as_str()).collect();
-            Some((color, Some((false, names.join(", ")))))
-        })
-    });
+    let ring = ArcMemo::new(move |_| ringed(&stage, std::slice::from_ref(&id)));
+    view! { <Ring ring /> }
+}
+
+/// The ring itself.
+#[component]
+pub(super) fn Ring(ring: ArcMemo<Ringed>) -> impl IntoView {
     let tag = |(locked, text): (bool, String)| {
         view! { <span class="tag">{locked.then(|| view! { <Icon name="lock" /> })}<span class="cut">{text}</span></span> }
     };

@@ -1,13 +1,19 @@
 //! What the parts of the canvas share: the view, what is drawn, who selected what.
 
-use super::chip::chip_of;
+use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bounds};
+use super::context::Context;
 use super::cull::{Cells, drawn};
+use super::noting::Noting;
+use super::offer::Offering;
+use super::paper::{Paper, paper_memo};
 use super::room::{self, Side};
 use super::view::{Bounds, View};
+use super::wire::{Targets, Wire, targets_memo};
 use crate::browser;
-use crate::desk::{Desk, Editor, Selected};
-use crate::layout::{CHIP_HEIGHT, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, stream_width};
-use behaviour::{Id, Place};
+use crate::desk::{Desk, Editor, Gap, Selected};
+use crate::later::{SecondPiece, second_piece};
+use crate::layout::VALUE_ROOM;
+use behaviour::{Connector, Id, Place, Problem, ProblemKind, StreamKind};
 use leptos::prelude::*;
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -21,6 +27,8 @@ const REST_MS: i32 = 220;
 const REVEAL_MARGIN: f64 = 16.0;
 /// The strip under a stream, in pixels.
 const STRIP: f64 = 66.0;
+/// A moment for what was opened to be in the page, and for a dialog to go, in milliseconds.
+const OPENED_MS: i32 = 80;
 /// How long the view glides, in milliseconds, and a little more.
 const GLIDE_MS: i32 = 200;
 
@@ -30,11 +38,14 @@ pub(crate) struct Stage {
     pub(super) view: ArcRwSignal<View>,
     /// Width and height in pixels.
     pub(super) size: ArcRwSignal<(f64, f64)>,
-    /// The stream that the keyboard comes to.
+    /// The stream that the keyboard was at, and the one that it comes to.
     pub(super) stop: ArcRwSignal<Option<Id>>,
+    pub(super) stop_now: ArcMemo<Option<Id>>,
     /// The stream that follows the hand.
     pub(super) dragged: ArcRwSignal<Option<Id>>,
     pub(super) running: ArcMemo<bool>,
+    /// Whether what leads nowhere may be blamed: it runs, or nothing else is missing.
+    pub(super) finished: ArcMemo<bool>,
     /// Who else selected what: what, their colour, their name.
     pub(super) others: ArcMemo<Vec<(Id, u8, String)>>,
     /// What somebody else is editing, and where that leads to.
@@ -43,12 +54,48 @@ pub(crate) struct Stage {
     pub(super) glides: ArcRwSignal<bool>,
     /// What the strip keeps clear of: streams, in canvas units.
     pub(super) shapes: ArcMemo<Vec<(Id, Bounds)>>,
+    /// The wire that is being drawn.
+    pub(super) wire: ArcRwSignal<Option<Wire>>,
+    /// What streams and chips look at of it, or of what is carried.
+    pub(super) targets: ArcMemo<Option<Targets>>,
+    /// What is offered where a wire was dropped, or on an edge.
+    pub(super) offering: ArcRwSignal<Option<Offering>>,
+    /// The menu that is open.
+    pub(super) context: ArcRwSignal<Option<Context>>,
+    /// The stream and the edge that a pointer is over.
+    pub(super) hovered: ArcRwSignal<Option<Id>>,
+    pub(super) hovered_edge: ArcRwSignal<Option<Gap>>,
+    /// The stream that the keyboard is on, or of which it is on an edge.
+    pub(super) focused: ArcRwSignal<Option<Id>>,
+    /// The stream or group whose new name is typed.
+    pub(super) renaming: ArcRwSignal<Option<Id>>,
+    /// The note that is written.
+    pub(super) noting: ArcRwSignal<Option<Noting>>,
+    /// What of the notes and groups the keyboard comes to.
+    pub(super) aside: ArcRwSignal<Option<Id>>,
+    /// What gets the keyboard as soon as it is drawn.
+    pub(super) wanted: ArcRwSignal<Option<Id>>,
+    /// The lasso that is drawn, in canvas units.
+    pub(super) lasso: ArcRwSignal<Option<Bounds>>,
+    /// Where the pointer is over the canvas.
+    pub(super) pointer: ArcRwSignal<Option<Place>>,
+    /// How much the sentences take at the top, once that is known, in pixels.
+    pub(super) above: ArcRwSignal<Option<f64>>,
+    /// What was shown when the program was opened.
+    pub(super) opened: ArcRwSignal<Option<View>>,
+    /// What screen readers hear of a wire.
+    pub(super) said: ArcRwSignal<String>,
+    /// How the graph lies on paper, while it is printed.
+    pub(super) paper: ArcMemo<Option<Paper>>,
     /// How wide the live value of a stream may be; nothing while there are no values.
     rooms: ArcMemo<BTreeMap<Id, f64>>,
-    rests: ArcRwSignal<bool>,
+    /// What of the canvas is in view, and whether the view rests.
+    pub(super) cells: ArcMemo<Cells>,
+    pub(super) rests: ArcRwSignal<bool>,
     drawn: ArcMemo<Drawn>,
     moves: Arc<AtomicU32>,
-    desk: Desk,
+    pub(super) piece: SecondPiece,
+    pub(super) desk: Desk,
 }
 
 /// What is in the page now.
@@ -56,6 +103,8 @@ pub(crate) struct Stage {
 struct Drawn {
     streams: Vec<Id>,
     connectors: Vec<Id>,
+    /// The connectors of which the chip is seen: it is in a folded group with the stream that it leads to.
+    chips: Vec<Id>,
 }
 
 impl Stage {
@@ -66,24 +115,69 @@ impl Stage {
             let desk = desk.clone();
             ArcMemo::new(move |_| desk.robots.running().is_some())
         };
-        let dragged = ArcRwSignal::default();
+        let finished = finished_memo(desk, running.clone());
+        let (dragged, stop) = (ArcRwSignal::default(), ArcRwSignal::default());
+        let wire: ArcRwSignal<Option<Wire>> = ArcRwSignal::default();
         let shapes = shapes_memo(desk.clone(), dragged.clone());
+        let cells = {
+            let (view, size) = (view.clone(), size.clone());
+            ArcMemo::new(move |_| Cells::in_view(view.get(), size.get()))
+        };
         Self {
-            drawn: drawn_memo(desk.clone(), view.clone(), size.clone(), rests.clone()),
+            paper: paper_memo(desk, {
+                let desk = desk.clone();
+                move || everything(&desk).map(|(_, all)| all)
+            }),
+            drawn: drawn_memo(desk.clone(), cells.clone(), rests.clone()),
+            cells,
+            noting: ArcRwSignal::default(),
+            aside: ArcRwSignal::default(),
+            wanted: ArcRwSignal::default(),
             rooms: rooms_memo(desk.clone(), shapes.clone()),
             glides: ArcRwSignal::new(false),
             shapes,
             others: others_memo(desk.clone()),
             edited: edited_memo(desk.clone()),
-            stop: ArcRwSignal::default(),
+            stop_now: stop_memo(desk.clone(), stop.clone()),
+            stop,
+            targets: targets_memo(wire.clone(), desk.carried.clone()),
+            wire,
+            offering: ArcRwSignal::default(),
+            context: ArcRwSignal::default(),
+            hovered: ArcRwSignal::default(),
+            hovered_edge: ArcRwSignal::default(),
+            focused: ArcRwSignal::default(),
+            renaming: ArcRwSignal::default(),
+            lasso: ArcRwSignal::default(),
+            pointer: ArcRwSignal::default(),
+            above: ArcRwSignal::default(),
+            opened: ArcRwSignal::default(),
+            said: ArcRwSignal::default(),
             dragged,
             moves: Arc::default(),
+            piece: second_piece(),
             desk: desk.clone(),
             view,
             size,
             rests,
+            finished,
             running,
         }
+    }
+
+    /// Puts a pasted text in if it is a part of a program, at the latest once the second piece is here; whether it was
+    /// at once.
+    pub(super) fn paste(&self, desk: &Desk, text: String) -> bool {
+        if let Some(rest) = self.piece.now() {
+            return (rest.paste)(desk, Some(self), &text);
+        }
+        let (desk, stage) = (desk.clone(), self.clone());
+        self.piece.when_here(move |rest| {
+            if let Some(rest) = rest {
+                (rest.paste)(&desk, Some(&stage), &text);
+            }
+        });
+        false
     }
 
     pub(super) fn streams(&self) -> Vec<Id> {
@@ -94,8 +188,13 @@ impl Stage {
         self.drawn.with(|drawn| drawn.connectors.clone())
     }
 
+    pub(super) fn chips(&self) -> Vec<Id> {
+        self.drawn.with(|drawn| drawn.chips.clone())
+    }
+
     pub(super) fn transform(&self) -> String {
-        self.view.with(|view| format!("translate({:.2}px,{:.2}px) scale({:.4})", view.x, view.y, view.zoom))
+        let view = self.paper.with(|paper| paper.map(|paper| paper.view)).unwrap_or_else(|| self.view.get());
+        format!("translate({:.2}px,{:.2}px) scale({:.4})", view.x, view.y, view.zoom)
     }
 
     /// Shows another part of the canvas as the hand wants it, at once, but never none of the graph.
@@ -106,7 +205,7 @@ impl Stage {
     }
 
     /// Shows another part of the canvas at once, also in the middle of a glide.
-    fn look(&self, view: View) {
+    pub(super) fn look(&self, view: View) {
         if self.glides.get_untracked() {
             self.glides.set(false);
         }
@@ -152,25 +251,17 @@ impl Stage {
     }
 
     fn whole(&self) -> View {
-        let size = self.size.get_untracked();
-        self.everything().map_or_else(|| View::home(size), |(_, all)| View::fitting(all, VALUE_ROOM, size))
+        let everything = everything(&self.desk);
+        self.in_free(|size| {
+            everything.map_or_else(|| View::home(size), |(_, all)| View::fitting(all, VALUE_ROOM, size))
+        })
     }
 
-    fn opening(&self) -> View {
-        let size = self.size.get_untracked();
-        let opening = |(first, all)| View::opening(all, first, VALUE_ROOM, size);
-        self.everything().map_or_else(|| View::home(size), opening)
-    }
-
-    /// The first stream, and what surrounds all of them with their values and the chips.
-    fn everything(&self) -> Option<(Bounds, Bounds)> {
-        let desk = &self.desk;
-        let (streams, chips) = (desk.document.stream_ids.get_untracked(), desk.document.connector_ids.get_untracked());
-        let first = streams.first().and_then(|id| bounds(desk, id))?;
-        let values = |bounds: Bounds| Bounds { right: bounds.right + VALUE_ROOM, ..bounds };
-        let streams = streams.iter().filter_map(|id| bounds(desk, id)).map(values);
-        let all = Bounds::around(streams.chain(chips.iter().filter_map(|id| chip_bounds(desk, id))))?;
-        Some((first, all))
+    pub(super) fn opening(&self) -> View {
+        let everything = everything(&self.desk);
+        self.in_free(|size| {
+            everything.map_or_else(|| View::home(size), |(first, all)| View::opening(all, first, VALUE_ROOM, size))
+        })
     }
 
     /// Zooms around the middle.
@@ -181,19 +272,34 @@ impl Stage {
     }
 
     /// Pans just so far that a stream with the chips that lead to it, its value and the strip under it are seen.
-    pub(super) fn reveal(&self, id: &Id) {
+    pub(crate) fn reveal(&self, id: &Id) {
         let Some(own) = bounds(&self.desk, id) else { return };
+        if self.desk.document.stream(id).is_none() {
+            return self.glide(self.revealing(own, REVEAL_MARGIN));
+        }
         let view = self.view.get_untracked();
         let room = Bounds { right: own.right + VALUE_ROOM, bottom: own.bottom + STRIP / view.zoom, ..own };
         let into = self.chips_at(id, true);
         let all = Bounds::around(into.into_iter().chain([room])).unwrap_or(room);
-        let size = self.size.get_untracked();
+        let size = (self.size.get_untracked().0, self.size.get_untracked().1 - self.above());
         let fits = |bounds: &Bounds| {
             let (width, height) = ((bounds.right - bounds.left) * view.zoom, (bounds.bottom - bounds.top) * view.zoom);
             width <= size.0 - 2.0 * REVEAL_MARGIN && height <= size.1 - 2.0 * REVEAL_MARGIN
         };
         let shown = if fits(&all) { all } else { Bounds { bottom: room.bottom, ..own } };
-        self.glide(view.revealing(shown, size, REVEAL_MARGIN));
+        self.glide(self.revealing(shown, REVEAL_MARGIN));
+    }
+
+    /// Where a chip is.
+    pub(super) fn chip_bounds(&self, id: &Id) -> Option<Bounds> {
+        chip_bounds(&self.desk, id)
+    }
+
+    /// Pans just so far that a chip is seen.
+    pub(crate) fn reveal_chip(&self, id: &Id) {
+        if let Some(own) = chip_bounds(&self.desk, id) {
+            self.glide(self.revealing(own, REVEAL_MARGIN));
+        }
     }
 
     /// Where the chips are that lead to a stream or, unless `into`, that touch it at all.
@@ -229,13 +335,14 @@ impl Stage {
         })
     }
 
-    /// Gives a stream the keyboard, once it is in the page.
+    /// Gives a stream, note or group the keyboard, once it is in the page.
     pub(super) fn focus(&self, id: &Id) {
-        self.stop.set(Some(id.clone()));
+        self.came_to(id);
         self.reveal(id);
         let id = id.clone();
         browser::after(30, move || {
-            let node = document().query_selector(&format!("[data-node='{id}']")).ok().flatten();
+            let marks = format!("#stage :is([data-node='{id}'], [data-note='{id}'], [data-group='{id}'])");
+            let node = document().query_selector(&marks).ok().flatten();
             if let Some(node) = node.and_then(|node| node.dyn_into::<HtmlElement>().ok()) {
                 let how = FocusOptions::new();
                 how.set_prevent_scroll(true);
@@ -247,11 +354,33 @@ impl Stage {
     /// A stream that got the keyboard by Tab comes into view.
     pub(super) fn focused_on(&self, event: &FocusEvent) {
         let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-        let id = target.and_then(|target| target.get_attribute("data-node")).and_then(|id| Id::new(&id).ok());
+        let on_edge = target.as_ref().is_some_and(|target| target.closest(".plus").ok().flatten().is_some());
+        let mark = |mark: &str| target.as_ref()?.get_attribute(mark).and_then(|id| Id::new(&id).ok());
+        let id = mark("data-node").or_else(|| mark("data-note")).or_else(|| mark("data-group"));
+        let node = mark("data-node");
+        if !on_edge && self.focused.with_untracked(|now| *now != node) {
+            self.focused.set(node);
+        }
         if let Some(id) = id {
+            self.wanted.set(None);
             self.desk.document.unfollow();
-            self.stop.set(Some(id.clone()));
+            self.came_to(&id);
             self.reveal(&id);
+        }
+    }
+
+    /// Tab comes back to this one.
+    fn came_to(&self, id: &Id) {
+        let stop = if self.desk.document.stream(id).is_some() { &self.stop } else { &self.aside };
+        stop.set(Some(id.clone()));
+    }
+
+    /// The keyboard goes elsewhere in the page.
+    pub(super) fn focus_left(&self, event: &FocusEvent) {
+        let next = event.related_target().and_then(|next| next.dyn_into::<Element>().ok());
+        let stays = next.is_some_and(|next| next.closest("#stage").ok().flatten().is_some());
+        if !stays && self.focused.with_untracked(Option::is_some) {
+            self.focused.set(None);
         }
     }
 
@@ -282,16 +411,44 @@ impl Stage {
         let ids = desk.document.stream_ids.clone();
         let empty = ArcMemo::new(move |_| ids.with(Vec::is_empty));
         Effect::new(move |before: Option<Option<Id>>| {
+            desk.document.laid_out.track();
             let (open, _) = (desk.document.open.get(), empty.get());
             if open.is_some() {
                 if before.is_some_and(|before| before != open) {
                     stage.stop.set(None);
                 }
-                let stage = stage.clone();
-                let _ = request_animation_frame(move || stage.look(stage.opening()));
+                let (stage, desk) = (stage.clone(), desk.clone());
+                let _ = request_animation_frame(move || {
+                    stage.open_view();
+                    browser::after(OPENED_MS, move || stage.take_keyboard(&desk));
+                });
             }
             open
         });
+    }
+
+    /// After somebody here opened a program the keyboard is at its first stream, unless they are somewhere else by then.
+    fn take_keyboard(&self, desk: &Desk) {
+        if !desk.to_graph.get_untracked() {
+            return;
+        }
+        desk.to_graph.set(false);
+        let busy = document().active_element().is_some_and(|active| {
+            active.closest("input, textarea, select, [role=menu], .sense-card, .tour").ok().flatten().is_some()
+        });
+        if busy || desk.dialog.with_untracked(Option::is_some) {
+            return;
+        }
+        match desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()) {
+            Some(first) => self.focus(&first),
+            None => {
+                let stage =
+                    document().get_element_by_id("stage").and_then(|stage| stage.dyn_into::<HtmlElement>().ok());
+                if let Some(stage) = stage {
+                    let _ = stage.focus();
+                }
+            }
+        }
     }
 
     /// What is selected comes into view; the others are told; a lost keyboard comes along.
@@ -303,8 +460,16 @@ impl Stage {
             if selected.is_some() {
                 desk.document.unfollow();
             }
-            let Some(Selected::Stream(id)) = selected else { return };
-            stage.stop.set(Some(id.clone()));
+            let Some(selected) = selected else { return };
+            // What is looked for is shown, whatever is folded around it.
+            if let Some(group) = untrack(|| desk.document.folded_away(&selected)) {
+                desk.document.unfold_here(&group);
+            }
+            let id = match selected {
+                Selected::Connector(_) => return,
+                Selected::Stream(id) | Selected::Note(id) | Selected::Group(id) => id,
+            };
+            stage.came_to(&id);
             let (stage, desk) = (stage.clone(), desk.clone());
             browser::after(40, move || stage.arrive(&desk, &id));
         });
@@ -324,35 +489,61 @@ impl Stage {
     }
 }
 
-/// Where a stream is, without its live value.
-fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
-    let signals = desk.document.stream(id)?;
-    let width = signals.record.with_untracked(stream_width);
-    Some(around(signals.place.get_untracked(), width))
+/// The first stream, and what surrounds all of them with their values and the chips, the notes and the groups.
+fn everything(desk: &Desk) -> Option<(Bounds, Bounds)> {
+    let (streams, chips) = (desk.document.stream_ids.get_untracked(), desk.document.connector_ids.get_untracked());
+    let seen: Vec<&Id> = streams.iter().filter(|id| untrack(|| desk.document.hidden_in(id)).is_none()).collect();
+    let aside = || aside_bounds(desk);
+    let first = seen.first().and_then(|id| bounds(desk, id)).or_else(|| aside().into_iter().next())?;
+    let values = |bounds: Bounds| Bounds { right: bounds.right + VALUE_ROOM, ..bounds };
+    let streams = seen.iter().filter_map(|id| bounds(desk, id)).map(values);
+    let all = streams.chain(chips.iter().filter_map(|id| chip_bounds(desk, id))).chain(aside());
+    Some((first, Bounds::around(all)?))
 }
 
-fn around(place: Place, width: f64) -> Bounds {
-    Bounds { left: place.x - width / 2.0, top: place.y, right: place.x + width / 2.0, bottom: place.y + STREAM_HEIGHT }
+/// The stream that the keyboard comes to: the one it was at last, if that is seen.
+fn stop_memo(desk: Desk, stop: ArcRwSignal<Option<Id>>) -> ArcMemo<Option<Id>> {
+    ArcMemo::new(move |_| {
+        let ids = desk.document.stream_ids.get();
+        desk.document.hidden.with(|hidden| {
+            let seen = |id: &&Id| !hidden.contains_key(*id) && desk.document.stream(id).is_some();
+            stop.get().filter(|id| seen(&id)).or_else(|| ids.iter().find(seen).cloned())
+        })
+    })
 }
 
-fn drawn_memo(
-    desk: Desk,
-    view: ArcRwSignal<View>,
-    size: ArcRwSignal<(f64, f64)>,
-    rests: ArcRwSignal<bool>,
-) -> ArcMemo<Drawn> {
-    let cells = ArcMemo::new(move |_| Cells::in_view(view.get(), size.get()));
+fn finished_memo(desk: &Desk, running: ArcMemo<bool>) -> ArcMemo<bool> {
+    let desk = desk.clone();
+    ArcMemo::new(move |_| {
+        let acts = |id: &Id| {
+            let signals = desk.document.stream(id);
+            signals.is_some_and(|signals| signals.record.with(|stream| stream.kind == StreamKind::Actuator))
+        };
+        let only = |problems: &Vec<Problem>| problems.iter().all(|problem| problem.kind == ProblemKind::Unused);
+        running.get()
+            || (desk.document.problems.with(only) && desk.document.stream_ids.with(|ids| ids.iter().any(acts)))
+    })
+}
+
+fn drawn_memo(desk: Desk, cells: ArcMemo<Cells>, rests: ArcRwSignal<bool>) -> ArcMemo<Drawn> {
     ArcMemo::new(move |before: Option<&Drawn>| {
         desk.document.revision.track();
-        let (cells, rests) = (cells.get(), rests.get());
+        let (cells, rests, prints) = (cells.get(), rests.get(), desk.printing.get());
         let none = Drawn::default();
         let before = before.unwrap_or(&none);
-        let stream_seen = |id: &Id| bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
-        let connector_seen = |id: &Id| connector_bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
-        Drawn {
-            streams: drawn(&desk.document.stream_ids.get(), stream_seen, &before.streams, rests),
-            connectors: drawn(&desk.document.connector_ids.get(), connector_seen, &before.connectors, rests),
-        }
+        let stream_seen = |id: &Id| prints || bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
+        let connector_seen = |id: &Id| prints || connector_bounds(&desk, id).is_some_and(|bounds| cells.touch(&bounds));
+        let hidden = desk.document.hidden.get();
+        let mut streams = desk.document.stream_ids.get();
+        streams.retain(|id| !hidden.contains_key(id));
+        let connectors = desk.document.connector_ids.get();
+        let connectors = drawn(&connectors, connector_seen, &before.connectors, rests);
+        let leads_in = |id: &Id| {
+            let output = |connector: &Connector| hidden.contains_key(&connector.output);
+            desk.document.connector(id).is_some_and(|signals| signals.record.with_untracked(output))
+        };
+        let chips = connectors.iter().filter(|id| hidden.is_empty() || !leads_in(id)).cloned().collect();
+        Drawn { streams: drawn(&streams, stream_seen, &before.streams, rests), connectors, chips }
     })
 }
 
@@ -363,8 +554,14 @@ fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id,
         if let (Some(before), true) = (before, dragged.with(Option::is_some)) {
             return before.clone();
         }
-        let ids = desk.document.stream_ids.get();
-        ids.iter().filter_map(|id| Some((id.clone(), bounds(&desk, id)?))).collect()
+        let (ids, groups) = (desk.document.stream_ids.get(), desk.document.group_ids.get());
+        desk.document.hidden.with(|hidden| {
+            let streams = ids.iter().filter(|id| !hidden.contains_key(*id));
+            let streams = streams.filter_map(|id| Some((id.clone(), bounds(&desk, id)?)));
+            // A box stands in the place of the streams in it.
+            let folded = groups.iter().filter(|id| untrack(|| desk.document.is_folded(id)));
+            streams.chain(folded.filter_map(|id| Some((id.clone(), box_bounds(&desk, id)?)))).collect()
+        })
     })
 }
 
@@ -377,22 +574,6 @@ fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<BTreeMa
         let chips: Vec<Bounds> = connectors.iter().filter_map(|id| chip_bounds(&desk, id)).collect();
         shapes.with(|shapes| room::rooms(shapes, &chips))
     })
-}
-
-fn chip_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
-    let record = desk.document.connector(id)?.record.get_untracked();
-    let chip = untrack(|| chip_of(desk, &record))?;
-    Some(Bounds { bottom: chip.y + CHIP_HEIGHT, ..around(chip, chip_width(&chip_words(&record))) })
-}
-
-fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
-    let ends = desk.document.connector(id)?.record.with_untracked(|connector| {
-        let mut ends = connector.inputs.clone();
-        ends.push(connector.output.clone());
-        ends
-    });
-    let places = ends.iter().filter_map(|end| Some(desk.document.stream(end)?.place.get_untracked()));
-    Bounds::around(places.map(|place| around(place, LEVEL)))
 }
 
 /// Somebody else is editing something.

@@ -46,10 +46,10 @@ pub(super) struct Around {
     pub(super) over: Vec<Area>,
 }
 
-/// Whether a strip of that width at that corner covers a chip of what is selected.
+/// Whether a strip of that width at that corner covers a chip of what is selected, or lies under what stands over the stage.
 pub(super) fn covers_chip((x, y): (f64, f64), around: &Around, width: f64) -> bool {
     let strip = Area { left: x, top: y, right: x + width, bottom: y + HEIGHT };
-    around.chips.iter().any(|chip| strip.shared(chip) > 0.0)
+    around.chips.iter().chain(&around.over).any(|other| strip.shared(other) > 0.0)
 }
 
 /// The left top corner of a strip of that width.

@@ -40,6 +40,11 @@ pub(super) struct Bounds {
 }
 
 impl Bounds {
+    /// Whether they share more than an edge.
+    pub(super) fn meets(self, other: Bounds) -> bool {
+        self.left < other.right && self.right > other.left && self.top < other.bottom && self.bottom > other.top
+    }
+
     /// Around all of these; none for none.
     pub(super) fn around(all: impl Iterator<Item = Bounds>) -> Option<Bounds> {
         all.reduce(|one, other| Bounds {

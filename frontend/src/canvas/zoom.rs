@@ -1,8 +1,9 @@
 //! Smaller, real size, larger, everything, tidy.
 
 use super::Stage;
-use crate::desk::use_desk;
+use crate::desk::{Desk, use_desk};
 use crate::icons::Icon;
+use crate::later::{SecondPiece, second_piece};
 use crate::words;
 use leptos::prelude::*;
 use protocol::Role;
@@ -20,11 +21,12 @@ pub(super) fn Zoom() -> impl IntoView {
         ArcMemo::new(move |_| desk.document.open.with(Option::is_some) && !desk.document.stream_ids.with(Vec::is_empty))
     };
     let may = desk.clone();
-    let to_real = move |_| real.zoom_by(1.0 / real.view.with_untracked(|view| view.zoom));
+    let piece = second_piece();
+    let to_real = move |_| real.to_real_size();
     view! {
         <div class="zoom" role="group" hidden=move || !drawing.get() aria-label=words::zoom_group()>
             <button type="button" class="plain" title=words::tidy() disabled=move || !may.may(Role::Editor)
-                on:click=move |_| { desk.document.tidy(); refit(&stage) }>
+                on:click=move |_| tidy(&piece, &desk, &stage)>
                 {words::tidy()}
             </button>
             <button type="button" aria-label=words::zoom_out() title=words::zoom_out()
@@ -43,6 +45,25 @@ pub(super) fn Zoom() -> impl IntoView {
             </button>
         </div>
     }
+}
+
+impl Stage {
+    /// As large as things are.
+    pub(super) fn to_real_size(&self) {
+        self.zoom_by(1.0 / self.view.with_untracked(|view| view.zoom));
+    }
+}
+
+/// Lays everything out, as soon as what can do that is here.
+fn tidy(piece: &SecondPiece, desk: &Desk, stage: &Stage) {
+    let (desk, stage) = (desk.clone(), stage.clone());
+    piece.when_here(move |rest| match rest {
+        Some(rest) => {
+            desk.document.tidy(rest.tidy);
+            refit(&stage);
+        }
+        None => desk.say(words::not_loaded(), true),
+    });
 }
 
 /// Shows everything once the streams are at their new places.

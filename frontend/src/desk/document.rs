@@ -2,21 +2,30 @@
 
 mod address;
 mod build;
+mod choosing;
 mod conflict;
 mod conflicts;
 mod editing;
 mod gestures;
+mod ghost;
+mod grouping;
+mod groups;
 mod history;
 mod kinds;
 mod locks;
+mod mend;
+mod notes;
 mod opening;
+mod part;
 mod presence;
 mod procedures;
 mod propose;
 mod queue;
 mod reading;
+mod rewire;
 mod save_state;
 mod server;
+mod several;
 mod signals;
 mod signs;
 mod silence;
@@ -25,19 +34,27 @@ mod undo;
 mod versions;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
+pub(crate) use choosing::Put;
 pub(crate) use conflict::Conflict;
 pub(crate) use conflicts::draft_key;
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
+pub(crate) use ghost::{Ghost, GhostConnector, GhostStream};
 use history::History;
-pub(crate) use kinds::{ConnectPlan, ConnectorSignals, Mark, Output, Saving, Selected, StreamSignals};
+pub(crate) use kinds::{
+    ConnectPlan, ConnectorSignals, GroupSignals, Lit, Mark, NoteSignals, Output, Saving, Selected, Spot, StreamSignals,
+};
 pub(crate) use locks::Editor;
+pub(crate) use part::Part;
+pub(crate) use rewire::{Gap, Joining, WireEnd, wire_ends};
+pub(crate) use several::LineUp;
 pub(crate) use signs::{Sign, initials, signs};
 pub(crate) use steps::bare;
 pub(crate) use versions::{Compared, Comparing, Version};
 
 use super::tab::Tab;
-use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId};
+use crate::layout::Tidy;
+use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId, ValueType};
 use leptos::prelude::*;
 use protocol::{LockShown, Person};
 use std::collections::{BTreeMap, BTreeSet};
@@ -54,6 +71,10 @@ pub(crate) struct Fields {
     pub(crate) open: ArcRwSignal<Option<Id>>,
     pub(crate) name: ArcRwSignal<String>,
     pub(crate) revision: ArcRwSignal<u64>,
+    /// The exercise it was begun as, by the name of its beginning.
+    pub(crate) exercise: ArcRwSignal<Option<String>>,
+    /// What is noted in it.
+    pub(crate) notes: ArcRwSignal<Vec<String>>,
     /// Everyone in the open behaviour, this tab included.
     pub(crate) people: ArcRwSignal<Vec<Person>>,
     /// Whose view is looked at here.
@@ -61,6 +82,14 @@ pub(crate) struct Fields {
     /// In file order; changes only when one is added, removed or moved in order.
     pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,
     pub(crate) connector_ids: ArcRwSignal<Vec<Id>>,
+    /// The actions that several connectors lead to, and these.
+    pub(crate) shared: ArcRwSignal<BTreeMap<Id, Vec<Id>>>,
+    pub(crate) note_ids: ArcRwSignal<Vec<Id>>,
+    pub(crate) group_ids: ArcRwSignal<Vec<Id>>,
+    /// The streams that are not seen here, and the folded group of each.
+    pub(crate) hidden: ArcRwSignal<BTreeMap<Id, Id>>,
+    /// Folded groups that are shown open on this page.
+    unfolded_here: ArcRwSignal<BTreeSet<Id>>,
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
@@ -73,6 +102,18 @@ pub(crate) struct Fields {
     /// Moves while something is counted down beside the editor; on the clock of the page.
     pub(crate) lock_clock: ArcRwSignal<f64>,
     pub(crate) selected: ArcRwSignal<Option<Selected>>,
+    /// Several things that are chosen together; none or at least two.
+    pub(crate) several: ArcRwSignal<BTreeSet<Selected>>,
+    /// What every stream carries, as far as one can tell before it runs.
+    pub(crate) types: ArcRwSignal<BTreeMap<Id, ValueType>>,
+    /// What was copied in this page, as a text.
+    pub(crate) copied: ArcRwSignal<Option<String>>,
+    /// What the words mean that somebody points at; empty most of the time.
+    pub(crate) lit: ArcRwSignal<Lit>,
+    /// What a sentence that is being typed would add.
+    pub(crate) ghost: ArcRwSignal<Option<Ghost>>,
+    /// Tells when a stream or a connector is another one than before, saved or not.
+    pub(crate) edited: ArcTrigger,
     pub(crate) saving: ArcRwSignal<Saving>,
     /// What undo would take back, and redo do again, in words; none if there is nothing.
     pub(crate) undoable: ArcRwSignal<Option<String>>,
@@ -84,6 +125,8 @@ pub(crate) struct Fields {
     /// Which versions are looked at here, and how they differ once both are there.
     pub(crate) comparing: ArcRwSignal<Option<Comparing>>,
     pub(crate) compared: ArcRwSignal<Option<Arc<Compared>>>,
+    /// Tells when the open behaviour was laid out after it was shown.
+    pub(crate) laid_out: ArcTrigger,
     /// Changes of this tab that were refused because somebody was first, in any program.
     pub(super) conflicts: ArcRwSignal<Vec<Conflict>>,
     /// What of the open behaviour has changes that wait to be sent.
@@ -99,8 +142,12 @@ struct State {
     confirmed: Behaviour,
     streams: BTreeMap<Id, StreamSignals>,
     connectors: BTreeMap<Id, ConnectorSignals>,
-    /// Where streams stand that nobody placed.
+    notes: BTreeMap<Id, NoteSignals>,
+    groups: BTreeMap<Id, GroupSignals>,
+    /// Where streams and notes stand that nobody placed.
     fallback: BTreeMap<Id, Place>,
+    /// Lays out a behaviour in which nobody placed anything; comes later.
+    tidy: Option<Tidy>,
     queue: queue::Queue,
     saves: save_state::SaveState,
     silence: silence::Silence,
@@ -147,10 +194,17 @@ impl Document {
             open: ArcRwSignal::default(),
             name: ArcRwSignal::default(),
             revision: ArcRwSignal::default(),
+            exercise: ArcRwSignal::default(),
+            notes: ArcRwSignal::default(),
             people: ArcRwSignal::default(),
             following: ArcRwSignal::default(),
             stream_ids: ArcRwSignal::default(),
             connector_ids: ArcRwSignal::default(),
+            shared: ArcRwSignal::default(),
+            note_ids: ArcRwSignal::default(),
+            group_ids: ArcRwSignal::default(),
+            hidden: ArcRwSignal::default(),
+            unfolded_here: ArcRwSignal::default(),
             problems: ArcRwSignal::default(),
             fingerprint: ArcRwSignal::default(),
             removed_by: ArcRwSignal::default(),
@@ -158,6 +212,12 @@ impl Document {
             editing: ArcRwSignal::default(),
             lock_clock: ArcRwSignal::default(),
             selected: ArcRwSignal::default(),
+            several: ArcRwSignal::default(),
+            types: ArcRwSignal::default(),
+            copied: ArcRwSignal::default(),
+            lit: ArcRwSignal::default(),
+            ghost: ArcRwSignal::default(),
+            edited: ArcTrigger::new(),
             saving: ArcRwSignal::default(),
             undoable: ArcRwSignal::default(),
             redoable: ArcRwSignal::default(),
@@ -165,6 +225,7 @@ impl Document {
             versions: ArcRwSignal::default(),
             comparing: ArcRwSignal::default(),
             compared: ArcRwSignal::default(),
+            laid_out: ArcTrigger::new(),
             conflicts: ArcRwSignal::default(),
             waits: ArcRwSignal::default(),
             state: Mutex::default(),

@@ -10,9 +10,10 @@ impl Desk {
     /// Hears one reply.
     pub(crate) fn hear(&self, reply: Reply) {
         match reply {
-            Reply::Welcome { you, role, secret, library, library_revision, templates, .. } => {
+            Reply::Welcome { you, role, secret, library, library_revision, templates, exercises, .. } => {
                 self.role.set(Some(role));
                 keep_credential(&you.client, &secret);
+                self.library.exercises.set(exercises);
                 self.welcome(you, *library, library_revision, templates);
             }
             Reply::Invitations { invitations } => self.invitations.set(invitations),
@@ -54,14 +55,19 @@ impl Desk {
                 self.library.hear_ping(library_revision);
             }
             Reply::Programs { .. }
+            | Reply::HelperRenamed { .. }
             | Reply::Pictures { .. }
             | Reply::WhereUsed { .. }
             | Reply::Drivers { .. }
             | Reply::Contested { .. }
             | Reply::Similar { .. }
+            | Reply::Tags { .. }
             | Reply::Recordings { .. }
             | Reply::Created { .. }
             | Reply::Checked { .. }
+            | Reply::Fixes { .. }
+            | Reply::Types { .. }
+            | Reply::Tried { .. }
             | Reply::Asked { .. }
             | Reply::Records { .. }
             | Reply::History { .. }

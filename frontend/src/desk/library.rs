@@ -1,19 +1,22 @@
 //! What there is beside the open program: programs, templates and their pictures, and the helpers that programs share.
 
+mod exercises;
 mod files;
 mod helpers;
 mod lists;
 mod making;
 mod pictures;
+mod settings;
 
 pub(crate) use files::{NotBrought, file_address, first_file};
 pub(crate) use lists::ProgramPage;
+pub(crate) use settings::Settle;
 
 use super::document::Document;
 use super::tab::{Gone, Tab};
 use behaviour::{Behaviour, Helper, Id};
 use leptos::prelude::*;
-use protocol::Summary;
+use protocol::{Exercise, Summary};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -33,6 +36,8 @@ pub(crate) struct Fields {
     pub(crate) news: ArcRwSignal<u32>,
     pub(crate) pictures: ArcRwSignal<pictures::Pictures>,
     pub(crate) templates: ArcRwSignal<Vec<Summary>>,
+    /// What there is to learn with.
+    pub(crate) exercises: ArcRwSignal<Vec<Exercise>>,
     /// The helpers, by name.
     pub(crate) helpers: ArcRwSignal<Vec<(Id, Helper)>>,
     /// The program that was removed here last, as long as nothing else was chosen since.
@@ -71,6 +76,7 @@ impl Library {
             news: ArcRwSignal::default(),
             pictures: ArcRwSignal::default(),
             templates: ArcRwSignal::default(),
+            exercises: ArcRwSignal::default(),
             helpers: ArcRwSignal::default(),
             gone: ArcRwSignal::default(),
             dropping: ArcRwSignal::default(),

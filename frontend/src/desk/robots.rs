@@ -14,7 +14,7 @@ use super::library::Library;
 use super::tab::Tab;
 use behaviour::Id;
 use leptos::prelude::*;
-use protocol::{Recording, RobotState, RunState};
+use protocol::{Recording, RobotState, RunState, Values};
 use robot::Scene;
 use std::collections::BTreeSet;
 use std::ops::Deref;
@@ -42,7 +42,7 @@ pub(crate) struct Fields {
     pub(crate) scene: ArcRwSignal<Scene>,
     /// What fails in the run of the open behaviour, or failed in its last one; what began last first.
     pub(crate) failing: ArcRwSignal<Vec<failing::Failing>>,
-    /// The connectors that the robot does not use yet as they are now.
+    /// The connectors, and the streams with settings, that the robot does not use yet as they are now.
     pub(crate) unused: ArcRwSignal<BTreeSet<Id>>,
     /// Whether there are values of a run, be it over or not.
     pub(crate) has_values: ArcRwSignal<bool>,
@@ -62,6 +62,8 @@ struct State {
     when_saved: Option<starting::Wish>,
     /// The run the live values belong to.
     run: u64,
+    /// Values that wait to be shown, while nothing shall change often.
+    held: Option<Values>,
     /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
     version: Option<unused::Version>,
     before: unused::Before,

@@ -1,5 +1,6 @@
 //! What belongs to this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
+use super::{Carried, Gap, Spot};
 use crate::link::{self, NoAnswer};
 use crate::words;
 use behaviour::connectors::Spec;
@@ -21,16 +22,33 @@ pub(crate) enum LinkState {
     Offline,
 }
 
+/// Something of the graph to choose from a list, where the graph is shown.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Choice {
+    /// An action for this stream.
+    Action(Id),
+    /// What stands between a stream and a connector that takes from it.
+    Into(Gap),
+    /// Where the values of this stream shall go too.
+    Ends(Id),
+    /// From where this stream gets its values.
+    Sources(Id),
+}
+
 /// The open dialog.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Dialog {
     /// The thesis's Operation dialog: a new connector out of `input`, or the existing `connector`. `kind` is the one
-    /// that is chosen at first.
-    Operation { input: Id, connector: Option<Id>, kind: &'static Spec },
+    /// that is chosen at first; a new one goes to `spot`.
+    Operation { input: Id, connector: Option<Id>, kind: &'static Spec, spot: Spot },
+    /// Choosing what comes next at a place of the graph.
+    Choose(Choice),
     /// Name and parameters of a stream.
     EditStream(Id),
     /// Choosing a sense.
     AddSensor,
+    /// Finding or adding anything, where the left list is not shown.
+    Find,
     /// A helper of the library, or a new one.
     Helper(Option<Id>),
     /// Choosing which helper to edit.
@@ -111,8 +129,22 @@ pub(crate) struct Fields {
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,
     pub(crate) notice: ArcRwSignal<Option<Notice>>,
+    /// What only screen readers are told, as everybody else sees it.
+    pub(crate) whisper: ArcRwSignal<String>,
+    /// A choice that is to be offered where the graph is shown.
+    pub(crate) asked: ArcRwSignal<Option<Choice>>,
+    /// What a hand takes out of the left list.
+    pub(crate) carried: ArcRwSignal<Option<Carried>>,
+    /// The program of which the exercise is put away.
+    pub(crate) put_away: ArcRwSignal<Option<Id>>,
+    /// At which step of the tour this person is, while they take it.
+    pub(crate) tour: ArcRwSignal<Option<usize>>,
     /// Whether the history is shown.
     pub(crate) shows_history: ArcRwSignal<bool>,
+    /// Whether the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
+    pub(crate) to_graph: ArcRwSignal<bool>,
+    /// Whether the page is being printed: all of the graph is shown then.
+    pub(crate) printing: ArcRwSignal<bool>,
 }
 
 impl Deref for Tab {
@@ -147,7 +179,7 @@ impl Tab {
 
     /// Shows why something was not done.
     pub(crate) fn say_no(&self, no: &Refused) {
-        self.say(&no.to_string(), true);
+        self.say(&words::told_by(no), true);
     }
 
     /// Shows a refusal as a notice.

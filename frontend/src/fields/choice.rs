@@ -14,9 +14,16 @@ static GROUPS: AtomicU32 = AtomicU32::new(0);
 
 /// One out of several.
 #[component]
-pub(crate) fn Choice(#[prop(into)] label: String, options: Options, value: RwSignal<String>) -> impl IntoView {
+pub(crate) fn Choice(
+    #[prop(into)] label: String,
+    options: Options,
+    value: RwSignal<String>,
+    /// Whether few stand side by side however long their words are.
+    #[prop(optional)]
+    side_by_side: bool,
+) -> impl IntoView {
     let chars: usize = options.iter().map(|option| option.1.chars().count()).sum();
-    if options.len() <= SEGMENTS_MAX && chars <= SEGMENTS_CHARS_MAX {
+    if options.len() <= SEGMENTS_MAX && (side_by_side || chars <= SEGMENTS_CHARS_MAX) {
         view! { <Segments label options value /> }.into_any()
     } else {
         view! { <Select label options=Signal::stored(options) value /> }.into_any()

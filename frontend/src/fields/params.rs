@@ -1,6 +1,7 @@
 //! The parameters of a device as a form, straight from the catalogue.
 
 use super::{Choice, NumberField, TextField, Unfilled};
+use crate::words;
 use behaviour::{Filled, Params, Value};
 use leptos::prelude::*;
 use robot::{Device, Param, ParamKind};
@@ -15,8 +16,8 @@ pub(crate) struct ParamForm {
 #[derive(Clone)]
 struct Row {
     param: &'static Param,
-    given: Value,
-    shown: String,
+    /// What is saved, and how that is shown.
+    saved: ArcRwSignal<(Value, String)>,
     text: ArcRwSignal<String>,
 }
 
@@ -24,11 +25,25 @@ impl ParamForm {
     /// The form of `device` with what was chosen before.
     pub(crate) fn new(device: &'static Device, given: &Params) -> Self {
         let row = |param: &'static Param| {
-            let given = given.get(param.name).cloned().unwrap_or_else(|| param.default());
-            let shown = text_of(&given);
-            Row { param, text: ArcRwSignal::new(shown.clone()), given, shown }
+            let saved = saved_of(param, given);
+            Row { param, text: ArcRwSignal::new(saved.1.clone()), saved: ArcRwSignal::new(saved) }
         };
         Self { device, rows: device.params.iter().map(row).collect() }
+    }
+
+    /// Something else was saved meanwhile: shown wherever nobody has written anything else.
+    pub(crate) fn follow(&self, given: &Params) {
+        self.rows.iter().for_each(|row| row.follow(saved_of(row.param, given)));
+    }
+
+    /// Shows what is saved, whatever somebody has written.
+    pub(crate) fn take_back(&self) {
+        self.rows.iter().for_each(|row| row.text.set(row.saved.with_untracked(|saved| saved.1.clone())));
+    }
+
+    /// Whether a parameter has the value that it has when nobody chose.
+    pub(crate) fn is_default(&self, name: &str, value: &Value) -> bool {
+        self.rows.iter().any(|row| row.param.name == name && row.param.default() == *value)
     }
 
     /// What was chosen.
@@ -41,11 +56,27 @@ impl ParamForm {
     }
 }
 
+/// What is saved of a parameter, and how that is shown.
+fn saved_of(param: &Param, given: &Params) -> (Value, String) {
+    let value = given.get(param.name).cloned().unwrap_or_else(|| param.default());
+    let shown = text_of(&value);
+    (value, shown)
+}
+
 impl Row {
+    fn follow(&self, saved: (Value, String)) {
+        let untouched = self.saved.with_untracked(|before| self.text.with_untracked(|text| *text == before.1));
+        if untouched && self.text.with_untracked(|text| *text != saved.1) {
+            self.text.set(saved.1.clone());
+        }
+        self.saved.set(saved);
+    }
+
     fn value(&self) -> Value {
         let text = self.text.get_untracked();
-        if text == self.shown {
-            return self.given.clone();
+        let (given, shown) = self.saved.get_untracked();
+        if text == shown {
+            return given;
         }
         match self.param.kind {
             ParamKind::Number { .. } => text.trim().parse().map_or(Value::Null, Value::Float),
@@ -56,23 +87,29 @@ impl Row {
 
 /// One field for every parameter.
 #[component]
-pub(crate) fn ParamFields(form: ParamForm) -> impl IntoView {
+pub(crate) fn ParamFields(
+    form: ParamForm,
+    /// Whether few choices stand side by side however long their words are.
+    #[prop(optional)]
+    side_by_side: bool,
+) -> impl IntoView {
     form.rows
         .into_iter()
-        .map(|row| view! { <ParamField param=row.param value=RwSignal::from(row.text) /> })
+        .map(|row| view! { <ParamField param=row.param value=RwSignal::from(row.text) side_by_side /> })
         .collect_view()
 }
 
 #[component]
-fn ParamField(param: &'static Param, value: RwSignal<String>) -> impl IntoView {
-    let label = param.label;
+fn ParamField(param: &'static Param, value: RwSignal<String>, side_by_side: bool) -> impl IntoView {
+    let label = words::label_of(param.label);
     match param.kind {
         ParamKind::Choice(options) => {
-            let options = options.iter().map(|(key, words)| ((*key).to_owned(), (*words).to_owned())).collect();
-            view! { <Choice label options value /> }.into_any()
+            let options =
+                options.iter().map(|(key, option)| ((*key).to_owned(), words::label_of(option).to_owned())).collect();
+            view! { <Choice label options value side_by_side /> }.into_any()
         }
         ParamKind::Number { min, max, step, unit, .. } => {
-            view! { <NumberField label value unit min max step /> }.into_any()
+            view! { <NumberField label value unit=words::label_of(unit) min max step /> }.into_any()
         }
         ParamKind::Text { max_chars, .. } => view! { <TextField label value max_chars first=true /> }.into_any(),
     }
@@ -88,9 +125,25 @@ fn text_of(value: &Value) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Unfilled, text_of};
+    use super::{ParamForm, Unfilled, text_of};
     use crate::words;
-    use behaviour::Value;
+    use behaviour::{Params, StreamKind, Value};
+    use leptos::prelude::Set;
+
+    #[test]
+    fn what_is_saved_meanwhile_is_shown_where_nobody_wrote() {
+        let tracker = robot::device(StreamKind::Actuator, "Tracker").unwrap();
+        let with = |mode: &str| Params::from([("mode".to_owned(), Value::text(mode))]);
+        let form = ParamForm::new(tracker, &with("Head"));
+        let row = |name: &str| form.rows.iter().find(|row| row.param.name == name).unwrap();
+        row("effector").text.set("LArm".to_owned());
+        form.follow(&with("WholeBody"));
+        let params = form.read().unwrap();
+        let said = |name: &str| params[name].as_text().map(str::to_owned);
+        assert_eq!([said("mode"), said("effector")], [Some("WholeBody".to_owned()), Some("LArm".to_owned())]);
+        form.take_back();
+        assert_eq!(form.read().unwrap()["effector"].as_text(), Some("None"));
+    }
 
     #[test]
     fn numbers_and_texts_are_shown_plainly() {

@@ -24,6 +24,9 @@ pub(crate) fn TextField(
     /// Gets the keyboard first when its dialog opens.
     #[prop(optional)]
     first: bool,
+    /// By which it is found.
+    #[prop(optional)]
+    id: Option<&'static str>,
     /// Whether the text is only a proposal: then it is selected with the keyboard, so that typing replaces it.
     #[prop(optional, into)]
     proposed: Option<Signal<bool>>,
@@ -48,6 +51,7 @@ pub(crate) fn TextField(
             <input
                 class="input"
                 class:mono=mono
+                id=id
                 type="text"
                 aria-describedby=hint_id.clone()
                 data-first=first.then_some("")

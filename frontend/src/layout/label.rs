@@ -1,5 +1,6 @@
 //! The short texts on streams and connectors, and how wide they are about.
 
+use crate::words;
 use behaviour::{Connector, Stream, Value};
 use robot::{Param, ParamKind};
 
@@ -19,9 +20,13 @@ impl ChipWords {
 
 /// What a connector's chip says.
 pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
-    let chosen: Vec<String> = connector.operation.chosen().iter().map(|text| one_line(text)).collect();
+    let operation = &connector.operation;
+    let mut chosen: Vec<String> = operation.chosen().iter().map(|text| one_line(text)).collect();
+    if let (Some(ms), Some(last)) = (operation.period_ms(), chosen.last_mut()) {
+        *last = words::period_of(operation.spec(), ms);
+    }
     let detail = if chosen.is_empty() { String::new() } else { format!("({})", chosen.join(", ")) };
-    ChipWords { word: connector.operation.spec().name.to_owned(), detail }
+    ChipWords { word: words::connector_word(operation.spec().name).to_owned(), detail }
 }
 
 fn one_line(body: &str) -> String {
@@ -43,17 +48,17 @@ fn setting(param: &Param, given: Option<&Value>) -> Option<String> {
     match param.kind {
         ParamKind::Choice(options) => {
             let word = options.iter().find(|option| value.as_text() == Some(option.0))?.1;
-            (word != "none").then(|| word.to_owned())
+            (word != "none").then(|| words::label_of(word).to_owned())
         }
         ParamKind::Number { unit, .. } => {
             let number = value.as_number()?;
             if *value == default && unit != "ms" {
                 None
             } else {
-                Some(format!("{number} {unit}").trim_end().to_owned())
+                Some(format!("{number} {}", words::label_of(unit)).trim_end().to_owned())
             }
         }
-        ParamKind::Text { .. } => value.as_text().map(|text| format!("“{text}”")),
+        ParamKind::Text { .. } => value.as_text().map(words::saying),
     }
 }
 
@@ -96,7 +101,8 @@ mod tests {
     fn chips_say_what_they_do() {
         assert_eq!(chip(connectors::map::SPEC.with(Procedure::Helper("distance".into()))), "map (distance)");
         assert_eq!(chip(connectors::filter::SPEC.with(Procedure::body("a <\n  20"))), "filter (a < 20)");
-        assert_eq!(chip(connectors::sample::SPEC.with(Parameters::period(500))), "sample (500 ms)");
+        assert_eq!(chip(connectors::sample::SPEC.with(Parameters::period(500))), "sample (every 0.5 seconds)");
+        assert_eq!(chip(connectors::delay::SPEC.with(Parameters::period(1_000))), "delay (1 second)");
         assert_eq!(chip(connectors::subscribe::SPEC.with(())), "subscribe");
         assert_eq!(chip(connectors::combine_latest::SPEC.with(Procedure::body(""))), "combine (…)");
     }

@@ -1,13 +1,20 @@
 //! A free spot for a new stream: below its sources, beside nothing.
 
-use super::{CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, VALUE_ROOM, chip_width, chip_words, snapped, stream_width};
-use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream};
+use super::{
+    CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, Tidy, VALUE_ROOM, WIDTH_MAX, chip_width, chip_words, snapped, stream_width,
+};
+use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream, StreamKind};
 use std::collections::BTreeMap;
 
 /// How many spots are tried to the sides before the next level is.
 const SIDE_STEPS: i32 = 24;
+/// How many are tried to the sides in the row of the actions, and how far that may be below the next row.
+const IN_ROW_STEPS: i32 = 9;
+const ACTIONS_FAR: f64 = 2.0 * LEVEL;
 /// From the middle of one sensor to the middle of the next, at least.
 const SENSOR_STEP: f64 = 340.0;
+/// How many stand in a row while there is nothing that could tidy.
+const IN_A_ROW: usize = 6;
 
 /// Room that something takes.
 #[derive(Clone, Copy, Debug)]
@@ -81,7 +88,29 @@ pub(crate) fn free_spot(
     let x = sources.iter().map(|place| place.x).sum::<f64>() / sources.len() as f64;
     let y = sources.iter().map(|place| place.y).fold(f64::MIN, f64::max) + LEVEL;
     let size = Size::of(stream, std::iter::once(connector));
-    beside(&taken(behaviour, places), snapped(Place { x, y }), size)
+    let taken = taken(behaviour, places);
+    let wanted = snapped(Place { x, y });
+    let row = if stream.kind == StreamKind::Actuator { row_of_actions(behaviour, places, wanted.y) } else { None };
+    row.and_then(|row| in_row(&taken, Place { y: row, ..wanted }, wanted.y, size))
+        .unwrap_or_else(|| beside(&taken, wanted, size))
+}
+
+/// The row in which the actions stand, if that is lower than the row below the sources, and not far below it.
+fn row_of_actions(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, below: f64) -> Option<f64> {
+    let actions = behaviour.streams().filter(|(_, stream)| stream.kind == StreamKind::Actuator);
+    let lowest = actions.filter_map(|(id, _)| places.get(id)).map(|place| place.y).reduce(f64::max)?;
+    (lowest > below && lowest <= below + ACTIONS_FAR).then_some(lowest)
+}
+
+/// A free spot in a row where nothing stands between it and the row below the sources either.
+fn in_row(taken: &[Room], wanted: Place, from: f64, size: Size) -> Option<Place> {
+    let is_free = |place: &Place| {
+        let [stream, chip] = Room::of(*place, size);
+        let way = Room { top: from - CHIP_HEIGHT, ..chip };
+        taken.iter().all(|other| [stream, way].iter().all(|room| !room.meets(other)))
+    };
+    let steps = (0..IN_ROW_STEPS).flat_map(|step| if step == 0 { vec![0] } else { vec![step, -step] });
+    steps.map(|step| Place { x: wanted.x + f64::from(step) * 60.0, ..wanted }).find(is_free)
 }
 
 /// Where a new sensor goes: in the top row, to the right of the others.
@@ -121,11 +150,11 @@ fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<Room> {
 }
 
 /// Places for streams that nobody placed: a whole layout if nobody placed any, else a free spot for each.
-pub(crate) fn missing_places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
+pub(crate) fn missing_places(behaviour: &Behaviour, tidy: Option<Tidy>) -> BTreeMap<Id, Place> {
     let mut places: BTreeMap<Id, Place> =
         behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).filled();
     if places.is_empty() {
-        return super::tidy(behaviour);
+        return tidy.map_or_else(|| in_rows(behaviour), |tidy| tidy(behaviour));
     }
     let graph = Graph::of(behaviour);
     let mut missing = BTreeMap::new();
@@ -143,10 +172,17 @@ pub(crate) fn missing_places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
     missing
 }
 
+/// Every stream in rows, in their order: seen for a moment only.
+fn in_rows(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
+    let apart = WIDTH_MAX + GAP;
+    let at = |number: usize| Place { x: (number % IN_A_ROW) as f64 * apart, y: (number / IN_A_ROW) as f64 * LEVEL };
+    behaviour.streams_in_order().into_iter().enumerate().map(|(number, (id, _))| (id.clone(), at(number))).filled()
+}
+
 #[cfg(test)]
 mod tests {
     use super::{free_sensor_spot, free_spot, missing_places};
-    use crate::layout::{LEVEL, stream_width};
+    use crate::layout::{LEVEL, Tidy, stream_width};
     use behaviour::{
         Behaviour, Connector, Id, Kind, Place, Procedure, Record, RecordId, Stream, StreamKind, connectors,
     };
@@ -200,6 +236,29 @@ mod tests {
     }
 
     #[test]
+    fn a_new_action_stands_in_the_row_of_the_actions_where_there_is_room() {
+        let mut behaviour = Behaviour::default();
+        let put = |behaviour: &mut Behaviour, name: &str, kind| {
+            behaviour.records.insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(stream(kind, name)));
+        };
+        put(&mut behaviour, "s", StreamKind::Sensor);
+        put(&mut behaviour, "mid", StreamKind::Ordinary);
+        put(&mut behaviour, "act", StreamKind::Actuator);
+        let mut places = BTreeMap::from([
+            (id("s"), Place { x: 0.0, y: 0.0 }),
+            (id("mid"), Place { x: 0.0, y: LEVEL }),
+            (id("act"), Place { x: 0.0, y: 2.0 * LEVEL }),
+        ]);
+        let action = stream(StreamKind::Actuator, "Say");
+        let spot = free_spot(&behaviour, &places, &action, &connector("s", "new"));
+        assert!(spot.y == 2.0 * LEVEL && spot.x.abs() > 150.0, "{spot:?}");
+        let under = free_spot(&behaviour, &places, &action, &connector("act", "new"));
+        assert_eq!(under.y, 3.0 * LEVEL, "below what it comes from in any case");
+        places.insert(id("act"), Place { x: 0.0, y: 9.0 * LEVEL });
+        assert_eq!(free_spot(&behaviour, &places, &action, &connector("s", "new")).y, LEVEL, "not out of view");
+    }
+
+    #[test]
     fn sensors_stand_in_a_row() {
         let mut behaviour = Behaviour::default();
         let sensor = stream(StreamKind::Sensor, "RedBall");
@@ -217,9 +276,12 @@ mod tests {
                 .records
                 .insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(stream(StreamKind::Sensor, name)));
         }
-        assert_eq!(missing_places(&behaviour).len(), 2);
+        for tidy in [None, Some(crate::layout::tidy as Tidy)] {
+            let places = missing_places(&behaviour, tidy);
+            assert!(places.len() == 2 && places[&id("a")] != places[&id("b")]);
+        }
         let place = Record::Place(Place { x: 5.0, y: 5.0 });
         behaviour.records.insert(RecordId::new(Kind::Place, &id("a")), place);
-        assert_eq!(missing_places(&behaviour).keys().collect::<Vec<_>>(), [&id("b")]);
+        assert_eq!(missing_places(&behaviour, None).keys().collect::<Vec<_>>(), [&id("b")]);
     }
 }

@@ -2,17 +2,19 @@
 
 use super::label::{chip_words, what_it_is};
 use crate::words;
-use behaviour::{Behaviour, Connector, Id, Record, RecordId, Stream};
+use behaviour::{Behaviour, Connector, Group, Id, Record, RecordId, Stream};
 
 /// What a thing is called: `Distance`, `map to Distance`.
 pub(crate) fn called(behaviour: &Behaviour, id: &RecordId) -> String {
     match behaviour.records.get(id) {
         Some(Record::Stream(stream)) => stream.name.clone(),
-        Some(Record::Connector(connector)) => {
-            words::connector_to(connector.operation.spec().name, &name(behaviour, &connector.output))
-        }
+        Some(Record::Connector(connector)) => words::connector_to(
+            words::connector_word(connector.operation.spec().name),
+            &name(behaviour, &connector.output),
+        ),
         Some(Record::Helper(helper)) => helper.name.clone(),
         Some(Record::Note(_)) => words::a_note().to_owned(),
+        Some(Record::Group(group)) => group.title.clone(),
         Some(Record::Settings(_) | Record::Place(_)) | None => words::program_name().to_owned(),
     }
 }
@@ -22,13 +24,14 @@ pub(crate) fn whole(behaviour: &Behaviour, id: &RecordId) -> String {
     match behaviour.records.get(id) {
         Some(Record::Stream(stream)) => {
             let second = what_it_is(stream);
-            if second.is_empty() { stream.name.clone() } else { format!("{}, {second}", stream.name) }
+            if second.is_empty() { stream.name.clone() } else { words::listed([&stream.name, &second]) }
         }
         Some(Record::Connector(connector)) => {
-            format!("{} {}", chip_words(connector).whole(), words::came_from(&sources(behaviour, connector)))
+            words::made_from(&chip_words(connector).whole(), &sources(behaviour, connector))
         }
         Some(Record::Helper(helper)) => helper.body.clone(),
         Some(Record::Note(note)) => note.text.clone(),
+        Some(Record::Group(group)) => group.title.clone(),
         Some(Record::Settings(settings)) => settings.name.clone(),
         Some(Record::Place(_)) | None => words::not_there().to_owned(),
     }
@@ -39,7 +42,17 @@ pub(crate) fn what_it_was(was: &Behaviour, is: &Behaviour, id: &RecordId) -> Str
     match (was.records.get(id), is.records.get(id)) {
         (Some(Record::Stream(old)), Some(Record::Stream(new))) => stream_was(old, new),
         (Some(Record::Connector(old)), Some(Record::Connector(new))) => connector_was(was, old, new),
+        (Some(Record::Group(old)), Some(Record::Group(new))) => group_was(old, new),
         _ => whole(was, id),
+    }
+}
+
+fn group_was(old: &Group, new: &Group) -> String {
+    match () {
+        () if old.title != new.title => old.title.clone(),
+        () if old.streams != new.streams => words::other_streams().to_owned(),
+        () if old.folded => words::was_folded().to_owned(),
+        () => words::was_open().to_owned(),
     }
 }
 
@@ -70,7 +83,7 @@ fn connector_was(was: &Behaviour, old: &Connector, new: &Connector) -> String {
 }
 
 fn sources(behaviour: &Behaviour, connector: &Connector) -> String {
-    connector.inputs.iter().map(|id| name(behaviour, id)).collect::<Vec<_>>().join(" and ")
+    words::sources(&connector.inputs.iter().map(|id| name(behaviour, id)).collect::<Vec<_>>())
 }
 
 fn name(behaviour: &Behaviour, id: &Id) -> String {

@@ -1,7 +1,8 @@
 //! How live values are written in the little room beside a stream.
 
 use crate::few::sort_few;
-use behaviour::Value;
+use crate::words;
+use behaviour::{Unit, Value, ValueType};
 
 /// The most characters of a text or list.
 const SHORT_CHARS: usize = 28;
@@ -9,19 +10,50 @@ const SHORT_CHARS: usize = 28;
 /// A value in few characters: `14.2`, `x 0.08 · y −0.02 · size 0.07`, `hello`.
 pub(crate) fn short_value(value: &Value) -> String {
     match value {
-        Value::Null => "nothing".to_owned(),
+        Value::Null => words::no_value().to_owned(),
         Value::Bool(truth) => truth.to_string(),
         Value::Int(whole) => whole.to_string().replace('-', "−"),
         Value::Float(number) => short_number(*number),
         Value::Text(text) => shortened(text),
         Value::List(items) => shortened(&items.iter().map(short_value).collect::<Vec<_>>().join(", ")),
-        Value::Map(fields) => {
-            let shown = fields.iter().filter(|(name, value)| &***name != "time" && !is_empty(value));
-            let mut parts: Vec<_> = shown.map(|(name, value)| (rank(name), name, short_field(value))).collect();
-            sort_few(&mut parts, |one, other| one.0 < other.0);
-            parts.iter().take(3).map(|(_, name, value)| format!("{name} {value}")).collect::<Vec<_>>().join(" · ")
-        }
+        Value::Map(_) => parts(value, &|_| "").join(" · "),
     }
+}
+
+/// A value with its unit, if it is a number of one: `56.5 cm`. An object whose shown parts have all the same unit has it
+/// once, behind them; else each part has its own.
+pub(crate) fn measured(value: &Value, kind: Option<&ValueType>) -> String {
+    match (value, kind) {
+        (Value::Int(_) | Value::Float(_), Some(kind)) => words::with_unit(short_value(value), unit(kind)),
+        (Value::Map(_), Some(ValueType::Record(kinds))) => {
+            let of = |name: &str| kinds.get(name).map_or("", unit);
+            let (units, shown) = (parts(value, &of), parts(value, &|_| ""));
+            let common = shown.first().zip(units.first()).and_then(|(shown, whole)| whole.strip_prefix(shown.as_str()));
+            let common = common.filter(|unit| {
+                shown.iter().zip(&units).all(|(shown, whole)| whole.strip_prefix(shown.as_str()) == Some(unit))
+            });
+            common.map_or_else(|| units.join(" · "), |unit| shown.join(" · ") + unit)
+        }
+        _ => short_value(value),
+    }
+}
+
+/// In what numbers of a kind are measured; that it is a share says nothing beside a number.
+pub(crate) fn unit(kind: &ValueType) -> &'static str {
+    kind.unit().filter(|unit| *unit != Unit::Fraction).map_or("", Unit::symbol)
+}
+
+/// The first parts of an object, each with its unit.
+fn parts(value: &Value, unit: &dyn Fn(&str) -> &'static str) -> Vec<String> {
+    let Value::Map(fields) = value else { return Vec::new() };
+    let shown = fields.iter().filter(|(name, value)| &***name != "time" && !is_empty(value));
+    let mut parts: Vec<_> = shown.map(|(name, value)| (rank(name), name, value)).collect();
+    sort_few(&mut parts, |one, other| one.0 < other.0);
+    let said = |(_, name, value): &(usize, &std::sync::Arc<str>, &Value)| {
+        let unit = if value.as_number().is_some() { unit(name) } else { "" };
+        format!("{name} {}", words::with_unit(short_field(value), unit))
+    };
+    parts.iter().take(3).map(said).collect()
 }
 
 /// A field of an object: two decimals are enough.
@@ -93,8 +125,8 @@ pub(crate) fn sparkline(recent: &[f64], width: f64, height: f64) -> Option<Strin
 
 #[cfg(test)]
 mod tests {
-    use super::{rate_words, short_value, sparkline};
-    use behaviour::Value;
+    use super::{measured, rate_words, short_value, sparkline};
+    use behaviour::{Unit, Value, ValueType};
 
     #[test]
     fn values_are_short() {
@@ -113,6 +145,21 @@ mod tests {
         for (value, words) in cases {
             assert_eq!(short_value(&value), words);
         }
+    }
+
+    #[test]
+    fn values_have_their_units() {
+        let [rad, cm, share] = [Unit::Radians, Unit::Centimetres, Unit::Fraction].map(ValueType::in_unit);
+        assert_eq!(measured(&Value::Float(56.5), Some(&cm)), "56.5\u{a0}cm");
+        assert_eq!(measured(&Value::Float(0.5), Some(&share)), "0.5");
+        assert_eq!(measured(&Value::text("near"), Some(&cm)), "near");
+        let object =
+            |fields: [(&str, f64); 2]| Value::object(fields.map(|(name, number)| (name, Value::Float(number))));
+        let angles = ValueType::record([("x", rad.clone()), ("y", rad.clone())]);
+        assert_eq!(measured(&object([("x", 0.08), ("y", 0.5)]), Some(&angles)), "x 0.08 · y 0.5\u{a0}rad");
+        let both = ValueType::record([("x", rad), ("d", cm)]);
+        assert_eq!(measured(&object([("x", 0.08), ("d", 5.0)]), Some(&both)), "x 0.08\u{a0}rad · d 5\u{a0}cm");
+        assert_eq!(measured(&object([("x", 0.08), ("d", 5.0)]), None), "x 0.08 · d 5");
     }
 
     #[test]

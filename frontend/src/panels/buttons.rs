@@ -5,6 +5,7 @@ use super::may::may_operate;
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
+use std::borrow::Cow;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
 
@@ -21,7 +22,7 @@ pub(crate) fn Buttons() -> impl IntoView {
     });
     let runs = Memo::new(move |_| desk.desk().robots.running().is_some());
     let may_press = move || runs.get() && may_operate(desk);
-    let press = move |id: &Id| desk.desk().robots.stimulate(id, Value::Bool(true));
+    let press = move |id: &Id| desk.desk().robots.stimulate(id, Value::Bool(true), || ());
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         let which = number_of(&event).filter(|_| desk.desk().dialog.with_untracked(Option::is_none));
         let pressed = which.and_then(|which| Some(all.get_untracked().get(which - 1)?.0.clone()));
@@ -66,5 +67,9 @@ fn label(desk: super::hold::Hold, id: &Id) -> Option<String> {
     let stream = desk.desk().document.stream(id)?;
     let stream = stream.record.read();
     let device = robot::device(StreamKind::Sensor, stream.device.as_deref()?).ok()?;
-    device.button_words(&stream.params).map(|words| words.into_owned())
+    // What a person wrote stays as it is; what stands there if nobody did is the page's.
+    device.button_words(&stream.params).map(|label| match label {
+        Cow::Borrowed(written) => written.to_owned(),
+        Cow::Owned(usual) => words::translated(&usual),
+    })
 }

@@ -1,12 +1,16 @@
 //! The open dialog. Dialogs stand beside Stop, never over it, and give the keyboard back when they close.
 
+mod choose;
+mod commands;
 mod conflict;
+mod find;
 mod frame;
 mod gone;
-mod held;
+pub(super) mod held;
 mod helper;
 mod helpers;
 mod invite;
+mod marbles;
 mod names;
 mod operation;
 mod other;
@@ -14,13 +18,18 @@ mod people;
 mod programs;
 mod real_robot;
 mod save_file;
-mod sensors;
+mod stimulate;
 mod stream;
 mod waiting;
+
+pub(crate) use save_file::NoPicture;
 
 use super::focus;
 use super::hold::{Hold, hold};
 use crate::desk::Dialog;
+use crate::later::{NotHere, second_piece};
+use crate::words;
+use frame::Frame;
 use leptos::prelude::*;
 use protocol::Role;
 use web_sys::HtmlElement;
@@ -39,7 +48,21 @@ pub(crate) fn Dialogs() -> impl IntoView {
     });
     give_focus_back(open);
     show_refused(desk, open);
-    move || open.get().map(|dialog| content(undecided(desk, dialog)))
+    let piece = second_piece();
+    move || {
+        let dialog = open.get()?;
+        Some(piece.get().map_or_else(|| view! { <Coming /> }.into_any(), |rest| (rest.dialog)(undecided(desk, dialog))))
+    }
+}
+
+/// In place of a dialog whose code is not here yet: it can be closed, and says so if that code does not come.
+#[component]
+fn Coming() -> impl IntoView {
+    view! {
+        <Frame title=words::opening() narrow=true save=Callback::new(|()| {})>
+            <div class="dialog-body"><NotHere /></div>
+        </Frame>
+    }
 }
 
 /// Refused changes are shown one after the other, as soon as no other dialog is open.
@@ -66,6 +89,7 @@ fn undecided(desk: Hold, dialog: Dialog) -> Dialog {
 fn least(dialog: &Dialog) -> Role {
     match dialog {
         Dialog::Operation { connector: None, .. }
+        | Dialog::Choose(_)
         | Dialog::AddSensor
         | Dialog::Helper(None)
         | Dialog::AddProgram
@@ -84,17 +108,21 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::Waiting
         | Dialog::MyName
         | Dialog::People
+        | Dialog::Find
         | Dialog::Help => Role::Viewer,
     }
 }
 
-fn content(dialog: Dialog) -> AnyView {
+/// A dialog, whole.
+pub(crate) fn dialog(dialog: Dialog) -> AnyView {
     match dialog {
-        Dialog::Operation { input, connector, kind } => {
-            view! { <operation::Operation input connector kind /> }.into_any()
+        Dialog::Operation { input, connector, kind, spot } => {
+            view! { <operation::Operation input connector kind spot /> }.into_any()
         }
+        Dialog::Choose(choice) => view! { <choose::Choose choice /> }.into_any(),
         Dialog::EditStream(id) => view! { <stream::EditStream id /> }.into_any(),
-        Dialog::AddSensor => view! { <sensors::AddSensor /> }.into_any(),
+        Dialog::AddSensor => view! { <find::Find title=words::add_sensor() /> }.into_any(),
+        Dialog::Find => view! { <find::Find title=words::palette_name() /> }.into_any(),
         Dialog::Helper(id) => view! { <helper::EditHelper id /> }.into_any(),
         Dialog::Helpers => view! { <helpers::Helpers /> }.into_any(),
         Dialog::Programs => view! { <programs::Programs /> }.into_any(),
@@ -109,11 +137,11 @@ fn content(dialog: Dialog) -> AnyView {
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::People => view! { <people::People /> }.into_any(),
         Dialog::Invite => view! { <invite::Invite /> }.into_any(),
-        Dialog::Stimulate(id) => view! { <other::Stimulate id /> }.into_any(),
+        Dialog::Stimulate(id) => view! { <stimulate::Stimulate id /> }.into_any(),
         Dialog::Conflict(op) => view! { <conflict::Compare op /> }.into_any(),
         Dialog::Waiting => view! { <waiting::WaitingList /> }.into_any(),
         Dialog::Problems => view! { <other::AllProblems /> }.into_any(),
-        Dialog::Help => view! { <other::Help /> }.into_any(),
+        Dialog::Help => view! { <commands::Commands /> }.into_any(),
     }
 }
 

@@ -4,7 +4,9 @@ mod sketch;
 
 use super::focus;
 use super::hold::hold;
+use super::language::OtherLanguage;
 use super::may::{MayNot, may_edit};
+use super::teaching::take_tour;
 use super::tools::open_program;
 use crate::desk::Dialog;
 use crate::icons::Icon;
@@ -62,6 +64,8 @@ fn Library() -> impl IntoView {
                     <Icon name="plus" />
                     {words::begin_empty()}
                 </button>
+                <TourButton />
+                <OtherLanguage in_bar=false />
             </p>
             <MayNot />
             <Show when=move || !none()>
@@ -78,7 +82,22 @@ fn Library() -> impl IntoView {
             </Show>
             <h2>{words::templates()}</h2>
             <ul class="gallery">{templates}</ul>
+            <Exercises />
         </div>
+    }
+}
+
+/// Programs to learn with, each with a goal.
+#[component]
+pub(crate) fn Exercises() -> impl IntoView {
+    let desk = hold();
+    let exercises = move || {
+        let exercises = desk.desk().library.exercises.get();
+        exercises.into_iter().map(|exercise| view! { <TemplateCard summary=exercise.start /> }).collect_view()
+    };
+    view! {
+        <h2 id="exercises">{words::exercises()}</h2>
+        <ul class="gallery" aria-labelledby="exercises">{exercises}</ul>
     }
 }
 
@@ -121,17 +140,30 @@ pub(crate) fn ProgramPicture(id: String, revision: u64) -> impl IntoView {
 #[component]
 pub(crate) fn TemplateCard(summary: Summary) -> impl IntoView {
     let desk = hold();
-    let (name, title) = (summary.name.clone(), summary.name.clone());
+    let name = words::translated(&summary.name);
+    let (title, shown) = (name.clone(), name.clone());
     view! {
         <li>
             <button class="template" type="button" title=title disabled=move || !may_edit(desk)
                 on:click=move |_| desk.desk().library.create_program(&name, Some(&summary.id))>
                 {summary.picture.map(|picture| view! { <Sketch picture /> })}
-                <b>{summary.name}</b>
-                <span class="second">{summary.by}</span>
+                <b>{shown}</b>
+                <span class="second">{words::translated(&summary.by)}</span>
                 <span class="faint">{words::streams(summary.streams)}</span>
             </button>
         </li>
+    }
+}
+
+/// Begins the tour.
+#[component]
+fn TourButton() -> impl IntoView {
+    let desk = hold();
+    view! {
+        <button class="button" type="button" disabled=move || !may_edit(desk) on:click=move |_| take_tour(&desk.desk())>
+            <Icon name="flag" />
+            {words::take_tour()}
+        </button>
     }
 }
 
@@ -146,11 +178,11 @@ fn FirstSenses() -> impl IntoView {
         }
     });
     let sense = move |device: &'static robot::Device| {
-        let add = move |_| desk.desk().document.add_sensor(device.name, Params::new());
+        let add = move |_| desk.desk().document.add_sensor(device, Params::new());
         view! {
-            <button class="sense-card" type="button" title=device.says aria-label=words::add_named(device.name) on:click=add>
+            <button class="sense-card" type="button" title=words::device_says(device) aria-label=words::add_named(words::device(device)) on:click=add>
                 <Icon name=device.icon />
-                {device.name}
+                {words::device(device)}
             </button>
         }
     };
@@ -165,6 +197,7 @@ fn FirstSenses() -> impl IntoView {
             <button class="link" type="button" on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddSensor))>
                 {words::more_senses()}
             </button>
+            <Show when=move || desk.desk().tour.read().is_none()><TourButton /></Show>
         </div>
     }
     .into_any()

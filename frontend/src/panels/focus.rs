@@ -1,7 +1,7 @@
 //! Where the keyboard is: walking through a group with arrow keys, and what can be focused in a dialog.
 
 use wasm_bindgen::JsCast;
-use web_sys::{Document, Element, HtmlElement, KeyboardEvent};
+use web_sys::{Document, Element, HtmlElement, HtmlInputElement, KeyboardEvent};
 
 const FOCUSABLE: &str = "a[href], button:not(:disabled):not([tabindex='-1']), input:not(:disabled):not([type='radio']:not(:checked)), select:not(:disabled), \
     textarea:not(:disabled), [tabindex='0']";
@@ -19,6 +19,14 @@ pub(crate) fn by_id(id: &str) -> Option<HtmlElement> {
 /// Gives an element the keyboard.
 pub(crate) fn focus(element: &HtmlElement) {
     let _ = element.focus();
+}
+
+/// Gives a field the keyboard with all of its text chosen, so that typing replaces it.
+pub(crate) fn type_over(field: &HtmlInputElement, text: &str) {
+    // It may not have its text yet, and what comes after it was chosen would be kept.
+    field.set_value(text);
+    focus(field);
+    field.select();
 }
 
 /// Everything in `root` that Tab reaches and that is shown, in order.
@@ -72,6 +80,38 @@ fn rest_on(stops: &[HtmlElement], at: usize) {
 fn mark(stops: &[HtmlElement], chosen: &HtmlElement) {
     for stop in stops {
         stop.set_tab_index(if stop == chosen { 0 } else { -1 });
+    }
+}
+
+/// The dialog in which something was pressed.
+pub(crate) fn dialog_around(event: &web_sys::MouseEvent) -> Option<HtmlElement> {
+    let pressed = event.current_target()?.dyn_into::<Element>().ok()?;
+    pressed.closest(".dialog").ok().flatten()?.dyn_into().ok()
+}
+
+/// What was pressed below a field goes away: the field has the keyboard again.
+pub(crate) fn back_to_field(event: &web_sys::MouseEvent) {
+    let pressed = event.current_target().and_then(|target| target.dyn_into::<Element>().ok());
+    let around = pressed.and_then(|pressed| pressed.closest(".field").ok().flatten());
+    if let Some(field) = around.and_then(|around| all(&around, "textarea, input").into_iter().next()) {
+        focus(&field);
+    }
+}
+
+/// What mended a problem is gone: the keyboard is on what had the problem, or stays in the dialog that lists it.
+pub(crate) fn after_mending(id: &behaviour::Id, dialog: Option<&HtmlElement>) {
+    let part = || {
+        document()?
+            .query_selector(&format!("#stage :is([data-node='{id}'], [data-chip='{id}'], [data-row='{id}'])"))
+            .ok()?
+    };
+    let within = |dialog: &HtmlElement| focusable(dialog).into_iter().next();
+    let next = match dialog {
+        Some(dialog) => within(dialog),
+        None => part().and_then(|part| part.dyn_into().ok()).or_else(|| by_id("stage")),
+    };
+    if let Some(next) = next {
+        focus(&next);
     }
 }
 

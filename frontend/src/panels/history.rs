@@ -22,9 +22,14 @@ use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 
+/// The history of the open program.
+pub(crate) fn history() -> AnyView {
+    view! { <HistoryPanel /> }.into_any()
+}
+
 /// The panel. Arrows walk, Enter compares, N names a version, Escape ends comparing and then closes.
 #[component]
-pub(crate) fn HistoryPanel() -> impl IntoView {
+fn HistoryPanel() -> impl IntoView {
     let desk = hold();
     let unfolded = RwSignal::new(BTreeSet::new());
     let names: RwSignal<Option<u64>> = RwSignal::new(None);

@@ -3,22 +3,37 @@
 use crate::browser;
 use crate::desk::{Desk, use_desk};
 use leptos::prelude::*;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 
 /// The desk, for the closures of one component.
 #[derive(Clone, Copy)]
 pub(crate) struct Hold(StoredValue<Desk, LocalStorage>);
 
+thread_local! {
+    /// The page has one desk. What a component began, like an answer that comes late, may outlive the component.
+    static DESK: RefCell<Option<Desk>> = const { RefCell::new(None) };
+}
+
 /// The desk, held by the component that is being made.
 pub(crate) fn hold() -> Hold {
-    Hold(StoredValue::new_local(use_desk()))
+    let desk = use_desk();
+    DESK.with_borrow_mut(|kept| {
+        kept.get_or_insert_with(|| desk.clone());
+    });
+    Hold(StoredValue::new_local(desk))
 }
 
 impl Hold {
     /// The desk itself.
     pub(crate) fn desk(self) -> Desk {
-        self.0.get_value()
+        let kept = || DESK.with_borrow(Option::clone);
+        self.if_there().or_else(kept).unwrap_or_else(|| self.0.get_value())
+    }
+
+    /// The desk, unless the component that held it is gone.
+    pub(crate) fn if_there(self) -> Option<Desk> {
+        self.0.try_get_value()
     }
 }
 

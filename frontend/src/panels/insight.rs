@@ -68,7 +68,7 @@ fn OtherPrograms(action: String) -> impl IntoView {
         }
     });
     let line = move |driver: Driver| {
-        let from = (!driver.sensors.is_empty()).then(|| words::from_senses(&driver.sensors.join(", ")));
+        let from = (!driver.sensors.is_empty()).then(|| words::from_senses(&words::listed(&driver.sensors)));
         let open = move |_| desk.desk().document.open_program(&driver.behaviour);
         view! {
             <li>
@@ -104,8 +104,8 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
         is_known.then(|| robot::missing(&desk.document.behaviour(), &robot.devices, &robot.lacking))
     });
     let line = move |missing: Missing| {
-        let (text, id) = (missing.to_string(), missing.stream);
-        let label = format!("{}: {text}", words::select());
+        let (text, id) = (words::told_by(&missing), missing.stream);
+        let label = words::titled(words::select(), &text);
         let select = move |_| desk.desk().document.selected.set(Some(Selected::Stream(id.clone())));
         view! {
             <li class="problem" data-blocks="true">

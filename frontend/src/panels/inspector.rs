@@ -1,33 +1,88 @@
 //! What is selected: its name, what it does, its last value, its problems, and what can be done with it.
 
+mod settings;
+
+use super::chosen::{GroupPanel, NotePanel};
+use super::control::ConnectorControl;
+use super::focus;
 use super::hold::{Hold, hold};
 use super::insight::{AlsoUsed, Below};
 use super::may::{MayNot, may_edit, may_operate};
-use super::problems::{ProblemList, Problems};
+use super::problems::{ProblemList, Problems, problem_count};
+use super::remove::RemoveButton;
 use super::trials::{self, Question, TrialTable};
-use crate::desk::{ConnectorSignals, Dialog, Selected, StreamSignals};
+use super::uses::Uses;
+use crate::desk::{ConnectorSignals, Dialog, Selected, Spot, StreamSignals};
 use crate::icons::Icon;
+use crate::later::Later;
 use crate::layout::what_it_is;
-use crate::live::{rate_words, short_value};
+use crate::live::rate_words;
 use crate::words;
 use behaviour::{Connector, Id, Procedure, Stream, StreamKind, Value};
 use leptos::prelude::*;
+use settings::Settings;
 
-/// The inspector; with nothing selected it lists the problems.
+/// The inspector: what is selected, and beside it all problems, counted; several things chosen are listed, with nothing
+/// selected the problems alone.
 #[component]
 pub(crate) fn Inspector() -> impl IntoView {
     let desk = hold();
     let chosen = Memo::new(move |_| desk.desk().document.selected.get());
-    let shown = move || match chosen.get() {
-        Some(Selected::Stream(id)) => {
-            desk.desk().document.stream(&id).map(|signals| view! { <StreamPanel id signals /> }.into_any())
+    let several = Memo::new(move |_| !desk.desk().document.several.read().is_empty());
+    let lists = RwSignal::new(false);
+    Effect::new(move |_| {
+        chosen.track();
+        several.track();
+        lists.set(false);
+    });
+    let nothing = Memo::new(move |_| chosen.read().is_none() && !several.get());
+    let shown = Memo::new(move |_| chosen.get().filter(|_| !lists.get()));
+    let opened = Memo::new(move |_| desk.desk().document.open.read().is_some());
+    view! {
+        <Show when=move || opened.get()><Tabs nothing lists /></Show>
+        {move || match shown.get() {
+            Some(chosen) => view! { <Later show=move |rest| (rest.selected)(chosen.clone()) /> }.into_any(),
+            None if several.get() && !lists.get() => view! { <Later show=|rest| (rest.chosen)() /> }.into_any(),
+            None if opened.get() => view! { <Later show=|rest| (rest.problems)() /> }.into_any(),
+            None => ().into_any(),
+        }}
+    }
+}
+
+/// Which of both is shown; arrow keys go from one to the other.
+#[component]
+fn Tabs(nothing: Memo<bool>, lists: RwSignal<bool>) -> impl IntoView {
+    let desk = hold();
+    let listed = move || lists.get() || nothing.get();
+    let count = Memo::new(move |_| problem_count(desk));
+    let stop = |it: bool| if it { "0" } else { "-1" };
+    view! {
+        <div class="tabs" role="tablist" aria-label=words::inspector_tabs() on:keydown=|event| focus::walk(&event, "ArrowRight", "ArrowLeft")>
+            <button type="button" role="tab" data-stop="" tabindex=move || stop(!listed()) aria-selected=move || (!listed()).to_string()
+                disabled=move || nothing.get() on:click=move |_| lists.set(false)>
+                {words::is_selected()}
+            </button>
+            <button type="button" role="tab" id="problems-tab" data-stop="" tabindex=move || stop(listed())
+                aria-selected=move || listed().to_string() on:click=move |_| lists.set(true)>
+                {words::problems()}
+                {move || (count.get() > 0).then(|| view! { " " <span class="number">{count.get()}</span> })}
+            </button>
+        </div>
+    }
+}
+
+/// What is selected; all problems if it is gone.
+pub(crate) fn selected(selected: Selected) -> AnyView {
+    let document = hold().desk().document;
+    let shown = match selected {
+        Selected::Stream(id) => document.stream(&id).map(|signals| view! { <StreamPanel id signals /> }.into_any()),
+        Selected::Connector(id) => {
+            document.connector(&id).map(|signals| view! { <ConnectorPanel id signals /> }.into_any())
         }
-        Some(Selected::Connector(id)) => {
-            desk.desk().document.connector(&id).map(|signals| view! { <ConnectorPanel id signals /> }.into_any())
-        }
-        None => None,
+        Selected::Note(id) => document.note_signals(&id).map(|signals| view! { <NotePanel id signals /> }.into_any()),
+        Selected::Group(id) => document.group(&id).map(|signals| view! { <GroupPanel id signals /> }.into_any()),
     };
-    view! { {move || shown().unwrap_or_else(|| view! { <Problems /> }.into_any())} }
+    shown.unwrap_or_else(|| view! { <Problems /> }.into_any())
 }
 
 #[component]
@@ -37,6 +92,7 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
         move |_| record.get()
     });
     let is_sensor = move || record.read().kind == StreamKind::Sensor;
+    let has_device = record.with_untracked(|stream| stream.device.is_some());
     let stimulated = id.clone();
     let desk = hold();
     view! {
@@ -49,7 +105,9 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
             </h2>
             <p class="second">{move || says(&record.read())}</p>
             <p class="second">{move || what_it_is(&record.read())}</p>
-            <StreamLive signals />
+            <Settings id=id.clone() record />
+            {has_device.then(|| view! { <Uses id=id.clone() instead=|| None /> })}
+            <StreamLive id=id.clone() signals />
             <Undecided id=id.clone() />
             <ProblemList of=Some(id.clone()) />
             <div class="row">
@@ -63,7 +121,7 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
                         {words::stimulate()}
                     </button>
                 </Show>
-                <Remove what=Selected::Stream(id.clone()) />
+                <RemoveButton what=Selected::Stream(id.clone()) class="button small" in_words=true />
             </div>
             <MayNot />
             <Below id />
@@ -88,15 +146,18 @@ pub(crate) fn device_icon(stream: &Stream) -> Option<&'static str> {
 
 fn says(stream: &Stream) -> &'static str {
     let device = stream.device.as_deref().and_then(|name| robot::device(stream.kind, name).ok());
-    device.map_or(words::says_ordinary(), |device| device.says)
+    device.map_or(words::says_ordinary(), words::device_says)
 }
 
 #[component]
-fn StreamLive(signals: StreamSignals) -> impl IntoView {
+fn StreamLive(id: Id, signals: StreamSignals) -> impl IntoView {
     let desk = hold();
     let live = signals.live;
-    let value =
-        move || live.read().value.as_ref().map(|value| (short_value(value), live.read().rate, live.read().count));
+    let value = move || {
+        let live = live.read();
+        let value = live.value.as_ref().map(|value| desk.desk().document.measured(&id, value));
+        value.map(|value| (value, live.rate, live.count))
+    };
     let rows = move || match value() {
         Some((value, _, _)) if desk.desk().robots.running().is_none() => {
             view! { <p class="faint cut" title=value.clone()>{words::last_was(&value)}</p> }.into_any()
@@ -128,21 +189,23 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
     let spec = move || record.read().operation.spec();
     let question = Memo::new(move |_| question_of(desk, &record.read()));
     let answers = trials::ask(question);
+    let unit = Signal::derive(move || desk.desk().document.unit(&record.read().output));
     let removed = Selected::Connector(id.clone());
     let problems = Some(id.clone());
     let dialog = edit_dialog(&id, &record.get_untracked());
     view! {
         <section class="panel" aria-label=words::inspector_name()>
-            <h2>{move || view! { <Icon name=spec().icon.name /> }} {move || spec().name}</h2>
-            <p class="second">{move || spec().says}</p>
+            <h2>{move || view! { <Icon name=spec().icon.name /> }} {move || words::connector_word(spec().name)}</h2>
+            <p class="second">{move || words::connector_says(spec())}</p>
             {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
-            <TrialTable answers />
+            <ConnectorControl id=id.clone() />
+            <TrialTable answers unit />
             <Undecided id=id.clone() />
             <ConnectorLive id=id.clone() signals />
             <ProblemList of=problems />
             <div class="row">
                 <Edit dialog />
-                <Remove what=removed />
+                <RemoveButton what=removed class="button small" in_words=true />
             </div>
             <MayNot />
         </section>
@@ -153,7 +216,7 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
 pub(crate) fn edit_dialog(id: &Id, connector: &Connector) -> Dialog {
     let kind = connector.operation.spec();
     let input = connector.inputs.first().unwrap_or(&connector.output).clone();
-    Dialog::Operation { input, connector: Some(id.clone()), kind }
+    Dialog::Operation { input, connector: Some(id.clone()), kind, spot: Spot::default() }
 }
 
 /// The procedure of a connector as text.
@@ -195,9 +258,9 @@ fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
     let counts = {
         let live = live.clone();
         move || {
-            let (fired, faults) = (words::count(live.read().fired), words::count(live.read().faults));
-            let over = desk.desk().robots.running().is_none().then(words::last_run);
-            view! { <p class="faint">{over}{words::fired()}" "{fired}" · "{words::faults()}" "{faults}</p> }
+            let worked = words::worked(live.read().fired, live.read().faults);
+            let over = desk.desk().robots.running().is_none().then(|| format!("{} ", words::last_run()));
+            view! { <p class="faint">{over}{worked}</p> }
         }
     };
     let any = {
@@ -205,18 +268,12 @@ fn ConnectorLive(id: Id, signals: ConnectorSignals) -> impl IntoView {
         Memo::new(move |_| live.read().fired + live.read().faults > 0)
     };
     let counts = move || any.get().then(|| counts.clone());
-    let error = move || live.read().error.clone().map(|text| view! { <p class="refusal">{text}</p> });
+    let error =
+        move || live.read().error.clone().map(|text| view! { <p class="refusal">{words::translated(&text)}</p> });
     let held = move || record.with(|connector| desk.desk().robots.held(&connector.output));
     let held = move || held().map(|text| view! { <p class="second">{text}</p> });
     // The counts are those of the version that runs, not of what is written here.
-    move || {
-        if unused.get() {
-            view! { <p class="second unused-line"><span class="unused" aria-hidden="true"></span>{words::runs_before()}</p> }
-                .into_any()
-        } else {
-            view! { {counts.clone()} {error.clone()} {held.clone()} }.into_any()
-        }
-    }
+    move || (!unused.get()).then(|| view! { {counts.clone()} {error.clone()} {held.clone()} })
 }
 
 /// That a change of one's own to it was refused and waits, with the way to decide.
@@ -244,18 +301,6 @@ fn Edit(dialog: Dialog) -> impl IntoView {
         <button class="button small" type="button" on:click=move |_| desk.desk().dialog.set(Some(dialog.clone()))>
             <Icon name=if may { "pencil" } else { "eye" } />
             {if may { words::edit() } else { words::look_at_it() }}
-        </button>
-    }
-}
-
-#[component]
-fn Remove(what: Selected) -> impl IntoView {
-    let desk = hold();
-    view! {
-        <button class="button small" type="button" disabled=move || !may_edit(desk)
-            on:click=move |_| desk.desk().document.remove(&what)>
-            <Icon name="trash" />
-            {words::remove()}
         </button>
     }
 }

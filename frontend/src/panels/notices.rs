@@ -15,8 +15,11 @@ const REFUSAL_STAYS_MS: i32 = 12_000;
 /// The notices.
 #[component]
 pub(crate) fn Notices() -> impl IntoView {
+    let desk = hold();
+    let whisper = move || desk.desk().whisper.get();
     view! {
         <div class="notices" role="region" aria-label=words::notices_name()>
+            <p class="sr" role="status">{whisper}</p>
             <Sentence bad=false />
             <Sentence bad=true />
             <NameCard />
@@ -25,7 +28,7 @@ pub(crate) fn Notices() -> impl IntoView {
     }
 }
 
-/// Politely said, or at once for what went wrong.
+/// Politely said, also what went wrong: nobody is interrupted but by a robot that stops or is lost.
 #[component]
 fn Sentence(bad: bool) -> impl IntoView {
     let desk = hold();
@@ -50,7 +53,7 @@ fn Sentence(bad: bool) -> impl IntoView {
         }
     };
     view! {
-        <div role=if bad { "alert" } else { "status" }>
+        <div role="status">
             <Show when=move || notice.read().is_some()>
                 <div class="notice" class:bad=bad>
                     <span>{text}</span>

@@ -2,21 +2,44 @@
 
 use super::focus;
 use super::hold::{Hold, hold};
+use super::inspector::{device_icon, kind_class};
 use super::may::{MayNot, may_edit};
-use crate::desk::{ConnectPlan, Dialog, Output, Selected};
+use super::typed::Typing;
+use crate::desk::{Carried, ConnectPlan, Desk, Dialog, Item, Output, Selected, Spot};
 use crate::icons::Icon;
+use crate::later::Later;
 use crate::words;
 use behaviour::{Id, Params, Procedure, StreamKind, connectors};
 use leptos::prelude::*;
 use robot::Device;
+use web_sys::PointerEvent;
+
+/// At most so many streams of the open program are listed.
+const HERE_MAX: usize = 30;
+
+/// A word of a sentence finds something from so many letters on, where letters are no words.
+const WORD_MIN: usize = 3;
 
 /// The left list.
 #[component]
 pub(crate) fn Palette() -> impl IntoView {
-    let search = RwSignal::new(String::new());
+    let desk = hold();
+    let typing = Typing::new();
+    let search = typing.text;
+    let may_be_sentence = Memo::new(move |_| is_longer(&search.read()));
+    let key = move |event: web_sys::KeyboardEvent| match event.key().as_str() {
+        "Enter" if !event.is_composing() => typing.entered.update(|entered| *entered += 1),
+        "Escape" if !search.read_untracked().is_empty() => {
+            search.set(String::new());
+            event.prevent_default();
+            event.stop_propagation();
+        }
+        _ => {}
+    };
     view! {
         <nav
             class="left"
+            class:typing=move || typing.open.get()
             aria-label=words::palette_name()
             on:keydown=|event| focus::walk(&event, "ArrowDown", "ArrowUp")
             on:focusin=|event| focus::remember(&event)
@@ -25,6 +48,7 @@ pub(crate) fn Palette() -> impl IntoView {
                 <Icon name="search" />
                 <input
                     class="input"
+                    id="find"
                     type="search"
                     data-stop=""
                     tabindex="0"
@@ -32,16 +56,51 @@ pub(crate) fn Palette() -> impl IntoView {
                     aria-label=words::palette_name()
                     prop:value=move || search.get()
                     on:input:target=move |event| search.set(event.target().value())
+                    on:keydown=key
+                    on:keyup=move |event| typing.follow(&event)
+                    on:pointerup=move |event| typing.follow(&event)
+                    on:blur=move |event| typing.follow(&event)
+                    on:scroll=move |event| typing.follow(&event)
                 />
+                {move || may_be_sentence.get().then(|| view! { <Later show=move |rest| (rest.typed)(typing) /> })}
             </div>
             <MayNot />
-            <div class="list">
-                <Senses search />
-                <Helpers search />
-                <Actions search />
+            <div class="list" on:touchmove=move |event| keep_list(desk, &event)>
+                <AlsoFound typing />
+                <Senses typing />
+                <Helpers typing />
+                <Actions typing />
+                <Here typing />
             </div>
         </nav>
     }
+}
+
+/// A pointer went down on something of the list, which may become a way to the graph. The canvas hears what comes of it.
+fn take_up(desk: Hold, event: &PointerEvent, item: Item) {
+    let desk = desk.desk();
+    let may = untrack(|| desk.document.open.read().is_some() && desk.may(protocol::Role::Editor));
+    // From a dialog nothing is carried: the graph lies behind it.
+    let may = may && desk.dialog.with_untracked(Option::is_none);
+    if !may || !event.is_primary() || event.button() != 0 {
+        return;
+    }
+    let at = (f64::from(event.client_x()), f64::from(event.client_y()));
+    let by_finger = event.pointer_type() == "touch";
+    desk.carried.set(Some(Carried::pressed(item, event.pointer_id(), at, by_finger)));
+}
+
+/// While a finger carries something the list does not scroll.
+fn keep_list(desk: Hold, event: &web_sys::TouchEvent) {
+    let held = desk.desk().carried.with_untracked(|carried| carried.as_ref().is_some_and(Carried::is_held));
+    if held && event.cancelable() {
+        event.prevent_default();
+    }
+}
+
+/// Whether what is typed may be more than a name; the second piece knows whether it is a sentence.
+fn is_longer(text: &str) -> bool {
+    text.split_whitespace().nth(1).is_some() || text.chars().any(|c| c as u32 > 0x3000)
 }
 
 /// Whether a name, or what it is called, holds what is looked for.
@@ -50,34 +109,72 @@ fn matches(search: &str, names: &[&str]) -> bool {
     wanted.is_empty() || names.iter().any(|name| name.to_lowercase().contains(&wanted))
 }
 
+/// Whether a sentence holds a name, or a word that begins like a part of one: “the eyes” finds *Eye color*.
+fn is_named_in(sentence: &str, names: &[&str]) -> bool {
+    let sentence = sentence.to_lowercase();
+    let is_long = |text: &str| text.chars().count() >= WORD_MIN || (!text.is_ascii() && !text.is_empty());
+    let apart = |c: char| !c.is_alphanumeric();
+    let words: Vec<&str> = sentence.split(apart).filter(|word| is_long(word)).collect();
+    let begins = |part: &str| is_long(part) && words.iter().any(|word| word.starts_with(part));
+    let is_named = |name: &str| is_long(name) && sentence.contains(name) || name.split(apart).any(begins);
+    names.iter().any(|name| is_named(&name.to_lowercase()))
+}
+
+/// Whether something is found by what is typed: a name, or a sentence in which it is named. Reactive.
+pub(super) fn is_found(typing: Typing, names: &[&str]) -> bool {
+    let text = typing.text.read();
+    if typing.open.get() { is_named_in(&text, names) } else { matches(&text, names) }
+}
+
+/// Over the list, while a sentence is typed.
 #[component]
-fn Senses(search: RwSignal<String>) -> impl IntoView {
+pub(super) fn AlsoFound(typing: Typing) -> impl IntoView {
+    view! { <Show when=move || typing.open.get()><p class="also">{words::also_found()}</p></Show> }
+}
+
+/// The heading of a part of the list; while a sentence is typed, only over something.
+#[component]
+pub(super) fn Heading(typing: Typing, text: &'static str, none: Signal<bool>) -> impl IntoView {
+    view! { <Show when=move || !(typing.open.get() && none.get())><h2>{text}</h2></Show> }
+}
+
+/// Its name in files and in the literature, small, where that is another one. The style writes it, as it is no part of what
+/// the button is called.
+fn technical(plain: &str, name: &str) -> Option<impl IntoView + use<>> {
+    (plain != name).then(|| view! { <code class="technical" aria-hidden="true" data-name=name.to_owned()></code> })
+}
+
+#[component]
+fn Senses(typing: Typing) -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static Device| {
         let closed = move || (desk.desk().document.open.read().is_none() || !may_edit(desk)).to_string();
         let add = move |_| {
             if desk.desk().document.open.read_untracked().is_some() && untrack(|| may_edit(desk)) {
-                desk.desk().document.add_sensor(device.name, Params::new());
+                desk.desk().document.add_sensor(device, Params::new());
             }
         };
-        let label = words::add_named(device.name);
+        let label = words::add_named(words::device(device));
         view! {
-            <button class="item" type="button" data-stop="" tabindex="-1" title=device.says aria-label=label
-                aria-disabled=closed on:click=add>
+            <button class="item" type="button" data-stop="" tabindex="-1" title=words::device_says(device) aria-label=label
+                aria-disabled=closed on:click=add on:pointerdown=move |event| take_up(desk, &event, Item::Sense(device))>
                 <span class="kind sensor"><Icon name=device.icon /></span>
-                <span class="cut">{device.name}</span>
+                <span class="named"><span class="cut">{words::device(device)}</span> {technical(words::device(device), device.name)}</span>
             </button>
         }
     };
-    let found = move || {
-        let wanted = search.get();
-        robot::sensors().filter(|device| matches(&wanted, &[device.name, device.label])).map(item).collect_view()
-    };
-    view! { <h2>{words::senses()}</h2> {found} }
+    let found = Memo::new(move |_| {
+        let is_found = |device: &&'static Device| is_found(typing, &[device.name, device.label, words::device(device)]);
+        robot::sensors().filter(is_found).collect::<Vec<_>>()
+    });
+    view! {
+        <Heading typing text=words::senses() none=Signal::derive(move || found.read().is_empty()) />
+        {move || found.get().into_iter().map(item).collect_view()}
+    }
 }
 
 #[component]
-fn Helpers(search: RwSignal<String>) -> impl IntoView {
+pub(super) fn Helpers(typing: Typing) -> impl IntoView {
     let desk = hold();
     let item = move |(id, helper): (Id, behaviour::Helper)| {
         let name = helper.name.clone();
@@ -86,21 +183,62 @@ fn Helpers(search: RwSignal<String>) -> impl IntoView {
             (count > 0).then(|| view! { <span class="faint">{words::uses(count)}</span> })
         };
         let edit = move |_| desk.desk().dialog.set(Some(Dialog::Helper(Some(id.clone()))));
+        let carried = helper.clone();
+        let plain = words::helper_name_of(&helper);
+        let technical = technical(&plain, &helper.name);
         view! {
-            <button class="item" type="button" data-stop="" tabindex="-1" title=helper.says
-                on:click=edit>
+            <button class="item" type="button" data-stop="" tabindex="-1" title=words::translated(&helper.says)
+                on:click=edit on:pointerdown=move |event| take_up(desk, &event, Item::Helper(carried.clone()))>
                 <span class="kind plain"><Icon name="fx" /></span>
-                <span class="cut">{helper.name}</span>
+                <span class="named"><span class="cut">{plain}</span> {technical}</span>
                 {used}
             </button>
         }
     };
-    let found = move || {
-        let wanted = search.get();
+    let found = Memo::new(move |_| {
         let helpers = desk.desk().library.helpers.get();
-        helpers.into_iter().filter(|(_, helper)| matches(&wanted, &[&helper.name])).map(item).collect_view()
+        let is_found =
+            |(_, helper): &(Id, behaviour::Helper)| is_found(typing, &[&helper.name, &words::helper_name_of(helper)]);
+        helpers.into_iter().filter(is_found).collect::<Vec<_>>()
+    });
+    view! {
+        <Heading typing text=words::helpers() none=Signal::derive(move || found.read().is_empty()) />
+        {move || found.get().into_iter().map(item).collect_view()}
+    }
+}
+
+/// The streams of the open program, while something is looked for.
+#[component]
+pub(super) fn Here(typing: Typing) -> impl IntoView {
+    let desk = hold();
+    let found = move || {
+        if typing.text.read().trim().is_empty() {
+            return None;
+        }
+        let signals = |id: Id| Some((desk.desk().document.stream(&id)?.record.get(), id));
+        let streams = desk.desk().document.stream_ids.get().into_iter().filter_map(signals);
+        let rows: Vec<_> = streams.filter(|(stream, _)| is_found(typing, &[&stream.name])).take(HERE_MAX).collect();
+        let none = rows.is_empty();
+        if none && typing.open.get() {
+            return None;
+        }
+        let row = move |(stream, id): (behaviour::Stream, Id)| {
+            let label = words::go_to(&stream.name);
+            let go = move |_| desk.desk().document.choose([Selected::Stream(id.clone())].into());
+            view! {
+                <button class="item" type="button" data-stop="" tabindex="-1" aria-label=label on:click=go>
+                    <span class=format!("kind {}", kind_class(stream.kind))>{device_icon(&stream).map(|name| view! { <Icon name /> })}</span>
+                    <span class="cut">{stream.name}</span>
+                </button>
+            }
+        };
+        Some(view! {
+            <h2>{words::in_this_program()}</h2>
+            {none.then(|| view! { <p class="hint">{words::nothing_here()}</p> })}
+            {rows.into_iter().map(row).collect_view()}
+        })
     };
-    view! { <h2>{words::helpers()}</h2> {found} }
+    view! { {found} }
 }
 
 /// How many connectors of the open program use a helper. Reactive.
@@ -123,30 +261,32 @@ pub(crate) fn users_of(desk: Hold, helper: &str) -> Vec<Id> {
 }
 
 #[component]
-fn Actions(search: RwSignal<String>) -> impl IntoView {
+pub(super) fn Actions(typing: Typing) -> impl IntoView {
     let desk = hold();
     let source = Memo::new(move |_| selected_source(desk));
     let item = move |device: &'static Device| {
-        let label = words::lead_to(device.name);
+        let label = words::lead_to(words::device(device));
         view! {
-            <button class="item" type="button" data-stop="" tabindex="-1" title=device.says aria-label=label
+            <button class="item" type="button" data-stop="" tabindex="-1" title=words::device_says(device) aria-label=label
                 aria-disabled=move || source.read().is_none().to_string()
-                on:click=move |_| subscribe(desk, source.get_untracked(), device)>
+                on:click=move |_| subscribe(desk, source.get_untracked(), device)
+                on:pointerdown=move |event| take_up(desk, &event, Item::Action(device))>
                 <span class="kind actuator"><Icon name=device.icon /></span>
-                <span class="cut">{device.name}</span>
+                <span class="named"><span class="cut">{words::device(device)}</span> {technical(words::device(device), device.name)}</span>
             </button>
         }
     };
-    let found = move || {
-        let wanted = search.get();
-        robot::actuators().filter(|device| matches(&wanted, &[device.name, device.label])).map(item).collect_view()
-    };
+    let found = Memo::new(move |_| {
+        let is_found = |device: &&'static Device| is_found(typing, &[device.name, device.label, words::device(device)]);
+        robot::actuators().filter(is_found).collect::<Vec<_>>()
+    });
+    let none = Signal::derive(move || found.read().is_empty());
     view! {
-        <h2>{words::actions()}</h2>
-        <Show when=move || source.read().is_none() && may_edit(desk)>
+        <Heading typing text=words::actions() none />
+        <Show when=move || source.read().is_none() && may_edit(desk) && !(typing.open.get() && none.get())>
             <p class="hint">{words::choose_stream_first()}</p>
         </Show>
-        {found}
+        {move || found.get().into_iter().map(item).collect_view()}
     }
 }
 
@@ -158,19 +298,37 @@ fn selected_source(desk: Hold) -> Option<Id> {
     (record.read().kind != StreamKind::Actuator && desk.may(protocol::Role::Editor)).then_some(id)
 }
 
+fn subscribe(desk: Hold, source: Option<Id>, device: &'static Device) {
+    if let Some(input) = source {
+        lead_to_action(&desk.desk(), input, device);
+    }
+}
+
 /// Leads a stream to a new action.
-pub(crate) fn subscribe(desk: Hold, source: Option<Id>, device: &'static Device) {
-    let Some(input) = source else { return };
-    let desk = desk.desk();
-    let name = desk.document.name_for(device.name);
+pub(crate) fn lead_to_action(desk: &Desk, input: Id, device: &'static Device) {
+    let name = desk.document.name_for(words::device(device));
     let output = Output::New { name, device: Some(device.name.to_owned()), params: Params::new() };
-    let plan = ConnectPlan { operation: connectors::to_action().with(()), inputs: vec![input], output };
+    let plan =
+        ConnectPlan { operation: connectors::to_action().with(()), inputs: vec![input], output, spot: Spot::default() };
     desk.document.connect(plan, |_| {});
 }
 
 #[cfg(test)]
 mod tests {
-    use super::matches;
+    use super::{is_named_in, matches};
+
+    #[test]
+    fn a_sentence_finds_what_it_names() {
+        let sentence = "When the red ball is nearer than 40 cm, the eyes shine";
+        for names in [["RedBall", "Red ball"], ["EyeLedColor", "Eye color"], ["ColorBall", "Color ball"]] {
+            assert!(is_named_in(sentence, &names), "{names:?}");
+        }
+        for names in [["Tracker", "Tracker"], ["Sonar", "Distance ahead"], ["x", "it"]] {
+            assert!(!is_named_in(sentence, &names), "{names:?}");
+        }
+        assert!(is_named_in("赤いボールが近いとき", &["RedBall", "赤いボール"]));
+        assert!(!is_named_in("赤いボールが近いとき", &["FaceDetection", "顔"]));
+    }
 
     #[test]
     fn what_is_looked_for_may_stand_anywhere() {

@@ -1,10 +1,11 @@
 //! The right column: the robot always at the same place, its room and what is selected, or the history.
 
-use super::history::HistoryPanel;
 use super::hold::hold;
 use super::inspector::Inspector;
 use super::robot_box::RobotBox;
 use super::room::Room;
+use super::teaching::ExercisePlace;
+use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
 
@@ -20,10 +21,11 @@ pub(crate) fn RightColumn() -> impl IntoView {
         <aside class="right" aria-label=words::right_name()>
             <RobotBox />
             <div class="right-rest" class:beside-history=move || history.get()>
+                <ExercisePlace />
                 <Room />
                 <Inspector />
             </div>
-            {move || history.get().then(|| view! { <HistoryPanel /> })}
+            {move || history.get().then(|| view! { <Later show=|rest| (rest.history)() /> })}
         </aside>
     }
 }

@@ -9,6 +9,7 @@ use super::running::Running;
 use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
 use crate::words;
+use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
 use protocol::{Role, RunPhase, RunState};
 use robot::Health;
@@ -88,8 +89,8 @@ pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
     match health {
         Health::Connecting => ("connecting", words::health_connecting().to_owned()),
         Health::Ready => ("ready", words::robot_ready().to_owned()),
-        Health::Degraded(why) => ("limited", format!("{}: {why}", words::health_limited())),
-        Health::Lost(why) => ("lost", format!("{}: {why}", words::health_lost())),
+        Health::Degraded(why) => ("limited", words::titled(words::health_limited(), &words::translated(why))),
+        Health::Lost(why) => ("lost", words::titled(words::health_lost(), &words::translated(why))),
         Health::Safe => ("safe", words::robot_safe().to_owned()),
     }
 }
@@ -100,7 +101,7 @@ fn Start() -> impl IntoView {
     let runs = Memo::new(move |_| desk.desk().robots.running().is_some());
     let unheard = Memo::new(move |_| desk.desk().unheard.read().is_some());
     let blocked = Memo::new(move |_| unheard.get() || (!runs.get() && why_not(desk).is_some()));
-    let paused = Memo::new(move |_| paused(desk).is_some());
+    let paused = Memo::new(move |_| matches!(last_phase(desk), Some(RunPhase::Paused(_))));
     let word = move || match (runs.get(), unheard.get()) {
         (true, true) => words::was_running(),
         (true, false) => words::running(),
@@ -142,6 +143,9 @@ fn why_not(desk: Hold) -> Option<String> {
     if let Health::Lost(why) = &desk.robots.health() {
         return Some(words::robot_lost(why.trim_end_matches('.')));
     }
+    if desk.document.stream_ids.read().is_empty() {
+        return Some(words::nothing_to_run().to_owned());
+    }
     let problems = desk.document.problems.get();
     problems.iter().find(|problem| problem.blocks).map(|problem| words::cannot_start(&problem.to_string()))
 }
@@ -155,7 +159,7 @@ fn Line() -> impl IntoView {
     let blocked = Memo::new(move |_| why_not(desk));
     let text = move || match (running.get(), older.get()) {
         (Some(_), Some(runs)) => words::running_older(runs, desk.desk().document.revision.get()),
-        (Some(revision), None) => words::running_here(revision),
+        (Some(_), None) => words::runs_this().to_owned(),
         (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_else(|| starts(desk)),
     };
     let unheard = move || desk.desk().unheard.get();
@@ -167,9 +171,12 @@ fn Line() -> impl IntoView {
             && running.get().is_none()
             && last_phase(desk).is_some_and(|phase| !matches!(phase, RunPhase::Stopped(_)))
     };
+    // Only a robot that is lost, or that stops by itself, interrupts what is being said.
+    let urgent = move || bad() || matches!(desk.desk().robots.health(), Health::Lost(_));
+    let live = move || if urgent() { "assertive" } else { "polite" };
     // The seconds are seen and not said: nobody wants to hear them count.
     view! {
-        <p class="robot-line" class:bad=bad id="robot-line" role="status">
+        <p class="robot-line" class:bad=bad id="robot-line" role="status" aria-live=live>
             <b aria-hidden="true">{move || unheard().map(words::last_heard)}</b>
             " "
             {move || if heard.get() { text() } else { may_move() }}
@@ -183,32 +190,27 @@ fn Line() -> impl IntoView {
 
 /// What Start runs, and on which robot. Reactive.
 fn starts(desk: Hold) -> String {
+    let document = &desk.desk().document;
+    let acts = |id: &Id| document.stream(id).is_some_and(|stream| stream.record.read().kind == StreamKind::Actuator);
+    if !document.stream_ids.read().iter().any(acts) {
+        return words::only_watches().to_owned();
+    }
     words::starts_on(&desk.desk().robots.name(), desk.desk().document.revision.get())
 }
 
 /// How the last run of this program ended, or what else runs. Reactive.
 fn last_words(desk: Hold) -> Option<String> {
-    if let Some(why) = paused(desk) {
-        return Some(words::paused(&why));
-    }
-    if let Some(why) = faulted(desk) {
-        return Some(words::ended(&why));
+    match last_phase(desk) {
+        Some(RunPhase::Paused(why)) => return Some(words::paused(why.trim_end_matches('.'))),
+        Some(RunPhase::Faulted(why)) => return Some(words::ended(why.trim_end_matches('.'))),
+        Some(RunPhase::Running | RunPhase::Stopped(_)) | None => {}
     }
     let runs = desk.desk().robots.runs_here();
     let other = runs.into_iter().rfind(|run| run.phase == RunPhase::Running);
     other.map(|run| words::other_runs(&run.name))
 }
 
-/// Why the last run of this program ended by itself, if it did.
-fn faulted(desk: Hold) -> Option<String> {
-    if let RunPhase::Faulted(why) = last_phase(desk)? { Some(why.trim_end_matches('.').to_owned()) } else { None }
-}
-
-/// Why the robot interrupted it, if it did.
-fn paused(desk: Hold) -> Option<String> {
-    if let RunPhase::Paused(why) = last_phase(desk)? { Some(why.trim_end_matches('.').to_owned()) } else { None }
-}
-
+/// How the last run of this program is, or ended. Reactive.
 fn last_phase(desk: Hold) -> Option<RunPhase> {
     let desk = desk.desk();
     let open = desk.document.open.get()?;

@@ -83,7 +83,7 @@ fn item(desk: Hold, robot: RobotState) -> impl IntoView {
     let runs = runs.iter().filter(|run| run.robot == robot.robot && run.phase == RunPhase::Running);
     let runs: Vec<_> = runs.map(|run| run.name.clone()).collect();
     let (lamp, how) = lamp_words(&robot.health);
-    let mut notes = vec![if runs.is_empty() { how } else { words::runs_names(&runs.join(", ")) }];
+    let mut notes = vec![if runs.is_empty() { how } else { words::runs_names(&words::listed(runs)) }];
     notes.extend(words::condition(&robot.condition).into_iter().map(|(_, words)| words));
     let note = notes.join(" · ");
     let here = desk.desk().robots.chosen_id().as_ref() == Some(&robot.robot);

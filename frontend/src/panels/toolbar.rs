@@ -2,6 +2,7 @@
 
 use super::focus;
 use super::hold::{Hold, hold};
+use super::language::{OtherLanguage, speak_other};
 use super::may::{may_edit, title_or_why};
 use super::menu::{Menu, MenuItem};
 use super::people::People;
@@ -54,6 +55,7 @@ pub(crate) fn Toolbar() -> impl IntoView {
                 <HelpButton />
                 <InviteButton />
                 <People />
+                <OtherLanguage in_bar=true />
             </div>
         </header>
     }
@@ -63,11 +65,7 @@ pub(crate) fn Toolbar() -> impl IntoView {
 fn mark_usable(desk: Hold) {
     let told = StoredValue::new(false);
     Effect::new(move |_| {
-        let desk = desk.desk();
-        let usable = desk.document.open.read().is_some()
-            || !desk.library.programs.read().is_empty()
-            || !desk.library.templates.read().is_empty();
-        if usable && !told.get_value() {
+        if desk.desk().is_usable() && !told.get_value() {
             told.set_value(true);
             if let Some(clock) = browser::window().and_then(|window| window.performance()) {
                 let _ = clock.mark("rrp-usable");
@@ -302,6 +300,7 @@ fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
             })}
             <MenuItem label=words::problems() icon="warn" choose=opens(desk, Dialog::Problems) />
             <MenuItem label=words::keys_and_gestures() icon="help" choose=opens(desk, Dialog::Help) />
+            <MenuItem label=words::other_language() icon="globe" choose=Callback::new(|()| speak_other()) />
         </Menu>
     }
 }

@@ -35,7 +35,7 @@ fn ProgramItems() -> impl IntoView {
     let template = move |template: Summary| {
         let (id, name) = (template.id, template.name.clone());
         let make = Callback::new(move |()| desk.desk().library.create_program(&name, Some(&id)));
-        view! { <MenuItem label=template.name icon="plus" note=template.by disabled=untrack(|| !may_edit(desk)) choose=make /> }
+        view! { <MenuItem label=words::translated(&template.name) icon="plus" note=words::translated(&template.by) disabled=untrack(|| !may_edit(desk)) choose=make /> }
     };
     let programs = move || {
         let programs = desk.desk().library.programs.get();
@@ -85,8 +85,8 @@ pub(crate) fn AddSensorMenu(none_open: Signal<bool>) -> impl IntoView {
 fn SensorItems() -> impl IntoView {
     let desk = hold();
     let item = move |device: &'static robot::Device| {
-        let add = Callback::new(move |()| desk.desk().document.add_sensor(device.name, Params::new()));
-        view! { <MenuItem label=device.name icon=device.icon kind="sensor" choose=add /> }
+        let add = Callback::new(move |()| desk.desk().document.add_sensor(device, Params::new()));
+        view! { <MenuItem label=words::device(device) icon=device.icon kind="sensor" choose=add /> }
     };
     robot::sensors().map(item).collect_view()
 }
@@ -106,7 +106,7 @@ fn HelperItems() -> impl IntoView {
     let desk = hold();
     let item = move |(id, helper): (Id, behaviour::Helper)| {
         let edit = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::Helper(Some(id.clone())))));
-        view! { <MenuItem label=words::helper_item(&helper.name, &helper.params.join(", ")) icon="fx" choose=edit /> }
+        view! { <MenuItem label=words::helper_item(&helper) icon="fx" choose=edit /> }
     };
     move || {
         let helpers = desk.desk().library.helpers.get();

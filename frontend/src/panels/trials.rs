@@ -1,13 +1,13 @@
 //! What a procedure makes of the newest real values: asked of the server while somebody writes or looks.
 
 use super::hold::{Hold, Soon, hold};
+pub(crate) use crate::live::LAST_MAX as SETS_MAX;
 use crate::live::short_value;
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
+use protocol::UnknownName;
 
-/// How many sets of values are tried.
-const SETS_MAX: usize = 5;
 /// How long a person may type before the procedure is looked at, in milliseconds.
 const SOON_MS: i32 = 200;
 
@@ -26,11 +26,19 @@ pub(crate) struct Question {
 /// One set of values and what came of it.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Trial {
-    pub(crate) given: String,
+    /// The values, one an argument.
+    pub(crate) values: Vec<String>,
     pub(crate) from: Origin,
     pub(crate) result: String,
     /// Whether the value passes, or that it failed.
     pub(crate) mark: Mark,
+}
+
+impl Trial {
+    /// All of them in one line.
+    pub(crate) fn given(&self) -> String {
+        words::listed(self.values.iter().cloned())
+    }
 }
 
 /// Where the values of a trial are from.
@@ -73,18 +81,20 @@ pub(crate) struct Answers {
     /// Why the procedure cannot run at all.
     pub(crate) error: ArcRwSignal<Option<String>>,
     pub(crate) trials: ArcRwSignal<Vec<Trial>>,
+    /// A name in it that means nothing.
+    pub(crate) unknown: ArcRwSignal<Option<UnknownName>>,
     number: ArcRwSignal<u32>,
 }
 
 /// Keeps asking while the question or the values change.
 pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
-    let answers =
-        Answers { error: ArcRwSignal::new(None), trials: ArcRwSignal::default(), number: ArcRwSignal::new(0) };
+    let answers = Answers::none();
     let desk = hold();
     let told = answers.clone();
     let soon = Soon::new(move || {
         if let Some(asked) = question.try_get_untracked() {
-            told.ask(desk, asked);
+            let sets = asked.as_ref().map_or_else(Vec::new, |asked| sets(desk, &asked.inputs));
+            told.ask(desk, asked, sets);
         }
     });
     Effect::new(move |_| {
@@ -102,42 +112,82 @@ pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
     answers
 }
 
+/// Keeps asking about values that somebody writes down.
+pub(crate) fn ask_on(question: Memo<(Question, Vec<Vec<Value>>)>) -> Answers {
+    let answers = Answers::none();
+    let desk = hold();
+    let told = answers.clone();
+    let soon = Soon::new(move || {
+        if let (Some((asked, sets)), Some(_)) = (question.try_get_untracked(), desk.if_there()) {
+            told.ask(desk, Some(asked), sets.into_iter().map(|set| (Origin::Earlier, set)).collect());
+        }
+    });
+    Effect::new(move |_| {
+        question.track();
+        soon.within(SOON_MS);
+    });
+    answers
+}
+
 impl Answers {
-    fn ask(&self, desk: Hold, question: Option<Question>) {
+    fn none() -> Self {
+        Self {
+            error: ArcRwSignal::new(None),
+            trials: ArcRwSignal::default(),
+            unknown: ArcRwSignal::new(None),
+            number: ArcRwSignal::new(0),
+        }
+    }
+
+    fn ask(&self, desk: Hold, question: Option<Question>, sets: Vec<(Origin, Vec<Value>)>) {
         let number = self.number.get_untracked() + 1;
         self.number.set(number);
         let Some(question) = question.filter(|question| !question.body.trim().is_empty()) else {
             self.error.set(None);
             self.trials.set(Vec::new());
+            self.unknown.set(None);
             return;
         };
-        let (froms, sets): (Vec<Origin>, Vec<Vec<Value>>) = sets(desk, &question.inputs).into_iter().unzip();
+        let (froms, sets): (Vec<Origin>, Vec<Vec<Value>>) = sets.into_iter().unzip();
         let me = self.clone();
         let whole = |set: &Vec<Value>| question.before.iter().chain(set).cloned().collect();
         let asked = (question.arguments.clone(), question.body.clone(), sets.iter().map(whole).collect());
-        desk.desk().document.check_body(asked.0, asked.1, asked.2, move |(error, results)| {
+        desk.desk().document.check_body(asked.0, asked.1, asked.2, move |(error, results, unknown)| {
             if me.number.get_untracked() == number {
                 let given = froms.into_iter().zip(&sets).zip(results);
-                let trials = given.map(|((from, set), result)| trial(from, set, result, question.is_test));
+                let written = |set: &Vec<Value>| written(desk, &question.inputs, set);
+                let trials = given.map(|((from, set), result)| trial(from, written(set), result, question.is_test));
                 me.trials.set(trials.collect());
-                me.error.set(error);
+                me.error.set(error.map(|error| match &unknown {
+                    Some(unknown) => words::no_such_name(&unknown.name),
+                    None => words::translated(&error),
+                }));
+                me.unknown.set(unknown);
             }
         });
     }
 }
 
-fn trial(from: Origin, set: &[Value], result: Result<Value, String>, is_test: bool) -> Trial {
-    let given = set.iter().map(short_value).collect::<Vec<_>>().join(", ");
+/// Values of streams, with their units.
+fn written(desk: Hold, inputs: &[Id], set: &[Value]) -> Vec<String> {
+    let one = |(at, value): (usize, &Value)| match inputs.get(at) {
+        Some(id) => untrack(|| desk.desk().document.measured(id, value)),
+        None => short_value(value),
+    };
+    set.iter().enumerate().map(one).collect()
+}
+
+fn trial(from: Origin, values: Vec<String>, result: Result<Value, String>, is_test: bool) -> Trial {
     let (result, mark) = match result {
         Ok(Value::Bool(true)) if is_test => (words::passes().to_owned(), Mark::Passes),
         Ok(_) if is_test => (words::stopped().to_owned(), Mark::Left),
         Ok(value) => (short_value(&value), Mark::Plain),
-        Err(reason) => (reason, Mark::Fails),
+        Err(reason) => (words::translated(&reason), Mark::Fails),
     };
-    Trial { given, from, result, mark }
+    Trial { values, from, result, mark }
 }
 
-/// The newest values of all inputs, then older numbers of a single input; examples where nothing came yet.
+/// The newest values of all inputs, then the ones before of a single input; examples where nothing came yet.
 fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
     let newest: Option<Vec<(bool, Value)>> = inputs.iter().map(|id| newest(desk, id)).collect();
     let Some(newest) = newest.filter(|set| !set.is_empty()) else { return Vec::new() };
@@ -152,8 +202,8 @@ fn sets(desk: Hold, inputs: &[Id]) -> Vec<(Origin, Vec<Value>)> {
     if let [input] = inputs
         && let Some(signals) = desk.desk().document.stream(input)
     {
-        for number in signals.live.read_untracked().recent.iter().rev() {
-            let set = vec![Value::Float(*number)];
+        for value in signals.live.read_untracked().last.iter().rev() {
+            let set = vec![value.clone()];
             if sets.len() < SETS_MAX && sets.iter().all(|(_, known)| *known != set) {
                 sets.push((Origin::Earlier, set));
             }
@@ -177,9 +227,10 @@ pub(crate) fn try_on(desk: Hold, question: Question, sets: Vec<Vec<Value>>, then
         return;
     }
     let whole = sets.iter().map(|set| question.before.iter().chain(set).cloned().collect()).collect();
-    desk.desk().document.check_body(question.arguments, question.body, whole, move |(_, results)| {
-        let given = sets.iter().zip(results);
-        then(given.map(|(set, result)| trial(Origin::Earlier, set, result, question.is_test)).collect());
+    let inputs = question.inputs;
+    desk.desk().document.check_body(question.arguments, question.body, whole, move |(_, results, _)| {
+        let given = sets.iter().map(|set| written(desk, &inputs, set)).zip(results);
+        then(given.map(|(values, result)| trial(Origin::Earlier, values, result, question.is_test)).collect());
     });
 }
 
@@ -200,26 +251,28 @@ pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
     let shown = move || {
         let trial = |trial: Trial| {
             let from = trial.from.words();
-            view! { <span class=class(trial.mark)>{from}" "{words::trial(&trial.given, &trial.result)}</span> }
+            view! { <span class=class(trial.mark)>{from}" "{words::trial(&trial.given(), &trial.result)}</span> }
         };
         answers.trials.get().into_iter().map(trial).collect_view()
     };
     view! { <div class="trials">{shown}</div> }
 }
 
-/// The trials as a table, for the inspector.
+/// The trials as a table, for the inspector; `unit` is that of what comes out, if it is a number of one.
 #[component]
-pub(crate) fn TrialTable(answers: Answers) -> impl IntoView {
+pub(crate) fn TrialTable(answers: Answers, unit: Signal<&'static str>) -> impl IntoView {
     let trials = answers.trials;
     let any = trials.clone();
-    let row = |trial: Trial| {
+    let row = move |trial: Trial| {
         let mark = if trial.mark == Mark::Passes { "✓ " } else { "" };
         let not_now = matches!(trial.from, Origin::Example | Origin::Last);
         let from = not_now.then(|| view! { <span class="faint">{trial.from.words()}" "</span> });
+        let given = trial.given();
+        let result = words::with_unit(trial.result, if trial.mark == Mark::Plain { unit.get() } else { "" });
         view! {
             <tr>
-                <td class="cut" title=trial.given.clone()>{from}{trial.given.clone()}</td>
-                <td class=format!("cut {}", class(trial.mark)) title=trial.result.clone()>{mark}{trial.result.clone()}</td>
+                <td class="cut" title=given.clone()>{from}{given.clone()}</td>
+                <td class=format!("cut {}", class(trial.mark)) title=result.clone()>{mark}{result.clone()}</td>
             </tr>
         }
     };

@@ -1,25 +1,70 @@
 //! The page in English.
 
+mod chip;
 mod conflicts;
+mod editor;
+mod groups;
 mod history;
 mod invite;
+mod lists;
 mod locks;
+mod names;
 mod people;
 mod robots;
+mod teaching;
 
+pub(crate) use chip::*;
 pub(crate) use conflicts::*;
+pub(crate) use editor::*;
+pub(crate) use groups::*;
 pub(crate) use history::*;
 pub(crate) use invite::*;
+pub(crate) use lists::*;
 pub(crate) use locks::*;
+pub(crate) use names::*;
 pub(crate) use people::*;
 pub(crate) use robots::*;
+pub(crate) use teaching::*;
 
-use crate::desk::NotBrought;
+use super::language::{fill, said, translated};
+use crate::desk::{Joining, NotBrought};
 use crate::fields::Unfilled;
 use crate::link::NoAnswer;
 use behaviour::{Refusal, StreamKind};
 
 sentences! {
+    // Sentences
+    what_it_does: "What it does";
+    show_sentences: "Show the sentences";
+    hide_sentences: "Hide the sentences";
+    show_all_sentences: "Show all";
+    show_fewer: "Show fewer";
+    happens_now: "now";
+    title_fails: "a part fails";
+    title_offline: "offline";
+    title_not_saved: "not saved yet";
+    minimap: "The whole graph in small; arrow keys move what is seen";
+    make_copy: "Make a copy";
+    paste: "Paste";
+    print: "Print the program";
+    remove_this_robot: "Remove the robot";
+    no_sentences: "There are no sentences yet: lead a sense to an action first.";
+    sentences_shown: "Show or hide the sentences";
+    nothing_to_use: "There is nothing to use: the robot runs what you see, or nothing of it.";
+    choose_one_stream: "Select a stream first.";
+    more_commands: "More that can be done with it";
+    choose_sense_first: "Select a sense first; its value is sent as if the robot had sensed it.";
+    choose_several_first: "Select several first: Shift and the arrow keys, or Shift and drag around them.";
+    copied_with_stream: "A connector is copied with the stream that it leads to. Choose that too.";
+    nothing_copied: "Nothing was copied here yet. Ctrl V pastes what was copied elsewhere.";
+    did_you_mean: "Did you mean";
+    would_add: "Would add";
+    add_to_graph: "Add to the graph";
+    esc_clears: "clears";
+    preview: "Preview";
+    also_found: "Also found";
+    sentence_example: "When the red ball is nearer than 40 cm, the head follows it.";
+    or_say_it: "Or say what it does";
     // The bar
     skip_name: "Main tools";
     untitled: "No program open";
@@ -37,12 +82,15 @@ sentences! {
     all_saved: "All changes saved";
     saving: "Saving …";
     connecting: "Connecting …";
+    opening: "Opening …";
+    not_loaded: "This part of the page could not be loaded. Check the connection and try again.";
     you: "you";
     my_name: "Your name";
     my_name_hint: "The others see it beside your pointer and your edits.";
     no_helpers: "There are no helpers yet.";
     all_programs: "All programs and templates …";
     keys_and_gestures: "Keys and gestures";
+    other_language: "日本語 (Japanese)";
 
     // The left list
     palette_name: "Find or add";
@@ -50,6 +98,20 @@ sentences! {
     senses: "Senses";
     helpers: "Helpers";
     actions: "Actions";
+    an_action: "action";
+    otherwise_name: "Otherwise";
+    connect: "Connect";
+    duplicate: "Duplicate";
+    line_up_row: "Line up in a row";
+    line_up_column: "Line up in a column";
+    connect_hint: "Connect to another stream (C)";
+    add_an_action: "Add an action";
+    find_another: "Find another …";
+    nothing_like_it: "There is nothing of that name.";
+    no_source_yet: "There is no stream yet that could feed it. Add a sense first.";
+    insert_here: "Insert here";
+    insert_before: "Insert before it";
+    remove_with_connectors: "Remove it with its connectors";
     choose_stream_first: "Select a stream to lead it to an action.";
 
     // The robot
@@ -67,7 +129,7 @@ sentences! {
     may_still_move: "It may still be moving.";
     no_answer: "No answer from the server";
     not_recorded: "This run is not recorded.";
-    apply: "Apply to the running robot";
+    apply: "Use my changes";
     running_together: "Runs on the robot";
     upper_wins: "If they disagree, the upper one wins.";
     stop: "Stop";
@@ -79,7 +141,10 @@ sentences! {
     recordings: "Recordings";
     no_recordings: "Nothing was recorded yet.";
     open_first: "Open a program to start it.";
+    nothing_to_run: "There is nothing in it yet. Add a sense, and lead it to an action.";
+    only_watches: "Nothing leads to an action yet: the robot only watches.";
     starts_when_online: "Start works again as soon as this page is connected.";
+    runs_this: "The robot runs this version";
     robot_ready: "ready";
     robot_safe: "stopped, holding safely";
     health_connecting: "connecting";
@@ -107,8 +172,11 @@ sentences! {
 
     // The inspector
     inspector_name: "What is selected";
+    inspector_tabs: "What is selected, and problems";
+    is_selected: "Selected";
     edit: "Edit";
     remove: "Remove";
+    keep: "Keep";
     close: "Close";
     save: "Save";
     select: "Select";
@@ -116,13 +184,11 @@ sentences! {
     last_value: "Last value";
     rate: "Rate";
     carried: "Values so far";
-    fired: "Passed on";
-    faults: "Failed";
     no_value_yet: "No value yet.";
     starts_to_see: "Press Start to see values.";
     problems: "Problems";
     last_run_failed: "In the last run:";
-    last_run: "Last run: ";
+    last_run: "Last run:";
     not_used_yet: "not used yet";
     runs_before: "Not used yet: the robot still runs it as it was before.";
     no_problems: "Nothing is missing. Press Start when you like.";
@@ -132,7 +198,7 @@ sentences! {
     last_inputs: "last inputs";
     result: "result";
     passes: "passes";
-    stopped: "stopped";
+    stopped: "left out";
 
     // The Operation dialog
     operation: "Operation";
@@ -141,15 +207,19 @@ sentences! {
     how_it_works_less: "Hide how it works";
     how_to_read: "Time runs from left to right. Above is what comes, below is what the connector makes of it.";
     from: "From";
-    body: "Body";
+    body: "Procedure";
+    write_here: "Write it here";
+    use_helper: "Use a helper";
     helper: "Helper";
     procedure: "Procedure";
-    parameters: "Parameters:";
+    parameters: "You can use:";
     output_stream_name: "Output stream name";
-    milliseconds: "ms";
+    seconds: "seconds";
+    seconds_unit: "s";
+    no_value: "nothing";
     actuator: "Actuator";
     input_streams: "Input streams, in this order";
-    no_fitting_helper: "No helper takes this many values. Write a body, or add a helper.";
+    no_fitting_helper: "No helper takes this many values. Write it here, or add a helper.";
     now: "now";
     last: "last";
     for_example: "for example";
@@ -182,15 +252,19 @@ sentences! {
     stream_gone: "Somebody removed this stream meanwhile. Close this and choose another one.";
     earlier: "Earlier in the order";
 
+    // A connector as a control
+    compared_how: "How it is compared";
+    number: "Number";
+    less: "Less";
+    more: "More";
+
     // Other dialogs
-    edit_sensor: "Edit stream sensor";
-    edit_actuator: "Edit stream actuator";
-    edit_ordinary: "Edit stream";
+    edit_ordinary: "Stream settings";
     type_label: "Type";
     name: "Name";
-    new_behaviour: "New behaviour";
+    new_behaviour: "New program";
     create: "Create";
-    behaviours: "Behaviours";
+    behaviours: "Programs";
     templates: "Templates";
     no_programs: "There are no programs yet. Begin with a template, or with an empty one.";
     programs: "Programs";
@@ -234,28 +308,45 @@ sentences! {
     helper_name: "Name";
     helper_params: "Parameters, with commas between them";
     helper_says: "What it is for, in a sentence";
+    helper_gives: "What it gives";
+    found_out: "found out by itself";
+    a_ball: "a ball";
+    a_face: "a face";
     used_nowhere: "Nothing uses it.";
     used_in: "Used in";
     this_program: "This program";
     value_json: "Value";
     value_hint: "Sent as if the robot had sensed it, while the program runs.";
     send: "Send";
-    value_unreadable: "This is no value yet. Write it like the example.";
+    value_unreadable: "What stands under More is no value yet. Write it as JSON, or press one of the buttons.";
+    as_if: "As if";
+    value_is_true: "It is true";
+    more_of_value: "More: the value as text";
 
     // Help
-    help_stop: "Escape twice";
-    help_stop_says: "stops the robot, everywhere on this page";
-    help_walk: "Arrow keys";
-    help_walk_says: "walk along the graph";
-    help_edit: "Enter";
-    help_edit_says: "edits what is selected";
+    help_edit_says: "Edit what is selected";
+    help_lasso: "Shift and drag, Shift and press";
+    help_lasso_says: "choose several";
+    by_hand: "By hand";
+    view: "View";
+    search_commands: "What would you like to do?";
+    in_this_program: "In this program";
+    nothing_here: "Nothing with these words.";
+    no_command: "Nothing is called like that. Try another word.";
+    select_all: "Select all";
+    cut: "Cut";
+    walk_down: "Go down the graph";
+    walk_up: "Go up the graph";
+    walk_left: "Go to the left";
+    walk_right: "Go to the right";
+    line_saves: "Enter saves. Shift and Enter begin a new line.";
+    text_saves: "Ctrl and Enter save.";
     help_lines: "Enter, Shift Enter";
-    help_lines_says: "save a procedure, begin a new line in it";
-    help_remove: "Delete";
-    help_remove_says: "removes it; undo brings it back";
-    help_undo: "Ctrl Z, Ctrl Y";
-    help_undo_says: "undo and redo your own changes";
-    help_pan: "Drag the paper, pinch or Ctrl and wheel";
+    help_lines_says: "save a procedure; begin a new line in it";
+    help_remove_says: "Remove what is selected";
+    help_extend: "Shift and arrow keys, Shift and a click";
+    help_extend_says: "select more";
+    help_pan: "Drag the paper, wheel, pinch, Ctrl and wheel";
     help_pan_says: "move and zoom the graph";
 
     // Empty states
@@ -289,6 +380,103 @@ sentences! {
 }
 
 /// Why a form cannot be taken.
+/// Many sentences, none of which is shown.
+pub(crate) fn sentences_folded(all: usize) -> String {
+    say!("{all} sentences. Select a part of the graph to read its own.", all)
+}
+
+pub(crate) fn in_sentences(name: &str, some: usize, all: usize) -> String {
+    say!("{name} is in {some} of {all} sentences.", name, some, all)
+}
+
+pub(crate) fn first_sentences(some: usize, all: usize) -> String {
+    say!("The first {some} of {all} sentences.", some, all)
+}
+
+/// The name of something in a sentence that can be changed.
+pub(crate) fn change_it(text: &str) -> String {
+    say!("Change: {text}", text)
+}
+
+/// What a sentence says that is not understood; nothing where something is missing.
+pub(crate) fn in_doubt(said: String, helpless: bool) -> String {
+    match (said.as_str(), helpless) {
+        ("", true) => {
+            say!("Something is missing. For example: {sentence_example}", sentence_example = sentence_example())
+        }
+        ("", false) => say!("Something is missing here. Did you mean"),
+        (said, true) => say!(
+            "“{said}” is not known here. For example: {sentence_example}",
+            said,
+            sentence_example = sentence_example()
+        ),
+        (said, false) => say!("“{said}” is not known here. Did you mean", said),
+    }
+}
+
+/// Where a number was before it was turned.
+pub(crate) fn it_was(value: &str) -> String {
+    say!("was {value}", value)
+}
+
+/// The menu of something by its name, or of the ground.
+pub(crate) fn menu_of(name: Option<&str>) -> String {
+    name.map_or_else(|| say!("What can be done here"), |name| say!("What can be done with {name}", name))
+}
+
+pub(crate) fn copy_of(name: &str) -> String {
+    say!("Copy of {name}", name)
+}
+
+pub(crate) fn copy_made(name: &str) -> String {
+    say!("“{name}” is made and open.", name)
+}
+
+/// A way to mend a problem, for who cannot see beside which it stands.
+pub(crate) fn mend_by(fix: &str) -> String {
+    say!("Mend it: {fix}", fix)
+}
+
+/// A name in a procedure that means nothing.
+pub(crate) fn no_such_name(name: &str) -> String {
+    say!("No “{name}” here.", name)
+}
+
+/// Writing another name in its place.
+pub(crate) fn use_name(meant: &str) -> String {
+    say!("Use “{meant}”", meant)
+}
+
+/// That a problem was mended, and how.
+pub(crate) fn mended(fix: &str) -> String {
+    say!("Mended: {fix}", fix)
+}
+
+/// A value with its unit, which never stands alone on a line.
+pub(crate) fn with_unit(value: String, unit: &str) -> String {
+    if unit.is_empty() { value } else { format!("{value}\u{a0}{unit}") }
+}
+
+/// A number that somebody else changed while a field was open for it.
+pub(crate) fn changed_meanwhile(now: &str) -> String {
+    say!("Somebody changed this number meanwhile: it is {now} now. Yours was not saved.", now)
+}
+
+/// What a sense or an action is called.
+pub(crate) fn device(device: &robot::Device) -> &'static str {
+    said(device.label)
+}
+
+/// A language by its own name.
+pub(crate) fn language_name(code: &str) -> &'static str {
+    if code == "ja" { "日本語" } else { "English" }
+}
+
+/// What a press on that does, in that language.
+pub(crate) fn page_in(code: &str) -> &'static str {
+    if code == "ja" { "このページを日本語で" } else { "This page in English" }
+}
+
 pub(crate) fn unfilled(why: &Unfilled) -> String {
     match why {
         Unfilled::Gone => stream_gone().to_owned(),
@@ -297,22 +485,23 @@ pub(crate) fn unfilled(why: &Unfilled) -> String {
         Unfilled::Body => write_body().to_owned(),
         Unfilled::BodyBegun => finish_body().to_owned(),
         Unfilled::Start => start_is_no_value().to_owned(),
-        Unfilled::Rate(ms) => Refusal::Rate(*ms).to_string(),
+        Unfilled::Rate(ms) => told_by(&Refusal::Rate(*ms)),
         Unfilled::Param(reason) => whole_sentence(reason),
     }
 }
 
 /// A reason with a capital letter and a full stop.
 fn whole_sentence(reason: &str) -> String {
+    let reason = translated(reason);
     let mut rest = reason.chars();
     let first: String = rest.next().into_iter().flat_map(char::to_uppercase).collect();
-    format!("{first}{}.", rest.as_str())
+    say!("{why}.", why = format!("{first}{}", rest.as_str()))
 }
 
 /// Why there is no answer to what was asked.
 pub(crate) fn not_answered(why: &NoAnswer) -> String {
     match why {
-        NoAnswer::Refused(no) => no.to_string(),
+        NoAnswer::Refused(no) => told_by(no),
         NoAnswer::Unreachable => unreachable().to_owned(),
     }
 }
@@ -323,51 +512,54 @@ pub(crate) fn not_brought(why: &NotBrought) -> String {
         NotBrought::TooLarge => file_too_large().to_owned(),
         NotBrought::Unreachable => unreachable().to_owned(),
         NotBrought::Unclear => file_unclear().to_owned(),
-        NotBrought::Refused(said) => said.clone(),
+        NotBrought::Refused(said) => translated(said),
     }
 }
 
 pub(crate) fn offline(waiting: usize) -> String {
     match waiting {
-        0 => "Offline".to_owned(),
-        1 => "Offline: 1 change waits here".to_owned(),
-        many => format!("Offline: {many} changes wait here"),
+        0 => say!("Offline"),
+        1 => say!("Offline: 1 change waits here"),
+        many => say!("Offline: {many} changes wait here", many),
     }
 }
 
 /// The banner of a lost link; `runs` says whether something ran on the robot.
 pub(crate) fn no_connection(waiting: usize, runs: bool) -> String {
     let waits = match waiting {
-        0 => "No connection. You can go on; it is sent when the connection is back.".to_owned(),
-        1 => "No connection. 1 change waits here and is sent when it is back.".to_owned(),
-        many => format!("No connection. {many} changes wait here and are sent when it is back."),
+        0 => say!("No connection. You can go on; it is sent when the connection is back."),
+        1 => say!("No connection. 1 change waits here and is sent when it is back."),
+        many => say!("No connection. {many} changes wait here and are sent when it is back.", many),
     };
-    let robot = if runs { " The robot goes on by itself." } else { "" };
-    format!("{waits}{robot} Stop still tries its own way.")
+    if runs {
+        say!("{waits} The robot goes on by itself. Stop still tries its own way.", waits)
+    } else {
+        say!("{waits} Stop still tries its own way.", waits)
+    }
 }
 
 pub(crate) fn last_heard(seconds: u32) -> String {
-    format!("Last heard {seconds} s ago.")
+    say!("Last heard {seconds} s ago.", seconds)
 }
 
 pub(crate) fn connected(sent: usize) -> String {
     match sent {
-        0 => "Connected.".to_owned(),
-        1 => "Connected. 1 change was sent.".to_owned(),
-        many => format!("Connected. {many} changes were sent."),
+        0 => say!("Connected."),
+        1 => say!("Connected. 1 change was sent."),
+        many => say!("Connected. {many} changes were sent.", many),
     }
 }
 
 pub(crate) fn room_as_it_was(seconds: u32) -> String {
-    format!("Room · as it was {seconds} s ago")
+    say!("Room · as it was {seconds} s ago", seconds)
 }
 
 pub(crate) fn value_ago(value: &str, seconds: u32) -> String {
-    format!("{value}, {seconds} s ago")
+    say!("{value}, {seconds} s ago", value, seconds)
 }
 
 pub(crate) fn last_was(value: &str) -> String {
-    format!("last {value}")
+    say!("last {value}", value)
 }
 
 /// `1,477`.
@@ -384,168 +576,187 @@ pub(crate) fn count(number: u64) -> String {
 }
 
 fn times(count_of: u64) -> String {
-    if count_of == 1 { "once".to_owned() } else { format!("{} times", count(count_of)) }
+    if count_of == 1 { say!("once") } else { say!("{count} times", count = count(count_of)) }
 }
 
 /// How often something failed and why, without its name: `Failed 3 times: there is no field y.`
 pub(crate) fn failed(faults: u64, why: &str) -> String {
-    format!("Failed {}: {}", times(faults), sentence(why))
+    say!("Failed {times}: {sentence}", times = times(faults), sentence = sentence(why))
 }
 
 /// How often something failed and why, with its name, for the list: `“map” failed 3 times: there is no field y.`
 pub(crate) fn named_failed(name: &str, faults: u64, why: &str) -> String {
-    format!("“{name}” failed {}: {}", times(faults), sentence(why))
+    say!("“{name}” failed {times}: {sentence}", name, times = times(faults), sentence = sentence(why))
 }
 
 /// Said once, when something begins to fail.
 pub(crate) fn begins_to_fail(name: &str, why: &str) -> String {
-    format!("“{name}” fails: {}", sentence(why))
+    say!("“{name}” fails: {sentence}", name, sentence = sentence(why))
 }
 
 /// Beside the lamp.
 pub(crate) fn parts_fail(count: usize) -> String {
-    if count == 1 { "1 fails".to_owned() } else { format!("{count} fail") }
+    if count == 1 { say!("1 fails") } else { say!("{count} fail", count) }
 }
 
 fn sentence(why: &str) -> String {
-    let why = why.trim_end();
-    if why.ends_with(['.', '!', '?']) { why.to_owned() } else { format!("{why}.") }
+    let why = translated(why.trim_end());
+    if why.ends_with(['.', '!', '?', '。']) { why } else { say!("{why}.", why) }
 }
 
 /// Somebody else removed what a dialog is about.
 pub(crate) fn removed_by(name: &str) -> String {
-    format!("{name} removed this.")
+    say!("{name} removed this.", name)
 }
 
 /// While a new program cannot be saved.
 pub(crate) fn not_made_yet(name: &str) -> String {
-    format!("“{name}” cannot be saved just now. It is made as soon as that is possible.")
+    say!("“{name}” cannot be saved just now. It is made as soon as that is possible.", name)
 }
 
 pub(crate) fn not_saved(waiting: usize) -> String {
     match waiting {
-        0 => "Nothing can be saved now".to_owned(),
-        1 => "Not saved: 1 change waits here".to_owned(),
-        many => format!("Not saved: {many} changes wait here"),
+        0 => say!("Nothing can be saved now"),
+        1 => say!("Not saved: 1 change waits here"),
+        many => say!("Not saved: {many} changes wait here", many),
     }
 }
 
 pub(crate) fn away_banner(reason: Option<String>, waiting: usize) -> String {
-    let reason = reason.map_or_else(String::new, |reason| format!(" ({reason})"));
-    format!("{}{reason}. You can go on; it is saved as soon as that is possible.", not_saved(waiting))
+    let not_saved = not_saved(waiting);
+    match reason.map(|reason| translated(&reason)) {
+        Some(reason) => {
+            say!("{not_saved} ({reason}). You can go on; it is saved as soon as that is possible.", not_saved, reason)
+        }
+        None => say!("{not_saved}. You can go on; it is saved as soon as that is possible.", not_saved),
+    }
 }
 
+/// The robot still runs what there was before the last edits.
 pub(crate) fn running_older(runs: u64, edits: u64) -> String {
-    if runs == edits {
-        return format!("Running version {runs}; a helper was edited since");
+    if runs == edits { say!("The robot runs an older helper") } else { say!("The robot runs your older version") }
+}
+
+/// What a connector has done: `147 worked, no errors`.
+pub(crate) fn worked(fired: u64, faults: u64) -> String {
+    let fired = count(fired);
+    match faults {
+        0 => say!("{fired} worked, no errors", fired),
+        faults => say!("{fired} worked, {faults} failed", fired, faults = count(faults)),
     }
-    format!("Running version {runs}, editing {edits}")
+}
+
+/// The title of what sets a sense, an action or a stream up: `Tracker settings`.
+pub(crate) fn settings_of(what: &str) -> String {
+    say!("{what} settings", what)
 }
 
 pub(crate) fn held_by(part: &str, name: &str) -> String {
-    format!("The {part} is held by “{name}”.")
+    let part = translated(part);
+    say!("The {part} is held by “{name}”.", part, name)
 }
 
 pub(crate) fn holds(part: &str, name: &str) -> String {
-    format!("Holds the {part}; “{name}” waits.")
+    let part = translated(part);
+    say!("Holds the {part}; “{name}” waits.", part, name)
 }
 
 pub(crate) fn move_up(name: &str) -> String {
-    format!("Move “{name}” up")
+    say!("Move “{name}” up", name)
 }
 
 pub(crate) fn move_down(name: &str) -> String {
-    format!("Move “{name}” down")
+    say!("Move “{name}” down", name)
 }
 
 pub(crate) fn stop_title(name: &str) -> String {
-    format!("Stop {name} (Esc Esc)")
+    say!("Stop {name} (Esc Esc)", name)
 }
 
 pub(crate) fn robot_named(name: &str) -> String {
-    format!("Robot: {name}")
+    say!("Robot: {name}", name)
 }
 
 pub(crate) fn remove_robot(name: &str) -> String {
-    format!("Remove “{name}”")
+    say!("Remove “{name}”", name)
 }
 
 pub(crate) fn runs_names(names: &str) -> String {
-    format!("runs {names}")
+    say!("runs {names}", names)
 }
 
 pub(crate) fn robot_gone(gone: &str, now: &str) -> String {
-    format!("“{gone}” is gone. This page looks at “{now}” now.")
+    say!("“{gone}” is gone. This page looks at “{now}” now.", gone, now)
 }
 
 pub(crate) fn remove_running(robot: &str) -> String {
-    format!("It runs on “{robot}”; stop it there first.")
+    say!("It runs on “{robot}”; stop it there first.", robot)
 }
 
 pub(crate) fn stop_one(name: &str) -> String {
-    format!("Stop “{name}”")
+    say!("Stop “{name}”", name)
 }
 
 pub(crate) fn recording_goes(lost: u64, trouble: Option<&str>) -> String {
     match (trouble, lost) {
-        (Some(why), _) => format!("The recording stopped: {why}."),
-        (None, 0) => "Recording".to_owned(),
-        (None, lost) => format!("Recording with gaps, {lost} lines are missing"),
+        (Some(why), _) => say!("The recording stopped: {why}.", why = translated(why)),
+        (None, 0) => say!("Recording"),
+        (None, lost) => say!("Recording with gaps, {lost} lines are missing", lost),
     }
 }
 
 pub(crate) fn recording_about(robot: &str, began: &str, bytes: u64, cut_off: bool) -> String {
     let (day, time) = began.split_once('T').unwrap_or((began, ""));
     let time = time.get(..5).unwrap_or_default();
-    let size = if bytes < 1 << 20 { format!("{} KB", bytes.div_ceil(1 << 10)) } else { format!("{} MB", bytes >> 20) };
-    let robot = if robot.is_empty() { String::new() } else { format!("{robot}, ") };
-    let end = if cut_off { ", its end is missing" } else { "" };
-    format!("{robot}{day} {time}, {size}{end}")
+    let size = if bytes < 1 << 20 {
+        say!("{div_ceil} KB", div_ceil = bytes.div_ceil(1 << 10))
+    } else {
+        say!("{bytes} MB", bytes = bytes >> 20)
+    };
+    let robot = (!robot.is_empty()).then(|| robot.to_owned());
+    let end = cut_off.then(|| said("its end is missing").to_owned());
+    listed(robot.into_iter().chain([format!("{day} {time}"), size]).chain(end))
 }
 
 pub(crate) fn download_recording(name: &str) -> String {
-    format!("Download the recording of {name}")
+    say!("Download the recording of {name}", name)
 }
 
 pub(crate) fn applied(revision: u64) -> String {
-    format!("The robot goes on with version {revision}.")
-}
-
-pub(crate) fn running_here(revision: u64) -> String {
-    format!("Running version {revision}")
+    say!("The robot goes on with version {revision}.", revision)
 }
 
 pub(crate) fn other_runs(name: &str) -> String {
-    format!("“{name}” is running.")
+    say!("“{name}” is running.", name)
 }
 
 pub(crate) fn ended(reason: &str) -> String {
-    format!("It ended by itself: {reason}. Press Start to try again.")
+    say!("It ended by itself: {reason}. Press Start to try again.", reason = translated(reason))
 }
 
 pub(crate) fn cannot_start(problem: &str) -> String {
-    format!("It cannot start yet. {problem}")
+    say!("It cannot start yet. {problem}", problem = translated(problem))
 }
 
 pub(crate) fn robot_lost(reason: &str) -> String {
     // The reason says what to do, or that it comes back by itself.
-    format!("The robot cannot be reached: {reason}.")
+    say!("The robot cannot be reached: {reason}.", reason = translated(reason))
 }
 
 pub(crate) fn remove_question(name: &str) -> String {
-    format!("Remove “{name}”?")
+    say!("Remove “{name}”?", name)
 }
 
 pub(crate) fn uses(count: usize) -> String {
-    if count == 1 { "1 use".to_owned() } else { format!("{count} uses") }
+    if count == 1 { say!("1 use") } else { say!("{count} uses", count) }
 }
 
 pub(crate) fn saying(text: &str) -> String {
-    format!("“{text}”")
+    say!("“{text}”", text)
 }
 
 pub(crate) fn follows(what: &str) -> String {
-    format!("follows {what}")
+    say!("follows {what}", what = listed(what.split(", ").map(translated)))
 }
 
 pub(crate) fn metres(distance: f64) -> String {
@@ -553,15 +764,15 @@ pub(crate) fn metres(distance: f64) -> String {
 }
 
 pub(crate) fn quiet_for(seconds: u64) -> String {
-    format!("quiet for {seconds} s")
+    say!("quiet for {seconds} s", seconds)
 }
 
 pub(crate) fn spelling(written: &str, right: &str) -> String {
-    format!("Change {written} to {right}")
+    say!("Change {written} to {right}", written, right)
 }
 
 pub(crate) fn field_of(argument: &str, field: &str, says: &str) -> String {
-    format!("{argument}.{field}: {says}")
+    format!("{argument}.{field}: {says}", says = translated(says))
 }
 
 pub(crate) fn trial(given: &str, result: &str) -> String {
@@ -569,36 +780,36 @@ pub(crate) fn trial(given: &str, result: &str) -> String {
 }
 
 pub(crate) fn streams(count: u32) -> String {
-    if count == 1 { "1 stream".to_owned() } else { format!("{count} streams") }
+    if count == 1 { say!("1 stream") } else { say!("{count} streams", count) }
 }
 
 pub(crate) fn changed_by(name: &str) -> String {
-    format!("last changed by {name}")
+    say!("last changed by {name}", name)
 }
 
 /// How long ago something was, up to six days; none for longer.
 pub(crate) fn ago(seconds: u64) -> Option<String> {
     let (minutes, hours, days) = (seconds / 60, seconds / 3_600, seconds / 86_400);
     match (minutes, hours, days) {
-        (0, ..) => Some("just now".to_owned()),
-        (1, ..) => Some("a minute ago".to_owned()),
-        (many, 0, _) => Some(format!("{many} minutes ago")),
-        (_, 1, _) => Some("an hour ago".to_owned()),
-        (_, many, 0) => Some(format!("{many} hours ago")),
-        (.., 1) => Some("yesterday".to_owned()),
-        (.., many @ 2..=6) => Some(format!("{many} days ago")),
+        (0, ..) => Some(say!("just now")),
+        (1, ..) => Some(say!("a minute ago")),
+        (many, 0, _) => Some(say!("{many} minutes ago", many)),
+        (_, 1, _) => Some(say!("an hour ago")),
+        (_, many, 0) => Some(say!("{many} hours ago", many)),
+        (.., 1) => Some(say!("yesterday")),
+        (.., many @ 2..=6) => Some(say!("{many} days ago", many)),
         _ => None,
     }
 }
 
 /// A day that is longer ago.
 pub(crate) fn on_day(day: &str) -> String {
-    format!("on {day}")
+    say!("on {day}", day)
 }
 
 /// What a line of the list says below the name: `Aiko · 6 streams · 2 hours ago`.
 pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> String {
-    let changed = if by == owner || by.is_empty() { when.to_owned() } else { format!("changed {when} by {by}") };
+    let changed = if by == owner || by.is_empty() { when.to_owned() } else { say!("changed {when} by {by}", when, by) };
     let owner = if owner.is_empty() { String::new() } else { format!("{owner} · ") };
     format!("{owner}{} · {changed}", streams(count))
 }
@@ -606,138 +817,213 @@ pub(crate) fn program_line(owner: &str, count: u32, when: &str, by: &str) -> Str
 /// What a line of the bin says below the name: `removed 2 hours ago by Aiko · stays 27 more days`.
 pub(crate) fn removed_line(when: &str, by: &str, days_left: u64) -> String {
     let left = match days_left {
-        0 => "goes today".to_owned(),
-        1 => "stays 1 more day".to_owned(),
-        many => format!("stays {many} more days"),
+        0 => say!("goes today"),
+        1 => say!("stays 1 more day"),
+        many => say!("stays {many} more days", many),
     };
-    format!("removed {when} by {by} · {left}")
+    say!("removed {when} by {by} · {left}", when, by, left)
 }
 
 pub(crate) fn nothing_fits(words: &str) -> String {
-    format!("Nothing fits “{words}”.")
+    say!("Nothing fits “{words}”.", words)
 }
 
 pub(crate) fn more_about(name: &str) -> String {
-    format!("More about {name}")
+    say!("More about {name}", name)
 }
 
 pub(crate) fn restore_named(name: &str) -> String {
-    format!("Restore {name}")
+    say!("Restore {name}", name)
 }
 
 pub(crate) fn is_back(name: &str) -> String {
-    format!("“{name}” is back among the programs.")
+    say!("“{name}” is back among the programs.", name)
 }
 
 pub(crate) fn shared_devices(count: u32) -> String {
-    if count == 1 { "1 sense or action in common".to_owned() } else { format!("{count} senses and actions in common") }
+    if count == 1 { say!("1 sense or action in common") } else { say!("{count} senses and actions in common", count) }
+}
+
+/// So many programs were found; perhaps more.
+pub(crate) fn programs_found(count: usize, more: bool) -> String {
+    match (count, more) {
+        (0, _) => say!("None found"),
+        (_, true) => say!("{count} found so far", count),
+        (_, false) => say!("{count} found", count),
+    }
 }
 
 pub(crate) fn programs_in_all(count: u64) -> String {
-    if count == 1 { "1 program".to_owned() } else { format!("{count} programs") }
+    if count == 1 { say!("1 program") } else { say!("{count} programs", count) }
+}
+
+/// A helper has another name, and these many programs say it now.
+pub(crate) fn helper_renamed(programs: u32) -> String {
+    if programs == 1 {
+        say!("Renamed. 1 program says the new name now.")
+    } else {
+        say!("Renamed. {programs} programs say the new name now.", programs)
+    }
+}
+
+/// Programs in which somebody was editing just then what uses a helper that has another name now.
+pub(crate) fn old_name_stays(names: &str) -> String {
+    say!("Somebody is editing {names} just now: the old name stays for that too.", names)
 }
 
 pub(crate) fn through(helper: &str) -> String {
-    format!("through {helper}")
+    say!("through {helper}", helper)
 }
 
 pub(crate) fn and_more(count: u64) -> String {
-    format!("and {count} more")
+    say!("and {count} more", count)
 }
 
 /// A file became a program; helpers that differ from those of the same name here have another name now.
 pub(crate) fn file_opened(name: &str, renamed: &[(String, String)]) -> String {
-    let helpers: Vec<_> = renamed.iter().map(|(old, new)| format!("{old} is {new} here")).collect();
+    let helpers: Vec<_> = renamed.iter().map(|(old, new)| say!("{old} is {new} here", old, new)).collect();
     match helpers.len() {
-        0 => format!("“{name}” was opened from the file."),
-        _ => format!("“{name}” was opened from the file. Helpers of other content: {}.", helpers.join(", ")),
+        0 => say!("“{name}” was opened from the file.", name),
+        _ => {
+            say!("“{name}” was opened from the file. Helpers of other content: {join}.", name, join = listed(&helpers))
+        }
     }
 }
 
 pub(crate) fn hangs_below(count: usize) -> String {
-    format!("What hangs below: {}", streams(u32::try_from(count).unwrap_or(u32::MAX)))
+    say!("What hangs below: {streams}", streams = streams(u32::try_from(count).unwrap_or(u32::MAX)))
 }
 
 pub(crate) fn also_use(action: &str) -> String {
-    format!("Other programs with {action}")
+    say!("Other programs with {action}", action)
 }
 
 pub(crate) fn from_senses(senses: &str) -> String {
-    format!("from {senses}")
+    say!("from {senses}", senses)
 }
 
 pub(crate) fn has_all(robot: &str) -> String {
-    format!("{robot} has all the senses and actions it needs.")
+    say!("{robot} has all the senses and actions it needs.", robot)
 }
 
 pub(crate) fn helper_called(name: &str) -> String {
-    format!("helper {name}")
+    say!("helper {name}", name)
 }
 
 pub(crate) fn is_editing(name: &str) -> String {
-    format!("{name} is editing")
+    say!("{name} is editing", name)
 }
 
 /// `map (1), connector from RedBall to Distance, Yuki is editing`
 pub(crate) fn with_editor(what: String, name: Option<&str>) -> String {
     match name {
-        Some(name) => format!("{what}, {}", is_editing(name)),
+        Some(name) => listed([what, is_editing(name)]),
         None => what,
     }
 }
 
+/// Who is editing, and what that means meanwhile.
+pub(crate) fn is_editing_and(name: &str, meanwhile: &str) -> String {
+    say!("{name} is editing. {meanwhile}", name, meanwhile)
+}
+
 /// Said once when somebody begins to edit something.
 pub(crate) fn is_editing_this(name: &str, what: &str) -> String {
-    format!("{} {what}.", is_editing(name))
+    say!("{name} is editing {what}.", name, what)
 }
 
 /// What one sees of what somebody else is editing.
 pub(crate) fn until_saved(name: &str) -> String {
-    format!("It is as {name} left it until {name} saves.")
+    say!("It is as {name} left it until {name} saves.", name)
 }
 
 pub(crate) fn ask_person(name: &str) -> String {
-    format!("Ask {name}")
+    say!("Ask {name}", name)
 }
 
 pub(crate) fn asked_yours_in(seconds: u32) -> String {
-    format!("Asked. Yours in {seconds} s.")
+    say!("Asked. Yours in {seconds} s.", seconds)
 }
 
 pub(crate) fn keeps_for_now(name: &str) -> String {
-    format!("{name} keeps it for now.")
+    say!("{name} keeps it for now.", name)
 }
 
 pub(crate) fn ask_again_in(seconds: u32) -> String {
-    format!("You can ask again in {seconds} s.")
+    say!("You can ask again in {seconds} s.", seconds)
 }
 
 pub(crate) fn would_like_to_edit(name: &str) -> String {
-    format!("{name} would like to edit this.")
+    say!("{name} would like to edit this.", name)
 }
 
 pub(crate) fn free_for_others_in(seconds: u32) -> String {
-    format!("Still editing? It is free for others in {seconds} s.")
+    say!("Still editing? It is free for others in {seconds} s.", seconds)
 }
 
-pub(crate) fn helper_item(name: &str, params: &str) -> String {
-    format!("{name} ({params})")
+/// The field in which one says what kind of value a helper's argument is.
+pub(crate) fn helper_takes(argument: &str) -> String {
+    say!("What “{argument}” is", argument)
 }
 
-pub(crate) fn example(value: &str) -> String {
-    format!("For example {value}")
+/// What a helper takes or gives, as one can choose it.
+pub(crate) fn declared(declared: behaviour::Declared) -> String {
+    use behaviour::Declared;
+    match (declared, declared.value_type()) {
+        (Declared::Ball, _) => a_ball().to_owned(),
+        (Declared::Face, _) => a_face().to_owned(),
+        (_, Some(kind)) => told_by(&kind),
+        (_, None) => found_out().to_owned(),
+    }
+}
+
+/// A step that turns a value into another unit: "Convert to m".
+pub(crate) fn convert_to(unit: &str) -> String {
+    say!("Convert to {unit}", unit)
+}
+
+/// What an offer makes of the value first: "converts to m".
+pub(crate) fn converts_to(unit: &str) -> String {
+    say!("converts to {unit}", unit)
+}
+
+/// What an offer does before its own: "Wants m, gets cm: it is converted first.".
+pub(crate) fn converts_first(from: &str, to: &str) -> String {
+    say!("Wants {to}, gets {from}: it is converted first.", from, to)
+}
+
+/// How a helper is called: what a fresh library has by plain words, others as they were named.
+pub(crate) fn helper_name_of(helper: &behaviour::Helper) -> String {
+    robot::helper_label(helper).map_or_else(|| helper.name.clone(), |label| said(label).to_owned())
+}
+
+/// A helper in a list: "Distance in m · ball_to_distance (ball)".
+pub(crate) fn helper_item(helper: &behaviour::Helper) -> String {
+    let technical = format!("{} ({})", helper.name, helper.params.join(", "));
+    robot::helper_label(helper).map_or(technical.clone(), |label| format!("{} · {technical}", said(label)))
+}
+
+/// What was sent to which sense.
+pub(crate) fn sent_to(name: &str, value: &str) -> String {
+    say!("Sent to {name}: {value}", name, value)
+}
+
+/// Something of the catalogue where it stands alone: "Angle to the side in radians".
+pub(crate) fn as_label(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().into_iter().flat_map(char::to_uppercase).chain(rest).collect()
 }
 
 pub(crate) fn add_named(name: &str) -> String {
-    format!("Add {name}")
+    say!("Add {name}", name)
 }
 
 pub(crate) fn lead_to(name: &str) -> String {
-    format!("Lead the selected stream to {name}")
+    say!("Lead the selected stream to {name}", name)
 }
 
 pub(crate) fn lead_to_existing(name: &str) -> String {
-    format!("“{name}”, which is there already")
+    say!("“{name}”, which is there already", name)
 }
 
 pub(crate) fn ball_named(color: &str) -> &'static str {
@@ -751,22 +1037,22 @@ pub(crate) fn ball_named(color: &str) -> &'static str {
 
 /// A value of a marble example: "5 at 0.3 s".
 pub(crate) fn value_at(value: &str, at_ms: u64) -> String {
-    format!("{value} at {}", seconds_short(at_ms))
+    say!("{value} at {seconds_short}", value, seconds_short = seconds_short(at_ms))
 }
 
 /// A lane of a marble example: "Distance: 5 at 0 s, 30 at 0.3 s".
 pub(crate) fn lane_tells(name: &str, values: &str) -> String {
-    if values.is_empty() { format!("{name}: nothing") } else { format!("{name}: {values}") }
+    if values.is_empty() { say!("{name}: nothing", name) } else { titled(name, values) }
 }
 
 /// What a marble example gives.
 pub(crate) fn comes_out(lane: &str) -> String {
-    format!("Out comes {lane}")
+    say!("Out comes {lane}", lane)
 }
 
 /// A short time: "0.3 s".
 pub(crate) fn seconds_short(ms: u64) -> String {
-    format!("{} s", ms as f64 / 1_000.0)
+    say!("{seconds} s", seconds = ms as f64 / 1_000.0)
 }
 
 /// The time written beside a value.
@@ -774,43 +1060,162 @@ pub(crate) fn at_ms(time: &str) -> String {
     format!("t = {time}")
 }
 
-/// A duration: "500 ms", "2 s".
-pub(crate) fn duration(ms: u64) -> String {
-    if ms.is_multiple_of(1_000) { format!("{} s", ms / 1_000) } else { format!("{ms} ms") }
+/// How long ago something was printed, in whole seconds.
+pub(crate) fn printed_ago(seconds: u64) -> String {
+    if seconds < 1 { say!("just now") } else { say!("{seconds} s ago", seconds) }
 }
 
-/// How often that is: "every 500 ms", "every second".
-pub(crate) fn every(ms: u64) -> String {
-    if ms == 1_000 { "every second".to_owned() } else { format!("every {}", duration(ms)) }
+/// The field for another name.
+pub(crate) fn new_name(of: &str) -> String {
+    say!("New name of {of}", of)
 }
 
-/// Names of which one is meant: "Red or Green".
-pub(crate) fn one_of(names: &[String]) -> String {
-    names.join(" or ")
+/// The title of the page: the program, whether it runs, and what is the matter with it.
+pub(crate) fn page_title(program: &str, runs: bool, state: Option<&str>) -> String {
+    let program = match state {
+        Some(state) if !program.is_empty() => format!("{program} · {state}"),
+        Some(state) => state.to_owned(),
+        None => program.to_owned(),
+    };
+    match (program, runs) {
+        (none, _) if none.is_empty() => "rrp".to_owned(),
+        (program, true) => say!("▶ {program} – rrp", program),
+        (program, false) => say!("{program} – rrp", program),
+    }
+}
+
+/// Going to a stream.
+pub(crate) fn go_to(name: &str) -> String {
+    say!("Go to {name}", name)
+}
+
+/// So many things are chosen.
+pub(crate) fn selected_count(count: usize) -> String {
+    say!("{count} selected", count)
+}
+
+/// A sign of comparison, for people.
+pub(crate) fn sign(sign: &str) -> &'static str {
+    match sign {
+        "<" => "<",
+        "<=" => "≤",
+        ">" => ">",
+        ">=" => "≥",
+        "==" => "=",
+        _ => "≠",
+    }
+}
+
+/// Where a value is now.
+pub(crate) fn now_is(value: &str) -> String {
+    say!("now {value}", value)
+}
+
+/// A value that a test lets through.
+pub(crate) fn value_passes(value: &str) -> String {
+    say!("{value} passes", value)
+}
+
+/// A value that a test stops.
+pub(crate) fn value_left_out(value: &str) -> String {
+    say!("{value} is left out", value)
+}
+
+/// What comes after a stream.
+pub(crate) fn after_stream(name: &str) -> String {
+    say!("After {name}", name)
+}
+
+/// Where a connector can be put in.
+pub(crate) fn insert_between(above: &str, connector: &str) -> String {
+    say!("Insert between {above} and {connector}", above, connector)
+}
+
+/// What a wire of a stream comes to.
+pub(crate) fn joining(how: Joining, target: &str) -> String {
+    match how {
+        Joining::Acts => say!("leads to {target}", target),
+        Joining::Feeds => say!("feeds {target}", target),
+        Joining::Merges => say!("joins {target} with what it carries", target),
+        Joining::Adds => say!("one more input of {target}", target),
+        Joining::Replaces => say!("{target} takes from it instead", target),
+    }
+}
+
+/// A wire is held by the keyboard: where it may end, and where it would end now.
+pub(crate) fn wire_at(at: usize, count: usize, how: &str) -> String {
+    say!("{how}, {at} of {count}", how = capital(how), at = at + 1, count)
+}
+
+/// The first place that a wire comes to.
+pub(crate) fn wire_first_at(from: &str, at: usize, count: usize, how: &str) -> String {
+    let first = wire_at(at, count, how);
+    match count {
+        1 => say!("Connect {from}: 1 place. {first}", from, first),
+        _ => say!("Connect {from}: {count} places. {first}", from, count, first),
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut rest = text.chars();
+    rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
+}
+
+/// A wire that may end in so many places.
+pub(crate) fn wire_begins(from: &str, count: usize) -> String {
+    match count {
+        1 => say!("Connect {from}: 1 place. Press an arrow key.", from),
+        _ => say!("Connect {from}: {count} places. Press an arrow key.", from, count),
+    }
+}
+
+/// A wire that can end nowhere.
+pub(crate) fn wire_nowhere(from: &str) -> String {
+    say!("{from} is led everywhere already. Drop it on free ground to add something new.", from)
+}
+
+/// A stream whose values shall go to another place too.
+pub(crate) fn connect_named(name: &str) -> String {
+    say!("Connect {name}", name)
+}
+
+/// A stream that shall get values.
+pub(crate) fn connect_to(name: &str) -> String {
+    say!("Connect to {name}", name)
+}
+
+/// A stream that can be led nowhere else.
+pub(crate) fn leads_everywhere(name: &str) -> String {
+    say!("{name} is led everywhere already.", name)
+}
+
+/// Removing a stream and joining its way.
+pub(crate) fn remove_and_join(above: &str) -> String {
+    say!("Remove it, and go on from {above}", above)
 }
 
 /// How deep a row of the outline stands, for screen readers.
 pub(crate) fn level(depth: usize) -> String {
-    format!("Level {depth}: ")
+    format!("{} ", say!("Level {depth}:", depth))
 }
 
 /// `Head tracker, red ball · head, actuator stream`
 pub(crate) fn stream_name(name: &str, what_it_is: &str, kind: StreamKind) -> String {
     let kind = match kind {
-        StreamKind::Sensor => "sensor stream",
-        StreamKind::Ordinary => "stream",
-        StreamKind::Actuator => "actuator stream",
+        StreamKind::Sensor => said("sensor stream"),
+        StreamKind::Ordinary => said("stream"),
+        StreamKind::Actuator => said("actuator stream"),
     };
-    if what_it_is.is_empty() { format!("{name}, {kind}") } else { format!("{name}, {what_it_is}, {kind}") }
+    listed([name, what_it_is, kind].into_iter().filter(|part| !part.is_empty()))
 }
 
 /// `map (distance), connector from RedBall to Distance`
 pub(crate) fn connector_name(words: &str, from: &[String], to: &str) -> String {
-    format!("{words}, connector from {} to {to}", from.join(" and "))
+    say!("{words}, connector from {join} to {to}", words, join = joined(from), to)
 }
 
 pub(crate) fn next_steps(name: &str) -> String {
-    format!("Next steps for {name}")
+    say!("Next steps for {name}", name)
 }
 
 pub(crate) fn percent(zoom: f64) -> String {

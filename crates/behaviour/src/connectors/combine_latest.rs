@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "combineLatest",
     name: "combine",
     says: "Makes one value out of the newest values of several streams.",
+    brief: "with another stream",
     icon: Icon {
         name: "combine",
         strokes: &["M9 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11", "M15 6.5a5.5 5.5 0 1 0 0 11a5.5 5.5 0 1 0 0-11"],
@@ -24,7 +25,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Result,
     graph: GraphForm { relationship: None, label: "CombineLatest" },
     offered: Offered::NEVER,
-    called: &["{helper}", "{body}", "{input} and more"],
+    called: &["{helper}", "{body}"],
     help: Help {
         does: "Remembers the newest value of each of its streams. Whenever one of them changes, it makes one value out of \
                all of them.",

@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "debounce",
     name: "settle",
     says: "Passes on a value once nothing new has come for a while.",
+    brief: "when it has settled",
     icon: Icon { name: "debounce", strokes: &["M3 12h3l2-6 3 12 2-6h8"] },
     inputs: Inputs::One,
     takes: Takes { period: Some("Nothing new for"), ..Takes::NOTHING },

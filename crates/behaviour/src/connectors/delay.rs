@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "delay",
     name: "delay",
     says: "Passes on every value a while later.",
+    brief: "a while later",
     icon: Icon { name: "delay", strokes: &["M12 7v5l3 2", "M12 3a9 9 0 1 0 9 9", "M17 5h4v4"] },
     inputs: Inputs::One,
     takes: Takes { period: Some("Later by"), ..Takes::NOTHING },

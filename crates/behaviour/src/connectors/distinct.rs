@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "distinct",
     name: "changed",
     says: "Passes on a value only when it has changed.",
+    brief: "only when it changes",
     icon: Icon { name: "distinct", strokes: &["M4 9h16", "M4 15h16", "M15 5L9 19"] },
     inputs: Inputs::One,
     takes: Takes {

@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "filter",
     name: "filter",
     says: "Keeps the values that pass a test.",
+    brief: "keeps some",
     icon: Icon { name: "filter", strokes: &["M4 5h16l-6 7.5V19l-4-2.2v-4.3z"] },
     inputs: Inputs::One,
     takes: Takes {
@@ -21,7 +22,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Same,
     graph: GraphForm { relationship: Some("filter"), label: "Filter" },
     offered: Offered { first_for: &[Carries::Number, Carries::Touch, Carries::Truth], always: true },
-    called: &["{helper} {input}", "{body}", "Some {input}"],
+    called: &["{helper} {input}", "{body}"],
     help: Help {
         does: "Asks a question about every value and keeps the values for which the answer is true. The values themselves \
                stay as they are.",

@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "map",
     name: "map",
     says: "Makes a new value out of each value.",
+    brief: "makes another value",
     icon: Icon {
         name: "map",
         strokes: &["M3 12h5", "M11 9a3 3 0 1 0 0 6a3 3 0 1 0 0-6", "M14 12h6", "M17.5 9l3 3l-3 3"],
@@ -24,7 +25,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Result,
     graph: GraphForm { relationship: Some("map"), label: "Map" },
     offered: Offered::ALWAYS,
-    called: &["{helper}", "{body}", "New {input}"],
+    called: &["{helper}", "{body}"],
     help: Help {
         does: "Makes a new value out of every value, one for one.",
         when: "Use it to turn what a sense tells into what you want to know: a size into a distance, a distance into a word.",

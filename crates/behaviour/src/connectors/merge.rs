@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "merge",
     name: "merge",
     says: "Joins several streams into one, as their values come.",
+    brief: "with another stream",
     icon: Icon { name: "merge", strokes: &["M6 4c0 5 6 4 6 9v7", "M18 4c0 5-6 4-6 9"] },
     inputs: Inputs::OneOrMore,
     takes: Takes::NOTHING,
@@ -18,7 +19,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Same,
     graph: GraphForm { relationship: None, label: "Merge" },
     offered: Offered::NEVER,
-    called: &["{input} or {others}", "{input} or more"],
+    called: &["{input} or {others}"],
     help: Help {
         does: "Joins several streams into one. Every value is passed on as it comes.",
         when: "Use it when several things should lead to the same action: a red ball or a green one.",

@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "sample",
     name: "sample",
     says: "Passes on the newest value at a steady beat.",
+    brief: "every second",
     icon: Icon { name: "sample", strokes: &["M4 19h16", "M7 19v-6", "M12 19V6", "M17 19v-9"] },
     inputs: Inputs::One,
     takes: Takes { period: Some("One value every"), ..Takes::NOTHING },

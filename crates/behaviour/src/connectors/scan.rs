@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "scan",
     name: "remember",
     says: "Remembers a result and makes the next one of it and each value.",
+    brief: "counts, remembers",
     icon: Icon { name: "scan", strokes: &["M5 12a7 7 0 1 1 2 5", "M5 20v-4h4", "M12 8v4l3 2"] },
     inputs: Inputs::One,
     takes: Takes {

@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "subscribe",
     name: "subscribe",
     says: "Hands each value to an action of the robot.",
+    brief: "to an action",
     icon: Icon { name: "subscribe", strokes: &["M12 4v11", "M7.5 11L12 15.5L16.5 11", "M5 20h14"] },
     inputs: Inputs::One,
     takes: Takes::NOTHING,
@@ -18,7 +19,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Same,
     graph: GraphForm { relationship: Some("subscribe"), label: "Subscribe" },
     offered: Offered::NEVER,
-    called: &["New {input}"],
+    called: &[],
     help: Help {
         does: "Hands every value to an action of the robot, as soon as it comes.",
         when: "Use it at the end: nothing moves, shines or speaks without it.",

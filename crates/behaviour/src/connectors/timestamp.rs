@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "timestamp",
     name: "timestamp",
     says: "Puts the time beside each value.",
+    brief: "with the time",
     icon: Icon { name: "timestamp", strokes: &["M12 4a8 8 0 1 0 0 16a8 8 0 1 0 0-16", "M12 7.5V12l3 2"] },
     inputs: Inputs::One,
     takes: Takes::NOTHING,

@@ -10,6 +10,7 @@ pub const SPEC: Spec = Spec {
     word: "withLatest",
     name: "with latest",
     says: "Combines each value with the newest values of other streams.",
+    brief: "with another’s newest",
     icon: Icon { name: "with-latest", strokes: &["M4 7h9", "M4 17h5a4 4 0 0 0 4-4V7", "M13 7h7", "M17 4l3 3-3 3"] },
     inputs: Inputs::TwoOrMore,
     takes: Takes {
@@ -21,7 +22,7 @@ pub const SPEC: Spec = Spec {
     passes: Passes::Result,
     graph: GraphForm { relationship: None, label: "WithLatest" },
     offered: Offered::NEVER,
-    called: &["{helper} {input}", "{input} with {others}", "{input} with more"],
+    called: &["{helper} {input}", "{input} with {others}"],
     help: Help {
         does: "Each value of the first stream is put together with the newest values of the others, once all of them \
                have one. The other streams alone give nothing.",

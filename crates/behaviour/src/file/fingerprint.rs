@@ -35,7 +35,7 @@ impl Fnv {
     }
 
     fn helper(&mut self, helper: &FileHelper) {
-        let FileHelper { name, params, body, says: _ } = helper;
+        let FileHelper { name, params, body, says: _, takes: _, gives: _ } = helper;
         self.text(name);
         self.texts(params);
         self.text(body);
@@ -69,9 +69,9 @@ impl Fnv {
 }
 
 impl BehaviourFile {
-    /// A fingerprint of all that a run depends on: streams, connectors, helpers, robot and engine. Names of behaviours,
-    /// notes, places and what helpers are for change nothing. Files that run differently have different fingerprints but
-    /// for one case in four thousand million.
+    /// A fingerprint of all that a run depends on: streams, connectors, helpers, robot and engine. Names and tags of
+    /// behaviours, notes, groups, places and what helpers are for change nothing. Files that run differently have different
+    /// fingerprints but for one case in four thousand million.
     #[must_use]
     pub fn fingerprint(&self) -> u32 {
         let mut fnv = Fnv(2_166_136_261);
@@ -99,6 +99,7 @@ mod tests {
         let print = file.fingerprint();
         let mut renamed = file.clone();
         renamed.name = "y".to_owned();
+        renamed.tags = vec!["group b".to_owned()];
         renamed.helpers[0].says = "the same".to_owned();
         renamed.layout.clear();
         assert_eq!(renamed.fingerprint(), print);

@@ -1,8 +1,9 @@
 //! From a behaviour to its file.
 
-use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileNote, FileStream};
+use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
 use crate::{
-    Behaviour, Connector, Engine, Filled, Helper, Id, Place, Procedure, Record, Settings, Stream, Value, called_names,
+    Behaviour, Connector, Engine, Filled, Group, Helper, Id, Note, Place, Procedure, Record, Settings, Stream, Value,
+    called_names,
 };
 use std::collections::BTreeMap;
 
@@ -19,10 +20,13 @@ impl BehaviourFile {
             name: settings.name,
             robot: Some(settings.robot).filter(|robot| robot != "nao"),
             engine: Some(settings.engine).filter(|engine| *engine != Engine::Event),
+            exercise: settings.exercise,
+            tags: settings.tags,
             helpers: used_helpers(&connectors, library),
             streams: behaviour.streams_in_order().into_iter().map(|(id, stream)| file_stream(id, stream)).collect(),
             connectors,
-            notes: notes_of(behaviour),
+            notes: behaviour.notes().map(|(id, note)| file_note(id, note)).collect(),
+            groups: behaviour.groups().map(|(id, group)| file_group(id, group)).collect(),
             order: order_of(behaviour),
             layout: layout_of(behaviour),
         }
@@ -37,12 +41,22 @@ fn order_of(behaviour: &Behaviour) -> BTreeMap<String, i64> {
     numbered.filter(|(at, (_, order))| at != order).map(|(_, (id, order))| (id.to_string(), order)).collect()
 }
 
-fn notes_of(behaviour: &Behaviour) -> Vec<FileNote> {
-    let notes = behaviour.records.iter().filter_map(|(key, record)| match record {
-        Record::Note(note) => Some(FileNote { id: key.id.to_string(), text: note.text.clone() }),
-        _ => None,
-    });
-    notes.collect()
+fn file_note(id: &Id, note: &Note) -> FileNote {
+    FileNote {
+        id: id.to_string(),
+        text: note.text.clone(),
+        by: Some(note.by.clone()).filter(|by| !by.is_empty()),
+        at: Some(note.at_ms).filter(|at_ms| *at_ms > 0),
+    }
+}
+
+fn file_group(id: &Id, group: &Group) -> FileGroup {
+    FileGroup {
+        id: id.to_string(),
+        title: group.title.clone(),
+        streams: group.streams.iter().map(Id::to_string).collect(),
+        folded: group.folded.then_some(true),
+    }
 }
 
 fn file_stream(id: &Id, stream: &Stream) -> FileStream {
@@ -105,5 +119,7 @@ fn file_helper(helper: &Helper) -> FileHelper {
         params: helper.params.clone(),
         body: helper.body.clone(),
         says: helper.says.clone(),
+        takes: helper.takes.clone(),
+        gives: helper.gives,
     }
 }

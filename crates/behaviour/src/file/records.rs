@@ -1,16 +1,16 @@
 //! From a file to the records of a behaviour.
 
-use super::{BehaviourFile, FORMAT, FileConnector, FileHelper, FileStream};
+use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
 use crate::{
-    BadId, Behaviour, Connector, Filled, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId,
-    Settings, Stream, connectors,
+    BadId, Behaviour, Connector, Filled, Group, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record,
+    RecordId, Settings, Stream, connectors,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Something in a file of which no records can be made. [`std::fmt::Display`] says it in one line: `id: reason`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Flaw {
-    /// The id of the stream, connector or note, or `format`.
+    /// The id of the stream, connector, note or group, or `format`.
     pub at: String,
     /// What is wrong with it.
     pub kind: FlawKind,
@@ -40,12 +40,14 @@ pub enum FlawKind {
     NoConnector(String),
     /// A connector of this word needs a period, and has none or one of 0.
     NoPeriod(&'static str),
+    /// Another group above it has this stream too.
+    InTwoGroups(String),
     /// It has a body, and the name of a helper too.
     BodyAndHelper,
 }
 
 impl BehaviourFile {
-    /// The records of the file, with new ids from `new_id` (asked once per stream, connector and note) or, if it
+    /// The records of the file, with new ids from `new_id` (asked once per stream, connector, note and group) or, if it
     /// returns none, the file's own. Under a new id the creation number is the position in the file.
     ///
     /// # Errors
@@ -64,13 +66,21 @@ impl BehaviourFile {
             }
         }
         self.check_order(&mut flaws);
+        self.check_groups(&mut flaws);
         let mut records = self.to_records(&ids, &mut flaws);
-        for (name, place) in &self.layout {
-            // A place of something that is gone keeps its own id, or is left behind.
+        // What is gone keeps its own id in a place or group, or is left behind.
+        let mut even_gone = |name: &String| {
             let own = || new_id(name).map_or_else(|| Id::new(name).ok(), |_| None);
-            if let Some(id) = ids.get(name).cloned().or_else(own) {
+            ids.get(name).cloned().or_else(own)
+        };
+        for (name, place) in &self.layout {
+            if let Some(id) = even_gone(name) {
                 records.insert(RecordId::new(Kind::Place, &id), Record::Place(*place));
             }
+        }
+        for (group, id) in self.groups.iter().filter_map(|group| Some((group, ids.get(&group.id)?))) {
+            let streams = group.streams.iter().filter_map(&mut even_gone).collect();
+            records.insert(RecordId::new(Kind::Group, id), Record::Group(group.record(streams)));
         }
         if flaws.is_empty() { Ok(Behaviour { records }) } else { Err(flaws) }
     }
@@ -80,6 +90,8 @@ impl BehaviourFile {
         let mut settings = Settings::named(&self.name);
         settings.robot = self.robot.clone().unwrap_or(settings.robot);
         settings.engine = self.engine.unwrap_or_default();
+        settings.tags.clone_from(&self.tags);
+        settings.exercise.clone_from(&self.exercise);
         records.insert(RecordId::settings(), Record::Settings(settings));
         for (at, (stream, id)) in (0..).zip(self.streams.iter().filter_map(|s| Some((s, ids.get(&s.id)?)))) {
             let order = self.order_under(&stream.id, ids, at);
@@ -95,7 +107,7 @@ impl BehaviourFile {
             }
         }
         for (note, id) in self.notes.iter().filter_map(|n| Some((n, ids.get(&n.id)?))) {
-            records.insert(RecordId::new(Kind::Note, id), Record::Note(Note { text: note.text.clone() }));
+            records.insert(RecordId::new(Kind::Note, id), Record::Note(note.record()));
         }
         records
     }
@@ -103,7 +115,8 @@ impl BehaviourFile {
     fn ids(&self) -> impl Iterator<Item = &String> {
         let streams = self.streams.iter().map(|stream| &stream.id);
         let connectors = self.connectors.iter().map(|connector| &connector.id);
-        streams.chain(connectors).chain(self.notes.iter().map(|note| &note.id))
+        let notes = self.notes.iter().map(|note| &note.id);
+        streams.chain(connectors).chain(notes).chain(self.groups.iter().map(|group| &group.id))
     }
 
     /// The creation number of what has this id in the file, at this position.
@@ -134,6 +147,17 @@ impl BehaviourFile {
         }
     }
 
+    /// A stream is in one group at most.
+    fn check_groups(&self, flaws: &mut Vec<Flaw>) {
+        let mut seen: BTreeMap<&str, &str> = BTreeMap::new();
+        for (group, stream) in self.groups.iter().flat_map(|group| group.streams.iter().map(move |id| (group, id))) {
+            let other = seen.insert(stream, &group.id);
+            if other.is_some_and(|other| other != group.id) {
+                flaws.push(flaw(&group.id, FlawKind::InTwoGroups(stream.clone())));
+            }
+        }
+    }
+
     /// The helpers as records of the library.
     #[must_use]
     pub fn library(&self) -> Vec<Helper> {
@@ -142,6 +166,8 @@ impl BehaviourFile {
             params: h.params.clone(),
             body: h.body.clone(),
             says: h.says.clone(),
+            takes: h.takes.clone(),
+            gives: h.gives,
         };
         self.helpers.iter().map(helper).collect()
     }
@@ -149,6 +175,19 @@ impl BehaviourFile {
 
 fn flaw(at: &str, kind: FlawKind) -> Flaw {
     Flaw { at: at.to_owned(), kind }
+}
+
+impl FileNote {
+    fn record(&self) -> Note {
+        let by = self.by.clone().unwrap_or_default();
+        Note { text: self.text.clone(), by, at_ms: self.at.unwrap_or_default() }
+    }
+}
+
+impl FileGroup {
+    fn record(&self, streams: BTreeSet<Id>) -> Group {
+        Group { title: self.title.clone(), streams, folded: self.folded.unwrap_or_default() }
+    }
 }
 
 impl FileStream {

@@ -27,7 +27,7 @@ fn set(names: &[&str]) -> BTreeSet<RecordId> {
 }
 
 fn change(names: &[&str]) -> Change {
-    let text = || Record::Note(Note { text: "new".into() });
+    let text = || Record::Note(Note::new("new".into()));
     names
         .iter()
         .fold(Change::of(id("op"), "Aiko", ""), |made, name| made.put(&Behaviour::default(), note(name), text()))

@@ -60,7 +60,7 @@ impl Desk {
     /// Somebody writes a text, which nobody wrote before, into some notes; an empty one takes them away.
     fn writes(&mut self, who: &str, notes: &[&str], what: &str) {
         let op = self.op();
-        let after = (!what.is_empty()).then(|| Record::Note(Note { text: format!("{who}: {what}") }));
+        let after = (!what.is_empty()).then(|| Record::Note(Note::new(format!("{who}: {what}"))));
         let start = Change { by: Some(id(who)), ..Change::of(op, who, &format!("Write {what}")) };
         let change = notes.iter().fold(start, |made, name| match &after {
             Some(after) => made.put(self.room.behaviour(), note(name), after.clone()),

@@ -106,7 +106,7 @@ fn place(dice: &mut Dice) -> Record {
 }
 
 fn note(dice: &mut Dice) -> Record {
-    Record::Note(Note { text: dice.roll(1 << 30).to_string() })
+    Record::Note(Note::new(dice.roll(1 << 30).to_string()))
 }
 
 /// Whether the graph keeps the rules, found out in another way than the room does.

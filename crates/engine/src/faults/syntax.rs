@@ -18,6 +18,11 @@ impl Syntax {
         Self { error, arguments: arguments.to_vec() }
     }
 
+    /// The name of a value that there is not, if that is why.
+    pub(crate) fn unknown_value(&self) -> Option<&str> {
+        if let ParseErrorType::VariableUndefined(name) = self.error.err_type() { Some(name) } else { None }
+    }
+
     fn why(&self) -> String {
         use ParseErrorType as E;
         match self.error.err_type() {

@@ -103,7 +103,8 @@ async fn everything_else_is_called_as_a_robot_wants_it() {
     driver.tell(&learn, text("Aiko"));
     let print = driver.open("print", "Print", &[]);
     driver.tell(&print, text("here"));
-    assert_eq!(driver.nao.scene().body.printed, ["here"]);
+    let printed = driver.nao.scene().body.printed;
+    assert_eq!(printed.iter().map(|one| (&one.by, one.text.as_str())).collect::<Vec<_>>(), [(&print, "here")]);
     for method in ["ALAudioPlayer.playSine", "ALFaceDetection.learnFace", "ALLeds.setIntensity"] {
         let mut patience = 0;
         while peer.calls(method).await.is_empty() {

@@ -1,12 +1,12 @@
 //! Gestures that the robot brings along, as ALAnimationPlayer plays them (NAOqi 2.8).
 
-use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "Animation",
     kind: StreamKind::Actuator,
-    label: "Animation",
+    label: "Gesture",
     says: "Plays the gesture whenever a value comes; one that plays already is not begun again.",
     icon: "animation",
     params: &[Param {
@@ -25,7 +25,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Head, Resource::LeftArm, Resource::RightArm]),
     waiting: Waiting::Every,
+    pace: Pace::Lasting,
     button: None,
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[],
 };

@@ -1,13 +1,13 @@
 //! Anything of a colour, round or not, as ALColorBlobDetection finds it (NAOqi 2.8).
 
-use super::red_ball::BALL;
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use super::red_ball::{BALL, BALLS};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "Blob",
     kind: StreamKind::Sensor,
-    label: "Blob",
+    label: "Coloured thing",
     says: "Sees the largest thing of the chosen color, whatever its form: where it is and how large it looks.",
     icon: "blob",
     params: &[
@@ -25,7 +25,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Object(BALL),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    pace: Pace::WhileThere,
     button: None,
     next_step: NextStep::NEVER,
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
+    pretend: BALLS,
 };

@@ -1,7 +1,7 @@
 //! The bumpers on the feet.
 
 use super::LETTING_GO;
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -21,7 +21,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    pace: Pace::Happening,
     button: None,
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[Pretend { says: "bumped", value: "true" }, Pretend { says: "let go", value: "false" }],
 };

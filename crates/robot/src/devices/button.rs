@@ -1,6 +1,6 @@
 //! A button on the page that an operator presses.
 
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -17,7 +17,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    pace: Pace::Happening,
     button: Some("label"),
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[Pretend { says: "button pressed", value: "true" }],
 };

@@ -1,13 +1,13 @@
 //! A round ball of a colour, as ALColorBlobDetection finds it (NAOqi 2.8) when told to look for circles.
 
-use super::red_ball::BALL;
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use super::red_ball::{BALL, BALLS};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "ColorBall",
     kind: StreamKind::Sensor,
-    label: "ColorBall",
+    label: "Coloured ball",
     says: "Sees a ball of the chosen color: where it is and how large it looks.",
     icon: "ball",
     params: &[Param {
@@ -18,7 +18,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Object(BALL),
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    pace: Pace::WhileThere,
     button: None,
     next_step: NextStep::NEVER,
     example: r#"{"x":0.1,"y":0.0,"size":0.08,"time":0}"#,
+    pretend: BALLS,
 };

@@ -1,13 +1,13 @@
 //! The colour of the eyes.
 
-use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 use behaviour::connectors::Carries;
 
 pub(crate) const DEVICE: Device = Device {
     name: "EyeLedColor",
     kind: StreamKind::Actuator,
-    label: "EyeLedColor",
+    label: "Eye colour",
     says: "Gives the eyes a color whenever a value comes.",
     icon: "light",
     params: &[Param {
@@ -28,7 +28,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Eyes]),
     waiting: Waiting::Newest,
+    pace: Pace::Brief,
     button: None,
     next_step: NextStep { for_streams: &[(Carries::Touch, &[]), (Carries::Truth, &[])], ..NextStep::NEVER },
     example: r#""red""#,
+    pretend: &[],
 };

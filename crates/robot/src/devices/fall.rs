@@ -1,6 +1,6 @@
 //! Falling, as the fall manager of ALMotion notices it (NAOqi 2.8).
 
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -17,7 +17,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    pace: Pace::Happening,
     button: None,
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[Pretend { says: "it falls", value: "true" }, Pretend { says: "it stands again", value: "false" }],
 };

@@ -1,13 +1,13 @@
 //! The touch fields on the backs and sides of the hands.
 
 use super::LETTING_GO;
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "HandTouch",
     kind: StreamKind::Sensor,
-    label: "HandTouch",
+    label: "Hand touch",
     says: "Feels a touch on a hand: gives true when touched and, if wanted, false when let go.",
     icon: "hand",
     params: &[
@@ -18,7 +18,7 @@ pub(crate) const DEVICE: Device = Device {
         },
         Param {
             name: "part",
-            label: "Part",
+            label: "Part of the hand",
             kind: ParamKind::Choice(&[
                 ("any", "anywhere"),
                 ("back", "back of the hand"),
@@ -31,7 +31,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Truth,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    pace: Pace::Happening,
     button: None,
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[Pretend { says: "touched", value: "true" }, Pretend { says: "let go", value: "false" }],
 };

@@ -1,12 +1,12 @@
 //! Postures of the whole body, as ALRobotPosture takes them (NAOqi 2.8).
 
-use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "Posture",
     kind: StreamKind::Actuator,
-    label: "Posture",
+    label: "Take a posture",
     says: "Takes the posture whenever a value comes.",
     icon: "posture",
     params: &[
@@ -29,7 +29,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Head, Resource::LeftArm, Resource::RightArm, Resource::Legs]),
     waiting: Waiting::Newest,
+    pace: Pace::Lasting,
     button: None,
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[],
 };

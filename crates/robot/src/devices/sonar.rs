@@ -1,12 +1,13 @@
 //! The two sonars in the chest, 10 readings a second; NAOqi 2.8 trusts 0.2 to 0.8 m, and 2.55 m is their end.
 
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use super::METRES;
+use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "Sonar",
     kind: StreamKind::Sensor,
-    label: "Sonar",
+    label: "Distance ahead",
     says: "Measures how far the nearest thing ahead is; 2.55 when nothing is near.",
     icon: "sonar",
     params: &[Param {
@@ -14,10 +15,12 @@ pub(crate) const DEVICE: Device = Device {
         label: "Side",
         kind: ParamKind::Choice(&[("nearest", "the nearer one"), ("left", "left"), ("right", "right")]),
     }],
-    shape: Shape::Number("m"),
+    shape: METRES,
     resources: Resources::Always(&[]),
     waiting: Waiting::Newest,
+    pace: Pace::Steady,
     button: None,
     next_step: NextStep::NEVER,
     example: "0.5",
+    pretend: &[Pretend { says: "something near", value: "0.3" }, Pretend { says: "nothing near", value: "2.5" }],
 };

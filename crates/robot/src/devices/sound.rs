@@ -1,6 +1,6 @@
 //! Sounds, as ALAudioPlayer plays them (NAOqi 2.8).
 
-use crate::{Device, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -30,7 +30,9 @@ pub(crate) const DEVICE: Device = Device {
     shape: Shape::Anything,
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    pace: Pace::Brief,
     button: None,
     next_step: NextStep::NEVER,
     example: "true",
+    pretend: &[],
 };

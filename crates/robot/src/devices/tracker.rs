@@ -1,6 +1,6 @@
 //! Following a ball or a face, as ALTracker does it.
 
-use crate::{Device, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::connectors::Carries;
 use behaviour::{Params, StreamKind, Value};
 
@@ -21,7 +21,7 @@ pub(crate) const DEVICE: Device = Device {
         },
         Param {
             name: "mode",
-            label: "Tracking mode",
+            label: "What follows",
             kind: ParamKind::Choice(&[
                 ("Head", "head"),
                 ("WholeBody", "whole body"),
@@ -31,7 +31,7 @@ pub(crate) const DEVICE: Device = Device {
         },
         Param {
             name: "effector",
-            label: "Effector",
+            label: "Arm",
             kind: ParamKind::Choice(&[
                 ("None", "none"),
                 ("LArm", "left arm"),
@@ -41,9 +41,10 @@ pub(crate) const DEVICE: Device = Device {
             ]),
         },
     ],
-    shape: Shape::Anything,
+    shape: Shape::By { param: "effector", cases: &[("Value", Shape::Text)], usual: &Shape::Anything },
     resources: Resources::By(parts),
     waiting: Waiting::Newest,
+    pace: Pace::Brief,
     button: None,
     next_step: NextStep {
         for_streams: &[
@@ -55,6 +56,7 @@ pub(crate) const DEVICE: Device = Device {
         ..NextStep::NEVER
     },
     example: "true",
+    pretend: &[],
 };
 
 fn parts(params: &Params) -> Vec<Resource> {

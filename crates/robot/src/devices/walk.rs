@@ -1,6 +1,7 @@
 //! Walking, as ALMotion.move does it (NAOqi 2.8), which goes on until told otherwise: here it ends by itself.
 
-use crate::{Device, Field, NextStep, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use super::{METRES_PER_SECOND, RADIANS_PER_SECOND};
+use crate::{Device, Field, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -21,14 +22,16 @@ pub(crate) const DEVICE: Device = Device {
             kind: ParamKind::Number { min: 0.05, max: 0.5, step: 0.05, unit: "rad/s", default: 0.3 },
         },
     ],
-    shape: Shape::Object(&[
-        Field { name: "x", says: "speed ahead in metres a second, backwards negative" },
-        Field { name: "y", says: "speed to the left in metres a second, to the right negative" },
-        Field { name: "turn", says: "speed of turning in radians a second, left positive" },
+    shape: Shape::ObjectOrFirst(&[
+        Field { name: "x", says: "speed ahead in metres a second, backwards negative", of: METRES_PER_SECOND },
+        Field { name: "y", says: "speed to the left in metres a second, to the right negative", of: METRES_PER_SECOND },
+        Field { name: "turn", says: "speed of turning in radians a second, left positive", of: RADIANS_PER_SECOND },
     ]),
     resources: Resources::Always(&[Resource::Legs]),
     waiting: Waiting::Newest,
+    pace: Pace::Brief,
     button: None,
     next_step: NextStep::NEVER,
     example: r#"{"x":0.05,"y":0.0,"turn":0.0}"#,
+    pretend: &[],
 };

@@ -1,12 +1,13 @@
 //! Words that somebody says, as ALSpeechRecognition hears them (NAOqi 2.8).
 
-use crate::{Device, Field, NextStep, Param, ParamKind, Resources, Shape, Waiting};
+use super::{FRACTION, MILLISECONDS};
+use crate::{Device, Field, NextStep, Pace, Param, ParamKind, Pretend, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
     name: "WordRecognized",
     kind: StreamKind::Sensor,
-    label: "WordRecognized",
+    label: "Word",
     says: "Hears one of the chosen words: which one, and how sure the robot is.",
     icon: "word",
     params: &[
@@ -36,13 +37,18 @@ pub(crate) const DEVICE: Device = Device {
         },
     ],
     shape: Shape::Object(&[
-        Field { name: "word", says: "the word as it was chosen" },
-        Field { name: "confidence", says: "how sure the robot is, from 0 to 1" },
-        Field { name: "time", says: "when it was sensed, in milliseconds of robot time" },
+        Field { name: "word", says: "the word as it was chosen", of: Shape::Text },
+        Field { name: "confidence", says: "how sure the robot is, from 0 to 1", of: FRACTION },
+        Field { name: "time", says: "when it was sensed, in milliseconds of robot time", of: MILLISECONDS },
     ]),
     resources: Resources::Always(&[]),
     waiting: Waiting::Every,
+    pace: Pace::Happening,
     button: None,
     next_step: NextStep::NEVER,
     example: r#"{"word":"yes","confidence":0.6,"time":0}"#,
+    pretend: &[
+        Pretend { says: "somebody said “yes”", value: r#"{"word":"yes","confidence":0.6,"time":0}"# },
+        Pretend { says: "somebody said “no”", value: r#"{"word":"no","confidence":0.6,"time":0}"# },
+    ],
 };

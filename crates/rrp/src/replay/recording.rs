@@ -74,7 +74,7 @@ impl Reader<'_> {
                 self.late,
                 "values were dropped by the clock while it was recorded; a replay has no clock and keeps them.",
             ),
-            (self.strange, "lines of streams that this behaviour does not have were left out."),
+            (self.strange, "lines of streams that this program does not have were left out."),
         ];
         told.iter().filter(|(count, _)| *count > 0).map(|(count, words)| format!("{count} {words}")).collect()
     }

@@ -2,6 +2,10 @@
 //! looks at links before people do (a messenger, a scanner) does not use it up; its token stands behind the `#`, which
 //! browsers send to nobody, and comes in the body of what the button sends.
 
+mod words;
+
+pub(super) use words::Language;
+
 use super::door::Came;
 use crate::invitations::{Entry, NotIn};
 use axum::extract::{Form, FromRequest, Request};
@@ -14,14 +18,6 @@ const PAGE: &str = include_str!("come_in/page.html");
 const STYLE: &str = include_str!("come_in/page.css");
 const SCRIPT: &str = include_str!("come_in/page.js");
 
-/// What stands on it.
-struct Words {
-    title: &'static str,
-    text: String,
-    /// Whether there is a button to come in by.
-    button: bool,
-}
-
 /// What its button sends.
 #[derive(Deserialize)]
 struct Sent {
@@ -29,15 +25,15 @@ struct Sent {
 }
 
 /// For who follows a link.
-pub(super) fn page() -> Response {
-    let text = "Somebody invites you to build robot behaviours together, or to watch what a robot does.";
-    show(StatusCode::OK, Words { title: "You are invited", text: text.to_owned(), button: true })
+pub(super) fn page(language: Language) -> Response {
+    let [title, text] = language.invited();
+    show(StatusCode::OK, language, [title, text], true)
 }
 
 /// For who was not invited.
-pub(super) fn ask_for_one() -> Response {
-    let text = "Ask the person at the robot’s computer for an invitation: a link to open here, or its QR code to scan.";
-    show(StatusCode::UNAUTHORIZED, Words { title: "By invitation only", text: text.to_owned(), button: false })
+pub(super) fn ask_for_one(language: Language) -> Response {
+    let [title, text] = language.by_invitation();
+    show(StatusCode::UNAUTHORIZED, language, [title, text], false)
 }
 
 /// How it looks.
@@ -56,9 +52,9 @@ pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Resp
         debug_assert!(matches!(entry, Entry::Local));
         return Redirect::to("/").into_response();
     };
-    let source = came.source(request.headers());
+    let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
     let Ok(Form(Sent { token })) = Form::<Sent>::from_request(request, &()).await else {
-        return no(&NotIn::Unknown);
+        return no(&NotIn::Unknown, language);
     };
     let exchanged = tokio::task::spawn_blocking(move || invitations.come_in(&token, source)).await;
     let exchanged = exchanged.unwrap_or_else(|error| Err(NotIn::NotKept(error.to_string())));
@@ -69,28 +65,41 @@ pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Resp
             cookie.into_iter().for_each(|cookie| drop(response.headers_mut().insert(header::SET_COOKIE, cookie)));
             response
         }
-        Err(why) => no(&why),
+        Err(why) => no(&why, language),
     }
 }
 
-fn no(why: &NotIn) -> Response {
+fn no(why: &NotIn, language: Language) -> Response {
     let status = match why {
         NotIn::Unknown => StatusCode::FORBIDDEN,
         NotIn::TooMany(_) => StatusCode::TOO_MANY_REQUESTS,
         NotIn::NotKept(_) => StatusCode::SERVICE_UNAVAILABLE,
     };
-    let mut response = show(status, Words { title: "You are not in yet", text: why.to_string(), button: false });
+    let mut response = show(status, language, [language.not_in(), &language.why(why)], false);
     if let NotIn::TooMany(seconds) = why {
         response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(*seconds));
     }
     response
 }
 
-fn show(status: StatusCode, words: Words) -> Response {
-    let Words { title, text, button } = words;
-    let hidden = if button { "" } else { "hidden" };
-    let page = PAGE.replace("{title}", title).replace("{text}", &escaped(&text)).replace("{hidden}", hidden);
-    let headers = [(header::CONTENT_TYPE, "text/html; charset=utf-8"), (header::CACHE_CONTROL, "no-store")];
+/// The page with this title and text, and perhaps with a button to come in by.
+fn show(status: StatusCode, language: Language, [title, text]: [&str; 2], button: bool) -> Response {
+    let text = escaped(text);
+    let holes = [
+        ("{language}", language.code()),
+        ("{title}", title),
+        ("{hidden}", if button { "" } else { "hidden" }),
+        ("{come in}", language.come_in()),
+        ("{broken}", language.broken()),
+        ("{needs script}", language.needs_script()),
+        ("{text}", text.as_str()),
+    ];
+    let page = holes.iter().fold(PAGE.to_owned(), |page, (hole, said)| page.replace(hole, said));
+    let headers = [
+        (header::CONTENT_TYPE, "text/html; charset=utf-8"),
+        (header::CACHE_CONTROL, "no-store"),
+        (header::VARY, "accept-language"),
+    ];
     (status, headers, page).into_response()
 }
 

@@ -1,5 +1,6 @@
 //! The routes.
 
+use super::come_in::Language;
 use super::door::Came;
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
@@ -87,7 +88,9 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
     let few_at_once = middleware::from_fn_with_state(app.downloads.clone(), few_at_once);
     let handler = match route {
         Route::Page => get(files),
-        Route::ComeIn => get(|| async { come_in::page() }).post(enter).layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
+        Route::ComeIn => get(|headers: HeaderMap| async move { come_in::page(Language::of(&headers)) })
+            .post(enter)
+            .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
         Route::ComeInStyle => get(|| async { come_in::style() }),
         Route::ComeInScript => get(|| async { come_in::script() }),
         Route::Socket => any(socket),
@@ -134,6 +137,7 @@ async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next:
 /// Lets in who may ask for a route; whose invitation ends meanwhile is cut off.
 async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> Response {
     let entry = request.extensions().get::<Entry>().cloned().unwrap_or(Entry::Stranger);
+    let language = Language::of(request.headers());
     let no = match entry.may(Asked::Http(route)) {
         Ok(()) => {
             let answer = tokio::select! {
@@ -145,7 +149,7 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
         Err(no) => no,
     };
     match (entry, route) {
-        (Entry::Stranger, Route::Page) => come_in::ask_for_one(),
+        (Entry::Stranger, Route::Page) => come_in::ask_for_one(language),
         (Entry::Stranger, _) => (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response(),
         (Entry::Local | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
     }

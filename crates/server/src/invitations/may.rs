@@ -130,12 +130,16 @@ fn of_request(request: &Request) -> Role {
         | Request::Drivers { .. }
         | Request::Contested
         | Request::Similar { .. }
+        | Request::Tags
         | Request::Open { .. }
         | Request::Leave
         | Request::Since { .. }
         | Request::History { .. }
         | Request::At { .. }
         | Request::Check { .. }
+        | Request::Fixes { .. }
+        | Request::Types { .. }
+        | Request::TryExercise { .. }
         | Request::Present { .. }
         | Request::CallMe { .. }
         | Request::Runs
@@ -162,6 +166,7 @@ fn of_request(request: &Request) -> Role {
         | Request::Remove { .. }
         | Request::Restore { .. }
         | Request::Propose { .. }
+        | Request::RenameHelper { .. }
         | Request::TakeBack { .. }
         | Request::GoBack { .. }
         | Request::BringBack { .. }

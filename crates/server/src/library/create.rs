@@ -1,6 +1,7 @@
 //! Making a behaviour: empty or from a template, whose helpers join the library.
 
 use super::Library;
+use super::exercises::exercise;
 use super::import::{TRIES, is_overtaken, judge, shelve};
 use super::list::free_name;
 use super::templates::{Template, templates};
@@ -55,7 +56,8 @@ async fn is_there(library: &Library, wish: &Wish) -> Result<bool, Refused> {
 
 fn find(name: &str) -> Result<&'static Template, Refused> {
     let shown = || Refused::NoTemplate(name.chars().take(40).collect());
-    templates().iter().find(|template| template.name == name).ok_or_else(shown)
+    let template = templates().iter().find(|template| template.name == name);
+    template.or_else(|| Some(&exercise(name)?.template)).ok_or_else(shown)
 }
 
 pub(crate) fn check_name(name: &str) -> Result<(), Refused> {
@@ -97,7 +99,7 @@ pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: 
     }
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
-        Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale("this behaviour".to_owned()))),
+        Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale("this program".to_owned()))),
         Err(error) => {
             library.health.failed(&error);
             Err(Refused::Change(Refusal::NotSaved(reason(&error))))
@@ -117,6 +119,9 @@ async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish)
             Ok(()) => {
                 let mut records = Behaviour::default();
                 brought.changes.iter().for_each(|change| records.apply(change));
+                if let Some(Record::Settings(settings)) = records.records.get_mut(&RecordId::settings()) {
+                    settings.exercise = exercise(template.name).map(|_| template.name.to_owned());
+                }
                 return Ok(records);
             }
         }

@@ -13,6 +13,11 @@ pub(crate) async fn list(store: &dyn Store, query: ListQuery) -> Result<Reply, R
     Ok(Reply::Programs { programs: lines.into_iter().map(summary_of).collect(), next, total })
 }
 
+/// The tags of all behaviours outside the bin.
+pub(crate) async fn tags(store: &dyn Store) -> Result<Reply, Refused> {
+    Ok(Reply::Tags { tags: bounded(store.tags()).await.map_err(|error| store_no(&error))? })
+}
+
 /// Id and name of every behaviour that is not in the bin, by name.
 ///
 /// # Errors
@@ -35,6 +40,7 @@ fn asked(query: ListQuery) -> Query {
         place: query.place,
         words: query.words.chars().take(WORDS_MAX_CHARS).collect(),
         owner: query.owner,
+        tag: query.tag,
         sort: query.sort,
         after: query.after,
         most: query.most.clamp(1, LIST_MAX_LINES),
@@ -50,6 +56,7 @@ fn summary_of(listed: Listed) -> Summary {
         by: listed.by,
         owner: listed.owner,
         streams: listed.streams,
+        tags: listed.tags,
         picture: None,
     }
 }

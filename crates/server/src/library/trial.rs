@@ -2,10 +2,11 @@
 
 use crate::rooms::knowledge::Unchecked;
 use behaviour::{
-    Behaviour, BehaviourFile, Connector, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, Value, connectors,
+    Behaviour, BehaviourFile, Connector, FileHelper, Helper, Id, Kind, Procedure, Record, RecordId, Value, ValueType,
+    connectors,
 };
 use engine::Limits;
-use protocol::Reply;
+use protocol::{Reply, UnknownName};
 use std::fmt::Display;
 use std::time::{Duration, Instant};
 
@@ -25,25 +26,36 @@ pub(crate) struct Trial {
     pub(crate) inputs: Vec<Vec<Value>>,
     /// The helpers it uses.
     pub(crate) helpers: Vec<FileHelper>,
+    /// The names of all helpers.
+    pub(crate) known: Vec<String>,
 }
 
-fn failed(why: &impl Display) -> Reply {
-    Reply::Checked { error: Some(why.to_string()), results: Vec::new() }
+fn failed(why: &impl Display, unknown: Option<UnknownName>) -> Reply {
+    Reply::Checked { error: Some(why.to_string()), results: Vec::new(), unknown }
 }
 
 /// Whether the procedure can run, and what it makes of the values.
 pub(crate) fn check(trial: &Trial) -> Reply {
     if trial.body.chars().count() > behaviour::BODY_MAX_CHARS {
-        return failed(&Unchecked::TooLong);
+        return failed(&Unchecked::TooLong, None);
     }
+    let unknown = unknown_name(trial);
     if let Err(reason) = engine::check_body(&trial.arguments, &trial.body) {
-        return failed(&reason);
+        return failed(&reason, unknown);
     }
     let try_on = |inputs: &Vec<Value>| {
         let Trial { helpers, arguments, body, .. } = trial;
         engine::try_body(helpers, arguments, body, inputs, &limits()).map_err(|reason| reason.to_string())
     };
-    Reply::Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect() }
+    Reply::Checked { error: None, results: trial.inputs.iter().take(INPUTS_MAX).map(try_on).collect(), unknown }
+}
+
+/// A name that means nothing, with the one that is probably meant.
+fn unknown_name(trial: &Trial) -> Option<UnknownName> {
+    let arguments: Vec<_> = trial.arguments.iter().map(|name| (name.clone(), ValueType::Any)).collect();
+    let helpers: Vec<&str> = trial.known.iter().map(String::as_str).collect();
+    let (name, known) = engine::unknown_name(&arguments, &trial.body, &helpers)?;
+    Some(UnknownName { near: behaviour::near(&name, &known), name })
 }
 
 /// The limits of one call that begins now.
@@ -72,21 +84,35 @@ mod tests {
         let helpers = robot::shipped_helpers();
         let helpers = helpers_of(body, &helpers.iter().collect::<Vec<_>>());
         let inputs = inputs.iter().map(|input| vec![Value::Float(*input)]).collect();
-        Trial { arguments: vec!["d".into()], body: body.into(), inputs, helpers }
+        let known = robot::shipped_helpers().into_iter().map(|helper| helper.name).collect();
+        Trial { arguments: vec!["d".into()], body: body.into(), inputs, helpers, known }
     }
 
     #[test]
     fn a_procedure_is_tried_with_the_helpers_it_uses() {
         let reply = check(&trial("distance_to_brightness(d) + 1.0", &[0.2, 1.2]));
         let results = vec![Ok(Value::Float(2.0)), Ok(Value::Float(1.0))];
-        assert_eq!(reply, Reply::Checked { error: None, results });
+        assert_eq!(reply, Reply::Checked { error: None, results, unknown: None });
     }
 
     #[test]
     fn an_endless_procedure_ends_and_a_broken_one_is_named() {
-        let Reply::Checked { error: None, results } = check(&trial("loop {}", &[1.0])) else { panic!() };
+        let Reply::Checked { error: None, results, .. } = check(&trial("loop {}", &[1.0])) else { panic!() };
         assert!(results[0].is_err());
         let reply = check(&trial("d +", &[1.0]));
         assert!(matches!(reply, Reply::Checked { error: Some(_), .. }), "{reply:?}");
+    }
+
+    #[test]
+    fn a_mistyped_name_is_told_with_what_is_meant() {
+        for (body, wrong, meant) in [
+            ("dd + 1.0", "dd", Some("d")),
+            ("distance_to_brightnes(d)", "distance_to_brightnes", Some("distance_to_brightness")),
+            ("qwertyuiop(d)", "qwertyuiop", None),
+        ] {
+            let Reply::Checked { unknown, .. } = check(&trial(body, &[1.0])) else { panic!() };
+            let unknown = unknown.unwrap();
+            assert_eq!((unknown.name.as_str(), unknown.near.as_deref()), (wrong, meant));
+        }
     }
 }

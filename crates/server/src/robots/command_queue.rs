@@ -137,9 +137,14 @@ impl CommandQueue {
         self.ring();
     }
 
-    /// Whether they have since that was asked last with `takes`.
-    pub(super) fn has_sensed(&self, takes: bool) -> bool {
-        if takes { self.sensed.swap(false, Ordering::SeqCst) } else { self.sensed.load(Ordering::SeqCst) }
+    /// Whether they have, and nobody has taken it yet.
+    pub(super) fn has_sensed(&self) -> bool {
+        self.sensed.load(Ordering::SeqCst)
+    }
+
+    /// Whether they have since the last question.
+    pub(super) fn take_sensed(&self) -> bool {
+        self.sensed.swap(false, Ordering::SeqCst)
     }
 
     /// Wants the robot's thread to end.

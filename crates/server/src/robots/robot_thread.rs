@@ -110,7 +110,7 @@ impl<'a> RobotThread<'a> {
             self.serve();
             if self.is_due() {
                 self.step();
-            } else if self.may_sense <= Instant::now() && self.queue().has_sensed(true) {
+            } else if self.may_sense <= Instant::now() && self.queue().take_sensed() {
                 self.sense();
             }
             self.pause();
@@ -352,7 +352,7 @@ impl<'a> RobotThread<'a> {
         if late > Duration::from_millis(GAP_MAX_MS) {
             self.began += late;
         }
-        let until = if self.queue().has_sensed(false) { self.due().min(self.may_sense) } else { self.due() };
+        let until = if self.queue().has_sensed() { self.due().min(self.may_sense) } else { self.due() };
         self.queue().wait(until);
     }
 

@@ -64,6 +64,8 @@ fn filtered(name: &str, body: &str) -> Start {
         name: name.to_owned(),
         robot: None,
         engine: None,
+        exercise: None,
+        tags: Vec::new(),
         helpers: Vec::new(),
         streams: vec![
             stream("ball", StreamKind::Sensor, Some("RedBall")),
@@ -75,6 +77,7 @@ fn filtered(name: &str, body: &str) -> Start {
             connector("show", "subscribe", "good", "page", None),
         ],
         notes: Vec::new(),
+        groups: Vec::new(),
         order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };

@@ -1,7 +1,7 @@
 //! What the rules ask: the catalogue of devices, and whether a procedure can run. Answers about procedures are kept.
 
 use crate::support::lock;
-use behaviour::{Knowledge, Params, StreamKind};
+use behaviour::{Call, DeviceType, Helper, Knowledge, Params, Signature, StreamKind, ValueType};
 use std::cell::Cell;
 use std::collections::{BTreeMap, VecDeque};
 use std::sync::{Arc, Mutex};
@@ -70,6 +70,35 @@ impl Knowledge for Knowing {
     fn body(&self, arguments: &[String], body: &str) -> Answer {
         let question = (arguments.to_vec(), body.to_owned());
         self.known(&question).unwrap_or_else(|| self.find_out(question))
+    }
+
+    fn device_type(&self, kind: StreamKind, device: &str, params: &Params) -> DeviceType {
+        robot::device_type(kind, device, params)
+    }
+
+    fn result(&self, arguments: &[(String, ValueType)], body: &str, helper: Call) -> ValueType {
+        engine::result_type(arguments, body, helper)
+    }
+
+    fn signature(&self, helper: &Helper) -> Option<Signature> {
+        robot::shipped_signature(helper)
+    }
+
+    fn misused(&self, arguments: &[(String, ValueType)], body: &str, helper: Call) -> Option<(String, usize)> {
+        engine::misused(arguments, body, helper)
+    }
+
+    fn stream_of(&self, helper: &str) -> Option<&'static str> {
+        robot::helper_stream(helper)
+    }
+
+    fn unknown_name(
+        &self,
+        arguments: &[(String, ValueType)],
+        body: &str,
+        helpers: &[&str],
+    ) -> Option<(String, Vec<String>)> {
+        engine::unknown_name(arguments, body, helpers)
     }
 }
 

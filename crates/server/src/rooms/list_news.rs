@@ -1,5 +1,5 @@
-//! When everyone is told that the list of behaviours changed: at once when a name or the number of behaviours changed,
-//! otherwise together with other changes, a little later.
+//! When everyone is told that the list of behaviours changed: at once when a name, the tags or the number of behaviours
+//! changed, otherwise together with other changes, a little later.
 
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
@@ -54,10 +54,11 @@ impl ListNews {
     }
 }
 
+/// Whether another name or other tags come of it.
 fn renames(edit: &Edit) -> bool {
-    let name = |record: &Option<Record>| match record {
-        Some(Record::Settings(settings)) => settings.name.clone(),
-        _ => String::new(),
+    let shown = |record: &Option<Record>| match record {
+        Some(Record::Settings(settings)) => (settings.name.clone(), settings.tags.clone()),
+        _ => <(String, Vec<String>)>::default(),
     };
-    edit.id == RecordId::settings() && name(&edit.before) != name(&edit.after)
+    edit.id == RecordId::settings() && shown(&edit.before) != shown(&edit.after)
 }

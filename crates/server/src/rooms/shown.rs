@@ -82,7 +82,7 @@ mod tests {
 
     /// A room of about a megabyte.
     fn room() -> Arc<Room> {
-        let note = Record::Note(Note { text: "n".repeat(4_000) });
+        let note = Record::Note(Note::new("n".repeat(4_000)));
         let id = |number| RecordId::new(Kind::Note, &Id::new(&format!("n{number}")).unwrap());
         let records = (0..260).map(|number| (id(number), note.clone())).collect();
         Arc::new(Room::open(Behaviour { records }, 1))

@@ -21,7 +21,7 @@ use super::{Look, Note, Rooms, Surroundings};
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use axum::extract::ws::Utf8Bytes;
-use behaviour::{Accepted, Checkpoints, Id, Room};
+use behaviour::{Accepted, Change, Checkpoints, Id, Room};
 use change_log::ChangeLog;
 use jobs::Saving;
 use locking::LockBook;
@@ -170,8 +170,16 @@ impl RoomTask {
             Note::Since(revision, answer) => self.since(revision, answer),
             Note::Present(session, whereabouts) => self.present(session, whereabouts),
             Note::Rename(session, name) => self.rename(session, name),
+            Note::MayChange(change, waiting) => drop(waiting.send(self.may_change(&change))),
             Note::Look(waiting) => self.look(waiting),
         }
+    }
+
+    fn may_change(&self, change: &Change) -> Result<(), Refused> {
+        if self.stay != Stay::Here {
+            return Err(Refused::NoBehaviour);
+        }
+        self.locks.check(&self.room, change).map_err(Refused::Change)
     }
 
     fn look(&self, waiting: oneshot::Sender<Result<Look, Refused>>) {

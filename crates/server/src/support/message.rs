@@ -26,5 +26,5 @@ pub(crate) fn encode(ask: Option<u32>, reply: Reply) -> Utf8Bytes {
 }
 
 fn failed(error: &impl Display) -> Utf8Bytes {
-    format!("{{\"reply\":{{\"no\":{{\"no\":{{\"why\":\"unreadable\",\"what\":\"{error}\"}}}}}}}}").into()
+    format!("{{\"reply\":{{\"no\":{{\"no\":{{\"unreadable\":\"{error}\"}}}}}}}}").into()
 }

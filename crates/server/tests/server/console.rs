@@ -49,7 +49,7 @@ Ball (sensor RedBall)
 > show start streams
 Ball (sensor RedBall)
 > stimulate ball
-This behaviour does not run. Press Start first.
+This program does not run. Press Start first.
 > start
 Far runs
 > record
@@ -75,7 +75,7 @@ Ball got #{x: 0.5}
 > stop far
 Far is stopped
 > apply far
-This behaviour does not run. Press Start first.
+This program does not run. Press Start first.
 > below
 Far ball (ordinary)
 Close ball (ordinary)

@@ -146,7 +146,7 @@ async fn every_bad_change_is_refused_with_a_sentence_and_changes_nothing() {
 
 fn helper(name: &str) -> Record {
     let params = vec!["v".to_owned()];
-    Record::Helper(behaviour::Helper { name: name.into(), params, body: "v".into(), says: String::new() })
+    Record::Helper(behaviour::Helper { name: name.into(), params, body: "v".into(), ..behaviour::Helper::default() })
 }
 
 #[tokio::test]

@@ -19,12 +19,12 @@ fn key(kind: Kind, at: usize) -> RecordId {
 }
 
 fn note(text: &str) -> Record {
-    Record::Note(Note { text: text.to_owned() })
+    Record::Note(Note::new(text.to_owned()))
 }
 
 fn helper(at: usize, body: &str) -> Record {
     let (name, params) = (format!("big{at}"), vec!["v".to_owned()]);
-    Record::Helper(Helper { name, params, body: body.to_owned(), says: String::new() })
+    Record::Helper(Helper { name, params, body: body.to_owned(), ..Helper::default() })
 }
 
 /// A body that can run and has so many bytes.
@@ -241,7 +241,7 @@ async fn the_largest_that_is_allowed_is_exported_imported_and_restored() {
     let aiko = house.person("Aiko").await;
     let play = aiko.load(&id("play")).await.unwrap();
     assert_eq!(sentence(aiko.put("Add", key(Kind::Note, 9_999), Some(note(&"n".repeat(4_000)))).await), {
-        Refusal::Full("behaviour".into(), BEHAVIOUR_MAX_BYTES).to_string()
+        Refusal::Full("program".into(), BEHAVIOUR_MAX_BYTES).to_string()
     });
     let lines = std::sync::Mutex::new(String::new());
     let put = |line: String| {

@@ -15,6 +15,7 @@ mod lists;
 mod locks;
 mod mutated;
 mod proxied;
+mod renaming;
 mod roles;
 mod runs;
 mod slow;

@@ -2,7 +2,7 @@
 
 use crate::house::{House, id, map, plain, stream_id};
 use crate::links::socket;
-use behaviour::{Behaviour, Change};
+use behaviour::{Behaviour, Change, Seen, ValueType};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Ask, ListQuery, Request, VERSION};
 use std::time::Duration;
@@ -33,6 +33,7 @@ fn samples() -> Vec<String> {
         Request::Propose { behaviour: id(protocol::LIBRARY), change, tokens: Vec::new() },
         Request::Since { behaviour: id("b"), revision: 0 },
         Request::Check { arguments: vec!["x".into()], body: "x + 1".into(), inputs: vec![vec![1.into()]] },
+        Request::Types { behaviour: id("b"), seen: Seen::from([(id("s"), ValueType::Text)]) },
         Request::Start { behaviour: id("b"), robot: None, record: true },
         Request::Stimulate { behaviour: id("b"), robot: None, stream: id("s"), value: 1.into() },
         Request::Present { pointer: None, selected: Some(id("s")), view: None },

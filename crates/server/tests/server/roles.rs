@@ -12,6 +12,8 @@ fn requests() -> Vec<(Value, Role)> {
     use Role::{Editor, Host, Operator, Viewer};
     let token = json!({"epoch": 1, "counter": 1});
     let change = json!({"op": "o1", "label": "x", "author": "x", "at_ms": 0, "edits": []});
+    let helper = json!({"name": "x", "params": [], "body": "1"});
+    let problem = json!({"at": "stream/a", "name": "a", "kind": "noSource", "blocks": false});
     vec![
         (json!({"is": "hello", "version": 1, "name": "x"}), Viewer),
         (json!({"is": "list"}), Viewer),
@@ -20,12 +22,17 @@ fn requests() -> Vec<(Value, Role)> {
         (json!({"is": "drivers", "actuator": "Say"}), Viewer),
         (json!({"is": "contested"}), Viewer),
         (json!({"is": "similar", "behaviour": "none"}), Viewer),
+        (json!({"is": "tags"}), Viewer),
+        (json!({"is": "fixes", "behaviour": "none", "problem": problem}), Viewer),
+        (json!({"is": "types", "behaviour": "none"}), Viewer),
+        (json!({"is": "tryExercise", "behaviour": "none", "exercise": "x"}), Viewer),
         (json!({"is": "create", "behaviour": "made", "name": "x", "template": null}), Editor),
         (json!({"is": "open", "behaviour": "none"}), Viewer),
         (json!({"is": "leave"}), Viewer),
         (json!({"is": "remove", "behaviour": "none"}), Editor),
         (json!({"is": "restore", "behaviour": "none"}), Editor),
         (json!({"is": "propose", "behaviour": "none", "change": change}), Editor),
+        (json!({"is": "renameHelper", "helper": "none", "seen": helper, "after": helper}), Editor),
         (json!({"is": "lock", "behaviour": "none", "records": []}), Editor),
         (json!({"is": "unlock", "behaviour": "none", "token": token}), Editor),
         (json!({"is": "typing", "behaviour": "none", "token": token}), Editor),

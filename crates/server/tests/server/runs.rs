@@ -1,7 +1,7 @@
 //! Running: problems stop Start, Stop stops, values come.
 
-use crate::house::{House, ball, connect, connector_id, make, map, plain, printer, stream, stream_id};
-use behaviour::{Value, connectors};
+use crate::house::{House, ball, connect, connector_id, id, make, map, plain, printer, stream, stream_id};
+use behaviour::{Seen, Value, connectors};
 use protocol::{Refused, Reply, Request, RunPhase};
 use shell::Trouble;
 
@@ -128,7 +128,28 @@ async fn a_procedure_is_tried() {
     let inputs = vec![vec![Value::Int(1)], vec![Value::Int(41)]];
     let check = Request::Check { arguments: vec!["n".into()], body: "n + 1".into(), inputs };
     let results = vec![Ok(Value::Int(2)), Ok(Value::Int(42))];
-    assert_eq!(aiko.ask(check).await.unwrap(), Reply::Checked { error: None, results });
+    assert_eq!(aiko.ask(check).await.unwrap(), Reply::Checked { error: None, results, unknown: None });
+    house.close().await;
+}
+
+#[tokio::test]
+async fn a_hint_is_told_with_what_mends_it() {
+    let house = House::open().await;
+    let aiko = house.person("Aiko").await;
+    let play = make(&aiko, "Arm", Some("Track with nearest arm")).await;
+    let Reply::Opened { problems, .. } = aiko.ask(Request::Open { behaviour: play.clone() }).await.unwrap() else {
+        panic!()
+    };
+    let [problem] = &problems[..] else { panic!("{problems:?}") };
+    let ask = Request::Fixes { behaviour: play.clone(), problem: problem.clone(), seen: Seen::new() };
+    let Reply::Fixes { fixes } = aiko.ask(ask).await.unwrap() else { panic!() };
+    assert_eq!(fixes.iter().map(|fix| fix.kind.to_string()).collect::<Vec<_>>(), ["Leave out what is older than 1 s."]);
+    let change = fixes[0].change(id("fix"), "Aiko");
+    aiko.ask(Request::Propose { behaviour: play.clone(), change, tokens: Vec::new() }).await.unwrap();
+    let ask = Request::Types { behaviour: play, seen: Seen::new() };
+    let Reply::Types { types, hints } = aiko.ask(ask).await.unwrap() else { panic!() };
+    assert_eq!(hints, [], "nothing was seen");
+    assert!(types.values().any(|of| of.unit() == Some(behaviour::Unit::Metres)), "{types:?}");
     house.close().await;
 }
 

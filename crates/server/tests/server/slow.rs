@@ -189,7 +189,7 @@ async fn a_slow_reader_is_cut_off_and_slows_nobody() {
 /// Five long notes of one writer.
 fn big(writer: usize, at: usize) -> Vec<(RecordId, Option<Record>)> {
     let id = |part: usize| RecordId::new(Kind::Note, &crate::house::id(&format!("n{writer}-{part}")));
-    let note = Record::Note(Note { text: format!("{at} {}", "x".repeat(3_900)) });
+    let note = Record::Note(Note::new(format!("{at} {}", "x".repeat(3_900))));
     (0..5).map(|part| (id(part), Some(note.clone()))).collect()
 }
 

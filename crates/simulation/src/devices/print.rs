@@ -3,7 +3,7 @@
 use super::{Act, Driver, Opened};
 use crate::nao::SimulatedNao;
 use behaviour::Value;
-use robot::{RobotFault, Use};
+use robot::{Printed, RobotFault, Use};
 
 pub(super) const DRIVER: Driver = Driver { name: "Print", open: |_| Opened::act(Print) };
 
@@ -20,12 +20,13 @@ impl Act for Print {
         false
     }
 
-    fn act(&self, nao: &mut SimulatedNao, _user: &Use, value: &Value) -> Result<(), RobotFault> {
+    fn act(&self, nao: &mut SimulatedNao, user: &Use, value: &Value) -> Result<(), RobotFault> {
         let text = value.as_text().map_or_else(|| value.to_string(), str::to_owned);
         if nao.printed.len() >= PRINTED_MAX {
             nao.printed.pop_front();
         }
-        nao.printed.push_back(text.chars().take(PRINT_MAX_CHARS).collect());
+        let text = text.chars().take(PRINT_MAX_CHARS).collect();
+        nao.printed.push_back(Printed { by: user.clone(), at_ms: nao.now, text });
         Ok(())
     }
 }

@@ -141,5 +141,5 @@ fn words_are_spoken_in_turn_and_shown_while_spoken() {
         bench.tell("print", count);
     }
     let printed = bench.nao.scene().body.printed;
-    assert_eq!((printed.len(), printed[0].as_str(), printed[19].as_str()), (20, "10", "29"));
+    assert_eq!((printed.len(), printed[0].text.as_str(), printed[19].text.as_str()), (20, "10", "29"));
 }

@@ -19,7 +19,7 @@ async fn change(store: &dyn Store, to: &str) {
     let (key, record) = match (head, to) {
         (0, LIBRARY) => (RecordId::new(Kind::Helper, &id("h")), helper()),
         (0, name) => (RecordId::settings(), Record::Settings(Settings::named(name))),
-        _ => (RecordId::new(Kind::Note, &id(&format!("n{head}"))), Record::Note(Note { text: format!("{head}\n") })),
+        _ => (RecordId::new(Kind::Note, &id(&format!("n{head}"))), Record::Note(Note::new(format!("{head}\n")))),
     };
     let start = Change { at_ms: head, ..Change::of(id(&format!("{to}-{head}")), "Aiko", "Edit") };
     let change = start.put(&now, key, record);
@@ -33,7 +33,7 @@ fn helper() -> Record {
         name: "near".into(),
         params: vec!["x".into()],
         body: "x < 0.1".into(),
-        says: String::new(),
+        ..Helper::default()
     })
 }
 

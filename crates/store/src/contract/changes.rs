@@ -1,10 +1,10 @@
 //! One change after the other: saved once, in order, and read back as it was.
 
 use super::samples::{
-    append, change, every_connector, id, in_bin, key, note, now, save, settings, stream, try_append, two_streams,
+    append, change, every_connector, group, id, in_bin, key, note, now, save, settings, stream, try_append, two_streams,
 };
 use crate::{Append, Listing, Query, Store, StoreError};
-use behaviour::{Change, Committed, Kind, Place, Record, RecordId};
+use behaviour::{Change, Committed, Kind, Note, Place, Record, RecordId, Settings};
 use std::future::Future;
 use std::sync::Arc;
 
@@ -17,6 +17,7 @@ pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -
     two_streams_swap_their_names(make().await.as_ref()).await;
     every_script_is_kept(make().await.as_ref()).await;
     every_connector_is_kept(make().await.as_ref()).await;
+    what_stands_around_the_graph_is_kept(make().await.as_ref()).await;
     what_would_not_read_back_is_refused(make().await.as_ref()).await;
     history_comes_in_pages(make().await.as_ref()).await;
     the_list_shows_the_newest_first(make().await.as_ref()).await;
@@ -149,6 +150,31 @@ async fn every_connector_is_kept(store: &dyn Store) {
     });
     assert_eq!(append(store, "b", 2, change).await, Append::Applied);
     assert_eq!(now(store, "b").await.records, [two_streams(), turned].concat().into_iter().collect());
+}
+
+async fn what_stands_around_the_graph_is_kept(store: &dyn Store) {
+    let begun = |exercise: Option<&str>| {
+        Record::Settings(Settings { exercise: exercise.map(str::to_owned), ..Settings::named("Play") })
+    };
+    let signed = Note { text: "Look".to_owned(), by: "Aiko 赤".to_owned(), at_ms: 1_764_000_000_123 };
+    let first = vec![
+        (RecordId::settings(), begun(Some("Brighter when nearer"))),
+        (key(Kind::Note, "n"), Record::Note(signed)),
+        (key(Kind::Group, "g"), group("近くのボール", &["s0", "gone"])),
+        (key(Kind::Group, "empty"), group("", &[])),
+    ];
+    save(store, "b", "op1", first.clone()).await;
+    assert_eq!(now(store, "b").await.records, first.into_iter().collect());
+    let then = vec![
+        (RecordId::settings(), begun(None)),
+        (key(Kind::Note, "n"), note("Look")),
+        (key(Kind::Group, "g"), group("Near", &["s1"])),
+    ];
+    save(store, "b", "op2", then.clone()).await;
+    let empty = (key(Kind::Group, "empty"), group("", &[]));
+    assert_eq!(now(store, "b").await.records, then.into_iter().chain([empty]).collect());
+    let found = store.list(&Query { words: "near".to_owned(), ..Query::default() }).await.expect("an answer");
+    assert_eq!(found.total, 1, "a group is found by its title");
 }
 
 async fn what_would_not_read_back_is_refused(store: &dyn Store) {

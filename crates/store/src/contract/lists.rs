@@ -1,8 +1,8 @@
 //! Lists: pages that stay whole while others write, orders, owners, words.
 
-use super::samples::{append, change, id, in_bin, key, names, note, save, settings, stream};
-use crate::{Query, Sort, Store};
-use behaviour::{Change, Kind, RecordId};
+use super::samples::{append, change, id, in_bin, key, names, note, now, save, settings, stream};
+use crate::{Place, Query, Sort, Store, Tagged};
+use behaviour::{Change, Kind, Record, RecordId, Settings};
 use std::collections::BTreeSet;
 use std::future::Future;
 use std::sync::Arc;
@@ -18,6 +18,7 @@ pub(super) async fn check<F: Future<Output = Arc<dyn Store>>>(make: &impl Fn() -
     words_are_found_in_any_case_and_place(make().await.as_ref()).await;
     hostile_words_find_only_what_they_say(make().await.as_ref()).await;
     what_is_found_follows_the_changes(make().await.as_ref()).await;
+    tags_are_kept_found_and_counted(make().await.as_ref()).await;
 }
 
 async fn made(store: &dyn Store, behaviour: &str, name: &str, at_ms: u64) {
@@ -61,6 +62,36 @@ async fn owners_are_those_who_made_it(store: &dyn Store) {
     assert_eq!(names(store, of("Aiko")).await, ["Hers"]);
     assert_eq!(names(store, of("Ben")).await, ["His"]);
     assert_eq!(names(store, of("ben")).await, [""; 0]);
+}
+
+fn tagged(name: &str, tags: &[&str]) -> (RecordId, Record) {
+    let tags = tags.iter().map(|tag| (*tag).to_owned()).collect();
+    (RecordId::settings(), Record::Settings(Settings { tags, ..Settings::named(name) }))
+}
+
+async fn tags_are_kept_found_and_counted(store: &dyn Store) {
+    save(store, "a", "op1", vec![tagged("Ball", &["group b", "赤"])]).await;
+    save(store, "b", "op1", vec![tagged("Greet", &["it's \"x\" %", "group b"])]).await;
+    made(store, "c", "Plain", 1).await;
+    assert_eq!(now(store, "a").await.settings().expect("settings").tags, ["group b", "赤"]);
+    let of = |tag: &str| Query { tag: Some(tag.to_owned()), sort: Sort::Name, ..Query::default() };
+    assert_eq!(names(store, of("group b")).await, ["Ball", "Greet"]);
+    assert_eq!(names(store, of("it's \"x\" %")).await, ["Greet"]);
+    for none in ["group", "Group B", "", "group b\u{0}"] {
+        assert_eq!(names(store, of(none)).await, [""; 0], "{none:?}");
+    }
+    assert_eq!(names(store, Query { most: 1, ..of("group b") }).await, ["Ball"]);
+    assert_eq!(names(store, with("赤")).await, ["Ball"], "tags are searched too");
+    let line = store.list(&of("赤")).await.expect("a page").lines.remove(0);
+    assert_eq!(line.tags, ["group b", "赤"]);
+    let counted = |told: Vec<Tagged>| told.into_iter().map(|one| (one.tag, one.count)).collect::<Vec<_>>();
+    let told = counted(store.tags().await.expect("the tags"));
+    assert_eq!(told, [("group b".into(), 2), ("it's \"x\" %".into(), 1), ("赤".into(), 1)]);
+    save(store, "a", "op2", vec![tagged("Ball", &[])]).await;
+    assert!(store.remove(&id("b"), 9, "Aiko").await.expect("an answer"));
+    assert_eq!(counted(store.tags().await.expect("the tags")), []);
+    assert_eq!(names(store, Query { place: Place::Bin, ..of("group b") }).await, ["Greet"]);
+    assert_eq!(now(store, "a").await.settings().expect("settings").tags, [""; 0]);
 }
 
 fn with(words: &str) -> Query {

@@ -2,7 +2,7 @@
 
 use crate::{Append, Place, Query, Store, StoreError};
 use behaviour::{
-    Behaviour, Change, Committed, Connector, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record,
+    Behaviour, Change, Committed, Connector, Group, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record,
     RecordId, Settings, Stream, StreamKind, Value, connectors,
 };
 
@@ -19,7 +19,13 @@ pub(super) fn settings(name: &str) -> Record {
 }
 
 pub(super) fn note(text: &str) -> Record {
-    Record::Note(Note { text: text.to_owned() })
+    Record::Note(Note::new(text.to_owned()))
+}
+
+/// A folded group of these streams.
+pub(super) fn group(title: &str, streams: &[&str]) -> Record {
+    let streams = streams.iter().map(|stream| id(stream)).collect();
+    Record::Group(Group { title: title.to_owned(), streams, folded: true })
 }
 
 pub(super) fn stream(name: &str, order: i64) -> Record {
@@ -70,7 +76,7 @@ pub(super) fn helper(name: &str, body: &str) -> Record {
         name: name.to_owned(),
         params: vec!["x".into()],
         body: body.to_owned(),
-        says: String::new(),
+        ..Helper::default()
     })
 }
 

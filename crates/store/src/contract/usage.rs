@@ -32,6 +32,7 @@ async fn every_use_is_found(store: &dyn Store) {
         ("c5", of(connectors::scan::SPEC.with(Procedure::body("soFar + near(x)")))),
         ("c6", of(connectors::distinct::SPEC.with(Procedure::Helper("near".into())))),
         ("c7", of(connectors::distinct::SPEC.with(()))),
+        ("c8", filter(Procedure::body("!近い(距離)"))),
     ];
     let connectors = connectors.map(|(name, record)| (key(Kind::Connector, name), record));
     save(store, "b", "op1", vec![(RecordId::settings(), settings("Track")), (key(Kind::Note, "n"), note("near"))])
@@ -45,6 +46,8 @@ async fn every_use_is_found(store: &dyn Store) {
     let wanted = [in_program.as_slice(), &[line(LIBRARY, "far", "helper/h1")]].concat();
     assert_eq!(used(store, "near").await, wanted);
     assert_eq!(used(store, "far").await, []);
+    assert_eq!(used(store, "近い").await, [line("b", "Track", "connector/c8")]);
+    assert_eq!(used(store, "距離").await, [], "an argument is no use");
     assert_eq!(used(store, "").await, []);
     assert_eq!(used(store, "near' OR 1=1 --").await, []);
 }

@@ -81,7 +81,10 @@ pub fn import(
         Mode::Copy => file.records(|_| Some(new_id())),
         Mode::Restore => file.records(|_| None),
     };
-    let records = records.map_err(|faults| unfit(&faults))?;
+    let mut records = records.map_err(|faults| unfit(&faults))?;
+    if mode == Mode::Copy {
+        records.use_names_of_today();
+    }
     let own = file.id.as_deref().filter(|_| mode == Mode::Restore);
     let behaviour =
         own.map_or_else(|| Ok(new_id()), Id::new).map_err(|reason| vec![Unfit::OwnId(reason.to_string())])?;
@@ -127,14 +130,19 @@ mod tests {
     }
 
     fn helper(name: &str, body: &str) -> FileHelper {
-        FileHelper { name: name.to_owned(), params: vec!["x".to_owned()], body: body.to_owned(), says: String::new() }
+        FileHelper {
+            name: name.to_owned(),
+            params: vec!["x".to_owned()],
+            body: body.to_owned(),
+            ..FileHelper::default()
+        }
     }
 
     fn library(helpers: &[(&str, &str)]) -> Behaviour {
         let record = |(at, (name, body)): (usize, &(&str, &str))| {
-            let FileHelper { name, params, body, says } = helper(name, body);
+            let FileHelper { name, params, body, .. } = helper(name, body);
             let id = Id::new(&format!("h{at}")).expect("an id");
-            (RecordId::new(Kind::Helper, &id), Record::Helper(Helper { name, params, body, says }))
+            (RecordId::new(Kind::Helper, &id), Record::Helper(Helper { name, params, body, ..Helper::default() }))
         };
         Behaviour { records: helpers.iter().enumerate().map(record).collect() }
     }

@@ -135,7 +135,7 @@ fn syntax(error: &serde_json::Error, lines: &Lines) -> FileFault {
     let reason = if error.is_eof() {
         "The file ends too early. Copy it again as a whole.".to_owned()
     } else {
-        format!("This is no JSON: {said}. Mend it here or just before.")
+        format!("This is not an rrp program file: {said}. Choose another file, or mend it here or just before.")
     };
     lines.fault(at, reason)
 }

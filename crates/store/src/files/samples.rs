@@ -1,8 +1,8 @@
 //! Behaviours for tests: the templates of the house, and ones made by chance.
 
 use behaviour::{
-    Behaviour, BehaviourFile, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, Helper, Params, Place,
-    StreamKind, Value, connectors,
+    Behaviour, BehaviourFile, Declared, Engine, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream,
+    Helper, Params, Place, StreamKind, Value, connectors,
 };
 use proptest::collection::{btree_map, vec};
 use proptest::option;
@@ -156,11 +156,28 @@ fn any_connector(at: usize) -> impl Strategy<Value = FileConnector> {
 }
 
 fn any_helper(at: usize) -> impl Strategy<Value = FileHelper> {
-    (any_names(3), any_text(), any_text()).prop_map(move |(params, body, says)| FileHelper {
-        name: format!("helper_{at}"),
-        params,
-        body,
-        says,
+    let all = || (0..Declared::all().len()).prop_map(|at| Declared::all()[at]);
+    let declared = (vec(all(), 0..4), all());
+    (any_names(3), any_text(), any_text(), declared).prop_map(move |(params, body, says, (mut takes, gives))| {
+        takes.truncate(params.len());
+        FileHelper { name: format!("helper_{at}"), params, body, says, takes, gives }
+    })
+}
+
+fn any_note(at: usize) -> impl Strategy<Value = FileNote> {
+    let known = (option::of(any_text()), option::of(0..=i64::MAX.cast_unsigned()));
+    (any_text(), known).prop_map(move |(text, (by, at_ms))| FileNote { id: format!("n{at}"), text, by, at: at_ms })
+}
+
+/// Each has streams of its own, one of which is gone.
+fn any_group(at: usize) -> impl Strategy<Value = FileGroup> {
+    let streams =
+        proptest::sample::subsequence(vec![format!("gone{at}"), format!("s{at}"), format!("s{}", at + 2)], 0..=3);
+    (any_text(), streams, option::of(any::<bool>())).prop_map(move |(title, streams, folded)| FileGroup {
+        id: format!("g{at}"),
+        title,
+        streams,
+        folded,
     })
 }
 
@@ -174,23 +191,35 @@ where
 /// Any file whose form is right, whether it makes sense or not.
 pub(super) fn any_file() -> impl Strategy<Value = BehaviourFile> {
     let engine = prop_oneof![Just(Engine::Event), (1_u64..=1000).prop_map(|frame_ms| Engine::Frame { frame_ms })];
-    let head = (option::of("[a-z]{1,8}"), any_text(), option::of(any_text()), option::of(engine));
+    let tags = vec(any_text().prop_map(|tag| tag.chars().take(24).collect::<String>()), 0..=3);
+    let head = (
+        option::of("[a-z]{1,8}"),
+        any_text(),
+        (option::of(any_text()), option::of(any_text())),
+        option::of(engine),
+        tags,
+    );
     let graph = (numbered(3, any_helper), numbered(5, any_stream), numbered(5, any_connector));
     let place = (any_coordinate(), any_coordinate()).prop_map(|(x, y)| Place { x, y });
-    let notes = vec(any_text(), 0..3);
-    (head, graph, notes, btree_map(any_text(), place, 0..4), any::<i64>()).prop_map(
-        |((id, name, robot, engine), (helpers, streams, connectors), notes, layout, order)| BehaviourFile {
-            format: FORMAT.to_owned(),
-            id,
-            name,
-            robot,
-            engine,
-            order: streams.iter().take(2).map(|stream| (stream.id.clone(), order)).collect(),
-            notes: (0..).zip(notes).map(|(at, text)| FileNote { id: format!("n{at}"), text }).collect(),
-            helpers,
-            streams,
-            connectors,
-            layout,
+    let beside = (numbered(2, any_note), numbered(2, any_group));
+    (head, graph, beside, btree_map(any_text(), place, 0..4), any::<i64>()).prop_map(
+        |((id, name, (robot, exercise), engine, tags), (helpers, streams, connectors), beside, layout, order)| {
+            BehaviourFile {
+                format: FORMAT.to_owned(),
+                id,
+                name,
+                robot,
+                engine,
+                exercise,
+                tags,
+                order: streams.iter().take(2).map(|stream| (stream.id.clone(), order)).collect(),
+                notes: beside.0,
+                groups: beside.1,
+                helpers,
+                streams,
+                connectors,
+                layout,
+            }
         },
     )
 }
@@ -202,7 +231,8 @@ pub(super) fn any_behaviour() -> impl Strategy<Value = (Behaviour, Vec<Helper>)>
         file.connectors
             .retain(|connector| connector.inputs.iter().chain([&connector.output]).all(|id| ids.contains(id)));
         file.order = ids.iter().zip(0_i64..).map(|(id, at)| (id.clone(), at * 3 - 5)).collect();
-        let owners = ids.into_iter().chain(file.notes.iter().map(|note| note.id.clone()));
+        let beside = file.notes.iter().map(|note| &note.id).chain(file.groups.iter().map(|group| &group.id));
+        let owners = ids.into_iter().chain(beside.cloned());
         file.layout = owners.zip(file.layout.into_values()).collect();
         (file.records(|_| None).expect("a behaviour"), file.library())
     })

@@ -105,7 +105,7 @@ proptest! {
 }
 
 /// What breaks a file of one map, one sample and one note.
-const BREAKS: [(&str, &str); 23] = [
+const BREAKS: [(&str, &str); 28] = [
     ("rrp-behaviour/1", "rrp-behaviour/2"),
     ("\"name\": \"Whole\",", ""),
     ("\"name\": \"Whole\",", "\"name\": \"Whole\", \"colour\": 1,"),
@@ -126,6 +126,11 @@ const BREAKS: [(&str, &str); 23] = [
     (", \"periodMs\": 10", ""),
     ("\"inputs\": [\"a\"]", "\"inputs\": \"a\""),
     ("\"text\": \"t\"", "\"text\": null"),
+    ("\"by\": \"Aiko\"", "\"by\": 1"),
+    ("\"at\": 5", "\"at\": -5"),
+    ("\"streams\": [\"a\"]", "\"streams\": [\"no id\"]"),
+    ("\"title\": \"G\", ", ""),
+    ("\"folded\": true", "\"folded\": \"yes\""),
     ("\"order\": {\"a\": 0}", "\"order\": {\"a\": \"0\"}"),
     ("\"y\": 2.5", "\"y\": \"2.5\""),
     ("\"y\": 2.5", "\"y\": 2.5, \"z\": 0"),
@@ -145,7 +150,8 @@ const WHOLE: &str = r#"{
     {"id": "c", "type": "map", "inputs": ["a"], "output": "b", "body": "x"},
     {"id": "d", "type": "sample", "inputs": ["a"], "output": "b", "periodMs": 10}
   ],
-  "notes": [{"id": "n", "text": "t"}],
+  "notes": [{"id": "n", "text": "t", "by": "Aiko", "at": 5}],
+  "groups": [{"id": "g", "title": "G", "streams": ["a"], "folded": true}],
   "order": {"a": 0},
   "layout": {"a": {"x": 1, "y": 2.5}}
 }"#;
@@ -218,6 +224,9 @@ fn what_breaks_the_xsd_is_refused() {
         ("period=\"10ms\"", ""),
         ("<map id=\"c\"", "<map colour=\"red\" id=\"c\""),
         ("args=\"x\"", "args=\"2x\""),
+        ("at=\"5\"", "at=\"-5\""),
+        ("streams=\"a\"", "streams=\"ä\""),
+        ("folded=\"true\"", "folded=\"1\""),
         ("y=\"2.5\"", "y=\"INF\""),
         ("<from stream=\"a\"/><body>", "<from stream=\"a\"/>text<body>"),
     ];

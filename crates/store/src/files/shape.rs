@@ -6,8 +6,9 @@ use super::place::Lines;
 use super::tree::{Node, What};
 use super::{FileFault, Looked, TEXT_MAX_BYTES};
 use behaviour::{
-    BehaviourFile, CONNECTORS_MAX, Engine, FORMAT, FileConnector, FileHelper, FileNote, FileStream, HELPERS_MAX, Id,
-    NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind, connectors, is_identifier,
+    BehaviourFile, CONNECTORS_MAX, Declared, Engine, FORMAT, FileConnector, FileGroup, FileHelper, FileNote,
+    FileStream, GROUPS_MAX, HELPERS_MAX, Id, NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind,
+    TAG_MAX_CHARS, TAGS_MAX, connectors, is_identifier,
 };
 use fields::Fields;
 use std::collections::{BTreeMap, BTreeSet};
@@ -64,8 +65,9 @@ impl Reader<'_, '_> {
     }
 
     fn file(&mut self, root: &Node) -> BehaviourFile {
-        const KNOWN: &str = "format id name robot engine helpers streams connectors notes order layout";
-        let fields = Fields::of(self, root, "a behaviour", KNOWN);
+        const KNOWN: &str =
+            "format id name robot engine exercise tags helpers streams connectors notes groups order layout";
+        let fields = Fields::of(self, root, "a program", KNOWN);
         let format = fields.text(self, "format");
         if let Some(node) = fields.get("format").filter(|_| format != FORMAT) {
             self.fault(node.at, format!("This is not the format {FORMAT}. Export it again with this rrp."));
@@ -82,18 +84,18 @@ impl Reader<'_, '_> {
             name,
             robot: fields.maybe_text(self, "robot"),
             engine: fields.get("engine").map(|node| self.engine(node)),
+            exercise: self.exercise(&fields),
+            tags: self.tags(&fields),
             helpers: self.each(&fields, "helpers", HELPERS_MAX, Self::helper),
             streams: self.each(&fields, "streams", STREAMS_MAX, Self::stream),
             connectors: self.each(&fields, "connectors", CONNECTORS_MAX, Self::connector),
-            notes: if fields.get("notes").is_some() {
-                self.each(&fields, "notes", NOTES_MAX, Self::note)
-            } else {
-                vec![]
-            },
+            notes: self.maybe_each(&fields, "notes", NOTES_MAX, Self::note),
+            groups: self.maybe_each(&fields, "groups", GROUPS_MAX, Self::group),
             order: self.entries(&fields, "order", Self::whole),
             layout: self.entries(&fields, "layout", Self::place),
         };
         self.check_order(&fields, &file);
+        self.check_groups(&fields, &file);
         file
     }
 
@@ -106,13 +108,17 @@ impl Reader<'_, '_> {
         items.iter().map(|item| read(self, item)).collect()
     }
 
+    fn maybe_each<T>(&mut self, fields: &Fields, name: &str, most: usize, read: fn(&mut Self, &Node) -> T) -> Vec<T> {
+        if fields.get(name).is_some() { self.each(fields, name, most, read) } else { Vec::new() }
+    }
+
     fn entries<T>(&mut self, fields: &Fields, name: &str, read: fn(&mut Self, &Node) -> T) -> BTreeMap<String, T> {
         match fields.get(name).map(|node| (&node.what, node.at)) {
             Some((What::Object(entries), _)) => {
                 entries.iter().map(|(id, node)| (id.clone(), read(self, node))).collect()
             }
             Some((What::Array(_) | What::Plain(_), at)) => {
-                self.fault(at, format!("“{name}” must be an object of ids, such as {{\"s1\": …}}."));
+                self.fault(at, format!("“{name}” must be an object with an id before each of its values."));
                 BTreeMap::new()
             }
             None => BTreeMap::new(),
@@ -125,7 +131,7 @@ impl Reader<'_, '_> {
         }
         let fields = Fields::of(self, node, "an engine", "frame");
         let Some(frame) = fields.get("frame") else {
-            self.fault(node.at, "The engine must be \"event\" or {\"frame\": {\"frameMs\": 50}}.");
+            self.fault(node.at, "The engine must be \"event\", or an object with \"frame\" and its \"frameMs\".");
             return Engine::Event;
         };
         let fields = Fields::of(self, frame, "a frame", "frameMs");
@@ -136,8 +142,27 @@ impl Reader<'_, '_> {
         Engine::Frame { frame_ms }
     }
 
+    fn exercise(&mut self, fields: &Fields) -> Option<String> {
+        let exercise = fields.maybe_text(self, "exercise")?;
+        self.check_name(fields.at("exercise"), &exercise);
+        Some(exercise)
+    }
+
+    fn tags(&mut self, fields: &Fields) -> Vec<String> {
+        let tags = fields.texts(self, "tags").unwrap_or_default();
+        if tags.len() > TAGS_MAX {
+            let reason = format!("{} tags are too many: a file may have {TAGS_MAX}. Leave some out.", tags.len());
+            self.fault(fields.at("tags"), reason);
+        }
+        for many in tags.iter().map(|tag| tag.chars().count()).filter(|many| *many > TAG_MAX_CHARS) {
+            let reason = format!("A tag has {many} characters, and {TAG_MAX_CHARS} fit. Shorten it.");
+            self.fault(fields.at("tags"), reason);
+        }
+        tags
+    }
+
     fn helper(&mut self, node: &Node) -> FileHelper {
-        let fields = Fields::of(self, node, "a helper", "name params body says");
+        let fields = Fields::of(self, node, "a helper", "name params body says takes gives");
         let name = fields.text(self, "name");
         self.check_identifier(node.at, &name);
         self.check_name(node.at, &name);
@@ -146,7 +171,24 @@ impl Reader<'_, '_> {
         }
         let params = fields.names(self, "params").unwrap_or_default();
         let says = fields.maybe_text(self, "says").unwrap_or_default();
-        FileHelper { name, params, body: fields.text(self, "body"), says }
+        let takes = fields.texts(self, "takes").unwrap_or_default();
+        let takes: Vec<_> = takes.iter().map(|word| self.declared(fields.at("takes"), word)).collect();
+        if takes.len() > params.len() {
+            let reason =
+                format!("It takes {} values and has {} parameters. Leave some out.", takes.len(), params.len());
+            self.fault(fields.at("takes"), reason);
+        }
+        let gives = fields.maybe_text(self, "gives");
+        let gives = gives.map_or(Declared::Auto, |word| self.declared(fields.at("gives"), &word));
+        FileHelper { name, params, body: fields.text(self, "body"), says, takes, gives }
+    }
+
+    fn declared(&mut self, at: usize, word: &str) -> Declared {
+        Declared::of_word(word).unwrap_or_else(|| {
+            let known: Vec<_> = Declared::all().into_iter().map(Declared::word).collect();
+            self.fault(at, format!("A helper takes or gives no “{}”. Write one of {}.", short(word), known.join(", ")));
+            Declared::Auto
+        })
     }
 
     fn stream(&mut self, node: &Node) -> FileStream {
@@ -221,8 +263,26 @@ impl Reader<'_, '_> {
     }
 
     fn note(&mut self, node: &Node) -> FileNote {
-        let fields = Fields::of(self, node, "a note", "id text");
-        FileNote { id: self.own_id(node, &fields), text: fields.text(self, "text") }
+        let fields = Fields::of(self, node, "a note", "id text by at");
+        let by = fields.maybe_text(self, "by");
+        self.check_name(fields.at("by"), by.as_deref().unwrap_or_default());
+        FileNote { id: self.own_id(node, &fields), text: fields.text(self, "text"), by, at: fields.count(self, "at") }
+    }
+
+    fn group(&mut self, node: &Node) -> FileGroup {
+        let fields = Fields::of(self, node, "a group", "id title streams folded");
+        let (id, title) = (self.own_id(node, &fields), fields.text(self, "title"));
+        self.check_name(node.at, &title);
+        let streams = fields.texts(self, "streams").unwrap_or_else(|| self.missing(node.at, "streams"));
+        if streams.len() > STREAMS_MAX {
+            let many = streams.len();
+            self.fault(
+                node.at,
+                format!("{many} streams are too many: a group may have {STREAMS_MAX}. Leave some out."),
+            );
+        }
+        streams.iter().for_each(|stream| self.check_id(fields.at("streams"), stream));
+        FileGroup { id, title, streams, folded: fields.truth(self, "folded") }
     }
 
     fn whole(&mut self, node: &Node) -> i64 {
@@ -291,6 +351,17 @@ impl Reader<'_, '_> {
         let all: BTreeSet<&str> = streams.chain(connectors).collect();
         for (id, node) in entries.iter().filter(|(id, _)| !all.contains(id.as_str())) {
             self.fault(node.at, format!("There is no stream or connector “{}”. Leave its order out.", short(id)));
+        }
+    }
+
+    /// A stream is in one group at most.
+    fn check_groups(&mut self, fields: &Fields, file: &BehaviourFile) {
+        let mut seen: BTreeMap<&str, &str> = BTreeMap::new();
+        for (group, stream) in file.groups.iter().flat_map(|group| group.streams.iter().map(move |id| (group, id))) {
+            if seen.insert(stream, &group.id).is_some_and(|other| other != group.id) {
+                let reason = format!("“{}” is in two groups. Leave it out of one.", short(stream));
+                self.fault(fields.at("groups"), reason);
+            }
         }
     }
 

@@ -24,6 +24,7 @@ pub fn write_svg(file: &BehaviourFile) -> String {
             shapes::PAPER
         ),
     ];
+    lines.extend(drawing.groups.iter().map(|(group, frame)| shapes::group(group, *frame)));
     lines.extend(drawing.edges().into_iter().map(|(from, to)| shapes::edge(from, to)));
     lines.extend(drawing.notes.iter().map(|(note, corner)| shapes::note(note, *corner)));
     lines.extend(drawing.streams.iter().map(|(stream, top)| shapes::stream(stream, *top)));
@@ -36,7 +37,7 @@ pub fn write_svg(file: &BehaviourFile) -> String {
 fn summary(file: &BehaviourFile) -> String {
     let count = |many: usize, one: &str| format!("{many} {one}{}", if many == 1 { "" } else { "s" });
     let (streams, connectors) = (count(file.streams.len(), "stream"), count(file.connectors.len(), "connector"));
-    format!("A robot behaviour with {streams} and {connectors}. Values flow from top to bottom.")
+    format!("A robot program with {streams} and {connectors}. Values flow from top to bottom.")
 }
 
 #[cfg(test)]
@@ -80,7 +81,9 @@ mod tests {
         let many = |name: &str| names.iter().filter(|one| *one == name).count();
         let shown = file.streams.len() + file.connectors.len();
         let lines: usize = file.notes.iter().map(|note| super::shapes::note_lines(&note.text).len()).sum();
-        assert_eq!(many("text"), shown + lines, "one text each");
+        let is_there = |id: &String| file.streams.iter().any(|stream| stream.id == *id);
+        let groups = file.groups.iter().filter(|group| group.streams.iter().any(is_there)).count();
+        assert_eq!(many("text"), shown + lines + groups, "one text each");
         for stream in &file.streams {
             let name = super::shapes::one_line(&stream.name);
             let same = file.streams.iter().filter(|other| super::shapes::one_line(&other.name) == name).count();

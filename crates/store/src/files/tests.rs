@@ -181,7 +181,7 @@ const WRONG: [(&str, &str, (u32, u32), &str); 36] = [
     ("\"device\": \"RedBall\"", "\"params\": {\"a\": 1e999}", (8, 70), "too large"),
     ("\"device\": \"RedBall\"", "\"params\": {\"a\": 9223372036854775808}", (8, 70), "too large"),
     ("\"device\": \"RedBall\"", "\"params\": {\"a\": 123456789012345678901}", (8, 70), "too large"),
-    ("\"device\": \"RedBall\"", "\"params\": {\"a\": NaN}", (8, 70), "no JSON"),
+    ("\"device\": \"RedBall\"", "\"params\": {\"a\": NaN}", (8, 70), "not an rrp program file"),
     ("\"device\": \"RedBall\"", "\"params\": []", (8, 64), "“params” must be an object"),
     ("\"device\": \"RedBall\"", "\"priority\": 0.5", (8, 66), "“priority” must be a whole number"),
     ("\"device\": \"RedBall\"", "\"holdMs\": -1", (8, 64), "must not be negative"),
@@ -207,7 +207,7 @@ const WRONG: [(&str, &str, (u32, u32), &str); 36] = [
     ("\"helpers\": [\n", "\"helpers\": [\n    7,\n", (5, 5), "Here should be a helper"),
     ("\"body\": \"ball.x < 1\"", "\"body\": \"\\ud800\"", (5, 50), "letters that JSON does not know"),
     ("\n}\n", "\n", (17, 1), "ends too early"),
-    ("\n}\n", "\n}\n}", (18, 1), "no JSON"),
+    ("\n}\n", "\n}\n}", (18, 1), "not an rrp program file"),
 ];
 
 fn check_faults(small: &str, wrongs: &[(&str, &str, (u32, u32), &str)]) {

@@ -10,7 +10,7 @@ pub(super) const DEPTH_MAX: usize = 32;
 pub(super) const NODES_MAX: usize = 250_000;
 
 /// What is said of a file that has more.
-pub(super) const TOO_MANY: &str = "The file has more things in it than a behaviour may have. Split it into several.";
+pub(super) const TOO_MANY: &str = "The file has more things in it than a program may have. Split it into several.";
 
 /// Why a text is no number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]

@@ -27,6 +27,8 @@ enum How {
     Millis,
     /// Names with blanks between them.
     Names,
+    /// `true` or `false`; anything else stays a text, of which the reader says that it is neither.
+    Truth,
 }
 
 /// An attribute, the field it is, and how it is read.
@@ -39,8 +41,15 @@ const BEHAVIOUR: &[Known] = &[
     ("robot", "robot", How::Text),
     ("engine", "engine", How::Text),
     ("frame", "frame", How::Millis),
+    ("exercise", "exercise", How::Text),
 ];
-const HELPER: &[Known] = &[("id", "name", How::Text), ("args", "params", How::Names), ("says", "says", How::Text)];
+const HELPER: &[Known] = &[
+    ("id", "name", How::Text),
+    ("args", "params", How::Names),
+    ("says", "says", How::Text),
+    ("takes", "takes", How::Names),
+    ("gives", "gives", How::Text),
+];
 const STREAM: &[Known] = &[
     ("id", "id", How::Text),
     ("name", "name", How::Text),
@@ -57,13 +66,20 @@ const CONNECTOR: &[Known] = &[
     ("start", "start", How::Text),
     ("order", "order", How::Number),
 ];
+const NOTE: &[Known] = &[("id", "id", How::Text), ("by", "by", How::Text), ("at", "at", How::Number)];
+const GROUP: &[Known] = &[
+    ("id", "id", How::Text),
+    ("title", "title", How::Text),
+    ("streams", "streams", How::Names),
+    ("folded", "folded", How::Truth),
+];
 const AT: &[Known] = &[("ref", "ref", How::Text), ("x", "x", How::Number), ("y", "y", How::Number)];
 
 /// The tree of an XML text.
 pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
     let root = root(text, lines)?;
     if root.name != "behaviour" {
-        return Err(lines.fault(root.at, format!("This is no behaviour but <{}>. Choose another file.", root.name)));
+        return Err(lines.fault(root.at, format!("This is no program but <{}>. Choose another file.", root.name)));
     }
     Door { lines }.behaviour(&root)
 }
@@ -88,12 +104,14 @@ impl Door<'_, '_> {
         let mut order = Vec::new();
         for section in self.children(root)? {
             let field = match section.name.as_str() {
+                "tags" => self.list(section, |child| self.named(child, "tag"))?,
                 "helpers" => self.list(section, |child| self.helper(child))?,
                 "streams" => self.list(section, |child| self.stream(child, &mut order))?,
                 "connectors" => self.list(section, |child| self.connector(child, &mut order))?,
                 "notes" => self.list(section, |child| self.note(child))?,
+                "groups" => self.list(section, |child| self.group(child))?,
                 "layout" => self.layout(section)?,
-                _ => return Err(self.unknown(section, "helpers, streams, connectors, notes, layout")),
+                _ => return Err(self.unknown(section, "tags, helpers, streams, connectors, notes, groups, layout")),
             };
             fields.push((section.name.clone(), field));
         }
@@ -133,7 +151,7 @@ impl Door<'_, '_> {
             match child.name.as_str() {
                 "param" => params.push(self.param(child)?),
                 "resources" => {
-                    let names = self.list(child, |child| self.resource(child))?;
+                    let names = self.list(child, |child| self.named(child, "resource"))?;
                     fields.push(("resources".to_owned(), names));
                 }
                 _ => return Err(self.unknown(child, "param, resources")),
@@ -172,12 +190,13 @@ impl Door<'_, '_> {
         Ok(moved(tree, json.at))
     }
 
-    fn resource(&self, element: &Element) -> Result<Node, FileFault> {
-        self.check_name(element, "resource")?;
+    /// An element that is a name and nothing else.
+    fn named(&self, element: &Element, called: &str) -> Result<Node, FileFault> {
+        self.check_name(element, called)?;
         self.children_none(element)?;
         let fields = self.attributes(element, &[("name", "name", How::Text)])?;
         let name = fields.into_iter().next().map(|(_, node)| node);
-        name.ok_or_else(|| self.lines.fault(element.at, "A resource needs a name. Add name=\"…\"."))
+        name.ok_or_else(|| self.lines.fault(element.at, format!("A {called} needs a name. Add name=\"…\".")))
     }
 
     fn connector(&self, element: &Element, order: &mut Vec<Entry>) -> Result<Node, FileFault> {
@@ -211,9 +230,15 @@ impl Door<'_, '_> {
 
     fn note(&self, element: &Element) -> Result<Node, FileFault> {
         self.check_name(element, "note")?;
-        let mut fields = self.attributes(element, &[("id", "id", How::Text)])?;
+        let mut fields = self.attributes(element, NOTE)?;
         fields.push(("text".to_owned(), self.text(element)?));
         Ok(Node::object(element.at, fields))
+    }
+
+    fn group(&self, element: &Element) -> Result<Node, FileFault> {
+        self.check_name(element, "group")?;
+        self.children_none(element)?;
+        Ok(Node::object(element.at, self.attributes(element, GROUP)?))
     }
 
     fn layout(&self, section: &Element) -> Result<Node, FileFault> {
@@ -287,6 +312,11 @@ fn read(how: How, text: &str, at: usize) -> Result<Node, NoNumber> {
         How::Millis => match text.strip_suffix("ms").map(number) {
             Some(Ok(value @ Value::Int(_))) => Ok(plain(value)),
             _ => Err(NoNumber::NoMillis),
+        },
+        How::Truth => match text {
+            "true" => Ok(plain(Value::Bool(true))),
+            "false" => Ok(plain(Value::Bool(false))),
+            _ => Ok(Node::text(at, text)),
         },
         How::Names => {
             let names = text.split(' ').filter(|name| !name.is_empty());

@@ -31,7 +31,7 @@ impl Part {
 
 /// In this order. Touched connectors go, whatever they were, and come back as what they are now; nodes that
 /// behaviours share are made in one order and linked only where that changes, or else they would deadlock.
-const PARTS: [Part; 11] = [
+const PARTS: [Part; 12] = [
     Part { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
     part(&["gone_streams"], STREAMS_GO),
     part(&["streams", "devices"], STREAMS),
@@ -39,6 +39,7 @@ const PARTS: [Part; 11] = [
     Part { counts: Some("nodes = size($nodes) AND inputs = $inputs"), ..part(&["nodes"], CONNECTOR_NODES) },
     part(&["places", "gone_places"], PLACES),
     part(&["notes", "gone_notes"], NOTES),
+    part(&["groups", "gone_groups"], GROUPS),
     part(&["helpers", "gone_helpers"], HELPERS),
     // One at a time: a helper that appears and a connector that names it must not miss each other.
     part(&["doors"], "CALL () { UNWIND $doors AS x MATCH (n:Shared {name: x}) SET n.lock = true REMOVE n.lock }"),
@@ -118,7 +119,18 @@ const PLACES: &str = "
 const NOTES: &str = "
   CALL () { UNWIND $gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
-    UNWIND $notes AS x MERGE (n:Note {program_id: $id, id: x.id}) SET n.text = x.text MERGE (n)-[:program]->(p)
+    UNWIND $notes AS x
+    MERGE (n:Note {program_id: $id, id: x.id}) SET n.text = x.text, n.by = x.by, n.at_ms = x.at_ms
+    MERGE (n)-[:program]->(p)
+  }";
+
+/// The streams of a group are a list of ids, as some may be gone.
+const GROUPS: &str = "
+  CALL () { UNWIND $gone_groups AS x MATCH (n:Group {program_id: $id, id: x}) DETACH DELETE n }
+  CALL (p) {
+    UNWIND $groups AS x
+    MERGE (n:Group {program_id: $id, id: x.id}) SET n.title = x.title, n.streams = x.streams, n.folded = x.folded
+    MERGE (n)-[:program]->(p)
   }";
 
 const HELPERS: &str = "

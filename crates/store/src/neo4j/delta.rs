@@ -1,7 +1,9 @@
 //! What a change does in the graph, as lists that one statement works through.
 
 use super::link::Params;
-use super::nodes::{device_kind, label, of_connector, of_helper, of_settings, of_stream, relationship, whole};
+use super::nodes::{
+    device_kind, label, of_connector, of_group, of_helper, of_note, of_settings, of_stream, relationship, whole,
+};
 use crate::json::unwritable;
 use crate::query::name_key;
 use crate::usage::{uses, words};
@@ -79,7 +81,8 @@ impl Delta {
                 self.put("helpers", json!({ "id": key.id, "properties": properties }));
             }
             Some(Record::Place(place)) => self.put("places", json!({ "id": key.id, "x": place.x, "y": place.y })),
-            Some(Record::Note(note)) => self.put("notes", json!({ "id": key.id, "text": note.text })),
+            Some(Record::Note(note)) => self.put("notes", of_note(&key.id, note)),
+            Some(Record::Group(group)) => self.put("groups", of_group(&key.id, group)),
             Some(Record::Settings(_)) => {}
         }
         Ok(())
@@ -91,6 +94,7 @@ impl Delta {
             Kind::Helper => self.put("gone_helpers", json!(key.id)),
             Kind::Place => self.put("gone_places", json!(key.id)),
             Kind::Note => self.put("gone_notes", json!(key.id)),
+            Kind::Group => self.put("gone_groups", json!(key.id)),
             Kind::Connector | Kind::Settings => {}
         }
     }

@@ -97,7 +97,7 @@ fn params<const N: usize>(params: [(&str, Value); N]) -> Params {
 
 /// True if the text can be a word of a body.
 fn is_word(text: &str) -> bool {
-    !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_alphanumeric() || byte == b'_')
+    !text.is_empty() && text.chars().all(behaviour::is_name_letter)
 }
 
 /// Who uses a helper itself.

@@ -26,12 +26,13 @@ struct Line {
     by: String,
     owner: String,
     streams: u32,
+    tags: Option<Vec<String>>,
 }
 
 impl From<Line> for Listed {
     fn from(line: Line) -> Self {
-        let Line { id, name, revision, at_ms: changed_ms, by, owner, streams } = line;
-        Self { id, name, revision, changed_ms, by, owner, streams }
+        let Line { id, name, revision, at_ms: changed_ms, by, owner, streams, tags } = line;
+        Self { id, name, revision, changed_ms, by, owner, streams, tags: tags.unwrap_or_default() }
     }
 }
 
@@ -87,10 +88,11 @@ fn statement(query: &Query, needles: &[String]) -> String {
     wanted.extend((!needles.is_empty()).then(|| "p.search CONTAINS $word".to_owned()));
     wanted.extend((needles.len() > 1).then(|| "all(word IN $words WHERE p.search CONTAINS word)".to_owned()));
     wanted.extend(query.owner.as_ref().map(|_| "p.owner = $owner".to_owned()));
+    wanted.extend(query.tag.as_ref().map(|_| "$tag IN p.tags".to_owned()));
     format!(
         "{}\n\
          CALL () {{\n  MATCH (p:{label}) {} WHERE {}\n  WITH p ORDER BY {order} LIMIT $most\n  \
-         RETURN collect(p {{.id, .name, .revision, .streams, .owner, at_ms: coalesce(p.{at_ms}, 0), \
+         RETURN collect(p {{.id, .name, .revision, .streams, .owner, .tags, at_ms: coalesce(p.{at_ms}, 0), \
          by: coalesce(p.{by}, '')}}) AS lines\n}}\n\
          RETURN total, lines",
         total(query.place),
@@ -105,6 +107,7 @@ fn params(query: &Query, needles: &[String]) -> Params {
     // The longest word is the rarest.
     params.push(("word", json!(needles.iter().max_by_key(|word| word.len()))));
     params.push(("owner", json!(query.owner)));
+    params.push(("tag", json!(query.tag)));
     if let Some(Cursor { changed_ms, name_key, id }) = &query.after {
         params.extend([("at_ms", whole(*changed_ms)), ("name_key", json!(name_key)), ("after", json!(id))]);
     }

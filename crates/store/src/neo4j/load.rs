@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::link::{Broken, Link, Params};
 use super::nodes::{
-    ConnectorNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole, with_relationships,
+    ConnectorNode, GroupNode, HelperNode, NoteNode, PlaceNode, SettingsNode, StreamNode, whole, with_relationships,
 };
 use crate::{Loaded, StoreError, json};
 use behaviour::{Behaviour, Committed, Id};
@@ -34,9 +34,10 @@ CALL (p) {
 }
 CALL (p) { MATCH (n:Place)-[:program]->(p) RETURN collect(n {.*}) AS places }
 CALL (p) { MATCH (n:Note)-[:program]->(p) RETURN collect(n {.*}) AS notes }
+CALL (p) { MATCH (n:Group)-[:program]->(p) RETURN collect(n {.*}) AS groups }
 CALL (p) { MATCH (n:Helper)-[:program]->(p) RETURN collect(n {.*}) AS helpers }
-RETURN p.revision AS revision, p.removed_ms AS removed_ms, p {.name, .robot, .engine_json} AS settings,
-  streams, simple, nodes, places, notes, helpers";
+RETURN p.revision AS revision, p.removed_ms AS removed_ms, p {.name, .robot, .engine_json, .tags, .exercise} AS settings,
+  streams, simple, nodes, places, notes, groups, helpers";
 
 const HISTORY: &str = "
 MATCH (o:Op) WHERE o.program_id = $id AND o.revision > $since
@@ -52,6 +53,7 @@ struct Row {
     nodes: Vec<ConnectorNode>,
     places: Vec<PlaceNode>,
     notes: Vec<NoteNode>,
+    groups: Vec<GroupNode>,
     helpers: Vec<HelperNode>,
 }
 
@@ -83,6 +85,7 @@ fn behaviour(row: Row) -> Result<Behaviour, Fault> {
     }
     records.extend(row.places.into_iter().map(PlaceNode::record));
     records.extend(row.notes.into_iter().map(NoteNode::record));
+    records.extend(row.groups.into_iter().map(GroupNode::record));
     records.extend(row.helpers.into_iter().map(HelperNode::record));
     Ok(behaviour)
 }

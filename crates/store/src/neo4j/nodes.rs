@@ -4,8 +4,8 @@ use super::fault::Fault;
 use crate::json;
 use crate::usage::words;
 use behaviour::{
-    Connector, Engine, Helper, Id, Kind, Note, Parameters, Place, Procedure, Record, RecordId, Settings, Stream,
-    StreamKind, connectors, connectors::Spec,
+    Connector, Declared, Engine, Group, Helper, Id, Kind, Note, Parameters, Place, Procedure, Record, RecordId,
+    Settings, Stream, StreamKind, connectors, connectors::Spec,
 };
 use serde::{Deserialize, Deserializer};
 use serde_json::{Value, json};
@@ -88,17 +88,34 @@ pub(super) fn of_connector(program: &Id, id: &Id, record: &Record, connector: &C
 
 /// The properties of a helper's node.
 pub(super) fn of_helper(program: &Id, id: &Id, record: &Record, helper: &Helper) -> Value {
+    let takes = Some(&helper.takes).filter(|takes| !takes.is_empty());
+    let gives = Some(helper.gives).filter(|gives| !gives.is_auto());
     json!({
         "program_id": program, "id": id, "name": helper.name, "params": helper.params, "body": helper.body,
-        "says": helper.says, "words": Some(words(record)).filter(|words| !words.is_empty()),
+        "says": helper.says, "takes": takes, "gives": gives, "words": Some(words(record)).filter(|words| !words.is_empty()),
     })
+}
+
+/// What a note's node gets; null takes away.
+pub(super) fn of_note(id: &Id, note: &Note) -> Value {
+    let by = Some(&note.by).filter(|by| !by.is_empty());
+    json!({ "id": id, "text": note.text, "by": by, "at_ms": Some(note.at_ms).filter(|at_ms| *at_ms > 0).map(whole) })
+}
+
+/// What a group's node gets.
+pub(super) fn of_group(id: &Id, group: &Group) -> Value {
+    json!({ "id": id, "title": group.title, "streams": group.streams, "folded": group.folded })
 }
 
 /// The properties of the settings, on the node of their behaviour; all null without settings.
 pub(super) fn of_settings(settings: Option<&Settings>) -> serde_json::Result<Value> {
     let engine = settings.map(|settings| json::encode(&settings.engine)).transpose()?;
     let name = settings.map(|settings| &settings.name);
-    Ok(json!({ "name": name, "robot": settings.map(|settings| &settings.robot), "engine_json": engine }))
+    let tags = settings.map(|settings| &settings.tags).filter(|tags| !tags.is_empty());
+    Ok(json!({
+        "name": name, "robot": settings.map(|settings| &settings.robot), "engine_json": engine, "tags": tags,
+        "exercise": settings.map(|settings| &settings.exercise),
+    }))
 }
 
 /// Settings as they are read.
@@ -107,6 +124,8 @@ pub(super) struct SettingsNode {
     name: Option<String>,
     robot: Option<String>,
     engine_json: Option<String>,
+    tags: Option<Vec<String>>,
+    exercise: Option<String>,
 }
 
 impl SettingsNode {
@@ -115,8 +134,12 @@ impl SettingsNode {
         let (Some(name), Some(robot), Some(engine)) = (self.name, self.robot, self.engine_json) else {
             return Ok(None);
         };
+        let tags = self.tags.unwrap_or_default();
         let engine: Engine = json::decode(&engine).map_err(|reason| Fault::damaged(&reason))?;
-        Ok(Some((RecordId::settings(), Record::Settings(Settings { name, robot, engine }))))
+        Ok(Some((
+            RecordId::settings(),
+            Record::Settings(Settings { name, robot, engine, tags, exercise: self.exercise }),
+        )))
     }
 }
 
@@ -203,12 +226,23 @@ pub(super) struct HelperNode {
     params: Vec<String>,
     body: String,
     says: String,
+    #[serde(default)]
+    takes: Option<Vec<Declared>>,
+    #[serde(default)]
+    gives: Option<Declared>,
 }
 
 impl HelperNode {
     /// The helper.
     pub(super) fn record(self) -> (RecordId, Record) {
-        let helper = Helper { name: self.name, params: self.params, body: self.body, says: self.says };
+        let helper = Helper {
+            name: self.name,
+            params: self.params,
+            body: self.body,
+            says: self.says,
+            takes: self.takes.unwrap_or_default(),
+            gives: self.gives.unwrap_or_default(),
+        };
         (RecordId::new(Kind::Helper, &self.id), Record::Helper(helper))
     }
 }
@@ -233,11 +267,32 @@ impl PlaceNode {
 pub(super) struct NoteNode {
     id: Id,
     text: String,
+    by: Option<String>,
+    #[serde(default, deserialize_with = "read_whole")]
+    at_ms: Option<u64>,
 }
 
 impl NoteNode {
     /// The note.
     pub(super) fn record(self) -> (RecordId, Record) {
-        (RecordId::new(Kind::Note, &self.id), Record::Note(Note { text: self.text }))
+        let (by, at_ms) = (self.by.unwrap_or_default(), self.at_ms.unwrap_or_default());
+        (RecordId::new(Kind::Note, &self.id), Record::Note(Note { text: self.text, by, at_ms }))
+    }
+}
+
+/// A group as it is read.
+#[derive(Deserialize)]
+pub(super) struct GroupNode {
+    id: Id,
+    title: String,
+    streams: Vec<Id>,
+    folded: bool,
+}
+
+impl GroupNode {
+    /// The group.
+    pub(super) fn record(self) -> (RecordId, Record) {
+        let streams = self.streams.into_iter().collect();
+        (RecordId::new(Kind::Group, &self.id), Record::Group(Group { title: self.title, streams, folded: self.folded }))
     }
 }

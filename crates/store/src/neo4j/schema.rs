@@ -12,10 +12,11 @@ use tokio::time::timeout;
 
 /// Every migration, oldest first; its place, counted from 1, is the schema version it makes. Never edit one that
 /// was released: add the next.
-const MIGRATIONS: [(&str, &str); 3] = [
+const MIGRATIONS: [(&str, &str); 4] = [
     ("0001_schema", include_str!("../../../../migrations/neo4j/0001_schema.cypher")),
     ("0002_listed", include_str!("../../../../migrations/neo4j/0002_listed.cypher")),
     ("0003_checkpoints", include_str!("../../../../migrations/neo4j/0003_checkpoints.cypher")),
+    ("0004_groups", include_str!("../../../../migrations/neo4j/0004_groups.cypher")),
 ];
 
 /// How long one statement of a migration may take; on a large database an index is not made at once.
@@ -175,6 +176,6 @@ mod tests {
         assert_eq!(check(&[good]), Ok(()));
         let edited = check(&[applied(1, checksum("edited"))]).expect_err("a refusal").to_string();
         assert!(edited.contains("a_name") && edited.contains("undo the edit"), "{edited}");
-        assert_eq!(check(&[applied(9, checksum("x"))]), Err(StoreError::Newer { found: 9, known: 3 }));
+        assert_eq!(check(&[applied(9, checksum("x"))]), Err(StoreError::Newer { found: 9, known: 4 }));
     }
 }

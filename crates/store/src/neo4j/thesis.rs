@@ -86,10 +86,13 @@ fn file(program: &Found, streams: &[Found], connectors: &[FoundConnector]) -> Be
         name: text(&program.props, &["name", "title"]).unwrap_or_else(|| format!("Program {}", program.id)),
         robot: None,
         engine: None,
+        exercise: None,
+        tags: Vec::new(),
         helpers: helpers.into_values().collect(),
         streams: streams.iter().map(|stream| file_stream(stream, &names)).collect(),
         connectors: connectors.collect(),
         notes: Vec::new(),
+        groups: Vec::new(),
         order: BTreeMap::new(),
         layout: streams.iter().filter_map(place).collect(),
     }
@@ -187,7 +190,8 @@ fn file_helper(helper: &Map<String, Value>) -> FileHelper {
     let params: Vec<String> = params.unwrap_or_default();
     let params = params.into_iter().filter(|name| !name.is_empty()).collect();
     let body = text(helper, &["body", "procedure", "code", "expression", "function"]).unwrap_or_default();
-    FileHelper { name, params, body, says: text(helper, &["description", "says"]).unwrap_or_default() }
+    let says = text(helper, &["description", "says"]).unwrap_or_default();
+    FileHelper { name, params, body, says, ..FileHelper::default() }
 }
 
 /// The first of these properties that holds a text.

@@ -3,7 +3,7 @@
 use super::fault::Fault;
 use super::read::id;
 use super::write::{kept, read};
-use crate::{Listed, Listing, PAGE_MAX_LINES, Place, Query, Sort};
+use crate::{Listed, Listing, PAGE_MAX_LINES, Place, Query, Sort, json};
 use rusqlite::types::Value;
 use rusqlite::{Connection, Row, params_from_iter};
 
@@ -15,6 +15,7 @@ pub(super) fn list(at: &Connection, query: &Query) -> Result<Listing, Fault> {
     let mut asked = Asked::new(query.place);
     asked.words(query);
     asked.owner(query);
+    asked.tag(query);
     asked.after(query);
     let sql = asked.sql(query);
     let mut statement = at.prepare_cached(&sql)?;
@@ -51,6 +52,7 @@ fn line(row: &Row) -> Result<Listed, Fault> {
         changed_ms: read(row.get(4)?),
         by: row.get(5)?,
         owner: row.get(6)?,
+        tags: json::decode(&row.get::<_, String>(7)?).map_err(|reason| Fault::content(&reason))?,
     })
 }
 
@@ -107,6 +109,13 @@ impl Asked {
         }
     }
 
+    fn tag(&mut self, query: &Query) {
+        if let Some(tag) = &query.tag {
+            let place = self.value(tag.clone());
+            self.and(&format!("EXISTS (SELECT 1 FROM json_each(behaviour.tags) AS tag WHERE tag.value = {place})"));
+        }
+    }
+
     fn after(&mut self, query: &Query) {
         let Some(after) = &query.after else { return };
         let first = match query.sort {
@@ -129,7 +138,7 @@ impl Asked {
             Sort::Name => "name_key, id".to_owned(),
         };
         format!(
-            "SELECT id, name, revision, streams, {time}, {by}, owner FROM behaviour \
+            "SELECT id, name, revision, streams, {time}, {by}, owner, tags FROM behaviour \
              WHERE {conditions} ORDER BY {order} LIMIT {most}"
         )
     }

@@ -16,7 +16,7 @@ fn id(text: &str) -> Id {
 
 fn committed(revision: u64, text: &str) -> Committed {
     let change = Change::of(id(&format!("op{revision}")), "Aiko", "Note");
-    let note = Record::Note(Note { text: text.to_owned() });
+    let note = Record::Note(Note::new(text.to_owned()));
     let key = RecordId::new(Kind::Note, &id(&format!("n{revision}")));
     Committed { revision, change: change.put(&Default::default(), key, note) }
 }
@@ -109,7 +109,7 @@ async fn a_newer_schema_is_refused_and_left_alone() {
     let file = connect::database(dir.path());
     Connection::open(&file).expect("open").execute("UPDATE meta SET schema_version = 99", []).expect("an update");
     let refusal = open(dir.path()).await.err().expect("a refusal");
-    assert_eq!(refusal, StoreError::Newer { found: 99, known: 3 });
+    assert_eq!(refusal, StoreError::Newer { found: 99, known: 4 });
 }
 
 /// Opens a directory whose database was damaged; says the error of opening, or of reading everything.

@@ -145,13 +145,15 @@ pub(super) fn put_owner(at: &Connection, id: &Id, owner: &str) -> Result<(), Fau
     Ok(())
 }
 
-/// Brings up to date what is derived from all records: name, number of streams, searched text, devices.
+/// Brings up to date what is derived from all records: name, tags, number of streams, searched text, devices.
 pub(super) fn put_derived(at: &Connection, id: &Id, behaviour: &Behaviour) -> Result<(), Fault> {
     let name = behaviour.settings().map(|settings| settings.name.as_str());
+    let tags = behaviour.settings().map_or(&[][..], |settings| &settings.tags);
+    let tags = json::encode(&tags).map_err(json::unwritable)?;
     let key = name.map(name_key).unwrap_or_default();
     let streams = i64::try_from(behaviour.streams().count()).unwrap_or(i64::MAX);
-    at.prepare_cached("UPDATE behaviour SET name = ?2, name_key = ?3, streams = ?4 WHERE id = ?1")?
-        .execute(params![id.as_str(), name, key, streams])?;
+    at.prepare_cached("UPDATE behaviour SET name = ?2, name_key = ?3, streams = ?4, tags = ?5 WHERE id = ?1")?
+        .execute(params![id.as_str(), name, key, streams, tags])?;
     let search = "INSERT INTO searched (behaviour, text) VALUES (?1, ?2) \
         ON CONFLICT (behaviour) DO UPDATE SET text = ?2 WHERE text <> ?2";
     at.prepare_cached(search)?.execute([id.as_str(), &search_text(behaviour)])?;

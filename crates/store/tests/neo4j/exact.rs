@@ -3,9 +3,10 @@
 use crate::samples::{id, now, save};
 use crate::shared;
 use behaviour::{
-    Connector, Engine, Helper, Kind, Note, Operation, Parameters, Place, Procedure, Record, RecordId, Settings, Stream,
-    StreamKind, Value, connectors,
+    Connector, Declared, Engine, Group, Helper, Kind, Note, Operation, Parameters, Place, Procedure, Record, RecordId,
+    Settings, Stream, StreamKind, Unit, Value, connectors,
 };
+use std::collections::BTreeSet;
 use store::LIBRARY;
 
 const HOSTILE: &str = "\u{0} \"'`\\ ${x} $id \n\r\t مرحبا 赤いボール 👩‍🔬 \u{10FFFF} \u{FEFF}";
@@ -94,15 +95,26 @@ fn connectors() -> Vec<(RecordId, Record)> {
 }
 
 fn others() -> Vec<(RecordId, Record)> {
-    let settings =
-        Settings { name: HOSTILE.to_owned(), robot: String::new(), engine: Engine::Frame { frame_ms: u64::MAX } };
+    let settings = Settings {
+        name: HOSTILE.to_owned(),
+        robot: String::new(),
+        engine: Engine::Frame { frame_ms: u64::MAX },
+        tags: vec![HOSTILE.to_owned(), String::new()],
+        exercise: Some(HOSTILE.to_owned()),
+    };
+    let streams = BTreeSet::from([id("s0"), id("gone")]);
+    let group = |streams, folded| Record::Group(Group { title: HOSTILE.to_owned(), streams, folded });
+    let signed = Note { text: HOSTILE.to_owned(), by: HOSTILE.to_owned(), at_ms: u64::MAX };
     let place = |x, y| Record::Place(Place { x, y });
     vec![
         (RecordId::settings(), Record::Settings(settings)),
         (RecordId::new(Kind::Place, &id("s0")), place(-0.0, 5e-324)),
         (RecordId::new(Kind::Place, &id("nothing")), place(f64::MAX, 42.699_999_999_999_996)),
-        (RecordId::new(Kind::Note, &id("s0")), Record::Note(Note { text: HOSTILE.to_owned() })),
-        (RecordId::new(Kind::Note, &id("empty")), Record::Note(Note { text: String::new() })),
+        (RecordId::new(Kind::Note, &id("s0")), Record::Note(Note::new(HOSTILE.to_owned()))),
+        (RecordId::new(Kind::Note, &id("signed")), Record::Note(signed)),
+        (RecordId::new(Kind::Group, &id("s0")), group(streams, true)),
+        (RecordId::new(Kind::Group, &id("empty")), group(BTreeSet::new(), false)),
+        (RecordId::new(Kind::Note, &id("empty")), Record::Note(Note::new(String::new()))),
     ]
 }
 
@@ -128,8 +140,11 @@ async fn every_record_reads_back_as_it_was() {
 async fn helpers_read_back_as_they_were() {
     let Some(neo4j) = shared::alone("exact helpers").await else { return };
     let store = neo4j.empty_store().await;
-    let helper = |params, says: &str| {
-        Record::Helper(Helper { name: "near".to_owned(), params, body: HOSTILE.to_owned(), says: says.to_owned() })
+    let helper = |params: Vec<String>, says: &str| {
+        let (name, body, says) = ("near".to_owned(), HOSTILE.to_owned(), says.to_owned());
+        let takes = vec![Declared::In(Unit::MetresPerSecond); usize::from(params.len() > 1)];
+        let gives = if takes.is_empty() { Declared::Auto } else { Declared::Face };
+        Record::Helper(Helper { name, params, body, says, takes, gives })
     };
     let records = vec![
         (RecordId::new(Kind::Helper, &id("h1")), helper(Vec::new(), "")),

@@ -11,7 +11,7 @@ const RECORDED: &str = "MATCH (n:Migration) RETURN n.version AS version, n.name 
 async fn a_step_is_recorded_and_refused_when_edited_or_unknown() {
     let Some(neo4j) = shared::alone("schema steps").await else { return };
     neo4j.store().await;
-    let steps = [(1, "0001_schema"), (2, "0002_listed"), (3, "0003_checkpoints")];
+    let steps = [(1, "0001_schema"), (2, "0002_listed"), (3, "0003_checkpoints"), (4, "0004_groups")];
     assert_eq!(neo4j.rows(RECORDED).await, steps.map(|(version, name)| json!({ "version": version, "name": name })));
     neo4j.rows("MATCH (n:Migration {version: 1}) SET n.kept = n.checksum, n.checksum = 'edited'").await;
     let edited = open_neo4j(&neo4j.url()).await.err().expect("a refusal");
@@ -20,7 +20,7 @@ async fn a_step_is_recorded_and_refused_when_edited_or_unknown() {
     neo4j.rows("CREATE (:Migration {version: 7, name: 'later', checksum: ''})").await;
     let newer = open_neo4j(&neo4j.url()).await.err().expect("a refusal");
     neo4j.rows("MATCH (n:Migration {version: 7}) DELETE n").await;
-    assert_eq!(newer, StoreError::Newer { found: 7, known: 3 });
+    assert_eq!(newer, StoreError::Newer { found: 7, known: 4 });
     neo4j.store().await;
 }
 
@@ -58,9 +58,9 @@ async fn servers_that_start_together_make_one_schema() {
     for start in starts {
         assert_eq!(start.await.expect("an end"), Ok(()));
     }
-    assert_eq!(neo4j.rows(RECORDED).await.len(), 3, "every step once");
+    assert_eq!(neo4j.rows(RECORDED).await.len(), 4, "every step once");
     let constraints = neo4j.rows("SHOW CONSTRAINTS YIELD name RETURN count(*) AS many").await;
-    assert_eq!(constraints, [json!({ "many": 17 })]);
+    assert_eq!(constraints, [json!({ "many": 18 })]);
 }
 
 #[tokio::test(flavor = "multi_thread")]

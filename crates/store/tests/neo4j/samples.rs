@@ -38,7 +38,7 @@ pub(crate) fn place(key: &str, x: f64, y: f64) -> (RecordId, Record) {
 
 pub(crate) fn helper(key: &str, name: &str, body: &str) -> (RecordId, Record) {
     let (name, params, body) = (name.to_owned(), vec!["x".to_owned()], body.to_owned());
-    (RecordId::new(Kind::Helper, &id(key)), Record::Helper(Helper { name, params, body, says: String::new() }))
+    (RecordId::new(Kind::Helper, &id(key)), Record::Helper(Helper { name, params, body, ..Helper::default() }))
 }
 
 pub(crate) fn named(helper: &str) -> Procedure {

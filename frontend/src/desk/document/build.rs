@@ -1,6 +1,6 @@
 //! From gestures to changes, as pure functions of the behaviour as it is.
 
-use super::{ConnectPlan, Output};
+use super::{ConnectPlan, Gap, Output, Spot, rewire};
 use crate::layout;
 use behaviour::{
     Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
@@ -23,16 +23,17 @@ fn key(kind: Kind, id: &Id) -> RecordId {
     RecordId::new(kind, id)
 }
 
-/// A new sensor stream in the top row.
+/// A new sensor stream, in the top row unless it has a place.
 pub(super) fn sensor(
     behaviour: &Behaviour,
     places: &BTreeMap<Id, Place>,
     change: Change,
-    (id, device, params): (&Id, &str, Params),
+    (id, device, name, params): (&Id, &str, &str, Params),
+    at: Option<Place>,
 ) -> Change {
-    let name = free_name(behaviour, device);
+    let name = free_name(behaviour, name);
     let stream = new_stream(StreamKind::Sensor, &name, Some(device.to_owned()), params, behaviour.next_order());
-    let place = layout::free_sensor_spot(behaviour, places, &stream);
+    let place = at.map_or_else(|| layout::free_sensor_spot(behaviour, places, &stream), layout::snapped);
     change.put(behaviour, key(Kind::Place, id), Record::Place(place)).put(
         behaviour,
         key(Kind::Stream, id),
@@ -48,6 +49,9 @@ pub(super) fn connected(
     (stream_id, connector_id): (&Id, &Id),
     plan: ConnectPlan,
 ) -> Change {
+    if let Spot::Into(gap) = plan.spot.clone() {
+        return rewire::inserted(behaviour, places, change, (stream_id, connector_id), (&gap, plan));
+    }
     let order = behaviour.next_order();
     match plan.output {
         Output::Existing(output) => {
@@ -59,13 +63,40 @@ pub(super) fn connected(
             let stream = new_stream(kind, &name, device, params, order);
             let output = stream_id.clone();
             let connector = Connector { operation: plan.operation, inputs: plan.inputs, output, order: order + 1 };
-            let place = layout::free_spot(behaviour, places, &stream, &connector);
+            let place = match plan.spot {
+                Spot::At(place) => layout::snapped(place),
+                Spot::Below | Spot::Into(_) => layout::free_spot(behaviour, places, &stream, &connector),
+            };
             change
                 .put(behaviour, key(Kind::Stream, stream_id), Record::Stream(stream))
                 .put(behaviour, key(Kind::Connector, connector_id), Record::Connector(connector))
                 .put(behaviour, key(Kind::Place, stream_id), Record::Place(place))
         }
     }
+}
+
+/// A new connector with its new stream, and another one out of that stream, as one change: where one stream would have
+/// been made or put in, both are.
+pub(super) fn connected_twice(
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    change: Change,
+    ids: [(&Id, &Id); 2],
+    (first, then): (ConnectPlan, ConnectPlan),
+) -> Change {
+    let between = ids[0].0;
+    let spot = match &first.spot {
+        Spot::Into(gap) => Spot::Into(Gap { connector: gap.connector.clone(), input: between.clone() }),
+        Spot::At(_) | Spot::Below => Spot::Below,
+    };
+    let change = connected(behaviour, places, change, ids[0], first);
+    let (mut after, mut stand) = (behaviour.clone(), places.clone());
+    after.apply(&change);
+    stand.extend(change.edits.iter().filter_map(|edit| match edit.after {
+        Some(Record::Place(place)) => Some((edit.id.id.clone(), place)),
+        _ => None,
+    }));
+    connected(&after, &stand, change, ids[1], ConnectPlan { inputs: vec![between.clone()], spot, ..then })
 }
 
 /// Another operation or other inputs of a connector, and perhaps another name of the stream it leads to.
@@ -118,7 +149,7 @@ fn follow_rename(before: &Behaviour, after: &Behaviour, connector: &Connector) -
 }
 
 /// All arguments at once, by way of names that nobody uses, so that two may also be exchanged.
-fn renamed_all(body: &str, old: &[String], new: &[String]) -> String {
+pub(super) fn renamed_all(body: &str, old: &[String], new: &[String]) -> String {
     let pairs: Vec<_> = old.iter().zip(new).filter(|(old, new)| old != new).enumerate().collect();
     let between = |at: usize| format!("rrp_renamed_{at}");
     let away = pairs.iter().fold(body.to_owned(), |body, (at, (old, _))| rename_identifier(&body, old, &between(*at)));

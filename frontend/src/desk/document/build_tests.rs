@@ -1,7 +1,9 @@
 //! What gestures make of a behaviour.
 
-use super::{connected, connector_edited, free_name, renamed_all, sensor, stream_edited, without_stream};
-use crate::desk::{ConnectPlan, Output};
+use super::{
+    connected, connected_twice, connector_edited, free_name, renamed_all, sensor, stream_edited, without_stream,
+};
+use crate::desk::{ConnectPlan, Gap, Output, Spot};
 use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, Stream, StreamKind, connectors};
 use std::collections::BTreeMap;
 
@@ -20,13 +22,18 @@ fn places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
 /// RedBall, filtered to Close, which Tracker follows.
 fn track() -> Behaviour {
     let mut made = Behaviour::default();
-    made.apply(&sensor(&made, &BTreeMap::new(), start("1"), (&id("ball"), "RedBall", Params::new())));
+    made.apply(&sensor(&made, &BTreeMap::new(), start("1"), (&id("ball"), "RedBall", "Red ball", Params::new()), None));
     let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.1"));
     let output = Output::New { name: "Close".into(), device: None, params: Params::new() };
-    let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output };
+    let plan = ConnectPlan { operation: filter, inputs: vec![id("ball")], output, spot: Spot::Below };
     made.apply(&connected(&made, &places(&made), start("2"), (&id("close"), &id("filter")), plan));
     let output = Output::New { name: "Tracker".into(), device: Some("Tracker".into()), params: Params::new() };
-    let plan = ConnectPlan { operation: connectors::subscribe::SPEC.with(()), inputs: vec![id("close")], output };
+    let plan = ConnectPlan {
+        operation: connectors::subscribe::SPEC.with(()),
+        inputs: vec![id("close")],
+        output,
+        spot: Spot::Below,
+    };
     made.apply(&connected(&made, &places(&made), start("3"), (&id("tracker"), &id("subscribe")), plan));
     made
 }
@@ -38,6 +45,31 @@ fn streams_are_made_with_kind_order_and_place() {
     assert_eq!((tracker.kind, tracker.order), (StreamKind::Actuator, 3));
     assert!(made.place(&id("tracker")).unwrap().y > made.place(&id("close")).unwrap().y);
     assert_eq!(free_name(&made, "Tracker"), "Tracker 2");
+}
+
+#[test]
+fn two_connectors_one_after_the_other_are_one_change() {
+    let start_of = track();
+    let plan = |name: &str, body: &str, spot| ConnectPlan {
+        operation: connectors::map::SPEC.with(Procedure::body(body)),
+        inputs: vec![id("ball")],
+        output: Output::New { name: name.into(), device: None, params: Params::new() },
+        spot,
+    };
+    let ids = [id("metres"), id("c1"), id("bright"), id("c2")];
+    let both = [(&ids[0], &ids[1]), (&ids[2], &ids[3])];
+    for spot in [Spot::Below, Spot::Into(Gap { connector: id("filter"), input: id("ball") })] {
+        let plans = (plan("In m", "redBall.size", spot.clone()), plan("Bright", "inM * 2.0", Spot::Below));
+        let change = connected_twice(&start_of, &places(&start_of), start("4"), both, plans);
+        let mut made = start_of.clone();
+        made.apply(&change);
+        assert_eq!(made.connector(&id("c2")).unwrap().inputs, [id("metres")]);
+        assert!(made.place(&id("bright")).unwrap().y > made.place(&id("metres")).unwrap().y);
+        let goes_on = made.connector(&id("filter")).unwrap().inputs[0].clone();
+        assert_eq!(goes_on, if spot == Spot::Below { id("ball") } else { id("bright") });
+        made.apply(&change.swapped(id("5"), "Undo"));
+        assert_eq!(made, start_of);
+    }
 }
 
 #[test]

@@ -135,6 +135,7 @@ fn a_new_connector_out_of_a_removed_stream_brings_it_back() {
         operation: connectors::map::SPEC.with(Procedure::body("1")),
         inputs: vec![id("c")],
         output: crate::desk::document::Output::New { name: "One".into(), device: None, params: Params::new() },
+        spot: Default::default(),
     };
     let new = (&id("s"), &id("m"));
     let mine = build::connected(&now, &Default::default(), change("mine", "Aiko"), new, plan);

@@ -42,7 +42,7 @@ impl Document {
     pub(crate) fn called(&self, change: &Change) -> String {
         let is_me =
             self.tab.me.with_untracked(|me| me.as_ref().is_some_and(|me| Some(&me.client) == change.by.as_ref()));
-        if is_me { words::you_elsewhere().to_owned() } else { change.author.clone() }
+        if is_me { words::you_elsewhere().to_owned() } else { words::person_called(&change.author) }
     }
 
     /// What was saved since some time before a revision, as far as it can be found out.

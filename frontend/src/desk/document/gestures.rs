@@ -1,9 +1,13 @@
 //! Gestures: each builds one change with a label and proposes it.
 
-use super::{ConnectPlan, Document, Output, Selected, build};
+use super::{ConnectPlan, Document, Output, Selected, WireEnd, build, grouping, rewire, several};
 use crate::desk::tab::new_id;
-use crate::layout;
-use behaviour::{Behaviour, Change, Connector, Filled, Id, Kind, Operation, Params, Place, Record, RecordId, Stream};
+use crate::layout::Tidy;
+use crate::naming;
+use crate::words;
+use behaviour::{
+    Behaviour, Change, Connector, Filled, Id, Kind, Operation, Params, Place, Record, RecordId, Settings, Stream,
+};
 use leptos::prelude::*;
 use protocol::Refused;
 use std::collections::BTreeMap;
@@ -17,11 +21,22 @@ impl Document {
         build::free_name(&self.behaviour(), base)
     }
 
-    /// A new sensor stream, selected once it is there. `device` is the catalogue's name.
-    pub(crate) fn add_sensor(&self, device: &str, params: Params) {
+    /// A new sensor stream where there is room in the top row, selected once it is there.
+    pub(crate) fn add_sensor(&self, device: &robot::Device, params: Params) {
+        self.add_sensor_there(device, params, None);
+    }
+
+    /// A new sensor stream at a place, selected once it is there.
+    pub(crate) fn add_sensor_at(&self, device: &robot::Device, at: Place) {
+        self.add_sensor_there(device, Params::new(), Some(at));
+    }
+
+    fn add_sensor_there(&self, device: &robot::Device, params: Params, at: Option<Place>) {
         let (behaviour, places) = self.behaviour_and_places();
         let id = new_id();
-        let change = build::sensor(&behaviour, &places, self.change(&format!("Add {device}")), (&id, device, params));
+        let name = words::device(device);
+        let change = self.change(&format!("Add {name}"));
+        let change = build::sensor(&behaviour, &places, change, (&id, device.name, name, params), at);
         let tab = self.tab.clone();
         self.propose_and(change, self.select_on_yes(id, move |answer| tab.say_refusal(answer)));
     }
@@ -37,6 +52,57 @@ impl Document {
         let change = self.change(&format!("Add {}", plan.operation.word()));
         let change = build::connected(&behaviour, &places, change, (&stream, &connector), plan);
         self.propose_and(change, self.select_on_yes(select, on_answer));
+    }
+
+    /// A new connector and another one out of what it makes, as one change; the last stream is selected once it is there.
+    pub(crate) fn connect_twice(
+        &self,
+        first: ConnectPlan,
+        then: ConnectPlan,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) {
+        let (behaviour, places) = self.behaviour_and_places();
+        let [between, connector, stream, last] = [(); 4].map(|()| new_id());
+        let change = self.change(&format!("Add {}", then.operation.word()));
+        let ids = [(&between, &connector), (&stream, &last)];
+        let change = build::connected_twice(&behaviour, &places, change, ids, (first, then));
+        self.propose_and(change, self.select_on_yes(stream, on_answer));
+    }
+
+    /// Leads a stream to where its wire ends, as one change; what it ends at is selected then.
+    pub(crate) fn wire(&self, from: &Id, end: &WireEnd) {
+        let (behaviour, places) = self.behaviour_and_places();
+        let name = behaviour.stream(from).map_or("", |stream| &stream.name);
+        let change = self.change(&format!("Connect {}", short(name)));
+        let change = rewire::wired(&behaviour, &places, change, (&new_id(), &new_id()), (from, end));
+        let select = match end {
+            WireEnd::Stream(id) => Selected::Stream(id.clone()),
+            WireEnd::Connector(id) => Selected::Connector(id.clone()),
+        };
+        let document = self.clone();
+        let before = self.selected.get_untracked();
+        self.propose_and(change, move |answer| {
+            // Who selected something else meanwhile keeps that.
+            if answer.is_ok() && document.selected.get_untracked() == before {
+                document.selected.set(Some(select));
+            }
+            document.tab.say_refusal(answer);
+        });
+    }
+
+    /// Removes a stream of a way and joins what is above it with what is below, as one change.
+    pub(crate) fn remove_and_heal(&self, id: &Id) {
+        let behaviour = self.behaviour();
+        let name = behaviour.stream(id).map_or("", |stream| &stream.name);
+        let change = rewire::healed(&behaviour, self.change(&format!("Remove {}", short(name))), id);
+        self.propose(grouping::without_empty(&behaviour, change));
+    }
+
+    /// The stream that takes the place of a removed one, if its way can be healed, and its name.
+    pub(crate) fn healed_by(&self, id: &Id) -> Option<(Id, String)> {
+        let behaviour = self.behaviour();
+        let above = rewire::healed_by(&behaviour, id)?;
+        Some((above.clone(), behaviour.stream(above)?.name.clone()))
     }
 
     fn select_on_yes(
@@ -63,7 +129,10 @@ impl Document {
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let change = self.change(&format!("Edit {}", operation.word()));
-        let change = build::connector_edited(&self.behaviour(), change, id, (operation, inputs), output_name);
+        let behaviour = self.behaviour();
+        let followed = followed_name(&behaviour, &seen, &operation, &inputs).filter(|_| output_name.is_none());
+        let name = output_name.or(followed.as_deref());
+        let change = build::connector_edited(&behaviour, change, id, (operation, inputs), name);
         self.propose_and(build::as_seen(change, Kind::Connector, id, Record::Connector(seen)), on_answer);
     }
 
@@ -83,28 +152,35 @@ impl Document {
         self.propose_and(build::as_seen(change, Kind::Stream, id, Record::Stream(seen)), on_answer);
     }
 
-    /// A stream goes with its connectors.
+    /// A stream goes with its connectors, a group with its streams.
     pub(crate) fn remove(&self, what: &Selected) {
         let behaviour = self.behaviour();
         let change = match what {
             Selected::Stream(id) => {
                 let name = behaviour.stream(id).map_or("", |stream| &stream.name);
-                build::without_stream(&behaviour, self.change(&format!("Remove {}", short(name))), id)
+                let change = build::without_stream(&behaviour, self.change(&format!("Remove {}", short(name))), id);
+                grouping::without_empty(&behaviour, change)
             }
             Selected::Connector(id) => {
                 let word = behaviour.connector(id).map_or("connector", |connector| connector.operation.word());
                 build::without_connector(&behaviour, self.change(&format!("Remove {word}")), id)
             }
+            Selected::Note(_) => several::without(&behaviour, self.change("Remove note"), &[what.clone()].into()),
+            Selected::Group(id) => {
+                let title = self.group(id).map(|signals| signals.record.with_untracked(|group| short(&group.title)));
+                let change = self.change(&format!("Remove {}", title.unwrap_or_default()));
+                several::without(&behaviour, change, &[what.clone()].into())
+            }
         };
         self.propose(change);
     }
 
-    /// Streams somewhere else, as one change.
-    pub(crate) fn move_streams(&self, places: Vec<(Id, Place)>) {
+    /// Streams, notes and boxes somewhere else, as one change.
+    pub(crate) fn move_to(&self, places: Vec<(Id, Place)>) {
         self.move_as("Move", &places);
     }
 
-    fn move_as(&self, label: &str, places: &[(Id, Place)]) {
+    pub(super) fn move_as(&self, label: &str, places: &[(Id, Place)]) {
         let behaviour = self.behaviour();
         for some in places.chunks(MOVES_MAX) {
             let change = build::moved(&behaviour, self.change(label), some);
@@ -118,15 +194,15 @@ impl Document {
         }
     }
 
-    /// Shows streams where the server has them, after a drag that came to nothing.
+    /// Shows things where the server has them, after a drag that came to nothing.
     pub(crate) fn put_back(&self, ids: &[Id]) {
         let keys: Vec<_> = ids.iter().map(|id| RecordId::new(Kind::Place, id)).collect();
         self.refresh(&keys);
     }
 
-    /// Lays everything out afresh, top to bottom.
-    pub(crate) fn tidy(&self) {
-        let places: Vec<_> = layout::tidy(&self.behaviour()).into_iter().collect();
+    /// Lays everything out afresh.
+    pub(crate) fn tidy(&self, tidy: Tidy) {
+        let places: Vec<_> = tidy(&self.behaviour()).into_iter().collect();
         self.move_as("Tidy", &places);
     }
 
@@ -136,13 +212,27 @@ impl Document {
         self.propose(change);
     }
 
+    /// Name and choices of the open program.
+    pub(in crate::desk) fn settings(&self) -> Option<Settings> {
+        self.behaviour().settings().cloned()
+    }
+
+    /// Proposes a change of the open program's settings.
+    pub(in crate::desk) fn propose_settings(
+        &self,
+        change: Change,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) {
+        self.propose_and(change, on_answer);
+    }
+
     /// A change of who sits here, still empty.
     pub(in crate::desk) fn change(&self, label: &str) -> Change {
         Change::of(new_id(), &self.tab.my_name(), label)
     }
 
     /// The open behaviour, and where its streams stand on this page, placed by people or not.
-    fn behaviour_and_places(&self) -> (Behaviour, BTreeMap<Id, Place>) {
+    pub(super) fn behaviour_and_places(&self) -> (Behaviour, BTreeMap<Id, Place>) {
         let behaviour = self.behaviour();
         let state = self.state();
         let shown = |id: &Id| state.streams.get(id).map(|signals| signals.place.get_untracked());
@@ -154,6 +244,17 @@ impl Document {
         drop(state);
         (behaviour, places)
     }
+}
+
+/// The new name of what passes a test or comes at a beat, if it was called after that and nobody typed a name since.
+fn followed_name(behaviour: &Behaviour, seen: &Connector, operation: &Operation, inputs: &[Id]) -> Option<String> {
+    let spec = operation.spec();
+    if !spec.is_test() && spec.takes.period.is_none() {
+        return None;
+    }
+    let name = &behaviour.stream(&seen.output)?.name;
+    let edited = Connector { operation: operation.clone(), inputs: inputs.to_vec(), ..seen.clone() };
+    naming::followed(behaviour, name, seen, &edited).map(|name| build::free_name(behaviour, &name))
 }
 
 pub(in crate::desk) fn short(name: &str) -> String {

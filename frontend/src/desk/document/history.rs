@@ -102,7 +102,7 @@ mod tests {
     }
 
     fn removal(revision: u64, author: &str) -> Accepted {
-        let (id, note) = ("stream/a".parse::<RecordId>().unwrap(), Record::Note(Note { text: String::new() }));
+        let (id, note) = ("stream/a".parse::<RecordId>().unwrap(), Record::Note(Note::new(String::new())));
         let behaviour = Behaviour { records: [(id.clone(), note)].into() };
         let Accepted { revision, change } = made(revision, author);
         Accepted { revision, change: change.take(&behaviour, id) }

@@ -1,8 +1,9 @@
 //! Small words of the document: what is selected, how saving goes, a record's signals, a new connector.
 
+use super::rewire::Gap;
 use crate::live::{LiveConnector, LiveStream};
-use behaviour::{Connector, Id, Operation, Params, Place, Stream};
-use leptos::prelude::ArcRwSignal;
+use behaviour::{Connector, Group, Id, Kind, Note, Operation, Params, Place, RecordId, Stream};
+use leptos::prelude::{ArcMemo, ArcRwSignal};
 
 /// How saving goes; the number counts changes that wait.
 #[expect(clippy::enum_variant_names, reason = "saving is saved, saving, offline or away")]
@@ -17,19 +18,39 @@ pub(crate) enum Saving {
 }
 
 /// The one thing a person has chosen.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Selected {
     Stream(Id),
     Connector(Id),
+    Note(Id),
+    Group(Id),
 }
 
 impl Selected {
     /// Its id.
     pub(crate) fn id(&self) -> &Id {
         match self {
-            Self::Stream(id) | Self::Connector(id) => id,
+            Self::Stream(id) | Self::Connector(id) | Self::Note(id) | Self::Group(id) => id,
         }
     }
+
+    /// The record that it is.
+    pub(crate) fn record(&self) -> RecordId {
+        let kind = match self {
+            Self::Stream(_) => Kind::Stream,
+            Self::Connector(_) => Kind::Connector,
+            Self::Note(_) => Kind::Note,
+            Self::Group(_) => Kind::Group,
+        };
+        RecordId::new(kind, self.id())
+    }
+}
+
+/// The parts of the graph that some words mean, while somebody points at them.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Lit {
+    pub(crate) streams: Vec<Id>,
+    pub(crate) connectors: Vec<Id>,
 }
 
 /// What is marked on a part of the behaviour, as long as this tab has something of it that nobody else has.
@@ -57,12 +78,43 @@ pub(crate) struct ConnectorSignals {
     pub(crate) live: ArcRwSignal<LiveConnector>,
 }
 
+/// One note.
+#[derive(Clone)]
+pub(crate) struct NoteSignals {
+    pub(crate) record: ArcRwSignal<Note>,
+    /// The middle of its top edge.
+    pub(crate) place: ArcRwSignal<Place>,
+}
+
+/// One group.
+#[derive(Clone)]
+pub(crate) struct GroupSignals {
+    pub(crate) record: ArcRwSignal<Group>,
+    /// Where its box was put; nothing if it stands in the middle of its streams.
+    pub(crate) place: ArcRwSignal<Option<Place>>,
+    /// Where its box is, folded or not: the middle of its top edge. Nothing if its streams are gone.
+    pub(crate) at: ArcMemo<Option<Place>>,
+}
+
 /// A new connector.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct ConnectPlan {
     pub(crate) operation: Operation,
     pub(crate) inputs: Vec<Id>,
     pub(crate) output: Output,
+    pub(crate) spot: Spot,
+}
+
+/// Where a new connector with its new stream goes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) enum Spot {
+    /// Below what it takes from, where there is room.
+    #[default]
+    Below,
+    /// The stream stands there.
+    At(Place),
+    /// Between a stream and a connector that takes from it.
+    Into(Gap),
 }
 
 /// Where a new connector leads.

@@ -17,6 +17,7 @@ impl Document {
             return;
         }
         self.clear();
+        self.tab.to_graph.set(true);
         self.remember_address(Some(id));
         self.ask_open(id.clone(), true);
     }
@@ -80,6 +81,7 @@ impl Document {
         self.state().mine = Mine::default();
         self.happened(DocumentEvent::Left);
         set_if_new(&self.selected, None);
+        set_if_new(&self.several, Default::default());
         set_if_new(&self.tab.dialog, None);
         set_if_new(&self.open, None);
         self.revision.set(0);

@@ -21,6 +21,13 @@ pub(super) struct Presence {
     is_planned: bool,
 }
 
+impl Presence {
+    /// What part of the canvas is in view.
+    pub(super) fn in_view(&self) -> Option<Area> {
+        self.view
+    }
+}
+
 /// Where somebody who is followed is.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Followed {

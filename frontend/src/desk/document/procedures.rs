@@ -3,10 +3,11 @@
 use super::Document;
 use crate::link;
 use behaviour::Value;
-use protocol::{Reply, Request};
+use protocol::{Reply, Request, UnknownName};
 
-/// What a procedure makes of given values: why it cannot run at all, and one result per set of values.
-pub(crate) type Checked = (Option<String>, Vec<Result<Value, String>>);
+/// What a procedure makes of given values: why it cannot run at all, one result per set of values, and a name in it that
+/// means nothing.
+pub(crate) type Checked = (Option<String>, Vec<Result<Value, String>>, Option<UnknownName>);
 
 impl Document {
     /// Whether a procedure can run, and what it makes of at most 8 sets of values. Not answered while offline.
@@ -18,8 +19,8 @@ impl Document {
         on_answer: impl FnOnce(Checked) + 'static,
     ) {
         link::ask(Request::Check { arguments, body, inputs }, move |reply| {
-            if let Some(Reply::Checked { error, results }) = reply {
-                on_answer((error.clone(), results.clone()));
+            if let Some(Reply::Checked { error, results, unknown }) = reply {
+                on_answer((error.clone(), results.clone(), unknown.clone()));
             }
         });
     }

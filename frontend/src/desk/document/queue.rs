@@ -207,7 +207,7 @@ mod tests {
     }
 
     fn change(op: &str, text: &str) -> Change {
-        let note = Record::Note(Note { text: text.into() });
+        let note = Record::Note(Note::new(text.into()));
         Change::of(id(op), "Aiko", "Note").put(&Behaviour::default(), RecordId::new(Kind::Note, &id("n")), note)
     }
 
@@ -255,7 +255,7 @@ mod tests {
         queue.push(id("b"), change("one", "1"), Way::Propose);
         queue.push(id("b"), change("two", "2"), Way::Propose);
         let key = RecordId::new(Kind::Note, &id("n"));
-        assert_eq!(queue.record(&id("b"), &key), Some(Some(Record::Note(Note { text: "2".into() }))));
+        assert_eq!(queue.record(&id("b"), &key), Some(Some(Record::Note(Note::new("2".into())))));
         assert_eq!(queue.record(&id("other"), &key), None);
         assert_eq!(queue.on_top_of(&id("b"), &Behaviour::default()).records.len(), 1);
     }

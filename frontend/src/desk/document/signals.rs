@@ -2,9 +2,10 @@
 
 use super::{ConnectorSignals, Document, DocumentEvent, Selected, State, StreamSignals};
 use crate::desk::tab::set_if_new;
-use crate::layout;
-use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream};
+use crate::layout::{self, Tidy};
+use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
+use std::collections::BTreeMap;
 
 impl Document {
     /// Shows a whole behaviour in place of what was shown.
@@ -15,16 +16,39 @@ impl Document {
             touched.extend(records.records.keys().cloned());
             touched.extend(state.streams.keys().map(|id| RecordId::new(Kind::Stream, id)));
             touched.extend(state.connectors.keys().map(|id| RecordId::new(Kind::Connector, id)));
+            touched.extend(state.notes.keys().map(|id| RecordId::new(Kind::Note, id)));
+            touched.extend(state.groups.keys().map(|id| RecordId::new(Kind::Group, id)));
             state.confirmed = records;
             if let Some(open) = state.wanted.clone() {
                 touched.extend(state.queue.touched(&open));
             }
-            state.fallback = layout::missing_places(&state.confirmed);
+            state.fallback = layout::missing_places(&state.confirmed, state.tidy);
             let places: Vec<_> = state.confirmed.streams().map(|(id, _)| RecordId::new(Kind::Place, id)).collect();
             touched.extend(places);
             touched
         };
         self.refresh(&touched);
+    }
+
+    /// Lays out with `tidy` what nobody placed, from now on: it may come later than the behaviour that needs it.
+    pub(crate) fn lay_out_with(&self, tidy: Tidy) {
+        let places: Vec<_> = {
+            let mut state = self.state();
+            state.tidy = Some(tidy);
+            let ids: Vec<Id> = state.confirmed.streams().map(|(id, _)| id.clone()).collect();
+            if ids.is_empty() || ids.iter().any(|id| state.confirmed.place(id).is_some()) {
+                return;
+            }
+            state.fallback = tidy(&state.confirmed);
+            ids.iter().map(|id| RecordId::new(Kind::Place, id)).collect()
+        };
+        self.refresh(&places);
+        self.laid_out.notify();
+    }
+
+    /// Places for the streams of a behaviour that nobody placed.
+    pub(crate) fn missing_places(&self, behaviour: &Behaviour) -> BTreeMap<Id, Place> {
+        layout::missing_places(behaviour, self.state().tidy)
     }
 
     /// Brings the signals of these records up to what they are now.
@@ -36,12 +60,42 @@ impl Document {
                 Kind::Connector => order |= self.refresh_connector(id),
                 Kind::Place => self.refresh_place(&id.id),
                 Kind::Settings => self.refresh_name(),
-                Kind::Helper | Kind::Note => {}
+                Kind::Note => self.refresh_note(id),
+                Kind::Group => self.refresh_group(id),
+                Kind::Helper => {}
             }
         }
         if order {
             self.refresh_order();
         }
+        if touched.iter().any(|id| id.kind == Kind::Note) {
+            self.refresh_notes();
+            self.refresh_note_order();
+        }
+        if touched.iter().any(|id| id.kind == Kind::Group) {
+            self.refresh_groups();
+        }
+        if touched.iter().any(|id| matches!(id.kind, Kind::Stream | Kind::Connector)) {
+            self.refresh_shared();
+            self.edited.notify();
+        }
+    }
+
+    fn refresh_shared(&self) {
+        let (streams, connectors) = {
+            let state = self.state();
+            (state.streams.clone(), state.connectors.clone())
+        };
+        let mut shared: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
+        for (id, signals) in connectors {
+            let output = signals.record.with_untracked(|connector| connector.output.clone());
+            let acts = |output: &StreamSignals| output.record.with_untracked(|at| at.kind == StreamKind::Actuator);
+            if streams.get(&output).is_some_and(acts) {
+                shared.entry(output).or_default().push(id);
+            }
+        }
+        shared.retain(|_, connectors| connectors.len() > 1);
+        set_if_new(&self.shared, shared);
     }
 
     fn refresh_stream(&self, key: &RecordId) -> bool {
@@ -98,9 +152,13 @@ impl Document {
     }
 
     fn refresh_place(&self, id: &Id) {
-        let known = self.state().streams.get(id).cloned();
-        if let Some(signals) = known {
+        if let Some(signals) = self.stream(id) {
             let place = self.state().place_or_free(id);
+            set_if_new(&signals.place, place);
+        } else if let Some(signals) = self.note_signals(id) {
+            set_if_new(&signals.place, self.note_place(id));
+        } else if let Some(signals) = self.group(id) {
+            let place = self.state().saved_place(id);
             set_if_new(&signals.place, place);
         }
     }
@@ -109,7 +167,14 @@ impl Document {
         let settings = self.state().record(&RecordId::settings());
         if let Some(Record::Settings(settings)) = settings {
             set_if_new(&self.name, settings.name);
+            set_if_new(&self.exercise, settings.exercise);
         }
+    }
+
+    fn refresh_notes(&self) {
+        let text = |record: &Record| if let Record::Note(note) = record { Some(note.text.clone()) } else { None };
+        let notes = self.state().confirmed.records.values().filter_map(text).collect();
+        set_if_new(&self.notes, notes);
     }
 
     fn refresh_order(&self) {
@@ -118,7 +183,10 @@ impl Document {
         set_if_new(&self.connector_ids, connectors);
     }
 
-    fn deselect_gone(&self, id: &Id) {
+    pub(super) fn deselect_gone(&self, id: &Id) {
+        if self.several.with_untracked(|several| several.iter().any(|one| one.id() == id)) {
+            self.several.update(|several| several.retain(|one| one.id() != id));
+        }
         if self.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id)) {
             self.selected.set(None);
         }
@@ -127,7 +195,7 @@ impl Document {
 
 impl State {
     /// A record as it is to be shown.
-    fn record(&self, key: &RecordId) -> Option<Record> {
+    pub(super) fn record(&self, key: &RecordId) -> Option<Record> {
         let waiting = match &self.wanted {
             Some(open) if self.saves.shows_waiting() => self.queue.record(open, key),
             _ => None,
@@ -135,15 +203,24 @@ impl State {
         waiting.unwrap_or_else(|| self.confirmed.records.get(key).cloned())
     }
 
+    /// Where something was put.
+    pub(super) fn saved_place(&self, id: &Id) -> Option<Place> {
+        match self.record(&RecordId::new(Kind::Place, id)) {
+            Some(Record::Place(place)) => Some(place),
+            _ => None,
+        }
+    }
+
     /// Where a stream stands; a stream that nobody placed gets a free spot for as long as this page is open.
     fn place_or_free(&mut self, id: &Id) -> Place {
-        if let Some(Record::Place(place)) = self.record(&RecordId::new(Kind::Place, id)) {
+        if let Some(place) = self.saved_place(id) {
             return place;
         }
         if let Some(place) = self.fallback.get(id) {
             return *place;
         }
-        let place = layout::missing_places(&self.confirmed).get(id).copied().unwrap_or(Place { x: 0.0, y: 0.0 });
+        let place =
+            layout::missing_places(&self.confirmed, self.tidy).get(id).copied().unwrap_or(Place { x: 0.0, y: 0.0 });
         self.fallback.insert(id.clone(), place);
         place
     }

@@ -70,6 +70,28 @@ impl Library {
         });
     }
 
+    /// Makes a copy of a program under another name and opens it, or says why not.
+    pub(crate) fn copy_program(&self, id: &Id, name: &str) {
+        if self.tab.refuses(Role::Editor) {
+            return;
+        }
+        let (library, me, address, name) =
+            (self.clone(), self.tab.my_name(), file_address(id, "json"), words::copy_of(name));
+        wasm_bindgen_futures::spawn_local(async move {
+            let copied = match read_text(&address).await {
+                Some(text) => bring(&JsValue::from_str(&named(&text, &name)), &me).await,
+                None => Err(NotBrought::Unreachable),
+            };
+            match copied {
+                Ok(brought) => {
+                    library.document.open_program(&brought.id);
+                    library.tab.say(&words::copy_made(&brought.name), false);
+                }
+                Err(why) => library.tab.say(&words::not_brought(&why), true),
+            }
+        });
+    }
+
     /// Files that are dropped anywhere on the page are opened.
     pub(in crate::desk) fn hear_drops(&self) {
         let Some(window) = browser::window() else { return };
@@ -124,6 +146,32 @@ async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrought> {
     Err(refused.unwrap_or(NotBrought::Unclear))
 }
 
+/// A behaviour file with another name: the first string after the first key `name`, which is that of the behaviour.
+fn named(text: &str, name: &str) -> String {
+    const KEY: &str = "\"name\"";
+    let Some(key) = text.find(KEY) else { return text.to_owned() };
+    let Some(start) = text[key + KEY.len()..].find('"').map(|at| key + KEY.len() + at) else { return text.to_owned() };
+    let mut is_escaped = false;
+    let end = text[start + 1..].char_indices().find(|(_, c)| {
+        let ends = *c == '"' && !is_escaped;
+        is_escaped = *c == '\\' && !is_escaped;
+        ends
+    });
+    let Some((end, _)) = end else { return text.to_owned() };
+    let written = serde_json::to_string(name).unwrap_or_default();
+    format!("{}{written}{}", &text[..start], &text[start + 1 + end + 1..])
+}
+
+/// The text that the server has at an address.
+pub(super) async fn read_text(address: &str) -> Option<String> {
+    let answer = JsFuture::from(browser::window()?.fetch_with_str(address)).await.ok()?;
+    let answer: web_sys::Response = answer.dyn_into().ok()?;
+    if !answer.ok() {
+        return None;
+    }
+    JsFuture::from(answer.text().ok()?).await.ok()?.as_string()
+}
+
 async fn post(file: &JsValue, by: &str) -> Option<(bool, String)> {
     let how = web_sys::RequestInit::new();
     how.set_method("POST");
@@ -137,8 +185,16 @@ async fn post(file: &JsValue, by: &str) -> Option<(bool, String)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Brought, file_address};
+    use super::{Brought, file_address, named};
     use behaviour::Id;
+
+    #[test]
+    fn a_copy_has_another_name_and_nothing_else_changes() {
+        let text = r#"{"format":"rrp-behaviour/1","name":"A \"b\" \\","helpers":[{"name":"far"}]}"#;
+        let wanted = r#"{"format":"rrp-behaviour/1","name":"Copy of \"b\"","helpers":[{"name":"far"}]}"#;
+        assert_eq!(named(text, "Copy of \"b\""), wanted);
+        assert_eq!(named("{}", "x"), "{}");
+    }
 
     #[test]
     fn the_answer_of_the_server_is_read() {

@@ -3,9 +3,10 @@
 use super::Library;
 use crate::desk::document::{as_seen, helper_gone, helper_put, short};
 use crate::desk::tab::{new_id, set_if_new};
-use crate::link;
-use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record};
-use protocol::{LIBRARY, Refused, Request, Summary};
+use crate::link::{self, NoAnswer};
+use crate::words;
+use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal};
+use protocol::{LIBRARY, Refused, Reply, Request, Role, Summary};
 
 impl Library {
     /// After a greeting: takes the helpers and templates as they are now.
@@ -34,6 +35,35 @@ impl Library {
             change = as_seen(change, Kind::Helper, &id, Record::Helper(seen));
         }
         self.document.propose_to_library(change, on_answer);
+    }
+
+    /// A helper of another name: what uses it follows, and how many programs that are is said.
+    pub(crate) fn rename_helper(
+        &self,
+        (helper, seen): (Id, Helper),
+        after: Helper,
+        on_answer: impl FnOnce(Result<(), Refused>) + 'static,
+    ) {
+        if let Some(no) = self.tab.refusal(Role::Editor) {
+            return on_answer(Err(no));
+        }
+        let tab = self.tab.clone();
+        let request = Request::RenameHelper { helper, seen: Box::new(seen), after: Box::new(after) };
+        self.tab.look_up(request, move |answer| match answer {
+            Ok(Reply::HelperRenamed { programs, left }) => {
+                on_answer(Ok(()));
+                if !left.is_empty() {
+                    tab.say(&words::old_name_stays(&words::listed(left)), true);
+                } else if *programs > 0 {
+                    tab.say(&words::helper_renamed(*programs), false);
+                }
+            }
+            Ok(_) => on_answer(Ok(())),
+            Err(NoAnswer::Refused(no)) => on_answer(Err(no)),
+            Err(NoAnswer::Unreachable) => {
+                on_answer(Err(Refused::Change(Refusal::NotSaved(words::unreachable().to_owned()))));
+            }
+        });
     }
 
     /// The library without a helper; refused while programs use it.

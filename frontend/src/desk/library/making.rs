@@ -69,9 +69,8 @@ impl Library {
     }
 
     /// Moves a program to the bin.
-    pub(crate) fn remove_program(&self, id: &Id) {
-        let (library, id) = (self.clone(), id.clone());
-        let name = self.document.name.get_untracked();
+    pub(crate) fn remove_program(&self, id: &Id, name: &str) {
+        let (library, id, name) = (self.clone(), id.clone(), name.to_owned());
         self.tab.ask_or_say(Request::Remove { behaviour: id.clone() }, move |_| {
             if library.document.is_wanted(&id) {
                 library.document.close_program();

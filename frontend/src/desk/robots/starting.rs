@@ -69,10 +69,10 @@ impl Robots {
     }
 
     /// Sends a value to a sensor stream of the running behaviour as if the robot had sensed it.
-    pub(crate) fn stimulate(&self, stream: &Id, value: Value) {
+    pub(crate) fn stimulate(&self, stream: &Id, value: Value, on_yes: impl FnOnce() + 'static) {
         if let Some(behaviour) = self.document.open.get_untracked() {
             let robot = self.chosen_id();
-            self.tab.ask_or_say(Request::Stimulate { behaviour, robot, stream: stream.clone(), value }, |_| {});
+            self.tab.ask_or_say(Request::Stimulate { behaviour, robot, stream: stream.clone(), value }, |_| on_yes());
         }
     }
 

@@ -4,7 +4,7 @@ use super::Robots;
 use crate::desk::tab::set_if_new;
 use crate::link;
 use crate::live::LiveConnector;
-use behaviour::{Accepted, Behaviour, Connector, Filled, Helper, Id, Kind, Procedure, Record, RecordId};
+use behaviour::{Accepted, Behaviour, Connector, Filled, Helper, Id, Kind, Procedure, Record, RecordId, Stream};
 use leptos::prelude::*;
 use protocol::{Reply, Request};
 use std::collections::{BTreeMap, BTreeSet};
@@ -72,6 +72,14 @@ impl Robots {
         self.renew_unused();
     }
 
+    /// The connector as the run has it, if it was changed since and was there. Follows [`Robots::unused`].
+    pub(crate) fn ran(&self, id: &Id) -> Option<Connector> {
+        match self.state().before.get(&RecordId::new(Kind::Connector, id)) {
+            Some(Some(Record::Connector(ran))) => Some(ran.clone()),
+            _ => None,
+        }
+    }
+
     fn renew_unused(&self) {
         let unused = {
             let before = &self.state().before;
@@ -86,14 +94,15 @@ impl Robots {
 fn before(changes: &[Accepted]) -> Before {
     let mut before = Before::new();
     for edit in changes.iter().flat_map(|accepted| &accepted.change.edits) {
-        if matches!(edit.id.kind, Kind::Connector | Kind::Helper) {
+        if matches!(edit.id.kind, Kind::Connector | Kind::Stream | Kind::Helper) {
             before.entry(edit.id.clone()).or_insert_with(|| edit.before.clone());
         }
     }
     before
 }
 
-/// The connectors of the open behaviour that the run does not have as they are now, or whose helper it has otherwise.
+/// The connectors of the open behaviour that the run does not have as they are now, or whose helper it has otherwise, and
+/// the streams whose sense or action it has with other settings.
 fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id> {
     let helpers = unused_helpers(before, library);
     let differs = |id: &Id, now: &Connector| match before.get(&RecordId::new(Kind::Connector, id)) {
@@ -101,7 +110,19 @@ fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id
         Some(_) => true,
         None => helper_of(now).is_some_and(|helper| helpers.contains(helper)),
     };
-    open.connectors().filter(|(id, now)| differs(id, now)).map(|(id, _)| id.clone()).filled()
+    let connectors = open.connectors().filter(|(id, now)| differs(id, now)).map(|(id, _)| id.clone());
+    let is_set_otherwise = |id: &Id, now: &Stream| match before.get(&RecordId::new(Kind::Stream, id)) {
+        Some(Some(Record::Stream(ran))) => !is_set_alike(ran, now),
+        Some(_) => now.device.is_some(),
+        None => false,
+    };
+    let streams = open.streams().filter(|(id, now)| is_set_otherwise(id, now)).map(|(id, _)| id.clone());
+    connectors.chain(streams).filled()
+}
+
+fn is_set_alike(one: &Stream, other: &Stream) -> bool {
+    (&one.device, &one.params, &one.resources, one.priority, one.hold_ms)
+        == (&other.device, &other.params, &other.resources, other.priority, other.hold_ms)
 }
 
 fn unused_helpers<'a>(before: &'a Before, library: &Behaviour) -> BTreeSet<&'a str> {
@@ -134,7 +155,8 @@ fn helper_of(connector: &Connector) -> Option<&str> {
 mod tests {
     use super::{before, unused};
     use behaviour::{
-        Accepted, Behaviour, Change, Connector, Helper, Id, Kind, Procedure, Record, RecordId, connectors,
+        Accepted, Behaviour, Change, Connector, Helper, Id, Kind, Params, Procedure, Record, RecordId, Stream,
+        StreamKind, Value, connectors,
     };
 
     fn id(text: &str) -> Id {
@@ -174,7 +196,7 @@ mod tests {
                 name: "far".into(),
                 params: vec!["x".into()],
                 body: body.into(),
-                says: String::new(),
+                ..Helper::default()
             })
         };
         let (mut open, mut library) = (Behaviour::default(), Behaviour::default());
@@ -184,6 +206,28 @@ mod tests {
         assert_eq!(unused(&was, &open, &library).len(), 1);
         wrote(&mut library, Kind::Helper, helper("x > 1"));
         assert!(unused(&was, &open, &library).is_empty());
+    }
+
+    #[test]
+    fn an_action_is_unused_while_it_is_set_otherwise_than_the_run_has_it() {
+        let tracker = |name: &str, arm: &str| {
+            Record::Stream(Stream {
+                kind: StreamKind::Actuator,
+                name: name.into(),
+                device: Some("Tracker".into()),
+                params: Params::from([("effector".to_owned(), Value::text(arm))]),
+                order: 0,
+                resources: None,
+                priority: None,
+                hold_ms: None,
+            })
+        };
+        let (mut open, library) = (Behaviour::default(), Behaviour::default());
+        wrote(&mut open, Kind::Stream, tracker("Tracker", "None"));
+        let mut was = before(&[wrote(&mut open, Kind::Stream, tracker("Follow", "None"))]);
+        assert!(unused(&was, &open, &library).is_empty(), "a name is nothing to a robot");
+        was.extend(before(&[wrote(&mut open, Kind::Stream, tracker("Follow", "LArm"))]));
+        assert_eq!(unused(&was, &open, &library).len(), 1);
     }
 
     #[test]

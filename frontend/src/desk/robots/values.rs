@@ -9,6 +9,9 @@ use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{ConnectorSample, RunState, StreamSample, Values};
 
+/// Between two changes of what is shown to who wants little motion, in milliseconds.
+const CALM_MS: i32 = 500;
+
 impl Robots {
     pub(in crate::desk) fn hear_runs(&self, runs: Vec<RunState>) {
         set_if_new(&self.runs, runs);
@@ -27,6 +30,36 @@ impl Robots {
         if self.runs.with_untracked(|runs| runs.iter().any(elsewhere)) {
             return;
         }
+        if browser::is_calm() { self.hold_values(values) } else { self.show_values(values) }
+    }
+
+    /// For who wants little motion values change at most twice a second: what comes meanwhile waits, of each the newest.
+    fn hold_values(&self, values: Values) {
+        let begins = {
+            let mut state = self.state();
+            match &mut state.held {
+                Some(held) if held.run == values.run => {
+                    held.streams.retain(|old| values.streams.iter().all(|new| new.stream != old.stream));
+                    held.connectors.retain(|old| values.connectors.iter().all(|new| new.connector != old.connector));
+                    held.streams.extend(values.streams);
+                    held.connectors.extend(values.connectors);
+                    false
+                }
+                held => held.replace(values).is_none(),
+            }
+        };
+        if begins {
+            let robots = self.clone();
+            browser::after(CALM_MS, move || {
+                let held = robots.state().held.take();
+                if let Some(values) = held {
+                    robots.show_values(values);
+                }
+            });
+        }
+    }
+
+    fn show_values(&self, values: Values) {
         self.belong_to(values.run);
         let now = browser::now_ms();
         values.streams.into_iter().for_each(|sample| self.hear_stream(sample, now));

@@ -68,7 +68,7 @@ fn title(conflict: &Conflict, by: Option<String>, removed: bool) -> String {
 fn what(conflict: &Conflict) -> &'static str {
     match conflict.mine_of(&conflict.about) {
         Some((_, Some(Record::Connector(connector))) | (Some(Record::Connector(connector)), None)) => {
-            connector.operation.spec().name
+            words::connector_word(connector.operation.spec().name)
         }
         _ => words::stream_word(),
     }
@@ -105,15 +105,16 @@ fn Window(both: Both, title: String) -> impl IntoView {
 fn meanwhile(both: Both, conflict: &Conflict) -> impl IntoView + use<> {
     let name = both.by.get().unwrap_or_else(|| words::somebody().to_owned());
     let did = match conflict.mine_of(&conflict.about) {
-        _ if both.removed.get() => words::did_remove(),
-        Some((_, Some(Record::Connector(connector)))) if connector.operation.spec().is_test() => words::saved_test(),
+        _ if both.removed.get() => words::did_remove,
+        Some((_, Some(Record::Connector(connector)))) if connector.operation.spec().is_test() => words::saved_test,
         Some((_, Some(Record::Connector(connector)))) if connector.operation.procedure().is_some() => {
-            words::saved_procedure()
+            words::saved_procedure
         }
-        _ => words::saved_settings(),
+        _ => words::saved_settings,
     };
     let subject = subject(conflict, &both.now.read());
-    view! { {words::while_you(conflict.offline, &name, did)}<b>{subject}</b>". "{words::yours_waits_here()} }
+    let (before, after) = words::while_you(conflict.offline, &name, did);
+    view! { {before}<b>{subject}</b>{after} }
 }
 
 /// The name by which people know it: the stream that it is or leads to.
@@ -233,7 +234,7 @@ fn Choice(both: Both, refusal: RwSignal<Option<String>>) -> impl IntoView {
         refusal.set(None);
         let can_save = document().can_save();
         document().keep_mine(&both.op.get_value(), move |no| {
-            let _ = refusal.try_set(Some(no.to_string()));
+            let _ = refusal.try_set(Some(words::told_by(&no)));
         });
         if !can_save {
             close(both.desk);
@@ -245,7 +246,7 @@ fn Choice(both: Both, refusal: RwSignal<Option<String>>) -> impl IntoView {
         (false, None) => words::take_theirs().to_owned(),
     };
     let keep_word = move || if both.removed.get() { words::bring_back() } else { words::keep_mine() };
-    let stays = move || both.by.get().filter(|_| !both.removed.get()).map(|name| words::stays_in_history(&name));
+    let stays = move || (!both.removed.get()).then(words::stays_in_history);
     view! {
         <div class="dialog-feet compare-feet">
             <button class="button" type="button" on:click=copy><Icon name="copy" />{move || words::copy_button(copied.get())}</button>

@@ -1,4 +1,4 @@
-//! The frame of every dialog: title, contents, feet; Escape closes, Tab stays inside and also reaches Stop.
+//! The frame of every dialog: title, contents, feet; Escape goes back or closes, Tab stays inside and also reaches Stop.
 
 use crate::icons::Icon;
 use crate::panels::focus;
@@ -92,6 +92,9 @@ fn is_whole_line(text: &str) -> bool {
 #[component]
 pub(super) fn Feet(
     #[prop(default = words::save())] save: &'static str,
+    /// What leaves it as it is.
+    #[prop(default = words::close())]
+    leave: &'static str,
     #[prop(optional)] busy: Option<RwSignal<bool>>,
     /// Whether there is nothing to save to any more.
     #[prop(optional, into)]
@@ -103,7 +106,7 @@ pub(super) fn Feet(
     view! {
         <div class="dialog-feet">
             {children.map(|children| children())}
-            <button class="button" type="button" on:click=move |_| close(desk)>{words::close()}</button>
+            <button class="button" type="button" on:click=move |_| close(desk)>{leave}</button>
             <button class="button primary" type="submit" disabled=waits>{save}</button>
         </div>
     }
@@ -113,7 +116,7 @@ pub(super) fn Feet(
 #[component]
 pub(super) fn Refused(why: RwSignal<Option<String>>) -> impl IntoView {
     view! {
-        <div role="alert">
+        <div role="status">
             <Show when=move || why.read().is_some()>
                 <p class="refusal">{move || why.get()}</p>
             </Show>
@@ -174,7 +177,12 @@ fn watch_keys_outside(desk: Hold, dialog: NodeRef<Div>) {
 
 fn trap(event: &KeyboardEvent, desk: Hold, dialog: NodeRef<Div>) {
     match event.key().as_str() {
-        "Escape" if !event.is_composing() => close(desk),
+        "Escape" if !event.is_composing() && !event.default_prevented() => {
+            event.prevent_default();
+            if !step_back(event, dialog) {
+                close(desk);
+            }
+        }
         "Tab" => {
             if let Some(dialog) = dialog.get_untracked() {
                 event.prevent_default();
@@ -183,6 +191,25 @@ fn trap(event: &KeyboardEvent, desk: Hold, dialog: NodeRef<Div>) {
         }
         _ => {}
     }
+}
+
+/// What Escape ends before it ends the dialog: what is looked for, then what was opened from a list in it.
+fn step_back(event: &KeyboardEvent, dialog: NodeRef<Div>) -> bool {
+    let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
+    if let Some(field) = field.filter(|field| field.type_() == "search" && !field.value().is_empty()) {
+        field.set_value("");
+        if let Ok(typed) = web_sys::Event::new("input") {
+            typed.init_event_with_bubbles("input", true);
+            let _ = field.dispatch_event(&typed);
+        }
+        return true;
+    }
+    let back = dialog.get_untracked().and_then(|dialog| focus::all(&dialog, "[data-back]").into_iter().next());
+    if let Some(back) = &back {
+        back.click();
+        focus_again();
+    }
+    back.is_some()
 }
 
 /// To the next thing in the dialog, or to Stop, round and round.

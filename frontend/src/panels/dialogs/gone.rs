@@ -62,7 +62,7 @@ impl Back {
                 self.save.try_run(());
             }),
             Err(Refused::Change(Refusal::Gone)) => self.say(words::cannot_bring_back()),
-            Err(no) => self.say(&no.to_string()),
+            Err(no) => self.say(&words::told_by(&no)),
         });
     }
 

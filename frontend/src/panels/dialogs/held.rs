@@ -14,20 +14,20 @@ use protocol::Role;
 
 /// The lock of what a dialog edits, taken for as long as the dialog is open. A copy is the same one.
 #[derive(Clone, Copy)]
-pub(super) struct Held {
+pub(in crate::panels) struct Held {
     desk: Hold,
     /// Whether this person may edit at all.
     may: bool,
     writing: Memo<Option<Writing>>,
     /// Somebody else may write, so this one only reads.
-    pub(super) reads: Memo<bool>,
+    pub(in crate::panels) reads: Memo<bool>,
     /// What is saved is shown as it changes; what was one's own until now stays instead.
     pub(super) follows: Memo<bool>,
 }
 
 impl Held {
     /// Takes the lock; what is new has none.
-    pub(super) fn of(desk: Hold, record: Option<RecordId>) -> Self {
+    pub(in crate::panels) fn of(desk: Hold, record: Option<RecordId>) -> Self {
         let document = desk.desk().document;
         let may = untrack(|| may_edit(desk));
         let number = record.filter(|_| may).map(|record| document.open_editor(record));
@@ -81,7 +81,7 @@ impl Held {
 
 /// Everything that is said about who may write, above the fields.
 #[component]
-pub(super) fn Holding(held: Held, #[prop(into)] written: Signal<String>) -> impl IntoView {
+pub(in crate::panels) fn Holding(held: Held, #[prop(into)] written: Signal<String>) -> impl IntoView {
     let asker = Memo::new(move |_| held.own().and_then(|own| own.asker));
     let free = Memo::new(move |_| held.own().and_then(|own| own.free_ms));
     let said = said(held);
@@ -278,7 +278,7 @@ fn said_to_reader(reading: &Reading) -> String {
     match (&reading.by, reading.asking) {
         (Some(_), Asking::Waits { .. } | Asking::Queued) => words::silence_means_yes().to_owned(),
         (Some(name), Asking::Kept { .. }) => words::keeps_for_now(name),
-        (Some(name), Asking::No | Asking::Full) => format!("{}. {}", words::is_editing(name), meanwhile(reading)),
+        (Some(name), Asking::No | Asking::Full) => words::is_editing_and(name, &meanwhile(reading)),
         (None, _) => meanwhile(reading),
     }
 }

@@ -1,21 +1,25 @@
 //! One helper of the library: name, parameters, body, sentence, and where it is used.
 
+mod kinds;
+mod trying;
 mod used_in;
+mod values;
 
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{Gone, gone};
+use super::operation::Meant;
 use super::stream::answered;
 use crate::fields::{CodeField, TextField};
-use crate::panels::hold::{Hold, Soon, hold};
+use crate::panels::hold::{Hold, hold};
 use crate::panels::may::{MayNot, may_edit};
 use crate::words;
 use behaviour::{Helper, Id, Refusal};
+use kinds::{KindFields, Kinds};
 use leptos::prelude::*;
 use protocol::Refused;
+use protocol::UnknownName;
+use trying::TryIt;
 use used_in::UsedIn;
-
-/// How soon a body is looked at while it is typed, in milliseconds.
-const SOON_MS: i32 = 200;
 
 #[derive(Clone, Copy)]
 struct Fields {
@@ -25,6 +29,7 @@ struct Fields {
     params: RwSignal<String>,
     body: RwSignal<String>,
     says: RwSignal<String>,
+    kinds: Kinds,
     refusal: RwSignal<Option<String>>,
     busy: RwSignal<bool>,
 }
@@ -38,6 +43,10 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
     let is_there = found.is_some();
     let fields = Fields::of(id.zip(found));
     let arguments = Signal::derive(move || params(&fields.params.read()));
+    // Why the body cannot run, said while it is typed.
+    let error = RwSignal::new(None::<String>);
+    let unknown = RwSignal::new(None::<UnknownName>);
+    let wrong = Signal::derive(move || unknown.get().map(|unknown| unknown.name));
     let may = untrack(|| may_edit(desk));
     let save = Callback::new(move |()| {
         if may {
@@ -54,11 +63,16 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                 <TextField label=words::helper_params() value=fields.params mono=true />
                 <div class="field">
                     <span class="label">{words::body()}</span>
-                    <CodeField label=words::body() value=fields.body arguments described_by="helper-said" />
-                    <Lint fields arguments />
+                    <CodeField label=words::body() value=fields.body arguments unknown=wrong described_by="helper-said" />
+                    <Meant body=fields.body unknown=Signal::from(unknown) />
+                    <div role="status" id="helper-said">
+                        {move || error.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
+                    </div>
                 </div>
+                <KindFields fields arguments />
                 <TextField label=words::helper_says() value=fields.says />
               </fieldset>
+                <TryIt fields arguments error unknown />
                 {is_there.then(|| view! { <UsedIn name=fields.name.get_untracked() /> })}
                 <Refused why=fields.refusal />
                 {fields.seen.get_value().map(|(id, _)| view! { <Removed fields id /> })}
@@ -74,10 +88,11 @@ impl Fields {
             name: String::new(),
             params: vec!["value".to_owned()],
             body: String::new(),
-            says: String::new(),
+            ..Helper::default()
         };
         let helper = seen.clone().map_or_else(empty, |(_, helper)| helper);
         Self {
+            kinds: Kinds::of(&helper),
             seen: StoredValue::new(seen),
             name: RwSignal::new(helper.name),
             params: RwSignal::new(helper.params.join(", ")),
@@ -85,6 +100,19 @@ impl Fields {
             says: RwSignal::new(helper.says),
             refusal: RwSignal::new(None),
             busy: RwSignal::new(false),
+        }
+    }
+
+    /// The helper as it is written now. Reactive.
+    fn helper(self) -> Helper {
+        let params = params(&self.params.read());
+        Helper {
+            name: self.name.get().trim().to_owned(),
+            takes: self.kinds.takes(&params),
+            gives: self.kinds.gives(),
+            params,
+            body: self.body.get().trim().to_owned(),
+            says: self.says.get().trim().to_owned(),
         }
     }
 }
@@ -95,15 +123,16 @@ fn params(text: &str) -> Vec<String> {
 
 fn save(desk: Hold, fields: Fields) {
     fields.refusal.set(None);
-    let helper = Helper {
-        name: fields.name.get_untracked().trim().to_owned(),
-        params: params(&fields.params.get_untracked()),
-        body: fields.body.get_untracked().trim().to_owned(),
-        says: fields.says.get_untracked().trim().to_owned(),
-    };
+    let helper = untrack(|| fields.helper());
     if let Some(bad) = std::iter::once(&helper.name).chain(&helper.params).find(|name| !behaviour::is_identifier(name))
     {
         fields.refusal.set(Some(Refusal::Identifier(bad.clone()).to_string()));
+        return;
+    }
+    let renamed = fields.seen.get_value().filter(|(_, seen)| seen.name != helper.name);
+    if renamed.is_some() && !desk.desk().document.can_save() {
+        // All programs that use it are asked, which cannot wait in the queue.
+        fields.refusal.set(Some(words::unreachable().to_owned()));
         return;
     }
     let answered = answered(&desk.desk(), fields.refusal, fields.busy);
@@ -113,7 +142,11 @@ fn save(desk: Hold, fields: Fields) {
         }
         answered(answer);
     };
-    desk.desk().library.put_helper(fields.seen.get_value(), helper, look_again);
+    let library = desk.desk().library;
+    match renamed {
+        Some(seen) => library.rename_helper(seen, helper, look_again),
+        None => library.put_helper(fields.seen.get_value(), helper, look_again),
+    }
 }
 
 /// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
@@ -121,35 +154,6 @@ fn look_again(desk: Hold, fields: Fields) {
     let Some(Some((id, _))) = fields.seen.try_get_value() else { return };
     let now = desk.desk().library.helpers.get_untracked().into_iter().find(|(other, _)| *other == id);
     fields.seen.try_set_value(now);
-}
-
-/// Says while typing why the body cannot run.
-#[component]
-fn Lint(fields: Fields, arguments: Signal<Vec<String>>) -> impl IntoView {
-    let desk = hold();
-    let why = ArcRwSignal::new(None::<String>);
-    let said = why.clone();
-    let soon = Soon::new(move || {
-        let (Some(body), Some(arguments)) = (fields.body.try_get_untracked(), arguments.try_get_untracked()) else {
-            return;
-        };
-        let said = said.clone();
-        if body.trim().is_empty() {
-            said.set(None);
-        } else {
-            desk.desk().document.check_body(arguments, body, Vec::new(), move |(error, _)| said.set(error));
-        }
-    });
-    Effect::new(move |_| {
-        fields.body.track();
-        arguments.track();
-        soon.within(SOON_MS);
-    });
-    view! {
-        <div role="status" id="helper-said">
-            {move || why.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
-        </div>
-    }
 }
 
 /// Who removed the helper meanwhile; saved again, it is a new one.

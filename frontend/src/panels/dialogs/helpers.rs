@@ -20,8 +20,8 @@ pub(super) fn Helpers() -> impl IntoView {
                 <button class="menu-item" type="button" on:click=edit>
                     <span class="kind plain"><Icon name="fx" /></span>
                     <span class="two">
-                        <b>{words::helper_item(&helper.name, &helper.params.join(", "))}</b>
-                        <span class="second">{helper.says}</span>
+                        <b>{words::helper_item(&helper)}</b>
+                        <span class="second">{words::translated(&helper.says)}</span>
                     </span>
                 </button>
             </li>

@@ -52,7 +52,7 @@ fn RemoveQuestion(
     view! {
         <Frame title=words::remove_question(&name) narrow=true save=done>
             <div class="dialog-body"><p>{says}</p> {children.map(|children| children())}</div>
-            <Feet save=words::remove() />
+            <Feet save=words::remove() leave=words::keep() />
         </Frame>
     }
 }
@@ -77,7 +77,7 @@ pub(super) fn RemoveProgram() -> impl IntoView {
     let done = Callback::new(move |()| {
         let open = desk.desk().document.open.get_untracked();
         if let Some(id) = open.filter(|_| untrack(runs).is_none()) {
-            desk.desk().library.remove_program(&id);
+            desk.desk().library.remove_program(&id, &desk.desk().document.name.get_untracked());
             close(desk);
         }
     });

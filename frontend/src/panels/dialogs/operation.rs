@@ -10,10 +10,13 @@ mod prefill;
 mod procedure;
 mod saving;
 
+pub(super) use procedure::Meant;
+
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{self, Back, Gone};
 use super::held::{Held, Holding};
 use super::stream::EditStream;
+use crate::desk::Spot;
 use crate::fields::{NumberField, TextField};
 use crate::icons::Icon;
 use crate::panels::hold::hold;
@@ -23,9 +26,12 @@ use behaviour::{Id, Kind, RATE_MS, RecordId};
 use form::Form;
 use leptos::prelude::*;
 
+/// Where the name of the output is typed.
+const NAME: &str = "output-name";
+
 /// The dialog. A subscribe that is there has nothing of its own to choose, so its actuator is shown.
 #[component]
-pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec) -> impl IntoView {
+pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec, spot: Spot) -> impl IntoView {
     let desk = hold();
     let record = connector
         .as_ref()
@@ -34,7 +40,7 @@ pub(super) fn Operation(input: Id, connector: Option<Id>, kind: &'static Spec) -
     match record {
         Some(record) if record.operation.spec().acts() => view! { <EditStream id=record.output /> }.into_any(),
         record => {
-            let form = Form::new(desk, input, connector.zip(record), kind);
+            let form = Form::new(desk, input, connector.zip(record), (kind, spot));
             view! { <OperationForm form /> }.into_any()
         }
     }
@@ -62,7 +68,7 @@ fn OperationForm(form: Form) -> impl IntoView {
             .get()
             .into_iter()
             .filter_map(|id| Some(desk.desk().document.stream(&id)?.record.read().name.clone()));
-        names.collect::<Vec<_>>().join(", ")
+        words::listed(names)
     };
     let acts = move || form.kind.get().acts();
     view! {
@@ -75,17 +81,18 @@ fn OperationForm(form: Form) -> impl IntoView {
                 <Picker form />
                 <how::HowItWorks form />
                 <Show when=move || form.kind.get().inputs.are_many()><inputs::Inputs form /></Show>
-                {move || form.kind.get().takes.start.map(|label| view! {
+                <Show when=move || form.is_edit() && !form.kind.get().inputs.are_many()><inputs::TakesFrom form /></Show>
+                {move || form.kind.get().takes.start.map(words::label_of).map(|label| view! {
                     <TextField label value=form.start mono=true />
                 })}
                 <Show when=move || form.kind.get().takes.procedure.is_some()><procedure::ProcedureFields form /></Show>
-                {move || form.kind.get().takes.period.map(|label| view! {
-                    <NumberField label value=form.period unit=words::milliseconds()
-                        min=*RATE_MS.start() as f64 max=*RATE_MS.end() as f64 step=10.0 />
+                {move || form.kind.get().takes.period.map(words::label_of).map(|label| view! {
+                    <NumberField label value=form.period unit=words::seconds()
+                        min=*RATE_MS.start() as f64 / 1_000.0 max=*RATE_MS.end() as f64 / 1_000.0 step=0.1 />
                 })}
                 <Show when=acts><actuator::Actuator form /></Show>
                 <Show when=move || !acts()>
-                    <TextField label=words::output_stream_name() value=form.name
+                    <TextField label=words::output_stream_name() value=form.name id=NAME
                         proposed=Signal::derive(move || form.name.get() == form.offered.get()) />
                 </Show>
               </fieldset>
@@ -145,7 +152,7 @@ fn Picker(form: Form) -> impl IntoView {
                     prop:checked=move || form.kind.get() == kind
                     on:change=move |_| form.choose(kind)
                 />
-                <span><Icon name=kind.icon.name />{kind.name}</span>
+                <span><Icon name=kind.icon.name />{words::connector_word(kind.name)}</span>
             </label>
         }
     };
@@ -153,7 +160,7 @@ fn Picker(form: Form) -> impl IntoView {
         <fieldset class="field">
             <legend class="sr">{words::connector()}</legend>
             <div class="cards">{connectors::ALL.iter().copied().map(card).collect_view()}</div>
-            <p>{move || form.kind.get().says}</p>
+            <p>{move || words::connector_says(form.kind.get())}</p>
         </fieldset>
     }
 }

@@ -9,7 +9,7 @@ mod window;
 
 use super::frame::{Feet, Frame};
 use crate::desk::Dialog;
-use crate::panels::empty::TemplateCard;
+use crate::panels::empty::{Exercises, TemplateCard};
 use crate::panels::hold::hold;
 use crate::words;
 use bar::Bar;
@@ -49,5 +49,5 @@ fn Templates() -> impl IntoView {
     let cards = move || {
         desk.desk().library.templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
     };
-    view! { <div class="shelf templates" tabindex="-1"><ul class="gallery">{cards}</ul></div> }
+    view! { <div class="shelf templates" tabindex="-1"><ul class="gallery">{cards}</ul><Exercises /></div> }
 }

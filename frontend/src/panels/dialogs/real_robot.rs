@@ -104,8 +104,8 @@ fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
         let how = if failed { words::check_failed() } else { words::check_went_well() };
         view! {
             <li data-failed=failed.to_string()>
-                {format!("{}: {how}", words::check_stage(step.stage))}
-                {step.failed.map(|why| view! { <p>{why}</p> })}
+                {words::titled(words::check_stage(step.stage), how)}
+                {step.failed.map(|why| view! { <p>{words::translated(&why)}</p> })}
             </li>
         }
     };

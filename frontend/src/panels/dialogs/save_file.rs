@@ -1,13 +1,19 @@
 //! Save as file: the open program as JSON or XML, or its drawing, to keep or to carry to another computer.
 
+mod png;
+
+pub(crate) use png::NoPicture;
+
 use super::frame::{Frame, close};
 use crate::desk::file_address;
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
+use behaviour::Id;
 use leptos::prelude::*;
+use png::save_png;
 
-/// The three kinds of file, as links.
+/// The kinds of file: those of the server as links, the picture as a button.
 #[component]
 pub(super) fn SaveFile() -> impl IntoView {
     let desk = hold();
@@ -17,6 +23,7 @@ pub(super) fn SaveFile() -> impl IntoView {
         ("xml", words::file_xml(), words::file_xml_says()),
         ("svg", words::file_svg(), words::file_svg_says()),
     ];
+    let png = open.clone().map(|id| view! { <li><Png id /></li> });
     let link = move |(ending, name, says): (&'static str, &'static str, &'static str)| {
         let address = open.as_ref().map(|id| file_address(id, ending));
         view! {
@@ -30,7 +37,50 @@ pub(super) fn SaveFile() -> impl IntoView {
     };
     view! {
         <Frame title=words::save_file() narrow=true save=Callback::new(move |()| close(desk))>
-            <ul class="dialog-body big-list">{kinds.map(link).collect_view()}</ul>
+            <ul class="dialog-body big-list">{kinds.map(link).collect_view()} {png}</ul>
         </Frame>
+    }
+}
+
+/// How making the picture goes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Making {
+    Rests,
+    Goes,
+    Done,
+    Failed(NoPicture),
+}
+
+/// The drawing as a picture, which this browser makes.
+#[component]
+fn Png(id: Id) -> impl IntoView {
+    let making = RwSignal::new(Making::Rests);
+    let make = move |_| {
+        if making.get_untracked() == Making::Goes {
+            return;
+        }
+        making.set(Making::Goes);
+        let id = id.clone();
+        leptos::task::spawn_local(async move {
+            let made = save_png(&id).await;
+            // The dialog may be closed meanwhile.
+            making.try_set(made.map_or_else(Making::Failed, |()| Making::Done));
+        });
+    };
+    let said = move || match making.get() {
+        Making::Rests | Making::Failed(_) => words::file_png_says(),
+        Making::Goes => words::png_goes(),
+        Making::Done => words::png_done(),
+    };
+    let failed = move || match making.get() {
+        Making::Failed(why) => Some(words::no_png(why)),
+        Making::Rests | Making::Goes | Making::Done => None,
+    };
+    view! {
+        <button class="menu-item" type="button" aria-disabled=move || (making.get() == Making::Goes).to_string() on:click=make>
+            <span class="kind plain"><Icon name="save" /></span>
+            <span class="two"><b>{words::file_png()}</b><span class="second" role="status">{said}</span></span>
+        </button>
+        {move || failed().map(|why| view! { <p class="refusal" role="alert">{why}</p> })}
     }
 }

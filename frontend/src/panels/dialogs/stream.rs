@@ -41,6 +41,7 @@ struct Fields {
 fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
     let desk = hold();
     let (kind, has_device) = (stream.kind, stream.device.is_some());
+    let opened = stream.device.clone();
     let fields = Fields {
         id: StoredValue::new(id),
         device: RwSignal::new(stream.device.clone().unwrap_or_default()),
@@ -61,9 +62,9 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
         }
     });
     let back = Back::new(RecordId::new(Kind::Stream, &fields.id.get_value()), save);
-    let says = move || robot::device(kind, &fields.device.read()).map(|device| device.says).ok();
+    let says = move || robot::device(kind, &fields.device.read()).map(words::device_says).ok();
     view! {
-        <Frame title=title(kind) narrow=true save>
+        <Frame title=title(kind, opened.as_deref()) narrow=true save>
             <Holding held written=fields.name />
             <div class="dialog-body" tabindex=move || held.reads.get().then_some("0")>
               <fieldset class="held-fields" disabled=move || held.reads.get()>
@@ -98,17 +99,15 @@ fn follow_saved(desk: Hold, fields: Fields, held: Held) {
     });
 }
 
-fn title(kind: StreamKind) -> &'static str {
-    match kind {
-        StreamKind::Sensor => words::edit_sensor(),
-        StreamKind::Ordinary => words::edit_ordinary(),
-        StreamKind::Actuator => words::edit_actuator(),
-    }
+/// `Tracker settings`, by what it was when this was opened.
+fn title(kind: StreamKind, device: Option<&str>) -> String {
+    let device = device.and_then(|device| robot::device(kind, device).ok());
+    device.map_or_else(|| words::edit_ordinary().to_owned(), |device| words::settings_of(words::device(device)))
 }
 
 /// Devices as `(name in files, name in the thesis)`.
 fn types(kind: StreamKind) -> Options {
-    let option = |device: &'static robot::Device| (device.name.to_owned(), device.name.to_owned());
+    let option = |device: &'static robot::Device| (device.name.to_owned(), words::device(device).to_owned());
     match kind {
         StreamKind::Sensor => robot::sensors().map(option).collect(),
         StreamKind::Actuator => robot::actuators().map(option).collect(),
@@ -168,10 +167,10 @@ pub(super) fn answered(
             Ok(()) => {}
             Err(no) if still_open => {
                 busy.try_set(false);
-                refusal.try_set(Some(no.to_string()));
+                refusal.try_set(Some(words::told_by(&no)));
                 desk.notice.set(None);
             }
-            Err(no) => desk.say(&no.to_string(), true),
+            Err(no) => desk.say(&words::told_by(&no), true),
         }
     }
 }

@@ -16,7 +16,7 @@ pub(super) fn WaitingList() -> impl IntoView {
     });
     let saving = desk.desk().document.saving.clone();
     let line = |(label, here): (String, bool)| {
-        view! { <li><span class="waits-ring" aria-hidden="true"></span><span>{label}</span>{(!here).then(|| view! { <span class="faint">{words::in_another_program()}</span> })}</li> }
+        view! { <li><span class="waits-ring" aria-hidden="true"></span><span>{words::label_said(&label)}</span>{(!here).then(|| view! { <span class="faint">{words::in_another_program()}</span> })}</li> }
     };
     let shown = move || {
         let _ = saving.get();

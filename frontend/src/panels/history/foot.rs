@@ -89,7 +89,8 @@ fn With(was: u64) -> impl IntoView {
         let named: BTreeSet<u64> = document.versions.with(|all| all.iter().map(|version| version.revision).filled());
         let lines: Vec<(u64, String)> = document.history.with(|history| {
             let lines = history.newest_first().filter(|line| line.revision != was && !named.contains(&line.revision));
-            let say = |line: &protocol::HistoryLine| format!("{} · {}", moment(line.at_ms), line.label);
+            let say =
+                |line: &protocol::HistoryLine| format!("{} · {}", moment(line.at_ms), words::label_said(&line.label));
             lines.take(CHOICES_MAX).map(|line| (line.revision, say(line))).collect()
         });
         lines.into_iter().map(|(revision, name)| option(revision, name)).collect_view()

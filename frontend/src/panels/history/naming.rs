@@ -28,7 +28,7 @@ pub(super) fn Naming(revision: u64, names: RwSignal<Option<u64>>) -> impl IntoVi
                 names.set(None);
                 back_to_lines();
             }
-            Err(NoAnswer::Refused(no)) => refused.set(Some(no.to_string())),
+            Err(NoAnswer::Refused(no)) => refused.set(Some(words::told_by(&no))),
             Err(NoAnswer::Unreachable) => refused.set(Some(words::unreachable().to_owned())),
         });
     };

@@ -60,7 +60,7 @@ fn GestureRow(gesture: Gesture) -> impl IntoView {
     let desk = hold();
     let Gesture { revision, author, by, mine, label, at, removes } = gesture;
     let cannot = move || !may_change(desk);
-    let (verb, of, rest) = words::deed(&label);
+    let deed = words::deed(&label);
     let who = words::who_did(&author, mine);
     let bring_back = move |_| desk.desk().document.bring_back_removed(revision);
     view! {
@@ -68,7 +68,7 @@ fn GestureRow(gesture: Gesture) -> impl IntoView {
             <button class="gesture-main" type="button" data-stop="" tabindex=tab_index(desk, revision) data-revision=revision
                 aria-pressed=move || is_chosen(desk, revision).to_string() on:click=move |_| choose(desk, revision)>
                 <Face author by />
-                <span class="gesture-words">{who}" "{verb}" "<b>{of}</b>{rest}</span>
+                <span class="gesture-words">{who}" "{deed.before}<b>{deed.of}</b>{deed.after}</span>
                 " "
                 <time>{at}</time>
             </button>
@@ -130,7 +130,7 @@ pub(super) fn EditingNow() -> impl IntoView {
             view! {
                 <p class="gesture-main editing-now">
                     <span class="avatar face" aria-hidden="true" style=("--person", color.clone())>{letters}</span>
-                    <span class="gesture-words"><b>{editor.name}</b>" "{words::edits_now(&what)}</span>
+                    <span class="gesture-words"><b>{words::person_called(&editor.name)}</b>" "{words::edits_now(&what)}</span>
                     <span class="lock-sign" style=("--person", color)><Icon name="lock" /></span>
                 </p>
             }

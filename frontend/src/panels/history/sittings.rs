@@ -127,15 +127,14 @@ fn head(sitting: &[HistoryLine], newest: bool, here: &Here) -> Entry {
 fn fold(sitting: &[HistoryLine], open: bool) -> Entry {
     let mut deeds: Vec<String> = Vec::new();
     for line in sitting.iter().rev() {
-        let (verb, of, rest) = words::deed(&line.label);
-        let deed = format!("{verb} {of}{rest}").trim_end().to_owned();
+        let deed = words::deed(&line.label).whole();
         if !deeds.contains(&deed) {
             deeds.push(deed);
         }
     }
     let more = if deeds.len() > DEEDS_MAX { " …" } else { "" };
     deeds.truncate(DEEDS_MAX);
-    let says = words::folded(sitting.len(), &format!("{}{more}", deeds.join(", ")));
+    let says = words::folded(sitting.len(), &format!("{}{more}", words::listed(deeds)));
     let newest = &sitting[0];
     Entry::Folded { revision: newest.revision, author: newest.author.clone(), by: newest.by.clone(), says, open }
 }

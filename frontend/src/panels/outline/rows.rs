@@ -1,15 +1,16 @@
 //! The rows of the outline: a stream with its live value, a connector with its chip's words.
 
+use super::keys::press_soon;
 use super::strip::Strip;
 use crate::browser;
 use crate::desk::{Mark, Selected};
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
-use crate::live::{rate_words, short_value};
+use crate::live::rate_words;
 use crate::panels::hold::{Hold, hold};
 use crate::panels::inspector::{device_icon, kind_class};
 use crate::words;
-use behaviour::{Id, Kind, RecordId};
+use behaviour::Id;
 use leptos::prelude::*;
 
 /// After so many milliseconds without a value a stream is quiet.
@@ -20,17 +21,19 @@ pub(super) fn StreamRow(id: Id, again: bool, tick: RwSignal<u32>) -> impl IntoVi
     let desk = hold();
     let Some(signals) = desk.desk().document.stream(&id) else { return ().into_any() };
     let record = Memo::new(move |_| signals.record.get());
-    let live = signals.live;
+    let (live, own) = (signals.live, id.clone());
     let value = Memo::new(move |_| {
         tick.track();
         let unheard = desk.desk().unheard.get();
         let live = live.read();
         let quiet = browser::now_ms() - live.received;
-        match (&live.value, unheard) {
+        let value = live.value.as_ref().map(|value| desk.desk().document.measured(&own, value));
+        match (value, unheard) {
             (None, _) => String::new(),
-            (Some(value), Some(seconds)) => words::value_ago(&short_value(value), seconds),
+            (Some(value), _) if desk.desk().robots.running().is_none() => words::last_was(&value),
+            (Some(value), Some(seconds)) => words::value_ago(&value, seconds),
             (Some(_), None) if quiet > QUIET_MS => words::quiet_for((quiet / 1_000.0) as u64),
-            (Some(value), None) => format!("{} {}", short_value(value), rate_words(live.rate)),
+            (Some(value), None) => format!("{value} {}", rate_words(live.rate)),
         }
     });
     let what = Selected::Stream(id.clone());
@@ -78,13 +81,24 @@ pub(super) fn ConnectorRow(id: Id) -> impl IntoView {
 #[component]
 fn Row(what: Selected, children: Children) -> impl IntoView {
     let desk = hold();
-    let (chosen, people, problem, marked) = (what.clone(), what.clone(), what.clone(), key(&what));
+    let [chosen, people, problem, asked] = [(); 4].map(|()| what.clone());
+    let marked = what.record();
     let mark = Memo::new(move |_| desk.desk().document.mark_of(&marked));
     let is_chosen = move || (desk.desk().document.selected.read().as_ref() == Some(&chosen)).then_some("true");
+    let used = what.id().clone();
+    let unused = Memo::new(move |_| desk.desk().robots.unused.read().contains(&used));
     view! {
-        <button class="twig" type="button" aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
-            on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))>
+        <button class="twig" type="button" data-row=what.id().to_string() aria-current=is_chosen data-problem=move || problem_of(desk, &problem)
+            on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))
+            on:contextmenu=move |event| {
+                event.prevent_default();
+                desk.desk().document.selected.set(Some(asked.clone()));
+                press_soon(".strip-inline .more > button");
+            }>
             {children()}
+            {move || unused.get().then(|| view! {
+                <span class="not-used"><span class="unused" aria-hidden="true"></span>{words::not_used_yet()}</span>
+            })}
             {move || mark.get().map(|mark| match mark {
                 Mark::Waits => view! { <span class="waits-ring" role="img" aria-label=words::waits_here()></span> }.into_any(),
                 Mark::Undecided => view! {
@@ -100,18 +114,10 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
     }
 }
 
-fn key(what: &Selected) -> RecordId {
-    let kind = match what {
-        Selected::Stream(_) => Kind::Stream,
-        Selected::Connector(_) => Kind::Connector,
-    };
-    RecordId::new(kind, what.id())
-}
-
 /// Somebody else who is editing it or has chosen it, in words and with a sign and a colour. Reactive.
 fn other_person(desk: Hold, what: &Selected) -> Option<(&'static str, String, u8)> {
     let desk = desk.desk();
-    if let Some(editor) = desk.document.editor_of(&key(what)) {
+    if let Some(editor) = desk.document.editor_of(&what.record()) {
         return Some(("lock", words::is_editing(&editor.name), editor.color));
     }
     let me = desk.me.get().map(|me| me.client);
@@ -133,5 +139,5 @@ fn problem_of(desk: Hold, what: &Selected) -> Option<String> {
     problems
         .into_iter()
         .find(|problem| problem.blocks && problem.at.id == *what.id())
-        .map(|problem| problem.to_string())
+        .map(|problem| words::told_by(&problem))
 }

@@ -1,7 +1,7 @@
 //! The graph as rows: every stream under the connector that makes it, every connector under its first stream.
 
 use behaviour::{Behaviour, Graph, Id, StreamKind};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// One row.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -19,6 +19,9 @@ pub(super) struct Node {
 pub(super) enum What {
     Stream(Id),
     Connector(Id),
+    /// The heading of a group, before the first of its streams.
+    Group(Id),
+    Note(Id),
 }
 
 /// All rows from top to bottom.
@@ -36,6 +39,31 @@ pub(super) fn nodes(behaviour: &Behaviour) -> Vec<Node> {
         }
     }
     walk.rows
+}
+
+/// The same with groups and notes: what is in a folded group is left out.
+pub(super) fn with_asides(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool) -> Vec<Node> {
+    let mut seen = BTreeSet::new();
+    let mut rows = Vec::new();
+    let alone = |what, depth| Node { what, depth, again: false, under: None };
+    let groups: BTreeMap<&Id, &Id> =
+        behaviour.groups().flat_map(|(id, group)| group.streams.iter().map(move |stream| (stream, id))).collect();
+    for node in nodes(behaviour) {
+        let stream = match &node.what {
+            What::Stream(id) => Some(id),
+            What::Connector(id) => behaviour.connector(id).map(|connector| &connector.output),
+            What::Group(_) | What::Note(_) => None,
+        };
+        let group = stream.and_then(|stream| groups.get(stream)).copied();
+        if let Some(group) = group.filter(|group| seen.insert((*group).clone())) {
+            rows.push(alone(What::Group(group.clone()), node.depth));
+        }
+        if !group.is_some_and(&is_folded) {
+            rows.push(node);
+        }
+    }
+    rows.extend(behaviour.notes().map(|(id, _)| alone(What::Note(id.clone()), 0)));
+    rows
 }
 
 struct Walk<'a> {
@@ -62,8 +90,8 @@ impl Walk<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{What, nodes};
-    use behaviour::{Behaviour, Connector, Id, Kind, Record, RecordId, Stream, StreamKind, connectors};
+    use super::{What, nodes, with_asides};
+    use behaviour::{Behaviour, Connector, Group, Id, Kind, Note, Record, RecordId, Stream, StreamKind, connectors};
 
     fn put(behaviour: &mut Behaviour, kind: Kind, id: &str, record: Record) {
         behaviour.records.insert(RecordId::new(kind, &Id::new(id).unwrap()), record);
@@ -95,6 +123,29 @@ mod tests {
     }
 
     #[test]
+    fn a_group_has_a_heading_and_what_is_in_a_folded_one_is_left_out() {
+        let mut behaviour = Behaviour::default();
+        for (order, name) in (0..).zip(["a", "b", "c"]) {
+            stream(&mut behaviour, name, if order == 0 { StreamKind::Sensor } else { StreamKind::Ordinary }, order);
+        }
+        merge(&mut behaviour, "ab", &["a"], "b");
+        merge(&mut behaviour, "bc", &["b"], "c");
+        let streams = [Id::new("b").unwrap()].into();
+        put(&mut behaviour, Kind::Group, "g", Record::Group(Group { title: "G".into(), streams, folded: false }));
+        put(&mut behaviour, Kind::Note, "n", Record::Note(Note::default()));
+        let shown = |folded: bool| {
+            let told = with_asides(&behaviour, |_| folded).into_iter().map(|row| match row.what {
+                What::Stream(id) | What::Connector(id) => id.to_string(),
+                What::Group(id) => format!("[{id}]"),
+                What::Note(id) => format!("({id})"),
+            });
+            told.collect::<Vec<_>>().join(" ")
+        };
+        assert_eq!(shown(false), "a [g] ab b bc c (n)");
+        assert_eq!(shown(true), "a [g] bc c (n)");
+    }
+
+    #[test]
     fn a_stream_of_two_branches_is_shown_whole_once() {
         let mut behaviour = Behaviour::default();
         stream(&mut behaviour, "a", StreamKind::Sensor, 0);
@@ -105,6 +156,7 @@ mod tests {
         let shown = rows.iter().map(|row| match &row.what {
             What::Stream(id) => format!("{}{id}{}", " ".repeat(row.depth), if row.again { "…" } else { "" }),
             What::Connector(id) => format!("{}({id})", " ".repeat(row.depth)),
+            What::Group(_) | What::Note(_) => String::new(),
         });
         assert_eq!(shown.collect::<Vec<_>>(), ["a", " (m)", " both", "b", " (m)", " both…"]);
     }

@@ -1,12 +1,15 @@
 //! Beside the picture: touching the robot, what else may happen, a fresh start, what the robot says and what it shows.
 
+use crate::desk::Desk;
 use crate::icons::Icon;
+use crate::live::short_value;
 use crate::panels::hold::hold;
 use crate::panels::may::{MayNot, may_operate};
 use crate::panels::menu::{Menu, MenuItem};
 use crate::words;
+use behaviour::Value;
 use leptos::prelude::*;
-use protocol::Role;
+use protocol::{Role, RunPhase};
 use robot::{SceneEdit, Touchable};
 use web_sys::KeyboardEvent;
 
@@ -148,15 +151,80 @@ pub(super) fn Bubble() -> impl IntoView {
     }
 }
 
-/// The texts that the robot was told to show.
+/// What the robot was told to show, newest first: each with its unit, its program and its time. What was shown for programs
+/// that ended goes as soon as another one starts.
 #[component]
 pub(super) fn Printed() -> impl IntoView {
     let desk = hold();
-    let lines = Memo::new(move |_| desk.desk().robots.scene.read().body.printed.clone());
-    let shown = move || lines.get().into_iter().rev().map(|line| view! { <li>{line}</li> }).collect_view();
+    let lines = Memo::new(move |_| {
+        let desk = desk.desk();
+        let runs = desk.robots.runs_here();
+        let printed = desk.robots.scene.with(|scene| scene.body.printed.clone());
+        shown_still(printed, &runs.iter().map(|run| (run.run, run.phase == RunPhase::Running)).collect::<Vec<_>>())
+    });
+    let now = Memo::new(move |_| desk.desk().robots.scene.with(|scene| scene.at_ms / 1_000));
+    let row = move |printed: robot::Printed| {
+        let name = desk.desk().robots.runs_here().into_iter().find(|run| run.run == printed.by.run).map(|run| run.name);
+        let value = printed_value(&desk.desk(), &printed);
+        let seconds = printed.at_ms / 1_000;
+        let ago = move || words::printed_ago(now.get().saturating_sub(seconds));
+        view! { <li><b>{value}</b> <span class="faint">{name.map(|name| format!("{name} · "))}{ago}</span></li> }
+    };
+    let shown = move || lines.get().into_iter().rev().map(row).collect_view();
     view! {
         <Show when=move || !lines.read().is_empty()>
-            <ol class="printed" aria-label=words::printed()>{shown}</ol>
+            <ol class="printed" tabindex="0" aria-label=words::printed()>{shown}</ol>
         </Show>
+    }
+}
+
+/// What was printed by what runs; while nothing runs, by what ran last. `runs` are those that are known, each with whether it
+/// runs.
+fn shown_still(printed: Vec<robot::Printed>, runs: &[(u64, bool)]) -> Vec<robot::Printed> {
+    let some_run = runs.iter().any(|(_, runs)| *runs);
+    let last = runs.iter().map(|(run, _)| *run).max();
+    let stays = |by: u64| {
+        let runs_still = runs.iter().any(|(run, runs)| *run == by && *runs);
+        if some_run { runs_still } else { last.is_none_or(|last| last == by) }
+    };
+    printed.into_iter().filter(|one| stays(one.by.run)).collect()
+}
+
+/// A printed value as values are written, with the unit of what leads to its action where the program is open.
+fn printed_value(desk: &Desk, printed: &robot::Printed) -> String {
+    let value = match printed.text.parse::<f64>() {
+        Ok(number) if number.is_finite() => short_value(&Value::Float(number)),
+        Ok(_) | Err(_) => return printed.text.clone(),
+    };
+    let ids = desk.document.connector_ids.get_untracked();
+    let source = ids.iter().find_map(|id| {
+        let record = desk.document.connector(id)?.record;
+        record.with_untracked(|one| (one.output == printed.by.stream).then(|| one.inputs.first().cloned()).flatten())
+    });
+    match source.map(|id| untrack(|| desk.document.unit(&id))).filter(|unit| !unit.is_empty()) {
+        Some(unit) => format!("{value}\u{a0}{unit}"),
+        None => value,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::shown_still;
+    use behaviour::Id;
+    use robot::{Printed, Use};
+
+    #[test]
+    fn what_ended_programs_printed_goes_when_another_starts() {
+        let printed: Vec<Printed> = [1, 1, 2]
+            .map(|run| Printed { by: Use { run, stream: Id::new("p").unwrap() }, at_ms: 0, text: run.to_string() })
+            .into();
+        let shown = |runs: &[(u64, bool)]| -> String {
+            shown_still(printed.clone(), runs).into_iter().map(|one| one.text).collect()
+        };
+        assert_eq!(shown(&[(1, false), (2, true)]), "2");
+        assert_eq!(shown(&[(1, true), (2, true)]), "112");
+        assert_eq!(shown(&[(1, false), (2, false)]), "2", "what ran last stays to be read");
+        assert_eq!(shown(&[(1, false), (2, false), (3, true)]), "", "another program began");
+        assert_eq!(shown(&[]), "112");
     }
 }

@@ -1,5 +1,6 @@
 //! Changes that came too late: what both made, who was first, and what can be done.
 
+use super::history::{Deed, HOLE};
 use crate::words::copied;
 
 sentences! {
@@ -30,6 +31,8 @@ sentences! {
     type_of: "Type";
     start_label: "Starts from";
     every_label: "Every";
+    // What is not lost, whatever is chosen.
+    stays_in_history: "What you do not take stays in History.";
     other_settings: "Other settings";
     passes_short: "passes";
     left_out: "left out";
@@ -50,80 +53,87 @@ sentences! {
 
 /// What a quick change is answered that came too late.
 pub(crate) fn was_first(name: &str, what: &str) -> String {
-    format!("{name} changed {what} just before. Look at it and do yours again if you still want it.")
+    say!("{name} changed {what} just before. Look at it and do yours again if you still want it.", name, what)
 }
 
 /// `what`: "filter".
 pub(crate) fn changed_too(name: &str, what: &str) -> String {
-    format!("{name} changed this {what} too")
+    say!("{name} changed this {what} too", name, what)
 }
 
 pub(crate) fn removed_it(name: &str, what: &str) -> String {
-    format!("{name} removed this {what}")
+    say!("{name} removed this {what}", name, what)
 }
 
 /// Where it is about a stream that a new connector was to come out of.
 pub(crate) fn removed_its_stream(name: &str) -> String {
-    format!("{name} removed a stream of it")
+    say!("{name} removed a stream of it", name)
 }
 
-/// Before the name of what it is about: "While you were offline, Yuki saved another test for ".
-pub(crate) fn while_you(offline: bool, name: &str, did: &str) -> String {
-    let when = if offline { "While you were offline" } else { "While you were editing" };
-    format!("{when}, {name} {did}")
+/// Around the name of what it is about: "While you were offline, Yuki saved another test for … . Yours waits here."
+pub(crate) fn while_you(offline: bool, name: &str, did: fn(&str, &str) -> String) -> (String, String) {
+    let did = did(name, HOLE);
+    let told = if offline {
+        say!("While you were offline, {did}. Yours waits here.", did)
+    } else {
+        say!("While you were editing, {did}. Yours waits here.", did)
+    };
+    let Deed { before, after, .. } = Deed::around(told, String::new());
+    (before, after)
 }
 
-sentences! {
-    saved_test: "saved another test for ";
-    saved_procedure: "saved another procedure for ";
-    saved_settings: "saved other settings for ";
-    did_remove: "removed what belongs to ";
-    yours_waits_here: "Yours waits here.";
+pub(crate) fn saved_test(name: &str, of: &str) -> String {
+    say!("{name} saved another test for {of}", name, of)
+}
+
+pub(crate) fn saved_procedure(name: &str, of: &str) -> String {
+    say!("{name} saved another procedure for {of}", name, of)
+}
+
+pub(crate) fn saved_settings(name: &str, of: &str) -> String {
+    say!("{name} saved other settings for {of}", name, of)
+}
+
+pub(crate) fn did_remove(name: &str, of: &str) -> String {
+    say!("{name} removed what belongs to {of}", name, of)
 }
 
 /// How many more of one's own come after the one that is shown.
 pub(crate) fn more_after(many: usize) -> String {
     match many {
-        1 => "1 more change of yours comes after this one.".to_owned(),
-        many => format!("{many} more changes of yours come after this one."),
+        1 => say!("1 more change of yours comes after this one."),
+        many => say!("{many} more changes of yours come after this one.", many),
     }
 }
 
 /// "Yuki’s"; who is not known has no name here.
 pub(crate) fn possessive(name: &str) -> String {
-    format!("{name}’s")
+    say!("{name}’s", name)
 }
 
 pub(crate) fn take_of(name: &str) -> String {
-    format!("Take {}", possessive(name))
-}
-
-pub(crate) fn milliseconds_of(ms: u64) -> String {
-    format!("{ms} ms")
-}
-
-/// Below the comparison: what is not lost, whatever is chosen.
-pub(crate) fn stays_in_history(name: &str) -> String {
-    format!("{} stays in History.", possessive(name))
+    say!("Take {name}’s", name)
 }
 
 /// "Test (was distance < 40)".
 pub(crate) fn was(label: &str, before: &str) -> String {
-    format!("{label} (was {before})")
+    say!("{label} (was {before})", label, before)
 }
 
 /// How many of the tried values pass.
 pub(crate) fn how_many_pass(pass: usize, all: usize) -> String {
-    let word = if pass == 1 { "passes" } else { "pass" };
-    format!("{pass} of {all} {word}")
+    if pass == 1 { say!("{pass} of {all} passes", pass, all) } else { say!("{pass} of {all} pass", pass, all) }
 }
 
 /// "The last five values".
 pub(crate) fn the_last(many: usize) -> String {
-    match ["one", "two", "three", "four", "five"].get(many.wrapping_sub(1)) {
-        Some(&"one") => "The last value".to_owned(),
-        Some(number) => format!("The last {number} values"),
-        None => last_values().to_owned(),
+    match many {
+        1 => say!("The last value"),
+        2 => say!("The last two values"),
+        3 => say!("The last three values"),
+        4 => say!("The last four values"),
+        5 => say!("The last five values"),
+        _ => last_values().to_owned(),
     }
 }
 
@@ -134,12 +144,14 @@ pub(crate) fn copy_button(done: bool) -> &'static str {
 
 #[cfg(test)]
 mod tests {
-    use super::{how_many_pass, the_last, while_you};
+    use super::{how_many_pass, saved_test, the_last, while_you};
 
     #[test]
     fn counts_and_times_are_said_as_people_say_them() {
         assert_eq!([0, 1, 5].map(the_last), ["The last values", "The last value", "The last five values"]);
         assert_eq!([1, 3].map(|pass| how_many_pass(pass, 5)), ["1 of 5 passes", "3 of 5 pass"]);
-        assert!(while_you(true, "Yuki", "left").starts_with("While you were offline, Yuki"));
+        let (before, after) = while_you(true, "Yuki", saved_test);
+        assert_eq!(before, "While you were offline, Yuki saved another test for ");
+        assert_eq!(after, ". Yours waits here.");
     }
 }

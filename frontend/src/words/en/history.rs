@@ -1,6 +1,9 @@
 //! The history of a program, its versions, and bringing things back.
 
+use super::{listed, person_called, saying};
 use crate::desk::bare;
+use crate::words::language::{is_second, said};
+use behaviour::connectors;
 
 sentences! {
     history: "History";
@@ -30,132 +33,205 @@ sentences! {
     other_order: "in another order";
     program_name: "Name of the program";
     a_note: "Note";
+    other_streams: "with other streams";
+    was_folded: "folded";
+    was_open: "open";
 }
 
 /// The tooltip of undo or redo: `Undo: Add map`.
 pub(crate) fn step_title(word: &str, label: Option<&str>) -> String {
-    label.map_or_else(|| word.to_owned(), |label| format!("{word}: {}", bare(label)))
+    label.map_or_else(|| word.to_owned(), |label| say!("{word}: {label}", word, label = label_said(bare(label))))
 }
 
 /// The people of a sitting: `Yuki, Ben and you`.
 pub(crate) fn people_and_you(others: &[String], you: bool) -> String {
-    let mut all: Vec<&str> = others.iter().map(String::as_str).collect();
-    all.extend(you.then_some("you"));
+    let mut all: Vec<String> = others.iter().map(|name| person_called(name)).collect();
+    all.extend(you.then(|| said("you").to_owned()));
     match all.split_last() {
         None => String::new(),
-        Some((last, [])) => (*last).to_owned(),
-        Some((last, before)) => format!("{} and {last}", before.join(", ")),
+        Some((last, [])) => last.clone(),
+        Some((last, before)) => say!("{before} and {last}", before = listed(before), last),
     }
 }
 
 /// When a sitting was: `Today, 14:05 to now`.
 pub(crate) fn from_to(day: &str, from: &str, to: Option<&str>) -> String {
     match to {
-        Some(to) if to != from => format!("{day}, {from} to {to}"),
-        Some(_) | None => format!("{day}, {from}"),
+        Some(to) if to != from => say!("{day}, {from} to {to}", day, from, to),
+        Some(_) | None => say!("{day}, {from}", day, from),
     }
 }
 
-/// What somebody did, of the label of a change: the words before what it was done to, that, and the words after.
-pub(crate) fn deed(label: &str) -> (String, String, &'static str) {
-    let plain = |verb: &str, of: &str| (verb.to_owned(), of.to_owned(), "");
+/// Stands in a sentence for what is shown in another way than the words around it.
+pub(super) const HOLE: &str = "\u{1}";
+
+/// What somebody did: the words before what it was done to, that, and the words after.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Deed {
+    pub(crate) before: String,
+    pub(crate) of: String,
+    pub(crate) after: String,
+}
+
+impl Deed {
+    pub(super) fn around(told: String, of: String) -> Self {
+        match told.split_once(HOLE) {
+            Some((before, after)) => Self { before: before.to_owned(), of, after: after.to_owned() },
+            None => Self { before: told, of: String::new(), after: String::new() },
+        }
+    }
+
+    pub(crate) fn whole(&self) -> String {
+        format!("{}{}{}", self.before, self.of, self.after)
+    }
+}
+
+/// What somebody did, of the label of a change.
+pub(crate) fn deed(label: &str) -> Deed {
     if let Some(of) = label.strip_prefix("Undo: ") {
-        return plain("took back", &format!("“{of}”"));
+        return Deed::around(say!("took back {of}", of = HOLE), saying(&label_said(of)));
     }
     if let Some(of) = label.strip_prefix("Redo: ") {
-        return ("did".to_owned(), format!("“{of}”"), " again");
+        return Deed::around(say!("did {of} again", of = HOLE), saying(&label_said(of)));
     }
     match label {
-        "Move" => return plain("moved something", ""),
-        "Tidy" => return plain("tidied up", ""),
-        "Rename program" => return plain("renamed the program", ""),
-        _ => {}
+        "Move" => Deed::around(say!("moved something"), String::new()),
+        "Tidy" => Deed::around(say!("tidied up"), String::new()),
+        "Rename program" => Deed::around(say!("renamed the program"), String::new()),
+        _ => done_to(label),
+    }
+}
+
+fn done_to(label: &str) -> Deed {
+    let renamed = label.strip_prefix("Rename helper ").and_then(|names| names.split_once(" to "));
+    if let Some((old, new)) = renamed {
+        return Deed::around(say!("renamed {of} to {new}", of = HOLE, new), old.to_owned());
     }
     let verbs = [
-        ("Go back to ", "went back to"),
-        ("Bring back ", "brought back"),
-        ("Add ", "added"),
-        ("Edit ", "edited"),
-        ("Rename ", "renamed"),
-        ("Remove ", "removed"),
+        ("Go back to ", say!("went back to {of}", of = HOLE)),
+        ("Bring back ", say!("brought back {of}", of = HOLE)),
+        ("Add ", say!("added {of}", of = HOLE)),
+        ("Edit ", say!("edited {of}", of = HOLE)),
+        ("Rename ", say!("renamed {of}", of = HOLE)),
+        ("Remove ", say!("removed {of}", of = HOLE)),
+        ("Group ", say!("grouped {of}", of = HOLE)),
+        ("Ungroup ", say!("ungrouped {of}", of = HOLE)),
+        ("Fold ", say!("folded {of}", of = HOLE)),
+        ("Unfold ", say!("unfolded {of}", of = HOLE)),
     ];
-    let found = verbs.iter().find_map(|(start, verb)| Some(plain(verb, label.strip_prefix(start)?)));
-    found.unwrap_or_else(|| ("made a change:".to_owned(), label.to_owned(), ""))
+    let found = verbs.into_iter().find_map(|(start, told)| Some(Deed::around(told, thing(label.strip_prefix(start)?))));
+    found.unwrap_or_else(|| Deed::around(say!("made a change: {of}", of = HOLE), other_label(label)))
+}
+
+/// What a label says that something was done to: a name, or the word of a connector.
+fn thing(of: &str) -> String {
+    let connector = connectors::ALL.iter().find(|spec| spec.word == of);
+    match (of, connector) {
+        ("helper", _) => said("helper").to_owned(),
+        ("note", _) => said("note").to_owned(),
+        ("a sentence", _) => said("a sentence").to_owned(),
+        (_, Some(spec)) => said(spec.word).to_owned(),
+        (name, None) => name.to_owned(),
+    }
+}
+
+fn other_label(label: &str) -> String {
+    match label.split_once(' ') {
+        Some(("Connect", name)) => say!("Connect {name}", name),
+        Some(("Helper", name)) => say!("Helper {name}", name),
+        _ => match label {
+            "Paste" => said("Paste").to_owned(),
+            "Align" => said("Align").to_owned(),
+            "Bring back" => said("Bring back").to_owned(),
+            other => other.to_owned(),
+        },
+    }
+}
+
+/// The label of a change, which is English where it is kept.
+pub(crate) fn label_said(label: &str) -> String {
+    if is_second() { deed(label).whole() } else { label.to_owned() }
 }
 
 /// Who did it, at the beginning of a sentence.
 pub(crate) fn who_did(author: &str, mine: bool) -> String {
-    if mine { "You".to_owned() } else { author.to_owned() }
+    if mine { say!("You") } else { person_called(author) }
 }
 
 /// A folded sitting: `12 changes: added Far ball, renamed Near`.
 pub(crate) fn folded(many: usize, deeds: &str) -> String {
-    format!("{many} changes: {deeds}")
+    say!("{many} changes: {deeds}", many, deeds)
 }
 
 /// Under the name of a version.
 pub(crate) fn named_by(when: &str, by: &str, mine: bool) -> String {
-    format!("{when} · named by {}", if mine { "you" } else { by })
+    let who = if mine { said("you").to_owned() } else { person_called(by) };
+    say!("{when} · named by {who}", when, who)
 }
 
 /// Somebody has the editor of something open.
 pub(crate) fn edits_now(what: &str) -> String {
-    format!("is editing {what}")
+    say!("is editing {what}", what)
 }
 
 /// A connector in a list: `map to Distance`.
 pub(crate) fn connector_to(word: &str, output: &str) -> String {
-    format!("{word} to {output}")
+    say!("{word} to {output}", word, output)
 }
 
 pub(crate) fn was_words(words: &str) -> String {
-    format!("was {words}")
+    say!("was {words}", words)
 }
 
 pub(crate) fn came_from(names: &str) -> String {
-    format!("from {names}")
+    say!("from {names}", names)
+}
+
+/// A connector with its sources: `map (1) from A`.
+pub(crate) fn made_from(words: &str, names: &str) -> String {
+    say!("{words} from {names}", words, names)
 }
 
 pub(crate) fn led_to(name: &str) -> String {
-    format!("leading to {name}")
+    say!("leading to {name}", name)
 }
 
 pub(crate) fn removed_tag(by: Option<&str>) -> String {
-    by.map_or_else(|| "removed".to_owned(), |by| format!("removed by {by}"))
+    by.map_or_else(|| say!("removed"), |by| say!("removed by {by}", by))
 }
 
 /// The name of something on the graph, with what became of it.
 pub(crate) fn with_mark(name: String, mark: Option<&str>) -> String {
-    mark.map_or(name.clone(), |mark| format!("{name}, {mark}"))
+    mark.map_or(name.clone(), |mark| listed([&name, mark]))
 }
 
 pub(crate) fn new_count(many: usize) -> String {
-    format!("{many} new")
+    say!("{many} new", many)
 }
 
 pub(crate) fn changed_count(many: usize) -> String {
-    format!("{many} changed")
+    say!("{many} changed", many)
 }
 
 pub(crate) fn removed_count(many: usize) -> String {
-    format!("{many} removed")
+    say!("{many} removed", many)
 }
 
 pub(crate) fn moved_count(many: usize) -> String {
-    format!("{many} moved")
+    say!("{many} moved", many)
 }
 
 /// A version without a name: by when it was.
 pub(crate) fn as_of(when: &str) -> String {
-    format!("as of {when}")
+    say!("as of {when}", when)
 }
 
 pub(crate) fn program_removed(name: &str) -> String {
-    format!("“{name}” is in the bin.")
+    say!("“{name}” is in the bin.", name)
 }
 
 pub(crate) fn program_removed_by(by: &str, name: &str) -> String {
-    format!("{by} removed “{name}”. Choose another program.")
+    say!("{by} removed “{name}”. Choose another program.", by, name)
 }
 
 #[cfg(test)]
@@ -163,8 +239,7 @@ mod tests {
     use super::{deed, from_to, people_and_you, step_title};
 
     fn said(label: &str) -> String {
-        let (verb, of, rest) = deed(label);
-        format!("{verb} {of}{rest}").trim_end().to_owned()
+        deed(label).whole()
     }
 
     #[test]
@@ -172,6 +247,7 @@ mod tests {
         assert_eq!(said("Add RedBall"), "added RedBall");
         assert_eq!(said("Rename program"), "renamed the program");
         assert_eq!(said("Rename Near ball"), "renamed Near ball");
+        assert_eq!(said("Rename helper near to close"), "renamed near to close");
         assert_eq!(said("Undo: Remove Body tracker"), "took back “Remove Body tracker”");
         assert_eq!(said("Redo: Move"), "did “Move” again");
         assert_eq!(said("Go back to “Before group B”"), "went back to “Before group B”");

@@ -1,5 +1,7 @@
 //! What people may do, and letting others in.
 
+use super::{listed, person_called, somebody};
+use crate::words::language::said;
 use protocol::{Lasts, Role};
 
 sentences! {
@@ -44,81 +46,90 @@ sentences! {
 /// What somebody may do, for who chooses it.
 pub(crate) fn may(role: Role) -> &'static str {
     match role {
-        Role::Viewer => "look",
-        Role::Operator => "start and stop",
-        Role::Editor => "edit",
-        Role::Host => "do everything",
+        Role::Viewer => said("look"),
+        Role::Operator => said("start and stop"),
+        Role::Editor => said("edit"),
+        Role::Host => said("do everything"),
     }
 }
 
 /// What follows from that.
 pub(crate) fn may_says(role: Role) -> &'static str {
     match role {
-        Role::Viewer => "They see the graph and the robot, change nothing, and can press Stop.",
-        Role::Operator => "They start and stop the robot and use its room, but do not edit.",
-        Role::Editor | Role::Host => "They edit with you, and start and stop the robot.",
+        Role::Viewer => said("They see the graph and the robot, change nothing, and can press Stop."),
+        Role::Operator => said("They start and stop the robot and use its room, but do not edit."),
+        Role::Editor | Role::Host => said("They edit with you, and start and stop the robot."),
     }
 }
 
 /// `may edit`
-pub(crate) fn may_short(role: Role) -> String {
-    format!("may {}", may(role))
+pub(crate) fn may_short(role: Role) -> &'static str {
+    match role {
+        Role::Viewer => said("may look"),
+        Role::Operator => said("may start and stop"),
+        Role::Editor => said("may edit"),
+        Role::Host => said("may do everything"),
+    }
 }
 
 /// Why something cannot be done, and what to do about it.
 pub(crate) fn may_not(role: Role) -> &'static str {
     match role {
-        Role::Viewer => "You may look. Ask the person who invited you for more.",
-        Role::Operator => "You may start and stop, not edit. Ask the person who invited you for more.",
-        Role::Editor | Role::Host => "Only the person at the robot’s computer may do this. Ask them.",
+        Role::Viewer => said("You may look. Ask the person who invited you for more."),
+        Role::Operator => said("You may start and stop, not edit. Ask the person who invited you for more."),
+        Role::Editor | Role::Host => said("Only the person at the robot’s computer may do this. Ask them."),
     }
 }
 
 /// How long, for who chooses it.
 pub(crate) fn lasts(lasts: Lasts) -> &'static str {
     match lasts {
-        Lasts::Once => "once",
-        Lasts::Day => "for a day",
-        Lasts::UntilRevoked => "until you revoke it",
+        Lasts::Once => said("once"),
+        Lasts::Day => said("for a day"),
+        Lasts::UntilRevoked => said("until you revoke it"),
     }
 }
 
 /// What follows from that.
 pub(crate) fn lasts_says(lasts: Lasts) -> &'static str {
     match lasts {
-        Lasts::Once => "For one person, within a day. They may come again until you revoke it.",
-        Lasts::Day => "For everybody who has it. After a day all of them are out.",
-        Lasts::UntilRevoked => "For everybody who has it, until you end it.",
+        Lasts::Once => said("For one person, within a day. They may come again until you revoke it."),
+        Lasts::Day => said("For everybody who has it. After a day all of them are out."),
+        Lasts::UntilRevoked => said("For everybody who has it, until you end it."),
     }
 }
 
 /// Before an invitation ends.
 pub(crate) fn revoke_question(here: usize) -> String {
     match here {
-        0 => "Its link stops working, for good. Revoke it?".to_owned(),
-        1 => "The person who is here by it is out at once. Revoke it?".to_owned(),
-        many => format!("The {many} people who are here by it are out at once. Revoke it?"),
+        0 => say!("Its link stops working, for good. Revoke it?"),
+        1 => say!("The person who is here by it is out at once. Revoke it?"),
+        many => say!("The {many} people who are here by it are out at once. Revoke it?", many),
     }
 }
 
 /// The button that asks that.
 pub(crate) fn revoke_named(label: &str) -> String {
-    format!("Revoke: {label}")
+    say!("Revoke: {label}", label)
 }
 
 /// `Ben, 3 minutes ago`
 pub(crate) fn came(name: &str, when: &str) -> String {
-    let name = if name.is_empty() { "Somebody" } else { name };
-    format!("{name}, {when}")
+    let name = if name.is_empty() { somebody().to_owned() } else { person_called(name) };
+    listed([name.as_str(), when])
 }
 
 /// Before one takes what somebody else is editing.
 pub(crate) fn take_over_question(name: &str) -> String {
-    format!("{name} cannot save it then; the text stays with {name}. Take it over?")
+    say!("{name} cannot save it then; the text stays with {name}. Take it over?", name)
 }
 
 /// `Ready for Yuki: may edit, once.`
 pub(crate) fn invitation_made(label: &str, role: Role, how_long: Lasts) -> String {
-    let whom = if label.is_empty() { String::new() } else { format!(" for {label}") };
-    format!("The link{whom} is ready. Whoever opens it {}. It works {}.", may_short(role), lasts(how_long))
+    let (may, lasts) = (may_short(role), lasts(how_long));
+    if label.is_empty() {
+        say!("The link is ready. Whoever opens it {may}. It works {lasts}.", may, lasts)
+    } else {
+        say!("The link for {label} is ready. Whoever opens it {may}. It works {lasts}.", label, may, lasts)
+    }
 }

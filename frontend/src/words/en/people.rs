@@ -12,27 +12,27 @@ sentences! {
 
 /// Said once, when somebody else is here for the first time.
 pub(crate) fn others_see_you_as(name: &str) -> String {
-    format!("You are not alone here. Others see you as {name}; a field for another name is below the graph.")
+    say!("You are not alone here. Others see you as {name}; a field for another name is below the graph.", name)
 }
 
 /// The button that is somebody else's sign.
 pub(crate) fn follow_person(name: &str) -> String {
-    format!("Follow {name}")
+    say!("Follow {name}", name)
 }
 
 pub(crate) fn following(name: &str) -> String {
-    format!("Following {name}")
+    say!("Following {name}", name)
 }
 
 pub(crate) fn following_said(name: &str) -> String {
-    format!("Following {name}. Press Escape to end.")
+    say!("Following {name}. Press Escape to end.", name)
 }
 
 pub(crate) fn no_longer_here(name: &str) -> String {
-    format!("{name} left. You look around by yourself again.")
+    say!("{name} left. You look around by yourself again.", name)
 }
 
 /// How many more are here than there is room for.
 pub(crate) fn more_people(more: usize) -> String {
-    if more == 1 { "1 more person".to_owned() } else { format!("{more} more people") }
+    if more == 1 { say!("1 more person") } else { say!("{more} more people", more) }
 }

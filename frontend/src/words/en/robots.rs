@@ -1,5 +1,7 @@
 //! Real robots: adding one, how its body is, and who has it.
 
+use super::{listed, saying};
+use crate::words::language::{said, translated};
 use protocol::CheckStage;
 use robot::{Condition, Control, JOINTS, Life, Touchable};
 
@@ -41,64 +43,75 @@ sentences! {
 
 /// "Touch the middle of the head".
 pub(crate) fn touch_part(part: Touchable) -> String {
-    if part == Touchable::HeadMiddle { "Touch head".to_owned() } else { format!("Touch the {}", part.words()) }
+    if part == Touchable::HeadMiddle {
+        say!("Touch head")
+    } else {
+        say!("Touch the {words}", words = said(part.words()))
+    }
 }
 
 pub(crate) fn comes_in(name: &str) -> String {
-    format!("{name} in")
+    say!("{name} in", name)
 }
 
 pub(crate) fn goes_out(name: &str) -> String {
-    format!("{name} out")
+    say!("{name} out", name)
 }
 
 pub(crate) fn box_named(color: &str) -> String {
-    format!("{color} box")
+    say!("{color} box", color = translated(color))
 }
 
 pub(crate) fn mark_named(number: u16) -> String {
-    format!("Mark {number}")
+    say!("Mark {number}", number)
 }
 
 /// A step on the way to a robot.
 pub(crate) fn check_stage(stage: CheckStage) -> &'static str {
     match stage {
-        CheckStage::Name => "Its name",
-        CheckStage::Tcp => "Reaching it",
-        CheckStage::Tls => "A secure connection",
-        CheckStage::Login => "Being let in",
-        CheckStage::Directory => "Asking what it can do",
-        CheckStage::Services => "What a robot needs",
+        CheckStage::Name => said("Its name"),
+        CheckStage::Tcp => said("Reaching it"),
+        CheckStage::Tls => said("A secure connection"),
+        CheckStage::Login => said("Being let in"),
+        CheckStage::Directory => said("Asking what it can do"),
+        CheckStage::Services => said("What a robot needs"),
     }
 }
 
 /// What a look found, and the certificate that counts from now on: "“Blue” is a NAO, NAOqi 2.8.7."
 pub(crate) fn found_robot(name: &str, model: &str, certificate: Option<&str>) -> String {
-    let name = if name.is_empty() { "It".to_owned() } else { format!("“{name}”") };
-    let shows = certificate.map(|certificate| format!(" From now on it must show the certificate {certificate}."));
-    format!("{name} is a {model}.{}", shows.unwrap_or_default())
+    let name = if name.is_empty() { say!("It") } else { saying(name) };
+    match certificate {
+        Some(certificate) => say!(
+            "{name} is a {model}. From now on it must show the certificate {certificate}.",
+            name,
+            model,
+            certificate
+        ),
+        None => say!("{name} is a {model}.", name, model),
+    }
 }
 
 /// "Starts version 12 on NAO blue."
 pub(crate) fn starts_on(robot: &str, revision: u64) -> String {
-    format!("Start runs version {revision} on “{robot}”.")
+    say!("Start runs version {revision} on “{robot}”.", revision, robot)
 }
 
 /// Start, of what the robot interrupted.
 pub(crate) fn go_on() -> &'static str {
-    "Continue"
+    said("Continue")
 }
 
 pub(crate) fn paused(why: &str) -> String {
-    format!("Interrupted: {why}. “Continue” goes on where it was; Stop ends it.")
+    say!("Interrupted: {why}. “Continue” goes on where it was; Stop ends it.", why = translated(why))
 }
 
 /// What was asked, for a sentence that it was done.
 pub(crate) fn control_done(robot: &str, control: Control) -> String {
     match control {
-        Control::Take => format!("You have “{robot}” now. It stands up."),
-        Control::GiveBack => format!("“{robot}” has its own life again."),
-        Control::Rest => format!("“{robot}” sits down to rest."),
+        Control::Take => say!("You have “{robot}” now. It stands up.", robot),
+        Control::GiveBack => say!("“{robot}” has its own life again.", robot),
+        Control::Rest => say!("“{robot}” sits down to rest.", robot),
     }
 }
 
@@ -107,33 +120,34 @@ pub(crate) fn condition(of: &Condition) -> Vec<(&'static str, String)> {
     let mut lights = Vec::new();
     let mut light = |look: &'static str, words: &str| lights.push((look, words.to_owned()));
     if let Some(percent) = of.battery {
-        let plugged = if of.plugged == Some(true) { ", charging" } else { "" };
-        light(
-            if percent < 20 && plugged.is_empty() { "bad" } else { "good" },
-            &format!("Battery {percent} %{plugged}"),
-        );
+        match of.plugged {
+            Some(true) => light("good", &say!("Battery {percent} %, charging", percent)),
+            Some(false) | None => {
+                light(if percent < 20 { "bad" } else { "good" }, &say!("Battery {percent} %", percent));
+            }
+        }
     }
     match of.awake {
-        Some(true) => light("good", "Awake"),
-        Some(false) => light("off", "Asleep"),
+        Some(true) => light("good", said("Awake")),
+        Some(false) => light("off", said("Asleep")),
         None => {}
     }
     if of.stiff == Some(false) {
-        light("off", "Motors off");
+        light("off", said("Motors off"));
     } else if of.stiff == Some(true) {
-        light("good", "Motors on");
+        light("good", said("Motors on"));
     }
     match of.life {
-        Some(Life::Disabled) => light("good", "Own life off"),
-        Some(Life::Safeguard) => light("bad", "Protects itself"),
-        Some(Life::Solitary | Life::Interactive) => light("off", "Lives by itself"),
+        Some(Life::Disabled) => light("good", said("Own life off")),
+        Some(Life::Safeguard) => light("bad", said("Protects itself")),
+        Some(Life::Solitary | Life::Interactive) => light("off", said("Lives by itself")),
         None => {}
     }
     if of.fallen == Some(true) {
-        light("bad", "Has fallen");
+        light("bad", said("Has fallen"));
     }
     if !of.hot.is_empty() {
-        light("bad", &format!("Hot: {}", of.hot.iter().map(|joint| joint_words(joint)).collect::<Vec<_>>().join(", ")));
+        light("bad", &say!("Hot: {joints}", joints = listed(of.hot.iter().map(|joint| joint_words(joint)))));
     }
     lights
 }
@@ -143,19 +157,23 @@ fn joint_words(joint: &str) -> String {
     if !JOINTS.contains(&joint) {
         return joint.to_owned();
     }
-    let (side, rest) = match joint.split_at(1) {
-        ("L", rest) => ("left", rest),
-        ("R", rest) => ("right", rest),
-        _ => ("", joint),
-    };
-    let mut words = side.to_owned();
-    for letter in rest.chars() {
+    match joint.split_at(1) {
+        ("L", rest) => say!("left {joint}", joint = moves(rest)),
+        ("R", rest) => say!("right {joint}", joint = moves(rest)),
+        _ => moves(joint),
+    }
+}
+
+/// What a joint moves, without its side.
+fn moves(joint: &str) -> String {
+    let mut words = String::new();
+    for letter in joint.chars() {
         if letter.is_uppercase() && !words.is_empty() {
             words.push(' ');
         }
         words.extend(letter.to_lowercase());
     }
-    words
+    translated(&words)
 }
 
 #[cfg(test)]

@@ -33,7 +33,7 @@ impl Bench {
             name: name.to_owned(),
             params: params.split(' ').map(str::to_owned).collect(),
             body: body.to_owned(),
-            says: String::new(),
+            ..FileHelper::default()
         };
         let engine = hardened_engine(limits);
         let helpers = Helpers::compile(&engine, &HELPERS.map(helper), limits).ok().unwrap();
@@ -197,7 +197,7 @@ fn what_grows_too_large_is_left_to_rhai() {
 fn helpers_that_call_many_helpers_stay_bounded() {
     let call = |at: usize| if at == 0 { "v".to_owned() } else { vec![format!("h{}(v)", at - 1); 8].join(" + ") };
     let helper =
-        |at| FileHelper { name: format!("h{at}"), params: vec!["v".into()], body: call(at), says: String::new() };
+        |at| FileHelper { name: format!("h{at}"), params: vec!["v".into()], body: call(at), ..FileHelper::default() };
     let helpers: Vec<_> = (0..12).map(helper).collect();
     let made = crate::try_body(&helpers, &["a".to_owned()], "h11(a)", &[Value::Int(1)], &Limits::default());
     assert_eq!(made, Err(TrialFault::Call(Box::new(CallFault::Steps))));

@@ -2,18 +2,19 @@
 
 use super::Session;
 use crate::connection::clients::tidy_name;
+use crate::connection::hints;
 use crate::connection::outbox::Out;
 use crate::connection::start;
 use crate::invitations::{Asked, Entry};
 use crate::library::create::{self, Wish};
 use crate::library::trial::{self, Trial, helpers_of};
-use crate::library::{bin, insight, list, thumbnails};
+use crate::library::{bin, insight, list, rename, thumbnails};
 use crate::robots::real;
 use crate::rooms::member::Answer;
 use crate::rooms::{Locking, Note, Parting, Whereabouts};
 use crate::state::ServerState;
 use crate::support::workers::Sender;
-use behaviour::{Change, Id, Token, Value};
+use behaviour::{Change, Helper, Id, Token, Value};
 use protocol::{Refused, Reply, Request};
 use robot::Control;
 use std::future::Future;
@@ -37,13 +38,15 @@ impl Session {
             | Request::WhereUsed { .. }
             | Request::Drivers { .. }
             | Request::Contested
-            | Request::Similar { .. } => self.look_up(ask, request),
+            | Request::Similar { .. }
+            | Request::Tags => self.look_up(ask, request),
             Request::Create { behaviour, name, template } => self.create(ask, behaviour, name, template),
             Request::Open { behaviour } => self.open(ask, behaviour),
             Request::Leave => self.leave(ask),
             Request::Remove { behaviour } => self.remove(ask, &behaviour),
             Request::Restore { behaviour } => self.restore(ask, behaviour),
             Request::Propose { behaviour, change, tokens } => self.propose(ask, &behaviour, change, tokens),
+            Request::RenameHelper { helper, seen, after } => self.rename_helper(ask, helper, *seen, *after),
             Request::TakeBack { .. }
             | Request::History { .. }
             | Request::At { .. }
@@ -65,14 +68,9 @@ impl Session {
             Request::HandOver { behaviour, token, yes } => {
                 self.locking(ask, &behaviour, |to| Locking::Reply(token, yes, to))
             }
-            Request::Since { behaviour, revision } => {
-                let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
-                    return self.outbox.no(ask, Refused::TooFast);
-                };
-                let answer = Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
-                self.state().rooms.tell(&behaviour, Note::Since(revision, answer));
-            }
+            Request::Since { behaviour, revision } => self.since(ask, &behaviour, revision),
             Request::Check { arguments, body, inputs } => self.check(ask, arguments, body, inputs),
+            Request::Fixes { .. } | Request::Types { .. } | Request::TryExercise { .. } => self.hints(ask, request),
             Request::Present { pointer, selected, view } => {
                 self.tell_open(Note::Present(self.outbox.session, Whereabouts { pointer, selected, view }));
             }
@@ -119,6 +117,15 @@ impl Session {
         }
     }
 
+    /// Answers with what changed since a revision, one answer of a connection at a time.
+    fn since(&self, ask: u32, behaviour: &Id, revision: u64) {
+        let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
+            return self.outbox.no(ask, Refused::TooFast);
+        };
+        let answer = Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
+        self.state().rooms.tell(behaviour, Note::Since(revision, answer));
+    }
+
     pub(super) fn state(&self) -> &Arc<ServerState> {
         &self.connections.state
     }
@@ -160,6 +167,7 @@ impl Session {
                 Request::WhereUsed { helper } => insight::where_used(&*state.store, &helper).await,
                 Request::Drivers { actuator } => insight::drivers(&*state.store, &actuator).await,
                 Request::Similar { behaviour } => insight::similar(&*state.store, &behaviour).await,
+                Request::Tags => list::tags(&*state.store).await,
                 _ => insight::contested(&*state.store).await,
             }
         });
@@ -211,16 +219,41 @@ impl Session {
         let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
         let sender = Sender::Link(self.outbox.session);
         let check = move |_: &CancellationToken| {
-            let helpers = helpers_of(&body, &snapshot.helpers());
-            trial::check(&Trial { arguments, body, inputs, helpers })
+            let all = snapshot.helpers();
+            let known = all.iter().map(|helper| helper.name.clone()).collect();
+            let helpers = helpers_of(&body, &all);
+            trial::check(&Trial { arguments, body, inputs, helpers, known })
         };
         self.later(ask, async move { Ok(workers.run(sender, check).await?) });
+    }
+
+    /// What mends a problem, what streams carry, or whether a goal is reached: among the other work.
+    fn hints(&self, ask: u32, request: Request) {
+        let (state, sender) = (Arc::clone(self.state()), Sender::Link(self.outbox.session));
+        self.later(ask, async move {
+            match request {
+                Request::Fixes { behaviour, problem, seen } => {
+                    hints::fixes(&state, sender, &behaviour, (problem, seen)).await
+                }
+                Request::Types { behaviour, seen } => hints::types(&state, sender, &behaviour, seen).await,
+                Request::TryExercise { behaviour, exercise } => {
+                    hints::try_exercise(&state, sender, &behaviour, &exercise).await
+                }
+                _ => Ok(Reply::Done),
+            }
+        });
     }
 
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
         let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
         let wish = Wish { behaviour, name, template, by };
         self.later(ask, async move { create::create(&state.library, wish).await });
+    }
+
+    fn rename_helper(&self, ask: u32, helper: Id, seen: Helper, after: Helper) {
+        let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+        let wish = rename::Wish { helper, seen, after, by, sender: Sender::Link(self.outbox.session) };
+        self.later(ask, async move { rename::rename(&state.library, wish).await });
     }
 
     fn open(&mut self, ask: u32, behaviour: Id) {

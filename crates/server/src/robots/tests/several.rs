@@ -24,7 +24,7 @@ async fn start(robots: &Robots, name: &str, on: &Id) -> RunState {
 fn printed(robots: &Robots, on: &Id) -> String {
     let scene = robots.meant(Some(on)).unwrap().scene();
     let printed = scene.borrow().body.printed.last().cloned();
-    printed.unwrap_or_default()
+    printed.map(|printed| printed.text).unwrap_or_default()
 }
 
 fn phase(robots: &Robots, run: &RunState) -> protocol::RunPhase {

@@ -57,7 +57,7 @@ mod tests {
 
     fn accepted(revision: u64, length: usize) -> Accepted {
         let id = Id::new(&format!("o{revision}")).unwrap();
-        let note = Record::Note(Note { text: "n".repeat(length) });
+        let note = Record::Note(Note::new("n".repeat(length)));
         let change =
             Change::of(id.clone(), "Aiko", "Note").put(&Behaviour::default(), RecordId::new(Kind::Note, &id), note);
         Accepted { revision, change }

@@ -94,6 +94,14 @@ impl LockBook {
         Ok(())
     }
 
+    /// Whether nobody edits what a change of the server's own touches.
+    ///
+    /// # Errors
+    /// What is locked, and by whom.
+    pub(super) fn check(&self, room: &Room, change: &Change) -> Result<(), Refusal> {
+        room.check_locks(change, &Presented { client: None, tokens: Vec::new() }, &self.locks)
+    }
+
     /// What was begun came to an end.
     pub(super) fn saved(&mut self, op: &Id) {
         self.locks.saved(self.now_ms(), op);

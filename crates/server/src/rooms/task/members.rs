@@ -47,6 +47,7 @@ impl RoomTask {
             more: false,
             library_revision: self.room.revision(),
             templates: self.around.templates.clone(),
+            exercises: self.around.exercises.clone(),
         };
         Whole { reply, shown: self.shown() }
     }

@@ -9,7 +9,7 @@ use behaviour::{
     Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, Record, Refusal, Room, Token,
 };
 use protocol::Refused;
-use std::collections::VecDeque;
+use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 use store::{Append, StoreError};
 
@@ -209,12 +209,11 @@ fn judge(room: &Room, change: Change, knowledge: &dyn Knowledge, now_ms: u64) ->
 
 /// The helpers that would no longer be there under their name.
 fn helpers_let_go(change: &Change) -> Vec<String> {
-    let gone = change.edits.iter().filter_map(|edit| match (&edit.before, &edit.after) {
-        (Some(Record::Helper(before)), Some(Record::Helper(after))) if before.name == after.name => None,
-        (Some(Record::Helper(before)), _) => Some(before.name.clone()),
-        _ => None,
-    });
-    gone.collect()
+    let name = |record: &Option<Record>| {
+        if let Some(Record::Helper(helper)) = record { Some(helper.name.clone()) } else { None }
+    };
+    let kept: BTreeSet<String> = change.edits.iter().filter_map(|edit| name(&edit.after)).collect();
+    change.edits.iter().filter_map(|edit| name(&edit.before)).filter(|name| !kept.contains(name)).collect()
 }
 
 /// Keeps a change.
@@ -231,7 +230,7 @@ async fn save(around: &Surroundings, id: &Id, keep: Keep) -> SaveOutcome {
             with_news(around, id, before, answer).await
         }
         Ok(Append::Conflict { .. }) => {
-            let no = Refused::Change(Refusal::Stale("this behaviour".to_owned()));
+            let no = Refused::Change(Refusal::Stale("this program".to_owned()));
             with_news(around, id, before, Err(no)).await
         }
         Err(StoreError::Gone) => SaveOutcome::nothing(Err(Refused::Change(Refusal::Gone))),

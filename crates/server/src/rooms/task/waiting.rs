@@ -46,9 +46,9 @@ impl Job {
     }
 }
 
-/// Whether a change is decided about at once, so that nobody waits for it if it is saved with others: moves and notes.
+/// Whether a change is decided about at once, so that nobody waits for it if it is saved with others: moves, notes and groups.
 pub(super) fn is_small(change: &Change) -> bool {
-    let is_light = |edit: &Edit| matches!(edit.id.kind, Kind::Place | Kind::Note);
+    let is_light = |edit: &Edit| matches!(edit.id.kind, Kind::Place | Kind::Note | Kind::Group);
     change.edits.iter().all(is_light) && change.bytes() <= SMALL_MAX_BYTES
 }
 

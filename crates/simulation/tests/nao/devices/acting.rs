@@ -91,5 +91,7 @@ pub(super) fn print() {
     bench.open("print", "Print", &[]);
     bench.tell("print", "a text");
     bench.tell("print", Value::list([1_i64.into(), 2_i64.into()]));
-    assert_eq!(bench.nao.scene().body.printed, ["a text", "[1, 2]"]);
+    let printed = bench.nao.scene().body.printed;
+    assert_eq!(printed.iter().map(|one| one.text.as_str()).collect::<Vec<_>>(), ["a text", "[1, 2]"]);
+    assert!(printed.iter().all(|one| one.by.stream.as_str() == "print"));
 }

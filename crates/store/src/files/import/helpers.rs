@@ -33,6 +33,8 @@ pub(super) fn shelve(
             params: helper.params.clone(),
             body: rename_helpers(&helper.body, &names),
             says: helper.says.clone(),
+            takes: helper.takes.clone(),
+            gives: helper.gives,
         };
         let name = name_for(&wanted, &there, &in_file);
         wanted.name.clone_from(&name);

@@ -13,11 +13,18 @@ pub fn write_json(file: &BehaviourFile) -> String {
     sections.push(("name", spaced(&file.name)));
     sections.extend(file.robot.as_ref().map(|robot| ("robot", spaced(robot))));
     sections.extend(file.engine.as_ref().map(|engine| ("engine", spaced(engine))));
+    sections.extend(file.exercise.as_ref().map(|exercise| ("exercise", spaced(exercise))));
+    if !file.tags.is_empty() {
+        sections.push(("tags", spaced(&file.tags)));
+    }
     sections.push(("helpers", list(&file.helpers)));
     sections.push(("streams", list(&file.streams)));
     sections.push(("connectors", list(&file.connectors)));
     if !file.notes.is_empty() {
         sections.push(("notes", list(&file.notes)));
+    }
+    if !file.groups.is_empty() {
+        sections.push(("groups", list(&file.groups)));
     }
     if !file.order.is_empty() {
         sections.push(("order", object(file.order.iter().map(|(id, order)| (id, order.to_string())))));

@@ -92,6 +92,16 @@ impl<'n> Fields<'n> {
         u64::try_from(whole).ok()
     }
 
+    /// True or false, if it is there.
+    pub(super) fn truth(&self, to: &mut Reader, name: &str) -> Option<bool> {
+        let node = self.get(name)?;
+        if let What::Plain(Value::Bool(truth)) = node.what {
+            return Some(truth);
+        }
+        to.fault(node.at, format!("“{name}” must be true or false."));
+        None
+    }
+
     /// Any value, if it is there; null and none at all mean the same.
     pub(super) fn value(&self, to: &mut Reader, name: &str) -> Option<Value> {
         Some(value(to, self.get(name)?)).filter(|value| *value != Value::Null)

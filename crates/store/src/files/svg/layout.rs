@@ -1,8 +1,8 @@
 //! Where everything stands in the drawing: as people placed it; what has no place stands in layers, values flowing down.
 
 use super::shapes::{chip_width, one_line, wide};
-use behaviour::{BehaviourFile, FileConnector, FileNote, FileStream, Place};
-use std::collections::BTreeMap;
+use behaviour::{BehaviourFile, FileConnector, FileGroup, FileNote, FileStream, Lasting, Place};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The height of a stream, in canvas units.
 pub(super) const HEIGHT: f64 = 48.0;
@@ -12,6 +12,9 @@ pub(super) const CHIP_HEIGHT: f64 = 28.0;
 const LAYER: f64 = 140.0;
 /// Between two streams in a layer, and around the whole drawing.
 const GAP: f64 = 40.0;
+/// Between the frame of a group and its streams; above them stands the title.
+const FRAME: f64 = 16.0;
+const FRAME_TITLE: f64 = 28.0;
 /// No coordinate is further away, whatever the file says.
 const FAR: f64 = 1e6;
 /// The longest label of a connector, in characters.
@@ -19,6 +22,9 @@ const LABEL_MAX_CHARS: usize = 60;
 
 /// A point: to the right, downwards.
 pub(super) type Point = (f64, f64);
+
+/// Left, top, width and height.
+pub(super) type Area = (f64, f64, f64, f64);
 
 /// A connector's label on its way.
 pub(super) struct Chip<'f> {
@@ -32,6 +38,8 @@ pub(super) struct Drawing<'f> {
     pub(super) streams: Vec<(&'f FileStream, Point)>,
     pub(super) chips: Vec<Chip<'f>>,
     pub(super) notes: Vec<(&'f FileNote, Point)>,
+    /// Those that have a stream; a folded one has its frame too.
+    pub(super) groups: Vec<(&'f FileGroup, Area)>,
     tops: BTreeMap<&'f str, Point>,
 }
 
@@ -46,7 +54,8 @@ impl<'f> Drawing<'f> {
             (note, file.layout.get(&note.id).map_or(beside, |place| near(*place)))
         };
         let (chips, notes) = (chips(file, &tops), (0..).zip(&file.notes).map(note).collect());
-        Self { streams, chips, notes, tops }
+        let groups = file.groups.iter().filter_map(|group| Some((group, frame(group, &streams)?))).collect();
+        Self { streams, chips, notes, groups, tops }
     }
 
     /// Every line, from its upper end to its lower one.
@@ -61,9 +70,9 @@ impl<'f> Drawing<'f> {
     }
 
     /// Left, top, width and height of all there is.
-    pub(super) fn bounds(&self) -> (f64, f64, f64, f64) {
-        let streams =
-            self.streams.iter().map(|(stream, top)| (top.0 - width(stream) / 2.0, top.1, width(stream), HEIGHT));
+    pub(super) fn bounds(&self) -> Area {
+        let streams = self.streams.iter().map(|(stream, top)| area(stream, *top));
+        let groups = self.groups.iter().map(|(_, frame)| *frame);
         let chips = self.chips.iter().map(|chip| {
             let wide = chip_width(&chip.label);
             (chip.middle.0 - wide / 2.0, chip.middle.1 - CHIP_HEIGHT / 2.0, wide, CHIP_HEIGHT)
@@ -72,12 +81,31 @@ impl<'f> Drawing<'f> {
             let (width, height) = super::shapes::note_size(&note.text);
             (corner.0, corner.1, width, height)
         });
-        let boxes: Vec<_> = streams.chain(chips).chain(notes).collect();
-        let least = |of: fn(&(f64, f64, f64, f64)) -> f64| boxes.iter().map(of).reduce(f64::min).unwrap_or_default();
-        let most = |of: fn(&(f64, f64, f64, f64)) -> f64| boxes.iter().map(of).reduce(f64::max).unwrap_or_default();
-        let (left, top) = (least(|part| part.0) - GAP, least(|part| part.1) - GAP);
-        (left, top, most(|part| part.0 + part.2) + GAP - left, most(|part| part.1 + part.3) + GAP - top)
+        let boxes: Vec<_> = streams.chain(chips).chain(notes).chain(groups).collect();
+        let (left, top, width, height) = around(&boxes).unwrap_or_default();
+        (left - GAP, top - GAP, width + 2.0 * GAP, height + 2.0 * GAP)
     }
+}
+
+/// What covers all of these.
+fn around(boxes: &[Area]) -> Option<Area> {
+    let least = |of: fn(&Area) -> f64| boxes.iter().map(of).reduce(f64::min);
+    let most = |of: fn(&Area) -> f64| boxes.iter().map(of).reduce(f64::max);
+    let (left, top) = (least(|part| part.0)?, least(|part| part.1)?);
+    Some((left, top, most(|part| part.0 + part.2)? - left, most(|part| part.1 + part.3)? - top))
+}
+
+fn area(stream: &FileStream, (x, y): Point) -> Area {
+    (x - width(stream) / 2.0, y, width(stream), HEIGHT)
+}
+
+/// The frame of a group, if one of its streams is there.
+fn frame(group: &FileGroup, streams: &[(&FileStream, Point)]) -> Option<Area> {
+    let ids: BTreeSet<&str> = group.streams.iter().map(String::as_str).collect();
+    let members = streams.iter().filter(|(stream, _)| ids.contains(stream.id.as_str()));
+    let (left, top, width, height) = around(&members.map(|(stream, top)| area(stream, *top)).collect::<Vec<_>>())?;
+    let wide = (width + 2.0 * FRAME).max(wide(&one_line(&group.title), 13.0) + 2.0 * FRAME);
+    Some((left - FRAME, top - FRAME - FRAME_TITLE, wide, height + 2.0 * FRAME + FRAME_TITLE))
 }
 
 /// The width of a stream's shape, by its name.
@@ -85,10 +113,12 @@ pub(super) fn width(stream: &FileStream) -> f64 {
     (wide(&one_line(&stream.name), 15.0) + 40.0).max(120.0)
 }
 
-/// What a connector is called: `map (distance)`, `sample (500 ms)`.
+/// What a connector is called: `map (distance)`, `sample (every 1 second)`.
 pub(super) fn label(connector: &FileConnector) -> String {
     let body = connector.body.as_deref().map(one_line).filter(|body| !body.is_empty());
-    let period = connector.period_ms.map(|ms| format!("{ms} ms"));
+    let spec = behaviour::connectors::spec(&connector.operation);
+    let lasts = |ms| spec.map_or_else(|| Lasting::of(ms).to_string(), |spec| spec.lasts(ms));
+    let period = connector.period_ms.map(lasts);
     let start = connector.start.as_ref().map(|start| one_line(&start.to_string()));
     let chosen: Vec<String> = start.into_iter().chain(connector.helper.clone().or(body)).chain(period).collect();
     if chosen.is_empty() {

@@ -1,8 +1,8 @@
 //! The shapes of the drawing, in the colours of the light theme.
 
-use super::layout::{CHIP_HEIGHT, HEIGHT, Point, width};
+use super::layout::{Area, CHIP_HEIGHT, HEIGHT, Point, width};
 use crate::files::xml::{cannot_hold, in_element};
-use behaviour::{FileNote, FileStream, StreamKind};
+use behaviour::{FileGroup, FileNote, FileStream, StreamKind};
 
 /// The ground, and what stands on it; all pairs have the contrast of the page.
 pub(super) const PAPER: &str = "#f6f7f4";
@@ -79,6 +79,17 @@ pub(super) fn edge((x, y): Point, (to_x, to_y): Point) -> String {
     format!(
         "<path d=\"M{x:.1} {y:.1} C{x:.1} {half:.1} {to_x:.1} {half:.1} {to_x:.1} {to_y:.1}\" fill=\"none\" \
          stroke=\"{EDGE}\" stroke-width=\"2\"/>"
+    )
+}
+
+/// A frame with its title at the upper left.
+pub(super) fn group(group: &FileGroup, (x, y, width, height): Area) -> String {
+    let (title_x, base) = (x + 16.0, y + 21.0);
+    format!(
+        "<g><rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"10\" fill=\"none\" \
+         stroke=\"{EDGE}\" stroke-width=\"1.5\" stroke-dasharray=\"6 4\"/>\
+         <text x=\"{title_x:.1}\" y=\"{base:.1}\" font-size=\"13\" font-weight=\"600\" fill=\"{INK}\">{}</text></g>",
+        text(&group.title)
     )
 }
 

@@ -92,8 +92,8 @@ impl Parser<'_, '_> {
                 self.text(at, c.encode_utf8(&mut [0; 4]))?;
             }
             Event::Decl(declared) => self.declared(at, &declared)?,
-            Event::DocType(_) => return self.no(at, "A DOCTYPE may not be in a behaviour. Take it out."),
-            Event::PI(_) => return self.no(at, "<?…?> may not be in a behaviour. Take it out."),
+            Event::DocType(_) => return self.no(at, "A program may have no DOCTYPE. Take it out."),
+            Event::PI(_) => return self.no(at, "<?…?> may not be in a program. Take it out."),
             Event::Comment(_) => {}
             Event::Eof => return Ok(false),
         }
@@ -119,7 +119,7 @@ impl Parser<'_, '_> {
             return self.no(at, TOO_MANY);
         }
         if self.root.is_some() {
-            return self.no(at, format!("<{name}> stands after the end of the behaviour. Take it out."));
+            return self.no(at, format!("<{name}> stands after the end of the program. Take it out."));
         }
         let attributes = self.attributes(at, start)?;
         self.open.push(Element { name, at, attributes, ..Element::default() });
@@ -170,7 +170,7 @@ impl Parser<'_, '_> {
             None if text.trim_start_matches('\u{feff}').trim().is_empty() => {}
             None => {
                 let at = at + text.len() - text.trim_start().len();
-                return self.no(at, "There is text outside of the behaviour. Take it out.");
+                return self.no(at, "There is text outside of the program. Take it out.");
             }
         }
         Ok(())
@@ -183,7 +183,7 @@ impl Parser<'_, '_> {
         }
         match self.root {
             Some(root) => Ok(root),
-            None => Err(self.lines.fault(end, "There is no behaviour in this file. Choose another one.")),
+            None => Err(self.lines.fault(end, "There is no program in this file. Choose another one.")),
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::escape::{cannot_hold, in_attribute, in_element};
 use crate::files::FileFault;
 use crate::files::json::write::{coordinate, spaced};
-use behaviour::{BehaviourFile, Engine, FileConnector, FileHelper, FileStream, StreamKind, Value};
+use behaviour::{BehaviourFile, Engine, FileConnector, FileGroup, FileHelper, FileNote, FileStream, StreamKind, Value};
 use thiserror::Error;
 
 /// Why a behaviour cannot be written as XML.
@@ -72,14 +72,21 @@ impl Page {
         };
         let mark = Mark::of("behaviour").with("format", super::VERSION).maybe("id", file.id.clone());
         let mark = mark.with("name", &file.name).maybe("robot", file.robot.clone());
-        self.line(0, &(mark.maybe("engine", event).maybe("frame", frame).0 + ">"));
+        self.line(
+            0,
+            &(mark.maybe("engine", event).maybe("frame", frame).maybe("exercise", file.exercise.clone()).0 + ">"),
+        );
+        if !file.tags.is_empty() {
+            self.section("tags", &file.tags, |tag| vec![Mark::of("tag").with("name", tag).0 + "/>"]);
+        }
         self.section("helpers", &file.helpers, |helper| vec![helper_line(helper)]);
         self.section("streams", &file.streams, |stream| stream_lines(stream, file));
         self.section("connectors", &file.connectors, |connector| vec![connector_line(connector, file)]);
         if !file.notes.is_empty() {
-            let note =
-                |note: &behaviour::FileNote| with_text(&Mark::of("note").with("id", &note.id), "note", &note.text);
-            self.section("notes", &file.notes, |one| vec![note(one)]);
+            self.section("notes", &file.notes, |note| vec![note_line(note)]);
+        }
+        if !file.groups.is_empty() {
+            self.section("groups", &file.groups, |group| vec![group_line(group)]);
         }
         if !file.layout.is_empty() {
             let places: Vec<_> = file.layout.iter().collect();
@@ -107,10 +114,24 @@ fn with_text(mark: &Mark, name: &str, text: &str) -> String {
     format!("{}>{}</{name}>", mark.0, in_element(text))
 }
 
+fn note_line(note: &FileNote) -> String {
+    let mark = Mark::of("note").with("id", &note.id).maybe("by", note.by.clone());
+    with_text(&mark.maybe("at", note.at.map(|ms| ms.to_string())), "note", &note.text)
+}
+
+fn group_line(group: &FileGroup) -> String {
+    let mark = Mark::of("group").with("id", &group.id).with("title", &group.title);
+    let mark = mark.with("streams", &group.streams.join(" "));
+    mark.maybe("folded", group.folded.map(|folded| folded.to_string())).0 + "/>"
+}
+
 fn helper_line(helper: &FileHelper) -> String {
     let says = Some(helper.says.clone()).filter(|says| !says.is_empty());
     let mark = Mark::of("helper").with("id", &helper.name).with("args", &helper.params.join(" "));
-    with_text(&mark.maybe("says", says), "helper", &helper.body)
+    let takes: Vec<_> = helper.takes.iter().map(|one| one.word()).collect();
+    let takes = Some(takes.join(" ")).filter(|takes| !takes.is_empty());
+    let gives = Some(helper.gives.word().to_owned()).filter(|_| !helper.gives.is_auto());
+    with_text(&mark.maybe("says", says).maybe("takes", takes).maybe("gives", gives), "helper", &helper.body)
 }
 
 fn order_of(file: &BehaviourFile, id: &str) -> Option<String> {

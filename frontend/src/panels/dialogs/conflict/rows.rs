@@ -93,9 +93,11 @@ fn of_connector(connector: &Connector, name: &dyn Fn(&Id) -> String) -> Vec<Face
     });
     let inputs: Vec<String> = connector.inputs.iter().map(name).collect();
     let start = operation.start().map(|start| Facet::of(words::start_label(), short_value(start)));
-    let every = operation.period_ms().map(|ms| Facet::of(words::every_label(), words::milliseconds_of(ms)));
-    let first =
-        [Facet::of(words::connector_label(), spec.name.to_owned()), Facet::of(words::takes_from(), inputs.join(", "))];
+    let every = operation.period_ms().map(|ms| Facet::of(words::every_label(), words::duration(ms)));
+    let first = [
+        Facet::of(words::connector_label(), words::connector_word(spec.name).to_owned()),
+        Facet::of(words::takes_from(), words::listed(inputs)),
+    ];
     let last = Facet::of(words::leads_to(), name(&connector.output)).always();
     procedure.into_iter().chain(first).chain(start).chain(every).chain([last]).collect()
 }
@@ -114,13 +116,12 @@ fn of_stream(stream: &Stream) -> Vec<Facet> {
     let params = device.map_or(&[][..], |device| device.params);
     all.extend(params.iter().map(|param| {
         let default = param.default();
-        Facet::of(param.label, shown(param, stream.params.get(param.name).unwrap_or(&default)))
+        Facet::of(words::label_of(param.label), shown(param, stream.params.get(param.name).unwrap_or(&default)))
     }));
     let other = (&stream.resources, stream.priority, stream.hold_ms);
     if other != (&None, None, None) {
         let parts = other.0.iter().flatten().cloned();
-        let numbers =
-            other.1.map(|priority| priority.to_string()).into_iter().chain(other.2.map(words::milliseconds_of));
+        let numbers = other.1.map(|priority| priority.to_string()).into_iter().chain(other.2.map(words::duration));
         all.push(Facet::of(words::other_settings(), parts.chain(numbers).collect::<Vec<_>>().join(" · ")));
     }
     all
@@ -131,7 +132,7 @@ fn shown(param: &Param, value: &Value) -> String {
         ParamKind::Choice(options) => options.iter().find(|option| value.as_text() == Some(option.0)),
         _ => None,
     };
-    option.map_or_else(|| short_value(value), |option| option.1.to_owned())
+    option.map_or_else(|| short_value(value), |option| words::label_of(option.1).to_owned())
 }
 
 /// Two texts in pieces, so that only what differs is pointed out.

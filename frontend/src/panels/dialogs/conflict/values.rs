@@ -69,7 +69,7 @@ fn row([mine, theirs]: Tried) -> impl IntoView {
     let differs = (mine.mark, &mine.result) != (theirs.mark, &theirs.result);
     view! {
         <tr class:differs=differs>
-            <th scope="row" class="cut" title=mine.given.clone()>{mine.given.clone()}</th>
+            <th scope="row" class="cut" title=mine.given()>{mine.given()}</th>
             {cell(mine, "mine")}
             {cell(theirs, "theirs")}
         </tr>

@@ -35,7 +35,7 @@ pub(super) fn UsedIn(name: String) -> impl IntoView {
             <h3 class="label">{words::used_in()}</h3>
             <Show when=nowhere><p class="second">{words::used_nowhere()}</p></Show>
             <Show when=move || !here.read().is_empty()>
-                <p class="second">{words::this_program()}": "{move || here.get().join(", ")}</p>
+                <p class="second">{move || words::titled(words::this_program(), &words::listed(here.get()))}</p>
             </Show>
             <ul class="links" aria-label=words::used_in()>{links}</ul>
             <Show when=move || { more() > 0 }><p class="faint">{move || words::and_more(more())}</p></Show>
@@ -86,7 +86,7 @@ fn connectors_here(desk: Hold, helper: &str) -> Vec<String> {
     let label = |id: Id| {
         let connector = now.document.connector(&id)?.record.get();
         let output = now.document.stream(&connector.output)?.record.get().name;
-        Some(format!("{} → {output}", connector.operation.spec().name))
+        Some(format!("{} → {output}", words::connector_word(connector.operation.spec().name)))
     };
     users_of(desk, helper).into_iter().filter_map(label).collect()
 }

@@ -39,7 +39,7 @@ pub(super) fn Actuator(form: Form) -> impl IntoView {
         });
     });
     let says = move || match chosen(&form.actuator.read()) {
-        Some(Chosen::New(device)) => device.says,
+        Some(Chosen::New(device)) => words::device_says(device),
         Some(Chosen::There(_)) | None => "",
     };
     view! {
@@ -51,7 +51,7 @@ pub(super) fn Actuator(form: Form) -> impl IntoView {
 
 fn options(form: Form) -> Options {
     let behaviour = form.desk.desk().document.behaviour();
-    let new = robot::actuators().map(|device| (format!("{NEW}{}", device.name), device.name.to_owned()));
+    let new = robot::actuators().map(|device| (format!("{NEW}{}", device.name), words::device(device).to_owned()));
     let there = behaviour.streams_in_order().into_iter().filter(|(_, stream)| stream.kind == StreamKind::Actuator);
     let there = there.map(|(id, stream)| (format!("{THERE}{id}"), words::lead_to_existing(&stream.name)));
     new.chain(there).collect()

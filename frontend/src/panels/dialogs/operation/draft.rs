@@ -15,6 +15,7 @@ pub(super) struct Draft {
     way: String,
     body: String,
     helper: String,
+    #[serde(rename = "seconds", default)]
     period: String,
     #[serde(default)]
     start: String,
@@ -86,7 +87,9 @@ fn show(form: Form, draft: Draft) {
     form.way.set(draft.way);
     form.body.set(draft.body);
     form.helper.set(draft.helper);
-    form.period.set(draft.period);
+    if !draft.period.is_empty() {
+        form.period.set(draft.period);
+    }
     form.start.set(draft.start);
     form.name.set(draft.name);
 }

@@ -2,6 +2,7 @@
 
 use super::draft::Draft;
 use super::prefill;
+use crate::desk::Spot;
 use crate::fields::ParamForm;
 use crate::panels::hold::Hold;
 use behaviour::connectors::{PERIOD_MS, Spec};
@@ -19,6 +20,8 @@ pub(super) struct Form {
     pub(super) edits: StoredValue<Option<(Id, Connector)>>,
     /// The stream it was opened for.
     pub(super) source: StoredValue<Id>,
+    /// Where a new one goes.
+    pub(super) spot: StoredValue<Spot>,
     pub(super) kind: RwSignal<&'static Spec>,
     /// In order; the first is the stream it was opened for.
     pub(super) inputs: RwSignal<Vec<Id>>,
@@ -28,6 +31,7 @@ pub(super) struct Form {
     /// What the body of a new connector began with; alone it is no procedure yet.
     pub(super) begun: StoredValue<String>,
     pub(super) helper: RwSignal<String>,
+    /// In seconds.
     pub(super) period: RwSignal<String>,
     /// As JSON.
     pub(super) start: RwSignal<String>,
@@ -48,10 +52,15 @@ pub(super) struct Form {
 }
 
 impl Form {
-    pub(super) fn new(desk: Hold, source: Id, edits: Option<(Id, Connector)>, kind: &'static Spec) -> Self {
+    pub(super) fn new(
+        desk: Hold,
+        source: Id,
+        edits: Option<(Id, Connector)>,
+        (kind, spot): (&'static Spec, Spot),
+    ) -> Self {
         let connector = edits.as_ref().map(|(_, connector)| connector.clone());
         let operation = connector.as_ref().map(|connector| connector.operation.clone());
-        let (way, body, helper) = procedure_texts(operation.as_ref());
+        let (way, body, helper) = procedure_texts(desk, connector.as_ref());
         let begun = if edits.is_none() { prefill::beginning(desk, &source, kind) } else { String::new() };
         let body = if body.is_empty() { begun.clone() } else { body };
         let period = operation.as_ref().and_then(Operation::period_ms).unwrap_or(PERIOD_MS);
@@ -64,13 +73,14 @@ impl Form {
             desk,
             edits: StoredValue::new(edits),
             source: StoredValue::new(source),
+            spot: StoredValue::new(spot),
             kind: RwSignal::new(kind),
             inputs: RwSignal::new(inputs),
             way: RwSignal::new(way.to_owned()),
             body: RwSignal::new(body),
             begun: StoredValue::new(begun),
             helper: RwSignal::new(helper),
-            period: RwSignal::new(period.to_string()),
+            period: RwSignal::new(seconds(period)),
             start: RwSignal::new(start),
             name_at_first: StoredValue::new(name.clone()),
             name: RwSignal::new(name),
@@ -89,13 +99,13 @@ impl Form {
     /// Shows the edited connector as it is saved now, in place of whatever was shown.
     pub(super) fn show_saved(&self, connector: Connector) {
         let operation = connector.operation.clone();
-        let (way, body, helper) = procedure_texts(Some(&operation));
+        let (way, body, helper) = procedure_texts(self.desk, Some(&connector));
         self.kind.set(operation.spec());
         self.inputs.set(connector.inputs.clone());
         self.way.set(way.to_owned());
         self.body.set(body);
         self.helper.set(helper);
-        self.period.set(operation.period_ms().unwrap_or(PERIOD_MS).to_string());
+        self.period.set(seconds(operation.period_ms().unwrap_or(PERIOD_MS)));
         self.start.set(serde_json::to_string(operation.start().unwrap_or(&START)).unwrap_or_default());
         if let Some(output) = self.desk.desk().document.stream(&connector.output) {
             let name = output.record.with_untracked(|stream| stream.name.clone());
@@ -175,10 +185,30 @@ impl Form {
     }
 }
 
-fn procedure_texts(operation: Option<&Operation>) -> (&'static str, String, String) {
-    match operation.and_then(Operation::procedure) {
-        Some(Procedure::Body { body, .. }) => ("body", body.clone(), String::new()),
-        Some(Procedure::Helper(name)) => ("helper", String::new(), name.clone()),
+/// A duration as it stands in its field.
+fn seconds(ms: u64) -> String {
+    (ms as f64 / 1_000.0).to_string()
+}
+
+/// What was typed as a duration, in milliseconds.
+pub(super) fn milliseconds(seconds: &str) -> Option<u64> {
+    let seconds = seconds.trim().replace(',', ".").parse::<f64>().ok()?;
+    (seconds.is_finite() && seconds >= 0.0).then(|| (seconds * 1_000.0).round() as u64)
+}
+
+/// What stands in the fields of a procedure; a body that knows the argument names of before gets those of today.
+fn procedure_texts(desk: Hold, connector: Option<&Connector>) -> (&'static str, String, String) {
+    let procedure = connector.and_then(|connector| Some((connector, connector.operation.procedure()?)));
+    match procedure.map(|(connector, procedure)| (connector, procedure.clone())) {
+        Some((_, Procedure::Body { body, args: Some(_) })) => ("body", body, String::new()),
+        Some((connector, Procedure::Body { body, args: None })) => {
+            let document = &desk.desk().document;
+            let name = |id: &Id| Some(document.stream(id)?.record.with_untracked(|stream| stream.name.clone()));
+            let names: Vec<String> = connector.inputs.iter().filter_map(name).collect();
+            let body = connector.operation.spec().in_names_of_today(&body, names.iter().map(String::as_str));
+            ("body", body, String::new())
+        }
+        Some((_, Procedure::Helper(name))) => ("helper", String::new(), name),
         None => ("body", String::new(), String::new()),
     }
 }

@@ -1,6 +1,7 @@
 //! The input streams of a connector that takes several, in their order.
 
 use super::form::Form;
+use crate::fields::{Options, Select};
 use crate::icons::Icon;
 use crate::panels::inspector::{device_icon, kind_class};
 use crate::words;
@@ -24,6 +25,28 @@ pub(super) fn Inputs(form: Form) -> impl IntoView {
             <div class="big-list">{rows}</div>
         </fieldset>
     }
+}
+
+/// The one stream that an edited connector takes from; the body calls it by its name.
+#[component]
+pub(super) fn TakesFrom(form: Form) -> impl IntoView {
+    let options: Options = candidates(form).into_iter().map(|(id, stream)| (id.to_string(), stream.name)).collect();
+    let now = move || form.inputs.read().first().map(ToString::to_string).unwrap_or_default();
+    let chosen = RwSignal::new(untrack(now));
+    Effect::new(move |_| chosen.set(now()));
+    Effect::new(move |_| {
+        let Ok(id) = Id::new(&chosen.get()) else { return };
+        if form.inputs.with_untracked(|inputs| inputs.first() == Some(&id)) {
+            return;
+        }
+        let old = untrack(|| form.arguments());
+        form.inputs.set(vec![id]);
+        let new = untrack(|| form.arguments());
+        if let (Some(old), Some(new)) = (old.last(), new.last()) {
+            form.body.update(|body| *body = behaviour::rename_identifier(body, old, new));
+        }
+    });
+    view! { <Select label=words::takes_from() options=Signal::stored(options) value=chosen /> }
 }
 
 /// Sensor and ordinary streams that do not take from the output.

@@ -22,7 +22,7 @@ pub(super) fn typed_whole(begun: &str, body: &str) -> Option<String> {
     let argument = begun.split(' ').next().filter(|argument| !argument.is_empty())?;
     let rest = body.strip_prefix(begun)?;
     let before = &rest[..rest.find(['<', '>', '=', '!'])?];
-    let mut words = before.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+    let mut words = before.split(|c| !behaviour::is_name_letter(c));
     words.any(|word| word == argument).then(|| rest.to_owned())
 }
 

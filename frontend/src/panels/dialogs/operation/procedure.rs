@@ -2,10 +2,12 @@
 
 use super::form::Form;
 use crate::fields::{CodeField, Options, Select};
+use crate::panels::focus;
 use crate::panels::trials::{self, Question, TrialLine};
 use crate::words;
 use behaviour::{Helper, StreamKind, Value};
 use leptos::prelude::*;
+use protocol::UnknownName;
 
 /// Body or Helper.
 #[component]
@@ -13,12 +15,13 @@ pub(super) fn ProcedureFields(form: Form) -> impl IntoView {
     let question = Memo::new(move |_| question(form));
     let answers = trials::ask(question);
     let error = answers.error.clone();
+    let unknown = Signal::from(answers.unknown.clone());
     let by_helper = move || form.way.get() == "helper";
     let fitting = Memo::new(move |_| fitting(form));
     Effect::new(move |_| choose_fitting(form, &fitting.get()));
     view! {
         <Way form />
-        <Show when=move || !by_helper()><Body form /></Show>
+        <Show when=move || !by_helper()><Body form unknown /></Show>
         <Show when=by_helper>
             <Show when=move || !fitting.read().is_empty() fallback=|| view! { <p class="second">{words::no_fitting_helper()}</p> }>
                 <HelperFields form fitting />
@@ -45,14 +48,15 @@ fn Way(form: Form) -> impl IntoView {
     view! {
         <fieldset class="field">
             <legend class="sr">{words::procedure()}</legend>
-            <div class="radios">{radio("body", words::body())} {radio("helper", words::helper())}</div>
+            <div class="radios">{radio("body", words::write_here())} {radio("helper", words::use_helper())}</div>
         </fieldset>
     }
 }
 
 #[component]
-fn Body(form: Form) -> impl IntoView {
+fn Body(form: Form, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
     let arguments = Signal::derive(move || form.arguments());
+    let wrong = Signal::derive(move || unknown.get().map(|unknown| unknown.name));
     Effect::new(move |_| {
         let whole = form.begun.with_value(|begun| super::prefill::typed_whole(begun, &form.body.read()));
         if let Some(whole) = whole {
@@ -62,11 +66,30 @@ fn Body(form: Form) -> impl IntoView {
     view! {
         <div class="field">
             <span class="label">{words::parameters()}" "<code>{move || arguments.get().join(", ")}</code></span>
-            <CodeField label=words::body() value=form.body arguments described_by="body-said" one_line=true />
+            <CodeField label=words::body() value=form.body arguments unknown=wrong described_by="body-said" one_line=true />
+            <Meant body=form.body unknown />
             <Spellings form arguments />
             <FieldNames form />
         </div>
     }
+}
+
+/// The name that is probably meant in place of one that means nothing, with one tap.
+#[component]
+pub(in crate::panels::dialogs) fn Meant(body: RwSignal<String>, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
+    let offer = move || {
+        let UnknownName { name, near } = unknown.get()?;
+        let near = near?;
+        let label = words::use_name(&near);
+        let mend = move |event: web_sys::MouseEvent| {
+            body.update(|body| *body = behaviour::rename_identifier(body, &name, &near));
+            focus::back_to_field(&event);
+        };
+        Some(
+            view! { <div class="offers"><button class="button small" type="button" on:click=mend>{label}</button></div> },
+        )
+    };
+    view! { {offer} }
 }
 
 /// The right spelling of an argument, with one tap.
@@ -134,13 +157,12 @@ fn choose_fitting(form: Form, fitting: &[Helper]) {
 #[component]
 fn HelperFields(form: Form, fitting: Memo<Vec<Helper>>) -> impl IntoView {
     let options = Signal::derive(move || {
-        let option =
-            |helper: Helper| (helper.name.clone(), words::helper_item(&helper.name, &helper.params.join(", ")));
+        let option = |helper: Helper| (helper.name.clone(), words::helper_item(&helper));
         fitting.get().into_iter().map(option).collect::<Options>()
     });
     let says = move || {
         let name = form.helper.get();
-        fitting.get().into_iter().find(|helper| helper.name == name).map(|helper| helper.says)
+        fitting.get().into_iter().find(|helper| helper.name == name).map(|helper| words::translated(&helper.says))
     };
     view! {
         <Select label=words::helper() options value=form.helper />

@@ -1,10 +1,12 @@
 //! From the form to a connector: checked here as far as the page can, decided by the server.
 
+use super::NAME;
 use super::actuator::{Chosen, chosen};
 use super::draft;
-use super::form::Form;
-use crate::desk::{ConnectPlan, Dialog, Output};
+use super::form::{Form, milliseconds};
+use crate::desk::{ConnectPlan, Dialog, Output, Spot};
 use crate::fields::Unfilled;
+use crate::panels::focus;
 use crate::words;
 use behaviour::{Operation, Parameters, Params, Procedure, RATE_MS, Value};
 use leptos::prelude::*;
@@ -18,12 +20,17 @@ pub(super) fn save(form: Form) {
     form.refusal.set(None);
     let tried = untrack(|| if form.is_edit() { edit(form) } else { connect(form) });
     if let Err(why) = tried {
+        // What nothing names is asked for.
+        if let (Unfilled::Name, Some(field)) = (&why, focus::by_id(NAME)) {
+            focus::focus(&field);
+        }
         form.refusal.set(Some(words::unfilled(&why)));
     }
 }
 
 fn connect(form: Form) -> Result<(), Unfilled> {
-    let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)? };
+    let spot = if form.kind.get().acts() { Spot::default() } else { form.spot.get_value() };
+    let plan = ConnectPlan { operation: operation(form)?, inputs: form.inputs.get(), output: output(form)?, spot };
     let answered = answered(form);
     form.desk.desk().document.connect(plan, answered);
     Ok(())
@@ -65,10 +72,10 @@ fn answered(form: Form) -> impl FnOnce(Result<(), Refused>) + 'static {
             }
             Err(no) if still_open => {
                 form.busy.set(false);
-                form.refusal.set(Some(no.to_string()));
+                form.refusal.set(Some(words::told_by(&no)));
                 desk.notice.set(None);
             }
-            Err(no) => desk.say(&no.to_string(), true),
+            Err(no) => desk.say(&words::told_by(&no), true),
         }
     }
 }
@@ -113,7 +120,7 @@ fn start(typed: &str) -> Result<Value, Unfilled> {
 }
 
 fn period(form: Form) -> Result<u64, Unfilled> {
-    let typed = form.period.get().trim().parse::<u64>().unwrap_or_default();
+    let typed = milliseconds(&form.period.get()).unwrap_or_default();
     if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Unfilled::Rate(typed)) }
 }
 
@@ -130,7 +137,7 @@ fn output(form: Form) -> Result<Output, Unfilled> {
         Some(Chosen::There(id)) => Ok(Output::Existing(id)),
         Some(Chosen::New(device)) => {
             let params = form.params.get().map_or_else(|| Ok(Params::new()), |params| params.read())?;
-            let name = form.desk.desk().document.name_for(device.name);
+            let name = form.desk.desk().document.name_for(words::device(device));
             Ok(Output::New { name, device: Some(device.name.to_owned()), params })
         }
         None => Err(Unfilled::Gone),

@@ -8,6 +8,7 @@ use crate::panels::hold::hold;
 use crate::panels::tools::open_program;
 use crate::words;
 use leptos::prelude::*;
+use protocol::Tagged;
 use web_sys::KeyboardEvent;
 
 /// The id of the search box.
@@ -28,6 +29,7 @@ pub(super) fn Bar(shown: Shown) -> impl IntoView {
                     <Show when=move || shown.place.get() == Place::Programs>
                         <Radios label=words::whose() value=shown.whose
                             options=[("all", words::everyones()), ("mine", words::mine())] />
+                        <Tags shown />
                     </Show>
                 </div>
             </Show>
@@ -53,6 +55,32 @@ fn Places(shown: Shown) -> impl IntoView {
             <legend class="sr">{words::shelf()}</legend>
             {places.map(place).collect_view()}
         </fieldset>
+    }
+}
+
+/// Which tag, once there is one.
+#[component]
+fn Tags(shown: Shown) -> impl IntoView {
+    let there = Memo::new(move |_| !shown.tags.read().is_empty() || !shown.tag.read().is_empty());
+    let options = move || {
+        let (tags, now) = (shown.tags.get(), shown.tag.get());
+        let gone = (!now.is_empty() && tags.iter().all(|tagged| tagged.tag != now)).then(|| (now.clone(), now.clone()));
+        let all = tags.into_iter().map(|Tagged { tag, count }| (words::tag_and_count(&tag, count), tag));
+        let all: Vec<_> = all.map(|(label, tag)| (tag, label)).chain(gone).collect();
+        let option = |(tag, label): (String, String)| {
+            let chosen = tag == now;
+            view! { <option value=tag selected=chosen>{label}</option> }
+        };
+        all.into_iter().map(option).collect_view()
+    };
+    view! {
+        <Show when=move || there.get()>
+            <select class="input tag-choice" aria-label=words::tag() prop:value=move || shown.tag.get()
+                on:change:target=move |event| shown.tag.set(event.target().value())>
+                <option value="">{words::all_tags()}</option>
+                {options}
+            </select>
+        </Show>
     }
 }
 

@@ -1,28 +1,57 @@
-//! More about one program: its picture in large, and programs like it.
+//! More about one program: its picture in large, its name and tags, and programs like it.
+
+mod name;
+mod tags;
 
 use super::line::when;
 use super::shelf::Shown;
+use crate::desk::file_address;
 use crate::link::NoAnswer;
 use crate::panels::dialogs::frame::close;
 use crate::panels::empty::ProgramPicture;
 use crate::panels::focus;
 use crate::panels::hold::hold;
+use crate::panels::may::may_edit;
 use crate::panels::tools::open_program;
 use crate::words;
 use behaviour::Id;
 use leptos::html::Button;
 use leptos::prelude::*;
+use name::Name;
 use protocol::{Reply, Request, Similar, Summary};
+use tags::Tags;
 
 /// The program, with the way back to the list.
 #[component]
 pub(super) fn Details(shown: Shown, program: Summary) -> impl IntoView {
     let desk = hold();
     let note = words::program_line(&program.owner, program.streams, &when(program.changed_ms), &program.by);
-    let (id, title) = (program.id.clone(), program.name.clone());
+    let id = program.id.clone();
+    // As it is called now, if it is renamed here.
+    let name = RwSignal::new(program.name.clone());
     let open = move |_| {
         close(desk);
         open_program(&desk.desk(), &id);
+    };
+    let of = Id::new(&program.id).ok();
+    let address = of.as_ref().map(|id| file_address(id, "json"));
+    let of_running = of.clone();
+    let copied = of.clone();
+    let copy = move |_| {
+        if let Some(id) = &copied {
+            close(desk);
+            desk.desk().library.copy_program(id, &name.get_untracked());
+        }
+    };
+    let remove = move |_| {
+        if let Some(id) = &of {
+            shown.details.set(None);
+            desk.desk().library.remove_program(id, &name.get_untracked());
+        }
+    };
+    let runs = move || {
+        let all = desk.desk().robots.all_running();
+        all.iter().any(|run| Some(&run.behaviour) == of_running.as_ref())
     };
     let first = NodeRef::<Button>::new();
     Effect::new(move |_| {
@@ -34,13 +63,17 @@ pub(super) fn Details(shown: Shown, program: Summary) -> impl IntoView {
         <div class="shelf details">
             <ProgramPicture id=program.id.clone() revision=program.revision />
             <div>
-                <h3 class="cut" title=title>{program.name}</h3>
+                <Name id=program.id.clone() name />
                 <p class="second">{note}</p>
             </div>
             <div class="row">
                 <button class="button primary" type="button" node_ref=first on:click=open>{words::open_program()}</button>
-                <button class="button" type="button" on:click=move |_| shown.details.set(None)>{words::back_to_list()}</button>
+                <button class="button" type="button" disabled=move || !may_edit(desk) on:click=copy>{words::make_copy()}</button>
+                <a class="button" href=address download="">{words::save_file()}</a>
+                <button class="button" type="button" disabled=move || !may_edit(desk) || runs() on:click=remove>{words::remove()}</button>
+                <button class="button" type="button" data-back="" on:click=move |_| shown.details.set(None)>{words::back_to_list()}</button>
             </div>
+            <Tags shown id=program.id.clone() tags=program.tags />
             <SimilarPrograms id=program.id />
         </div>
     }

@@ -61,11 +61,19 @@ fn Program(shown: Shown, summary: Summary, place: usize) -> impl IntoView {
             on:focus=move |_| shown.active.set(place) on:click=open>
             <ProgramPicture id=summary.id revision=summary.revision />
             <span class="two"><b class="cut">{summary.name}</b><span class="second cut">{note}</span></span>
+            {(!summary.tags.is_empty()).then(|| view! { <TagChips tags=summary.tags /> })}
         </button>
         <button class="tool icon" type="button" title=label.clone() aria-label=label tabindex=stop on:click=more>
             <Icon name="more" />
         </button>
     }
+}
+
+/// The tags of a program, to read.
+#[component]
+fn TagChips(tags: Vec<String>) -> impl IntoView {
+    let chip = |tag: String| view! { <span class="tag">{tag}</span> };
+    view! { <span class="tags">{tags.into_iter().map(chip).collect_view()}</span> }
 }
 
 /// A program in the bin.

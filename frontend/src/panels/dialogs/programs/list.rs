@@ -60,6 +60,9 @@ fn nothing_fits(shown: Shown, searched: &str) -> (String, Option<AnyView>) {
 fn nothing_here(shown: Shown) -> (String, Option<AnyView>) {
     if shown.place.get_untracked() == Place::Bin {
         (words::bin_empty().to_owned(), None)
+    } else if !shown.tag.read_untracked().is_empty() {
+        let all = way_out(words::show_all_tags(), move || shown.tag.set(String::new()));
+        (words::none_tagged(&shown.tag.get_untracked()), Some(all))
     } else if shown.is_mine() {
         let all = way_out(words::show_everyones(), move || shown.whose.set("all".to_owned()));
         (words::none_mine().to_owned(), Some(all))

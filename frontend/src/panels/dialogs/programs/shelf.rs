@@ -6,7 +6,7 @@ use crate::panels::hold::{Hold, Soon};
 use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
-use protocol::{Cursor, ListQuery, Sort, Summary};
+use protocol::{Cursor, ListQuery, Reply, Request, Sort, Summary, Tagged};
 
 /// How soon typing is searched for, in milliseconds.
 const SOON_MS: i32 = 180;
@@ -43,6 +43,10 @@ pub(super) struct Shown {
     pub(super) order: RwSignal<String>,
     /// `all` or `mine`.
     pub(super) whose: RwSignal<String>,
+    /// The tag that is wanted; empty for all.
+    pub(super) tag: RwSignal<String>,
+    /// The tags that there are.
+    pub(super) tags: RwSignal<Vec<Tagged>>,
     pub(super) lines: RwSignal<Vec<Summary>>,
     pub(super) loading: RwSignal<Loading>,
     pub(super) details: RwSignal<Option<Summary>>,
@@ -70,6 +74,8 @@ impl Shown {
             searched: RwSignal::new(String::new()),
             order: RwSignal::new("changed".to_owned()),
             whose: RwSignal::new("all".to_owned()),
+            tag: RwSignal::new(String::new()),
+            tags: RwSignal::new(Vec::new()),
             lines: RwSignal::new(Vec::new()),
             loading: RwSignal::new(Loading::Begins),
             details: RwSignal::new(None),
@@ -101,18 +107,29 @@ impl Shown {
             self.place.track();
             self.order.track();
             self.whose.track();
+            self.tag.track();
             self.details.set(None);
             self.start_over();
         });
         let (desk, first) = (self.desk.desk(), StoredValue::new(true));
         Effect::new(move |_| {
             desk.library.news.track();
+            self.ask_tags();
             if first.get_value() {
                 first.set_value(false);
             } else if self.drawn_to.get_value() <= NEAR_TOP_LINES {
                 self.reload();
             } else {
                 self.stale.set_value(true);
+            }
+        });
+    }
+
+    /// Asks which tags there are; a server that does not answer leaves those that were there.
+    fn ask_tags(self) {
+        self.desk.desk().look_up(Request::Tags, move |answer| {
+            if let Ok(Reply::Tags { tags }) = answer {
+                self.tags.try_set(tags.clone());
             }
         });
     }
@@ -192,6 +209,7 @@ impl Shown {
             place: if bin { protocol::Place::Bin } else { protocol::Place::Here },
             words: self.words.get_untracked().trim().to_owned(),
             owner: if self.is_mine() { me() } else { None },
+            tag: Some(self.tag.get_untracked()).filter(|tag| !bin && !tag.is_empty()),
             sort: if self.order.get_untracked() == "name" { Sort::Name } else { Sort::Changed },
             after,
             ..ListQuery::default()
@@ -207,9 +225,12 @@ impl Shown {
         if self.next.read().is_some() { -1 } else { i64::try_from(self.lines.read().len()).unwrap_or(-1) }
     }
 
-    /// How many programs there are in this place.
+    /// How many programs there are in this place, or how many were found where something is looked for.
     pub(super) fn count_words(self) -> String {
+        let narrowed =
+            !self.searched.read().is_empty() || !self.tag.read().is_empty() || self.whose.read().as_str() == "mine";
         match self.loading.get() {
+            Loading::Done if narrowed => words::programs_found(self.lines.read().len(), self.next.read().is_some()),
             Loading::Done => words::programs_in_all(self.total.get()),
             Loading::Begins | Loading::Failed(_) => String::new(),
         }

@@ -1,0 +1,62 @@
+//! What is kept while kinds are told: procedures that were read, and the names of functions.
+
+use crate::cost::Limits;
+use crate::cost::metered::known;
+use crate::faults::BodyFault;
+use crate::procedure::helpers::check_distinct;
+use crate::procedure::parse::compile;
+use crate::rhai::sandbox::hardened_engine;
+use rhai::AST;
+use std::cell::RefCell;
+use std::collections::{BTreeMap, BTreeSet};
+use std::rc::Rc;
+
+/// The texts of all procedures that are kept, in bytes; then it is begun anew.
+const KEPT_MAX_BYTES: usize = 512 << 10;
+/// How many procedures are kept.
+const KEPT_MAX: usize = 8_192;
+
+/// A procedure that was read, or why it is none.
+type Read = Result<Rc<AST>, BodyFault>;
+
+#[derive(Default)]
+struct Kept {
+    read: BTreeMap<(Vec<String>, String), Read>,
+    bytes: usize,
+}
+
+thread_local! {
+    static READING: rhai::Engine = hardened_engine(&Limits::default());
+    static KEPT: RefCell<Kept> = RefCell::default();
+    /// Making an engine's list takes longer than reading a body.
+    static FUNCTIONS: BTreeSet<String> = names_of_functions();
+}
+
+/// A body as Rhai reads it, kept for the next time.
+pub(super) fn parsed(names: &[String], body: &str) -> Read {
+    let question = (names.to_vec(), body.to_owned());
+    KEPT.with(|kept| {
+        if let Some(read) = kept.borrow().read.get(&question) {
+            return read.clone();
+        }
+        let compiled = || READING.with(|engine| compile(engine, names, body).map(Rc::new));
+        let read: Read = check_distinct(names).and_then(|()| compiled());
+        let mut kept = kept.borrow_mut();
+        if kept.bytes + body.len() > KEPT_MAX_BYTES || kept.read.len() >= KEPT_MAX {
+            *kept = Kept::default();
+        }
+        kept.bytes += body.len();
+        kept.read.insert(question, read.clone());
+        read
+    })
+}
+
+/// Looks at the names of all functions that procedures can call.
+pub(super) fn function_names<T>(look: impl FnOnce(&BTreeSet<String>) -> T) -> T {
+    FUNCTIONS.with(look)
+}
+
+fn names_of_functions() -> BTreeSet<String> {
+    let all = READING.with(|engine| engine.collect_fn_metadata(None, known, true));
+    all.into_iter().map(|(name, _)| name).filter(|name| behaviour::is_identifier(name)).collect()
+}

@@ -1,0 +1,62 @@
+//! `rrp explain`: what a behaviour does, a sentence a line.
+
+use crate::failure::Failure;
+use crate::import::read;
+use behaviour::{Helper, Id, Unit, ValueType};
+use clap::Args;
+use sentences::Language;
+use server::Knowing;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+/// Prints what a behaviour does in plain sentences, a line each, in the order of the file.
+///
+/// Exit codes: 0 it is printed; 3 the file is no behaviour; 4 it cannot be opened.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  rrp explain tracking.json
+  rrp explain tracking.xml --language ja")]
+pub(crate) struct ExplainArgs {
+    /// The file, rrp-behaviour/1 as JSON or XML; - reads standard input.
+    #[arg(value_name = "FILE|-")]
+    file: PathBuf,
+    /// The language of the sentences: en or ja.
+    #[arg(long, value_name = "LANGUAGE", default_value = "en")]
+    language: Language,
+}
+
+/// Explains, prints, and answers with the exit code.
+pub(crate) fn explain(args: &ExplainArgs) -> ExitCode {
+    let bytes = match read(&args.file) {
+        Ok(bytes) => bytes,
+        Err(failure) => return crate::failed(&[failure], 4),
+    };
+    match lines(&args.file, &bytes, args.language) {
+        Ok(lines) => {
+            let mut out = std::io::stdout().lock();
+            // Whoever reads may have seen enough.
+            let _ = lines.iter().try_for_each(|line| writeln!(out, "{line}"));
+            ExitCode::SUCCESS
+        }
+        Err(failures) => crate::failed(&failures, 3),
+    }
+}
+
+fn lines(path: &Path, bytes: &[u8], language: Language) -> Result<Vec<String>, Vec<Failure>> {
+    let looked = store::files::look(bytes);
+    let Some(file) = looked.file else { return Err(vec![Failure::Faults(path.to_owned(), looked.faults)]) };
+    let flaws =
+        |flaws: Vec<behaviour::Flaw>| flaws.iter().map(|flaw| Failure::Record(flaw.to_string())).collect::<Vec<_>>();
+    let behaviour = file.records(|_| None).map_err(flaws)?;
+    let library = file.library();
+    let helpers: Vec<&Helper> = library.iter().collect();
+    let types = behaviour::infer(&behaviour, &helpers, &Knowing::default());
+    // That it is a share says nothing beside a number.
+    let unit = |id: &Id| match types.get(id) {
+        Some(ValueType::Number { unit: Some(unit), .. }) if *unit != Unit::Fraction => Some(unit.symbol().to_owned()),
+        _ => None,
+    };
+    let told = sentences::explain(&behaviour, &helpers, &unit, language);
+    Ok(told.iter().map(ToString::to_string).collect())
+}

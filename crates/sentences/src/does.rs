@@ -1,0 +1,307 @@
+//! What connectors do, as far as sentences tell it: from an operation, and back.
+
+use crate::body::{Part, free_names, parts, skeleton, text_literal};
+use crate::test::{Places, Test, field_of};
+use behaviour::connectors::spec;
+use behaviour::{Operation, Parameters, Procedure, Value};
+
+/// What a connector does with its values.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Does {
+    /// Makes a new value of each.
+    Make(Calc),
+    /// Keeps what passes a test.
+    Keep(Test),
+    /// Keeps what a procedure says.
+    KeepBy(Calc),
+    /// Passes on the newest at most every so many milliseconds.
+    Every(u64),
+    /// Passes everything on so many milliseconds later.
+    Later(u64),
+    /// Passes the newest on when nothing came for so many milliseconds.
+    Quiet(u64),
+    /// Adds the time.
+    Stamp,
+    /// Passes on what is different from before.
+    Changed(Option<Calc>),
+    /// Makes each of the one before.
+    Remember(Memory),
+    /// Passes on whatever comes on any of its inputs.
+    Any,
+    /// Makes a value of the newest of all its inputs, whenever one comes.
+    Together(Calc),
+    /// Makes a value of the newest of all its inputs, when the first one comes.
+    Latest(Calc),
+}
+
+/// A procedure.
+#[derive(Clone, Debug)]
+pub(crate) enum Calc {
+    /// A helper, by name.
+    Helper(String),
+    /// A field of the value.
+    Field(String),
+    /// Always this text.
+    Text(String),
+    /// Always this number.
+    Number(f64),
+    /// The sum of two.
+    Sum,
+    /// The last one of several.
+    Last,
+    /// As it is written, over arguments with these names.
+    Written(Vec<String>, String),
+}
+
+impl PartialEq for Calc {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Helper(one), Self::Helper(other)) | (Self::Field(one), Self::Field(other)) => one == other,
+            (Self::Text(one), Self::Text(other)) => one == other,
+            (Self::Number(one), Self::Number(other)) => one == other,
+            (Self::Sum, Self::Sum) | (Self::Last, Self::Last) => true,
+            (Self::Written(args, body), Self::Written(other_args, other)) => {
+                args.len() == other_args.len() && skeleton(body, args) == skeleton(other, other_args)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// What is remembered.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Memory {
+    /// How often something came that is true.
+    TrueOnes,
+    /// How often something came.
+    Ones,
+    /// The largest.
+    Largest,
+    /// The sum.
+    Sum,
+    /// True and false in turn.
+    Turns,
+    /// What a procedure makes of it, and what it starts from.
+    By(Calc, Value),
+}
+
+/// Memories that have words: their bodies as skeletons and as they are written, and what they start from.
+const MEMORIES: [(Memory, &str, &str, Value); 5] = [
+    (Memory::TrueOnes, " if$1{$0+ 1} else{$0}", "if {v} { {m} + 1 } else { {m} }", Value::Int(0)),
+    (Memory::Ones, "$0+ 1", "{m} + 1", Value::Int(0)),
+    (Memory::Largest, " max($0,$1)", "max({m}, {v})", Value::Int(0)),
+    (Memory::Sum, "$0+$1", "{m} + {v}", Value::Int(0)),
+    (Memory::Turns, "!$0", "!{m}", Value::Bool(false)),
+];
+
+impl Does {
+    /// What an operation does, with the places of the numbers of its test. `args` are the names of its arguments.
+    pub(crate) fn of(operation: &Operation, args: &[String]) -> (Self, Places) {
+        let period = operation.period_ms().unwrap_or_default();
+        let procedure = operation.procedure();
+        let calc =
+            || procedure.map_or(Calc::Written(args.to_vec(), String::new()), |procedure| Calc::of(procedure, args));
+        let several = || procedure.map_or_else(calc, |procedure| calc().or_written(procedure, args, true));
+        let does = match operation.word() {
+            "filter" => return keeps(procedure, args),
+            "map" => Self::Make(calc()),
+            "sample" => Self::Every(period),
+            "delay" => Self::Later(period),
+            "debounce" => Self::Quiet(period),
+            "timestamp" => Self::Stamp,
+            "distinct" => Self::Changed(procedure.map(|procedure| calc().or_written(procedure, args, false))),
+            "scan" => Self::Remember(Memory::of(procedure, args, operation.start())),
+            "combineLatest" => Self::Together(several()),
+            "withLatest" => Self::Latest(several()),
+            _ => Self::Any,
+        };
+        (does, Vec::new())
+    }
+
+    /// The procedure, if it has one that is no plain test.
+    pub(crate) fn calc(&self) -> Option<&Calc> {
+        match self {
+            Self::Make(calc) | Self::KeepBy(calc) | Self::Changed(Some(calc)) => Some(calc),
+            Self::Together(calc) | Self::Latest(calc) | Self::Remember(Memory::By(calc, _)) => Some(calc),
+            _ => None,
+        }
+    }
+
+    /// The name of its helper, if it has one.
+    pub(crate) fn helper(&self) -> Option<&str> {
+        if let Calc::Helper(name) = self.calc()? { Some(name) } else { None }
+    }
+
+    /// The word of its connector in files.
+    pub(crate) fn word(&self) -> &'static str {
+        match self {
+            Self::Make(_) => "map",
+            Self::Keep(_) | Self::KeepBy(_) => "filter",
+            Self::Every(_) => "sample",
+            Self::Later(_) => "delay",
+            Self::Quiet(_) => "debounce",
+            Self::Stamp => "timestamp",
+            Self::Changed(_) => "distinct",
+            Self::Remember(_) => "scan",
+            Self::Any => "merge",
+            Self::Together(_) => "combineLatest",
+            Self::Latest(_) => "withLatest",
+        }
+    }
+
+    /// The operation that does this, over arguments of these names. Numbers of tests that are measured have a point.
+    pub(crate) fn operation(&self, args: &[String], is_measured: bool) -> Option<Operation> {
+        let arg = args.first().map_or("", String::as_str);
+        let nothing = Parameters::default();
+        let parameters = match self {
+            Self::Make(calc) | Self::KeepBy(calc) | Self::Together(calc) | Self::Latest(calc) => {
+                calc.procedure(args).into()
+            }
+            Self::Keep(test) => Procedure::body(&test.body(arg, is_measured)).into(),
+            Self::Every(period) | Self::Later(period) | Self::Quiet(period) => Parameters::period(*period),
+            Self::Stamp | Self::Any | Self::Changed(None) => nothing,
+            Self::Changed(Some(calc)) => calc.procedure(args).into(),
+            Self::Remember(memory) => memory.parameters(args),
+        };
+        Some(spec(self.word())?.with(parameters))
+    }
+
+    /// What passes exactly what this keeps out, if it keeps something out and the grammar has words for it.
+    pub(crate) fn opposite(&self) -> Option<Self> {
+        match self {
+            Self::Keep(test) => test.opposite().map(Self::Keep),
+            Self::KeepBy(Calc::Written(args, body)) => {
+                let inner = body.strip_prefix("!(").and_then(|rest| rest.strip_suffix(')'));
+                let other = inner.map_or_else(|| format!("!({body})"), str::to_owned);
+                Some(keeps(Some(&Procedure::body(&other)), args).0)
+            }
+            _ => None,
+        }
+    }
+
+    /// Whether this and another never pass the same value, and one of them always passes it.
+    pub(crate) fn is_opposite_of(&self, other: &Self) -> bool {
+        other.opposite().as_ref() == Some(self) || self.opposite().as_ref() == Some(other)
+    }
+}
+
+fn keeps(procedure: Option<&Procedure>, args: &[String]) -> (Does, Places) {
+    match procedure {
+        Some(Procedure::Body { body, .. }) => match Test::of(body, args) {
+            Some((test, places)) => (Does::Keep(test), places),
+            None => (Does::KeepBy(Calc::Written(args.to_vec(), body.clone())), Vec::new()),
+        },
+        Some(Procedure::Helper(name)) => (Does::KeepBy(Calc::Helper(name.clone())), Vec::new()),
+        None => (Does::KeepBy(Calc::Written(args.to_vec(), String::new())), Vec::new()),
+    }
+}
+
+impl Calc {
+    /// What a procedure makes.
+    pub(crate) fn of(procedure: &Procedure, args: &[String]) -> Self {
+        let body = match procedure {
+            Procedure::Helper(name) => return Self::Helper(name.clone()),
+            Procedure::Body { body, .. } => body,
+        };
+        if let Some(field) = field_of(body, args) {
+            return Self::Field(field);
+        }
+        match parts(body, args).unwrap_or_default().as_slice() {
+            [(Part::Text(text), _)] => Self::Text(text.clone()),
+            // Whole numbers are not measured ones, and sentences would not tell them apart.
+            [(Part::Number(number), _)] if body.contains('.') => Self::Number(*number),
+            [(Part::Sign("-"), _), (Part::Number(number), _)] if body.contains('.') => Self::Number(-number),
+            [(Part::Name(_, Some(0)), _), (Part::Sign("+"), _), (Part::Name(_, Some(1)), _)] if args.len() == 2 => {
+                Self::Sum
+            }
+            [(Part::Name(_, Some(last)), _)] if args.len() > 1 && last + 1 == args.len() => Self::Last,
+            _ => Self::Written(args.to_vec(), body.clone()),
+        }
+    }
+
+    /// As it is written, where sentences have no other words for it: over several values, or over one to compare by.
+    fn or_written(self, procedure: &Procedure, args: &[String], are_several: bool) -> Self {
+        let has_words = match self {
+            Self::Helper(_) | Self::Written(..) => true,
+            Self::Sum | Self::Last => are_several,
+            Self::Field(_) => !are_several,
+            Self::Text(_) | Self::Number(_) => false,
+        };
+        match procedure {
+            Procedure::Body { body, .. } if !has_words => Self::Written(args.to_vec(), body.clone()),
+            Procedure::Body { .. } | Procedure::Helper(_) => self,
+        }
+    }
+
+    /// The procedure over arguments of these names.
+    pub(crate) fn procedure(&self, args: &[String]) -> Procedure {
+        let body = match self {
+            Self::Helper(name) => return Procedure::Helper(name.clone()),
+            Self::Field(field) => format!("{}.{field}", args.first().map_or("", String::as_str)),
+            Self::Text(text) => text_literal(text),
+            Self::Number(number) => format!("{number:?}"),
+            Self::Sum => args.join(" + "),
+            Self::Last => args.last().cloned().unwrap_or_default(),
+            Self::Written(names, body) => {
+                let args = (names[..] != *args).then(|| names.clone());
+                return Procedure::Body { body: body.clone(), args };
+            }
+        };
+        Procedure::body(&body)
+    }
+
+    /// A written procedure as sentences quote it: its arguments before it where they cannot be told from it and from
+    /// those that it always has, `before`.
+    pub(crate) fn quoted(args: &[String], body: &str, before: &[&str]) -> String {
+        let begins = args.iter().zip(before).all(|(arg, before)| arg == before);
+        if (free_names(body) == args && begins) || body.is_empty() {
+            return body.to_owned();
+        }
+        format!("|{}| {body}", args.join(", "))
+    }
+
+    /// A written procedure from what sentences quote, for so many arguments after `before`.
+    pub(crate) fn unquoted(text: &str, before: &[&str], count: usize) -> Self {
+        let given = text.strip_prefix('|').and_then(|rest| rest.split_once('|'));
+        let (mut args, body) = match given {
+            Some((names, body)) => {
+                let names = names.split(',').map(|name| name.trim().to_owned()).filter(|name| !name.is_empty());
+                (names.collect(), body.strip_prefix(' ').unwrap_or(body))
+            }
+            None => (free_names(text), text),
+        };
+        if given.is_none() && !before.is_empty() {
+            args.retain(|name| !before.contains(&name.as_str()));
+            args.splice(0..0, before.iter().map(|name| (*name).to_owned()));
+        }
+        let spare = ["value", "other", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth"];
+        let spare = spare.into_iter().map(str::to_owned).filter(|name| !args.contains(name)).collect::<Vec<_>>();
+        args.extend(spare);
+        args.truncate(before.len() + count);
+        Self::Written(args, body.to_owned())
+    }
+}
+
+impl Memory {
+    fn of(procedure: Option<&Procedure>, args: &[String], start: Option<&Value>) -> Self {
+        let start = start.cloned().unwrap_or_default();
+        let (calc, body) = match procedure {
+            Some(Procedure::Helper(name)) => (Calc::Helper(name.clone()), String::new()),
+            Some(Procedure::Body { body, .. }) => (Calc::Written(args.to_vec(), body.clone()), skeleton(body, args)),
+            None => (Calc::Written(args.to_vec(), String::new()), String::new()),
+        };
+        let known = MEMORIES.into_iter().find(|(_, bones, _, from)| *bones == body && *from == start);
+        known.map_or(Self::By(calc, start), |(memory, ..)| memory)
+    }
+
+    fn parameters(&self, args: &[String]) -> Parameters {
+        if let Self::By(calc, start) = self {
+            return Parameters { start: Some(start.clone()), ..calc.procedure(args).into() };
+        }
+        let known = MEMORIES.into_iter().find(|(memory, ..)| memory == self);
+        let Some((_, _, body, start)) = known else { return Parameters::default() };
+        let name = |at: usize| args.get(at).map_or("", String::as_str);
+        let body = body.replace("{m}", name(0)).replace("{v}", name(1));
+        Parameters { start: Some(start), ..Procedure::body(&body).into() }
+    }
+}

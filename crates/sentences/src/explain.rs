@@ -1,0 +1,238 @@
+//! From a behaviour to sentences.
+
+mod chain;
+mod fill;
+mod starts;
+mod steps;
+
+use crate::clauses::{ACTIONS, Clause, Part, TARGETS};
+use crate::does::Does;
+use crate::fits::{is_part, params_fit};
+use crate::pattern::grammar;
+use crate::sentence::{Phrase, Piece, Sentence};
+use crate::token::quoted;
+use crate::words::{Words, words};
+use crate::{Language, carried::Carried};
+use behaviour::{Behaviour, Connector, Graph, Helper, Id, Stream, StreamKind, connectors};
+use chain::{Chain, Known, Link, Start};
+use robot::Device;
+use starts::tight;
+
+/// What a behaviour does: a sentence for every connector that leads to an action, in their order. `helpers` are those of
+/// the library, `unit` tells in what the numbers of a stream are measured, `cm` for example, where the caller knows it.
+///
+/// Any graph has sentences, also one that cannot run yet: what is missing is told by the names of streams. A sentence has
+/// some 50 phrases at most, so that the time is bounded by the number of actions.
+#[must_use]
+pub fn explain(
+    behaviour: &Behaviour,
+    helpers: &[&Helper],
+    unit: &dyn Fn(&Id) -> Option<String>,
+    language: Language,
+) -> Vec<Sentence> {
+    let known = Known { behaviour, graph: Graph::of(behaviour), helpers };
+    let mut told: Vec<Id> = Vec::new();
+    let mut before: Option<Chain> = None;
+    let mut sentences = Vec::new();
+    for (id, connector) in behaviour.connectors_in_order() {
+        let to_action = connector.operation.spec() == connectors::to_action();
+        let (Some(input), true) = (connector.inputs.first(), to_action) else { continue };
+        let Some(action) = behaviour.stream(&connector.output) else { continue };
+        let chain = known.chain(input);
+        let mut teller = Teller::new(&known, unit, language);
+        let otherwise = before.take().and_then(|before| follows(&before, &chain));
+        teller.sentence(&chain, otherwise, (id, connector, action), told.contains(&connector.output));
+        told.push(connector.output.clone());
+        sentences.push(Sentence { action: connector.output.clone(), phrases: teller.phrases });
+        before = otherwise.is_none().then_some(chain);
+    }
+    sentences
+}
+
+/// Which link of a chain passes exactly what the last test of the chain before it keeps out.
+fn follows(before: &Chain, chain: &Chain) -> Option<usize> {
+    let last = before.links.iter().rfind(|link| matches!(link.does, Does::Keep(_) | Does::KeepBy(_)))?;
+    let at = chain.links.iter().position(|link| link.from == last.from)?;
+    let is_test = matches!(chain.links[at].does, Does::Keep(_) | Does::KeepBy(_));
+    (is_test && chain.links[at].does.is_opposite_of(&last.does)).then_some(at)
+}
+
+/// Tells one sentence.
+struct Teller<'a> {
+    known: &'a Known<'a>,
+    unit: &'a dyn Fn(&Id) -> Option<String>,
+    language: Language,
+    words: &'static Words,
+    phrases: Vec<Phrase>,
+    depth: usize,
+}
+
+impl<'a> Teller<'a> {
+    fn new(known: &'a Known<'a>, unit: &'a dyn Fn(&Id) -> Option<String>, language: Language) -> Self {
+        Self { known, unit, language, words: words(language), phrases: Vec::new(), depth: 0 }
+    }
+
+    fn sentence(
+        &mut self,
+        chain: &Chain<'a>,
+        otherwise: Option<usize>,
+        action: (&'a Id, &'a Connector, &Stream),
+        again: bool,
+    ) {
+        let device = action.2.device.as_deref().and_then(|name| robot::device(StreamKind::Actuator, name).ok());
+        let device = device.filter(|device| device.check(&action.2.params).is_ok());
+        let from = otherwise.map_or(0, |at| at + 1);
+        let clause = device.and_then(|device| self.action_clause(device, action.2, &chain.links[from..]));
+        let used = clause.map_or(0, |clause| Self::used(clause, &chain.links[from..]));
+        let end = chain.links.len() - used;
+        match otherwise {
+            Some(at) => {
+                let rule = grammar(self.language).told("otherwise");
+                let pieces = self.pieces(rule, None);
+                self.push(pieces, &chain.links[at..=at], &[]);
+                self.steps(&chain.links[from..end]);
+                let is_bare = from == end && self.language == Language::English;
+                self.text(if is_bare { " " } else { self.words.comma });
+            }
+            None => {
+                let lead = self.words.when.0;
+                self.way(chain, end, lead);
+                self.text(self.words.comma);
+            }
+        }
+        self.action(chain, clause.zip(device), &chain.links[end..], action, again);
+        self.text(self.words.stop);
+        if self.language == Language::English {
+            self.capital();
+        }
+    }
+
+    /// The first clause that says what an action does with what the last links make.
+    fn action_clause(&self, device: &Device, stream: &Stream, links: &[Link]) -> Option<&'static Clause> {
+        let grammar = grammar(self.language);
+        ACTIONS.iter().filter(|clause| clause.device == device.name).find(|clause| {
+            let fits = match (clause.parts, links.last()) {
+                ([], _) => true,
+                ([Part::Helper(name)], Some(last)) => {
+                    let measured = last.carried.is_ball() || matches!(last.carried, Carried::Distance(_));
+                    self.known.knows(name)
+                        && is_part(&last.does, Part::Helper(name))
+                        && measured
+                        && !needs_distance(links)
+                }
+                ([part], Some(last)) => is_part(&last.does, *part),
+                _ => false,
+            };
+            fits && params_fit(grammar, clause.id, clause.fixed, device, &stream.params)
+        })
+    }
+
+    /// How many of the last links an action's clause tells.
+    fn used(clause: &Clause, links: &[Link]) -> usize {
+        let [.., distance, last] = links else { return clause.parts.len() };
+        let is_distance = is_part(&distance.does, Part::Helper("ball_to_distance"));
+        let with_distance = matches!(clause.parts, [Part::Helper(_)]) && is_distance && distance.carried.is_ball();
+        if with_distance && last.from == &distance.connector.output { 2 } else { clause.parts.len() }
+    }
+
+    fn action(
+        &mut self,
+        chain: &Chain<'a>,
+        clause: Option<(&'static Clause, &'static Device)>,
+        links: &[Link<'a>],
+        (id, connector, stream): (&'a Id, &'a Connector, &Stream),
+        again: bool,
+    ) {
+        let grammar = grammar(self.language);
+        let mut pieces = Vec::new();
+        if again {
+            pieces = self.pieces(grammar.told("likewise"), None);
+            pieces
+                .push(Piece::Text(if self.language == Language::English { " " } else { self.words.comma }.to_owned()));
+        }
+        let said = clause.and_then(|(clause, device)| {
+            let seen = chain.sense().and_then(|sense| TARGETS.iter().find(|(_, by)| *by == sense));
+            let seen = seen.map(|(target, _)| *target);
+            let fills = fill::Fills { device: Some((device, &connector.output, stream)), seen, links };
+            self.filled(grammar.told(clause.id), &fills, crate::fits::number_unit(clause))
+        });
+        pieces.extend(said.unwrap_or_else(|| self.named_pieces("action.named", &stream.name)));
+        let mut phrase = Phrase { pieces, streams: vec![connector.output.clone()], connectors: vec![id.clone()] };
+        for link in links {
+            phrase.streams.push(link.connector.output.clone());
+            phrase.connectors.push(link.id.clone());
+        }
+        self.phrases.push(phrase);
+    }
+
+    /// The chain up to a link, from its start, with words before it.
+    fn way(&mut self, chain: &Chain<'a>, end: usize, lead: &'static str) {
+        let mut links = &chain.links[..end];
+        if let Some((first, rest)) = links.split_first()
+            && let Does::Every(_) = first.does
+        {
+            let pieces = self.step_pieces("every", first);
+            self.push(pieces, &links[..1], &[]);
+            self.text(self.words.when.1);
+            links = rest;
+        } else {
+            self.text(lead);
+        }
+        let used = self.start(&chain.start, links);
+        links = &links[used..];
+        if !matches!(chain.start, Start::Any(..))
+            && let Some((first, rest)) = links.split_first()
+            && let Some(id) = tight(&first.does)
+        {
+            let pieces = self.step_pieces(id, first);
+            self.push(pieces, &links[..1], &[]);
+            links = rest;
+        }
+        // A group of a clause alone needs no word that it is over.
+        if self.depth == 0 || !links.is_empty() {
+            self.text(self.words.close);
+        }
+        self.steps(links);
+    }
+
+    fn named_pieces(&self, rule: &str, name: &str) -> Vec<Piece> {
+        let name = quoted(name, self.language);
+        self.pieces(grammar(self.language).told(rule), Some(&name))
+    }
+
+    /// A phrase that means these links and streams.
+    fn push(&mut self, pieces: Vec<Piece>, links: &[Link<'a>], streams: &[&Id]) {
+        let streams = streams.iter().copied().chain(links.iter().map(|link| &link.connector.output));
+        let connectors = links.iter().map(|link| link.id.clone()).collect();
+        self.phrases.push(Phrase { pieces, streams: streams.cloned().collect(), connectors });
+    }
+
+    /// Words after those that are told already, as a part of the phrase before them.
+    fn text(&mut self, text: &str) {
+        if text.is_empty() {
+            return;
+        }
+        let piece = Piece::Text(text.to_owned());
+        match self.phrases.last_mut() {
+            // What opens a group belongs to the phrase that follows it only by sight.
+            Some(last) => last.pieces.push(piece),
+            None => self.phrases.push(Phrase { pieces: vec![piece], ..Phrase::default() }),
+        }
+    }
+
+    fn capital(&mut self) {
+        let first = self.phrases.iter_mut().flat_map(|phrase| &mut phrase.pieces).next();
+        if let Some(Piece::Text(text)) = first
+            && let Some(letter) = text.chars().next()
+        {
+            text.replace_range(..letter.len_utf8(), &letter.to_uppercase().to_string());
+        }
+    }
+}
+
+/// Whether the last link makes a brightness of something whose distance nobody made.
+fn needs_distance(links: &[Link]) -> bool {
+    let [.., last] = links else { return true };
+    let made = links.len() > 1 && is_part(&links[links.len() - 2].does, Part::Helper("ball_to_distance"));
+    last.carried.is_ball() && !made
+}

@@ -1,0 +1,264 @@
+//! Connectors told one by one.
+
+use super::Teller;
+use super::chain::Link;
+use crate::carried::{Carried, Measure};
+use crate::does::{Calc, Does, Memory};
+use crate::numbers;
+use crate::pattern::{Element, Filling, filled, grammar, marked};
+use crate::sentence::{Choice, Choosable, Literal, Piece};
+use crate::test::{Asks, COMPARISONS, Comparison, Test};
+use crate::token::{code, quoted};
+use behaviour::Procedure;
+
+impl<'a> Teller<'a> {
+    /// Links after a start, each after a comma.
+    pub(super) fn steps(&mut self, links: &[Link<'a>]) {
+        for (at, link) in links.iter().enumerate() {
+            self.text(self.words.comma);
+            if link.connector.inputs.len() > 1 {
+                self.join(link);
+            } else {
+                let pieces = self.step_pieces(self.step_rule(link), link);
+                self.push(pieces, &links[at..=at], &[]);
+            }
+        }
+    }
+
+    /// The rule by which a link with one input is told.
+    fn step_rule(&self, link: &Link) -> &'static str {
+        match &link.does {
+            Does::Make(calc) => self.make_rule(calc),
+            Does::Keep(test) if !self.names_field(test, &link.carried) => "step.test",
+            Does::Keep(_) => "step.testField",
+            Does::KeepBy(Calc::Helper(_)) => "step.keepHelper",
+            Does::KeepBy(_) => "step.keepCode",
+            Does::Every(_) => "step.every",
+            Does::Later(_) => "step.later",
+            Does::Quiet(_) => "step.quiet",
+            Does::Stamp => "step.stamp",
+            Does::Changed(None) => "step.changed",
+            Does::Changed(Some(Calc::Field(_))) => "step.changedField",
+            Does::Changed(Some(Calc::Helper(_))) => "step.changedHelper",
+            Does::Changed(Some(_)) => "step.changedCode",
+            Does::Remember(memory) => memory_rule(memory),
+            Does::Any => "step.any",
+            Does::Together(calc) | Does::Latest(calc) => {
+                if matches!(calc, Calc::Helper(_)) {
+                    "alone.helper"
+                } else {
+                    "alone.code"
+                }
+            }
+        }
+    }
+
+    fn make_rule(&self, calc: &Calc) -> &'static str {
+        match calc {
+            Calc::Helper(name) if self.known.knows(name) => match name.as_str() {
+                "distance" => "step.distance",
+                "ball_to_distance" => "step.ball_to_distance",
+                "ball_x_and_distance" => "step.ball_x_and_distance",
+                "distance_to_brightness" => "step.distance_to_brightness",
+                _ => "step.select_arm",
+            },
+            Calc::Helper(_) => "step.helper",
+            Calc::Field(_) => "step.field",
+            Calc::Text(_) => "step.text",
+            Calc::Number(_) => "step.number",
+            Calc::Sum | Calc::Last | Calc::Written(..) => "step.code",
+        }
+    }
+
+    /// Whether a test is told with the name of its field.
+    fn names_field(&self, test: &Test, carried: &Carried) -> bool {
+        let Some(field) = &test.field else { return false };
+        match &test.asks {
+            Asks::Truth(truth) => grammar(self.language).rule(&truth_rule(*truth, Some(field))).is_empty(),
+            Asks::Numbers(_) => !(*carried == Carried::Sides && field == "d"),
+            Asks::Text(..) => true,
+        }
+    }
+
+    /// A link with several inputs: with the others in brackets.
+    fn join(&mut self, link: &Link<'a>) {
+        let (kind, calc) = match &link.does {
+            Does::Latest(calc) => ("latest", calc),
+            Does::Together(calc) => ("together", calc),
+            _ => ("together", &Calc::Last),
+        };
+        let way = match calc {
+            Calc::Sum => "sum",
+            Calc::Last => "last",
+            Calc::Helper(_) => "helper",
+            _ => "code",
+        };
+        let language = self.language;
+        for element in grammar(language).told(&format!("{kind}.{way}")) {
+            match element {
+                Element::Hole("others") => {
+                    for (at, other) in link.connector.inputs.iter().enumerate().skip(1) {
+                        if at > 1 {
+                            self.text(self.words.and);
+                        }
+                        let chain = self.known.chain(other);
+                        self.group(&chain);
+                    }
+                }
+                element => {
+                    let pieces = self.rule_pieces(std::slice::from_ref(element), link);
+                    self.push(pieces, std::slice::from_ref(link), &[]);
+                }
+            }
+        }
+    }
+
+    /// The words of a rule for a link.
+    pub(super) fn step_pieces(&self, rule: &str, link: &Link) -> Vec<Piece> {
+        self.rule_pieces(grammar(self.language).told(rule), link)
+    }
+
+    fn rule_pieces(&self, rule: &[Element], link: &Link) -> Vec<Piece> {
+        let mut fill = |hole: &str| {
+            let pieces = self.step_hole(hole, link)?;
+            Some(Filling { pieces, is_default: false })
+        };
+        let mut mark = |shown: &str| Piece::Text(shown.to_owned());
+        filled(rule, &mut fill, &mut mark).map_or_else(Vec::new, |filling| filling.pieces)
+    }
+
+    fn step_hole(&self, hole: &str, link: &Link) -> Option<Vec<Piece>> {
+        let one = |text: String| Some(vec![Piece::Text(text)]);
+        match (hole, &link.does) {
+            ("d" | "every", Does::Every(ms) | Does::Later(ms) | Does::Quiet(ms)) => {
+                let at = Literal::Period { connector: link.id.clone() };
+                Some(vec![Piece::Number(numbers::duration(*ms, at, self.language, hole == "every"))])
+            }
+            ("test", Does::Keep(_)) => Some(self.test_pieces(link)),
+            ("field", Does::Keep(Test { field: Some(field), .. })) => one(self.field(field)),
+            ("field", Does::Make(Calc::Field(field)) | Does::Changed(Some(Calc::Field(field)))) => {
+                one(self.field(field))
+            }
+            ("quoted", Does::Make(Calc::Text(text))) => one(quoted(text, self.language)),
+            ("n", Does::Make(Calc::Number(number))) => {
+                Some(vec![Piece::Number(numbers::number(*number, "", whole_body(link), None))])
+            }
+            ("start", Does::Remember(Memory::By(_, start))) => one(code(&start.to_string())),
+            ("helper", does) => match does.calc()? {
+                Calc::Helper(name) => one(quoted(name, self.language)),
+                _ => None,
+            },
+            ("code", does) => match does.calc()? {
+                Calc::Written(args, body) => one(code(&Calc::quoted(args, body, before(does)))),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
+
+    /// A field by its word, or as it is written.
+    fn field(&self, name: &str) -> String {
+        self.words.field(name).map_or_else(|| quoted(name, self.language), str::to_owned)
+    }
+
+    /// What a link asks of its values.
+    pub(super) fn test_pieces(&self, link: &Link) -> Vec<Piece> {
+        let Does::Keep(test) = &link.does else { return Vec::new() };
+        let grammar = grammar(self.language);
+        match &test.asks {
+            Asks::Truth(truth) => {
+                let own = grammar.told(&truth_rule(*truth, test.field.as_deref()));
+                let plain = grammar.told(if *truth { "is" } else { "isNot" });
+                self.pieces(if own.is_empty() { plain } else { own }, None)
+            }
+            Asks::Text(is, text) => {
+                let rule = grammar.told(if *is { "text.is" } else { "text.isNot" });
+                self.pieces(rule, Some(&quoted(text, self.language)))
+            }
+            Asks::Numbers(numbers) => {
+                let last = numbers.len() - 1;
+                let one =
+                    |(at, number): (usize, &(Comparison, f64))| self.comparison(link, test, at, *number, at < last);
+                let mut all: Vec<Vec<Piece>> = numbers.iter().enumerate().map(one).collect();
+                for pieces in all.iter_mut().skip(1) {
+                    match pieces.first_mut() {
+                        Some(Piece::Text(text)) if text == " " => text.clear(),
+                        _ => pieces.insert(0, Piece::Text(" ".to_owned())),
+                    }
+                }
+                all.concat()
+            }
+        }
+    }
+
+    fn comparison(&self, link: &Link, test: &Test, at: usize, number: (Comparison, f64), more: bool) -> Vec<Piece> {
+        let (comparison, value) = number;
+        let (class, unit) = match link.carried.measure(test.field.as_deref()) {
+            Measure::Distance(unit) => ("near", unit.to_owned()),
+            Measure::Number(unit) if unit.is_empty() && test.field.is_none() => {
+                ("plain", (self.unit)(link.from).unwrap_or_default())
+            }
+            Measure::Number(unit) => ("plain", unit),
+        };
+        let (sign, literal) = link.places.get(at).cloned().unwrap_or_default();
+        let place = |range: std::ops::Range<usize>| Literal::Body {
+            connector: link.id.clone(),
+            start: range.start,
+            end: range.end,
+        };
+        let and = if more { ".and" } else { "" };
+        let rule = |comparison: Comparison| {
+            let id = format!("{class}.{}", comparison.word());
+            let then = grammar(self.language).told(&format!("{id}.then"));
+            if at > 0 && !then.is_empty() { then } else { grammar(self.language).told(&(id + and)) }
+        };
+        let mut fill = |_: &str| {
+            let piece = Piece::Number(numbers::number(value, &unit, place(literal.clone()), None));
+            Some(Filling { pieces: vec![piece], is_default: false })
+        };
+        let mut mark = |shown: &str| {
+            let like = COMPARISONS.iter().filter(|(other, ..)| other.bounds() == comparison.bounds());
+            let option = |(other, sign, _): &(Comparison, &str, &str)| Choosable {
+                value: (*sign).to_owned(),
+                words: marked(rule(*other)).unwrap_or_default().to_owned(),
+            };
+            let options = like.map(option).collect();
+            let (text, chosen) = (shown.to_owned(), comparison.sign().to_owned());
+            Piece::Choice(Choice { text, options, chosen, at: place(sign.clone()) })
+        };
+        filled(rule(comparison), &mut fill, &mut mark).map_or_else(Vec::new, |filling| filling.pieces)
+    }
+}
+
+/// The whole body of a link.
+pub(super) fn whole_body(link: &Link) -> Literal {
+    let body = match link.connector.operation.procedure() {
+        Some(Procedure::Body { body, .. }) => body.as_str(),
+        Some(Procedure::Helper(_)) | None => "",
+    };
+    let start = body.len() - body.trim_start().len();
+    Literal::Body { connector: link.id.clone(), start, end: start + body.trim().len() }
+}
+
+/// The rule for something that is true, or is not.
+fn truth_rule(truth: bool, field: Option<&str>) -> String {
+    let is = if truth { "is" } else { "isNot" };
+    field.map_or_else(|| is.to_owned(), |field| format!("{is}.{field}"))
+}
+
+fn memory_rule(memory: &Memory) -> &'static str {
+    match memory {
+        Memory::TrueOnes => "step.trueOnes",
+        Memory::Ones => "step.ones",
+        Memory::Largest => "step.largest",
+        Memory::Sum => "step.sum",
+        Memory::Turns => "step.turns",
+        Memory::By(Calc::Helper(_), _) => "step.rememberHelper",
+        Memory::By(..) => "step.rememberCode",
+    }
+}
+
+/// The arguments that a procedure always has.
+fn before(does: &Does) -> &'static [&'static str] {
+    if matches!(does, Does::Remember(_)) { &["soFar"] } else { &[] }
+}

@@ -1,0 +1,64 @@
+//! Whether a clause says what a device with its parameters and its connectors does.
+
+use crate::clauses::{Clause, Part};
+use crate::does::{Calc, Does};
+use crate::pattern::{Grammar, holes};
+use crate::test::{Asks, Test};
+use behaviour::{Params, Value};
+use robot::{Device, with_defaults};
+
+/// Whether a clause leaves out nothing of what was chosen for the device.
+pub(crate) fn params_fit(
+    grammar: &Grammar,
+    id: &str,
+    fixed: &[(&str, &str)],
+    device: &Device,
+    params: &Params,
+) -> bool {
+    let chosen = with_defaults(device.params, params);
+    let told = holes(grammar.told(id));
+    device.params.iter().all(|param| {
+        let value = chosen.get(param.name);
+        let wanted = fixed.iter().find(|(name, _)| *name == param.name);
+        match wanted {
+            Some((_, wanted)) => value.is_some_and(|value| is_text(value, wanted)),
+            None => told.contains(&param.name) || value.is_some_and(|value| same(value, &param.default())),
+        }
+    })
+}
+
+/// Whether two values of a parameter mean the same.
+pub(crate) fn same(one: &Value, other: &Value) -> bool {
+    match (one.as_number(), other.as_number()) {
+        (Some(one), Some(other)) => one == other,
+        _ => one == other,
+    }
+}
+
+fn is_text(value: &Value, wanted: &str) -> bool {
+    value.as_text() == Some(wanted) || (value.as_number().is_some() && value.as_number() == wanted.parse().ok())
+}
+
+/// Whether a connector is this part of a clause.
+pub(crate) fn is_part(does: &Does, part: Part) -> bool {
+    let is_field = |field: &Option<String>, wanted: &str| field.as_deref().unwrap_or("") == wanted;
+    match (part, does) {
+        (Part::Truth(wanted, truth), Does::Keep(Test { field, asks: Asks::Truth(is) })) => {
+            is_field(field, wanted) && *is == truth
+        }
+        (Part::Text(wanted), Does::Keep(Test { field, asks: Asks::Text(true, _) })) => is_field(field, wanted),
+        (Part::Quiet, Does::Quiet(_)) | (Part::Number, Does::Make(Calc::Number(_))) => true,
+        (Part::Changed(wanted), Does::Changed(Some(Calc::Field(field)))) => field == wanted,
+        (Part::Helper(wanted), Does::Make(Calc::Helper(name))) => name == wanted,
+        _ => false,
+    }
+}
+
+/// What the number of an action's clause is measured in.
+pub(crate) fn number_unit(clause: &Clause) -> &'static str {
+    match clause.id {
+        "move.number" => "rad",
+        "walk.number" => "m/s",
+        _ => "",
+    }
+}

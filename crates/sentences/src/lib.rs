@@ -1,0 +1,28 @@
+//! What a behaviour does, as sentences, and a typed sentence as a graph, in English and Japanese.
+//!
+//! Both directions go by one grammar: lists of what can be said (`clauses`) and of the words for it (`words`).
+#![warn(missing_docs)]
+
+mod body;
+mod carried;
+mod clauses;
+mod does;
+mod explain;
+mod fits;
+mod language;
+mod numbers;
+mod pattern;
+mod read;
+mod sentence;
+mod test;
+mod token;
+mod words;
+
+pub use explain::explain;
+pub use language::{Language, NoLanguage};
+pub use read::{
+    Doubt, Draft, DraftConnector, DraftStream, Reading, TEXT_MAX_CHARS, Understood, language_of, looks_like_sentence,
+    read,
+};
+pub use sentence::{Choice, Choosable, Literal, Number, Phrase, Piece, Sentence};
+pub use words::device_label;

@@ -1,0 +1,228 @@
+//! Tests of values as the grammar knows them: one or two comparisons, or something that is true or not.
+
+use crate::body::{Part, parts, text_literal};
+use std::ops::Range;
+
+/// How a value is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Comparison {
+    Less,
+    AtMost,
+    More,
+    AtLeast,
+    Is,
+    IsNot,
+}
+
+/// All comparisons with their signs and the words by which the grammar's rules are named.
+pub(crate) const COMPARISONS: [(Comparison, &str, &str); 6] = [
+    (Comparison::Less, "<", "less"),
+    (Comparison::AtMost, "<=", "atMost"),
+    (Comparison::More, ">", "more"),
+    (Comparison::AtLeast, ">=", "atLeast"),
+    (Comparison::Is, "==", "is"),
+    (Comparison::IsNot, "!=", "isNot"),
+];
+
+impl Comparison {
+    pub(crate) fn sign(self) -> &'static str {
+        COMPARISONS[self as usize].1
+    }
+
+    pub(crate) fn word(self) -> &'static str {
+        COMPARISONS[self as usize].2
+    }
+
+    fn opposite(self) -> Self {
+        match self {
+            Self::Less => Self::AtLeast,
+            Self::AtMost => Self::More,
+            Self::More => Self::AtMost,
+            Self::AtLeast => Self::Less,
+            Self::Is => Self::IsNot,
+            Self::IsNot => Self::Is,
+        }
+    }
+
+    /// Whether it bounds a value from one side, so that two of them make a range.
+    pub(crate) fn bounds(self) -> bool {
+        !matches!(self, Self::Is | Self::IsNot)
+    }
+}
+
+/// What is asked of a value, or of one of its fields.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Test {
+    /// The field; none for the value itself.
+    pub(crate) field: Option<String>,
+    pub(crate) asks: Asks,
+}
+
+/// What is asked.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Asks {
+    /// Whether it is true, or whether it is not.
+    Truth(bool),
+    /// How it compares with one number, or with two.
+    Numbers(Vec<(Comparison, f64)>),
+    /// Whether it is this text, or whether it is not.
+    Text(bool, String),
+}
+
+/// The places in a body of what a test compares with: of each comparison its sign and its number.
+pub(crate) type Places = Vec<(Range<usize>, Range<usize>)>;
+
+/// A side of `&&`: its field, its comparison and the literal.
+struct Side {
+    field: Option<String>,
+    comparison: Comparison,
+    literal: Part,
+    places: (Range<usize>, Range<usize>),
+}
+
+impl Test {
+    /// The test of a body over one argument, with the places of its numbers; none if the grammar has no words for it.
+    pub(crate) fn of(body: &str, args: &[String]) -> Option<(Self, Places)> {
+        let [_] = args else { return None };
+        let all = parts(body, args)?;
+        let both: Vec<&[(Part, Range<usize>)]> = all.split(|(part, _)| *part == Part::Sign("&&")).collect();
+        if let [only] = both[..]
+            && let Some((field, truth)) = truth(only)
+        {
+            return Some((Self { field, asks: Asks::Truth(truth) }, Vec::new()));
+        }
+        let sides: Vec<Side> = both.into_iter().map(side).collect::<Option<_>>()?;
+        Self::of_sides(sides)
+    }
+
+    fn of_sides(sides: Vec<Side>) -> Option<(Self, Places)> {
+        let field = sides.first()?.field.clone();
+        let fits = sides.len() == 1 || (sides.len() == 2 && sides.iter().all(|side| side.comparison.bounds()));
+        if !fits || sides.iter().any(|side| side.field != field) {
+            return None;
+        }
+        let places = sides.iter().map(|side| side.places.clone()).collect();
+        let asks = match &sides[..] {
+            [Side { literal: Part::Text(text), comparison, .. }] if !comparison.bounds() => {
+                Asks::Text(*comparison == Comparison::Is, text.clone())
+            }
+            _ => {
+                let number = |side: &Side| match side.literal {
+                    Part::Number(number) => Some((side.comparison, number)),
+                    Part::Name(..) | Part::Text(_) | Part::Sign(_) => None,
+                };
+                Asks::Numbers(sides.iter().map(number).collect::<Option<_>>()?)
+            }
+        };
+        Some((Self { field, asks }, places))
+    }
+
+    /// The test that passes exactly what this one does not; none if the grammar has no words for it.
+    pub(crate) fn opposite(&self) -> Option<Self> {
+        let asks = match &self.asks {
+            Asks::Truth(truth) => Asks::Truth(!truth),
+            Asks::Text(is, text) => Asks::Text(!is, text.clone()),
+            Asks::Numbers(numbers) => match numbers[..] {
+                [(comparison, number)] => Asks::Numbers(vec![(comparison.opposite(), number)]),
+                _ => return None,
+            },
+        };
+        Some(Self { field: self.field.clone(), asks })
+    }
+
+    /// The body that asks this of the argument `arg`. Numbers that are measured have a point.
+    pub(crate) fn body(&self, arg: &str, is_measured: bool) -> String {
+        let subject = self.field.as_ref().map_or_else(|| arg.to_owned(), |field| format!("{arg}.{field}"));
+        match &self.asks {
+            Asks::Truth(true) => subject,
+            Asks::Truth(false) => format!("!{subject}"),
+            Asks::Text(is, text) => format!("{subject} {} {}", if *is { "==" } else { "!=" }, text_literal(text)),
+            Asks::Numbers(numbers) => {
+                let one = |(comparison, number): &(Comparison, f64)| {
+                    let number = if is_measured { format!("{number:?}") } else { format!("{number}") };
+                    format!("{subject} {} {number}", comparison.sign())
+                };
+                numbers.iter().map(one).collect::<Vec<_>>().join(" && ")
+            }
+        }
+    }
+}
+
+/// `x`, `!x`, `x.field` or `!x.field`.
+fn truth(parts: &[(Part, Range<usize>)]) -> Option<(Option<String>, bool)> {
+    let (truth, rest) = match parts {
+        [(Part::Sign("!"), _), rest @ ..] => (false, rest),
+        rest => (true, rest),
+    };
+    let (field, []) = subject(rest)? else { return None };
+    Some((field, truth))
+}
+
+type Parts<'p> = &'p [(Part, Range<usize>)];
+
+fn subject(parts: Parts) -> Option<(Option<String>, Parts)> {
+    match parts {
+        [(Part::Name(_, Some(0)), _), (Part::Sign("."), _), (Part::Name(field, _), _), rest @ ..] => {
+            Some((Some(field.clone()), rest))
+        }
+        [(Part::Name(_, Some(0)), _), rest @ ..] => Some((None, rest)),
+        _ => None,
+    }
+}
+
+fn side(parts: Parts) -> Option<Side> {
+    let (field, rest) = subject(parts)?;
+    let [(Part::Sign(sign), at_sign), rest @ ..] = rest else { return None };
+    let (comparison, ..) = COMPARISONS.into_iter().find(|(_, known, _)| known == sign)?;
+    let (literal, at) = match rest {
+        [(Part::Sign("-"), minus), (Part::Number(number), at)] => (Part::Number(-number), minus.start..at.end),
+        [(literal @ (Part::Number(_) | Part::Text(_)), at)] => (literal.clone(), at.clone()),
+        _ => return None,
+    };
+    Some(Side { field, comparison, literal, places: (at_sign.clone(), at) })
+}
+
+/// The field of `x.field`.
+pub(crate) fn field_of(body: &str, args: &[String]) -> Option<String> {
+    let all = parts(body, args)?;
+    match (args, subject(&all)?) {
+        ([_], (Some(field), [])) => Some(field),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Test;
+
+    #[test]
+    fn simple_bodies_are_tests_and_tests_are_bodies() {
+        let args = ["ball".to_owned()];
+        for body in
+            ["ball < 40", "ball.d <= 0.5", "ball > -0.5 && ball <= 1.5", "!ball.new", "ball", "ball == \"a\\\"b\""]
+        {
+            let (test, _) = Test::of(body, &args).unwrap();
+            assert_eq!(test.body("ball", false), body);
+        }
+        for body in [
+            "",
+            "x < 1",
+            "ball * ball > 2",
+            "ball < 1 || ball > 2",
+            "!(ball < 1)",
+            "ball > 1 && ball.x < 2",
+            "5 < ball",
+        ] {
+            assert_eq!(Test::of(body, &args), None, "{body}");
+        }
+    }
+
+    #[test]
+    fn a_test_and_its_opposite_take_turns() {
+        let args = ["x".to_owned()];
+        let (test, places) = Test::of("x <= 0.50", &args).unwrap();
+        assert_eq!(test.opposite().unwrap().body("x", true), "x > 0.5");
+        assert_eq!(test.opposite().unwrap().opposite(), Some(test));
+        assert_eq!(places, [(2..4, 5..9)]);
+    }
+}

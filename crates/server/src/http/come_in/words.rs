@@ -1,0 +1,118 @@
+//! What the pages of invitations say, in English and in Japanese: they come before the page, which knows its language.
+
+use crate::invitations::NotIn;
+use axum::http::{HeaderMap, header};
+
+/// In which language a browser is answered.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::http) enum Language {
+    English,
+    Japanese,
+}
+
+impl Language {
+    /// What the browser asks for first.
+    pub(in crate::http) fn of(headers: &HeaderMap) -> Self {
+        let asked = headers.get(header::ACCEPT_LANGUAGE).and_then(|asked| asked.to_str().ok()).unwrap_or_default();
+        let first = asked.split([',', ';']).next().unwrap_or_default().trim().to_ascii_lowercase();
+        if first == "ja" || first.starts_with("ja-") { Self::Japanese } else { Self::English }
+    }
+
+    pub(super) fn code(self) -> &'static str {
+        self.said("en", "ja")
+    }
+
+    fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
+        match self {
+            Self::English => english,
+            Self::Japanese => japanese,
+        }
+    }
+
+    pub(super) fn invited(self) -> [&'static str; 2] {
+        [
+            self.said("You are invited", "招待されています"),
+            self.said(
+                "Somebody invites you to build robot programs together, or to watch what a robot does.",
+                "ロボットのプログラムをいっしょに作ること、またはロボットの動きを見ることに招待されています。",
+            ),
+        ]
+    }
+
+    pub(super) fn by_invitation(self) -> [&'static str; 2] {
+        [
+            self.said("By invitation only", "招待された人だけが入れます"),
+            self.said(
+                "Ask the person at the robot’s computer for an invitation: a link to open here, or its QR code to scan.",
+                "ロボットのコンピューターを使っている人に、招待を頼んでください。リンクをここで開くか、QR コードを読み取ります。",
+            ),
+        ]
+    }
+
+    pub(super) fn not_in(self) -> &'static str {
+        self.said("You are not in yet", "まだ入っていません")
+    }
+
+    /// Why somebody did not come in.
+    pub(super) fn why(self, why: &NotIn) -> String {
+        match (self, why) {
+            (Self::English, why) => why.to_string(),
+            (Self::Japanese, NotIn::Unknown) => {
+                "このリンクは使えないか、使えなくなりました。もう一度招待を頼んでください。".to_owned()
+            }
+            (Self::Japanese, NotIn::TooMany(seconds)) => format!(
+                "使えないリンクが、あなたのネットワークから何度も試されました。{seconds} 秒待ってから、もう一度リンクを開いてください。"
+            ),
+            (Self::Japanese, NotIn::NotKept(reason)) => format!(
+                "今は入れませんでした（{reason}）。しばらくしてからもう一度リンクを開くか、ロボットのコンピューターを使っている人に伝えてください。"
+            ),
+        }
+    }
+
+    pub(super) fn come_in(self) -> &'static str {
+        self.said("Come in", "入る")
+    }
+
+    pub(super) fn broken(self) -> &'static str {
+        self.said(
+            "This link is not whole. Copy all of it, or scan the QR code again.",
+            "リンクが途中で切れています。全部をコピーするか、QR コードをもう一度読み取ってください。",
+        )
+    }
+
+    pub(super) fn needs_script(self) -> &'static str {
+        self.said(
+            "This page needs JavaScript. Allow it for this address, then open the link again.",
+            "このページには JavaScript が必要です。このアドレスで許可してから、リンクをもう一度開いてください。",
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Language;
+    use crate::invitations::NotIn;
+    use axum::http::{HeaderMap, HeaderValue, header};
+
+    fn asked(text: &'static str) -> Language {
+        Language::of(&HeaderMap::from_iter([(header::ACCEPT_LANGUAGE, HeaderValue::from_static(text))]))
+    }
+
+    #[test]
+    fn the_browser_says_in_which_language() {
+        for text in ["ja", "ja-JP,ja;q=0.9,en;q=0.8", "JA-jp"] {
+            assert_eq!(asked(text), Language::Japanese, "{text}");
+        }
+        for text in ["", "en-GB,ja;q=0.5", "jam", "*"] {
+            assert_eq!(asked(text), Language::English, "{text}");
+        }
+        assert_eq!(Language::of(&HeaderMap::new()), Language::English);
+    }
+
+    #[test]
+    fn every_reason_is_said_in_japanese() {
+        for why in [NotIn::Unknown, NotIn::TooMany(9), NotIn::NotKept("…".to_owned())] {
+            assert!(Language::Japanese.why(&why).contains('。') && Language::English.why(&why).contains('.'));
+        }
+    }
+}

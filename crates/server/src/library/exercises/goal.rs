@@ -1,0 +1,149 @@
+//! What an exercise shall become, as data: readings in logical time, and what actions are told meanwhile.
+
+use behaviour::{Params, Value};
+use robot::Millis;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+
+/// A part counts from so long after it began, so that what samples or waits has settled, in milliseconds.
+const SETTLE_MS: u64 = 1_000;
+
+/// The goal of an exercise.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) struct Goal {
+    /// What shall be reached, in a sentence.
+    pub(crate) says: String,
+    /// What was reached, in a sentence.
+    pub(crate) reached: String,
+    /// What is sensed, one part after the other.
+    pub(crate) trace: Vec<Part>,
+    /// What shall come of it; the first that does not is told.
+    pub(crate) expects: Vec<Expectation>,
+}
+
+/// A sense that reads something for a while.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) struct Part {
+    /// What expectations call it; parts of one name are all meant.
+    pub(crate) name: String,
+    /// The sense, by its name in the catalogue.
+    pub(crate) sense: String,
+    /// What has to be chosen for it.
+    #[serde(default)]
+    pub(crate) params: Params,
+    /// What it reads, in turn.
+    pub(crate) values: Vec<Value>,
+    /// How often.
+    pub(crate) every_ms: u64,
+    /// For how long.
+    pub(crate) for_ms: u64,
+}
+
+/// What an action shall be told during a part.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) struct Expectation {
+    /// During which parts.
+    pub(crate) during: String,
+    /// The action, by its name in the catalogue.
+    pub(crate) action: String,
+    /// What may be chosen for it; what is not named may be anything.
+    #[serde(default)]
+    pub(crate) with: BTreeMap<String, Vec<Value>>,
+    /// What it shall be told.
+    pub(crate) is: Wanted,
+    /// What is said where it is not so, in a sentence.
+    pub(crate) otherwise: String,
+}
+
+/// What an action shall be told.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub(crate) enum Wanted {
+    /// Something, in each of the parts.
+    Told,
+    /// Nothing.
+    NotTold,
+    /// Only numbers that are at least so large, and some.
+    AtLeast(f64),
+    /// Only numbers that are at most so large, and some.
+    AtMost(f64),
+}
+
+/// An action of a behaviour, and what it was told.
+#[derive(Debug)]
+pub(super) struct Action {
+    pub(super) device: String,
+    /// What is chosen for it, with what is chosen where nobody did.
+    pub(super) params: Params,
+    pub(super) told: Vec<(Millis, Value)>,
+}
+
+impl Goal {
+    /// The readings in order of time: which part, when, and what.
+    pub(super) fn readings(&self) -> Vec<(&Part, Millis, Value)> {
+        self.trace.iter().zip(self.begins()).flat_map(|(part, begin)| of_part(part, begin)).collect()
+    }
+
+    /// When it is over.
+    pub(super) fn ends(&self) -> Millis {
+        Millis(self.trace.iter().map(|part| part.for_ms).sum())
+    }
+
+    fn begins(&self) -> impl Iterator<Item = u64> {
+        self.trace.iter().scan(0, |next, part| {
+            let begin = *next;
+            *next += part.for_ms;
+            Some(begin)
+        })
+    }
+
+    /// What is said of the first expectation that is not met.
+    pub(super) fn missed(&self, actions: &[Action]) -> Option<&str> {
+        let windows = |name: &str| -> Vec<(u64, u64)> {
+            let named = self.trace.iter().zip(self.begins()).filter(|(part, _)| part.name == name);
+            named.map(|(part, begin)| (begin + SETTLE_MS.min(part.for_ms), begin + part.for_ms)).collect()
+        };
+        let is_met = |one: &Expectation| windows(&one.during).into_iter().all(|window| one.is_met(actions, window));
+        self.expects.iter().find(|one| !is_met(one)).map(|one| &*one.otherwise)
+    }
+}
+
+fn of_part(part: &Part, begin: u64) -> impl Iterator<Item = (&Part, Millis, Value)> {
+    let times = (begin..begin + part.for_ms).step_by(usize::try_from(part.every_ms.max(1)).unwrap_or(usize::MAX));
+    times.zip(part.values.iter().cycle()).map(move |(at, value)| (part, Millis(at), stamped(value, at)))
+}
+
+/// A reading that says when it was read says so truly.
+fn stamped(value: &Value, at: u64) -> Value {
+    let Value::Map(fields) = value else { return value.clone() };
+    let now = Value::Int(i64::try_from(at).unwrap_or(i64::MAX));
+    let stamp = |name: &str, value: &Value| if name == "time" { now.clone() } else { value.clone() };
+    Value::object(fields.iter().map(|(name, value)| (&**name, stamp(name, value))))
+}
+
+impl Expectation {
+    fn is_met(&self, actions: &[Action], (from, until): (u64, u64)) -> bool {
+        let during = |told: &&(Millis, Value)| (from..until).contains(&told.0.0);
+        let meant = actions.iter().filter(|action| self.means(action));
+        let told: Vec<&Value> = meant.flat_map(|action| &action.told).filter(during).map(|(_, value)| value).collect();
+        let all = |is_so: &dyn Fn(f64) -> bool| {
+            !told.is_empty() && told.iter().all(|value| value.as_number().is_some_and(is_so))
+        };
+        match self.is {
+            Wanted::Told => !told.is_empty(),
+            Wanted::NotTold => told.is_empty(),
+            Wanted::AtLeast(least) => all(&|number| number >= least),
+            Wanted::AtMost(most) => all(&|number| number <= most),
+        }
+    }
+
+    fn means(&self, action: &Action) -> bool {
+        let may_be = |(name, values): (&String, &Vec<Value>)| {
+            action.params.get(name).is_some_and(|chosen| values.contains(chosen))
+        };
+        action.device == self.action && self.with.iter().all(may_be)
+    }
+}

@@ -1,0 +1,92 @@
+//! A rehearsal of an exercise: the behaviour runs in logical time on the readings of its goal, without a robot, and its actions
+//! are looked at. Done by workers, and bounded: the readings are few, and time is limited.
+
+use super::goal::{Action, Goal, Part};
+use behaviour::{BehaviourFile, Params, StreamKind};
+use engine::{Emission, End, Limits, Run, StreamInfo, StreamIx};
+use protocol::Tried;
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+use tokio_util::sync::CancellationToken;
+
+/// How long a rehearsal may take.
+const REHEARSAL_MS: u64 = 1_000;
+/// The most streams, and the most connectors, of a behaviour that is rehearsed; exercises need a handful.
+const PARTS_MAX: usize = 500;
+
+/// What becomes of a behaviour on the readings of a goal.
+pub(crate) fn rehearse(file: &BehaviourFile, goal: &Goal, token: &CancellationToken) -> Tried {
+    if file.streams.is_empty() {
+        return Tried::Empty;
+    }
+    if file.streams.len().max(file.connectors.len()) > PARTS_MAX {
+        return Tried::TooLarge;
+    }
+    let (end, token) = (Instant::now() + Duration::from_millis(REHEARSAL_MS), token.clone());
+    let is_over = move || token.is_cancelled() || Instant::now() >= end;
+    let limits = Limits::default().interrupted_by(is_over.clone()).stopped_by(is_over.clone());
+    match Run::build(file, limits) {
+        Ok(run) => on_readings(run, goal, is_over),
+        Err(faults) => Tried::CannotRun(faults.first().map(ToString::to_string).unwrap_or_default()),
+    }
+}
+
+fn on_readings(mut run: Run, goal: &Goal, is_over: impl Fn() -> bool) -> Tried {
+    let mut actions: BTreeMap<StreamIx, Action> =
+        run.streams().enumerate().filter_map(|(index, info)| Some((index, action(info)?))).collect();
+    let mut fault = None;
+    let mut note = |emission: Emission| match emission {
+        Emission::Value { at, stream, value } => {
+            if let Some(action) = actions.get_mut(&stream) {
+                action.told.push((at, value.clone()));
+            }
+        }
+        Emission::Fault { error, .. } => {
+            fault.get_or_insert_with(|| error.to_string());
+        }
+    };
+    for (part, at, value) in goal.readings() {
+        let meant: Vec<StreamIx> =
+            run.streams().enumerate().filter(|(_, info)| is_meant(info, part)).map(|(index, _)| index).collect();
+        for stream in meant {
+            run.feed(at, stream, value.clone(), &mut note);
+        }
+        if is_over() {
+            return Tried::TooLong;
+        }
+    }
+    run.finish(goal.ends(), &mut note);
+    match run.ended() {
+        Some(End::Stopped) => Tried::TooLong,
+        Some(End::Multiplied { .. }) => {
+            Tried::CannotRun(run.fault().map(|fault| fault.to_string()).unwrap_or_default())
+        }
+        None => {
+            let actions: Vec<Action> = actions.into_values().collect();
+            match goal.missed(&actions) {
+                Some(says) => Tried::Missed { says: says.to_owned(), fault },
+                None => Tried::Reached(goal.reached.clone()),
+            }
+        }
+    }
+}
+
+fn action(info: &StreamInfo) -> Option<Action> {
+    let device = info.device.clone().filter(|_| info.kind == StreamKind::Actuator)?;
+    let params = chosen(info);
+    Some(Action { device, params, told: Vec::new() })
+}
+
+/// Whether a part of the trace is what this stream senses.
+fn is_meant(info: &StreamInfo, part: &Part) -> bool {
+    let params = || chosen(info);
+    info.kind == StreamKind::Sensor
+        && info.device.as_ref() == Some(&part.sense)
+        && (part.params.is_empty() || part.params.iter().all(|(name, value)| params().get(name) == Some(value)))
+}
+
+/// What is chosen for a device, and what holds where nobody chose.
+fn chosen(info: &StreamInfo) -> Params {
+    let device = robot::device(info.kind, info.device.as_deref().unwrap_or_default());
+    device.map_or_else(|_| info.params.clone(), |device| robot::with_defaults(device.params, &info.params))
+}

@@ -1,0 +1,102 @@
+//! Every exercise is missed as it begins and reached by its solution.
+
+use super::{EXERCISES, ExerciseStart, exercise, exercises, rehearse};
+use crate::rooms::knowledge::Knowing;
+use behaviour::{BehaviourFile, Helper};
+use protocol::Tried;
+use std::path::Path;
+use tokio_util::sync::CancellationToken;
+
+fn tried(file: &BehaviourFile, exercise: &ExerciseStart) -> Tried {
+    rehearse(file, &exercise.goal(), &CancellationToken::new())
+}
+
+/// A file beside the exercises.
+fn beside(name: &str) -> BehaviourFile {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/exercises").join(name);
+    serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap()
+}
+
+fn missed(says: &str) -> Tried {
+    Tried::Missed { says: says.to_owned(), fault: None }
+}
+
+#[test]
+fn no_start_reaches_its_goal_and_every_solution_does() {
+    let starts = [
+        ("only_close", missed("The head also follows the far ball.")),
+        ("brighter_when_nearer", missed("The eyes stay dark while the ball is close.")),
+        ("far_and_close", Tried::Empty),
+    ];
+    assert_eq!(starts.len(), EXERCISES.len());
+    for ((name, says), exercise) in starts.into_iter().zip(EXERCISES) {
+        assert_eq!(beside(&format!("{name}.json")), exercise.template.file());
+        assert_eq!(tried(&exercise.template.file(), exercise), says, "{name}");
+        let solved = tried(&beside(&format!("{name}.solution.json")), exercise);
+        assert_eq!(solved, Tried::Reached(exercise.goal().reached), "{name}");
+    }
+}
+
+#[test]
+fn every_expectation_is_about_a_part_and_says_something() {
+    for exercise in exercises() {
+        let goal = exercise.goal();
+        assert!(goal.says.ends_with('.') && goal.reached.ends_with('.'));
+        assert!(goal.trace.iter().all(|part| part.every_ms >= 20 && part.for_ms > 1_000 && !part.values.is_empty()));
+        assert!(goal.ends().0 <= 60_000);
+        for one in &goal.expects {
+            assert!(goal.trace.iter().any(|part| part.name == one.during), "{}", one.otherwise);
+            assert!(robot::device(behaviour::StreamKind::Actuator, &one.action).is_ok(), "{}", one.action);
+            assert!(one.otherwise.ends_with('.'));
+        }
+        assert!(exercise.template.says.ends_with('.'));
+        assert_eq!(exercise.template.file().name, exercise.template.name);
+        assert_eq!(exercise.told().goal, goal.says);
+    }
+    assert!(exercise("Brighter when nearer").is_some() && exercise("another").is_none());
+}
+
+#[test]
+fn every_start_can_be_opened_and_uses_shipped_helpers() {
+    for exercise in exercises() {
+        let file = exercise.template.file();
+        let (records, library) = (file.records(|_| None).unwrap(), file.library());
+        let helpers: Vec<&Helper> = library.iter().collect();
+        let found = behaviour::problems(&records, &helpers, &Knowing::default());
+        assert!(found.iter().all(|problem| !problem.blocks), "{}: {found:?}", exercise.template.name);
+        assert!(library.iter().all(|helper| robot::shipped_helpers().contains(helper)));
+    }
+}
+
+/// On the way to the solution, what is said names what is still missing.
+#[test]
+fn half_a_solution_is_told_what_it_lacks() {
+    let exercise = exercise("Follow far and close balls").unwrap();
+    let whole = beside("far_and_close.solution.json");
+    let without = |connector: &str| {
+        let mut file = whole.clone();
+        file.connectors.retain(|one| one.id != connector);
+        tried(&file, exercise)
+    };
+    assert_eq!(without("c3"), missed("Nothing follows the far ball."));
+    assert_eq!(without("c5"), missed("Nothing follows the close ball."));
+    let mut turned = whole.clone();
+    turned.connectors[1].body = Some("distance < 0.5".into());
+    turned.connectors[3].body = Some("distance >= 0.5".into());
+    assert_eq!(tried(&turned, exercise), missed("The body also follows the far ball."));
+    let mut other = whole;
+    other.connectors[1].body = Some("distance.nothing > 1".into());
+    let Tried::Missed { says, fault: Some(_) } = tried(&other, exercise) else { panic!() };
+    assert_eq!(says, "Nothing follows the far ball.");
+}
+
+#[test]
+fn what_cannot_run_or_takes_too_long_says_so() {
+    let exercise = exercise("Follow only a close ball").unwrap();
+    let mut file = exercise.template.file();
+    file.connectors[0].helper = Some("gone".into());
+    assert!(matches!(tried(&file, exercise), Tried::CannotRun(_)));
+    let gone = CancellationToken::new();
+    gone.cancel();
+    assert_eq!(rehearse(&exercise.template.file(), &exercise.goal(), &gone), Tried::TooLong);
+}

@@ -1,0 +1,93 @@
+//! Where things on the canvas are: streams, chips, notes, groups. Not reactive.
+
+use super::chip::chip_of;
+use super::fold::{End, end_of};
+use super::view::Bounds;
+use crate::desk::Desk;
+use crate::layout::{BOX, CHIP_HEIGHT, LEVEL, STREAM_HEIGHT, chip_width, chip_words, note_size, stream_width};
+use behaviour::{Id, Place};
+use leptos::prelude::*;
+
+/// Room in a frame at the sides of its streams, above them for its title and the chips that lead in, and below, in canvas units.
+const FRAME: (f64, f64, f64) = (20.0, 84.0, 16.0);
+
+/// Where a stream is, without its live value, or a note or group.
+pub(super) fn bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let Some(signals) = desk.document.stream(id) else {
+        return note_bounds(desk, id).or_else(|| group_bounds(desk, id));
+    };
+    let width = signals.record.with_untracked(stream_width);
+    Some(around(signals.place.get_untracked(), width))
+}
+
+/// Where a note is.
+fn note_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let signals = desk.document.note_signals(id)?;
+    let (width, height) = signals.record.with_untracked(|note| note_size(&note.text));
+    let place = signals.place.get_untracked();
+    Some(Bounds { bottom: place.y + height, ..around(place, width) })
+}
+
+/// Where a group is: its box, or its frame.
+fn group_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    untrack(|| if desk.document.is_folded(id) { box_bounds(desk, id) } else { frame_of(desk, id) })
+}
+
+pub(super) fn box_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let at = desk.document.group(id)?.at.get_untracked()?;
+    Some(Bounds { bottom: at.y + BOX.1, ..around(at, BOX.0) })
+}
+
+/// Where the frame of an open group is: around its streams.
+fn frame_of(desk: &Desk, id: &Id) -> Option<Bounds> {
+    framed(desk.document.members(id).iter().filter_map(|id| bounds(desk, id)))
+}
+
+/// The frame around some streams, with its title on top.
+pub(super) fn framed(streams: impl Iterator<Item = Bounds>) -> Option<Bounds> {
+    let Bounds { left, top, right, bottom } = Bounds::around(streams)?;
+    Some(Bounds { left: left - FRAME.0, top: top - FRAME.1, right: right + FRAME.0, bottom: bottom + FRAME.2 })
+}
+
+/// Where the notes and groups are.
+pub(super) fn aside_bounds(desk: &Desk) -> Vec<Bounds> {
+    let (notes, groups) = (desk.document.note_ids.get_untracked(), desk.document.group_ids.get_untracked());
+    let notes = notes.iter().filter_map(|id| note_bounds(desk, id));
+    notes.chain(groups.iter().filter_map(|id| group_bounds(desk, id))).collect()
+}
+
+pub(super) fn around(place: Place, width: f64) -> Bounds {
+    Bounds { left: place.x - width / 2.0, top: place.y, right: place.x + width / 2.0, bottom: place.y + STREAM_HEIGHT }
+}
+
+/// Where the chip of a connector is, if it is seen.
+pub(super) fn chip_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let record = desk.document.connector(id)?.record.get_untracked();
+    let chip = untrack(|| chip_of(desk, &record))?;
+    Some(Bounds { bottom: chip.y + CHIP_HEIGHT, ..around(chip, chip_width(&chip_words(&record))) })
+}
+
+/// About where a connector runs.
+pub(super) fn connector_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
+    let ends = desk.document.connector(id)?.record.with_untracked(|connector| {
+        let mut ends = connector.inputs.clone();
+        ends.push(connector.output.clone());
+        ends
+    });
+    let places = ends.iter().filter_map(|end| untrack(|| end_of(desk, end, End::Output)));
+    Bounds::around(places.map(|place| around(place, LEVEL)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::framed;
+    use crate::canvas::view::Bounds;
+
+    #[test]
+    fn a_frame_goes_around_its_streams_with_room_for_its_title() {
+        let at = |left: f64, top: f64| Bounds { left, top, right: left + 100.0, bottom: top + 48.0 };
+        let frame = framed([at(0.0, 0.0), at(300.0, 140.0)].into_iter()).unwrap();
+        assert_eq!(frame, Bounds { left: -20.0, top: -84.0, right: 420.0, bottom: 204.0 });
+        assert!(framed(std::iter::empty()).is_none());
+    }
+}

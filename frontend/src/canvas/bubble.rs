@@ -1,0 +1,130 @@
+//! What is wrong with what is selected, or what has just become wrong, said beside it with what mends it. Problems that
+//! everything has while it is being built (nothing leads to it yet) stay in the list.
+
+use super::Stage;
+use super::chip::chip_of;
+use super::strip_spot::EDGE;
+use super::view::Bounds;
+use crate::desk::{Desk, Selected, use_desk};
+use crate::icons::Icon;
+use crate::panels::ProblemLine;
+use crate::words;
+use behaviour::{Problem, ProblemKind};
+use leptos::prelude::*;
+
+/// Its size about, and its distance from what it is about, in pixels.
+const SIZE: (f64, f64) = (268.0, 96.0);
+const NEAR: f64 = 14.0;
+
+/// The bubble, as a view.
+pub(crate) fn bubble() -> AnyView {
+    view! { <Bubble /> }.into_any()
+}
+
+#[component]
+fn Bubble() -> impl IntoView {
+    let desk = use_desk();
+    let stage = expect_context::<Stage>();
+    let newest = newest(&desk);
+    let shown = {
+        let (desk, newest) = (desk.clone(), newest);
+        ArcMemo::new(move |_| shown(&desk, newest.get()))
+    };
+    let (spot, moves) = (spot_memo(&desk, &stage, &shown), stage.dragged.clone());
+    let wire = stage.wire.clone();
+    let at = move || spot.get().map(|(x, y)| format!("translate({x:.0}px,{y:.0}px)"));
+    move || {
+        let problem = shown.get().filter(|_| moves.with(Option::is_none) && wire.with(Option::is_none))?;
+        let close = move |_| newest.set(None);
+        let is_newest = newest.with(|newest| newest.as_ref() == Some(&problem));
+        Some(view! {
+            <div class="trouble" role="note" aria-label=words::problems() style:transform=at.clone()>
+                <ul class="big-list"><ProblemLine problem=problem alone=true /></ul>
+                {is_newest.then(|| view! {
+                    <button type="button" class="tool icon" aria-label=words::dismiss() title=words::dismiss() on:click=close>
+                        <Icon name="close" />
+                    </button>
+                })}
+            </div>
+        })
+    }
+}
+
+/// Whether somebody who is building wants to be told at once.
+fn is_told_at_once(problem: &Problem) -> bool {
+    use ProblemKind::{EmptyBody, FewInputs, NoInputs, NoSource, Unused};
+    !matches!(problem.kind, Unused | NoSource | NoInputs | FewInputs(_) | EmptyBody)
+}
+
+/// The one that came last while this program was open, until it is gone or put away.
+fn newest(desk: &Desk) -> RwSignal<Option<Problem>> {
+    let newest = RwSignal::new(None);
+    let opened = StoredValue::new(0);
+    let revision = desk.document.revision.clone();
+    let (problems, open) = (desk.document.problems.clone(), desk.document.open.clone());
+    let of = move || open.with(|open| open.as_ref().map(ToString::to_string));
+    Effect::new(move |before: Option<(Option<String>, Vec<Problem>)>| {
+        let now = problems.get();
+        let program = of();
+        let revision = revision.get_untracked();
+        if before.as_ref().is_none_or(|(known, _)| *known != program) || opened.get_value() == 0 {
+            opened.set_value(revision);
+        }
+        // What a program has when it is opened comes a moment later, and is not new.
+        let before = before.filter(|_| opened.with_value(|opened| *opened < revision));
+        let is_new = |old: &[Problem], problem: &Problem| is_told_at_once(problem) && !old.contains(problem);
+        let new = before.and_then(|(_, old)| now.iter().find(|problem| is_new(&old, problem)).cloned());
+        if new.is_some() {
+            newest.set(new);
+        }
+        if newest.with_untracked(|newest| newest.as_ref().is_some_and(|newest| !now.contains(newest))) {
+            newest.set(None);
+        }
+        (program, now)
+    });
+    newest
+}
+
+/// A connector that is selected says it in its control. Reactive.
+fn shown(desk: &Desk, newest: Option<Problem>) -> Option<Problem> {
+    let selected = desk.document.selected.get();
+    let own = selected.as_ref().and_then(|selected| match selected {
+        Selected::Stream(id) => desk
+            .document
+            .problems
+            .with(|all| all.iter().find(|problem| problem.at.id == *id && is_told_at_once(problem)).cloned()),
+        Selected::Connector(_) | Selected::Note(_) | Selected::Group(_) => None,
+    });
+    own.or_else(|| newest.filter(|newest| selected.is_none_or(|selected| *selected.id() != newest.at.id)))
+}
+
+/// The left top corner, beside what it is about, where it covers least.
+fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> ArcMemo<Option<(f64, f64)>> {
+    let (desk, stage, shown) = (desk.clone(), stage.clone(), shown.clone());
+    ArcMemo::new(move |_| {
+        let id = shown.with(|problem| Some(problem.as_ref()?.at.id.clone()))?;
+        let (view, size) = (stage.view.get(), stage.size.get());
+        let own = stage.shapes.with(|shapes| shapes.iter().find(|(shape, _)| *shape == id).map(|(_, bounds)| *bounds));
+        if let Some(chip) = desk.document.connector(&id) {
+            // It goes where its chip goes.
+            let _ = chip.record.with(|connector| chip_of(&desk, connector));
+        }
+        let own = own.or_else(|| stage.chip_bounds(&id))?;
+        let corner = |x, y| view.to_stage(behaviour::Place { x, y });
+        let ((left, top), (right, _)) = (corner(own.left, own.top), corner(own.right, own.bottom));
+        let covered = |x: f64| {
+            let (from, to) = (view.to_canvas((x, top)), view.to_canvas((x + SIZE.0, top + SIZE.1)));
+            let area = Bounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
+            let streams = stage.shapes.with(|shapes| shapes.iter().filter(|(_, other)| area.meets(*other)).count());
+            let chips = desk.document.connector_ids.with(|ids| {
+                ids.iter().filter_map(|id| stage.chip_bounds(id)).filter(|other| area.meets(*other)).count()
+            });
+            let off = x < EDGE || x + SIZE.0 + EDGE > size.0;
+            streams + chips + if off { 10 } else { 0 }
+        };
+        let (beside_left, beside_right) = (left - NEAR - SIZE.0, right + NEAR);
+        let x = if covered(beside_left) < covered(beside_right) { beside_left } else { beside_right };
+        let x = x.clamp(EDGE, (size.0 - SIZE.0 - EDGE).max(EDGE));
+        Some((x, top.clamp(EDGE, (size.1 - SIZE.1 - EDGE).max(EDGE))))
+    })
+}

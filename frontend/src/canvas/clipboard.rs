@@ -1,0 +1,107 @@
+//! Copying, cutting, pasting and doubling what is chosen, and the keys for it.
+
+use super::Stage;
+use crate::browser;
+use crate::desk::{Desk, Part, Put, Selected};
+use crate::words;
+use behaviour::{Helper, Place};
+use leptos::prelude::*;
+use protocol::Role;
+use std::collections::BTreeSet;
+use web_sys::KeyboardEvent;
+
+fn helpers(desk: &Desk) -> Vec<Helper> {
+    desk.library.helpers.with_untracked(|all| all.iter().map(|(_, helper)| helper.clone()).collect())
+}
+
+/// What is chosen as a part of a program, and which of it is in that; what cannot be copied says why.
+fn chosen_part(desk: &Desk) -> Option<(Part, BTreeSet<Selected>)> {
+    let chosen = desk.document.chosen();
+    let part = desk.document.part(&chosen, &helpers(desk));
+    if !part.is_empty() {
+        let held = chosen.into_iter().filter(|one| part.holds(one)).collect();
+        return Some((part, held));
+    }
+    if !chosen.is_empty() {
+        desk.say(words::copied_with_stream(), false);
+    }
+    None
+}
+
+/// Copies what is chosen; which of it was copied.
+pub(super) fn copy(desk: &Desk) -> BTreeSet<Selected> {
+    let Some((part, held)) = chosen_part(desk) else { return BTreeSet::new() };
+    // A menu may not read the clipboard: it pastes what was copied here.
+    desk.document.copied.set(Some(part.text()));
+    if browser::copy(&part.text()) {
+        desk.say(words::copied(), false);
+    }
+    held
+}
+
+/// Copies what is chosen and removes that much of it.
+fn cut(desk: &Desk) {
+    let copied = copy(desk);
+    if !copied.is_empty() {
+        desk.document.remove_several(&copied);
+    }
+}
+
+/// Pastes what was copied in this page.
+fn paste_copied(desk: &Desk, stage: Option<&Stage>) {
+    match desk.document.copied.get_untracked() {
+        Some(text) => drop(paste(desk, stage, &text)),
+        None => desk.say(words::nothing_copied(), false),
+    }
+}
+
+/// Puts a part in; on the canvas it is brought into view.
+fn put(desk: &Desk, stage: Option<&Stage>, part: Part, at: Put) {
+    let stage = stage.cloned();
+    desk.document.put_in(part, at, &helpers(desk), move || {
+        if let Some(stage) = stage {
+            stage.reveal_chosen();
+        }
+    });
+}
+
+/// A second one of what is chosen, beside it.
+pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
+    if let Some((part, _)) = chosen_part(desk) {
+        put(desk, stage, part, Put::Beside);
+    }
+}
+
+/// What was pasted, if it is a part of a program: under the pointer, and beside what was copied where there is no canvas;
+/// whether it was.
+pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
+    let Some(part) = Part::read(text) else { return false };
+    let at = stage.map_or(Put::Beside, |stage| Put::At(stage.paste_place()));
+    put(desk, stage, part, at);
+    true
+}
+
+impl Stage {
+    /// Where what is pasted goes: under the pointer, else into the middle of what is seen.
+    fn paste_place(&self) -> Place {
+        let (middle, view) = (self.size.get_untracked(), self.view.get_untracked());
+        self.pointer.get_untracked().unwrap_or_else(|| view.to_canvas((middle.0 / 2.0, middle.1 / 3.0)))
+    }
+}
+
+/// Keys with Control or Command on the graph, or on the list in its place; whether it was one.
+pub(crate) fn chord(event: &KeyboardEvent, desk: &Desk, stage: Option<&Stage>) -> bool {
+    let may = untrack(|| desk.may(Role::Editor));
+    match event.key().to_lowercase().as_str() {
+        "a" => desk.document.choose_all(),
+        "c" => drop(copy(desk)),
+        "x" if may => cut(desk),
+        // A key that is really pressed pastes by the browser's own event.
+        "v" if may && !event.is_trusted() => paste_copied(desk, stage),
+        "d" if may => duplicate(desk, stage),
+        "g" if may && event.shift_key() => desk.document.ungroup(&desk.document.chosen()),
+        "g" if may => desk.document.make_group(&desk.document.chosen()),
+        _ => return false,
+    }
+    true
+}

@@ -1,0 +1,345 @@
+//! Everything that can be done, with its key: what the palette of commands and the help list.
+
+use crate::desk::{Desk, Dialog, LineUp, Selected};
+use crate::{panels, words};
+use behaviour::StreamKind;
+use leptos::prelude::*;
+use protocol::Role;
+use wasm_bindgen::JsCast;
+use web_sys::{HtmlElement, KeyboardEvent, KeyboardEventInit};
+
+/// A moment for all of the graph to be in the page before it is printed, in milliseconds.
+const PRINTS_MS: i32 = 120;
+
+/// One thing that can be done.
+pub(crate) struct Command {
+    pub(crate) group: Group,
+    pub(crate) label: fn() -> &'static str,
+    /// Its keys as they are pressed, parted by blanks; empty if it has none.
+    pub(crate) keys: &'static str,
+    /// What a person must be allowed at least.
+    pub(crate) role: Role,
+    /// In whose menus it stands.
+    pub(crate) on: &'static [On],
+    /// Whether it is about how the graph lies, so that the list in its place has no use for it.
+    needs_graph: bool,
+    act: Act,
+}
+
+/// What a menu on the canvas is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum On {
+    Ground,
+    Stream,
+    Connector,
+    Note,
+    Group,
+    Several,
+}
+
+/// What commands are about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Group {
+    Robot,
+    Program,
+    Graph,
+    View,
+    People,
+}
+
+impl Group {
+    pub(crate) fn label(self) -> &'static str {
+        match self {
+            Self::Robot => words::robot(),
+            Self::Program => words::program(),
+            Self::Graph => words::graph(),
+            Self::View => words::view(),
+            Self::People => words::people_here(),
+        }
+    }
+}
+
+/// How a command is done.
+#[derive(Clone, Copy)]
+enum Act {
+    /// A dialog opens.
+    Opens(fn() -> Dialog),
+    /// The desk does it.
+    Desk(fn(&Desk)),
+    /// As if its key were pressed on the graph, with Control or without.
+    Key(&'static str, bool),
+    /// As if what this selector finds were pressed; what is said where it is not shown.
+    Press(&'static str, fn() -> &'static str),
+}
+
+const fn command(group: Group, label: fn() -> &'static str, keys: &'static str, role: Role, act: Act) -> Command {
+    Command { group, label, keys, role, on: &[], needs_graph: false, act }
+}
+
+impl Command {
+    const fn on(self, on: &'static [On]) -> Self {
+        Self { on, ..self }
+    }
+
+    const fn of_graph(self) -> Self {
+        Self { needs_graph: true, ..self }
+    }
+}
+
+/// What can be copied.
+const COPIED: &[On] = &[On::Stream, On::Note, On::Group, On::Several];
+
+/// All of them, group by group.
+pub(crate) static ALL: &[Command] = &[
+    command(Group::Robot, words::start, "", Role::Operator, Act::Desk(|desk| desk.robots.start())),
+    command(Group::Robot, words::apply, "", Role::Operator, Act::Desk(use_changes)),
+    command(
+        Group::Robot,
+        words::record,
+        "",
+        Role::Operator,
+        Act::Desk(|desk| desk.robots.records.update(|it| *it = !*it)),
+    ),
+    command(Group::Robot, words::stimulate, "", Role::Operator, Act::Desk(send_value)).on(&[On::Stream]),
+    command(Group::Robot, words::stop_all_robots, "Esc Esc", Role::Viewer, Act::Desk(|desk| desk.robots.stop_all())),
+    command(Group::Robot, words::add_robot, "", Role::Editor, Act::Opens(|| Dialog::AddRobot)),
+    command(Group::Robot, words::rename_robot, "", Role::Operator, Act::Opens(|| Dialog::RenameRobot)),
+    command(Group::Robot, words::remove_this_robot, "", Role::Operator, Act::Opens(|| Dialog::RemoveRobot)),
+    command(Group::Robot, words::problems, "", Role::Viewer, Act::Opens(|| Dialog::Problems)).on(&[On::Ground]),
+    command(Group::Program, words::load_program, "", Role::Viewer, Act::Opens(|| Dialog::Programs)),
+    command(Group::Program, words::add_program, "", Role::Editor, Act::Opens(|| Dialog::AddProgram)),
+    command(Group::Program, words::rename_program, "", Role::Editor, Act::Opens(|| Dialog::RenameProgram)),
+    command(Group::Program, words::remove_program, "", Role::Editor, Act::Opens(|| Dialog::RemoveProgram)),
+    command(Group::Program, words::make_copy, "", Role::Editor, Act::Desk(copy_open)),
+    command(Group::Program, words::open_file, "", Role::Editor, Act::Desk(|_| panels::choose_file())),
+    command(Group::Program, words::save_file, "", Role::Viewer, Act::Opens(|| Dialog::SaveFile)),
+    command(Group::Program, words::print, "Ctrl P", Role::Viewer, Act::Desk(print)),
+    command(Group::Program, words::undo, "Ctrl Z", Role::Editor, Act::Desk(Desk::undo)).on(&[On::Ground]),
+    command(Group::Program, words::redo, "Ctrl Y", Role::Editor, Act::Desk(|desk| desk.document.redo()))
+        .on(&[On::Ground]),
+    command(Group::Program, words::history, "", Role::Viewer, Act::Desk(|desk| desk.shows_history.set(true))),
+    command(Group::Program, words::show_exercise, "", Role::Viewer, Act::Desk(show_exercise)),
+    command(Group::Program, words::take_tour, "", Role::Editor, Act::Desk(panels::take_tour)),
+    command(Group::Graph, words::add_sensor, "", Role::Editor, Act::Opens(|| Dialog::AddSensor)).on(&[On::Ground]),
+    command(Group::Graph, words::add_helper, "", Role::Editor, Act::Opens(|| Dialog::Helper(None))),
+    command(Group::Graph, words::edit_helper, "", Role::Viewer, Act::Opens(|| Dialog::Helpers)),
+    command(Group::Graph, words::help_edit_says, "Enter", Role::Viewer, Act::Key("Enter", false)).on(&[
+        On::Stream,
+        On::Connector,
+        On::Note,
+    ]),
+    command(Group::Graph, words::rename, "F2", Role::Editor, Act::Key("F2", false)).on(&[
+        On::Stream,
+        On::Connector,
+        On::Group,
+    ]),
+    command(Group::Graph, words::fold_or_unfold, "F", Role::Viewer, Act::Key("f", false)).on(&[On::Group]),
+    command(Group::Graph, words::make_group, "Ctrl G", Role::Editor, Act::Key("g", true))
+        .on(&[On::Stream, On::Several]),
+    command(Group::Graph, words::ungroup, "Ctrl Shift G", Role::Editor, Act::Desk(ungroup))
+        .on(&[On::Group, On::Several]),
+    command(Group::Graph, words::add_note, "N", Role::Editor, Act::Key("n", false)).on(&[On::Ground]),
+    command(Group::Graph, words::line_up_row, "", Role::Editor, Act::Desk(|desk| line_up(desk, LineUp::Row)))
+        .on(&[On::Several])
+        .of_graph(),
+    command(Group::Graph, words::line_up_column, "", Role::Editor, Act::Desk(|desk| line_up(desk, LineUp::Column)))
+        .on(&[On::Several])
+        .of_graph(),
+    command(Group::Graph, words::connect, "C", Role::Editor, Act::Key("c", false)).on(&[On::Stream]),
+    command(
+        Group::Graph,
+        words::add_connector,
+        "",
+        Role::Editor,
+        Act::Press("#stage .strip .bolt > button", words::choose_one_stream),
+    )
+    .on(&[On::Stream]),
+    command(Group::Graph, words::insert_before, "I", Role::Editor, Act::Key("i", false))
+        .on(&[On::Stream, On::Connector]),
+    command(Group::Graph, words::help_remove_says, "Delete", Role::Editor, Act::Key("Delete", false)).on(&[
+        On::Stream,
+        On::Connector,
+        On::Note,
+        On::Group,
+        On::Several,
+    ]),
+    command(Group::Graph, words::select_all, "Ctrl A", Role::Viewer, Act::Key("a", true)).on(&[On::Ground]),
+    command(Group::Graph, words::copy, "Ctrl C", Role::Viewer, Act::Key("c", true)).on(COPIED),
+    command(Group::Graph, words::cut, "Ctrl X", Role::Editor, Act::Key("x", true)).on(COPIED),
+    command(Group::Graph, words::paste, "Ctrl V", Role::Editor, Act::Key("v", true)).on(&[On::Ground]),
+    command(Group::Graph, words::duplicate, "Ctrl D", Role::Editor, Act::Key("d", true)).on(COPIED),
+    command(Group::Graph, words::walk_down, "↓", Role::Viewer, Act::Key("ArrowDown", false)),
+    command(Group::Graph, words::walk_up, "↑", Role::Viewer, Act::Key("ArrowUp", false)),
+    command(Group::Graph, words::walk_left, "←", Role::Viewer, Act::Key("ArrowLeft", false)),
+    command(Group::Graph, words::walk_right, "→", Role::Viewer, Act::Key("ArrowRight", false)),
+    command(Group::View, words::find_or_add, "Ctrl F", Role::Viewer, Act::Desk(find)),
+    command(Group::View, words::zoom_in, "+", Role::Viewer, Act::Key("+", false)),
+    command(Group::View, words::zoom_out, "-", Role::Viewer, Act::Key("-", false)),
+    command(Group::View, words::fit, "0", Role::Viewer, Act::Key("0", false)).on(&[On::Ground]),
+    command(Group::View, words::real_size, "1", Role::Viewer, Act::Key("1", false)),
+    command(Group::View, words::sentences_shown, "", Role::Viewer, Act::Press(".told .fold", words::no_sentences)),
+    command(Group::View, words::tidy, "", Role::Editor, Act::Desk(|desk| desk.document.tidy(crate::layout::tidy)))
+        .on(&[On::Ground])
+        .of_graph(),
+    command(Group::View, words::other_language, "", Role::Viewer, Act::Desk(|_| panels::speak_other())),
+    command(Group::View, words::keys_and_gestures, "Ctrl K", Role::Viewer, Act::Opens(|| Dialog::Help)),
+    command(Group::People, words::people_here, "", Role::Viewer, Act::Opens(|| Dialog::People)),
+    command(Group::People, words::my_name, "", Role::Viewer, Act::Opens(|| Dialog::MyName)),
+    command(Group::People, words::invite, "", Role::Host, Act::Opens(|| Dialog::Invite)),
+];
+
+impl Command {
+    /// Whether all words that are looked for are in its name or in what it is about.
+    pub(crate) fn is_meant(&self, search: &str) -> bool {
+        let (group, label) = (self.group.label(), (self.label)());
+        let english = [group, label].map(words::language::english).join(" ");
+        let name = format!("{group} {label} {} {english}", self.keys).to_lowercase();
+        search.to_lowercase().split_whitespace().all(|word| name.contains(word))
+    }
+
+    /// Does it. Whatever is open is closed already.
+    pub(crate) fn run(&self, desk: &Desk) {
+        match self.act {
+            Act::Opens(dialog) => desk.dialog.set(Some(dialog())),
+            Act::Desk(act) => act(desk),
+            Act::Key(key, control) => press(key, control),
+            Act::Press(selector, not_there) => match shown(selector) {
+                Some(shown) => shown.click(),
+                None => desk.say(not_there(), false),
+            },
+        }
+    }
+
+    /// A sign for it in menus that have signs.
+    pub(crate) fn icon(&self) -> &'static str {
+        match self.act {
+            Act::Key("Enter" | "F2", _) => "pencil",
+            Act::Key("Delete" | "x", _) => "trash",
+            Act::Key("c", true) => "copy",
+            Act::Key("d", true) => "duplicate",
+            Act::Key("c", false) => "connect",
+            Act::Key("g", true) => "group",
+            Act::Key("n", false) => "note",
+            Act::Key("f", false) => "fold",
+            Act::Desk(_) | Act::Opens(_) | Act::Key(..) | Act::Press(..) => "bolt",
+        }
+    }
+
+    /// Whether it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk about.
+    pub(crate) fn is_here(&self) -> bool {
+        let on_graph = match self.act {
+            Act::Key(key, control) => !control && !matches!(key, "Enter" | "F2" | "Delete"),
+            Act::Press(selector, _) => selector.starts_with("#stage"),
+            Act::Opens(_) | Act::Desk(_) => self.needs_graph,
+        };
+        !on_graph || has_canvas()
+    }
+}
+
+/// Whether the graph is drawn, and not told as a list.
+fn has_canvas() -> bool {
+    document().query_selector("#stage .world").is_ok_and(|world| world.is_some())
+}
+
+/// What a selector finds, if it is shown.
+fn shown(selector: &str) -> Option<HtmlElement> {
+    let found = document().query_selector(selector).ok().flatten()?.dyn_into::<HtmlElement>().ok()?;
+    (found.offset_width() > 0).then_some(found)
+}
+
+/// Goes to the field that finds things; where that is not shown, the dialog that does the same opens.
+pub(crate) fn find(desk: &Desk) {
+    match shown("#find") {
+        Some(field) => drop(field.focus()),
+        None => desk.dialog.set(Some(Dialog::Find)),
+    }
+}
+
+/// Lets the run go on with what was changed since.
+fn use_changes(desk: &Desk) {
+    match untrack(|| desk.robots.running().filter(|run| desk.robots.runs_older(run))) {
+        Some(_) => desk.robots.apply(),
+        None => desk.say(words::nothing_to_use(), false),
+    }
+}
+
+/// Asks for a value for the chosen sense.
+fn send_value(desk: &Desk) {
+    let chosen = desk.document.selected.get_untracked();
+    let sense = chosen.filter(|one| {
+        let signals = desk.document.stream(one.id());
+        signals.is_some_and(|signals| signals.record.with_untracked(|stream| stream.kind == StreamKind::Sensor))
+    });
+    match sense {
+        Some(Selected::Stream(id)) => desk.dialog.set(Some(Dialog::Stimulate(id))),
+        _ => desk.say(words::choose_sense_first(), false),
+    }
+}
+
+fn copy_open(desk: &Desk) {
+    if let Some(open) = desk.document.open.get_untracked() {
+        desk.library.copy_program(&open, &desk.document.name.get_untracked());
+    }
+}
+
+fn line_up(desk: &Desk, how: LineUp) {
+    let chosen = desk.document.chosen();
+    if chosen.len() < 2 {
+        return desk.say(words::choose_several_first(), false);
+    }
+    desk.document.line_up(&chosen, how);
+}
+
+/// Prints once all of the graph is in the page: the browser waits for nothing that comes later.
+fn print(desk: &Desk) {
+    desk.printing.set(true);
+    let printing = desk.printing.clone();
+    crate::browser::after(PRINTS_MS, move || {
+        let _ = window().print();
+        printing.set(false);
+    });
+}
+
+/// Ctrl K opens the palette of commands, Ctrl F goes to the field that finds things; both from anywhere.
+pub(crate) fn keys(desk: &Desk) {
+    let desk = desk.clone();
+    crate::browser::hear(&window(), "keydown", move |event| {
+        let Ok(event) = event.dyn_into::<KeyboardEvent>() else { return };
+        let control = (event.ctrl_key() || event.meta_key()) && !event.alt_key() && !event.shift_key();
+        if !control || desk.dialog.with_untracked(Option::is_some) {
+            return;
+        }
+        match event.key().as_str() {
+            "k" | "K" => desk.dialog.set(Some(Dialog::Help)),
+            "f" | "F" => find(&desk),
+            _ => return,
+        }
+        event.prevent_default();
+    });
+}
+
+/// Shows the goal of the open program again, if it has one.
+fn show_exercise(desk: &Desk) {
+    desk.put_away.set(None);
+    if untrack(|| desk.library.exercise()).is_none() {
+        desk.say(words::no_exercise(), false);
+    }
+}
+
+fn ungroup(desk: &Desk) {
+    desk.document.ungroup(&desk.document.chosen());
+}
+
+/// Presses a key on what has the keyboard in the graph, else on the graph.
+fn press(key: &str, control: bool) {
+    let inside = document().active_element().filter(|active| active.closest("#stage").ok().flatten().is_some());
+    let target = inside.or_else(|| document().query_selector("#stage .stream[tabindex='0'], #stage").ok().flatten());
+    let how = KeyboardEventInit::new();
+    how.set_key(key);
+    how.set_ctrl_key(control);
+    how.set_bubbles(true);
+    how.set_cancelable(true);
+    if let (Some(target), Ok(event)) = (target, KeyboardEvent::new_with_keyboard_event_init_dict("keydown", &how)) {
+        let _ = target.dispatch_event(&event);
+    }
+}

@@ -1,0 +1,286 @@
+//! Other ways through a graph that is there, each as one change: another input, a stream fed again, a connector put into
+//! an edge, a stream taken out of its way. Pure.
+
+use super::build::{connected, free_name, renamed_all};
+use super::{ConnectPlan, Output, Selected, Spot};
+use crate::layout::{LEVEL, snapped};
+use behaviour::{
+    Behaviour, Change, Connector, Graph, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream, StreamKind,
+    connectors,
+};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Where a wire out of a stream may end.
+#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum WireEnd {
+    /// A stream: an action takes its values too, an ordinary stream is fed by it.
+    Stream(Id),
+    /// A connector: it takes from it as well, or instead.
+    Connector(Id),
+}
+
+impl WireEnd {
+    /// Its id.
+    pub(crate) fn id(&self) -> &Id {
+        match self {
+            Self::Stream(id) | Self::Connector(id) => id,
+        }
+    }
+
+    /// What it is on the graph.
+    pub(crate) fn selected(&self) -> Selected {
+        match self {
+            Self::Stream(id) => Selected::Stream(id.clone()),
+            Self::Connector(id) => Selected::Connector(id.clone()),
+        }
+    }
+}
+
+/// What comes of a wire that ends there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Joining {
+    /// The action is told these values too.
+    Acts,
+    /// The stream that nothing flows into carries them.
+    Feeds,
+    /// The stream carries them beside what it carries already.
+    Merges,
+    /// The connector takes them as one more input.
+    Adds,
+    /// The connector takes them in place of its only input.
+    Replaces,
+}
+
+/// Between a stream and a connector that takes from it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Gap {
+    /// The connector below.
+    pub(crate) connector: Id,
+    /// The stream above.
+    pub(crate) input: Id,
+}
+
+/// Where a wire out of `from` may end, and what comes of it, in the order of the file: streams, then connectors.
+pub(crate) fn wire_ends(behaviour: &Behaviour, from: &Id) -> Vec<(WireEnd, Joining)> {
+    if behaviour.stream(from).is_none_or(|stream| stream.kind == StreamKind::Actuator) {
+        return Vec::new();
+    }
+    let graph = Graph::of(behaviour);
+    let above = above(&graph, from);
+    let streams = behaviour.streams_in_order().into_iter().filter_map(|(id, stream)| {
+        let joining = stream_end(&graph, &above, from, (id, stream))?;
+        Some((WireEnd::Stream(id.clone()), joining))
+    });
+    let connectors = behaviour.connectors_in_order().into_iter().filter_map(|(id, connector)| {
+        let open = !connector.inputs.contains(from) && !above.contains(&connector.output);
+        let spec = connector.operation.spec();
+        let joining = if spec.inputs.are_many() { Joining::Adds } else { Joining::Replaces };
+        open.then(|| (WireEnd::Connector(id.clone()), joining))
+    });
+    streams.chain(connectors).collect()
+}
+
+fn stream_end(graph: &Graph, above: &BTreeSet<Id>, from: &Id, (id, stream): (&Id, &Stream)) -> Option<Joining> {
+    let into = graph.into_stream(id);
+    match stream.kind {
+        StreamKind::Sensor => None,
+        StreamKind::Actuator => {
+            let is_there = into.iter().any(|(_, connector)| connector.inputs.contains(from));
+            (!is_there).then_some(Joining::Acts)
+        }
+        StreamKind::Ordinary if above.contains(id) => None,
+        StreamKind::Ordinary if into.is_empty() => Some(Joining::Feeds),
+        StreamKind::Ordinary => {
+            let merges = |connector: &Connector| connector.operation.spec() == connectors::to_join();
+            let is_there = into.iter().any(|(_, connector)| merges(connector) && connector.inputs.contains(from));
+            (!is_there).then_some(Joining::Merges)
+        }
+    }
+}
+
+/// A stream and everything that leads to it.
+fn above(graph: &Graph, of: &Id) -> BTreeSet<Id> {
+    let mut found = BTreeSet::from([of.clone()]);
+    let mut next = vec![of.clone()];
+    while let Some(at) = next.pop() {
+        let inputs = graph.into_stream(&at).iter().flat_map(|(_, connector)| &connector.inputs);
+        next.extend(inputs.filter(|input| found.insert((*input).clone())).cloned());
+    }
+    found
+}
+
+/// Leads a stream to where its wire ends. `ids` are of a new stream and a new connector, if there are any.
+pub(super) fn wired(
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    change: Change,
+    ids: (&Id, &Id),
+    (from, end): (&Id, &WireEnd),
+) -> Change {
+    let joining = wire_ends(behaviour, from).into_iter().find(|(known, _)| known == end).map(|(_, joining)| joining);
+    let to_existing = |operation, to: &Id| {
+        let plan = ConnectPlan {
+            operation,
+            inputs: vec![from.clone()],
+            output: Output::Existing(to.clone()),
+            spot: Spot::Below,
+        };
+        connected(behaviour, places, change.clone(), ids, plan)
+    };
+    match (end, joining) {
+        (_, None) => change,
+        (WireEnd::Stream(to), Some(Joining::Acts)) => to_existing(connectors::to_action().with(()), to),
+        (WireEnd::Stream(to), Some(Joining::Merges)) => merged(behaviour, places, change, ids, (from, to)),
+        (WireEnd::Stream(to), Some(_)) => to_existing(connectors::to_join().with(()), to),
+        (WireEnd::Connector(to), Some(joining)) => {
+            let Some(connector) = behaviour.connector(to) else { return change };
+            let mut inputs = connector.inputs.clone();
+            if joining == Joining::Replaces {
+                inputs.clear();
+            }
+            inputs.push(from.clone());
+            let taken = with_inputs(behaviour, connector, inputs);
+            change.put(behaviour, key(Kind::Connector, to), Record::Connector(taken))
+        }
+    }
+}
+
+/// A connector that takes from other streams: what its body calls them follows, place by place.
+pub(super) fn with_inputs(behaviour: &Behaviour, connector: &Connector, inputs: Vec<Id>) -> Connector {
+    let mut taken = Connector { inputs, ..connector.clone() };
+    if let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() {
+        let (old, new) = (behaviour.arguments(connector), behaviour.arguments(&taken));
+        let body = renamed_all(body, &old, &new);
+        if let Some(procedure) = taken.operation.procedure_mut() {
+            *procedure = Procedure::body(&body);
+        }
+    }
+    taken
+}
+
+/// What a stream carries already, and the new values, both on it: into the merge that feeds it, or into a new one behind
+/// the connector that feeds it.
+fn merged(
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    change: Change,
+    (stream_id, connector_id): (&Id, &Id),
+    (from, to): (&Id, &Id),
+) -> Change {
+    let graph = Graph::of(behaviour);
+    let Some((feeding_id, feeding)) = graph.into_stream(to).first() else { return change };
+    if feeding.operation.spec() == connectors::to_join() {
+        let inputs = feeding.inputs.iter().chain([from]).cloned().collect();
+        let taken = Connector { inputs, ..(*feeding).clone() };
+        return change.put(behaviour, key(Kind::Connector, feeding_id), Record::Connector(taken));
+    }
+    let order = behaviour.next_order();
+    let name = behaviour.stream(to).map_or("", |stream| &stream.name);
+    let between = ordinary(&free_name(behaviour, name), order);
+    let turned = Connector { output: stream_id.clone(), ..(*feeding).clone() };
+    let merge = Connector {
+        operation: connectors::to_join().with(()),
+        inputs: vec![stream_id.clone(), from.clone()],
+        output: to.clone(),
+        order: order + 1,
+    };
+    let change = change
+        .put(behaviour, key(Kind::Stream, stream_id), Record::Stream(between))
+        .put(behaviour, key(Kind::Connector, feeding_id), Record::Connector(turned))
+        .put(behaviour, key(Kind::Connector, connector_id), Record::Connector(merge));
+    let Some(place) = places.get(to) else { return change };
+    let change = change.put(behaviour, key(Kind::Place, stream_id), Record::Place(*place));
+    lowered(behaviour, places, change, to, LEVEL)
+}
+
+/// A new connector with its new stream between a stream and a connector that takes from it; what is below makes room.
+pub(super) fn inserted(
+    behaviour: &Behaviour,
+    places: &BTreeMap<Id, Place>,
+    change: Change,
+    (stream_id, connector_id): (&Id, &Id),
+    (gap, plan): (&Gap, ConnectPlan),
+) -> Change {
+    let Some(below) = behaviour.connector(&gap.connector) else { return change };
+    let Output::New { name, device: None, .. } = plan.output else { return change };
+    let order = behaviour.next_order();
+    let made = ordinary(&name, order);
+    let new = Connector { operation: plan.operation, inputs: plan.inputs, output: stream_id.clone(), order: order + 1 };
+    let mut after = behaviour.clone();
+    after.records.insert(key(Kind::Stream, stream_id), Record::Stream(made.clone()));
+    let inputs = below.inputs.iter().map(|input| if *input == gap.input { stream_id } else { input }).cloned();
+    let turned = with_inputs(&after, below, inputs.collect());
+    let change = change
+        .put(behaviour, key(Kind::Stream, stream_id), Record::Stream(made))
+        .put(behaviour, key(Kind::Connector, connector_id), Record::Connector(new))
+        .put(behaviour, key(Kind::Connector, &gap.connector), Record::Connector(turned));
+    let (Some(above), Some(output)) = (places.get(&gap.input), places.get(&below.output)) else { return change };
+    let is_alone = below.inputs.len() == 1;
+    let x = if is_alone && (above.x - output.x).abs() > LEVEL { output.x } else { above.x };
+    let place = snapped(Place { x, y: above.y + LEVEL });
+    let change = change.put(behaviour, key(Kind::Place, stream_id), Record::Place(place));
+    let missing = place.y + LEVEL - output.y;
+    if missing > 0.0 { lowered(behaviour, places, change, &below.output, missing) } else { change }
+}
+
+/// A stream and all that is below it, lower by so much.
+fn lowered(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, change: Change, from: &Id, by: f64) -> Change {
+    let graph = Graph::of(behaviour);
+    let below: BTreeSet<&Id> = graph.below(from).into_iter().chain([from]).collect();
+    let moved = below.into_iter().filter_map(|id| Some((id, *places.get(id)?)));
+    moved.fold(change, |change, (id, place)| {
+        change.put(behaviour, key(Kind::Place, id), Record::Place(snapped(Place { y: place.y + by, ..place })))
+    })
+}
+
+/// The stream that takes the place of a removed one, if its way can be healed: it has one connector above it, which takes
+/// from one stream, and some below.
+pub(crate) fn healed_by<'a>(behaviour: &'a Behaviour, id: &Id) -> Option<&'a Id> {
+    let graph = Graph::of(behaviour);
+    let [(_, above)] = graph.into_stream(id) else { return None };
+    let [input] = above.inputs.as_slice() else { return None };
+    let is_middle = behaviour.stream(id).is_some_and(|stream| stream.kind == StreamKind::Ordinary);
+    (is_middle && !graph.out_of_stream(id).is_empty()).then_some(input)
+}
+
+/// Without a stream and the connector that makes it: what took from it takes from the stream above.
+pub(super) fn healed(behaviour: &Behaviour, change: Change, id: &Id) -> Change {
+    let Some(input) = healed_by(behaviour, id) else { return change };
+    let graph = Graph::of(behaviour);
+    let change = graph.out_of_stream(id).iter().fold(change, |change, (below, connector)| {
+        let mut inputs: Vec<Id> = Vec::new();
+        for one in &connector.inputs {
+            let one = if one == id { input } else { one };
+            if !inputs.contains(one) {
+                inputs.push(one.clone());
+            }
+        }
+        let turned = with_inputs(behaviour, connector, inputs);
+        change.put(behaviour, key(Kind::Connector, below), Record::Connector(turned))
+    });
+    let change = graph.into_stream(id).iter().fold(change, |change, (above, _)| {
+        change.take(behaviour, key(Kind::Connector, above)).take(behaviour, key(Kind::Place, above))
+    });
+    change.take(behaviour, key(Kind::Stream, id)).take(behaviour, key(Kind::Place, id))
+}
+
+fn ordinary(name: &str, order: i64) -> Stream {
+    Stream {
+        kind: StreamKind::Ordinary,
+        name: name.trim().to_owned(),
+        device: None,
+        params: Params::new(),
+        order,
+        resources: None,
+        priority: None,
+        hold_ms: None,
+    }
+}
+
+fn key(kind: Kind, id: &Id) -> RecordId {
+    RecordId::new(kind, id)
+}
+
+#[cfg(test)]
+#[path = "rewire_tests.rs"]
+mod tests;

@@ -1,0 +1,28 @@
+//! The exercise that the open program is of, and whether its goal is reached.
+
+use super::Library;
+use crate::link::NoAnswer;
+use leptos::prelude::*;
+use protocol::{Exercise, Reply, Request, Tried};
+
+impl Library {
+    /// The exercise that the open program is of: its settings say so, in programs made before a note. Reactive.
+    pub(crate) fn exercise(&self) -> Option<Exercise> {
+        let (begun, notes) = (self.document.exercise.get(), self.document.notes.read());
+        let is_it = |exercise: &&Exercise| {
+            begun.as_ref().map_or_else(|| notes.contains(&exercise.note()), |begun| *begun == exercise.start.id)
+        };
+        self.exercises.read().iter().find(is_it).cloned()
+    }
+
+    /// Asks the server to rehearse the open program, as it is saved.
+    pub(crate) fn try_exercise(&self, exercise: &Exercise, then: impl FnOnce(Result<Tried, NoAnswer>) + 'static) {
+        let Some(behaviour) = self.document.open.get_untracked() else { return };
+        let request = Request::TryExercise { behaviour, exercise: exercise.start.id.clone() };
+        self.tab.look_up(request, move |answer| match answer {
+            Ok(Reply::Tried { tried }) => then(Ok(tried.clone())),
+            Ok(_) => {}
+            Err(why) => then(Err(why)),
+        });
+    }
+}

@@ -1,0 +1,134 @@
+//! Another name or other tags of a program in the library, whether it is open here or not.
+
+use super::Library;
+use super::files::{file_address, read_text};
+use crate::desk::tab::new_id;
+use crate::link;
+use crate::link::NoAnswer;
+use behaviour::{Behaviour, Change, Engine, Id, Record, RecordId, Settings};
+use protocol::{Reply, Request, Role};
+use serde::Deserialize;
+
+/// What becomes of the settings of a program.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Settle {
+    Name(String),
+    AddTag(String),
+    DropTag(String),
+}
+
+/// The settings in the file of a program; it has more.
+#[derive(Deserialize)]
+struct Head {
+    name: String,
+    #[serde(default)]
+    robot: Option<String>,
+    #[serde(default)]
+    engine: Option<Engine>,
+    #[serde(default)]
+    tags: Vec<String>,
+    #[serde(default)]
+    exercise: Option<String>,
+}
+
+impl Settle {
+    /// What the history calls it.
+    fn label(&self) -> &'static str {
+        match self {
+            Self::Name(_) => "Rename program",
+            Self::AddTag(_) | Self::DropTag(_) => "Edit tags",
+        }
+    }
+
+    /// The settings with it done; what is wrong with them the rules say.
+    fn done(&self, now: &Settings) -> Settings {
+        let mut settings = now.clone();
+        match self {
+            Self::Name(name) => name.trim().clone_into(&mut settings.name),
+            Self::AddTag(tag) => settings.tags.push(tag.split_whitespace().collect::<Vec<_>>().join(" ")),
+            Self::DropTag(tag) => settings.tags.retain(|known| known != tag),
+        }
+        settings
+    }
+
+    /// The change of a program that has these settings now.
+    fn change(&self, now: &Settings, author: &str) -> Change {
+        let mut behaviour = Behaviour::default();
+        behaviour.records.insert(RecordId::settings(), Record::Settings(now.clone()));
+        let after = Record::Settings(self.done(now));
+        Change::of(new_id(), author, self.label()).put(&behaviour, RecordId::settings(), after)
+    }
+}
+
+impl Head {
+    /// As the records have them: a file leaves out what is usual.
+    fn settings(self) -> Settings {
+        let usual = Settings::named(&self.name);
+        let (robot, engine) = (self.robot.unwrap_or(usual.robot), self.engine.unwrap_or_default());
+        Settings { name: self.name, robot, engine, tags: self.tags, exercise: self.exercise }
+    }
+}
+
+impl Library {
+    /// Gives a program another name or other tags, and tells how it is then. What is open here goes the way of all edits,
+    /// anything else is proposed to its room; both can be undone where it is open.
+    pub(crate) fn settle(&self, id: &Id, settle: Settle, then: impl FnOnce(Result<Settings, NoAnswer>) + 'static) {
+        if self.tab.refuses(Role::Editor) {
+            return;
+        }
+        let me = self.tab.my_name();
+        if self.document.is_open(id) {
+            let Some(now) = self.document.settings() else { return };
+            let after = settle.done(&now);
+            return self.document.propose_settings(settle.change(&now, &me), move |answer| {
+                then(answer.map(|()| after).map_err(NoAnswer::Refused));
+            });
+        }
+        let id = id.clone();
+        wasm_bindgen_futures::spawn_local(async move {
+            let text = read_text(&file_address(&id, "json")).await;
+            let head = text.and_then(|text| crate::json::read::<Head>(&text).ok());
+            let Some(now) = head.map(Head::settings) else { return then(Err(NoAnswer::Unreachable)) };
+            let (change, after) = (settle.change(&now, &me), settle.done(&now));
+            if change.edits.is_empty() {
+                return then(Ok(after));
+            }
+            link::ask_even_down(Request::Propose { behaviour: id, change, tokens: Vec::new() }, |reply| match reply {
+                Some(Reply::No { no }) => then(Err(NoAnswer::Refused(no.clone()))),
+                Some(_) => then(Ok(after)),
+                None => then(Err(NoAnswer::Unreachable)),
+            });
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Head, Settle};
+    use behaviour::{Engine, Settings};
+
+    #[test]
+    fn the_settings_of_a_file_are_those_of_its_records() {
+        let text = r#"{"format":"rrp-behaviour/1","name":"Play","tags":["group b"],"exercise":"Near","helpers":[],"streams":[]}"#;
+        let settings = crate::json::read::<Head>(text).unwrap().settings();
+        let (tags, exercise) = (vec!["group b".to_owned()], Some("Near".to_owned()));
+        assert_eq!(settings, Settings { tags, exercise, ..Settings::named("Play") });
+        let text = r#"{"name":"x","robot":"pepper","engine":{"frame":{"frameMs":50}}}"#;
+        let settings = crate::json::read::<Head>(text).unwrap().settings();
+        assert_eq!((settings.robot.as_str(), settings.engine), ("pepper", Engine::Frame { frame_ms: 50 }));
+    }
+
+    #[test]
+    fn a_name_and_tags_are_changed_and_nothing_else() {
+        let now = Settings { tags: vec!["a".to_owned()], ..Settings::named("Play") };
+        assert_eq!(Settle::Name(" Ball ".to_owned()).done(&now), Settings { name: "Ball".to_owned(), ..now.clone() });
+        let more = Settle::AddTag("  group   b ".to_owned()).done(&now);
+        assert_eq!(more.tags, ["a", "group b"]);
+        assert_eq!(Settle::DropTag("a".to_owned()).done(&more).tags, ["group b"]);
+        let change = Settle::DropTag("a".to_owned()).change(&now, "Aiko");
+        assert_eq!((change.label.as_str(), change.edits.len()), ("Edit tags", 1));
+        assert!(
+            Settle::Name("Play".to_owned()).change(&now, "Aiko").edits.iter().all(|edit| edit.before == edit.after)
+        );
+    }
+}

@@ -1,0 +1,245 @@
+//! What of the page comes later: dialogs, the history and what else nobody needs at first are a second piece of the code.
+//! It is fetched quietly once the page is usable, and at once when something of it is wanted before.
+//!
+//! A new dialog is in it by itself, as `Rest::dialog` makes them all. Something else that shall come later gets a field of
+//! `Rest`, and `<Later show=|rest| (rest.field)() />` where it stands. The build cuts the code at `rest` below: into the
+//! second piece goes what is reached from there only, so nothing else may name what is behind a field.
+
+use crate::browser;
+use crate::commands::On;
+use crate::desk::{Desk, Dialog, LinkState, Selected};
+use crate::layout::{self, Tidy};
+use crate::panels::Typing;
+use crate::{canvas, panels, words};
+use behaviour::Id;
+use leptos::prelude::*;
+use leptos::wasm_split::{SplitLoaderError, wasm_split};
+use protocol::Exercise;
+use web_sys::KeyboardEvent;
+
+/// How long a browser that does not say when it is idle is left alone, in milliseconds.
+const QUIET_MS: i32 = 1_000;
+
+/// The ways into the second piece.
+#[derive(Clone, Copy)]
+pub(crate) struct Rest {
+    /// What stands in the frame of an open dialog, and the frame.
+    pub(crate) dialog: fn(Dialog) -> AnyView,
+    /// The history of the open program.
+    pub(crate) history: fn() -> AnyView,
+    /// On the graph, what one of two compared versions has and the graph has not.
+    pub(crate) shadows: fn() -> AnyView,
+    /// Lays out a whole behaviour.
+    pub(crate) tidy: Tidy,
+    /// A connector as a control, with the ways to its dialog and to the bin or without.
+    pub(crate) control: fn(Id, bool) -> AnyView,
+    /// What can come after a stream, where a wire was dropped or on an edge.
+    pub(crate) offer: fn() -> AnyView,
+    /// On the graph, the frames of open groups, and the boxes of folded ones.
+    pub(crate) frames: fn() -> AnyView,
+    pub(crate) boxes: fn() -> AnyView,
+    /// On the graph, notes.
+    pub(crate) notes: fn() -> AnyView,
+    /// In the right column, several things that are chosen.
+    pub(crate) chosen: fn() -> AnyView,
+    /// What can be done with several things together, a note or a group.
+    pub(crate) several: fn() -> AnyView,
+    /// What the open program does, in sentences.
+    pub(crate) told: fn() -> AnyView,
+    /// On the graph, the parts that some words mean.
+    pub(crate) lit: fn() -> AnyView,
+    /// What is made of a sentence that is typed.
+    pub(crate) typed: fn(Typing) -> AnyView,
+    /// On the graph, what that would add.
+    pub(crate) ghost: fn() -> AnyView,
+    /// The goal of the exercise that the open program is of.
+    pub(crate) exercise: fn(Exercise) -> AnyView,
+    /// The tour.
+    pub(crate) tour: fn() -> AnyView,
+    /// The program as a list, in place of the graph.
+    pub(crate) outline: fn() -> AnyView,
+    /// Under what is selected on the graph, the next steps or the connector as a control.
+    pub(crate) strip: fn() -> AnyView,
+    /// In the right column, all problems.
+    pub(crate) problems: fn() -> AnyView,
+    /// The menu of what lies under the pointer.
+    pub(crate) context: fn() -> AnyView,
+    /// The same menu under a row of the list in place of the graph.
+    pub(crate) row_menu: fn(On) -> AnyView,
+    /// Keys with Control or Command on the graph, or on the list in its place; whether it was one.
+    pub(crate) chord: fn(&KeyboardEvent, &Desk, Option<&canvas::Stage>) -> bool,
+    /// Puts a pasted text in if it is a part of a program; whether it was.
+    pub(crate) paste: fn(&Desk, Option<&canvas::Stage>, &str) -> bool,
+    /// On the graph, what is wrong with what is selected, or has just become wrong.
+    pub(crate) bubble: fn() -> AnyView,
+    /// What is carried from the left list to the graph.
+    pub(crate) carry: fn() -> AnyView,
+    /// The whole graph in small.
+    pub(crate) minimap: fn() -> AnyView,
+    /// What is known of a selected stream or connector, and what can be done with it.
+    pub(crate) selected: fn(Selected) -> AnyView,
+}
+
+/// The second piece could not be fetched.
+struct NotLoaded;
+
+impl From<SplitLoaderError> for NotLoaded {
+    fn from(_: SplitLoaderError) -> Self {
+        Self
+    }
+}
+
+/// Fetches the second piece.
+#[wasm_split(later, wasm_split_path = leptos::wasm_split, fallible)]
+fn rest() -> Result<Rest, NotLoaded> {
+    Ok(Rest {
+        dialog: panels::dialog,
+        history: panels::history,
+        shadows: canvas::shadows,
+        tidy: layout::tidy,
+        control: panels::control,
+        offer: canvas::offer,
+        frames: canvas::frames,
+        boxes: canvas::boxes,
+        notes: canvas::notes,
+        chosen: panels::chosen,
+        several: canvas::several,
+        told: panels::told,
+        lit: canvas::lit,
+        typed: panels::typed,
+        ghost: canvas::ghost,
+        exercise: panels::exercise,
+        tour: panels::tour,
+        outline: panels::outline,
+        strip: canvas::strip,
+        problems: panels::problems,
+        context: canvas::context,
+        row_menu: panels::row_menu,
+        chord: canvas::chord,
+        paste: canvas::paste,
+        bubble: canvas::bubble,
+        carry: canvas::carry,
+        minimap: canvas::minimap,
+        selected: panels::selected,
+    })
+}
+
+/// How fetching the second piece goes.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Fetching {
+    /// Not begun, or over.
+    Rests,
+    Goes,
+    /// It could not be fetched; it is tried again when it is wanted, or when the server is heard again.
+    Failed,
+}
+
+/// The second piece of the page. A clone is the same.
+#[derive(Clone)]
+pub(crate) struct SecondPiece {
+    rest: ArcRwSignal<Option<Rest>>,
+    fetching: ArcRwSignal<Fetching>,
+}
+
+/// The second piece of this page; works where components are made.
+pub(crate) fn second_piece() -> SecondPiece {
+    expect_context::<SecondPiece>()
+}
+
+impl SecondPiece {
+    /// Not fetched yet.
+    pub(crate) fn new() -> Self {
+        Self { rest: ArcRwSignal::new(None), fetching: ArcRwSignal::new(Fetching::Rests) }
+    }
+
+    /// Fetches it quietly as soon as the page is usable, and again whenever the server is heard again; what nobody placed
+    /// is laid out once it is here.
+    pub(crate) fn serve(&self, desk: &Desk) {
+        let (rest, document) = (self.rest.clone(), desk.document.clone());
+        Effect::new(move |_| {
+            if let Some(rest) = rest.get() {
+                document.lay_out_with(rest.tidy);
+            }
+        });
+        let (me, desk) = (self.clone(), desk.clone());
+        Effect::new(move |_| {
+            if desk.is_usable() && desk.online.get() == LinkState::Online {
+                let me = me.clone();
+                when_idle(move || me.fetch());
+            }
+        });
+    }
+
+    /// The ways into it, once it is here. Reactive.
+    pub(crate) fn get(&self) -> Option<Rest> {
+        self.rest.get()
+    }
+
+    /// The ways into it, if it is here.
+    pub(crate) fn now(&self) -> Option<Rest> {
+        self.rest.get_untracked()
+    }
+
+    /// Does something with it once it is here, at once if it is; with nothing if it cannot be fetched.
+    pub(crate) fn when_here(&self, act: impl FnOnce(Option<Rest>) + 'static) {
+        let me = self.clone();
+        leptos::task::spawn_local(async move {
+            let fetched = rest().await.ok();
+            me.keep(fetched);
+            act(fetched);
+        });
+    }
+
+    /// Fetches it now, unless it is here or on its way.
+    fn fetch(&self) {
+        if self.rest.with_untracked(Option::is_some) || self.fetching.get_untracked() == Fetching::Goes {
+            return;
+        }
+        self.fetching.set(Fetching::Goes);
+        let me = self.clone();
+        leptos::task::spawn_local(async move {
+            let fetched = rest().await.ok();
+            me.fetching.set(if fetched.is_some() { Fetching::Rests } else { Fetching::Failed });
+            me.keep(fetched);
+        });
+    }
+
+    /// Tells everybody who waits, once.
+    fn keep(&self, fetched: Option<Rest>) {
+        if fetched.is_some() && self.rest.with_untracked(Option::is_none) {
+            self.rest.set(fetched);
+        }
+    }
+}
+
+/// Shows something of the second piece: nothing until that is here, and a sentence if it does not come.
+#[component]
+pub(crate) fn Later(show: impl Fn(Rest) -> AnyView + Send + 'static) -> impl IntoView {
+    let piece = second_piece();
+    move || piece.get().map_or_else(|| view! { <NotHere /> }.into_any(), &show)
+}
+
+/// In the place of something that is not here: fetches it; nothing while it comes, then why it does not, and another try.
+#[component]
+pub(crate) fn NotHere() -> impl IntoView {
+    let piece = second_piece();
+    piece.fetch();
+    let failed = piece.fetching.clone();
+    let again = Callback::new(move |()| piece.fetch());
+    let sentence = move || {
+        (failed.get() == Fetching::Failed).then(|| {
+            view! {
+                <p>{words::not_loaded()}</p>
+                <button class="button" type="button" data-first="" on:click=move |_| again.run(())>{words::try_again()}</button>
+            }
+        })
+    };
+    view! { <div class="not-here" role="alert">{sentence}</div> }
+}
+
+/// Does something once the browser has nothing else to do.
+fn when_idle(act: impl FnOnce() + Clone + 'static) {
+    if request_idle_callback(act.clone()).is_err() {
+        browser::after(QUIET_MS, act);
+    }
+}

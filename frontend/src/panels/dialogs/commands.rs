@@ -1,0 +1,145 @@
+//! Keys and commands: everything that can be done, to be searched and done.
+
+use super::frame::{Frame, close};
+use crate::browser;
+use crate::commands::{ALL, Command, Group};
+use crate::desk::{Desk, Selected};
+use crate::panels::hold::{Hold, hold};
+use crate::words;
+use behaviour::Id;
+use leptos::prelude::*;
+use wasm_bindgen::JsCast;
+
+/// A moment for the dialog to go and the keyboard to be back where it was, in milliseconds.
+const GONE_MS: i32 = 60;
+/// At most so many streams are listed.
+const STREAMS_MAX: usize = 12;
+
+/// The palette of commands.
+#[component]
+pub(super) fn Commands() -> impl IntoView {
+    let desk = hold();
+    let search = RwSignal::new(String::new());
+    let found = Memo::new(move |_| search.with(|search| indices(desk, search)));
+    let streams = Memo::new(move |_| search.with(|search| streams(desk, search)));
+    let first = Callback::new(move |()| {
+        if search.with_untracked(|search| search.trim().is_empty()) {
+            return;
+        }
+        match (found.get_untracked().first(), streams.get_untracked().first()) {
+            (Some(at), _) => run(desk, &ALL[*at]),
+            (None, Some((id, _))) => go(desk, id),
+            (None, None) => {}
+        }
+    });
+    let groups = [Group::Robot, Group::Program, Group::Graph, Group::View, Group::People];
+    let rows = move |group: Group| {
+        let mine: Vec<usize> = found.get().into_iter().filter(|at| ALL[*at].group == group).collect();
+        (!mine.is_empty()).then(|| {
+            view! {
+                <section class="commands-group">
+                    <h3>{group.label()}</h3>
+                    {mine.into_iter().map(|at| view! { <Row at /> }).collect_view()}
+                </section>
+            }
+        })
+    };
+    let here = move || {
+        let streams = streams.get();
+        (!streams.is_empty()).then(|| view! {
+            <section class="commands-group">
+                <h3>{words::in_this_program()}</h3>
+                {streams.into_iter().map(|(id, name)| view! {
+                    <button type="button" class="menu-item" on:click=move |_| go(desk, &id)><span class="cut">{name}</span></button>
+                }).collect_view()}
+            </section>
+        })
+    };
+    view! {
+        <Frame title=words::keys_and_gestures() save=first>
+            <div class="dialog-body commands">
+                <input class="input" type="search" data-first="" placeholder=words::search_commands()
+                    aria-label=words::search_commands() prop:value=move || search.get()
+                    on:keydown=|event| to_list(&event)
+                    on:input:target=move |event| search.set(event.target().value()) />
+                <div class="commands-list">
+                    {here}
+                    {groups.map(|group| view! { {move || rows(group)} }).collect_view()}
+                    <Show when=move || search.with(|search| search.is_empty())>
+                        <section class="commands-group">
+                            <h3>{words::by_hand()}</h3>
+                            <p><span>{words::help_extend_says()}</span><span class="second">{words::help_extend()}</span></p>
+                            <p><span>{words::help_pan_says()}</span><span class="second">{words::help_pan()}</span></p>
+                            <p><span>{words::help_lasso_says()}</span><span class="second">{words::help_lasso()}</span></p>
+                            <p><span>{words::help_carry_says()}</span><span class="second">{words::help_carry()}</span></p>
+                            <p><span>{words::help_lines_says()}</span><span class="second">{words::help_lines()}</span></p>
+                        </section>
+                    </Show>
+                    <Show when=move || found.read().is_empty() && streams.read().is_empty()>
+                        <p class="second">{words::no_command()}</p>
+                    </Show>
+                </div>
+            </div>
+        </Frame>
+    }
+}
+
+#[component]
+fn Row(at: usize) -> impl IntoView {
+    let desk = hold();
+    let command = &ALL[at];
+    let no = untrack(|| desk.desk().may_not(command.role));
+    let keys = command.keys.split(' ').filter(|key| !key.is_empty());
+    view! {
+        <button type="button" class="menu-item" disabled=no.is_some() title=no on:click=move |_| run(desk, &ALL[at])>
+            <span class="cut">{(command.label)()}</span>
+            <span class="keys">{keys.map(|key| view! { <kbd>{key}</kbd> }).collect_view()}</span>
+        </button>
+    }
+}
+
+/// The commands that are meant, by their places.
+fn indices(desk: Hold, search: &str) -> Vec<usize> {
+    let host = desk.desk().role.get() == Some(protocol::Role::Host);
+    let shown = |command: &Command| host || command.role != protocol::Role::Host;
+    (0..ALL.len()).filter(|at| shown(&ALL[*at]) && ALL[*at].is_here() && ALL[*at].is_meant(search)).collect()
+}
+
+/// The streams of the open program that are meant.
+fn streams(desk: Hold, search: &str) -> Vec<(Id, String)> {
+    let wanted = search.trim().to_lowercase();
+    if wanted.is_empty() {
+        return Vec::new();
+    }
+    let desk = desk.desk();
+    let name = |id: Id| {
+        let name = desk.document.stream(&id)?.record.with_untracked(|stream| stream.name.clone());
+        name.to_lowercase().contains(&wanted).then_some((id, name))
+    };
+    desk.document.stream_ids.get().into_iter().filter_map(name).take(STREAMS_MAX).collect()
+}
+
+fn run(desk: Hold, command: &'static Command) {
+    if untrack(|| desk.desk().may_not(command.role)).is_some() {
+        return;
+    }
+    close(desk);
+    let desk: Desk = desk.desk();
+    browser::after(GONE_MS, move || command.run(&desk));
+}
+
+fn go(desk: Hold, id: &Id) {
+    close(desk);
+    desk.desk().document.choose([Selected::Stream(id.clone())].into());
+}
+
+/// The arrow down goes from the field into the list.
+fn to_list(event: &web_sys::KeyboardEvent) {
+    if event.key() == "ArrowDown"
+        && let Some(first) = document().query_selector(".commands-list .menu-item:not(:disabled)").ok().flatten()
+        && let Some(first) = first.dyn_ref::<web_sys::HtmlElement>()
+    {
+        event.prevent_default();
+        let _ = first.focus();
+    }
+}

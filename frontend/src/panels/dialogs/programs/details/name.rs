@@ -1,0 +1,101 @@
+//! The name of a program, which can be typed anew in its place.
+
+use crate::desk::Settle;
+use crate::icons::Icon;
+use crate::panels::focus;
+use crate::panels::hold::hold;
+use crate::panels::may::may_edit;
+use crate::words;
+use behaviour::{Id, NAME_MAX_CHARS};
+use leptos::html::{Button, Input};
+use leptos::prelude::*;
+use web_sys::KeyboardEvent;
+
+/// The name, and a field in its place while it is typed.
+#[component]
+pub(super) fn Name(id: String, name: RwSignal<String>) -> impl IntoView {
+    let desk = hold();
+    let id = StoredValue::new(Id::new(&id).ok());
+    let typed: RwSignal<Option<String>> = RwSignal::new(None);
+    let refusal: RwSignal<Option<String>> = RwSignal::new(None);
+    let (field, button) = (NodeRef::<Input>::new(), NodeRef::<Button>::new());
+    let types = Memo::new(move |_| typed.read().is_some());
+    Effect::new(move |_| {
+        if let Some(field) = field.get().filter(|_| types.get()) {
+            focus::type_over(&field, &typed.get_untracked().unwrap_or_default());
+        }
+    });
+    // The keyboard goes back to where it came from, once that is there again.
+    let goes_back = RwSignal::new(false);
+    Effect::new(move |_| {
+        let button = button.get().filter(|button| button.is_connected());
+        if let Some(button) = button.filter(|_| goes_back.get() && !types.get()) {
+            goes_back.set(false);
+            focus::focus(&button);
+        }
+    });
+    let end = move || {
+        goes_back.try_set(true);
+        typed.try_set(None);
+    };
+    let begin = move || {
+        if untrack(|| may_edit(desk)) {
+            refusal.set(None);
+            typed.set(Some(name.get_untracked()));
+        }
+    };
+    let save = move || {
+        let Some(new) = typed.get_untracked().map(|typed| typed.trim().to_owned()) else { return };
+        if new.is_empty() || new == name.get_untracked() {
+            return end();
+        }
+        let Some(id) = id.get_value() else { return };
+        desk.desk().library.settle(&id, Settle::Name(new), move |answer| match answer {
+            Ok(settings) => {
+                name.try_set(settings.name);
+                refusal.try_set(None);
+                end();
+            }
+            Err(why) => {
+                refusal.try_set(Some(words::not_answered(&why)));
+            }
+        });
+    };
+    let keys = move |event: KeyboardEvent| match event.key().as_str() {
+        "Enter" if !event.is_composing() => {
+            event.prevent_default();
+            event.stop_propagation();
+            save();
+        }
+        "Escape" if !event.is_composing() => {
+            event.prevent_default();
+            event.stop_propagation();
+            refusal.set(None);
+            end();
+        }
+        _ => {}
+    };
+    let shown = move || {
+        view! {
+            <h3 class="cut" title=move || name.get()>{move || name.get()}</h3>
+            <button class="tool icon" type="button" node_ref=button title=words::rename_it() aria-label=move || words::rename_named(&name.get())
+                disabled=move || !may_edit(desk) on:click=move |_| begin()>
+                <Icon name="pencil" />
+            </button>
+        }
+    };
+    let field = move || {
+        view! {
+            <input class="input" node_ref=field aria-label=words::name() maxlength=NAME_MAX_CHARS.to_string()
+                prop:value=move || typed.get().unwrap_or_default() on:keydown=keys
+                on:input:target=move |event| typed.set(Some(event.target().value())) />
+            <button class="button" type="button" on:click=move |_| save()>{words::save()}</button>
+        }
+    };
+    view! {
+        <div class="row details-name" on:keydown=move |event| if event.key() == "F2" { begin() }>
+            {move || if types.get() { field().into_any() } else { shown().into_any() }}
+        </div>
+        {move || refusal.get().map(|why| view! { <p class="refusal" role="alert">{why}</p> })}
+    }
+}

@@ -1,0 +1,61 @@
+//! The keyboard on the list in place of the graph: what can be done with the graph there, but walking and zooming.
+
+use crate::browser;
+use crate::canvas::edit;
+use crate::desk::{Desk, Dialog, Selected};
+use crate::later::SecondPiece;
+use leptos::prelude::*;
+use std::collections::BTreeSet;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlElement, KeyboardEvent};
+
+/// A moment for the buttons under a row to be there, in milliseconds.
+const SHOWN_MS: i32 = 60;
+
+/// Hears a key on the list or in it. A row that has the keyboard is pressed by Enter as any button; as a command, Enter
+/// edits what is selected.
+pub(super) fn key(event: &KeyboardEvent, desk: &Desk, piece: &SecondPiece) {
+    let Some(target) = event.target().and_then(|target| target.dyn_into::<Element>().ok()) else { return };
+    let own = target.closest("input, textarea, select, [role=menu], .told, .control-inline").ok().flatten().is_some();
+    if own || event.alt_key() {
+        return;
+    }
+    if event.ctrl_key() || event.meta_key() {
+        if piece.now().is_some_and(|rest| (rest.chord)(event, desk, None)) {
+            event.prevent_default();
+        }
+        return;
+    }
+    let chosen = desk.document.selected.get_untracked();
+    let several = desk.document.several.with_untracked(|several| !several.is_empty());
+    match (event.key().as_str(), chosen) {
+        ("Enter", Some(chosen)) if !event.is_trusted() => edit(desk, &chosen),
+        ("F2", Some(Selected::Stream(id))) => desk.dialog.set(Some(Dialog::EditStream(id))),
+        ("Delete" | "Backspace", _) if several => desk.document.remove_several(&desk.document.chosen()),
+        ("Delete" | "Backspace", Some(chosen)) => remove(desk, &chosen),
+        ("Escape", _) if several => desk.document.choose(BTreeSet::new()),
+        ("Escape", Some(_)) => desk.document.selected.set(None),
+        _ => return,
+    }
+    event.prevent_default();
+}
+
+/// Removes something; in the middle of a way its button asks how.
+fn remove(desk: &Desk, what: &Selected) {
+    match what {
+        Selected::Stream(id) if desk.document.healed_by(id).is_some() => press_soon(".strip-inline .remove > button"),
+        Selected::Stream(_) | Selected::Connector(_) | Selected::Note(_) | Selected::Group(_) => {
+            desk.document.remove(what)
+        }
+    }
+}
+
+/// Presses a button once it is there.
+pub(super) fn press_soon(selector: &'static str) {
+    browser::after(SHOWN_MS, move || {
+        let button = document().query_selector(selector).ok().flatten();
+        if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
+            button.click();
+        }
+    });
+}

@@ -1,0 +1,36 @@
+//! Learning: the goal of the exercise that is open, and the tour. What is shown of both comes later.
+
+mod exercise;
+mod progress;
+mod spot;
+mod steps;
+mod tour;
+
+pub(crate) use exercise::exercise;
+pub(crate) use progress::take_tour;
+pub(crate) use tour::tour;
+
+use super::hold::hold;
+use crate::later::Later;
+use leptos::prelude::*;
+
+/// The goal of the exercise that is open, unless somebody put it away.
+#[component]
+pub(crate) fn ExercisePlace() -> impl IntoView {
+    let desk = hold();
+    let open = Memo::new(move |_| {
+        let desk = desk.desk();
+        let open = desk.document.open.get()?;
+        desk.library.exercise().filter(|_| desk.put_away.read().as_ref() != Some(&open))
+    });
+    move || open.get().map(|open| view! { <Later show=move |rest| (rest.exercise)(open.clone()) /> })
+}
+
+/// The tour, while somebody takes it.
+#[component]
+pub(crate) fn TourPlace() -> impl IntoView {
+    let desk = hold();
+    progress::restore(&desk.desk());
+    let taken = Memo::new(move |_| desk.desk().tour.read().is_some());
+    move || taken.get().then(|| view! { <Later show=|rest| (rest.tour)() /> })
+}

@@ -1,0 +1,115 @@
+//! The goal of an exercise, and whether it is reached.
+
+use crate::icons::Icon;
+use crate::panels::hold::hold;
+use crate::words;
+use leptos::prelude::*;
+use protocol::{Exercise, Tried};
+
+/// The id of what folds.
+const GOAL_ID: &str = "exercise-goal";
+
+/// The goal, as a view.
+pub(crate) fn exercise(exercise: Exercise) -> AnyView {
+    view! { <Goal exercise /> }.into_any()
+}
+
+/// What was found, in words, and whether it is good.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Verdict {
+    says: String,
+    good: bool,
+}
+
+#[component]
+fn Goal(exercise: Exercise) -> impl IntoView {
+    let desk = hold();
+    let folded = RwSignal::new(false);
+    let name = words::exercise_called(&exercise.start.name);
+    let put_away = move |_| {
+        let desk = desk.desk();
+        desk.put_away.set(desk.document.open.get_untracked());
+        desk.say(words::exercise_put_away(), false);
+    };
+    let goal = words::translated(&exercise.goal);
+    let fold = move || if folded.get() { words::show_goal() } else { words::fold_goal() };
+    view! {
+        <section class="panel exercise" aria-label=name>
+            <div class="exercise-head">
+                <h2>{name.clone()}</h2>
+                <button class="tool icon fold" class:folded=move || folded.get() type="button" title=fold aria-label=fold
+                    aria-expanded=move || (!folded.get()).to_string() aria-controls=GOAL_ID
+                    on:click=move |_| folded.update(|folded| *folded = !*folded)>
+                    <Icon name="chevron" />
+                </button>
+                <button class="tool icon" type="button" title=words::put_goal_away() aria-label=words::put_goal_away()
+                    on:click=put_away>
+                    <Icon name="close" />
+                </button>
+            </div>
+            <div id=GOAL_ID hidden=move || folded.get()>
+                <p>{goal}</p>
+                <TryIt exercise />
+            </div>
+        </section>
+    }
+}
+
+#[component]
+fn TryIt(exercise: Exercise) -> impl IntoView {
+    let desk = hold();
+    let verdict = RwSignal::new(None::<Verdict>);
+    // How often it was tried or edited; an answer to what is no more is nothing.
+    let number = StoredValue::new(0_u32);
+    let busy = RwSignal::new(false);
+    let begin = move || {
+        number.update_value(|number| *number += 1);
+        verdict.set(None);
+        busy.set(false);
+    };
+    Effect::new(move |_| {
+        desk.desk().document.edited.track();
+        begin();
+    });
+    let press = move |_| {
+        begin();
+        busy.set(true);
+        let mine = number.get_value();
+        desk.desk().library.try_exercise(&exercise, move |tried| {
+            if number.try_get_value() == Some(mine) {
+                busy.set(false);
+                verdict.set(Some(
+                    tried.map_or_else(|why| Verdict { says: words::not_answered(&why), good: false }, judged),
+                ));
+            }
+        });
+    };
+    let said = move || {
+        let icon = |good| if good { "check" } else { "warn" };
+        verdict.get().map(|Verdict { says, good }| {
+            view! { <p class="verdict" class:reached=good><Icon name=icon(good) /><span>{says}</span></p> }
+        })
+    };
+    view! {
+        <button class="button" type="button" aria-busy=move || busy.get().to_string() on:click=press>
+            <Icon name="play" />
+            {words::try_it()}
+        </button>
+        <div role="status">{said}{move || busy.get().then(|| view! { <p class="faint">{words::rehearsing()}</p> })}</div>
+    }
+}
+
+fn judged(tried: Tried) -> Verdict {
+    let missed = |says: String| Verdict { says, good: false };
+    match tried {
+        Tried::Reached(says) => Verdict { says: words::goal_reached(&words::translated(&says)), good: true },
+        Tried::Missed { says, fault: None } => missed(words::translated(&says)),
+        Tried::Missed { says, fault: Some(why) } => {
+            missed(words::goal_missed_by(&words::translated(&says), &words::translated(&why)))
+        }
+        Tried::Empty => missed(words::goal_of_empty().to_owned()),
+        Tried::TooLarge => missed(words::goal_too_large().to_owned()),
+        Tried::CannotRun(why) => missed(words::goal_cannot_run(words::translated(&why).trim_end_matches('.'))),
+        Tried::TooLong => missed(words::goal_too_long().to_owned()),
+    }
+}

@@ -1,0 +1,99 @@
+//! What is changed in a sentence is changed where it is kept: in a body, a duration, a parameter.
+
+use crate::desk::Desk;
+use crate::panels::control::{replaced, written_like};
+use behaviour::{Operation, Parameters, Procedure, RATE_MS, Value};
+use leptos::prelude::GetUntracked;
+use sentences::Literal;
+
+/// What takes the place of something.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum New {
+    /// As it is kept.
+    Number(f64),
+    Text(String),
+}
+
+/// Puts something new where a sentence has its number or choice, as one change; whoever is told that it is not possible
+/// is told why.
+pub(super) fn put(desk: &Desk, at: &Literal, new: New) {
+    let after = desk.clone();
+    let said = move |answer| after.say_refusal(answer);
+    match at {
+        Literal::Param { stream, param } => {
+            let Some(signals) = desk.document.stream(stream) else { return };
+            let seen = signals.record.get_untracked();
+            let mut stream_new = seen.clone();
+            stream_new.params.insert(param.clone(), value(new, seen.params.get(param)));
+            desk.document.edit_stream((stream, seen), stream_new, said);
+        }
+        Literal::Body { connector, .. } | Literal::Period { connector } => {
+            let Some(signals) = desk.document.connector(connector) else { return };
+            let seen = signals.record.get_untracked();
+            let Some(operation) = with(&seen.operation, at, &new) else { return };
+            let inputs = seen.inputs.clone();
+            desk.document.edit_connector((connector, seen), operation, inputs, None, said);
+        }
+    }
+}
+
+/// An operation with something new at a place; none if that place is gone.
+fn with(operation: &Operation, at: &Literal, new: &New) -> Option<Operation> {
+    match (at, new) {
+        (Literal::Body { start, end, .. }, new) => {
+            let mut operation = operation.clone();
+            let Procedure::Body { body, .. } = operation.procedure_mut()? else { return None };
+            let old = body.get(*start..*end)?;
+            let text = match new {
+                New::Number(number) => written_like(old, *number),
+                New::Text(text) => text.clone(),
+            };
+            *body = replaced(body, &(*start..*end), &text);
+            Some(operation)
+        }
+        (Literal::Period { .. }, New::Number(ms)) => {
+            let parameters = Parameters {
+                period_ms: Some((ms.round().max(0.0) as u64).clamp(*RATE_MS.start(), *RATE_MS.end())),
+                procedure: operation.procedure().cloned(),
+                start: operation.start().cloned(),
+            };
+            Some(operation.spec().with(parameters))
+        }
+        (Literal::Period { .. } | Literal::Param { .. }, _) => None,
+    }
+}
+
+/// A parameter as it was kept: a whole number stays one.
+fn value(new: New, old: Option<&Value>) -> Value {
+    match (new, old) {
+        (New::Number(number), Some(Value::Int(_))) => Value::Int(number.round() as i64),
+        (New::Number(number), _) => Value::Float(number),
+        (New::Text(text), _) => Value::text(&text),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{New, value, with};
+    use behaviour::{Id, Parameters, Procedure, Value, connectors};
+    use sentences::Literal;
+
+    #[test]
+    fn what_is_changed_stands_where_it_stood() {
+        let connector = Id::new("c").unwrap();
+        let filter = connectors::filter::SPEC.with(Procedure::body("distance < 40"));
+        let at = Literal::Body { connector: connector.clone(), start: 11, end: 13 };
+        let made = with(&filter, &at, &New::Number(45.0)).unwrap();
+        assert_eq!(made.procedure(), Some(&Procedure::body("distance < 45")));
+        let sign = Literal::Body { connector: connector.clone(), start: 9, end: 10 };
+        let made = with(&filter, &sign, &New::Text(">=".to_owned())).unwrap();
+        assert_eq!(made.procedure(), Some(&Procedure::body("distance >= 40")));
+        let gone = Literal::Body { connector: connector.clone(), start: 90, end: 99 };
+        assert_eq!(with(&filter, &gone, &New::Number(1.0)), None);
+        let sample = connectors::sample::SPEC.with(Parameters::period(1_000));
+        let made = with(&sample, &Literal::Period { connector }, &New::Number(2_000.0)).unwrap();
+        assert_eq!(made.period_ms(), Some(2_000));
+        assert_eq!(value(New::Number(2.0), Some(&Value::Int(1))), Value::Int(2));
+        assert_eq!(value(New::Number(0.5), Some(&Value::Float(1.0))), Value::Float(0.5));
+    }
+}

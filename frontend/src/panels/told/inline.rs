@@ -1,0 +1,243 @@
+//! What can be changed in a sentence: a number becomes a field with keys in place, a choice is a menu.
+
+use super::change::{New, put};
+use crate::browser;
+use crate::desk::Editor;
+use crate::icons::Icon;
+use crate::panels::focus;
+use crate::panels::hold::{Hold, hold};
+use crate::panels::may::may_edit;
+use crate::words;
+use behaviour::{Kind, RecordId};
+use leptos::prelude::*;
+use sentences::{Choice, Literal, Number, Piece};
+use wasm_bindgen::JsCast;
+use web_sys::{Event, FocusEvent, HtmlElement, HtmlInputElement, KeyboardEvent};
+
+/// A moment for the number to be back in the place of its field, in milliseconds.
+const BACK_MS: i32 = 30;
+
+/// Who else is editing what a literal stands in. Reactive.
+fn editor_of(desk: Hold, at: &Literal) -> Option<Editor> {
+    let key = match at {
+        Literal::Body { connector, .. } | Literal::Period { connector } => RecordId::new(Kind::Connector, connector),
+        Literal::Param { stream, .. } => RecordId::new(Kind::Stream, stream),
+    };
+    desk.desk().document.editor_of(&key)
+}
+
+/// The name of what can be changed, or of what somebody else is editing.
+fn label(text: &str, editor: Option<Editor>) -> String {
+    match editor {
+        Some(editor) => words::with_editor(text.to_owned(), Some(&editor.name)),
+        None => words::change_it(text),
+    }
+}
+
+/// The padlock of what somebody else is editing.
+fn padlock(editor: Memo<Option<Editor>>) -> impl IntoView {
+    move || editor.read().is_some().then(|| view! { <Icon name="lock" /> })
+}
+
+fn person(editor: Memo<Option<Editor>>) -> Option<String> {
+    editor.read().as_ref().map(|editor| format!("var(--people-{})", editor.color))
+}
+
+/// A number; Enter or leaving its field saves it, Escape takes it back.
+#[component]
+pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
+    let desk = hold();
+    let number = Memo::new(move |_| match piece.get() {
+        Some(Piece::Number(number)) => Some(number),
+        _ => None,
+    });
+    let typed = RwSignal::new(None::<String>);
+    let seen = StoredValue::new(None::<f64>);
+    let editor = Memo::new(move |_| editor_of(desk, &number.read().as_ref()?.at));
+    let reads = move || !may_edit(desk) || editor.read().is_some();
+    let open = move |steps: f64| {
+        if let Some(number) = number.get_untracked().filter(|_| !untrack(reads)) {
+            seen.set_value(Some(number.value));
+            typed.set(Some(shown(stepped(&number, number.value, steps))));
+        }
+    };
+    let text = move || number.read().as_ref().map(|number| number.text.clone()).unwrap_or_default();
+    let key = move |event: KeyboardEvent| {
+        let steps = if event.shift_key() { 10.0 } else { 1.0 };
+        match event.key().as_str() {
+            "Enter" | " " => open(0.0),
+            "ArrowUp" => open(steps),
+            "ArrowDown" => open(-steps),
+            _ => return,
+        }
+        event.prevent_default();
+        event.stop_propagation();
+    };
+    let is_open = Memo::new(move |_| typed.read().is_some());
+    move || {
+        if is_open.get() {
+            return view! { <NumberField number typed seen /> }.into_any();
+        }
+        view! {
+            <span class="inline" class:locked=move || editor.read().is_some() style=("--person", move || person(editor))
+                role="button" data-stop="" tabindex="-1" aria-label=move || label(&text(), editor.get())
+                aria-disabled=move || reads().to_string() on:click=move |_| open(0.0) on:keydown=key>{padlock(editor)}{text}</span>
+        }
+        .into_any()
+    }
+}
+
+/// The field in the place of a number.
+#[component]
+fn NumberField(
+    number: Memo<Option<Number>>,
+    typed: RwSignal<Option<String>>,
+    /// The number as it was when the field was opened.
+    seen: StoredValue<Option<f64>>,
+) -> impl IntoView {
+    let desk = hold();
+    let by = move |steps: f64| {
+        let Some(number) = number.get_untracked() else { return };
+        let now = typed.get_untracked().as_deref().and_then(parsed).unwrap_or(number.value);
+        typed.set(Some(shown(stepped(&number, now, steps))));
+    };
+    // Said once: leaving the field follows Enter.
+    let save = move || {
+        let Some(text) = typed.try_get_untracked().flatten() else { return };
+        typed.set(None);
+        let Some(number) = number.try_get_untracked().flatten() else { return };
+        if seen.get_value() != Some(number.value) {
+            return desk.desk().say(&words::changed_meanwhile(&number.text), true);
+        }
+        match parsed(&text).map(|value| value.clamp(number.min, number.max)) {
+            Some(value) if value != number.value => put(&desk.desk(), &number.at, New::Number(value * number.scale)),
+            _ => {}
+        }
+    };
+    let key = move |event: KeyboardEvent| {
+        let steps = if event.shift_key() { 10.0 } else { 1.0 };
+        match event.key().as_str() {
+            "Enter" => back_to_number(&event, save),
+            "Escape" => back_to_number(&event, move || typed.set(None)),
+            "ArrowUp" => by(steps),
+            "ArrowDown" => by(-steps),
+            _ => {
+                event.stop_propagation();
+                return;
+            }
+        }
+        event.prevent_default();
+        event.stop_propagation();
+    };
+    let left = move |event: FocusEvent| {
+        let within = event.current_target().and_then(|own| own.dyn_into::<HtmlElement>().ok());
+        let to = event.related_target().and_then(|to| to.dyn_into::<web_sys::Node>().ok());
+        if !within.is_some_and(|own| own.contains(to.as_ref())) {
+            save();
+        }
+    };
+    let field = NodeRef::<leptos::html::Input>::new();
+    Effect::new(move |_| {
+        if let Some(field) = field.get() {
+            focus::type_over(&field, &typed.get_untracked().unwrap_or_default());
+        }
+    });
+    let unit = move || number.read().as_ref().map(|number| number.unit.clone()).filter(|unit| !unit.is_empty());
+    view! {
+        <span class="inline open" on:keydown=key on:focusout=left>
+            <button type="button" tabindex="-1" aria-label=words::less() on:click=move |_| by(-1.0)><Icon name="minus" /></button>
+            <input type="text" inputmode="decimal" data-stop="" aria-label=words::number() node_ref=field prop:value=move || typed.get()
+                on:input=move |event: Event| {
+                    if let Some(field) = event.target().and_then(|field| field.dyn_into::<HtmlInputElement>().ok()) {
+                        typed.set(Some(field.value()));
+                    }
+                } />
+            <button type="button" tabindex="-1" aria-label=words::more() on:click=move |_| by(1.0)><Icon name="plus" /></button>
+            {move || unit().map(|unit| view! { <span class="unit">{unit}</span> })}
+        </span>
+    }
+}
+
+/// Closes the field by `act`, and gives the keyboard to the number that takes its place.
+fn back_to_number(event: &KeyboardEvent, act: impl FnOnce()) {
+    let field = event.current_target().and_then(|own| own.dyn_into::<HtmlElement>().ok());
+    let phrase = field.as_ref().and_then(|field| field.parent_element());
+    // It stands where the field stood.
+    let place = phrase
+        .as_ref()
+        .map(|phrase| phrase.children())
+        .and_then(|all| (0..all.length()).find(|at| all.item(*at).as_ref() == field.as_ref().map(AsRef::as_ref)));
+    act();
+    browser::after(BACK_MS, move || {
+        let number = phrase.zip(place).and_then(|(phrase, place)| phrase.children().item(place));
+        if let Some(number) = number.and_then(|number| number.dyn_into::<HtmlElement>().ok()) {
+            let _ = number.focus();
+        }
+    });
+}
+
+/// One of several words.
+#[component]
+pub(super) fn InlineChoice(piece: Memo<Option<Piece>>) -> impl IntoView {
+    let desk = hold();
+    let choice = Memo::new(move |_| match piece.get() {
+        Some(Piece::Choice(choice)) => Some(choice),
+        _ => None,
+    });
+    let options = Memo::new(move |_| choice.get().map(|choice| choice.options).unwrap_or_default());
+    let chosen = Memo::new(move |_| choice.get().map(|choice| choice.chosen).unwrap_or_default());
+    let text = move || choice.read().as_ref().map(|choice| choice.text.clone()).unwrap_or_default();
+    let editor = Memo::new(move |_| editor_of(desk, &choice.read().as_ref()?.at));
+    let reads = move || !may_edit(desk) || editor.read().is_some();
+    let choose = move |value: String| {
+        if let Some(Choice { at, chosen, .. }) = choice.get_untracked().filter(|_| !untrack(reads))
+            && chosen != value
+        {
+            put(&desk.desk(), &at, New::Text(value));
+        }
+    };
+    view! {
+        <span class="inline choice" class:locked=move || editor.read().is_some() style=("--person", move || person(editor))>
+            <span aria-hidden="true">{padlock(editor)}{text}<Icon name="chevron" /></span>
+            <select data-stop="" tabindex="-1" aria-label=move || label(&text(), editor.get()) disabled=reads
+                prop:value=chosen on:change:target=move |event| choose(event.target().value())>
+                {move || options.get().into_iter().map(|option| {
+                    let mine = option.value.clone();
+                    view! { <option value=option.value prop:selected=move || chosen.get() == mine>{option.words}</option> }
+                }).collect_view()}
+            </select>
+        </span>
+    }
+}
+
+/// So many steps from a value, on a step and within what makes sense.
+fn stepped(number: &Number, value: f64, steps: f64) -> f64 {
+    let next = if steps == 0.0 { value } else { ((value / number.step).round() + steps) * number.step };
+    ((next * 1e6).round() / 1e6).clamp(number.min, number.max)
+}
+
+fn parsed(text: &str) -> Option<f64> {
+    text.trim().replace(',', ".").parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+fn shown(value: f64) -> String {
+    value.to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{parsed, shown, stepped};
+    use behaviour::Id;
+    use sentences::{Literal, Number};
+
+    #[test]
+    fn a_press_goes_to_the_next_step_and_not_past_the_end() {
+        let at = Literal::Period { connector: Id::new("c").unwrap() };
+        let (text, unit) = ("0.5 m".to_owned(), "m".to_owned());
+        let number = Number { text, value: 0.5, unit, min: 0.0, max: 2.0, step: 0.05, at, scale: 1.0 };
+        assert_eq!((stepped(&number, 0.5, 1.0), stepped(&number, 0.5, -10.0)), (0.55, 0.0));
+        assert_eq!((stepped(&number, 1.98, 10.0), stepped(&number, 0.513, 0.0)), (2.0, 0.513));
+        assert_eq!((parsed(" 0,5 "), parsed("x"), parsed("inf")), (Some(0.5), None, None));
+        assert_eq!((shown(40.0), shown(0.55)), ("40".to_owned(), "0.55".to_owned()));
+    }
+}

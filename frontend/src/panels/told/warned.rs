@@ -1,0 +1,134 @@
+//! What is wrong with what a phrase means: a wave below its words, and while it has the keyboard, what mends it beside it.
+
+use crate::browser;
+use crate::desk::Desk;
+use crate::panels::ProblemLine;
+use crate::panels::focus;
+use crate::panels::hold::hold;
+use crate::words;
+use behaviour::{Kind, Problem};
+use leptos::prelude::*;
+use sentences::Phrase;
+use wasm_bindgen::JsCast;
+use web_sys::{Element, HtmlElement};
+
+/// How wide what is said is at most, and its distance to the phrase, in pixels.
+const WIDTH: f64 = 320.0;
+const NEAR: f64 = 8.0;
+/// A moment for the sentences to be made again after something was mended, in milliseconds.
+const BACK_MS: i32 = 120;
+
+/// The problem of the phrase that has the keyboard, with where it is said.
+#[derive(Clone, Copy)]
+pub(super) struct Warned {
+    shown: RwSignal<Option<(Problem, (f64, f64))>>,
+    phrase: StoredValue<Option<HtmlElement>, LocalStorage>,
+}
+
+impl Warned {
+    pub(super) fn new() -> Self {
+        Self { shown: RwSignal::new(None), phrase: StoredValue::new_local(None) }
+    }
+
+    /// A phrase got the keyboard.
+    pub(super) fn show(self, problem: Option<Problem>, phrase: &HtmlElement) {
+        let shown = problem.and_then(|problem| Some((problem, beside(phrase)?)));
+        self.phrase.set_value(shown.is_some().then(|| phrase.clone()));
+        self.shown.set(shown);
+    }
+
+    /// The keyboard left the phrases and what is said of them.
+    pub(super) fn hide(self) {
+        if self.shown.try_with_untracked(Option::is_some) == Some(true) {
+            self.shown.set(None);
+        }
+    }
+
+    /// The keyboard goes back to the phrase.
+    fn back(self) {
+        if let Some(phrase) = self.phrase.get_value().filter(|phrase| phrase.is_connected())
+            && let Some(stop) = focus::all(&phrase, "[data-stop]").first()
+        {
+            focus::focus(stop);
+        }
+    }
+}
+
+/// Below the phrase, within the bar of sentences.
+fn beside(phrase: &HtmlElement) -> Option<(f64, f64)> {
+    let bar = phrase.closest(".told").ok().flatten()?;
+    let (own, all) = (phrase.get_bounding_client_rect(), bar.get_bounding_client_rect());
+    let left = (own.left() - all.left()).min(all.width() - WIDTH - NEAR).max(NEAR);
+    Some((left, own.bottom() - all.top() + NEAR))
+}
+
+/// What is wrong with what a phrase means. Reactive.
+pub(super) fn problem_of(desk: &Desk, phrase: &Phrase) -> Option<Problem> {
+    desk.document.problems.with(|all| all.iter().find(|problem| is_of(problem, phrase)).cloned())
+}
+
+fn is_of(problem: &Problem, phrase: &Phrase) -> bool {
+    match problem.at.kind {
+        Kind::Connector => phrase.connectors.contains(&problem.at.id),
+        Kind::Stream => phrase.streams.contains(&problem.at.id),
+        Kind::Settings | Kind::Helper | Kind::Place | Kind::Note | Kind::Group => false,
+    }
+}
+
+/// Whether the keyboard stays with a phrase that has a problem, or with what is said of it.
+pub(super) fn stays(event: &web_sys::FocusEvent) -> bool {
+    let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    target.is_some_and(|target| target.closest(".phrase.warned, .told-trouble").ok().flatten().is_some())
+}
+
+/// The problem in words, with what mends it.
+#[component]
+pub(super) fn Trouble(warned: Warned) -> impl IntoView {
+    let desk = hold();
+    // Mended, by whomever: there is nothing to say any more.
+    let shown = Memo::new(move |_| {
+        let (problem, at) = warned.shown.get()?;
+        desk.desk().document.problems.with(|all| all.contains(&problem)).then_some((problem, at))
+    });
+    let keys = move |event: web_sys::KeyboardEvent| {
+        if event.key() == "Escape" {
+            event.stop_propagation();
+            warned.back();
+            warned.hide();
+        }
+    };
+    let press = move |event: web_sys::MouseEvent| {
+        let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+        if target.is_some_and(|target| target.closest("button").ok().flatten().is_some()) {
+            browser::after(BACK_MS, move || warned.back());
+        }
+    };
+    view! {
+        <div role="status">
+            {move || shown.get().map(|(problem, (left, top))| view! {
+                <div class="trouble told-trouble" role="group" aria-label=words::problems() style:left=format!("{left:.0}px")
+                    style:top=format!("{top:.0}px") on:keydown=keys on:click=press>
+                    <ul class="big-list"><ProblemLine problem alone=true /></ul>
+                </div>
+            })}
+        </div>
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_of;
+    use behaviour::{Id, Problem, ProblemKind};
+    use sentences::Phrase;
+
+    #[test]
+    fn a_problem_is_of_the_phrase_that_means_what_has_it() {
+        let id = |text: &str| Id::new(text).unwrap();
+        let named = || "Near".to_owned();
+        let problem =
+            |at: &str| Problem { at: at.parse().unwrap(), name: named(), kind: ProblemKind::EmptyBody, blocks: true };
+        let phrase = Phrase { streams: vec![id("near")], connectors: vec![id("test")], ..Phrase::default() };
+        assert!(is_of(&problem("connector/test"), &phrase) && is_of(&problem("stream/near"), &phrase));
+        assert!(!is_of(&problem("connector/near"), &phrase) && !is_of(&problem("stream/other"), &phrase));
+    }
+}

@@ -1,0 +1,217 @@
+//! A sentence that is typed where things are found: what it would add is shown beside the graph, and Enter adds it. What is
+//! not understood is underlined, with what would be.
+
+mod drafted;
+
+use super::hold::{Hold, hold};
+use super::inspector::kind_class;
+use super::may::may_edit;
+use crate::browser;
+use crate::words;
+use behaviour::Helper;
+use leptos::prelude::*;
+use sentences::{Doubt, Reading, language_of, looks_like_sentence, read};
+use std::ops::Range;
+use wasm_bindgen::JsCast;
+
+/// A field in which a sentence can be typed.
+#[derive(Clone, Copy)]
+pub(crate) struct Typing {
+    pub(crate) text: RwSignal<String>,
+    /// Whether what is typed is read as a sentence.
+    pub(crate) open: RwSignal<bool>,
+    /// How often Enter was pressed.
+    pub(crate) entered: RwSignal<u32>,
+    /// How far the text is scrolled in its field, in pixels.
+    pub(crate) scrolled: RwSignal<i32>,
+}
+
+impl Typing {
+    pub(crate) fn new() -> Self {
+        let (entered, scrolled) = (RwSignal::new(0), RwSignal::new(0));
+        Self { text: RwSignal::default(), open: RwSignal::new(false), entered, scrolled }
+    }
+
+    /// Sees how far the text is scrolled after something happened to its field.
+    pub(crate) fn follow(self, event: &web_sys::Event) {
+        let field = event.target().and_then(|target| target.dyn_into::<web_sys::HtmlElement>().ok());
+        browser::after(0, move || {
+            let scrolled = field.map_or(0, |field| field.scroll_left());
+            if self.scrolled.try_get_untracked().is_some_and(|known| known != scrolled) {
+                self.scrolled.set(scrolled);
+            }
+        });
+    }
+}
+
+/// What is made of a typed sentence, as a view.
+pub(crate) fn typed(typing: Typing) -> AnyView {
+    view! { <Typed typing /> }.into_any()
+}
+
+/// What is made of a typed sentence: doubts, what it would add, and adding it.
+#[component]
+pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>) -> impl IntoView {
+    let desk = hold();
+    let reading = Memo::new(move |_| reading(desk, &typing.text.read()));
+    let is_open = Memo::new(move |_| reading.read().is_some());
+    let doubt = Memo::new(move |_| reading.read().as_ref().and_then(|reading| reading.doubts.first().cloned()));
+    let ready = Memo::new(move |_| reading.read().as_ref().is_some_and(is_whole));
+    Effect::new(move |_| {
+        typing.open.set(is_open.get());
+        let desk = desk.desk();
+        let shown = reading.read().as_ref().map(|reading| {
+            let (behaviour, places) = (desk.document.behaviour(), desk.document.places());
+            drafted::ghost(&reading.draft, &behaviour, &places, desk.document.in_view())
+        });
+        desk.document.ghost.set(shown);
+    });
+    on_cleanup(move || {
+        desk.desk().document.ghost.set(None);
+        typing.open.try_set(false);
+    });
+    let take = move |suggestion: &str| {
+        if let Some(doubt) = doubt.get_untracked() {
+            typing.text.update(|text| replace(text, &doubt.range, suggestion));
+        }
+    };
+    let add = move || {
+        let desk = desk.desk();
+        let Some(ghost) = desk.document.ghost.get_untracked().filter(|_| ready.get_untracked()) else { return };
+        typing.text.set(String::new());
+        if let Some(done) = done {
+            done.run(());
+        }
+        let after = desk.clone();
+        desk.document.put_ghost(ghost, move |answer| after.say_refusal(answer));
+    };
+    Effect::new(move |before: Option<u32>| {
+        let entered = typing.entered.get();
+        if before.is_some_and(|before| before != entered) {
+            match untrack(|| doubt.get()).map(|doubt| doubt.suggestions.into_iter().next()) {
+                Some(Some(best)) => take(&best),
+                Some(None) => {}
+                None => add(),
+            }
+        }
+        entered
+    });
+    view! {
+        <Show when=move || is_open.get()>
+            <Mirror typing reading />
+            <div class="typed">
+                <div role="status">{move || doubt.get().map(|doubt| view! { <p class="doubt">{words::in_doubt(words_of(&typing.text.read(), &doubt.range), doubt.suggestions.is_empty())}</p> })}</div>
+                {move || doubt.get().map(|doubt| suggestions(doubt, take))}
+                <div class="would-add">
+                    <p role="status"><WouldAdd reading /></p>
+                    <span class="keys"><kbd>"Esc"</kbd>{words::esc_clears()}</span>
+                    <button type="button" class="button primary" disabled=move || !ready.get() on:click=move |_| add()>{words::add_to_graph()}</button>
+                </div>
+            </div>
+        </Show>
+    }
+}
+
+/// What could stand in the place of what is not understood; Enter takes the first.
+fn suggestions(doubt: Doubt, take: impl Fn(&str) + Copy + 'static) -> impl IntoView {
+    let button = move |(at, suggestion): (usize, String)| {
+        let words = suggestion.clone();
+        let key = (at == 0).then(|| view! { <kbd aria-hidden="true">"Enter"</kbd> });
+        view! { <button type="button" class="button" class:best=at == 0 on:click=move |_| take(&suggestion)>{words}{key}</button> }
+    };
+    let some = !doubt.suggestions.is_empty();
+    let buttons = doubt.suggestions.into_iter().enumerate().map(button).collect_view();
+    some.then(|| view! { <div class="suggestions" role="group" aria-label=words::did_you_mean()>{buttons}</div> })
+}
+
+/// The typed words once more, under the field: what is not understood has a wave below it.
+#[component]
+fn Mirror(typing: Typing, reading: Memo<Option<Reading>>) -> impl IntoView {
+    let pieces = move || {
+        let text = typing.text.get();
+        let doubts = reading.read().as_ref().map(|reading| reading.doubts.clone()).unwrap_or_default();
+        let mut end = 0;
+        let mut pieces = Vec::new();
+        for Doubt { range, .. } in doubts {
+            let (start, stop) = (range.start.max(end).min(text.len()), range.end.max(end).min(text.len()));
+            pieces.push(view! { <span>{text.get(end..start).unwrap_or_default().to_owned()}</span> }.into_any());
+            pieces.push(view! { <mark>{text.get(start..stop).unwrap_or_default().to_owned()}</mark> }.into_any());
+            end = stop;
+        }
+        pieces.push(view! { <span>{text.get(end..).unwrap_or_default().to_owned()}</span> }.into_any());
+        pieces
+    };
+    let moved = move || format!("translateX({}px)", -typing.scrolled.get());
+    view! { <div class="mirror" aria-hidden="true"><span style:transform=moved>{pieces}</span></div> }
+}
+
+/// The names of what would be new, each with its shape.
+#[component]
+fn WouldAdd(reading: Memo<Option<Reading>>) -> impl IntoView {
+    move || {
+        let streams = reading.get().map(|reading| reading.draft.streams).unwrap_or_default();
+        let new: Vec<_> = streams.into_iter().filter(|stream| stream.existing.is_none()).collect();
+        if new.is_empty() {
+            return view! { <span>{words::sentence_example()}</span> }.into_any();
+        }
+        let part = |stream: sentences::DraftStream| {
+            view! { <span class="part"><i class=format!("kind {}", kind_class(stream.kind)) aria-hidden="true"></i>{stream.name}" "</span> }
+        };
+        view! { <span>{words::would_add()}" "</span> {new.into_iter().map(part).collect_view()} }.into_any()
+    }
+}
+
+/// What is typed as a sentence, if it is one and somebody here may edit. Reactive, but for the program itself.
+fn reading(desk: Hold, text: &str) -> Option<Reading> {
+    let is_open = desk.desk().document.open.read().is_some();
+    if !is_open || !may_edit(desk) || !looks_like_sentence(text) {
+        return None;
+    }
+    let desk = desk.desk();
+    let behaviour = desk.document.behaviour();
+    desk.library.helpers.with(|helpers| {
+        let helpers: Vec<&Helper> = helpers.iter().map(|(_, helper)| helper).collect();
+        Some(read(text, language_of(text), &helpers, Some(&behaviour)))
+    })
+}
+
+/// Whether a reading can be added: nothing is in doubt, and something happens.
+fn is_whole(reading: &Reading) -> bool {
+    reading.doubts.is_empty() && !reading.draft.connectors.is_empty()
+}
+
+fn words_of(text: &str, range: &Range<usize>) -> String {
+    text.get(range.clone()).unwrap_or_default().trim().to_owned()
+}
+
+/// Puts other words at a place, with a space to the words around where letters would touch.
+fn replace(text: &mut String, range: &Range<usize>, with: &str) {
+    let end = range.end.min(text.len());
+    let start = range.start.min(end);
+    if !text.is_char_boundary(start) || !text.is_char_boundary(end) {
+        return;
+    }
+    let is_letter = |c: char| c.is_ascii_alphanumeric();
+    let before = text[..start].ends_with(is_letter) && with.starts_with(is_letter);
+    let after = text[end..].starts_with(is_letter) && with.ends_with(is_letter);
+    let spaced = format!("{}{with}{}", if before { " " } else { "" }, if after { " " } else { "" });
+    text.replace_range(start..end, &spaced);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::replace;
+
+    #[test]
+    fn words_are_replaced_where_they_stand() {
+        let mut text = "When the head is patted, the eyes".to_owned();
+        replace(&mut text, &(17..23), "touched for 1 second");
+        assert_eq!(text, "When the head is touched for 1 second, the eyes");
+        let mut missing = "When the head".to_owned();
+        replace(&mut missing, &(13..13), "is touched");
+        assert_eq!(missing, "When the head is touched");
+        let mut other = "頭が".to_owned();
+        replace(&mut other, &(1..2), "x");
+        assert_eq!(other, "頭が");
+    }
+}

@@ -1,0 +1,109 @@
+//! Taking a next step: at once where nothing is left to choose, else by way of its dialog.
+
+use super::suggest::Step;
+use crate::desk::{ConnectPlan, Desk, Dialog, Output, Selected, Spot};
+use crate::naming::{Parts, called};
+use crate::words;
+use behaviour::connectors::{self, PERIOD_MS, Spec};
+use behaviour::{Helper, Id, Operation, Params, Procedure, Unit};
+use leptos::prelude::*;
+use protocol::Refused;
+
+/// Does what was offered; a new stream goes to `spot`.
+pub(crate) fn take(desk: &Desk, input: &Id, step: &Step, spot: Spot) {
+    match step {
+        Step::Connector(kind) if !is_chosen_at_once(kind, &spot) => {
+            let dialog = Dialog::Operation { input: input.clone(), connector: None, kind, spot };
+            desk.dialog.set(Some(dialog));
+        }
+        Step::Converted(from, to, then) => {
+            let Some(first) = conversion(desk, input, (*from, *to), spot) else { return };
+            match then.as_deref().and_then(|then| plan(desk, input, then, Spot::Below)) {
+                Some((then, asks)) => desk.document.connect_twice(first, then, answered(desk, asks)),
+                None => desk.document.connect(first, answered(desk, false)),
+            }
+        }
+        _ => {
+            if let Some((plan, asks)) = plan(desk, input, step, spot) {
+                desk.document.connect(plan, answered(desk, asks));
+            }
+        }
+    }
+}
+
+/// The connector that a step makes, and whether its settings are asked for then; none for one that asks first.
+fn plan(desk: &Desk, input: &Id, step: &Step, spot: Spot) -> Option<(ConnectPlan, bool)> {
+    let input = if let Step::Otherwise(.., tested) = step { tested } else { input };
+    let (operation, output, asks) = match step {
+        Step::Helper(name) => {
+            (by_helper(name), new_output(desk, &words::Naming::Page.helper(name), None, Params::new()), false)
+        }
+        Step::Connector(kind) => {
+            (kind.with(()), new_output(desk, &name_of(desk, input, kind), None, Params::new()), false)
+        }
+        Step::Otherwise(spec, body, _) => {
+            let output = new_output(desk, words::otherwise_name(), None, Params::new());
+            (spec.with(Procedure::body(body)), output, false)
+        }
+        Step::Action(device, params) => {
+            let base = device.next_step.stream.map_or_else(|| words::device(device), words::language::said);
+            let output = new_output(desk, base, Some(device.name), params.clone());
+            (connectors::to_action().with(()), output, device.next_step.asks)
+        }
+        Step::Converted(..) => return None,
+    };
+    Some((ConnectPlan { operation, inputs: vec![input.clone()], output, spot }, asks))
+}
+
+/// The value of a stream in another unit.
+fn conversion(desk: &Desk, input: &Id, (from, to): (Unit, Unit), spot: Spot) -> Option<ConnectPlan> {
+    let name = desk.document.stream(input)?.record.with_untracked(|stream| stream.name.clone());
+    let argument = behaviour::argument_names([name.as_str()]).pop()?;
+    let operation = connectors::to_new_value().with(Procedure::body(&from.convert(to, &argument)?));
+    let output = new_output(desk, &to.of(&name), None, Params::new());
+    Some(ConnectPlan { operation, inputs: vec![input.clone()], output, spot })
+}
+
+fn by_helper(name: &str) -> Operation {
+    connectors::to_new_value().with(Procedure::Helper(name.to_owned()))
+}
+
+/// Makes a new value of a stream by a helper.
+pub(crate) fn lead_to_helper(desk: &Desk, input: &Id, name: &str, spot: Spot) {
+    take(desk, input, &Step::Helper(name.to_owned()), spot);
+}
+
+/// Whether a helper can make something of one stream alone.
+pub(crate) fn takes_one(helper: &Helper) -> bool {
+    helper.params.len() == 1
+}
+
+/// Whether a connector runs as it is, with what it begins with: chosen at a place of the graph, it is there at once, and
+/// its duration can be changed on it.
+fn is_chosen_at_once(spec: &Spec, spot: &Spot) -> bool {
+    let asks = spec.takes.procedure.is_some_and(|takes| !takes.is_optional);
+    *spot != Spot::Below && !asks && !spec.acts() && spec.inputs.least() == 1
+}
+
+/// What the stream is called that a connector makes of this one.
+fn name_of(desk: &Desk, input: &Id, spec: &Spec) -> String {
+    let name = desk.document.stream(input).map(|signals| signals.record.with_untracked(|stream| stream.name.clone()));
+    let inputs: Vec<String> = name.into_iter().collect();
+    called(spec, &Parts { inputs: &inputs, period_ms: spec.takes.period.map(|_| PERIOD_MS), ..Parts::default() })
+}
+
+fn new_output(desk: &Desk, base: &str, device: Option<&str>, params: Params) -> Output {
+    Output::New { name: desk.document.name_for(base), device: device.map(str::to_owned), params }
+}
+
+/// What is done with the answer: a refusal is said, and what was made may ask for its settings.
+fn answered(desk: &Desk, then_edit: bool) -> impl FnOnce(Result<(), Refused>) + 'static {
+    let after = desk.clone();
+    move |answer| {
+        let made = if answer.is_ok() && then_edit { after.document.selected.get_untracked() } else { None };
+        if let Some(Selected::Stream(made)) = made {
+            after.dialog.set(Some(Dialog::EditStream(made)));
+        }
+        after.say_refusal(answer);
+    }
+}

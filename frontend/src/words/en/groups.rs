@@ -1,0 +1,59 @@
+//! Notes beside the graph, and groups of streams.
+
+use super::listed;
+use crate::words::language::said;
+use behaviour::StreamKind;
+
+sentences! {
+    add_note: "Add a note";
+    edit_note: "Edit the note";
+    remove_note: "Remove the note";
+    note_text: "Text of the note";
+    note_beside: "Somebody else changed this note just now. Yours stands below it.";
+    note_keys: "Ctrl Enter saves, Esc takes back";
+    group: "Group";
+    make_group: "Make a group";
+    ungroup: "Ungroup";
+    fold: "Fold";
+    unfold: "Unfold";
+    fold_or_unfold: "Fold or unfold the group";
+    group_hint: "Drag the title to move all of it";
+    remove_with_streams: "Remove it with its streams";
+    nothing_to_group: "Choose the streams that shall be a group.";
+    in_no_group: "Nothing of this is in a group.";
+}
+
+/// The name of a note for screen readers.
+pub(crate) fn note_by(by: &str, text: &str) -> String {
+    if by.is_empty() { say!("Note: {text}", text) } else { say!("Note by {by}: {text}", by, text) }
+}
+
+/// The name of an open group, with what is in it.
+pub(crate) fn group_name(title: &str, counts: &str) -> String {
+    listed([title, said("group"), counts])
+}
+
+/// The name of a folded group, with what is in it.
+pub(crate) fn folded_name(title: &str, counts: &str) -> String {
+    listed([title, said("folded group"), counts])
+}
+
+pub(crate) fn fold_of(title: &str) -> String {
+    say!("Fold {title}", title)
+}
+
+pub(crate) fn unfold_of(title: &str) -> String {
+    say!("Unfold {title}", title)
+}
+
+/// So many streams of a kind.
+pub(crate) fn count_of_kind(kind: StreamKind, count: usize) -> String {
+    match (kind, count) {
+        (StreamKind::Sensor, 1) => say!("1 sense"),
+        (StreamKind::Sensor, _) => say!("{count} senses", count),
+        (StreamKind::Ordinary, 1) => say!("1 stream"),
+        (StreamKind::Ordinary, _) => say!("{count} streams", count),
+        (StreamKind::Actuator, 1) => say!("1 action"),
+        (StreamKind::Actuator, _) => say!("{count} actions", count),
+    }
+}

@@ -1,0 +1,60 @@
+//! What streams are called until somebody names them: in the language of the page of who makes them, and of all after that.
+
+use super::{fill, said};
+use crate::naming::in_words;
+
+/// In which language a name is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Naming {
+    /// That of the page.
+    Page,
+    /// English, as somebody with another page may have made it.
+    English,
+}
+
+impl Naming {
+    /// This text, in that language.
+    pub(crate) fn said(self, text: &'static str) -> &'static str {
+        if self == Self::Page { said(text) } else { text }
+    }
+
+    /// What a helper makes: of `ball_to_distance` it is "Distance in m", of one's own `near_enough` "Near enough". Empty if
+    /// its name has nothing to say.
+    pub(crate) fn helper(self, name: &str) -> String {
+        robot::helper_stream(name).map_or_else(|| in_words(name), |stream| self.said(stream).to_owned())
+    }
+
+    /// A duration: "500 ms", "2 s".
+    pub(crate) fn period(self, ms: u64) -> String {
+        if ms.is_multiple_of(1_000) {
+            fill(self.said("{seconds} s"), &[("seconds", &(ms / 1_000))])
+        } else {
+            fill(self.said("{ms} ms"), &[("ms", &ms)])
+        }
+    }
+
+    /// How often that is: "every second", "every 2 s".
+    pub(crate) fn every(self, ms: u64) -> String {
+        if ms == 1_000 {
+            return self.said("every second").to_owned();
+        }
+        fill(self.said("every {period}"), &[("period", &self.period(ms))])
+    }
+
+    /// Several from which a value may come.
+    pub(crate) fn either(self, names: &[String]) -> String {
+        let mut names = names.iter().cloned();
+        let first = names.next().unwrap_or_default();
+        names.fold(first, |names, name| fill(self.said("{names} or {name}"), &[("names", &names), ("name", &name)]))
+    }
+}
+
+/// A template with its holes filled, if there is something for each of them.
+pub(crate) fn filled_whole(template: &str, value: impl Fn(&str) -> Option<String>) -> Option<String> {
+    let holes = template.split('{').skip(1).filter_map(|part| Some(part.split_once('}')?.0));
+    let values: Option<Vec<(&str, String)>> = holes.map(|hole| Some((hole, value(hole)?))).collect();
+    let values = values?;
+    let shown: Vec<(&str, &dyn std::fmt::Display)> =
+        values.iter().map(|(hole, value)| (*hole, value as &dyn std::fmt::Display)).collect();
+    Some(fill(template, &shown))
+}

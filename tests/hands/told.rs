@@ -1,0 +1,168 @@
+//! Sentences over the graph: read, pointed at, changed in place, and typed where things are found.
+
+use house::{Outcome, Page};
+
+use crate::steps::{picture, rests, stage};
+
+const BALLS: Option<&str> = Some("Track far and close balls");
+
+async fn reads(page: &Page, at: usize, sentence: &str) -> Outcome<()> {
+    let js = format!(
+        "[...(document.querySelectorAll('.told .sentence')[{at}]?.querySelectorAll('.words, .inline:not(.choice), .inline.choice > span') ?? [])]
+            .map(one => one.textContent).join('').replace(/\\s+/g, ' ').trim() === {}",
+        serde_json::json!(sentence)
+    );
+    page.until(&js, &format!("sentence {at} reads: {sentence}")).await.map(drop)
+}
+
+#[tokio::test]
+async fn a_sentence_says_what_happens_and_its_number_is_changed_in_it() -> Outcome<()> {
+    let stage = stage!("sentences");
+    let program = stage.wire.make("Told", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    reads(&aiko, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
+    reads(&aiko, 1, "Otherwise the whole body follows it.").await?;
+    let before = rests(&aiko, "Distance, stream").await?;
+    aiko.press("button", "Change: 0.5 m").await?;
+    aiko.until("document.activeElement.closest('.inline.open')", "the number is a field").await?;
+    aiko.type_text("0.7").await?;
+    picture(&aiko, "told-field").await?;
+    aiko.key("Enter").await?;
+    reads(&aiko, 0, "When the red ball is at least 0.7 m away, the head follows it.").await?;
+    aiko.until("document.activeElement.classList.contains('inline')", "the keyboard is on the number").await?;
+    aiko.key("ArrowUp").await?;
+    aiko.until("document.activeElement.value === '0.75'", "an arrow goes one step on").await?;
+    aiko.key("Escape").await?;
+    aiko.until("document.activeElement.classList.contains('inline')", "and is taken back").await?;
+    aiko.key("Control+z").await?;
+    reads(&aiko, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
+    let after = rests(&aiko, "Distance, stream").await?;
+    assert_eq!((before.x, before.y), (after.x, after.y), "the graph does not move");
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_phrase_lights_its_part_and_leads_there() -> Outcome<()> {
+    let stage = stage!("phrases");
+    let program = stage.wire.make("Lit", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    reads(&aiko, 1, "Otherwise the whole body follows it.").await?;
+    aiko.hover("button", "Otherwise*").await?;
+    aiko.until("document.querySelector('.lit-region .way')?.getAttribute('d')?.length > 10", "its part is lit").await?;
+    picture(&aiko, "told-lit").await?;
+    aiko.press("button", "Otherwise*").await?;
+    aiko.until("!!document.querySelector('.chip.selected')", "its connector is selected").await?;
+    aiko.until("!!document.querySelector('.phrase.selected')", "and its phrase shows that").await?;
+    aiko.move_to((700.0, 860.0)).await?;
+    aiko.key("Escape").await?;
+    aiko.until("!document.querySelector('.lit-region')", "nothing is lit any more").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_typed_sentence_is_shown_and_added_as_one() -> Outcome<()> {
+    let stage = stage!("typed sentences");
+    let program = stage.wire.make("Typed", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    rests(&aiko, "Distance, stream").await?;
+    aiko.key("Control+f").await?;
+    aiko.until("document.activeElement.id === 'find'", "the field that finds has the keyboard").await?;
+    aiko.type_text("When the head is patted, the eyes turn green.").await?;
+    aiko.find("button", "touched").await?;
+    aiko.until("document.querySelector('.mirror mark')?.textContent.includes('patted')", "what is not known is marked")
+        .await?;
+    aiko.until("document.querySelectorAll('.stream.ghost').length === 3", "a preview stands beside the graph").await?;
+    picture(&aiko, "typed").await?;
+    aiko.key("Enter").await?;
+    aiko.until(
+        "document.querySelector('#find').value === 'When the head is touched, the eyes turn green.'",
+        "the best is taken",
+    )
+    .await?;
+    aiko.until("!document.querySelector('.typed .doubt')", "nothing is in doubt").await?;
+    aiko.key("Enter").await?;
+    aiko.find("button", "Green eyes,*").await?;
+    aiko.until(
+        "document.querySelectorAll('[data-node]').length === 9 && !document.querySelector('.ghost')",
+        "it is in the graph",
+    )
+    .await?;
+    aiko.key("Escape").await?;
+    aiko.press("button", "Undo").await?;
+    aiko.until("document.querySelectorAll('[data-node]').length === 6", "one undo takes all of it back").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_japanese_sentence_is_read_too() -> Outcome<()> {
+    let stage = stage!("Japanese sentences");
+    let program = stage.wire.make("Japanese", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    reads(&aiko, 1, "Otherwise the whole body follows it.").await?;
+    aiko.press("button", "日本語").await?;
+    reads(&aiko, 0, "赤いボールが 0.5 m 以上離れているとき、頭で追いかけます。").await?;
+    aiko.key("Control+f").await?;
+    aiko.type_text("頭に手が触れたとき、目が緑に光ります。").await?;
+    aiko.until(
+        "document.querySelectorAll('.stream.ghost').length >= 2 && !document.querySelector('.typed .doubt')",
+        "it is understood",
+    )
+    .await?;
+    aiko.key("Escape").await?;
+    aiko.until(
+        "!document.querySelector('.typed, .ghost') && document.querySelector('#find').value === ''",
+        "Escape takes it away",
+    )
+    .await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn the_right_button_and_a_long_press_open_the_menu_of_what_is_there() -> Outcome<()> {
+    let stage = stage!("menus");
+    let program = stage.wire.make("Menus", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    rests(&aiko, "Far ball, stream").await?;
+    aiko.press_right("button", "Far ball, stream").await?;
+    aiko.find("menu", "What can be done with Far ball").await?;
+    picture(&aiko, "menu").await?;
+    aiko.press("menuitem", "Duplicate").await?;
+    aiko.find("button", "Far ball 2, stream").await?;
+    let ben = stage.fingers("ben", &program).await?;
+    let at = rests(&ben, "Close ball, stream").await?.centre();
+    ben.touch_down(at).await?;
+    ben.find("menu", "What can be done with Close ball").await?;
+    ben.touch_up().await?;
+    ben.until(
+        "new Promise(done => setTimeout(() => done(!!document.querySelector('.context')), 300))",
+        "the finger that is lifted presses nothing in the menu",
+    )
+    .await?;
+    ben.tap("menuitem", "Rename").await?;
+    ben.until("document.activeElement.className === 'rename'", "its name can be typed").await?;
+    ben.no_errors()?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_number_that_somebody_changed_meanwhile_is_not_overwritten() -> Outcome<()> {
+    let stage = stage!("two at one number");
+    let program = stage.wire.make("Two", BALLS).await?;
+    let (aiko, ben) = (stage.person("aiko", &program).await?, stage.person("ben", &program).await?);
+    reads(&ben, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
+    reads(&aiko, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
+    for page in [&aiko, &ben] {
+        page.press("button", "Change: 0.5 m").await?;
+        page.until("document.activeElement.closest('.inline.open')", "the number is a field").await?;
+    }
+    ben.type_text("0.7").await?;
+    ben.key("Enter").await?;
+    reads(&ben, 0, "When the red ball is at least 0.7 m away, the head follows it.").await?;
+    aiko.find("button", "filter (distance >= 0.7), connector*").await?;
+    aiko.type_text("0.9").await?;
+    aiko.key("Enter").await?;
+    aiko.until("document.body.innerText.includes('it is 0.7 m now')", "Aiko hears of it").await?;
+    reads(&aiko, 0, "When the red ball is at least 0.7 m away, the head follows it.").await?;
+    aiko.no_errors()?;
+    ben.no_errors()
+}

@@ -1,0 +1,179 @@
+//! The walkthrough of the thesis and the tour with a finger alone: no mouse, on a tablet and on a phone, from the empty
+//! library to a robot that follows and stands still again. Whatever is touched is large enough for a finger.
+
+use house::{Outcome, Page, Within, skip};
+
+use crate::steps::*;
+
+/// The least width and height of what a finger hits, in pixels; one less for edges between two pixels.
+const FINGER: f64 = 43.0;
+
+/// Somebody with fingers only. On a phone the graph is a list.
+struct Fingers<'a> {
+    page: &'a Page,
+    on_phone: bool,
+}
+
+impl<'a> Fingers<'a> {
+    /// Touches something that is large enough for it.
+    async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
+        large_enough(name, self.page.hit_size(role, name).await?)?;
+        self.page.tap(role, name).await
+    }
+
+    /// The same inside of something.
+    async fn tap_in(&self, place: Within<'_>, role: &str, name: &str) -> Outcome<()> {
+        large_enough(name, place.hit_size(role, name).await?)?;
+        place.tap(role, name).await
+    }
+
+    /// Takes a step of those under the selected stream.
+    async fn takes(&self, stream: &str, step: &str) -> Outcome<()> {
+        let strip = format!("Next steps for {stream}");
+        let place = if self.on_phone {
+            self.page.within("main", "The program as a list")
+        } else {
+            self.page.within("toolbar", &strip)
+        };
+        self.tap_in(place, "button", step).await
+    }
+
+    /// Makes an empty program, out of the library.
+    async fn makes_program(&self, name: &str) -> Outcome<()> {
+        self.tap("button", "Start with an empty program").await?;
+        let dialog = self.page.within("dialog", "Add a program");
+        self.tap_in(dialog, "textbox", "Name").await?;
+        self.page.key("Control+a").await?;
+        self.page.type_text(name).await?;
+        self.tap_in(dialog, "button", "Create").await?;
+        self.page.gone("dialog", "Add a program").await?;
+        self.page.find("heading", "Add a sense to begin").await.map(drop)
+    }
+
+    /// A filter out of what is selected, with this number; answers with what the page calls what comes through.
+    async fn filters(&self, stream: &str, number: &str) -> Outcome<String> {
+        self.takes(stream, "filter").await?;
+        let dialog = self.page.within("dialog", "Operation");
+        self.tap_in(dialog, "textbox", "Procedure").await?;
+        self.page.key("End").await?;
+        self.page.type_text(number).await?;
+        let close = dialog.text("textbox", "Output stream name").await?;
+        self.tap_in(dialog, "button", "Save").await?;
+        self.page.gone("dialog", "Operation").await?;
+        saved(self.page).await?;
+        Ok(close)
+    }
+
+    /// Drags the red ball of the room a little.
+    async fn drags_ball(&self) -> Outcome<()> {
+        let room = self.page.within("region", "Room");
+        large_enough("Red ball", room.hit_size("image", "Red ball").await?)?;
+        let (x, y) = room.find("image", "Red ball").await?.rect.centre();
+        self.page.touch_drag((x, y), (x + 40.0, y), 8).await
+    }
+}
+
+fn large_enough(what: &str, (width, height): (f64, f64)) -> Outcome<()> {
+    if width >= FINGER && height >= FINGER {
+        return Ok(());
+    }
+    Err(format!("a finger hits “{what}” only on {width} by {height}").into())
+}
+
+async fn walkthrough(size: (u32, u32), on_phone: bool) -> Outcome<()> {
+    let stage = Stage::set().await?;
+    let page = &stage.nobody("aiko").await?;
+    page.size(size.0, size.1, true).await?;
+    page.goto(&stage.server.url()).await?;
+    usable(page).await?;
+    let fingers = Fingers { page, on_phone };
+    fingers.makes_program("By touch").await?;
+    fingers.tap("button", "Add Red ball").await?;
+    fingers.takes("Red ball", "Distance in cm").await?;
+    let close = fingers.filters("Distance", "60").await?;
+    fingers.takes(&close, "Tracker").await?;
+    saved(page).await?;
+    fingers.takes("Tracker", "Edit").await?;
+    let dialog = page.within("dialog", "Tracker settings");
+    fingers.tap_in(dialog, "radio", "whole body").await?;
+    fingers.tap_in(dialog, "button", "Save").await?;
+    page.gone("dialog", "Tracker settings").await?;
+    fingers.tap("button", "Start").await?;
+    page.find("button", "Running").await?;
+    says(page, "follows red ball with whole body").await?;
+    fingers.drags_ball().await?;
+    fingers.tap("button", "Stop").await?;
+    says(page, "Stopped. The robot holds still.").await?;
+    at_rest(page).await?;
+    calm(page)
+}
+
+#[tokio::test]
+async fn the_walkthrough_by_touch_on_a_tablet() -> Outcome<()> {
+    if !skip::ready("journey: by touch on a tablet") {
+        return Ok(());
+    }
+    walkthrough((1180, 820), false).await
+}
+
+#[tokio::test]
+async fn the_walkthrough_by_touch_on_a_phone() -> Outcome<()> {
+    if !skip::ready("journey: by touch on a phone") {
+        return Ok(());
+    }
+    walkthrough((390, 844), true).await
+}
+
+#[tokio::test]
+async fn the_walkthrough_by_touch_on_a_phone_held_sideways() -> Outcome<()> {
+    if !skip::ready("journey: by touch on a phone held sideways") {
+        return Ok(());
+    }
+    walkthrough((844, 390), false).await
+}
+
+/// Waits until the tour is at this step.
+async fn step_is(page: &Page, step: u32) -> Outcome<()> {
+    page.find("complementary", "Tour").await?;
+    says(page, &format!("Step {step} of 9")).await
+}
+
+#[tokio::test]
+async fn the_tour_by_touch_on_a_phone() -> Outcome<()> {
+    if !skip::ready("journey: tour on a phone") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let page = &stage.nobody("aiko").await?;
+    page.size(390, 844, true).await?;
+    page.goto(&stage.server.url()).await?;
+    usable(page).await?;
+    let fingers = Fingers { page, on_phone: true };
+    fingers.tap("button", "Take the tour").await?;
+    step_is(page, 1).await?;
+    fingers.makes_program("Tour").await?;
+    step_is(page, 2).await?;
+    fingers.tap("button", "Add Red ball").await?;
+    step_is(page, 3).await?;
+    fingers.takes("Red ball", "Distance in cm").await?;
+    step_is(page, 4).await?;
+    let close = fingers.filters("Distance", "40").await?;
+    step_is(page, 5).await?;
+    fingers.takes(&close, "Tracker").await?;
+    step_is(page, 6).await?;
+    fingers.tap_in(page.within("main", "The program as a list"), "button", "Change: 40*").await?;
+    page.until("!!document.activeElement.closest('.inline.open')", "the number is a field").await?;
+    page.key("Control+a").await?;
+    page.type_text("60").await?;
+    page.key("Enter").await?;
+    step_is(page, 7).await?;
+    fingers.tap("button", "Start").await?;
+    step_is(page, 8).await?;
+    fingers.drags_ball().await?;
+    step_is(page, 9).await?;
+    fingers.tap("button", "Stop").await?;
+    says(page, "That was all it takes").await?;
+    fingers.tap("button", "Done").await?;
+    page.gone("complementary", "Tour").await?;
+    calm(page)
+}

@@ -1,0 +1,78 @@
+//! A look at one state of the page, in every window, in light and dark: axe, what is too small to be pressed, what is cut.
+
+use crate::axe::check;
+use crate::rules::{broken, list};
+use crate::screens::rests;
+use crate::targets::SMALL;
+use house::{Outcome, Page};
+use std::path::PathBuf;
+
+/// A window: its name, width and height, and whether it is a touch screen.
+pub(crate) type Window = (&'static str, u32, u32, bool);
+
+/// Where most people sit, and where every look begins and ends.
+pub(crate) const DESKTOP: Window = ("desktop", 1440, 900, false);
+pub(crate) const TABLET: Window = ("tablet", 1180, 820, true);
+pub(crate) const PHONE: Window = ("phone", 390, 844, true);
+/// A phone that is held sideways: as wide as a tablet, and very low.
+pub(crate) const SIDEWAYS: Window = ("sideways", 844, 390, true);
+/// The four of the design.
+pub(crate) const WINDOWS: [Window; 4] = [DESKTOP, TABLET, PHONE, SIDEWAYS];
+/// Those in which the graph is a drawing: in the others it is a list.
+pub(crate) const DRAWN: [Window; 3] = [DESKTOP, TABLET, SIDEWAYS];
+
+/// Looks at a state in all four windows.
+pub(crate) async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
+    look_in(page, state, &WINDOWS).await
+}
+
+/// Looks at a state in these windows, and leaves the page on a desktop.
+pub(crate) async fn look_in(page: &Page, state: &str, windows: &[Window]) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    for window in windows {
+        set(page, window).await?;
+        found.extend(colours(page, &format!("{state}-{}", window.0)).await?);
+        found.extend(measures(page, window, state).await?);
+    }
+    page.theme(false).await?;
+    set(page, &DESKTOP).await?;
+    Ok(found)
+}
+
+/// Makes the window that large.
+pub(crate) async fn set(page: &Page, (_, width, height, touch): &Window) -> Outcome<()> {
+    page.size(*width, *height, *touch).await?;
+    let fingers = if *touch { "fingers point" } else { "no fingers point" };
+    page.until(&format!("matchMedia('(pointer: coarse)').matches === {touch}"), fingers).await?;
+    rests(page).await
+}
+
+/// What axe finds, in light and dark.
+pub(crate) async fn colours(page: &Page, state: &str) -> Outcome<Vec<String>> {
+    let mut found = Vec::new();
+    for (dark, theme) in [(false, "light"), (true, "dark")] {
+        page.theme(dark).await?;
+        rests(page).await?;
+        let place = format!("{state}-{theme}");
+        found.extend(check(page, &place).await?);
+        picture(page, &place).await?;
+    }
+    Ok(found)
+}
+
+/// What is too small to be pressed, what is cut or scrolls sideways, and what covers Stop.
+pub(crate) async fn measures(page: &Page, (window, _, _, touch): &Window, state: &str) -> Outcome<Vec<String>> {
+    let place = format!("{state}, {window}");
+    let mut found = broken(page, &place).await?;
+    let least = if *touch { 44 } else { 24 };
+    found.extend(list(page, &format!("{SMALL}({least})"), &place).await?);
+    Ok(found)
+}
+
+/// Keeps a picture where `LOOKS_PICTURES` says, if it says so.
+pub(crate) async fn picture(page: &Page, name: &str) -> Outcome<()> {
+    match std::env::var_os("LOOKS_PICTURES") {
+        Some(folder) => page.screenshot(&PathBuf::from(folder).join(format!("{name}.png"))).await,
+        None => Ok(()),
+    }
+}

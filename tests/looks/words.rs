@@ -1,0 +1,73 @@
+//! What the page says, in the language of whoever looks: English, or as the page's own table has it (`static/ja.txt`).
+
+use house::{Outcome, Page};
+use std::collections::BTreeMap;
+
+/// The words of one language; English needs no table.
+pub(crate) struct Words {
+    code: &'static str,
+    table: BTreeMap<String, String>,
+}
+
+impl Words {
+    pub(crate) fn english() -> Words {
+        Words { code: "en", table: BTreeMap::new() }
+    }
+
+    pub(crate) fn japanese() -> Outcome<Words> {
+        let text = std::fs::read_to_string(house::root().join("static/ja.txt"))?;
+        let block = |block: &str| {
+            let mut lines = block.lines().filter(|line| !line.starts_with('#') && !line.is_empty());
+            Some((lines.next()?.to_owned(), lines.next()?.to_owned()))
+        };
+        Ok(Words { code: "ja", table: text.split("\n\n").filter_map(block).collect() })
+    }
+
+    pub(crate) fn code(&self) -> &'static str {
+        self.code
+    }
+
+    /// Opens the page in this language.
+    pub(crate) async fn open(&self, page: &Page, url: &str) -> Outcome<()> {
+        page.speaks(self.code).await?;
+        page.goto(url).await
+    }
+
+    /// How an English text is said.
+    pub(crate) fn say(&self, english: &str) -> String {
+        self.table.get(english).map_or_else(|| english.to_owned(), Clone::clone)
+    }
+
+    /// The beginning of what is said so.
+    pub(crate) fn begins(&self, english: &str) -> String {
+        format!("{}*", self.say(english))
+    }
+
+    /// How an English text with holes is said: `{name}` as given, `{name*}` in this language too.
+    pub(crate) fn fill(&self, english: &str, holes: &[(&str, &str)]) -> String {
+        let fill = |text: String, (hole, value): &(&str, &str)| {
+            text.replace(&format!("{{{hole}}}"), value).replace(&format!("{{{hole}*}}"), &self.say(value))
+        };
+        holes.iter().fold(self.say(english), fill)
+    }
+
+    /// The beginning of the accessible name of a stream or an action.
+    pub(crate) fn stream(&self, name: &str) -> String {
+        format!("{}*", self.fill("{before}, {last}", &[("before", name), ("last", "")]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Words;
+
+    #[test]
+    fn words_are_those_of_the_table() -> house::Outcome<()> {
+        let (english, japanese) = (Words::english(), Words::japanese()?);
+        assert_eq!(english.fill("Robot: {name}", &[("name", "Blue")]), "Robot: Blue");
+        assert_eq!(japanese.say("Start"), "開始");
+        assert_eq!(japanese.fill("{what} settings", &[("what", "Blue")]), "Blue の設定");
+        assert_eq!((english.stream("Far").as_str(), japanese.stream("Far").as_str()), ("Far, *", "Far、*"));
+        Ok(())
+    }
+}
