@@ -6,6 +6,7 @@ const HEALTHY_MS = 20_000;
 const STOP_WAIT_MS = 4_000;
 const SAID_MS = 4_000;
 const ESCAPES_WITHIN_MS = 600;
+const CLICK_WITHIN_MS = 1_000;
 const RELOADS = "rrp-reloads";
 
 const form = document.getElementById("stop-form");
@@ -83,9 +84,18 @@ async function stop() {
   else say("failed", words.failed);
 }
 
+// Stop is heard as a finger or a mouse comes down: what comes of that later, a browser may keep for itself, as while
+// something still glides under another finger. The click that follows is the same press; keys have only that.
+let pressed = -Infinity;
+document.getElementById("stop").addEventListener("pointerdown", (event) => {
+  if (event.button !== 0) return;
+  pressed = event.timeStamp;
+  stop();
+});
+
 form.addEventListener("submit", (event) => {
   event.preventDefault();
-  stop();
+  if (performance.now() - pressed > CLICK_WITHIN_MS) stop();
 });
 
 let lastEscape = -Infinity;

@@ -21,14 +21,29 @@ pub(crate) struct Command {
     pub(crate) role: Role,
     /// In whose menus it stands.
     pub(crate) on: &'static [On],
+    /// What must be there besides, to do it.
+    needs: Needs,
+    /// Its sign in menus that have signs.
+    pub(crate) icon: &'static str,
     /// Whether it is about how the graph lies, so that the list in its place has no use for it.
     needs_graph: bool,
     act: Act,
 }
 
-/// What a menu on the canvas is about.
+/// What must be there to do a command.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Needs {
+    Nothing,
+    OpenProgram,
+    SomethingToUndo,
+    SomethingToRedo,
+}
+
+/// What a menu is about: something on the canvas, or, in the bar, the programs, or all that a phone has no buttons for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum On {
+    Programs,
+    Phone,
     Ground,
     Stream,
     Connector,
@@ -73,12 +88,20 @@ enum Act {
 }
 
 const fn command(group: Group, label: fn() -> &'static str, keys: &'static str, role: Role, act: Act) -> Command {
-    Command { group, label, keys, role, on: &[], needs_graph: false, act }
+    Command { group, label, keys, role, on: &[], needs: Needs::Nothing, icon: "bolt", needs_graph: false, act }
 }
 
 impl Command {
     const fn on(self, on: &'static [On]) -> Self {
         Self { on, ..self }
+    }
+
+    const fn icon(self, icon: &'static str) -> Self {
+        Self { icon, ..self }
+    }
+
+    const fn needs(self, needs: Needs) -> Self {
+        Self { needs, ..self }
     }
 
     const fn of_graph(self) -> Self {
@@ -88,6 +111,9 @@ impl Command {
 
 /// What can be copied.
 const COPIED: &[On] = &[On::Stream, On::Note, On::Group, On::Several];
+
+/// About programs: in the bar of a tablet and of a phone.
+const PROGRAMS: &[On] = &[On::Programs, On::Phone];
 
 /// All of them, group by group.
 pub(crate) static ALL: &[Command] = &[
@@ -105,47 +131,74 @@ pub(crate) static ALL: &[Command] = &[
     command(Group::Robot, words::add_robot, "", Role::Editor, Act::Opens(|| Dialog::AddRobot)),
     command(Group::Robot, words::rename_robot, "", Role::Operator, Act::Opens(|| Dialog::RenameRobot)),
     command(Group::Robot, words::remove_this_robot, "", Role::Operator, Act::Opens(|| Dialog::RemoveRobot)),
-    command(Group::Robot, words::problems, "", Role::Viewer, Act::Opens(|| Dialog::Problems)).on(&[On::Ground]),
-    command(Group::Program, words::load_program, "", Role::Viewer, Act::Opens(|| Dialog::Programs)),
-    command(Group::Program, words::add_program, "", Role::Editor, Act::Opens(|| Dialog::AddProgram)),
-    command(Group::Program, words::rename_program, "", Role::Editor, Act::Opens(|| Dialog::RenameProgram)),
-    command(Group::Program, words::remove_program, "", Role::Editor, Act::Opens(|| Dialog::RemoveProgram)),
-    command(Group::Program, words::make_copy, "", Role::Editor, Act::Desk(copy_open)),
-    command(Group::Program, words::open_file, "", Role::Editor, Act::Desk(|_| panels::choose_file())),
-    command(Group::Program, words::save_file, "", Role::Viewer, Act::Opens(|| Dialog::SaveFile)),
+    command(Group::Program, words::load_program, "", Role::Viewer, Act::Opens(|| Dialog::Programs))
+        .on(PROGRAMS)
+        .icon("folder"),
+    command(Group::Program, words::add_program, "", Role::Editor, Act::Opens(|| Dialog::AddProgram))
+        .on(PROGRAMS)
+        .icon("plus"),
+    command(Group::Program, words::rename_program, "", Role::Editor, Act::Opens(|| Dialog::RenameProgram))
+        .needs(Needs::OpenProgram),
+    command(Group::Program, words::remove_program, "", Role::Editor, Act::Opens(|| Dialog::RemoveProgram))
+        .on(PROGRAMS)
+        .needs(Needs::OpenProgram)
+        .icon("trash"),
+    command(Group::Program, words::make_copy, "", Role::Editor, Act::Desk(copy_open)).needs(Needs::OpenProgram),
+    command(Group::Program, words::open_file, "", Role::Editor, Act::Desk(|_| panels::choose_file()))
+        .on(PROGRAMS)
+        .icon("open"),
+    command(Group::Program, words::save_file, "", Role::Viewer, Act::Opens(|| Dialog::SaveFile))
+        .on(PROGRAMS)
+        .needs(Needs::OpenProgram)
+        .icon("save"),
     command(Group::Program, words::print, "Ctrl P", Role::Viewer, Act::Desk(print)),
-    command(Group::Program, words::undo, "Ctrl Z", Role::Editor, Act::Desk(Desk::undo)).on(&[On::Ground]),
+    command(Group::Program, words::undo, "Ctrl Z", Role::Editor, Act::Desk(Desk::undo))
+        .on(&[On::Ground, On::Phone])
+        .needs(Needs::SomethingToUndo)
+        .icon("undo"),
     command(Group::Program, words::redo, "Ctrl Y", Role::Editor, Act::Desk(|desk| desk.document.redo()))
-        .on(&[On::Ground]),
-    command(Group::Program, words::history, "", Role::Viewer, Act::Desk(|desk| desk.shows_history.set(true))),
+        .on(&[On::Ground, On::Phone])
+        .needs(Needs::SomethingToRedo)
+        .icon("redo"),
+    command(Group::Program, words::history, "", Role::Viewer, Act::Desk(|desk| desk.shows_history.set(true)))
+        .on(&[On::Phone])
+        .needs(Needs::OpenProgram)
+        .icon("history"),
     command(Group::Program, words::show_exercise, "", Role::Viewer, Act::Desk(show_exercise)),
     command(Group::Program, words::take_tour, "", Role::Editor, Act::Desk(panels::take_tour)),
-    command(Group::Graph, words::add_sensor, "", Role::Editor, Act::Opens(|| Dialog::AddSensor)).on(&[On::Ground]),
-    command(Group::Graph, words::add_helper, "", Role::Editor, Act::Opens(|| Dialog::Helper(None))),
-    command(Group::Graph, words::edit_helper, "", Role::Viewer, Act::Opens(|| Dialog::Helpers)),
-    command(Group::Graph, words::help_edit_says, "Enter", Role::Viewer, Act::Key("Enter", false)).on(&[
-        On::Stream,
-        On::Connector,
-        On::Note,
-    ]),
-    command(Group::Graph, words::rename, "F2", Role::Editor, Act::Key("F2", false)).on(&[
-        On::Stream,
-        On::Connector,
-        On::Group,
-    ]),
-    command(Group::Graph, words::fold_or_unfold, "F", Role::Viewer, Act::Key("f", false)).on(&[On::Group]),
+    command(Group::Graph, words::add_sensor, "", Role::Editor, Act::Opens(|| Dialog::AddSensor))
+        .on(&[On::Ground, On::Phone])
+        .needs(Needs::OpenProgram)
+        .icon("eye"),
+    command(Group::Graph, words::add_helper, "", Role::Editor, Act::Opens(|| Dialog::Helper(None)))
+        .on(&[On::Phone])
+        .icon("plus"),
+    command(Group::Graph, words::edit_helper, "", Role::Viewer, Act::Opens(|| Dialog::Helpers))
+        .on(&[On::Phone])
+        .icon("fx"),
+    command(Group::Graph, words::problems, "", Role::Viewer, Act::Opens(|| Dialog::Problems))
+        .on(&[On::Ground, On::Phone])
+        .icon("warn"),
+    command(Group::Graph, words::help_edit_says, "Enter", Role::Viewer, Act::Key("Enter", false))
+        .on(&[On::Stream, On::Connector, On::Note])
+        .icon("pencil"),
+    command(Group::Graph, words::rename, "F2", Role::Editor, Act::Key("F2", false))
+        .on(&[On::Stream, On::Connector, On::Group])
+        .icon("pencil"),
+    command(Group::Graph, words::fold_or_unfold, "F", Role::Viewer, Act::Key("f", false)).on(&[On::Group]).icon("fold"),
     command(Group::Graph, words::make_group, "Ctrl G", Role::Editor, Act::Key("g", true))
-        .on(&[On::Stream, On::Several]),
+        .on(&[On::Stream, On::Several])
+        .icon("group"),
     command(Group::Graph, words::ungroup, "Ctrl Shift G", Role::Editor, Act::Desk(ungroup))
         .on(&[On::Group, On::Several]),
-    command(Group::Graph, words::add_note, "N", Role::Editor, Act::Key("n", false)).on(&[On::Ground]),
+    command(Group::Graph, words::add_note, "N", Role::Editor, Act::Key("n", false)).on(&[On::Ground]).icon("note"),
     command(Group::Graph, words::line_up_row, "", Role::Editor, Act::Desk(|desk| line_up(desk, LineUp::Row)))
         .on(&[On::Several])
         .of_graph(),
     command(Group::Graph, words::line_up_column, "", Role::Editor, Act::Desk(|desk| line_up(desk, LineUp::Column)))
         .on(&[On::Several])
         .of_graph(),
-    command(Group::Graph, words::connect, "C", Role::Editor, Act::Key("c", false)).on(&[On::Stream]),
+    command(Group::Graph, words::connect, "C", Role::Editor, Act::Key("c", false)).on(&[On::Stream]).icon("connect"),
     command(
         Group::Graph,
         words::add_connector,
@@ -156,18 +209,14 @@ pub(crate) static ALL: &[Command] = &[
     .on(&[On::Stream]),
     command(Group::Graph, words::insert_before, "I", Role::Editor, Act::Key("i", false))
         .on(&[On::Stream, On::Connector]),
-    command(Group::Graph, words::help_remove_says, "Delete", Role::Editor, Act::Key("Delete", false)).on(&[
-        On::Stream,
-        On::Connector,
-        On::Note,
-        On::Group,
-        On::Several,
-    ]),
+    command(Group::Graph, words::help_remove_says, "Delete", Role::Editor, Act::Key("Delete", false))
+        .on(&[On::Stream, On::Connector, On::Note, On::Group, On::Several])
+        .icon("trash"),
     command(Group::Graph, words::select_all, "Ctrl A", Role::Viewer, Act::Key("a", true)).on(&[On::Ground]),
-    command(Group::Graph, words::copy, "Ctrl C", Role::Viewer, Act::Key("c", true)).on(COPIED),
-    command(Group::Graph, words::cut, "Ctrl X", Role::Editor, Act::Key("x", true)).on(COPIED),
+    command(Group::Graph, words::copy, "Ctrl C", Role::Viewer, Act::Key("c", true)).on(COPIED).icon("copy"),
+    command(Group::Graph, words::cut, "Ctrl X", Role::Editor, Act::Key("x", true)).on(COPIED).icon("trash"),
     command(Group::Graph, words::paste, "Ctrl V", Role::Editor, Act::Key("v", true)).on(&[On::Ground]),
-    command(Group::Graph, words::duplicate, "Ctrl D", Role::Editor, Act::Key("d", true)).on(COPIED),
+    command(Group::Graph, words::duplicate, "Ctrl D", Role::Editor, Act::Key("d", true)).on(COPIED).icon("duplicate"),
     command(Group::Graph, words::walk_down, "↓", Role::Viewer, Act::Key("ArrowDown", false)),
     command(Group::Graph, words::walk_up, "↑", Role::Viewer, Act::Key("ArrowUp", false)),
     command(Group::Graph, words::walk_left, "←", Role::Viewer, Act::Key("ArrowLeft", false)),
@@ -181,11 +230,17 @@ pub(crate) static ALL: &[Command] = &[
     command(Group::View, words::tidy, "", Role::Editor, Act::Desk(|desk| desk.document.tidy(crate::layout::tidy)))
         .on(&[On::Ground])
         .of_graph(),
-    command(Group::View, words::other_language, "", Role::Viewer, Act::Desk(|_| panels::speak_other())),
-    command(Group::View, words::keys_and_gestures, "Ctrl K", Role::Viewer, Act::Opens(|| Dialog::Help)),
+    command(Group::View, words::other_language, "", Role::Viewer, Act::Desk(|_| panels::speak_other()))
+        .on(&[On::Phone])
+        .icon("globe"),
+    command(Group::View, words::keys_and_gestures, "Ctrl K", Role::Viewer, Act::Opens(|| Dialog::Help))
+        .on(&[On::Phone])
+        .icon("help"),
     command(Group::People, words::people_here, "", Role::Viewer, Act::Opens(|| Dialog::People)),
     command(Group::People, words::my_name, "", Role::Viewer, Act::Opens(|| Dialog::MyName)),
-    command(Group::People, words::invite, "", Role::Host, Act::Opens(|| Dialog::Invite)),
+    command(Group::People, words::invite, "", Role::Host, Act::Opens(|| Dialog::Invite))
+        .on(&[On::Phone])
+        .icon("invite"),
 ];
 
 impl Command {
@@ -210,19 +265,15 @@ impl Command {
         }
     }
 
-    /// A sign for it in menus that have signs.
-    pub(crate) fn icon(&self) -> &'static str {
-        match self.act {
-            Act::Key("Enter" | "F2", _) => "pencil",
-            Act::Key("Delete" | "x", _) => "trash",
-            Act::Key("c", true) => "copy",
-            Act::Key("d", true) => "duplicate",
-            Act::Key("c", false) => "connect",
-            Act::Key("g", true) => "group",
-            Act::Key("n", false) => "note",
-            Act::Key("f", false) => "fold",
-            Act::Desk(_) | Act::Opens(_) | Act::Key(..) | Act::Press(..) => "bolt",
-        }
+    /// Whether there is what it needs, and who is here is allowed to do it. Reactive.
+    pub(crate) fn can_be_done(&self, desk: &Desk) -> bool {
+        let is_there = match self.needs {
+            Needs::Nothing => true,
+            Needs::OpenProgram => desk.document.open.read().is_some(),
+            Needs::SomethingToUndo => desk.can_undo(),
+            Needs::SomethingToRedo => desk.document.redoable.read().is_some(),
+        };
+        is_there && desk.may_not(self.role).is_none()
     }
 
     /// Whether it can be done here: with the list in place of the graph there is nothing to zoom, to tidy or to walk about.

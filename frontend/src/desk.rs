@@ -92,6 +92,12 @@ impl Desk {
         }
     }
 
+    /// Whether there is a change to take back, or a program that was removed just now. Reactive.
+    pub(crate) fn can_undo(&self) -> bool {
+        let is_gone = self.document.open.read().is_none() && self.library.gone.read().is_some();
+        is_gone || self.document.undoable.read().is_some()
+    }
+
     /// Whether there is something to work with: a program, or the library. Reactive.
     pub(crate) fn is_usable(&self) -> bool {
         self.document.open.read().is_some()

@@ -83,3 +83,29 @@ async fn a_phone_connects_inserts_and_lists_what_is_wrong() -> Outcome<()> {
         .await?;
     aiko.no_errors()
 }
+
+/// Which of the open menu's items can be pressed, in their order, with a line between those about different things.
+const ITEMS: &str = "[...document.querySelectorAll('[role=menu] > *')].map(item =>
+    item.matches('[role=separator]') ? '-' : item.innerText.trim() + (item.disabled ? ' (off)' : '')).join(', ')";
+
+#[tokio::test]
+async fn the_menus_of_the_bar_are_drawn_from_the_list_of_commands() -> Outcome<()> {
+    let stage = stage!("menus of the bar");
+    let program = stage.wire.make("Menus", BALLS).await?;
+    let aiko = stage.phone("aiko", &program).await?;
+    aiko.tap("button", "Menu").await?;
+    aiko.find("menuitem", "Load program").await?;
+    let all = "Load program, Add a program, Remove program, Open a file …, Save as file, Undo (off), Redo (off), History, -, \
+               Add sensor, Add a helper, Edit helper, Problems, -, 日本語 (Japanese), Keys and gestures, -, Invite";
+    assert_eq!(aiko.eval(ITEMS).await?, all);
+    picture(&aiko, "phone-menu").await?;
+    aiko.tap("menuitem", "Add sensor").await?;
+    aiko.find("dialog", "Add sensor").await?;
+    aiko.key("Escape").await?;
+    aiko.gone("dialog", "Add sensor").await?;
+    aiko.size(1180, 820, true).await?;
+    aiko.tap("button", "Program").await?;
+    aiko.find("menuitem", "Load program").await?;
+    assert_eq!(aiko.eval(ITEMS).await?, "Load program, Add a program, Remove program, Open a file …, Save as file");
+    aiko.no_errors()
+}

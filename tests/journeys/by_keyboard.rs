@@ -192,7 +192,6 @@ async fn the_walkthrough_by_keyboard_alone() -> Outcome<()> {
 }
 
 #[tokio::test]
-#[ignore = "on the way by Tab to the sentences something does not show that it has the keyboard"]
 async fn the_tour_by_keyboard_alone() -> Outcome<()> {
     if !skip::ready("journey: tour by keyboard") {
         return Ok(());

@@ -132,6 +132,31 @@ async fn the_walkthrough_by_touch_on_a_phone_held_sideways() -> Outcome<()> {
     walkthrough((844, 390), false).await
 }
 
+/// A browser keeps a tap for itself that ends the gliding of what a finger pushed: Stop does not wait for the tap.
+#[tokio::test]
+async fn stop_is_heard_while_a_finger_is_still_on_it() -> Outcome<()> {
+    if !skip::ready("journey: a finger on Stop") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let page = &stage.nobody("aiko").await?;
+    page.size(844, 390, true).await?;
+    page.goto(&stage.server.url()).await?;
+    usable(page).await?;
+    page.tap("button", "Track far and close balls*").await?;
+    page.find("button", "Head tracker, *").await?;
+    page.tap("button", "Start").await?;
+    page.find("button", "Running").await?;
+    let stop = page.find("button", "Stop").await?.rect.centre();
+    let room = page.within("region", "Room").find("image", "Red ball").await?.rect.centre();
+    page.touch_drag((room.0, room.1 + 60.0), (room.0, room.1 - 60.0), 2).await?;
+    page.touch_down(stop).await?;
+    says(page, "Stopped. The robot holds still.").await?;
+    at_rest(page).await?;
+    page.touch_up().await?;
+    calm(page)
+}
+
 /// Waits until the tour is at this step.
 async fn step_is(page: &Page, step: u32) -> Outcome<()> {
     page.find("complementary", "Tour").await?;

@@ -117,6 +117,29 @@ async fn a_task_says_what_is_missing_until_it_is_reached() -> Outcome<()> {
     calm(&aiko)
 }
 
+/// The study's first task: nothing is changed, it is read and said what it does.
+#[tokio::test]
+async fn what_a_program_does_is_explained_with_a_press_for_each_answer() -> Outcome<()> {
+    if !skip::ready("journey: explaining") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    aiko.within("list", "Tasks").press("button", "Explain the words*").await?;
+    let task = aiko.within("region", "Task: Explain the words");
+    task.press("button", "Try it").await?;
+    says(&aiko, "Choose an answer to each question first.").await?;
+    task.press("radio", "Once.").await?;
+    silent(&aiko, "Choose an answer to each question first.").await?;
+    task.press("radio", "Only blue.").await?;
+    task.press("button", "Try it").await?;
+    says(&aiko, "Look at what stands between the ball and the words").await?;
+    task.press("radio", "About ten times.").await?;
+    task.press("button", "Try it").await?;
+    says(&aiko, "Reached. The robot says the color once a second, as long as it sees the ball.").await?;
+    calm(&aiko)
+}
+
 #[tokio::test]
 async fn a_helper_is_tried_on_values_before_it_is_saved() -> Outcome<()> {
     if !skip::ready("journey: trying a helper") {

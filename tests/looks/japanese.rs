@@ -32,7 +32,6 @@ async fn every_screen_keeps_the_rules_in_japanese() -> Outcome<()> {
 }
 
 #[tokio::test]
-#[ignore = "Enter in the dialog of a simulated robot does not close it in this walk"]
 async fn small_dialogs_and_menus_keep_the_rules_in_japanese() -> Outcome<()> {
     if !skip::ready_in_japanese("small dialogs and menus in Japanese") {
         return Ok(());

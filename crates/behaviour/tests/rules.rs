@@ -11,7 +11,7 @@ impl Knowledge for Anything {
         if device == "Nothing" { Err("there is no sense called “Nothing”".into()) } else { Ok(()) }
     }
     fn body(&self, _: &[String], body: &str) -> Result<(), String> {
-        if body.contains("((") { Err("line 1, column 2: a closing ) is missing".into()) } else { Ok(()) }
+        if body.contains("((") { Err("at character 2: a closing ) is missing".into()) } else { Ok(()) }
     }
 }
 

@@ -203,7 +203,7 @@ fn every_fault_is_found_and_named() {
         ("a sensor\nb ordinary\nmap a > b: 1\nmap a > b: 2", "c2: the stream b already has an incoming connector"),
         ("a ordinary\nb ordinary\nmap a > b: a\nmap b > a: b", "c1: values would flow in a circle through it"),
         ("a ordinary\nmap a > a: a", "c1: values would flow in a circle through it"),
-        ("a sensor\nb ordinary\nmap a > b: a +", "c1: line 1, column 4: it ends too early"),
+        ("a sensor\nb ordinary\nmap a > b: a +", "c1: at character 4: it ends too early"),
         ("a sensor\nb ordinary\nmap a > b", "c1: it has no procedure yet"),
         ("a sensor\nb ordinary\nmap a > b: @thrice", "c1: there is no helper “thrice”"),
         (
@@ -227,5 +227,5 @@ fn helpers_that_call_themselves_are_named() {
     let faults: Vec<_> = validate(&file).into_iter().map(|fault| fault.id).collect();
     assert_eq!(faults, ["twice", "four_times"]);
     file.helpers[0].body = "v } fn evil(v) { v".to_owned();
-    assert!(validate(&file)[0].to_string().starts_with("twice: line 1, column 3"), "{}", validate(&file)[0]);
+    assert!(validate(&file)[0].to_string().starts_with("twice: at character 3"), "{}", validate(&file)[0]);
 }

@@ -42,18 +42,18 @@ fn every_kept_word_is_refused_by_rhai_and_every_other_works() {
 #[test]
 fn a_refusal_says_where_and_what() {
     let cases = [
-        ("abs(ball", "line 1, column 9: a closing ) is missing"),
-        ("ball.size <", "line 1, column 12: it ends too early"),
-        ("redbal + 1", "line 1, column 1: there is no value “redbal”, only ball"),
-        ("ball +\n \"x", "line 2, column 2: the closing quote of a text is missing"),
-        ("#{a: 1", "line 1, column 7: a closing } is missing"),
-        ("ball = = 1", "line 1, column 8: “=” is not expected here"),
-        ("if ball { 1 } else", "line 1, column 19: { is missing"),
+        ("abs(ball", "at character 9: a closing ) is missing"),
+        ("ball.size <", "at character 12: it ends too early"),
+        ("redbal + 1", "no “redbal” here; there is ball"),
+        ("ball +\n \"x", "line 2, character 2: the closing quote of a text is missing"),
+        ("#{a: 1", "at character 7: a closing } is missing"),
+        ("ball = = 1", "at character 8: “=” is not expected here"),
+        ("if ball { 1 } else", "at character 19: { is missing"),
         ("", "it has no procedure yet"),
-        ("ball == 1 &&& 2", "line 1, column 13: “&” is not expected here"),
-        ("eval(\"1\")", "line 1, column 1: “eval” cannot be used here"),
-        ("1 + sleep(1)", "line 1, column 5: “sleep” cannot be used in a procedure"),
-        ("(ball && \"text\")", "line 1, column 10: true or false is needed here, not a text"),
+        ("ball == 1 &&& 2", "at character 13: “&” is not expected here"),
+        ("eval(\"1\")", "at character 1: “eval” cannot be used here"),
+        ("1 + sleep(1)", "at character 5: “sleep” cannot be used in a procedure"),
+        ("(ball && \"text\")", "at character 10: true or false is needed here, not a text"),
     ];
     let ball = ["ball".to_owned()];
     for (body, words) in cases {

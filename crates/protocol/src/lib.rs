@@ -19,8 +19,8 @@ pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Ta
 pub use history::{HISTORY_MAX_LINES, HistoryLine};
 pub use invitation::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, LABEL_MAX_CHARS, Lasts, Role};
 pub use library::{
-    Exercise, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream, Summary, Tried,
-    WORDS_MAX_CHARS,
+    Exercise, ExerciseQuestion, FOUND_MAX, LIST_MAX_LINES, ListQuery, PICTURES_MAX, Picture, PictureOf, PictureStream,
+    Summary, Tried, WORDS_MAX_CHARS,
 };
 pub use live::{ConnectorSample, HeldPart, RobotState, RunPhase, RunState, StreamSample, Values};
 pub use parts::{Assembly, PART_MAX_BYTES, Part, PartMissing, Parts};

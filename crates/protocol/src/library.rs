@@ -82,6 +82,19 @@ pub struct Exercise {
     pub start: Summary,
     /// What it shall become, in a sentence.
     pub goal: String,
+    /// What one is asked about what it does; where there is something, it is explained and not changed.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub asks: Vec<ExerciseQuestion>,
+}
+
+/// A question about what a behaviour will do, of which one answer is right.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct ExerciseQuestion {
+    /// In a sentence.
+    pub ask: String,
+    /// What can be answered.
+    pub answers: Vec<String>,
 }
 
 impl Exercise {

@@ -272,6 +272,9 @@ pub enum Request {
         behaviour: Id,
         /// The id of its start.
         exercise: String,
+        /// What is answered to its questions, in their order: which of the answers, counted from 0.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        answers: Vec<u8>,
     },
     /// Where this person is; told to the others in the behaviour, never stored, not answered.
     Present {

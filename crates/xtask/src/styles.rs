@@ -105,10 +105,8 @@ mod tests {
         let joined = join(all())?;
         assert_eq!(joined.len(), 1);
         let text = std::str::from_utf8(&joined[SHEET])?;
-        assert!(
-            text.starts_with("tokens;base;frame;")
-                && text.ends_with("strip;flyout;wires;carried;told;typed;zoom;adapted;")
-        );
+        assert!(text.starts_with("tokens;base;frame;"), "{text}");
+        assert!(text.ends_with("strip;flyout;wires;aside;carried;told;typed;zoom;low;adapted;"), "{text}");
         Ok(())
     }
 

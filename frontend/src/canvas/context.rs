@@ -74,8 +74,8 @@ fn Menu() -> impl IntoView {
 
 #[component]
 fn Items(desk: Desk, stage: Stage, context: Context) -> impl IntoView {
-    let commands: Vec<&'static Command> =
-        ALL.iter().filter(|command| command.on.contains(&context.on) && desk.may_not(command.role).is_none()).collect();
+    let is_shown = |command: &&Command| command.on.contains(&context.on) && untrack(|| command.can_be_done(&desk));
+    let commands: Vec<&'static Command> = ALL.iter().filter(is_shown).collect();
     let size = stage.size.get_untracked();
     let height = commands.len() as f64 * ROW + 12.0;
     let fit = |at: f64, own: f64, whole: f64| at.min(whole - own - EDGE).max(EDGE);

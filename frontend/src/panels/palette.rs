@@ -226,9 +226,9 @@ pub(super) fn Here(typing: Typing) -> impl IntoView {
             let label = words::go_to(&stream.name);
             let go = move |_| desk.desk().document.choose([Selected::Stream(id.clone())].into());
             view! {
-                <button class="item" type="button" data-stop="" tabindex="-1" aria-label=label on:click=go>
+                <button class="item" type="button" data-stop="" tabindex="-1" aria-label=label title=stream.name.clone() on:click=go>
                     <span class=format!("kind {}", kind_class(stream.kind))>{device_icon(&stream).map(|name| view! { <Icon name /> })}</span>
-                    <span class="cut">{stream.name}</span>
+                    <span class="cut">{stream.name.clone()}</span>
                 </button>
             }
         };

@@ -2,14 +2,16 @@
 
 use super::focus;
 use super::hold::{Hold, hold};
-use super::language::{OtherLanguage, speak_other};
+use super::language::OtherLanguage;
 use super::may::{may_edit, title_or_why};
-use super::menu::{Menu, MenuItem};
+use super::menu::Menu;
 use super::people::People;
-use super::tools::{AddSensorMenu, EditHelperMenu, FileItems, LoadMenu};
+use super::tools::{AddSensorMenu, EditHelperMenu, LoadMenu};
 use crate::browser;
+use crate::commands::On;
 use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
+use crate::later::Later;
 use crate::words;
 use leptos::prelude::*;
 use protocol::Role;
@@ -31,11 +33,11 @@ pub(crate) fn Toolbar() -> impl IntoView {
                 on:keydown=|event| focus::walk(&event, "ArrowRight", "ArrowLeft")
                 on:focusin=|event| focus::remember(&event)
             >
-                <HamburgerMenu none_open />
+                <HamburgerMenu />
                 <Logo />
                 <ProgramName />
                 <span class="rule not-phone"></span>
-                <ProgramMenu none_open />
+                <ProgramMenu />
                 <LoadMenu />
                 <Tool class="not-tablet" icon="plus" label=words::add_program() open=Dialog::AddProgram disabled=no_edit />
                 <Tool
@@ -190,11 +192,9 @@ fn Back() -> impl IntoView {
     }
 }
 
-/// Whether there is a change to take back, or a program that was removed just now. Reactive.
+/// Whether this person can take something back. Reactive.
 fn can_undo(desk: Hold) -> bool {
-    let desk = desk.desk();
-    let gone = desk.document.open.read().is_none() && desk.library.gone.read().is_some();
-    desk.may(Role::Editor) && (gone || desk.document.undoable.read().is_some())
+    desk.desk().may(Role::Editor) && desk.desk().can_undo()
 }
 
 #[component]
@@ -248,59 +248,22 @@ fn may_invite(desk: Hold) -> bool {
     desk.desk().role.get() == Some(Role::Host)
 }
 
-/// Sets the open dialog from a menu.
-fn opens(desk: Hold, dialog: Dialog) -> Callback<()> {
-    Callback::new(move |()| desk.desk().dialog.set(Some(dialog.clone())))
-}
-
+/// What can be done with programs, out of the list of commands.
 #[component]
-fn ProgramMenu(none_open: Signal<bool>) -> impl IntoView {
+fn ProgramMenu() -> impl IntoView {
     view! {
         <Menu label=words::program() icon="folder" class="only-tablet">
-            <ProgramItems none_open />
+            <Later show=|rest| (rest.row_menu)(On::Programs) />
         </Menu>
     }
 }
 
+/// What a phone's bar has no buttons for, out of the list of commands.
 #[component]
-fn ProgramItems(none_open: Signal<bool>) -> impl IntoView {
-    let desk = hold();
-    let no_edit = untrack(|| !may_edit(desk));
-    view! {
-        <MenuItem label=words::load_program() icon="folder" choose=opens(desk, Dialog::Programs) />
-        <MenuItem label=words::add_program() icon="plus" disabled=no_edit choose=opens(desk, Dialog::AddProgram) />
-        <MenuItem label=words::remove_program() icon="trash" disabled=none_open.get_untracked() || no_edit
-            choose=opens(desk, Dialog::RemoveProgram) />
-        <FileItems />
-    }
-}
-
-#[component]
-fn HamburgerMenu(none_open: Signal<bool>) -> impl IntoView {
-    let desk = hold();
-    let no_edit = move || untrack(|| !may_edit(desk));
+fn HamburgerMenu() -> impl IntoView {
     view! {
         <Menu label=words::menu() icon="menu" icon_only=true class="only-phone">
-            <ProgramItems none_open />
-            <div class="menu-rule" role="separator"></div>
-            <MenuItem label=words::add_sensor() icon="eye" disabled=none_open.get_untracked() || no_edit()
-                choose=opens(desk, Dialog::AddSensor) />
-            <MenuItem label=words::edit_helper() icon="fx" choose=opens(desk, Dialog::Helpers) />
-            <MenuItem label=words::add_helper() icon="plus" disabled=no_edit() choose=opens(desk, Dialog::Helper(None)) />
-            <div class="menu-rule" role="separator"></div>
-            <MenuItem label=words::undo() icon="undo" disabled=!untrack(|| can_undo(desk))
-                choose=Callback::new(move |()| desk.desk().undo()) />
-            <MenuItem label=words::redo() icon="redo" disabled=!desk.desk().document.redoable.with_untracked(Option::is_some)
-                choose=Callback::new(move |()| desk.desk().document.redo()) />
-            <MenuItem label=words::history() icon="history" disabled=none_open.get_untracked()
-                choose=Callback::new(move |()| desk.desk().shows_history.set(true)) />
-            <div class="menu-rule" role="separator"></div>
-            {untrack(|| may_invite(desk)).then(|| view! {
-                <MenuItem label=words::invite() icon="invite" choose=opens(desk, Dialog::Invite) />
-            })}
-            <MenuItem label=words::problems() icon="warn" choose=opens(desk, Dialog::Problems) />
-            <MenuItem label=words::keys_and_gestures() icon="help" choose=opens(desk, Dialog::Help) />
-            <MenuItem label=words::other_language() icon="globe" choose=Callback::new(|()| speak_other()) />
+            <Later show=|rest| (rest.row_menu)(On::Phone) />
         </Menu>
     }
 }

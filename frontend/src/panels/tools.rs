@@ -54,7 +54,7 @@ fn ProgramItems() -> impl IntoView {
 
 /// Save as file and Open a file.
 #[component]
-pub(crate) fn FileItems() -> impl IntoView {
+fn FileItems() -> impl IntoView {
     let desk = hold();
     let none_open = desk.desk().document.open.with_untracked(Option::is_none);
     let save = Callback::new(move |()| desk.desk().dialog.set(Some(Dialog::SaveFile)));

@@ -66,7 +66,8 @@ const MADE: &[&str] = &[
     "connection reset",
     "degrees",
     "host unreachable",
-    "line {line}, column {column}: {fault}",
+    "at character {column}: {fault}",
+    "line {line}, character {column}: {fault}",
     "line {line}: {fault}",
     "metres",
     "milliseconds",
@@ -89,7 +90,8 @@ const NOT_SHOWN: &[&str] = &[
     "it has both a body and a helper",
     "it has more than {most} blocks {{ }} in a row; move a part into a helper",
     "its order {here} comes before {above}, the one above it; leave order out of the file",
-    "line {line}, column {column}: ",
+    "at character {column}: ",
+    "line {line}, character {column}: ",
     "line {line}: ",
     "nothing can come out of the actuator stream {id}",
     "nothing can lead into the sensor stream {id}",
@@ -380,8 +382,14 @@ fn exercises() -> Vec<String> {
         [name, literal(rest.split_once('"').unwrap().1).0]
     });
     let goals = sources_of("json", &folder().join("../tests/exercises"));
-    let said =
-        |goal: String| ["\"says\": ", "\"reached\": ", "\"otherwise\": "].map(|field| calls(&goal, field)).concat();
+    let said = |goal: String| {
+        let fields = ["says", "reached", "otherwise", "ask"].map(|field| calls(&goal, &format!("\"{field}\": ")));
+        let answers = goal.split("\"answers\": [").skip(1).flat_map(|list| {
+            let list = list.split_once(']').unwrap().0.split('"');
+            list.skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>()
+        });
+        fields.concat().into_iter().chain(answers).collect::<Vec<_>>()
+    };
     let goals = goals.into_iter().map(|(_, text)| text).filter(|text| text.contains("\"expects\"")).flat_map(said);
     let all: Vec<String> = starts.chain(goals).collect();
     assert!(all.len() > 20, "{all:?}");

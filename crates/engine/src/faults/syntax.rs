@@ -50,7 +50,11 @@ impl Syntax {
 
 impl fmt::Display for Syntax {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        write!(to, "{}{}", Place::from(self.error.position()), self.why())
+        match self.unknown_value() {
+            // The name tells where it is.
+            Some(_) => to.write_str(&self.why()),
+            None => write!(to, "{}{}", Place::from(self.error.position()), self.why()),
+        }
     }
 }
 
@@ -70,7 +74,7 @@ fn lex_words(error: &LexError) -> String {
 
 fn unknown_name(name: &str, arguments: &[String]) -> String {
     if arguments.is_empty() {
-        return format!("there is no value “{name}”");
+        return format!("no “{name}” here");
     }
-    format!("there is no value “{name}”, only {}", arguments.join(", "))
+    format!("no “{name}” here; there is {}", arguments.join(", "))
 }

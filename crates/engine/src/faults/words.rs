@@ -103,7 +103,8 @@ impl Display for Misuse {
 impl Display for Place {
     fn fmt(&self, to: &mut Formatter) -> Result {
         match (self.line, self.column) {
-            (Some(line), Some(column)) => write!(to, "line {line}, column {column}: "),
+            (Some(1), Some(column)) => write!(to, "at character {column}: "),
+            (Some(line), Some(column)) => write!(to, "line {line}, character {column}: "),
             (Some(line), None) => write!(to, "line {line}: "),
             (None, _) => Ok(()),
         }
@@ -132,7 +133,7 @@ fn happened(fault: &CallFault, to: &mut Formatter) -> Result {
         F::NoParts(kind) => write!(to, "{kind} has no parts to take with [ ]"),
         F::NoItem(many, at) => write!(to, "there is no item {at} in a list of {many}"),
         F::NoLetter(many, at) => write!(to, "there is no letter {at} in a text of {many}"),
-        F::NoValue(name) => write!(to, "there is no value “{name}”"),
+        F::NoValue(name) => write!(to, "no “{name}” here"),
         F::NotIterable => to.write_str("for goes through a list, a text or a range only"),
         F::Interrupted => to.write_str("it took too long and was ended"),
         F::Steps => to.write_str("it takes too many steps"),

@@ -53,12 +53,13 @@ pub(super) async fn try_exercise(
     sender: Sender,
     behaviour: &Id,
     name: &str,
+    answers: Vec<u8>,
 ) -> Result<Reply, Refused> {
     let exercise = exercise(name).ok_or_else(|| Refused::NoTemplate(name.chars().take(40).collect()))?;
     let (look, snapshot) = (state.rooms.look(behaviour).await?, state.rooms.snapshot());
     let tried = state.workers.run(sender, move |token| {
         let file = BehaviourFile::of(look.behaviour(), &snapshot.helpers());
-        rehearse(&file, &exercise.goal(), token)
+        rehearse(&file, &exercise.goal(), &answers, token)
     });
     Ok(Reply::Tried { tried: tried.await? })
 }

@@ -5,7 +5,7 @@ mod rehearsal;
 
 use super::templates::Template;
 use goal::Goal;
-use protocol::Exercise;
+use protocol::{Exercise, ExerciseQuestion};
 pub(crate) use rehearsal::rehearse;
 
 /// A template with a goal.
@@ -24,7 +24,9 @@ impl ExerciseStart {
 
     /// What people are told about it.
     pub(crate) fn told(&self) -> Exercise {
-        Exercise { start: self.template.summary(), goal: self.goal().says }
+        let Goal { says, asks, .. } = self.goal();
+        let asks = asks.into_iter().map(|one| ExerciseQuestion { ask: one.ask, answers: one.answers }).collect();
+        Exercise { start: self.template.summary(), goal: says, asks }
     }
 }
 
@@ -38,8 +40,24 @@ pub(crate) fn exercises() -> &'static [ExerciseStart] {
     EXERCISES
 }
 
-/// Those of the user study (thesis, chapter 7) that a rehearsal can check, and one between them.
+/// Those of the user study (thesis, chapter 7), to explain, to debug and to create, and one between them.
 const EXERCISES: &[ExerciseStart] = &[
+    ExerciseStart {
+        template: Template::of(
+            "Explain the eyes",
+            "Read it: what do the eyes do when balls of several colors come?",
+            include_str!("../../../../tests/exercises/explain_eyes.json"),
+        ),
+        goal: include_str!("../../../../tests/exercises/explain_eyes.goal.json"),
+    },
+    ExerciseStart {
+        template: Template::of(
+            "Explain the words",
+            "Read it: what does the robot say when balls of several colors come, and how often?",
+            include_str!("../../../../tests/exercises/explain_words.json"),
+        ),
+        goal: include_str!("../../../../tests/exercises/explain_words.goal.json"),
+    },
     ExerciseStart {
         template: Template::of(
             "Follow only a close ball",

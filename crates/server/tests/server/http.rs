@@ -161,7 +161,7 @@ async fn a_file_that_cannot_be_imported_is_refused_with_line_and_reason() {
         (file.replace("\"device\": \"RedBall\"", "\"device\": \"Nose\""), "422", "Nose"),
         (file.replace("distance >= 0.5", "distance >="), "422", "This procedure cannot run"),
         (file.replace("\"name\": \"Far\"", "\"name\": \" \""), "422", "cannot be a name"),
-        ("<!DOCTYPE x><behaviour/>".to_owned(), "400", "Line 1, column 1: A DOCTYPE"),
+        ("<!DOCTYPE x><behaviour/>".to_owned(), "400", "Line 1, column 1: A program may have no DOCTYPE"),
         (" ".repeat(store::files::FILE_MAX_BYTES + 1), "413", "larger than 8388608 bytes"),
     ];
     for (text, status, reason) in cases {

@@ -98,7 +98,7 @@ async fn all_or_nothing_is_locked() {
     let no = sentence(aiko.ask(Request::Lock { behaviour: play.clone(), records: position }).await);
     assert!(no.starts_with("This cannot be kept for one person."), "{no}");
     let library = id(protocol::LIBRARY);
-    assert!(sentence(lock(&aiko, &library, &["a"]).await).starts_with("No behaviour is open."));
+    assert!(sentence(lock(&aiko, &library, &["a"]).await).starts_with("No program is open."));
     house.close().await;
 }
 

@@ -15,10 +15,15 @@ impl Library {
         self.exercises.read().iter().find(is_it).cloned()
     }
 
-    /// Asks the server to rehearse the open program, as it is saved.
-    pub(crate) fn try_exercise(&self, exercise: &Exercise, then: impl FnOnce(Result<Tried, NoAnswer>) + 'static) {
+    /// Asks the server to rehearse the open program, as it is saved, with what is answered to the questions.
+    pub(crate) fn try_exercise(
+        &self,
+        exercise: &Exercise,
+        answers: Vec<u8>,
+        then: impl FnOnce(Result<Tried, NoAnswer>) + 'static,
+    ) {
         let Some(behaviour) = self.document.open.get_untracked() else { return };
-        let request = Request::TryExercise { behaviour, exercise: exercise.start.id.clone() };
+        let request = Request::TryExercise { behaviour, exercise: exercise.start.id.clone(), answers };
         self.tab.look_up(request, move |answer| match answer {
             Ok(Reply::Tried { tried }) => then(Ok(tried.clone())),
             Ok(_) => {}

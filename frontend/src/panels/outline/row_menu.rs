@@ -1,24 +1,37 @@
-//! What can be done with a row of the list: what stands in its menu on the graph.
+//! The commands of a menu outside of the canvas: of a row of the list, what stands in its menu on the graph; of the bar, what
+//! there is no room for as buttons.
 
 use crate::browser;
 use crate::commands::{ALL, Command, On};
 use crate::panels::hold::hold;
 use crate::panels::menu::MenuItem;
 use leptos::prelude::*;
+use protocol::Role;
 
 /// A moment for the menu to go, in milliseconds.
 const GONE_MS: i32 = 40;
 
-/// The commands of a menu, as a view.
+/// The commands of a menu, as a view, with a line between those about different things. What only the host may do is not
+/// there for others.
 pub(crate) fn row_menu(on: On) -> AnyView {
     let desk = hold();
+    let is_shown = |command: &&'static Command| {
+        command.on.contains(&on)
+            && command.is_here()
+            && (command.role != Role::Host || untrack(|| desk.desk().may(command.role)))
+    };
+    let mut before = None;
     let item = move |command: &'static Command| {
-        let no = untrack(|| desk.desk().may_not(command.role)).is_some();
+        let no = untrack(|| !command.can_be_done(&desk.desk()));
         let run = Callback::new(move |()| {
             let desk = desk.desk();
             browser::after(GONE_MS, move || command.run(&desk));
         });
-        view! { <MenuItem label=(command.label)() icon=command.icon() disabled=no choose=run /> }
+        let is_next = before.replace(command.group).is_some_and(|before| before != command.group);
+        view! {
+            {is_next.then(|| view! { <div class="menu-rule" role="separator"></div> })}
+            <MenuItem label=(command.label)() icon=command.icon disabled=no choose=run />
+        }
     };
-    ALL.iter().filter(|command| command.on.contains(&on) && command.is_here()).map(item).collect_view().into_any()
+    ALL.iter().filter(is_shown).map(item).collect_view().into_any()
 }

@@ -4,7 +4,7 @@ use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
 use leptos::prelude::*;
-use protocol::{Exercise, Tried};
+use protocol::{Exercise, ExerciseQuestion, Tried};
 
 /// The id of what folds.
 const GOAL_ID: &str = "exercise-goal";
@@ -71,11 +71,18 @@ fn TryIt(exercise: Exercise) -> impl IntoView {
         desk.desk().document.edited.track();
         begin();
     });
+    let answers = RwSignal::new(vec![None::<u8>; exercise.asks.len()]);
+    let asks = exercise.asks.clone();
+    let questions = (0..).zip(asks).map(move |(at, question)| view! { <Asked at question answers begin /> });
     let press = move |_| {
         begin();
+        let Some(answers) = answers.get_untracked().into_iter().collect::<Option<Vec<u8>>>() else {
+            verdict.set(Some(Verdict { says: words::answer_first().to_owned(), good: false }));
+            return;
+        };
         busy.set(true);
         let mine = number.get_value();
-        desk.desk().library.try_exercise(&exercise, move |tried| {
+        desk.desk().library.try_exercise(&exercise, answers, move |tried| {
             if number.try_get_value() == Some(mine) {
                 busy.set(false);
                 verdict.set(Some(
@@ -91,11 +98,45 @@ fn TryIt(exercise: Exercise) -> impl IntoView {
         })
     };
     view! {
+        {questions.collect_view()}
         <button class="button" type="button" aria-busy=move || busy.get().to_string() on:click=press>
             <Icon name="play" />
             {words::try_it()}
         </button>
         <div role="status">{said}{move || busy.get().then(|| view! { <p class="faint">{words::rehearsing()}</p> })}</div>
+    }
+}
+
+/// A question with its answers, of which one is chosen; another choice takes back what was said before.
+#[component]
+fn Asked(
+    at: usize,
+    question: ExerciseQuestion,
+    answers: RwSignal<Vec<Option<u8>>>,
+    begin: impl Fn() + Copy + Send + 'static,
+) -> impl IntoView {
+    let answer = move |(which, text): (u8, String)| {
+        let chosen = move || answers.read().get(at).copied().flatten() == Some(which);
+        let choose = move |_| {
+            answers.update(|answers| {
+                if let Some(answer) = answers.get_mut(at) {
+                    *answer = Some(which);
+                }
+            });
+            begin();
+        };
+        view! {
+            <label class="radio">
+                <input type="radio" name=format!("asked-{at}") prop:checked=chosen on:change=choose />
+                <span>{words::translated(&text)}</span>
+            </label>
+        }
+    };
+    view! {
+        <fieldset class="asked">
+            <legend>{words::translated(&question.ask)}</legend>
+            {(0..).zip(question.answers).map(answer).collect_view()}
+        </fieldset>
     }
 }
 

@@ -13,6 +13,7 @@ sentences! {
     show_goal: "Show the goal";
     put_goal_away: "Put the task away";
     rehearsing: "Trying it …";
+    answer_first: "Choose an answer to each question first.";
     goal_of_empty: "There is nothing in the program yet.";
     goal_too_large: "This program is too large to be tried here. Start it on the simulated robot instead.";
     goal_too_long: "This took too long to try. Start it on the simulated robot to see what keeps it busy.";

@@ -236,8 +236,8 @@ impl Session {
                     hints::fixes(&state, sender, &behaviour, (problem, seen)).await
                 }
                 Request::Types { behaviour, seen } => hints::types(&state, sender, &behaviour, seen).await,
-                Request::TryExercise { behaviour, exercise } => {
-                    hints::try_exercise(&state, sender, &behaviour, &exercise).await
+                Request::TryExercise { behaviour, exercise, answers } => {
+                    hints::try_exercise(&state, sender, &behaviour, &exercise, answers).await
                 }
                 _ => Ok(Reply::Done),
             }

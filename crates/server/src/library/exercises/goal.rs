@@ -20,6 +20,23 @@ pub(crate) struct Goal {
     pub(crate) trace: Vec<Part>,
     /// What shall come of it; the first that does not is told.
     pub(crate) expects: Vec<Expectation>,
+    /// What one is asked about it; where there is something, the behaviour is explained and not changed.
+    #[serde(default)]
+    pub(crate) asks: Vec<GoalQuestion>,
+}
+
+/// A question about what the behaviour will do.
+#[derive(Debug, Deserialize)]
+#[serde(rename_all = "camelCase", deny_unknown_fields)]
+pub(crate) struct GoalQuestion {
+    /// In a sentence.
+    pub(crate) ask: String,
+    /// What can be answered.
+    pub(crate) answers: Vec<String>,
+    /// Which of the answers is true, counted from 0.
+    pub(crate) right: u8,
+    /// What is said to another answer, in a sentence that helps to find it.
+    pub(crate) otherwise: String,
 }
 
 /// A sense that reads something for a while.
@@ -70,6 +87,8 @@ pub(crate) enum Wanted {
     AtLeast(f64),
     /// Only numbers that are at most so large, and some.
     AtMost(f64),
+    /// Something, at least and at most so often in each of the parts.
+    Times(usize, usize),
 }
 
 /// An action of a behaviour, and what it was told.
@@ -98,6 +117,13 @@ impl Goal {
             *next += part.for_ms;
             Some(begin)
         })
+    }
+
+    /// What is said to the first answer that is not right.
+    pub(super) fn wrong(&self, answers: &[u8]) -> Option<&str> {
+        let given = answers.iter().map(Some).chain(std::iter::repeat(None));
+        let is_wrong = |(question, given): &(&GoalQuestion, Option<&u8>)| *given != Some(&question.right);
+        self.asks.iter().zip(given).find(is_wrong).map(|(question, _)| &*question.otherwise)
     }
 
     /// What is said of the first expectation that is not met.
@@ -135,6 +161,7 @@ impl Expectation {
         match self.is {
             Wanted::Told => !told.is_empty(),
             Wanted::NotTold => told.is_empty(),
+            Wanted::Times(least, most) => (least..=most).contains(&told.len()),
             Wanted::AtLeast(least) => all(&|number| number >= least),
             Wanted::AtMost(most) => all(&|number| number <= most),
         }

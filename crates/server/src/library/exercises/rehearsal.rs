@@ -14,8 +14,17 @@ const REHEARSAL_MS: u64 = 1_000;
 /// The most streams, and the most connectors, of a behaviour that is rehearsed; exercises need a handful.
 const PARTS_MAX: usize = 500;
 
-/// What becomes of a behaviour on the readings of a goal.
-pub(crate) fn rehearse(file: &BehaviourFile, goal: &Goal, token: &CancellationToken) -> Tried {
+/// What becomes of a behaviour on the readings of a goal, and then, where the goal asks something, of the answers.
+pub(crate) fn rehearse(file: &BehaviourFile, goal: &Goal, answers: &[u8], token: &CancellationToken) -> Tried {
+    match run_through(file, goal, token) {
+        Tried::Reached(says) => goal
+            .wrong(answers)
+            .map_or(Tried::Reached(says), |says| Tried::Missed { says: says.to_owned(), fault: None }),
+        other => other,
+    }
+}
+
+fn run_through(file: &BehaviourFile, goal: &Goal, token: &CancellationToken) -> Tried {
     if file.streams.is_empty() {
         return Tried::Empty;
     }
