@@ -28,10 +28,12 @@ pub(crate) enum Out {
     Text(Utf8Bytes),
     /// Send this in parts.
     Whole(u32, Box<Whole>),
-    /// From now on tell what goes on in this room.
+    /// From now on only this room is told of, or none, once its feed comes.
+    Want(Option<behaviour::Id>),
+    /// From now on tell what goes on in this room, if it is the wanted one.
     Follow(Box<Feed>),
-    /// No longer.
-    Unfollow,
+    /// No longer: it is gone.
+    Unfollow(behaviour::Id),
     /// Which pictures are wanted.
     Watch {
         /// Of which robot; none means the first one.
@@ -90,7 +92,7 @@ impl Waiting {
                 own <= if all > ALL_MAX_BYTES { SHARE_BYTES } else { QUEUE_MAX_BYTES }
             }
             Out::Whole(..) => self.0.wholes.fetch_add(1, Ordering::Relaxed) < WHOLES_MAX,
-            Out::Follow(_) | Out::Unfollow | Out::Watch { .. } => true,
+            Out::Want(_) | Out::Follow(_) | Out::Unfollow(_) | Out::Watch { .. } => true,
         }
     }
 
@@ -169,8 +171,12 @@ impl Recipient for Outbox {
         self.put(Out::Whole(ask, Box::new(whole)));
     }
 
-    fn follow(&self, feed: Option<Box<Feed>>) {
-        self.put(feed.map_or(Out::Unfollow, Out::Follow));
+    fn follow(&self, feed: Box<Feed>) {
+        self.put(Out::Follow(feed));
+    }
+
+    fn unfollow(&self, gone: behaviour::Id) {
+        self.put(Out::Unfollow(gone));
     }
 }
 

@@ -46,6 +46,8 @@ struct Writer {
     scene_wanted: bool,
     values_wanted: bool,
     watching: Watching,
+    /// The room that the client opened last.
+    wanted: Option<Id>,
     feed: Option<Box<Feed>>,
     /// Nothing is told before the welcome.
     welcomed: bool,
@@ -81,6 +83,7 @@ pub(super) async fn write(
         scene_wanted: true,
         values_wanted: true,
         watching: Watching::default(),
+        wanted: None,
         feed: None,
         welcomed: false,
     };
@@ -135,8 +138,14 @@ impl Writer {
                     self.parts(whole.texts(ask)).await?;
                     self.welcomed = true;
                 }
-                Out::Follow(feed) => self.feed = Some(feed),
-                Out::Unfollow => self.feed = None,
+                Out::Want(wanted) => {
+                    self.feed = None;
+                    self.wanted = wanted;
+                }
+                Out::Follow(feed) if self.wanted.as_ref() == Some(&feed.behaviour) => self.feed = Some(feed),
+                // It opened late, and another one was wanted meanwhile.
+                Out::Follow(_) => {}
+                Out::Unfollow(gone) => drop(self.feed.take_if(|feed| feed.behaviour == gone)),
                 Out::Watch { robot, scene, values } => self.watch(robot, scene, values),
             }
         }

@@ -18,8 +18,11 @@ pub(crate) trait Recipient: Send + Sync {
     fn send(&self, text: Utf8Bytes);
     /// Sends all of a behaviour, as the answer to `ask`.
     fn send_whole(&self, ask: u32, whole: Whole);
-    /// From now on tells what goes on in a room, or in none.
-    fn follow(&self, feed: Option<Box<Feed>>);
+    /// From now on tells what goes on in a room, if that is still the one that is wanted: a room that opens late may come
+    /// after another that was wanted meanwhile.
+    fn follow(&self, feed: Box<Feed>);
+    /// Tells no longer what goes on in this room, which is gone.
+    fn unfollow(&self, gone: Id);
 }
 
 /// Somebody in a room.

@@ -1,14 +1,14 @@
 //! Slow stores and slow readers: they slow nobody else, and never Stop.
 
-use crate::house::{House, plain, stream_id};
+use crate::house::{House, make, plain, stream_id};
 use crate::http::raw;
 use crate::links::socket;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id, Kind, Note, Record, RecordId};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Reply, Request};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 use store::{Append, Contested, Driver, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError, Used};
 use tokio_tungstenite::tungstenite::Message;
@@ -21,6 +21,8 @@ const LOOK_TURNS: usize = 200;
 pub(crate) struct Hanging {
     inside: MemoryStore,
     hangs: AtomicBool,
+    /// A behaviour that cannot be loaded yet.
+    holds: Mutex<Option<Id>>,
     /// Lookups in a history that are under way, and the most that ever were.
     looking: AtomicUsize,
     pub(crate) looked_most: AtomicUsize,
@@ -42,6 +44,9 @@ impl Store for Hanging {
     }
     async fn load(&self, behaviour: &Id) -> Result<Option<Loaded>, StoreError> {
         self.wait().await;
+        while self.holds.lock().unwrap().as_ref() == Some(behaviour) {
+            tokio::time::sleep(Duration::from_millis(20)).await;
+        }
         self.inside.load(behaviour).await
     }
     async fn list(&self, query: &Query) -> Result<Listing, StoreError> {
@@ -132,6 +137,43 @@ async fn stop_and_greetings_work_while_the_store_hangs_and_the_edit_is_saved_aft
     ben.until(|reply| matches!(reply, Reply::Accepted { .. })).await.unwrap();
     assert_eq!(aiko.open(), ben.open());
     house.close().await;
+}
+
+/// Who opens another program while one is still being loaded is told of the other one, also when the first comes late.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_program_that_opens_late_does_not_take_the_place_of_the_one_that_is_wanted() {
+    let store = Arc::new(Hanging::default());
+    let house = House::on(store.clone()).await;
+    let aiko = house.person("Aiko").await;
+    let [late, wanted] = [make(&aiko, "Late", None).await, make(&aiko, "Wanted", None).await];
+    *store.holds.lock().unwrap() = Some(late.clone());
+    let mut link = socket(&house).await;
+    let version = protocol::VERSION;
+    let asks = [
+        format!(r#"{{"ask":1,"request":{{"is":"hello","version":{version},"client":"ben","name":"Ben"}}}}"#),
+        format!(r#"{{"ask":2,"request":{{"is":"open","behaviour":"{late}"}}}}"#),
+        format!(r#"{{"ask":3,"request":{{"is":"open","behaviour":"{wanted}"}}}}"#),
+    ];
+    for ask in asks {
+        link.send(Message::text(ask)).await.unwrap();
+    }
+    let opened = |of: &Id| format!(r#""opened":{{"behaviour":"{of}""#);
+    until(&mut link, &opened(&wanted)).await;
+    *store.holds.lock().unwrap() = None;
+    until(&mut link, &opened(&late)).await;
+    let ping = until(&mut link, r#""ping""#).await;
+    assert!(ping.contains(wanted.as_str()) && !ping.contains(late.as_str()), "{ping}");
+    house.close().await;
+}
+
+/// The next message with these characters in it.
+async fn until(link: &mut crate::links::Socket, wanted: &str) -> String {
+    loop {
+        let text = link.next().await.unwrap().unwrap().into_text().unwrap_or_default();
+        if text.contains(wanted) {
+            return text.to_string();
+        }
+    }
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -261,14 +261,14 @@ impl Session {
             return self.outbox.no(ask, Refused::NoBehaviour);
         }
         self.leave_open(Parting::Chosen);
-        self.outbox.put(Out::Unfollow);
+        self.outbox.put(Out::Want(Some(behaviour.clone())));
         self.state().rooms.tell(&behaviour, Note::Join(self.member(), ask, None));
         self.open = Some(behaviour);
     }
 
     fn leave(&mut self, ask: u32) {
         self.leave_open(Parting::Chosen);
-        self.outbox.put(Out::Unfollow);
+        self.outbox.put(Out::Want(None));
         self.outbox.say(Some(ask), Reply::Done);
     }
 

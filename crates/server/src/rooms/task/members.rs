@@ -31,7 +31,7 @@ impl RoomTask {
         if !self.is_library() {
             link.send_whole(ask, self.opened());
             self.tell_people();
-            link.follow(Some(Box::new(self.feed())));
+            link.follow(Box::new(self.feed()));
             self.locks.came(&client, session, link.as_ref());
         }
     }
@@ -145,7 +145,7 @@ impl RoomTask {
     pub(super) fn tell_removed(&mut self, by: &str) {
         let text = encode(None, Reply::Removed { behaviour: self.id.clone(), by: by.to_owned() });
         for member in std::mem::take(&mut self.members).into_values() {
-            member.link.follow(None);
+            member.link.unfollow(self.id.clone());
             member.link.send(text.clone());
         }
     }

@@ -142,7 +142,9 @@ mod tests {
 
         fn send_whole(&self, _: u32, _: Whole) {}
 
-        fn follow(&self, _: Option<Box<Feed>>) {}
+        fn follow(&self, _: Box<Feed>) {}
+
+        fn unfollow(&self, _: Id) {}
     }
 
     fn answer(session: u64) -> Answer {
