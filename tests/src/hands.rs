@@ -1,6 +1,7 @@
 //! What a person does to a page: pressing, typing, dragging, touching, pinching.
 
 use serde_json::{Value, json};
+use std::time::Duration;
 
 use crate::keys;
 use crate::page::Page;
@@ -24,6 +25,8 @@ const AROUND: &str = "((x, y) => {
 
 /// In how many moves two fingers pinch.
 const PINCH_STEPS: u32 = 10;
+/// How long a finger rests before it is lifted, so that nothing goes on gliding.
+const RESTS: Duration = Duration::from_millis(120);
 
 impl Page {
     /// Clicks the one element with this role and accessible name, once it rests in view and nothing covers it.
@@ -169,13 +172,26 @@ impl Page {
         self.mouse("mouseWheel", at, json!({ "deltaX": 0, "deltaY": down, "modifiers": 2 })).await
     }
 
-    /// Drags with one finger, in `steps` moves.
+    /// Drags with one finger, in `steps` moves, and rests before it is lifted: the browser keeps a tap for itself that comes
+    /// soon after a flick.
     pub async fn touch_drag(&self, from: (f64, f64), to: (f64, f64), steps: u32) -> Outcome<()> {
+        self.push(from, to, steps).await?;
+        tokio::time::sleep(RESTS).await;
+        self.touch("touchEnd", &[]).await
+    }
+
+    /// The same, lifted at full speed.
+    pub async fn flick(&self, from: (f64, f64), to: (f64, f64), steps: u32) -> Outcome<()> {
+        self.push(from, to, steps).await?;
+        self.touch("touchEnd", &[]).await
+    }
+
+    async fn push(&self, from: (f64, f64), to: (f64, f64), steps: u32) -> Outcome<()> {
         self.touch("touchStart", &[from]).await?;
         for at in between(from, to, steps) {
             self.touch("touchMove", &[at]).await?;
         }
-        self.touch("touchEnd", &[]).await
+        Ok(())
     }
 
     /// Pinches with two fingers left and right of a centre, `from` and `to` CSS pixels apart.

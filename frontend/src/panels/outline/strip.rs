@@ -19,6 +19,8 @@ use leptos::prelude::*;
 
 /// After so long a row that was pressed is brought into view, in milliseconds.
 const ROW_MS: i32 = 60;
+/// And looked at again after so long each: what is told above the list grows with what was done.
+const AGAIN_MS: &[i32] = &[140, 300, 600];
 /// Room between what can be done with a row and Start, in pixels.
 const BESIDE_FOOT: f64 = 8.0;
 /// So many next steps are offered.
@@ -64,19 +66,27 @@ fn Buttons(what: Selected) -> impl IntoView {
     match sheet {
         Some(id) => view! { <Sheet id>{buttons}</Sheet> }.into_any(),
         None => {
-            browser::after(ROW_MS, keep_in_view);
+            browser::after(ROW_MS, || keep_in_view(None, AGAIN_MS));
             buttons.into_any()
         }
     }
 }
 
-/// What can be done with a row is not left below Start and Stop.
-fn keep_in_view() {
+/// What can be done with a row is not left below Start and Stop, as long as nobody scrolls away from where it was `left`.
+fn keep_in_view(left: Option<f64>, again: &'static [i32]) {
+    let here = || window().scroll_y().unwrap_or_default();
+    if left.is_some_and(|left| (left - here()).abs() > 1.0) {
+        return;
+    }
     let found = |selector| document().query_selector(selector).ok().flatten();
     if let Some((buttons, foot)) = found(".strip-inline").zip(found(".start-row")) {
         let below = buttons.get_bounding_client_rect().bottom() - foot.get_bounding_client_rect().top();
         if below > 0.0 {
             window().scroll_by_with_x_and_y(0.0, below + BESIDE_FOOT);
+        }
+        if let Some((ms, again)) = again.split_first() {
+            let left = here();
+            browser::after(*ms, move || keep_in_view(Some(left), again));
         }
     }
 }
