@@ -22,6 +22,9 @@ const HERE: &str = "(() => {
         const line = style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2;
         return line || style.boxShadow.includes(focus) || style.borderTopColor === focus || style.borderBottomColor === focus;
     };
+    // In the room a halo shows it.
+    const drawn = [...at.querySelectorAll('.halo')].some(halo => getComputedStyle(halo).stroke === focus);
+    if (drawn) return (at.getAttribute('aria-label') ?? '').trim() || at.tagName;
     for (let element = at, up = 0; element && up < 4; element = element.parentElement, up += 1)
         if (shows(element)) return (at.getAttribute('aria-label') ?? at.labels?.[0]?.innerText ?? at.innerText ?? at.tagName).trim() || at.tagName;
     return '';

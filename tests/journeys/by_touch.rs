@@ -2,11 +2,15 @@
 //! library to a robot that follows and stands still again. Whatever is touched is large enough for a finger.
 
 use house::{Outcome, Page, Within, skip};
+use std::time::Duration;
 
 use crate::steps::*;
 
 /// The least width and height of what a finger hits, in pixels; one less for edges between two pixels.
 const FINGER: f64 = 43.0;
+/// How often it is looked at, and so long after each other, until it rests.
+const LOOKS: u32 = 100;
+const LOOK: Duration = Duration::from_millis(50);
 
 /// Somebody with fingers only. On a phone the graph is a list.
 struct Fingers<'a> {
@@ -17,13 +21,13 @@ struct Fingers<'a> {
 impl<'a> Fingers<'a> {
     /// Touches something that is large enough for it.
     async fn tap(&self, role: &str, name: &str) -> Outcome<()> {
-        large_enough(name, self.page.hit_size(role, name).await?)?;
+        large_enough(name, async || self.page.hit_size(role, name).await).await?;
         self.page.tap(role, name).await
     }
 
     /// The same inside of something.
     async fn tap_in(&self, place: Within<'_>, role: &str, name: &str) -> Outcome<()> {
-        large_enough(name, place.hit_size(role, name).await?)?;
+        large_enough(name, async || place.hit_size(role, name).await).await?;
         place.tap(role, name).await
     }
 
@@ -67,17 +71,23 @@ impl<'a> Fingers<'a> {
     /// Drags the red ball of the room a little.
     async fn drags_ball(&self) -> Outcome<()> {
         let room = self.page.within("region", "Room");
-        large_enough("Red ball", room.hit_size("image", "Red ball").await?)?;
+        large_enough("Red ball", async || room.hit_size("image", "Red ball").await).await?;
         let (x, y) = room.find("image", "Red ball").await?.rect.centre();
         self.page.touch_drag((x, y), (x + 40.0, y), 8).await
     }
 }
 
-fn large_enough(what: &str, (width, height): (f64, f64)) -> Outcome<()> {
-    if width >= FINGER && height >= FINGER {
-        return Ok(());
+/// Waits until a finger hits it well: what glides over it is gone after a moment.
+async fn large_enough(what: &str, size: impl AsyncFn() -> Outcome<(f64, f64)>) -> Outcome<()> {
+    let mut last = (0.0, 0.0);
+    for _ in 0..LOOKS {
+        last = size().await?;
+        if last.0 >= FINGER && last.1 >= FINGER {
+            return Ok(());
+        }
+        tokio::time::sleep(LOOK).await;
     }
-    Err(format!("a finger hits “{what}” only on {width} by {height}").into())
+    Err(format!("a finger hits “{what}” only on {} by {}", last.0, last.1).into())
 }
 
 async fn walkthrough(size: (u32, u32), on_phone: bool) -> Outcome<()> {
