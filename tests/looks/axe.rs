@@ -70,6 +70,7 @@ async fn with_forced_colours_axe_finds_nothing_and_the_lamp_and_what_is_chosen_a
     page.screenshot(&house::target().join("looks/forced-colours.png")).await?;
     page.key("Control+k").await?;
     page.find("dialog", "Keys and gestures").await?;
+    rests(page).await?;
     found.extend(check(page, "commands, forced").await?);
     page.size(390, 844, true).await?;
     rests(page).await?;

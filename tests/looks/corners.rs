@@ -92,6 +92,8 @@ pub(crate) async fn dialogs(
     page.type_text(typed(words)).await?;
     page.until("!!document.querySelector('.dialog .typed .doubt')", "a word is in doubt").await?;
     visit("typed-in-dialog", &WINDOWS).await?;
+    // The first Escape takes back what is typed.
+    escape(page).await?;
     leave(page).await?;
     robots(page, words, &visit).await?;
     tour(page, words, &visit).await
