@@ -50,7 +50,9 @@ fn even(width: f64) -> f64 {
 
 /// How wide a chip is.
 pub(crate) fn chip_width(words: &ChipWords) -> f64 {
-    let text = text_width(&words.word, 13) + words.detail.chars().map(code_width).sum::<f64>();
+    let detail = &words.detail;
+    let detail = if words.plain { text_width(detail, 12) } else { detail.chars().map(code_width).sum::<f64>() };
+    let text = text_width(&words.word, 13) + detail;
     even((text + 52.0).clamp(72.0, WIDTH_MAX))
 }
 

@@ -105,11 +105,11 @@ async fn a_comparison_a_helper_and_a_duration_are_chosen_where_they_stand() -> O
     aiko.key("Control+z").await?;
     is_chip(&aiko, "filter (distance < 0.5)").await?;
 
-    aiko.press("button", "map (ball_to_distance), connector*").await?;
+    aiko.press("button", "map (Distance in m), connector*").await?;
     choose(&aiko, "distance").await?;
-    is_chip(&aiko, "map (distance)").await?;
+    is_chip(&aiko, "map (Distance in cm)").await?;
     aiko.key("Control+z").await?;
-    is_chip(&aiko, "map (ball_to_distance)").await?;
+    is_chip(&aiko, "map (Distance in m)").await?;
     aiko.key("Escape").await?;
 
     let at = aiko.boxed("button", "subscribe, connector from Close ball to Head and body tracker").await?;

@@ -134,3 +134,26 @@ async fn a_group_is_made_renamed_folded_and_taken_apart_by_keys() -> Outcome<()>
     aiko.find("button", FAR).await?;
     aiko.no_errors()
 }
+
+#[tokio::test]
+async fn a_stream_that_is_carried_into_a_frame_is_in_the_group() -> Outcome<()> {
+    let stage = stage!("into a group");
+    let program = stage.wire.make("Joined", BALLS).await?;
+    let aiko = chosen(&stage, &program).await?;
+    let ben = stage.person("ben", &program).await?;
+    aiko.key("Control+g").await?;
+    aiko.find("button", "Group, group, 2 streams").await?;
+    aiko.key("Escape").await?;
+    let (far, ball) = (rests(&aiko, FAR).await?, rests(&aiko, "Ball, sensor stream").await?);
+    aiko.drag(ball.centre(), (ball.centre().0, far.centre().1), 8).await?;
+    ben.find("button", "Group, group, 1 sense, 2 streams").await?;
+    aiko.key("Control+z").await?;
+    ben.find("button", "Group, group, 2 streams").await?;
+    let back = format!(
+        "Math.abs(document.querySelector('[data-node][aria-label^=Ball]').getBoundingClientRect().y - {}) < 3",
+        ball.y
+    );
+    aiko.until(&back, "one step takes both back").await?;
+    aiko.no_errors()?;
+    ben.no_errors()
+}

@@ -131,7 +131,7 @@ async fn what_ones_own_helper_takes_is_known_as_it_was_said() -> Outcome<()> {
     let list = aiko.within("region", "Problems");
     list.find("button", "Mend it: Convert to metres*").await?;
     list.press("button", "Mend it: Use “Distance in m” instead*").await?;
-    aiko.find("button", "map (ball_to_distance), connector*").await?;
+    aiko.find("button", "map (Distance in m), connector*").await?;
     aiko.until("!document.querySelector('.problem .fix')", "nothing is wrong any more").await?;
     aiko.press("button", "Undo").await?;
     list.find("button", "Mend it: Convert to metres*").await?;
@@ -235,7 +235,16 @@ async fn a_sense_faster_than_its_action_is_told_and_slowed_down_with_a_press() -
     let stage = stage!("faster than its action");
     let streams = [ball(), device("hello", "actuator", "Hello", "SayParameter")];
     let aiko = with_open(&stage, &file("Fast", &streams, &[connector("c1", "subscribe", "ball", "hello")])).await?;
-    is_mended(&aiko, "Once a second").await
+    is_mended(&aiko, "Once a second").await?;
+    // Nobody placed anything in this file: what the mend adds covers nothing all the same.
+    aiko.within("region", "Problems").press("button", "Mend it: Once a second*").await?;
+    aiko.find("button", "Red ball at times, stream").await?;
+    let boxes = "[...document.querySelectorAll('.world :is(.stream, .chip)')].map(one => one.getBoundingClientRect())";
+    let apart = format!(
+        "(boxes => boxes.length === 5 && boxes.every((a, at) => boxes.slice(at + 1).every(b =>
+            a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top)))({boxes})"
+    );
+    aiko.until(&apart, "nothing covers anything").await.map(drop)
 }
 
 #[tokio::test]

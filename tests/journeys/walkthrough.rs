@@ -9,7 +9,7 @@ use crate::visitor::Visitor;
 /// Everything on the canvas at the end.
 const ALL: [&str; 7] = [
     "Red ball, sensor stream",
-    "map (distance), connector*",
+    "map (Distance in cm), connector*",
     "DistanceToBall, stream",
     "filter (distanceToBall < 60), connector*",
     "Close balls, stream",

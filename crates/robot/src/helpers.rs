@@ -105,6 +105,12 @@ pub fn helper_streams() -> impl Iterator<Item = &'static str> {
     SHIPPED.iter().map(|shipped| shipped.stream)
 }
 
+/// How people call the helper of this name, if it is one of these: “Distance in cm” of `distance`.
+#[must_use]
+pub fn helper_label_of(name: &str) -> Option<&'static str> {
+    SHIPPED.iter().find(|shipped| shipped.name == name).map(|shipped| shipped.label)
+}
+
 /// What a stream is called that the helper of this name makes, if it is one of these.
 #[must_use]
 pub fn helper_stream(name: &str) -> Option<&'static str> {

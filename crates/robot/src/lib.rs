@@ -21,7 +21,9 @@ pub use condition::{Condition, Control, Lacking, Life};
 pub use describe::catalogue_lines;
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
-pub use helpers::{helper_label, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature};
+pub use helpers::{
+    helper_label, helper_label_of, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature,
+};
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
 pub use types::device_type;

@@ -40,7 +40,25 @@ pub(super) fn box_bounds(desk: &Desk, id: &Id) -> Option<Bounds> {
 
 /// Where the frame of an open group is: around its streams.
 fn frame_of(desk: &Desk, id: &Id) -> Option<Bounds> {
-    framed(desk.document.members(id).iter().filter_map(|id| bounds(desk, id)))
+    framed(untrack(|| desk.document.members(id)).iter().filter_map(|id| bounds(desk, id)))
+}
+
+/// The open group into whose frame a stream is carried, if that stream alone moves `by` so much, is in no group and did not
+/// stand there before.
+pub(super) fn group_at(desk: &Desk, moving: &[(Id, Place)], by: (f64, f64)) -> Option<Id> {
+    let [(stream, was)] = moving else { return None };
+    let groups = desk.document.group_ids.get_untracked();
+    let has = |group: &Id| untrack(|| desk.document.members(group)).contains(stream);
+    if groups.is_empty() || desk.document.stream(stream).is_none() || groups.iter().any(has) {
+        return None;
+    }
+    let middle = |x: f64, y: f64| Place { x, y: y + STREAM_HEIGHT / 2.0 };
+    let (before, now) = (middle(was.x, was.y), middle(was.x + by.0, was.y + by.1));
+    let is_into = |id: &Id| {
+        let open = !untrack(|| desk.document.is_folded(id));
+        open && frame_of(desk, id).is_some_and(|frame| frame.holds(now) && !frame.holds(before))
+    };
+    groups.into_iter().find(is_into)
 }
 
 /// The frame around some streams, with its title on top.

@@ -130,7 +130,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         all.extend(marked.get().map(|mark| mark::said(mark).to_owned()));
         (!all.is_empty()).then(|| all.join(" "))
     };
-    let [wide, label, title, word, detail] = [(); 5].map(|()| text.clone());
+    let [wide, label, title, word, detail, plain] = [(); 6].map(|()| text.clone());
     let (pressed, picked, record) = (chosen.clone(), chosen, signals.record.clone());
     let tests = record.clone();
     view! {
@@ -162,7 +162,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
                 view! { <span class="icon"><Icon name=icon /></span> }
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
-            <span class="detail" aria-hidden="true">{move || underlined(&detail.with(|words| words.detail.clone()), unknown.get().as_deref())}</span>
+            <span class="detail" class:plain=move || plain.with(|words| words.plain) aria-hidden="true">{move || underlined(&detail.with(|words| words.detail.clone()), unknown.get().as_deref())}</span>
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem />

@@ -181,7 +181,7 @@ fn shape(shadow: Shadow) -> AnyView {
                         style:min-width=width>
                         <span class="icon"><Icon name=connector.operation.spec().icon.name /></span>
                         <span class="word">{text.word}</span>
-                        <span class="detail">{text.detail}</span>
+                        <span class="detail" class:plain=text.plain>{text.detail}</span>
                     </div>
                     <Differs differs=ArcMemo::new(move |_| differs.clone()) />
                 </div>

@@ -85,8 +85,12 @@ fn Frame(id: Id) -> impl IntoView {
         move || frame.get().map(|at| format!("{:.0}px", of(at)))
     };
     let folded = id.clone();
+    let joined = {
+        let (joining, id) = (stage.joining.clone(), id.clone());
+        ArcMemo::new(move |_| joining.with(|joining| joining.as_ref() == Some(&id)))
+    };
     view! {
-        <div class="group-frame" class:selected=move || lit.get()
+        <div class="group-frame" class:selected=move || lit.get() class:joined=move || joined.get()
             style:transform=move || frame.get().map(|at| format!("translate({:.1}px,{:.1}px)", at.left, at.top))
             style:width=side(|at| at.right - at.left, width) style:height=side(|at| at.bottom - at.top, height)>
             <div class="frame-bar">

@@ -112,7 +112,7 @@ fn chip(way: &Way) -> impl IntoView + use<> {
             <div class="chip connector ghost" style:min-width=width>
                 <span class="icon"><Icon name=way.icon /></span>
                 <span class="word">{way.words.word.clone()}</span>
-                <span class="detail">{way.words.detail.clone()}</span>
+                <span class="detail" class:plain=way.words.plain>{way.words.detail.clone()}</span>
             </div>
             {way.doubtful.then(|| view! { <span class="badge"><Icon name="help" /></span> })}
         </div>

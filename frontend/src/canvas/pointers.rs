@@ -1,7 +1,7 @@
 //! From the browser's pointer events to what the hand means, and from there to the view and the desk.
 
 use super::hand::{Act, Hand, Point, Target};
-use super::{Stage, wire};
+use super::{Stage, bounds, wire};
 use crate::browser;
 use crate::desk::{Desk, Dialog, Selected, Spot};
 use crate::layout::snapped;
@@ -201,15 +201,23 @@ impl Pointers {
             for (id, was) in moving.iter() {
                 self.desk.document.show_at(id, Place { x: was.x + by.0, y: was.y + by.1 });
             }
+            let joining = bounds::group_at(&self.desk, &moving, by);
+            if self.stage.joining.with_untracked(|now| *now != joining) {
+                self.stage.joining.set(joining);
+            }
         }
     }
 
     fn drop(&self) {
         let (dx, dy) = self.moved_by.get();
+        let joins = self.stage.joining.get_untracked();
         let moved = self.end_drag();
         if (dx, dy) != (0.0, 0.0) {
-            let places = moved.into_iter().map(|(id, was)| (id, Place { x: was.x + dx, y: was.y + dy }));
-            self.desk.document.move_to(places.collect());
+            let places = moved.into_iter().map(|(id, was)| (id, Place { x: was.x + dx, y: was.y + dy })).collect();
+            match joins {
+                Some(group) => self.desk.document.move_into(places, &group),
+                None => self.desk.document.move_to(places),
+            }
         }
     }
 
@@ -219,6 +227,9 @@ impl Pointers {
         self.after_drag.set(true);
         if self.stage.dragged.with_untracked(Option::is_some) {
             self.stage.dragged.set(None);
+        }
+        if self.stage.joining.with_untracked(Option::is_some) {
+            self.stage.joining.set(None);
         }
         std::mem::take(&mut *self.moving.borrow_mut())
     }

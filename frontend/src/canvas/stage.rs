@@ -43,6 +43,8 @@ pub(crate) struct Stage {
     pub(super) stop_now: ArcMemo<Option<Id>>,
     /// The stream that follows the hand.
     pub(super) dragged: ArcRwSignal<Option<Id>>,
+    /// The open group that it would be in if it were dropped now.
+    pub(super) joining: ArcRwSignal<Option<Id>>,
     pub(super) running: ArcMemo<bool>,
     /// Whether what leads nowhere may be blamed: it runs, or nothing else is missing.
     pub(super) finished: ArcMemo<bool>,
@@ -154,6 +156,7 @@ impl Stage {
             opened: ArcRwSignal::default(),
             said: ArcRwSignal::default(),
             dragged,
+            joining: ArcRwSignal::default(),
             moves: Arc::default(),
             piece: second_piece(),
             desk: desk.clone(),

@@ -41,6 +41,10 @@ pub(super) struct Bounds {
 
 impl Bounds {
     /// Whether they share more than an edge.
+    pub(super) fn holds(self, place: Place) -> bool {
+        (self.left..=self.right).contains(&place.x) && (self.top..=self.bottom).contains(&place.y)
+    }
+
     pub(super) fn meets(self, other: Bounds) -> bool {
         self.left < other.right && self.right > other.left && self.top < other.bottom && self.bottom > other.top
     }

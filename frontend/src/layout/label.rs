@@ -1,14 +1,16 @@
 //! The short texts on streams and connectors, and how wide they are about.
 
 use crate::words;
-use behaviour::{Connector, Stream, Value};
+use behaviour::{Connector, Procedure, Stream, Value};
 use robot::{Param, ParamKind};
 
-/// The text of a connector's chip: `filter` and `(distanceToBall < 20)`.
+/// The text of a connector's chip: `filter` and `(distanceToBall < 20)`, `map` and `(Distance in cm)`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct ChipWords {
     pub(crate) word: String,
     pub(crate) detail: String,
+    /// Whether the detail is a name in words, and no code.
+    pub(crate) plain: bool,
 }
 
 impl ChipWords {
@@ -21,12 +23,18 @@ impl ChipWords {
 /// What a connector's chip says.
 pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
     let operation = &connector.operation;
-    let mut chosen: Vec<String> = operation.chosen().iter().map(|text| one_line(text)).collect();
+    let helper = match operation.procedure() {
+        Some(Procedure::Helper(name)) => Some(name),
+        Some(Procedure::Body { .. }) | None => None,
+    };
+    let shown = |text: &String| if Some(text) == helper { words::plain_helper(text) } else { one_line(text) };
+    let mut chosen: Vec<String> = operation.chosen().iter().map(shown).collect();
     if let (Some(ms), Some(last)) = (operation.period_ms(), chosen.last_mut()) {
         *last = words::period_of(operation.spec(), ms);
     }
     let detail = if chosen.is_empty() { String::new() } else { format!("({})", chosen.join(", ")) };
-    ChipWords { word: words::connector_word(operation.spec().name).to_owned(), detail }
+    let plain = helper.is_some_and(|name| words::plain_helper(name) != *name);
+    ChipWords { word: words::connector_word(operation.spec().name).to_owned(), detail, plain }
 }
 
 fn one_line(body: &str) -> String {
@@ -99,7 +107,8 @@ mod tests {
 
     #[test]
     fn chips_say_what_they_do() {
-        assert_eq!(chip(connectors::map::SPEC.with(Procedure::Helper("distance".into()))), "map (distance)");
+        assert_eq!(chip(connectors::map::SPEC.with(Procedure::Helper("distance".into()))), "map (Distance in cm)");
+        assert_eq!(chip(connectors::map::SPEC.with(Procedure::Helper("near_enough".into()))), "map (near_enough)");
         assert_eq!(chip(connectors::filter::SPEC.with(Procedure::body("a <\n  20"))), "filter (a < 20)");
         assert_eq!(chip(connectors::sample::SPEC.with(Parameters::period(500))), "sample (every 0.5 seconds)");
         assert_eq!(chip(connectors::delay::SPEC.with(Parameters::period(1_000))), "delay (1 second)");

@@ -997,6 +997,11 @@ pub(crate) fn helper_name_of(helper: &behaviour::Helper) -> String {
     robot::helper_label(helper).map_or_else(|| helper.name.clone(), |label| said(label).to_owned())
 }
 
+/// What the helper of this name is called on a chip: “Distance in m”, its own name for one that somebody made.
+pub(crate) fn plain_helper(name: &str) -> String {
+    robot::helper_label_of(name).map_or_else(|| name.to_owned(), |label| said(label).to_owned())
+}
+
 /// A helper in a list: "Distance in m · ball_to_distance (ball)".
 pub(crate) fn helper_item(helper: &behaviour::Helper) -> String {
     let technical = format!("{} ({})", helper.name, helper.params.join(", "));

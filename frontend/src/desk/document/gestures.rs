@@ -180,6 +180,26 @@ impl Document {
         self.move_as("Move", &places);
     }
 
+    /// A stream somewhere else, in an open group from then on, as one change.
+    pub(crate) fn move_into(&self, places: Vec<(Id, Place)>, group: &Id) {
+        let behaviour = self.behaviour();
+        let title = self.group(group).map(|signals| signals.record.with_untracked(|group| group.title.clone()));
+        let title = title.unwrap_or_default();
+        let moved = build::moved(&behaviour, self.change(&format!("Move into {}", short(&title))), &places);
+        let chosen = places.iter().map(|(id, _)| Selected::Stream(id.clone())).chain([Selected::Group(group.clone())]);
+        let Some((change, _)) = grouping::grouped(&behaviour, moved, &chosen.collect(), (group, &title)) else {
+            return self.move_to(places);
+        };
+        let (document, back) = (self.clone(), places.into_iter().map(|(id, _)| id).collect::<Vec<_>>());
+        self.propose_and(change, move |answer| {
+            match &answer {
+                Ok(()) => document.tab.whisper.set(words::moved_into(&title)),
+                Err(_) => document.put_back(&back),
+            }
+            document.tab.say_refusal(answer);
+        });
+    }
+
     pub(super) fn move_as(&self, label: &str, places: &[(Id, Place)]) {
         let behaviour = self.behaviour();
         for some in places.chunks(MOVES_MAX) {

@@ -57,3 +57,8 @@ pub(crate) fn count_of_kind(kind: StreamKind, count: usize) -> String {
         (StreamKind::Actuator, _) => say!("{count} actions", count),
     }
 }
+
+/// A stream was carried into the frame of a group.
+pub(crate) fn moved_into(title: &str) -> String {
+    say!("Now in the group {title}.", title)
+}
