@@ -11,15 +11,15 @@ fn ordinary(id: &str, name: &str) -> Value {
 }
 
 /// A sense or an action.
-fn device(id: &str, kind: &str, name: &str, device: &str) -> Value {
+pub(crate) fn device(id: &str, kind: &str, name: &str, device: &str) -> Value {
     json!({ "id": id, "kind": kind, "name": name, "device": device })
 }
 
-fn ball() -> Value {
+pub(crate) fn ball() -> Value {
     device("ball", "sensor", "Red ball", "RedBall")
 }
 
-fn connector(id: &str, word: &str, from: &str, to: &str) -> Value {
+pub(crate) fn connector(id: &str, word: &str, from: &str, to: &str) -> Value {
     json!({ "id": id, "type": word, "inputs": [from], "output": to })
 }
 
@@ -35,12 +35,12 @@ fn by_body(id: &str, word: &str, from: &str, to: &str, body: &str) -> Value {
     made
 }
 
-fn file(name: &str, streams: &[Value], connectors: &[Value]) -> Value {
+pub(crate) fn file(name: &str, streams: &[Value], connectors: &[Value]) -> Value {
     json!({ "format": "rrp-behaviour/1", "name": name, "helpers": [], "streams": streams, "connectors": connectors })
 }
 
 /// A person with this program open.
-async fn with_open(stage: &Stage, file: &Value) -> Outcome<Page> {
+pub(crate) async fn with_open(stage: &Stage, file: &Value) -> Outcome<Page> {
     let program = stage.wire.make("Right", Some("Track far and close balls")).await?;
     let aiko = stage.person("aiko", &program).await?;
     let file = json!(file.to_string());

@@ -2,6 +2,7 @@
 
 use house::{Outcome, Page};
 
+use crate::hints::{ball, connector, device, file, with_open};
 use crate::steps::{picture, rests, stage};
 
 const BALLS: Option<&str> = Some("Track far and close balls");
@@ -38,6 +39,58 @@ async fn a_sentence_says_what_happens_and_its_number_is_changed_in_it() -> Outco
     reads(&aiko, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
     let after = rests(&aiko, "Distance, stream").await?;
     assert_eq!((before.x, before.y), (after.x, after.y), "the graph does not move");
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn a_choice_is_changed_where_the_sentence_says_it() -> Outcome<()> {
+    let stage = stage!("a choice in a sentence");
+    let program = stage.wire.make("Chosen in words", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    reads(&aiko, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
+    let choose =
+        "function () { this.value = 'WholeBody'; this.dispatchEvent(new Event('change', { bubbles: true })); }";
+    aiko.within("region", "What it does").find("combobox", "Change: head").await?;
+    aiko.on("combobox", "Change: head", choose).await?;
+    reads(&aiko, 0, "When the red ball is at least 0.5 m away, the whole body follows it.").await?;
+    aiko.key("Control+z").await?;
+    reads(&aiko, 0, "When the red ball is at least 0.5 m away, the head follows it.").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn of_many_sentences_those_of_what_is_selected_are_read() -> Outcome<()> {
+    let stage = stage!("many sentences");
+    let eyes = |id: &str, name: &str| device(id, "actuator", name, "EyeLedColor");
+    let streams = [ball(), eyes("a", "First"), eyes("b", "Second"), eyes("c", "Third"), eyes("d", "Fourth")];
+    let connectors = ["a", "b", "c", "d"].map(|to| connector(&format!("to-{to}"), "subscribe", "ball", to));
+    let aiko = with_open(&stage, &file("Many", &streams, &connectors)).await?;
+    let says =
+        |words: &str| format!("document.querySelector('.told').innerText.includes({})", serde_json::json!(words));
+    let shown = |count: usize| format!("document.querySelectorAll('.told .sentence').length === {count}");
+    aiko.until(&says("4 sentences. Select a part of the graph to read its own."), "they are counted").await?;
+    aiko.until(&shown(0), "none is in the way").await?;
+    aiko.press("button", "Third, *").await?;
+    aiko.until(&says("Third is in 1 of 4 sentences."), "what is selected has its own").await?;
+    aiko.until(&shown(1), "which is read").await?;
+    aiko.press("button", "Show all").await?;
+    aiko.until(&shown(4), "all are read").await?;
+    aiko.press("button", "Show fewer").await?;
+    aiko.until(&shown(1), "and fewer again").await?;
+    aiko.no_errors()
+}
+
+#[tokio::test]
+async fn the_sentence_that_happens_says_now() -> Outcome<()> {
+    let stage = stage!("the sentence that happens");
+    let program = stage.wire.make("Happens", BALLS).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    reads(&aiko, 1, "Otherwise the whole body follows it.").await?;
+    aiko.press("button", "Start").await?;
+    let now = "[...document.querySelectorAll('.told .sentence')].map(one => one.querySelector('.now')?.innerText ?? '-').join()";
+    aiko.until(&format!("{now} === 'now,-'"), "the far ball is followed with the head").await?;
+    aiko.press("button", "Stop").await?;
+    aiko.until(&format!("{now} === '-,-'"), "after Stop nothing happens").await?;
     aiko.no_errors()
 }
 
