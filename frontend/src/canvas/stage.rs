@@ -33,6 +33,10 @@ const OPENED_MS: i32 = 80;
 const GLIDE_MS: i32 = 200;
 
 /// The stage. A clone is the same stage.
+/// Where the keyboard stays when a program has been opened.
+const ELSEWHERE: &str =
+    "input, textarea, select, [role=menu], .sense-card, .tour, [data-node], [data-chip], .strip, .flyout, .offer";
+
 #[derive(Clone)]
 pub(crate) struct Stage {
     pub(super) view: ArcRwSignal<View>,
@@ -436,9 +440,7 @@ impl Stage {
             return;
         }
         desk.to_graph.set(false);
-        let busy = document().active_element().is_some_and(|active| {
-            active.closest("input, textarea, select, [role=menu], .sense-card, .tour").ok().flatten().is_some()
-        });
+        let busy = document().active_element().is_some_and(|active| active.closest(ELSEWHERE).ok().flatten().is_some());
         if busy || desk.dialog.with_untracked(Option::is_some) {
             return;
         }
