@@ -1,7 +1,7 @@
 //! What no screen of the walk shows: small dialogs, menus, the tour, and what stands on the canvas for a moment.
 
 use crate::look::{DESKTOP, DRAWN, WINDOWS, Window, look_in, set};
-use crate::screens::{Stage, command, leave, nothing, open_template, says, selected};
+use crate::screens::{Stage, command, leave, nothing, open_template, rests, says, selected};
 use crate::words::Words;
 use house::{Outcome, Page, skip};
 use std::cell::RefCell;
@@ -132,6 +132,9 @@ async fn tour(page: &Page, words: &Words, visit: &impl AsyncFn(&str, &[Window]) 
     let mut at = String::new();
     while at != "end" {
         if !at.is_empty() {
+            // The card looks a few times a second where it shall stand.
+            tokio::time::sleep(std::time::Duration::from_millis(600)).await;
+            rests(page).await?;
             page.press("button", &words.say("Skip")).await?;
         }
         let step = "document.querySelector('.tour p.faint')?.innerText.match(/[0-9]+/)?.[0] ?? 'end'";

@@ -134,7 +134,11 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
 
     let body = good.replace("\"body\": \"face.new\"", "\"body\": \"\\n face.\"");
     let said = rrp(&["check", &room.put("body.json", &body)]);
-    assert!(said.code == 3 && said.out.contains("body.json:17:5: In its procedure, line 2, column "), "{}", said.out);
+    assert!(
+        said.code == 3 && said.out.contains("body.json:17:5: In its procedure, line 2, character "),
+        "{}",
+        said.out
+    );
 
     let said = rrp(&["check", "--json", &bad]);
     let told: serde_json::Value = serde_json::from_str(&said.out).expect("JSON");

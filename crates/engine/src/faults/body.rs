@@ -3,8 +3,8 @@
 use super::Syntax;
 use rhai::Position;
 
-/// Why a text is no procedure. [`std::fmt::Display`] says it in a few English words, with its place if it has one: `line
-/// 1, column 12: a closing ) is missing`.
+/// Why a text is no procedure. [`std::fmt::Display`] says it in a few English words, with its place if it has one: `at
+/// character 12: a closing ) is missing`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum BodyFault {
     /// There is no text.

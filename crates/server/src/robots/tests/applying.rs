@@ -49,7 +49,7 @@ async fn a_refused_edit_leaves_what_runs_as_it_is() {
     assert_eq!(robots.apply(filtered("one", "true")).await.unwrap_err().to_string(), "it does not run any more");
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
     let bad = robots.apply(edited(filtered("one", "true"), body("ball >"))).await.unwrap_err().to_string();
-    assert!(bad.contains("line 1"), "{bad}");
+    assert!(bad.contains("at character 7"), "{bad}");
     puppet.refuse("Tracker");
     let tracker = |file: &mut BehaviourFile| file.streams[2].device = Some("Tracker".to_owned());
     let refused = robots.apply(edited(filtered("one", "true"), tracker)).await.unwrap_err();
