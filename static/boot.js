@@ -85,17 +85,22 @@ async function stop() {
 }
 
 // Stop is heard as a finger or a mouse comes down: what comes of that later, a browser may keep for itself, as while
-// something still glides under another finger. The click that follows is the same press; keys have only that.
+// something still glides under another finger. The click of a pointer that follows is the same press; that of a key is one
+// of its own, however soon.
+const button = document.getElementById("stop");
 let pressed = -Infinity;
-document.getElementById("stop").addEventListener("pointerdown", (event) => {
+button.addEventListener("pointerdown", (event) => {
   if (event.button !== 0) return;
   pressed = event.timeStamp;
   stop();
 });
+button.addEventListener("click", (event) => {
+  if (event.detail > 0 && event.timeStamp - pressed < CLICK_WITHIN_MS) event.preventDefault();
+});
 
 form.addEventListener("submit", (event) => {
   event.preventDefault();
-  if (performance.now() - pressed > CLICK_WITHIN_MS) stop();
+  stop();
 });
 
 let lastEscape = -Infinity;
