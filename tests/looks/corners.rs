@@ -28,20 +28,10 @@ async fn axe_finds_nothing_in_small_dialogs() -> Outcome<()> {
     if !skip::ready("axe on small dialogs") {
         return Ok(());
     }
-    let words = Words::english();
-    let stage = Stage::set_in(&words).await?;
-    let page = &stage.page;
-    let found = RefCell::new(Vec::new());
-    let walked = dialogs(page, &words, async |state: &str, windows: &[Window]| {
-        let more = look_in(page, state, windows).await?;
-        found.borrow_mut().extend(more);
-        Ok(())
+    looked_at("findings about small dialogs", async |page, words, found| {
+        dialogs(page, words, async |state: &str, windows: &[Window]| find(page, state, windows, found).await).await
     })
-    .await;
-    let mut found = found.into_inner();
-    found.extend(walked.err().map(|trouble| trouble.to_string()));
-    nothing("findings about small dialogs", &found)?;
-    page.no_errors()
+    .await
 }
 
 #[tokio::test]
@@ -49,20 +39,32 @@ async fn axe_finds_nothing_on_what_stands_on_the_canvas_for_a_moment() -> Outcom
     if !skip::ready("axe on menus and flyouts") {
         return Ok(());
     }
+    looked_at("findings about menus and flyouts", async |page, words, found| {
+        moments(page, words, async |state: &str, windows: &[Window]| find(page, state, windows, found).await).await
+    })
+    .await
+}
+
+/// What was found so far.
+type Found = RefCell<Vec<String>>;
+
+/// Fails with everything that is found on a walk, and with what ended it.
+async fn looked_at(what: &str, walk: impl AsyncFn(&Page, &Words, &Found) -> Outcome<()>) -> Outcome<()> {
     let words = Words::english();
     let stage = Stage::set_in(&words).await?;
-    let page = &stage.page;
-    let found = RefCell::new(Vec::new());
-    let walked = moments(page, &words, async |state: &str, windows: &[Window]| {
-        let more = look_in(page, state, windows).await?;
-        found.borrow_mut().extend(more);
-        Ok(())
-    })
-    .await;
+    let found = Found::default();
+    let walked = walk(&stage.page, &words, &found).await;
     let mut found = found.into_inner();
     found.extend(walked.err().map(|trouble| trouble.to_string()));
-    nothing("findings about menus and flyouts", &found)?;
-    page.no_errors()
+    nothing(what, &found)?;
+    stage.page.no_errors()
+}
+
+/// Adds what is found in a state, in these windows.
+async fn find(page: &Page, state: &str, windows: &[Window], found: &Found) -> Outcome<()> {
+    let more = look_in(page, state, windows).await?;
+    found.borrow_mut().extend(more);
+    Ok(())
 }
 
 /// Visits the small dialogs, and the tour; whoever visits leaves the page on a desktop.

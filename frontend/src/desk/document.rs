@@ -8,6 +8,8 @@ mod conflicts;
 mod editing;
 mod gestures;
 mod ghost;
+#[cfg(test)]
+mod graph_tests;
 mod grouping;
 mod groups;
 mod history;

@@ -1,22 +1,15 @@
 //! What gestures make of a behaviour.
 
+use super::super::graph_tests::{id, places};
 use super::{
     connected, connected_twice, connector_edited, free_name, renamed_all, sensor, stream_edited, without_stream,
 };
 use crate::desk::{ConnectPlan, Gap, Output, Spot};
-use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, Stream, StreamKind, connectors};
+use behaviour::{Behaviour, Change, Params, Procedure, Stream, StreamKind, connectors};
 use std::collections::BTreeMap;
-
-fn id(text: &str) -> Id {
-    Id::new(text).unwrap()
-}
 
 fn start(op: &str) -> Change {
     Change::of(id(op), "Aiko", "Test")
-}
-
-fn places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
-    behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).collect()
 }
 
 /// RedBall, filtered to Close, which Tracker follows.

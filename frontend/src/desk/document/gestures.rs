@@ -190,28 +190,27 @@ impl Document {
         let Some((change, _)) = grouping::grouped(&behaviour, moved, &chosen.collect(), (group, &title)) else {
             return self.move_to(places);
         };
-        let (document, back) = (self.clone(), places.into_iter().map(|(id, _)| id).collect::<Vec<_>>());
-        self.propose_and(change, move |answer| {
-            match &answer {
-                Ok(()) => document.tab.whisper.set(words::moved_into(&title)),
-                Err(_) => document.put_back(&back),
-            }
-            document.tab.say_refusal(answer);
-        });
+        let whisper = self.tab.whisper.clone();
+        self.propose_moved(change, &places, move || whisper.set(words::moved_into(&title)));
     }
 
     pub(super) fn move_as(&self, label: &str, places: &[(Id, Place)]) {
         let behaviour = self.behaviour();
         for some in places.chunks(MOVES_MAX) {
-            let change = build::moved(&behaviour, self.change(label), some);
-            let (document, back) = (self.clone(), some.iter().map(|(id, _)| id.clone()).collect::<Vec<_>>());
-            self.propose_and(change, move |answer| {
-                if answer.is_err() {
-                    document.put_back(&back);
-                }
-                document.tab.say_refusal(answer);
-            });
+            self.propose_moved(build::moved(&behaviour, self.change(label), some), some, || {});
         }
+    }
+
+    /// Proposes a change that moves these; refused, they are shown where they were.
+    fn propose_moved(&self, change: Change, places: &[(Id, Place)], then: impl FnOnce() + 'static) {
+        let (document, back) = (self.clone(), places.iter().map(|(id, _)| id.clone()).collect::<Vec<_>>());
+        self.propose_and(change, move |answer| {
+            match &answer {
+                Ok(()) => then(),
+                Err(_) => document.put_back(&back),
+            }
+            document.tab.say_refusal(answer);
+        });
     }
 
     /// Shows things where the server has them, after a drag that came to nothing.

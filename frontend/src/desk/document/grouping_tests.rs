@@ -1,17 +1,10 @@
 //! How streams become groups, and what becomes of these.
 
 use super::super::Selected;
+use super::super::graph_tests::{id, start};
 use super::{edited, expanded, grouped, ungrouped, without_empty};
-use behaviour::{Behaviour, Change, Connector, Id, Kind, Params, Record, RecordId, Stream, StreamKind, connectors};
+use behaviour::{Behaviour, Connector, Id, Kind, Params, Record, RecordId, Stream, StreamKind, connectors};
 use std::collections::BTreeSet;
-
-fn id(text: &str) -> Id {
-    Id::new(text).unwrap()
-}
-
-fn start() -> Change {
-    Change::of(id("op"), "Aiko", "Test")
-}
 
 /// Streams a to d, and a connector from a to b.
 fn graph() -> Behaviour {

@@ -1,21 +1,9 @@
 //! What other ways through a graph make of it.
 
+use super::super::graph_tests::{id, places, start};
 use super::super::{ConnectPlan, Output, Spot, build};
 use super::{Gap, Joining, WireEnd, healed, healed_by, inserted, wire_ends, wired};
-use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, StreamKind, connectors};
-use std::collections::BTreeMap;
-
-fn id(text: &str) -> Id {
-    Id::new(text).unwrap()
-}
-
-fn start() -> Change {
-    Change::of(id("op"), "Aiko", "Test")
-}
-
-fn places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
-    behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).collect()
-}
+use behaviour::{Behaviour, Params, Procedure, StreamKind, connectors};
 
 fn add(made: &mut Behaviour, ids: (&str, &str), plan: ConnectPlan) {
     let change = build::connected(made, &places(made), start(), (&id(ids.0), &id(ids.1)), plan);

@@ -1,44 +1,9 @@
 //! What becomes of several things at once.
 
-use super::super::{ConnectPlan, Output, Selected, Spot, build};
+use super::super::Selected;
+use super::super::graph_tests::{graph, id, places, start};
 use super::{LineUp, lined_up, without};
-use behaviour::{Behaviour, Change, Id, Params, Place, Procedure, connectors};
-use std::collections::{BTreeMap, BTreeSet};
-
-fn id(text: &str) -> Id {
-    Id::new(text).unwrap()
-}
-
-fn start() -> Change {
-    Change::of(id("op"), "Aiko", "Test")
-}
-
-fn places(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
-    behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).collect()
-}
-
-/// RedBall -> Distance -> Close.
-fn graph() -> Behaviour {
-    let mut made = Behaviour::default();
-    made.apply(&build::sensor(
-        &made,
-        &BTreeMap::new(),
-        start(),
-        (&id("ball"), "RedBall", "RedBall", Params::new()),
-        None,
-    ));
-    let ways = [
-        ("ball", "distance", "Distance", connectors::map::SPEC.with(Procedure::Helper("distance".into()))),
-        ("distance", "close", "Close", connectors::filter::SPEC.with(Procedure::body("distance < 20"))),
-    ];
-    for (from, to, name, operation) in ways {
-        let output = Output::New { name: name.into(), device: None, params: Params::new() };
-        let plan = ConnectPlan { operation, inputs: vec![id(from)], output, spot: Spot::Below };
-        let change = build::connected(&made, &places(&made), start(), (&id(to), &id(&format!("to-{to}"))), plan);
-        made.apply(&change);
-    }
-    made
-}
+use std::collections::BTreeSet;
 
 fn both() -> BTreeSet<Selected> {
     [Selected::Stream(id("distance")), Selected::Stream(id("close"))].into()
