@@ -180,11 +180,10 @@ impl Document {
         self.move_as("Move", &places);
     }
 
-    /// A stream somewhere else, in an open group from then on, as one change.
+    /// A stream somewhere else, in an open group from then on, as one change; only moved if that group is gone by now.
     pub(crate) fn move_into(&self, places: Vec<(Id, Place)>, group: &Id) {
-        let behaviour = self.behaviour();
-        let title = self.group(group).map(|signals| signals.record.with_untracked(|group| group.title.clone()));
-        let title = title.unwrap_or_default();
+        let Some(signals) = self.group(group) else { return self.move_to(places) };
+        let (behaviour, title) = (self.behaviour(), signals.record.with_untracked(|group| group.title.clone()));
         let moved = build::moved(&behaviour, self.change(&format!("Move into {}", short(&title))), &places);
         let chosen = places.iter().map(|(id, _)| Selected::Stream(id.clone())).chain([Selected::Group(group.clone())]);
         let Some((change, _)) = grouping::grouped(&behaviour, moved, &chosen.collect(), (group, &title)) else {
