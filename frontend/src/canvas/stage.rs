@@ -32,11 +32,11 @@ const OPENED_MS: i32 = 80;
 /// How long the view glides, in milliseconds, and a little more.
 const GLIDE_MS: i32 = 200;
 
-/// The stage. A clone is the same stage.
 /// Where the keyboard stays when a program has been opened.
-const ELSEWHERE: &str =
-    "input, textarea, select, [role=menu], .sense-card, .tour, [data-node], [data-chip], .strip, .flyout, .offer";
+const ELSEWHERE: &str = "input, textarea, select, [role=menu], .sense-card, .tour, [data-node], [data-chip], .strip, \
+    .flyout, .offer, .told, .right";
 
+/// The stage. A clone is the same stage.
 #[derive(Clone)]
 pub(crate) struct Stage {
     pub(super) view: ArcRwSignal<View>,
@@ -344,10 +344,18 @@ impl Stage {
 
     /// Gives a stream, note or group the keyboard, once it is in the page.
     pub(super) fn focus(&self, id: &Id) {
+        self.focus_if(id, || true);
+    }
+
+    /// Like `focus`, if `free` still says so at that moment: people do not wait.
+    fn focus_if(&self, id: &Id, free: impl Fn() -> bool + 'static) {
         self.came_to(id);
         self.reveal(id);
         let id = id.clone();
         browser::after(30, move || {
+            if !free() {
+                return;
+            }
             let marks = format!("#stage :is([data-node='{id}'], [data-note='{id}'], [data-group='{id}'])");
             let node = document().query_selector(&marks).ok().flatten();
             if let Some(node) = node.and_then(|node| node.dyn_into::<HtmlElement>().ok()) {
@@ -440,12 +448,15 @@ impl Stage {
             return;
         }
         desk.to_graph.set(false);
-        let busy = document().active_element().is_some_and(|active| active.closest(ELSEWHERE).ok().flatten().is_some());
-        if busy || desk.dialog.with_untracked(Option::is_some) {
+        let free = {
+            let desk = desk.clone();
+            move || !is_elsewhere() && desk.dialog.with_untracked(Option::is_none)
+        };
+        if !free() {
             return;
         }
         match desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()) {
-            Some(first) => self.focus(&first),
+            Some(first) => self.focus_if(&first, free),
             None => {
                 let stage =
                     document().get_element_by_id("stage").and_then(|stage| stage.dyn_into::<HtmlElement>().ok());
@@ -492,6 +503,11 @@ impl Stage {
             self.focus(id);
         }
     }
+}
+
+/// Whether the keyboard is where somebody does something by now.
+fn is_elsewhere() -> bool {
+    document().active_element().is_some_and(|active| active.closest(ELSEWHERE).ok().flatten().is_some())
 }
 
 /// The first stream, and what surrounds all of them with their values and the chips, the notes and the groups.

@@ -78,12 +78,20 @@ fn Told() -> impl IntoView {
             warned.hide();
         }
     };
+    let has = move |element: Option<web_sys::Node>| {
+        let root = root.try_get_untracked().flatten();
+        root.is_some_and(|root| element.is_some_and(|element| root.contains(Some(&element))))
+    };
     let left = move |event: web_sys::FocusEvent| {
         let to = event.related_target().and_then(|to| to.dyn_into::<web_sys::Node>().ok());
-        let stays = root.get_untracked().is_some_and(|root| to.is_some_and(|to| root.contains(Some(&to))));
-        if !stays {
-            warned.hide();
-        }
+        // To nowhere: what had the keyboard may have been made again, and has it again in a moment.
+        let moment = to.is_none();
+        let end = move || {
+            if !has(to.or_else(|| focus::active().map(Into::into))) {
+                warned.hide();
+            }
+        };
+        if moment { browser::after(0, end) } else { end() }
     };
     let rows = move || shown.get().rows;
     view! {

@@ -43,18 +43,34 @@ pub(super) fn SentenceLine(told: RwSignal<Vec<Sentence>>, at: usize) -> impl Int
         sentence.read().as_ref().map(|sentence| sentence.phrases.iter().map(kinds).collect::<Vec<_>>())
     });
     let now = Memo::new(move |_| sentence.read().as_ref().is_some_and(|sentence| is_now(&desk.desk(), sentence)));
+    let row = NodeRef::<leptos::html::Li>::new();
     let phrases = move || {
+        stay(row);
         let kinds = shape.get().unwrap_or_default().into_iter().enumerate();
         kinds
             .map(|(which, kinds)| view! { <PhrasePart sentence which kinds first=at == 0 && which == 0 /> })
             .collect_view()
     };
     view! {
-        <li class="sentence" class:now=move || now.get()>
+        <li class="sentence" class:now=move || now.get() node_ref=row>
             {phrases}
             {move || now.get().then(|| view! { <span class="now"><i aria-hidden="true"></i>{words::happens_now()}</span> })}
         </li>
     }
+}
+
+/// The sentence is made again, of other pieces: the phrase that had the keyboard has it again.
+fn stay(row: NodeRef<leptos::html::Li>) {
+    let Some(row) = row.get_untracked() else { return };
+    let Some(active) = focus::active() else { return };
+    let Some(at) = focus::all(&row, ".phrase").iter().position(|phrase| phrase.contains(Some(&active))) else { return };
+    browser::after(0, move || {
+        let phrases = focus::all(&row, ".phrase");
+        let phrase = phrases.get(at).or(phrases.last());
+        if let Some(stop) = phrase.and_then(|phrase| focus::all(phrase, "[data-stop]").into_iter().next()) {
+            focus::focus(&stop);
+        }
+    });
 }
 
 /// Whether what leads to its action passed something on within the last second. Reactive.
@@ -119,7 +135,7 @@ fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<Kind>, 
     let focused = move |_| {
         light();
         if let Some(root) = root.get_untracked() {
-            warned.show(problem.get_untracked(), &root);
+            warned.show(phrase.get_untracked(), &root);
         }
         if let Some(Some(stage)) = stage.try_get_value() {
             glide(&stage, &phrase.get_untracked());

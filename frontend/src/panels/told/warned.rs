@@ -18,10 +18,10 @@ const NEAR: f64 = 8.0;
 /// A moment for the sentences to be made again after something was mended, in milliseconds.
 const BACK_MS: i32 = 120;
 
-/// The problem of the phrase that has the keyboard, with where it is said.
+/// The phrase that has the keyboard, with where its problem is said. What is wrong with it may change meanwhile.
 #[derive(Clone, Copy)]
 pub(super) struct Warned {
-    shown: RwSignal<Option<(Problem, (f64, f64))>>,
+    shown: RwSignal<Option<(Phrase, (f64, f64))>>,
     phrase: StoredValue<Option<HtmlElement>, LocalStorage>,
 }
 
@@ -31,10 +31,9 @@ impl Warned {
     }
 
     /// A phrase got the keyboard.
-    pub(super) fn show(self, problem: Option<Problem>, phrase: &HtmlElement) {
-        let shown = problem.and_then(|problem| Some((problem, beside(phrase)?)));
-        self.phrase.set_value(shown.is_some().then(|| phrase.clone()));
-        self.shown.set(shown);
+    pub(super) fn show(self, phrase: Phrase, element: &HtmlElement) {
+        self.phrase.set_value(Some(element.clone()));
+        self.shown.set(beside(element).map(|at| (phrase, at)));
     }
 
     /// The keyboard left the phrases and what is said of them.
@@ -75,21 +74,35 @@ fn is_of(problem: &Problem, phrase: &Phrase) -> bool {
     }
 }
 
-/// Whether the keyboard stays with a phrase that has a problem, or with what is said of it.
+/// Whether the keyboard stays with a phrase, or with what is said of one.
 pub(super) fn stays(event: &web_sys::FocusEvent) -> bool {
     let target = event.target().and_then(|target| target.dyn_into::<Element>().ok());
-    target.is_some_and(|target| target.closest(".phrase.warned, .told-trouble").ok().flatten().is_some())
+    target.is_some_and(|target| target.closest(".phrase, .told-trouble").ok().flatten().is_some())
+}
+
+/// What is said is made again: the keyboard stays in it.
+fn stay<T>(root: NodeRef<leptos::html::Div>, shown: Option<T>) -> Option<T> {
+    let here = |root: &HtmlElement| focus::active().is_some_and(|active| root.contains(Some(&active)));
+    if let Some(root) = root.get_untracked().filter(|root| shown.is_some() && here(root)) {
+        browser::after(0, move || {
+            if let Some(first) = focus::focusable(&root).first() {
+                focus::focus(first);
+            }
+        });
+    }
+    shown
 }
 
 /// The problem in words, with what mends it.
 #[component]
 pub(super) fn Trouble(warned: Warned) -> impl IntoView {
     let desk = hold();
-    // Mended, by whomever: there is nothing to say any more.
+    // Mended, by whomever: there is nothing to say any more. The server may also know more of it by now.
     let shown = Memo::new(move |_| {
-        let (problem, at) = warned.shown.get()?;
-        desk.desk().document.problems.with(|all| all.contains(&problem)).then_some((problem, at))
+        let (phrase, at) = warned.shown.get()?;
+        Some((problem_of(&desk.desk(), &phrase)?, at))
     });
+    let root = NodeRef::<leptos::html::Div>::new();
     let keys = move |event: web_sys::KeyboardEvent| {
         if event.key() == "Escape" {
             event.stop_propagation();
@@ -104,8 +117,8 @@ pub(super) fn Trouble(warned: Warned) -> impl IntoView {
         }
     };
     view! {
-        <div role="status">
-            {move || shown.get().map(|(problem, (left, top))| view! {
+        <div role="status" node_ref=root>
+            {move || stay(root, shown.get()).map(|(problem, (left, top))| view! {
                 <div class="trouble told-trouble" role="group" aria-label=words::problems() style:left=format!("{left:.0}px")
                     style:top=format!("{top:.0}px") on:keydown=keys on:click=press>
                     <ul class="big-list"><ProblemLine problem alone=true /></ul>
