@@ -10,6 +10,7 @@ mod context;
 mod cull;
 mod curve;
 mod differs;
+mod far;
 mod flyout;
 mod fold;
 mod follow;
@@ -62,7 +63,8 @@ use crate::desk::{Desk, Lit, Selected, use_desk};
 use crate::later::{Later, Rest, second_piece};
 use crate::panels::EmptyStage;
 use crate::words;
-use chip::{Chip, Edge};
+use chip::Chip;
+use far::Edges;
 use follow::Following;
 use leptos::prelude::*;
 use node::StreamNode;
@@ -78,7 +80,7 @@ use zoom::Zoom;
 /// Below this zoom details are hidden.
 const FAR: f64 = 0.35;
 /// Below this zoom nothing could be read anyway: streams are plain shapes, and what stands on the lines is not drawn.
-const TINY: f64 = 0.08;
+const TINY: f64 = 0.12;
 
 /// The graph of the open behaviour.
 #[component]
@@ -114,7 +116,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             class:gliding=move || glides.get()
             class:wiring=move || wiring.with(Option::is_some)
             class:far=move || far.is_below(FAR)
-            class:tiny=move || tiny.is_below(TINY)
+            class:tiny=move || tiny.is_tiny.get()
             data-paper=move || shape.paper.with(|paper| paper.as_ref().map(Paper::shape))
             id="stage"
             tabindex="-1"
@@ -272,18 +274,6 @@ pub(crate) fn ToGraph() -> impl IntoView {
     move || {
         (!ids.with(Vec::is_empty))
             .then(|| view! { <button type="button" class="to-graph" on:click=go>{words::to_graph()}</button> })
-    }
-}
-
-#[component]
-fn Edges() -> impl IntoView {
-    let stage = expect_context::<Stage>();
-    view! {
-        <svg class="edges" width="1" height="1" aria-hidden="true" focusable="false">
-            <For each=move || stage.connectors() key=Clone::clone let:id>
-                <Edge id=id />
-            </For>
-        </svg>
     }
 }
 

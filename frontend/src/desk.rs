@@ -22,7 +22,7 @@ pub(crate) use document::{
 };
 pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, ProgramPage, Settle, file_address, first_file};
-pub(crate) use tab::{Choice, Dialog, LinkState};
+pub(crate) use tab::{Choice, Dialog, LinkState, settled};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;

@@ -36,6 +36,12 @@ impl Way {
     }
 }
 
+/// Where a connector runs now, as a path without a head.
+pub(super) fn way_of(desk: &Desk, id: &Id) -> Option<String> {
+    let record = desk.document.connector(id)?.record.get_untracked();
+    untrack(|| way(desk, &record)).map(|way| way.path(false))
+}
+
 /// Reactive: follows the connector and the places of its streams.
 fn way(desk: &Desk, connector: &Connector) -> Option<Way> {
     let kind = desk.document.stream(&connector.output)?.record.with(|stream| stream.kind);

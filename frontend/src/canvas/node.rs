@@ -9,7 +9,7 @@ use crate::icons::Icon;
 use crate::layout::{stream_width, what_it_is};
 use crate::live::{measured, rate_words, sparkline};
 use crate::words;
-use behaviour::{Id, Kind, Problem, ProblemKind, RecordId, Stream, StreamKind, ValueType};
+use behaviour::{Id, Kind, Place, Problem, ProblemKind, RecordId, Stream, StreamKind, ValueType};
 use leptos::prelude::*;
 
 /// The box of a sparkline, in pixels.
@@ -36,13 +36,10 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         let (stage, id) = (stage.clone(), id.clone());
         move || stage.dragged.with(|dragged| dragged.as_ref() == Some(&id))
     };
-    let [at_kind, by_kind, by_width, by_label, by_title, by_name, by_second, by_icon] =
-        [(); 8].map(|()| record.clone());
+    let [at_kind, by_kind, by_width, by_label, by_title, by_name, by_second, by_icon, by_place] =
+        [(); 9].map(|()| record.clone());
     let (lit, pressed) = (chosen.clone(), chosen);
-    let at = move || {
-        let place = place.get();
-        format!("translate({:.1}px,{:.1}px) translateX(-50%)", place.x, place.y)
-    };
+    let [moved, left, top] = at_place(&stage, &id, place, by_place);
     let problem = problem_memo(&stage, RecordId::new(Kind::Stream, &id));
     let troubles = problem.clone();
     let mark = mark_memo(&desk, RecordId::new(Kind::Stream, &id));
@@ -66,7 +63,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         <div
             class=move || format!("at {}", kind_class(at_kind.with(|stream| stream.kind)))
             class:dragged=is_dragged
-            style:transform=at
+            style:transform=moved style:left=left style:top=top
         >
         <div
             class=move || format!("stream {}", kind_class(by_kind.with(|stream| stream.kind)))
@@ -104,6 +101,30 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
         </div>
     }
     .into_any()
+}
+
+/// The `transform`, `left` and `top` of a stream: its middle stands at its place. From far away, where thousands are in view
+/// and each is as wide as it says, those that rest have no transform: ordering thousands of them is most of the work of a drag.
+fn at_place(
+    stage: &Stage,
+    id: &Id,
+    place: ArcRwSignal<Place>,
+    record: ArcRwSignal<Stream>,
+) -> [impl Fn() -> Option<String> + Clone + Send + Sync + use<>; 3] {
+    let (is_tiny, dragged, id) = (stage.is_tiny.clone(), stage.dragged.clone(), id.clone());
+    let width = move || {
+        let rests = is_tiny.get() && dragged.with(|dragged| dragged.as_ref() != Some(&id));
+        rests.then(|| record.with(stream_width))
+    };
+    let one = move |of: fn(Place, Option<f64>) -> Option<String>| {
+        let (place, width) = (place.clone(), width.clone());
+        move || of(place.get(), width())
+    };
+    [
+        one(|at, wide| wide.is_none().then(|| format!("translate({:.1}px,{:.1}px) translateX(-50%)", at.x, at.y))),
+        one(|at, wide| wide.map(|wide| format!("{:.1}px", at.x - wide / 2.0))),
+        one(|at, wide| wide.map(|_| format!("{:.1}px", at.y))),
+    ]
 }
 
 pub(super) fn kind_class(kind: StreamKind) -> &'static str {

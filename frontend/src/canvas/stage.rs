@@ -1,8 +1,10 @@
 //! What the parts of the canvas share: the view, what is drawn, who selected what.
 
+use super::TINY;
 use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bounds};
 use super::context::Context;
 use super::cull::{Cells, drawn};
+use super::far::chips_memo;
 use super::noting::Noting;
 use super::offer::Offering;
 use super::paper::{Paper, paper_memo};
@@ -10,7 +12,7 @@ use super::room::{self, Side};
 use super::view::{Bounds, View};
 use super::wire::{Targets, Wire, targets_memo};
 use crate::browser;
-use crate::desk::{Desk, Editor, Gap, Selected};
+use crate::desk::{Desk, Editor, Gap, Selected, settled};
 use crate::later::{SecondPiece, second_piece};
 use crate::layout::VALUE_ROOM;
 use behaviour::{Connector, Id, Place, Problem, ProblemKind, StreamKind};
@@ -53,9 +55,9 @@ pub(crate) struct Stage {
     /// Whether what leads nowhere may be blamed: it runs, or nothing else is missing.
     pub(super) finished: ArcMemo<bool>,
     /// Who else selected what: what, their colour, their name.
-    pub(super) others: ArcMemo<Vec<(Id, u8, String)>>,
+    pub(super) others: ArcRwSignal<Vec<(Id, u8, String)>>,
     /// What somebody else is editing, and where that leads to.
-    pub(super) edited: ArcMemo<BTreeMap<Id, Edited>>,
+    pub(super) edited: ArcRwSignal<BTreeMap<Id, Edited>>,
     /// The view moves by itself and slowly.
     pub(super) glides: ArcRwSignal<bool>,
     /// What the strip keeps clear of: streams, in canvas units.
@@ -98,7 +100,10 @@ pub(crate) struct Stage {
     /// What of the canvas is in view, and whether the view rests.
     pub(super) cells: ArcMemo<Cells>,
     pub(super) rests: ArcRwSignal<bool>,
+    /// Whether everything is so small that nothing can be read.
+    pub(super) is_tiny: ArcRwSignal<bool>,
     drawn: ArcMemo<Drawn>,
+    chips: ArcMemo<Vec<Id>>,
     moves: Arc<AtomicU32>,
     pub(super) piece: SecondPiece,
     pub(super) desk: Desk,
@@ -106,11 +111,11 @@ pub(crate) struct Stage {
 
 /// What is in the page now.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Drawn {
+pub(super) struct Drawn {
     streams: Vec<Id>,
     connectors: Vec<Id>,
     /// The connectors of which the chip is seen: it is in a folded group with the stream that it leads to.
-    chips: Vec<Id>,
+    pub(super) chips: Vec<Id>,
 }
 
 impl Stage {
@@ -129,12 +134,19 @@ impl Stage {
             let (view, size) = (view.clone(), size.clone());
             ArcMemo::new(move |_| Cells::in_view(view.get(), size.get()))
         };
+        let drawn = drawn_memo(desk.clone(), cells.clone(), rests.clone());
+        let is_tiny = {
+            let (desk, view) = (desk.clone(), view.clone());
+            settled(move || view.with(|view| view.zoom < TINY) && !desk.printing.get())
+        };
         Self {
             paper: paper_memo(desk, {
                 let desk = desk.clone();
                 move || everything(&desk).map(|(_, all)| all)
             }),
-            drawn: drawn_memo(desk.clone(), cells.clone(), rests.clone()),
+            chips: chips_memo(desk.clone(), drawn.clone(), is_tiny.clone()),
+            drawn,
+            is_tiny,
             cells,
             noting: ArcRwSignal::default(),
             aside: ArcRwSignal::default(),
@@ -142,8 +154,8 @@ impl Stage {
             rooms: rooms_memo(desk.clone(), shapes.clone()),
             glides: ArcRwSignal::new(false),
             shapes,
-            others: others_memo(desk.clone()),
-            edited: edited_memo(desk.clone()),
+            others: others_signal(desk.clone()),
+            edited: edited_signal(desk.clone()),
             stop_now: stop_memo(desk.clone(), stop.clone()),
             stop,
             targets: targets_memo(wire.clone(), desk.carried.clone()),
@@ -196,7 +208,7 @@ impl Stage {
     }
 
     pub(super) fn chips(&self) -> Vec<Id> {
-        self.drawn.with(|drawn| drawn.chips.clone())
+        self.chips.get()
     }
 
     pub(super) fn transform(&self) -> String {
@@ -605,8 +617,8 @@ pub(super) struct Edited {
     pub(super) is_it: bool,
 }
 
-fn edited_memo(desk: Desk) -> ArcMemo<BTreeMap<Id, Edited>> {
-    ArcMemo::new(move |_| {
+fn edited_signal(desk: Desk) -> ArcRwSignal<BTreeMap<Id, Edited>> {
+    settled(move || {
         let mut edited = BTreeMap::new();
         for (record, editor) in desk.document.edited_by_others() {
             let output = desk.document.connector(&record.id).map(|signals| signals.record.with(|at| at.output.clone()));
@@ -619,8 +631,8 @@ fn edited_memo(desk: Desk) -> ArcMemo<BTreeMap<Id, Edited>> {
     })
 }
 
-fn others_memo(desk: Desk) -> ArcMemo<Vec<(Id, u8, String)>> {
-    ArcMemo::new(move |_| {
+fn others_signal(desk: Desk) -> ArcRwSignal<Vec<(Id, u8, String)>> {
+    settled(move || {
         let others = desk.document.others().into_iter();
         others.filter_map(|(sign, person)| Some((person.selected?, sign.color, sign.name))).collect()
     })

@@ -230,6 +230,17 @@ pub(super) fn set_if_new<T: PartialEq + Send + Sync + 'static>(signal: &ArcRwSig
     }
 }
 
+/// What `compute` gives, as a signal that tells only of other values. Thousands may follow it: a memo would ask each of them
+/// anew whenever something changes that it is made of.
+pub(crate) fn settled<T: PartialEq + Send + Sync + 'static>(
+    compute: impl Fn() -> T + Send + Sync + 'static,
+) -> ArcRwSignal<T> {
+    let settled = ArcRwSignal::new(untrack(&compute));
+    let signal = settled.clone();
+    Effect::new(move |_| set_if_new(&signal, compute()));
+    settled
+}
+
 pub(super) fn new_id() -> Id {
     Id::from_uuid(uuid::Uuid::new_v4())
 }
