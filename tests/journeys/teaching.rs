@@ -20,6 +20,12 @@ async fn command(page: &Page, words: &str) -> Outcome<()> {
     page.key("Enter").await
 }
 
+/// Whether the end of what *Try it* says is where people see it.
+const VERDICT_SEEN: &str = "(said => {
+    const at = said?.getBoundingClientRect();
+    return !!at && said.contains(document.elementFromPoint((at.left + at.right) / 2, at.bottom - 3));
+})(document.querySelector('.verdict'))";
+
 #[tokio::test]
 async fn the_tour_waits_for_real_steps_and_ends_with_a_robot_that_follows() -> Outcome<()> {
     if !skip::ready("journey: tour") {
@@ -137,6 +143,8 @@ async fn what_a_program_does_is_explained_with_a_press_for_each_answer() -> Outc
     task.press("radio", "About ten times.").await?;
     task.press("button", "Try it").await?;
     says(&aiko, "Reached. The robot says the color once a second, as long as it sees the ball.").await?;
+    // It is said below the questions, and comes into view by itself.
+    aiko.until(VERDICT_SEEN, "the end of what is said is in view").await?;
     calm(&aiko)
 }
 

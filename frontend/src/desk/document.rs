@@ -96,7 +96,7 @@ pub(crate) struct Fields {
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
     /// Who removed what of the open behaviour and of the library, by its id.
-    pub(crate) removed_by: ArcRwSignal<BTreeMap<Id, String>>,
+    pub(crate) removed_by: ArcRwSignal<BTreeMap<Id, Remover>>,
     /// Who is editing what, this tab included.
     pub(crate) locks: ArcRwSignal<Vec<LockShown>>,
     /// The editor that is open here.
@@ -186,6 +186,14 @@ impl Deref for Document {
     fn deref(&self) -> &Fields {
         &self.0
     }
+}
+
+/// Who removed something.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Remover {
+    pub(crate) name: String,
+    /// By this they are told apart from others of that name; none in changes of older versions.
+    pub(crate) client: Option<Id>,
 }
 
 impl Document {

@@ -143,6 +143,8 @@ pub(crate) struct Fields {
     pub(crate) shows_history: ArcRwSignal<bool>,
     /// Whether the keyboard goes to the graph as soon as the program is there that somebody here has chosen.
     pub(crate) to_graph: ArcRwSignal<bool>,
+    /// The program that this tab asked to be removed, until that is answered.
+    pub(super) removing: ArcRwSignal<Option<Id>>,
     /// Whether the page is being printed: all of the graph is shown then.
     pub(crate) printing: ArcRwSignal<bool>,
 }

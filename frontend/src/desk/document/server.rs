@@ -1,6 +1,6 @@
 //! What the server says of the open behaviour.
 
-use super::Document;
+use super::{Document, Remover};
 use crate::desk::tab::{Gone, set_if_new};
 use crate::{link, words};
 use behaviour::{Accepted, Behaviour, Id, Kind, Problem};
@@ -63,7 +63,8 @@ impl Document {
                 if by.len() > REMOVED_MAX {
                     by.clear();
                 }
-                by.extend(gone.into_iter().map(|id| (id, accepted.change.author.clone())));
+                let remover = Remover { name: accepted.change.author.clone(), client: accepted.change.by.clone() };
+                by.extend(gone.into_iter().map(|id| (id, remover.clone())));
             });
         }
     }
@@ -107,7 +108,7 @@ impl Document {
             return;
         }
         let name = self.name.get_untracked();
-        let mine = self.tab.me.with_untracked(|me| me.as_ref().is_some_and(|me| me.name == by));
+        let mine = self.tab.removing.with_untracked(|removing| removing.as_ref() == Some(id));
         self.close_program();
         self.forget_waiting(id);
         if !mine {

@@ -128,7 +128,7 @@ impl Document {
 
     /// Who removed something since the version that is looked at, if that is known.
     pub(crate) fn who_removed(&self, since: u64, record: &RecordId) -> Option<String> {
-        let seen = self.removed_by.with(|by| by.get(&record.id).cloned());
+        let seen = self.removed_by.with(|by| by.get(&record.id).map(|remover| remover.name.clone()));
         self.history.with(|history| history.who_removed(since, seen.as_deref()))
     }
 

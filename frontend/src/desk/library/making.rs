@@ -71,7 +71,14 @@ impl Library {
     /// Moves a program to the bin.
     pub(crate) fn remove_program(&self, id: &Id, name: &str) {
         let (library, id, name) = (self.clone(), id.clone(), name.to_owned());
-        self.tab.ask_or_say(Request::Remove { behaviour: id.clone() }, move |_| {
+        self.tab.removing.set(Some(id.clone()));
+        self.tab.look_up(Request::Remove { behaviour: id.clone() }, move |answer| {
+            set_if_new(&library.tab.removing, None);
+            match answer {
+                Ok(_) => {}
+                Err(NoAnswer::Refused(no)) => return library.tab.say_no(&no),
+                Err(NoAnswer::Unreachable) => return library.tab.say_unreachable(),
+            }
             if library.document.is_wanted(&id) {
                 library.document.close_program();
             }

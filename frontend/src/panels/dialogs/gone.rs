@@ -16,15 +16,15 @@ pub(super) fn gone(desk: Hold, id: Id, is_there: impl Fn() -> bool + Send + Sync
             looked_up.set_value(false);
             return None;
         }
-        let me = desk.me.read().as_ref().map(|me| me.name.clone());
+        let me = desk.me.read().as_ref().map(|me| me.client.clone());
         let by = desk.document.removed_by.read().get(&id).cloned();
         if by.is_none() && !looked_up.get_value() {
             looked_up.set_value(true);
             desk.document.find_remover(id.clone());
         }
         Some(match by {
-            Some(by) if Some(&by) == me.as_ref() => words::you_removed().to_owned(),
-            Some(by) => words::removed_by(&by),
+            Some(by) if by.client.is_some() && by.client == me => words::you_removed().to_owned(),
+            Some(by) => words::removed_by(&by.name),
             None => words::somebody_removed().to_owned(),
         })
     })

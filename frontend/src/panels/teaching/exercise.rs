@@ -1,11 +1,15 @@
 //! The goal of an exercise, and whether it is reached.
 
+use crate::browser;
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::words;
 use leptos::prelude::*;
 use protocol::{Exercise, ExerciseQuestion, Tried};
+use web_sys::HtmlElement;
 
+/// A moment for what is said to be in the page, in milliseconds.
+const SHOWN_MS: i32 = 30;
 /// The id of what folds.
 const GOAL_ID: &str = "exercise-goal";
 
@@ -91,6 +95,12 @@ fn TryIt(exercise: Exercise) -> impl IntoView {
             }
         });
     };
+    let place = NodeRef::<leptos::html::Div>::new();
+    Effect::new(move |_| {
+        if verdict.read().is_some() {
+            browser::after(SHOWN_MS, move || place.try_get_untracked().flatten().iter().for_each(|place| show(place)));
+        }
+    });
     let said = move || {
         let icon = |good| if good { "check" } else { "warn" };
         verdict.get().map(|Verdict { says, good }| {
@@ -103,7 +113,17 @@ fn TryIt(exercise: Exercise) -> impl IntoView {
             <Icon name="play" />
             {words::try_it()}
         </button>
-        <div role="status">{said}{move || busy.get().then(|| view! { <p class="faint">{words::rehearsing()}</p> })}</div>
+        <div role="status" node_ref=place>{said}{move || busy.get().then(|| view! { <p class="faint">{words::rehearsing()}</p> })}</div>
+    }
+}
+
+/// Scrolls to what is said, unless all of it is seen.
+fn show(place: &HtmlElement) {
+    let end = place.get_bounding_client_rect();
+    let at = ((end.left() + end.right()) / 2.0, end.bottom() - 2.0);
+    let seen = document().element_from_point(at.0 as f32, at.1 as f32);
+    if !seen.is_some_and(|seen| place.contains(Some(&seen))) {
+        place.scroll_into_view_with_bool(false);
     }
 }
 
