@@ -2,6 +2,7 @@
 
 use house::{Outcome, Page};
 
+use crate::several::lasso;
 use crate::steps::{picture, rests, say, stage, text, view};
 use serde_json::json;
 
@@ -126,6 +127,17 @@ async fn from_far_away_what_moves_is_apart_from_what_rests() -> Outcome<()> {
     aiko.until("document.querySelectorAll('#stage .chip').length === 2", "the keyboard finds its chips").await?;
     aiko.press("button", "Undo").await?;
     aiko.until(&format!("{whole} === {}", json!(before)), "it is back").await?;
+    // Two that are chosen move together, with the edges of both: into the first, between them, out of the second.
+    let (one, two) = (rests(&aiko, "Stream 24, *").await?, rests(&aiko, "Stream 25, *").await?);
+    aiko.key("Escape").await?;
+    lasso(&aiko, (one.x - 3.0, one.y - 2.0), (two.x + two.width + 2.0, two.y + two.height + 2.0)).await?;
+    aiko.until("document.querySelectorAll('#stage .stream.selected').length === 2", "two are chosen").await?;
+    aiko.hold(one.centre()).await?;
+    aiko.pull((x + 20.0, y + 5.0)).await?;
+    aiko.pull((x + 40.0, y + 10.0)).await?;
+    aiko.until("document.querySelectorAll('#stage .edges:not(.wire) path').length === 4", "their edges move").await?;
+    aiko.release((x + 40.0, y + 10.0)).await?;
+    aiko.until(&format!("{whole} !== {}", json!(before)), "they are let go").await?;
     aiko.no_errors()
 }
 

@@ -3,27 +3,48 @@
 
 use super::Stage;
 use super::chip::{Edge, way_of};
-use super::stage::Drawn;
+use super::stage::{Drawn, Edited};
 use crate::desk::{Desk, Selected};
 use behaviour::{Connector, Id};
 use leptos::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
 
-/// Whether a connector takes from a stream or leads to it.
-fn touches(desk: &Desk, connector: &Id, stream: &Id) -> bool {
-    let ends = |at: &Connector| at.output == *stream || at.inputs.contains(stream);
+/// What others have selected, and what they edit.
+type Others = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<BTreeMap<Id, Edited>>);
+
+/// Whether a connector takes from one of these streams or leads to one.
+fn touches(desk: &Desk, connector: &Id, is_one: impl Fn(&Id) -> bool) -> bool {
+    let ends = |at: &Connector| is_one(&at.output) || at.inputs.iter().any(&is_one);
     desk.document.connector(connector).is_some_and(|signals| signals.record.with_untracked(ends))
 }
 
-/// The chips that are in the page: from far away nobody sees one, and those at the selection are there for the keyboard.
-pub(super) fn chips_memo(desk: Desk, drawn: ArcMemo<Drawn>, is_tiny: ArcRwSignal<bool>) -> ArcMemo<Vec<Id>> {
+/// All that follows the hand: what is dragged, with what is chosen too or stands in its group.
+pub(super) fn moving_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<BTreeSet<Id>> {
+    ArcMemo::new(move |_| {
+        let moving = dragged.get().map(|id| untrack(|| desk.document.moving(&id))).unwrap_or_default();
+        moving.into_iter().map(|(id, _)| id).collect()
+    })
+}
+
+/// The chips that are in the page: from far away nobody can read one; those at the selection are there for the keyboard, and
+/// those where somebody else is, for their rings.
+pub(super) fn chips_memo(
+    desk: Desk,
+    drawn: ArcMemo<Drawn>,
+    is_tiny: ArcRwSignal<bool>,
+    others: Others,
+) -> ArcMemo<Vec<Id>> {
     ArcMemo::new(move |_| {
         let mut chips = drawn.with(|drawn| drawn.chips.clone());
         if is_tiny.get() {
-            let selected = desk.document.selected.get();
-            chips.retain(|id| match &selected {
-                Some(Selected::Connector(selected)) => selected == id,
-                Some(Selected::Stream(stream)) => touches(&desk, id, stream),
-                _ => false,
+            let (selected, (others, edited)) = (desk.document.selected.get(), (others.0.get(), others.1.get()));
+            chips.retain(|id| {
+                let is_near = match &selected {
+                    Some(Selected::Connector(selected)) => selected == id,
+                    Some(Selected::Stream(stream)) => touches(&desk, id, |end| end == stream),
+                    _ => false,
+                };
+                is_near || edited.contains_key(id) || others.iter().any(|(at, ..)| at == id)
             });
         }
         chips
@@ -40,7 +61,9 @@ pub(super) fn Edges() -> impl IntoView {
     };
     let moving = {
         let stage = stage.clone();
-        move |id: &Id| stage.dragged.with(|dragged| dragged.as_ref().is_some_and(|at| touches(&stage.desk, id, at)))
+        move |id: &Id| {
+            stage.moving.with(|moving| !moving.is_empty() && touches(&stage.desk, id, |end| moving.contains(end)))
+        }
     };
     let apart = {
         let (stage, whole, moving) = (stage.clone(), whole.clone(), moving.clone());

@@ -111,9 +111,9 @@ fn at_place(
     place: ArcRwSignal<Place>,
     record: ArcRwSignal<Stream>,
 ) -> [impl Fn() -> Option<String> + Clone + Send + Sync + use<>; 3] {
-    let (is_tiny, dragged, id) = (stage.is_tiny.clone(), stage.dragged.clone(), id.clone());
+    let (is_tiny, moving, id) = (stage.is_tiny.clone(), stage.moving.clone(), id.clone());
     let width = move || {
-        let rests = is_tiny.get() && dragged.with(|dragged| dragged.as_ref() != Some(&id));
+        let rests = is_tiny.get() && moving.with(|moving| !moving.contains(&id));
         rests.then(|| record.with(stream_width))
     };
     let one = move |of: fn(Place, Option<f64>) -> Option<String>| {

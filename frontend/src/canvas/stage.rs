@@ -4,7 +4,7 @@ use super::TINY;
 use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bounds};
 use super::context::Context;
 use super::cull::{Cells, drawn};
-use super::far::chips_memo;
+use super::far::{chips_memo, moving_memo};
 use super::noting::Noting;
 use super::offer::Offering;
 use super::paper::{Paper, paper_memo};
@@ -17,7 +17,7 @@ use crate::later::{SecondPiece, second_piece};
 use crate::layout::VALUE_ROOM;
 use behaviour::{Connector, Id, Place, Problem, ProblemKind, StreamKind};
 use leptos::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::{JsCast, closure::Closure};
@@ -49,6 +49,8 @@ pub(crate) struct Stage {
     pub(super) stop_now: ArcMemo<Option<Id>>,
     /// The stream that follows the hand.
     pub(super) dragged: ArcRwSignal<Option<Id>>,
+    /// All that follows the hand with it.
+    pub(super) moving: ArcMemo<BTreeSet<Id>>,
     /// The open group that it would be in if it were dropped now.
     pub(super) joining: ArcRwSignal<Option<Id>>,
     pub(super) running: ArcMemo<bool>,
@@ -135,6 +137,7 @@ impl Stage {
             ArcMemo::new(move |_| Cells::in_view(view.get(), size.get()))
         };
         let drawn = drawn_memo(desk.clone(), cells.clone(), rests.clone());
+        let (others, edited) = (others_signal(desk.clone()), edited_signal(desk.clone()));
         let is_tiny = {
             let (desk, view) = (desk.clone(), view.clone());
             settled(move || view.with(|view| view.zoom < TINY) && !desk.printing.get())
@@ -144,7 +147,8 @@ impl Stage {
                 let desk = desk.clone();
                 move || everything(&desk).map(|(_, all)| all)
             }),
-            chips: chips_memo(desk.clone(), drawn.clone(), is_tiny.clone()),
+            chips: chips_memo(desk.clone(), drawn.clone(), is_tiny.clone(), (others.clone(), edited.clone())),
+            moving: moving_memo(desk.clone(), dragged.clone()),
             drawn,
             is_tiny,
             cells,
@@ -154,8 +158,8 @@ impl Stage {
             rooms: rooms_memo(desk.clone(), shapes.clone()),
             glides: ArcRwSignal::new(false),
             shapes,
-            others: others_signal(desk.clone()),
-            edited: edited_signal(desk.clone()),
+            others,
+            edited,
             stop_now: stop_memo(desk.clone(), stop.clone()),
             stop,
             targets: targets_memo(wire.clone(), desk.carried.clone()),
