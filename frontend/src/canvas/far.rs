@@ -1,5 +1,5 @@
-//! From far away: what rests is one line for all edges, and only the chips at the selection are in the page. So a hand that
-//! drags one of thousands is work for that one.
+//! From far away: what rests is one line for all edges, and only the chips at the selection and where others are stand in the
+//! page. So a hand that drags one of thousands is work for that one.
 
 use super::Stage;
 use super::chip::{Edge, way_of};
