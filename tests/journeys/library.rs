@@ -76,6 +76,27 @@ async fn what_was_removed_comes_back_from_the_bin() -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn a_program_that_a_namesake_removed_is_told_and_ones_own_is_not() -> Outcome<()> {
+    if !skip::ready("journey: removed by a namesake") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Balls").await?;
+    add_sense(&aiko, "Red ball").await?;
+    saved(&aiko).await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    called_alike(&ben, &aiko).await?;
+    ben.within("toolbar", "Main tools").press("button", "Remove program").await?;
+    ben.within("dialog", "Remove “Balls”?").press("button", "Remove").await?;
+    says(&ben, "“Balls” is in the bin.").await?;
+    says(&aiko, " removed “Balls”. Choose another program.").await?;
+    silent(&ben, " removed “Balls”. Choose another program.").await?;
+    calm(&aiko)?;
+    calm(&ben)
+}
+
+#[tokio::test]
 async fn links_lead_to_whoever_else_uses_it() -> Outcome<()> {
     if !skip::ready("journey: where used") {
         return Ok(());

@@ -68,6 +68,16 @@ impl Stage {
     }
 }
 
+/// Gives `one`, who has a program open, the name of `other`, as two guests may have one: they are told apart all the same.
+pub(crate) async fn called_alike(one: &Page, other: &Page) -> Outcome<()> {
+    let name = other.eval("localStorage.getItem('rrp.name')").await?;
+    one.eval(&format!("localStorage.setItem('rrp.name', {name}), 0")).await?;
+    one.reload().await?;
+    usable(one).await?;
+    let open = format!("localStorage.getItem('rrp.name') === {name} && !!document.querySelector('#stage .stream')");
+    one.until(&open, "it is open again").await.map(drop)
+}
+
 /// Waits until the first screen can be used.
 pub(crate) async fn usable(page: &Page) -> Outcome<()> {
     page.until("performance.getEntriesByName('rrp-usable').length > 0", "the page is usable").await.map(drop)

@@ -122,14 +122,7 @@ async fn a_dialog_says_who_removed_its_stream() -> Outcome<()> {
     let aiko = stage.person("aiko").await?;
     add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
-    // Called alike, as two guests may be: they are told apart all the same.
-    let name = aiko.eval("localStorage.getItem('rrp.name')").await?;
-    ben.eval(&format!("localStorage.setItem('rrp.name', {name}), location.reload(), 0")).await?;
-    ben.until(
-        &format!("localStorage.getItem('rrp.name') === {name} && !!document.querySelector('#stage .stream')"),
-        "it is open again",
-    )
-    .await?;
+    called_alike(&ben, &aiko).await?;
     select(&aiko, "1").await?;
     next(&aiko, "1", "Edit").await?;
     aiko.within("dialog", "Stream settings").fill("textbox", "Name", "Mine").await?;

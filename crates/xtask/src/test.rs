@@ -18,6 +18,10 @@ const OPTIMISED: [&str; 7] = ["--release", "--package", "rrp", "--package", "eng
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
+/// All but this program: cargo chooses the features of libraries for all that is selected together, so that with it some
+/// fifty of what it was built with just now would be built once more, with features that only others want.
+const ALL_BUT_THIS: [&str; 3] = ["--workspace", "--exclude", THIS];
+const THIS: &str = "xtask";
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
 
@@ -34,7 +38,7 @@ const STEPS: [Step; 11] = [
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
     ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("what we take from others", check_supply),
-    ("the server and the tests", |run| run.cargo(&["test", "--workspace", "--no-run"])),
+    ("the server and the tests", |run| run.cargo(&[&["test", "--no-run"], ALL_BUT_THIS.as_slice()].concat())),
     ("the page and the optimised server", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
     ("hostile procedures, optimised", attack_procedures),
     ("cargo test", test_all),
@@ -118,12 +122,15 @@ impl<'a> Run<'a> {
     fn tests(&mut self, more: &[&str]) -> Outcome<()> {
         let list = self.workspace.target.join("skipped.txt");
         let _ = fs::remove_file(&list);
-        let mut cargo = self.workspace.cargo(&["test", "--workspace", "--no-fail-fast"]);
-        cargo.args(more).env("RRP_SKIPPED_LIST", &list);
-        self.show_parts(&mut cargo);
-        let result = tools::run(&mut cargo, "`cargo test --workspace`");
+        let results = [ALL_BUT_THIS.as_slice(), &["--package", THIS]].map(|packages| {
+            let words = [&["test", "--no-fail-fast"], packages].concat();
+            let mut cargo = self.workspace.cargo(&words);
+            cargo.args(more).env("RRP_SKIPPED_LIST", &list);
+            self.show_parts(&mut cargo);
+            tools::run(&mut cargo, &format!("`cargo {}`", words.join(" ")))
+        });
         self.skipped.extend(fs::read_to_string(&list).unwrap_or_default().lines().map(str::to_owned));
-        result
+        results.into_iter().collect()
     }
 
     /// Tells the tests where the browser, the server, Neo4j and libqi are.
