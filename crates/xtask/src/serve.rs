@@ -41,7 +41,7 @@ fn optimise(workspace: &Workspace) -> Outcome<PathBuf> {
     if server.is_file() {
         println!("Building what has changed of the page and the server.");
     } else {
-        println!("Building the page and the server for the first time: about seven minutes on two cores.");
+        println!("Building the page and the server for the first time: seven to fourteen minutes on two cores.");
     }
     tools::ensure_wasm(workspace)?;
     let page = Beside::begin(vec![page::builder(SERVER_FIRST)?], workspace.target.join("page.txt"))?;
