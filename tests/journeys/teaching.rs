@@ -20,12 +20,9 @@ async fn command(page: &Page, words: &str) -> Outcome<()> {
     page.key("Enter").await
 }
 
-/// Whether the end of what *Try it* says is where people see it, and only because something was scrolled.
+/// Whether the end of what *Try it* says is where people see it.
 const VERDICT_SEEN: &str = "(said => {
     const at = said?.getBoundingClientRect();
-    let above = said;
-    while (above && above.scrollTop === 0) above = above.parentElement;
-    if (!above) return false;
     return !!at && said.contains(document.elementFromPoint((at.left + at.right) / 2, at.bottom - 3));
 })(document.querySelector('.verdict'))";
 
@@ -146,6 +143,8 @@ async fn what_a_program_does_is_explained_with_a_press_for_each_answer() -> Outc
     task.press("button", "Try it").await?;
     says(&aiko, "Look at what stands between the ball and the words").await?;
     task.press("radio", "About ten times.").await?;
+    // The button is the last thing in view, so that a press on it scrolls nothing.
+    aiko.on("button", "Try it", "function () { this.scrollIntoView({ block: 'end' }); }").await?;
     task.press("button", "Try it").await?;
     says(&aiko, "Reached. The robot says the color once a second, as long as it sees the ball.").await?;
     // It is said below the questions, and comes into view by itself.

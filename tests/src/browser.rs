@@ -28,8 +28,8 @@ const FLAGS: [&str; 18] = [
     "--disable-component-update",
     "--disable-sync",
     "--disable-extensions",
-    // What drops down from the address bar is two pages of its own in every window, each more work than the page under
-    // test: three seconds of a processor for a person, where one is enough. Nobody types an address here.
+    // What drops down from the address bar is two pages of its own in every window, together as much work as the page
+    // under test. Nobody types an address here.
     "--disable-features=WebUIOmniboxAimPopup,WebUIOmniboxFullPopup,WebUIOmniboxPopup",
     "--disable-dev-shm-usage",
     // Several people are in view at once: none of their pages may be slowed down as hidden.

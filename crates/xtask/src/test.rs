@@ -18,8 +18,8 @@ const OPTIMISED: [&str; 7] = ["--release", "--package", "rrp", "--package", "eng
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
-/// All but this program: cargo chooses the features of libraries for all that is selected together, so that with it some
-/// fifty of what it was built with just now would be built once more, with features that only others want.
+/// All but this program: cargo chooses the features of libraries for all that is selected together, so that with it many
+/// that it was built with just now would be built once more, with features that only others want.
 const ALL_BUT_THIS: [&str; 3] = ["--workspace", "--exclude", THIS];
 const THIS: &str = "xtask";
 const HOW_TO_GET_CHROMIUM: &str =
