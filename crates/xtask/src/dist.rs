@@ -1,9 +1,11 @@
 //! The folder of the finished page: written only where something changed, compressed beside each file.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread;
 
 /// File contents by their name relative to a folder, with `/` between the parts.
 pub(crate) type Files = BTreeMap<String, Vec<u8>>;
@@ -37,42 +39,64 @@ pub(crate) fn listing(folder: &Path) -> Result<BTreeMap<String, u64>, String> {
 /// Makes `folder` hold exactly `files` and, if asked, `.br` and `.gz` beside them.
 /// Answers how many of `files` were new or different.
 pub(crate) fn write(folder: &Path, files: &Files, compressed: bool) -> Result<usize, String> {
+    let same = |name: &str, content: &[u8]| fs::read(folder.join(name)).is_ok_and(|old| old == *content);
+    let changed: BTreeSet<&String> =
+        files.iter().filter(|(name, content)| !same(name, content)).map(|(name, _)| name).collect();
     let mut kept: Vec<String> = Vec::new();
-    let mut changed = 0;
-    for (name, content) in files {
-        let path = folder.join(name);
-        let same = fs::read(&path).is_ok_and(|old| old == *content);
-        if compressed && !is_compressed(name) {
-            kept.extend(write_smaller(folder, name, content, same)?);
+    if compressed {
+        let wanted: Vec<(&String, &[u8], &Press)> = files
+            .iter()
+            .filter(|(name, _)| !is_compressed(name))
+            .flat_map(|(name, content)| PRESSES.iter().map(move |press| (name, content.as_slice(), press)))
+            .collect();
+        let there = |name: &String, kind: &str| !changed.contains(name) && folder.join(beside(name, kind)).is_file();
+        let (ready, missing): (Vec<_>, Vec<_>) = wanted.into_iter().partition(|(name, _, press)| there(name, press.0));
+        kept.extend(ready.into_iter().map(|(name, _, press)| beside(name, press.0)));
+        for (name, smaller) in press_all(missing)? {
+            replace(&folder.join(&name), &smaller)?;
+            kept.push(name);
         }
-        // Last, so that a run cut short finds this file different and compresses it again.
-        if !same {
-            replace(&path, content)?;
-            changed += 1;
+    }
+    // Last, so that a run cut short finds these files different and compresses them again.
+    for (name, content) in files {
+        if changed.contains(name) {
+            replace(&folder.join(name), content)?;
         }
         kept.push(name.clone());
     }
     remove_others(folder, &kept)?;
-    Ok(changed)
+    Ok(changed.len())
 }
 
-/// Writes the compressed forms of one file, unless the file is the `same` as before and they are there.
-/// Answers with the names of those that are worth having.
-fn write_smaller(folder: &Path, name: &str, content: &[u8], same: bool) -> Result<Vec<String>, String> {
-    let mut kept = Vec::new();
-    for (kind, press) in PRESSES {
-        let beside = format!("{name}.{kind}");
-        let path = folder.join(&beside);
-        if !(same && path.is_file()) {
-            let smaller = press(content).map_err(|error| trouble(&path, "compressed", &error))?;
-            if smaller.len() >= content.len() {
-                continue;
+fn beside(name: &str, kind: &str) -> String {
+    format!("{name}.{kind}")
+}
+
+/// What is smaller compressed, by the names of the compressed files; the longest first, on all cores.
+fn press_all(mut waiting: Vec<(&String, &[u8], &Press)>) -> Result<Files, String> {
+    waiting.sort_by_key(|(_, content, _)| content.len());
+    let cores = thread::available_parallelism().map_or(1, usize::from).min(waiting.len());
+    let (waiting, done) = (Mutex::new(waiting), Mutex::new(Ok(Files::new())));
+    let next = || lock(&waiting).pop();
+    let work = || {
+        while let Some((name, content, (kind, press))) = next() {
+            let pressed = press(content).map_err(|error| format!("{name} cannot be compressed: {error}."));
+            let mut done = lock(&done);
+            match (pressed, done.as_mut()) {
+                (Ok(smaller), Ok(files)) if smaller.len() < content.len() => {
+                    files.insert(beside(name, kind), smaller);
+                }
+                (Err(sentence), Ok(_)) => *done = Err(sentence),
+                _ => {}
             }
-            replace(&path, &smaller)?;
         }
-        kept.push(beside);
-    }
-    Ok(kept)
+    };
+    thread::scope(|threads| (0..cores).for_each(|_| drop(threads.spawn(work))));
+    done.into_inner().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn lock<T>(shared: &Mutex<T>) -> MutexGuard<'_, T> {
+    shared.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The size of a page in a few words: as it is and as it travels, first and later.
