@@ -29,8 +29,8 @@ const FLAGS: [&str; 18] = [
     "--disable-sync",
     "--disable-extensions",
     // What drops down from the address bar is two pages of its own in every window, together as much work as the page
-    // under test. Nobody types an address here.
-    "--disable-features=WebUIOmniboxAimPopup,WebUIOmniboxFullPopup,WebUIOmniboxPopup",
+    // under test. Nobody types an address here. Nor is a renderer wanted that waits for a next page.
+    "--disable-features=WebUIOmniboxAimPopup,WebUIOmniboxFullPopup,WebUIOmniboxPopup,SpareRendererForSitePerProcess",
     "--disable-dev-shm-usage",
     // Several people are in view at once: none of their pages may be slowed down as hidden.
     "--disable-backgrounding-occluded-windows",
