@@ -119,3 +119,39 @@ async fn commands_are_found_and_done_by_keys_alone() -> Outcome<()> {
     aiko.find("button", "Go to Far ball").await?;
     aiko.no_errors()
 }
+
+/// Keeps what the page would do within a tenth of a second until it is `let_go`, which says how much that was.
+const SLOW_CLOCK: &str = "{
+    const soon = [], real = window.setTimeout.bind(window);
+    window.setTimeout = (what, ms, ...with_it) => ms > 0 && ms < 100 ? soon.push(what) : real(what, ms, ...with_it);
+    window.let_go = () => { const now = soon.splice(0); now.forEach(what => what()); return now.length; };
+} 0";
+
+/// Gives a button with this text the keyboard; false while there is none.
+fn keyboard_on(selector: &str, text: &str) -> String {
+    format!(
+        "(() => {{ const button = [...document.querySelectorAll('{selector}')].find(at => at.innerText.trim() === '{text}');
+            button?.focus(); return !!button && document.activeElement === button; }})()"
+    )
+}
+
+#[tokio::test]
+async fn who_is_quicker_than_the_page_keeps_the_keyboard_where_they_went() -> Outcome<()> {
+    let stage = stage!("keyboard");
+    let (first, second) = (stage.wire.make("First", None).await?, stage.wire.make("Second", None).await?);
+    let aiko = stage.person("aiko", &first).await?;
+    aiko.until("document.querySelector('.sense-card') !== null", "the first program is open").await?;
+    aiko.eval(SLOW_CLOCK).await?;
+    aiko.eval(&format!("location.hash = '#/b/{second}'; 0")).await?;
+    aiko.until("document.title.includes('Second')", "the second program is open").await?;
+    aiko.until(&keyboard_on(".sense-card", "Red ball"), "the keyboard is on the first sense").await?;
+    aiko.key("Enter").await?;
+    aiko.find("button", "Red ball, sensor stream").await?;
+    assert_ne!(aiko.eval("let_go()").await?, 0, "the keyboard is on its way to the first stream");
+    aiko.until(&keyboard_on(".strip button", "Distance in cm"), "the keyboard is on a next step").await?;
+    aiko.key("Enter").await?;
+    aiko.find("button", "Distance, stream").await?;
+    while aiko.eval("let_go()").await? != 0 {}
+    comes_to(&aiko, "Distance, stream").await?;
+    aiko.no_errors()
+}

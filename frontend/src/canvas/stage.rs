@@ -464,14 +464,21 @@ impl Stage {
             return;
         }
         desk.to_graph.set(false);
+        let first = desk.document.stream_ids.with_untracked(|ids| ids.first().cloned());
         let free = {
-            let desk = desk.clone();
-            move || !is_elsewhere() && desk.dialog.with_untracked(Option::is_none)
+            let (desk, first) = (desk.clone(), first.clone());
+            move || {
+                let other = desk
+                    .document
+                    .selected
+                    .with_untracked(|at| at.as_ref().is_some_and(|at| Some(at.id()) != first.as_ref()));
+                !other && !is_elsewhere() && desk.dialog.with_untracked(Option::is_none)
+            }
         };
         if !free() {
             return;
         }
-        match desk.document.stream_ids.with_untracked(|ids| ids.first().cloned()) {
+        match first {
             Some(first) => self.focus_if(&first, free),
             None => {
                 let stage =
@@ -508,17 +515,27 @@ impl Stage {
     }
 
     fn arrive(&self, desk: &Desk, id: &Id) {
-        let still = desk.document.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id));
-        if !still || self.dragged.with_untracked(Option::is_some) {
+        if !is_selected(desk, id) || self.dragged.with_untracked(Option::is_some) {
             return;
         }
         self.reveal(id);
-        let lost =
-            document().active_element().is_none_or(|active| active.tag_name() == "BODY" || active.id() == "stage");
-        if lost && desk.dialog.with_untracked(Option::is_none) {
-            self.focus(id);
+        let free = {
+            let (desk, id) = (desk.clone(), id.clone());
+            move || is_lost() && is_selected(&desk, &id) && desk.dialog.with_untracked(Option::is_none)
+        };
+        if free() {
+            self.focus_if(id, free);
         }
     }
+}
+
+fn is_selected(desk: &Desk, id: &Id) -> bool {
+    desk.document.selected.with_untracked(|selected| selected.as_ref().map(Selected::id) == Some(id))
+}
+
+/// Whether the keyboard is nowhere that anything could be done with it.
+fn is_lost() -> bool {
+    document().active_element().is_none_or(|active| active.tag_name() == "BODY" || active.id() == "stage")
 }
 
 /// Whether the keyboard is where somebody does something by now.
