@@ -9,8 +9,9 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 17] = [
+const ARROWS: [(&str, &[&str]); 18] = [
     ("behaviour", &[]),
+    ("commands", &["behaviour", "engine", "load", "robot", "sentences", "server", "shell", "simulation", "store"]),
     ("engine", &["behaviour", "robot"]),
     ("frontend", &["behaviour", "engine", "protocol", "robot", "sentences", "simulation"]),
     (
@@ -23,7 +24,7 @@ const ARROWS: [(&str, &[&str]); 17] = [
     ("protocol", &["behaviour", "robot"]),
     ("qi", &[]),
     ("robot", &["behaviour"]),
-    ("rrp", &["behaviour", "engine", "load", "robot", "sentences", "server", "shell", "simulation", "store"]),
+    ("rrp", &["commands", "server"]),
     ("sentences", &["behaviour", "robot"]),
     ("server", &["behaviour", "engine", "nao", "protocol", "robot", "simulation", "store"]),
     ("shell", &["behaviour", "protocol", "robot"]),

@@ -1,29 +1,8 @@
-//! The front door: the command line of rrp.
+//! The program: the command line, and the page that it carries.
 
-mod bench;
-mod check;
-mod data_folder;
-mod devices;
-mod explain;
-mod export;
-mod failure;
-mod import;
-mod keep;
-mod link;
-mod listening;
-mod load;
-mod log;
 mod page;
-mod replay;
-mod robot;
-mod serve;
-mod store_at;
-mod words;
 
-use clap::{Parser, Subcommand};
-use failure::Failure;
 use mimalloc::MiMalloc;
-use std::io::Write;
 use std::process::ExitCode;
 
 /// Gives memory back to the system soon after it was used: a server runs for days, and what a busy minute took should
@@ -31,97 +10,6 @@ use std::process::ExitCode;
 #[global_allocator]
 static ALLOCATOR: MiMalloc = MiMalloc;
 
-/// Robot behaviours made together: a page for therapists, a robot or its simulation, and tools around them.
-#[derive(Debug, Parser)]
-#[command(name = "rrp", version, after_help = EXAMPLES)]
-struct Line {
-    #[command(subcommand)]
-    what: What,
-}
-
-#[derive(Debug, Subcommand)]
-enum What {
-    Serve(serve::ServeArgs),
-    Shell(ShellArgs),
-    Robot(robot::RobotArgs),
-    Replay(replay::ReplayArgs),
-    Bench(bench::BenchArgs),
-    Load(load::LoadArgs),
-    Devices(devices::DevicesArgs),
-    Export(export::ExportArgs),
-    Import(import::ImportArgs),
-    Check(check::CheckArgs),
-    Explain(explain::ExplainArgs),
-    Backup(keep::BackupArgs),
-    Restore(keep::RestoreArgs),
-    Migrate(keep::MigrateArgs),
-}
-
-/// Opens the operator's console on a running server.
-///
-/// On a terminal it completes and remembers; else it reads a command a line and exits with 1 at the first refused one.
-#[derive(Debug, clap::Args)]
-#[command(after_help = "Example: echo 'show programs' | rrp shell http://127.0.0.1:7130/")]
-struct ShellArgs {
-    /// The server's address.
-    #[arg(value_name = "URL", default_value = shell::DEFAULT_URL)]
-    url: String,
-}
-
-const EXAMPLES: &str = "Examples:
-  rrp serve                            serve on this computer, on http://127.0.0.1:7130/
-  rrp serve --listen 127.0.0.1:0       on a free port
-  rrp shell                            look around and start behaviours from a terminal
-  rrp robot add NAO --address nao.local
-  rrp replay --behaviour tracking.json --trace morning.jsonl
-  rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000
-  rrp export \"Track far and close balls\" --format xml --out tracking.xml
-  rrp import tracking.xml              bring a behaviour in, as a copy
-  rrp devices                          what robots can sense and do
-  rrp check tracking.xml               look what is wrong with a file
-  rrp explain tracking.json            what it does, in plain sentences
-  rrp backup monday.rrpbackup          keep everything in one file";
-
 fn main() -> ExitCode {
-    match Line::parse().what {
-        What::Serve(args) => serve::serve(args),
-        What::Shell(args) => console(&args.url),
-        What::Robot(args) => robot::robot(&args),
-        What::Replay(args) => replay::replay(&args),
-        What::Bench(args) => bench::bench(&args),
-        What::Load(args) => load::load(&args),
-        What::Devices(args) => devices::devices(&args),
-        What::Export(args) => ended(export::export(&args)),
-        What::Import(args) => import::import(&args),
-        What::Check(args) => check::check(&args),
-        What::Explain(args) => explain::explain(&args),
-        What::Backup(args) => ended(keep::backup(&args)),
-        What::Restore(args) => ended(keep::restore(&args)),
-        What::Migrate(args) => ended(keep::migrate(&args)),
-    }
-}
-
-/// Success, or what failed on standard error and exit code 1.
-fn ended(done: Result<(), Failure>) -> ExitCode {
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => failed(&[failure], 1),
-    }
-}
-
-/// Says on standard error what failed, a line each, and gives the exit code.
-fn failed(failures: &[Failure], code: u8) -> ExitCode {
-    let mut errors = std::io::stderr().lock();
-    for failure in failures {
-        let _ = writeln!(errors, "{failure}");
-    }
-    ExitCode::from(code)
-}
-
-fn console(url: &str) -> ExitCode {
-    let Ok(runtime) = tokio::runtime::Runtime::new() else { return ExitCode::FAILURE };
-    let fine = runtime.block_on(shell::run(Some(url)));
-    // Somebody may still be reading a line from the terminal.
-    runtime.shutdown_background();
-    if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    commands::run(page::page)
 }

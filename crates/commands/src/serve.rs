@@ -4,9 +4,8 @@ use crate::data_folder::data_folder;
 use crate::failure::Failure;
 use crate::listening::{Listening, tell_invitation};
 use crate::log::{self, Log};
-use crate::page::page;
 use clap::Args;
-use server::{Config, Ready, ServeError};
+use server::{Config, Page, Ready, ServeError};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -46,10 +45,10 @@ pub(crate) struct ServeArgs {
 }
 
 /// Serves, and answers with the exit code.
-pub(crate) fn serve(args: ServeArgs) -> ExitCode {
+pub(crate) fn serve(args: ServeArgs, page: Page) -> ExitCode {
     let log = log::start();
     more_files();
-    crate::ended(run(args, &log))
+    crate::ended(run(args, page, &log))
 }
 
 /// Allows as many open files and connections as the system lets us have; often it is few at first.
@@ -67,7 +66,7 @@ fn more_files() {
 #[cfg(not(unix))]
 fn more_files() {}
 
-fn run(args: ServeArgs, log: &Log) -> Result<(), Failure> {
+fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
     let data = data_folder(args.store.as_deref(), args.data.as_deref(), usual_data().as_deref());
     let store = store_url(args.store, args.data)?;
     let (listen, network) = args.at.ways()?;

@@ -8,6 +8,7 @@ use behaviour::Id;
 use clap::Args;
 use std::future::Future;
 use std::path::{Path, PathBuf};
+use std::pin::Pin;
 use std::sync::Arc;
 use store::{LIBRARY, Store, StoreError};
 
@@ -93,6 +94,8 @@ pub(crate) fn library() -> Result<Id, Failure> {
 /// Runs what waits for a store, to its end.
 pub(crate) fn run<T>(work: impl Future<Output = Result<T, Failure>>) -> Result<T, Failure> {
     let runtime = tokio::runtime::Runtime::new().map_err(Failure::NotStarted)?;
+    // In a box all of it looks the same, and the runtime is compiled for it once, not once for each command.
+    let work: Pin<Box<dyn Future<Output = Result<T, Failure>> + '_>> = Box::pin(work);
     runtime.block_on(work)
 }
 
