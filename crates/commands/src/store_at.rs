@@ -94,7 +94,7 @@ pub(crate) fn library() -> Result<Id, Failure> {
 /// Runs what waits for a store, to its end.
 pub(crate) fn run<T>(work: impl Future<Output = Result<T, Failure>>) -> Result<T, Failure> {
     let runtime = tokio::runtime::Runtime::new().map_err(Failure::NotStarted)?;
-    // In a box all of it looks the same, and the runtime is compiled for it once, not once for each command.
+    // In a box commands with the same answer look the same, and the runtime is compiled once for all of them.
     let work: Pin<Box<dyn Future<Output = Result<T, Failure>> + '_>> = Box::pin(work);
     runtime.block_on(work)
 }
