@@ -61,11 +61,11 @@ pub(crate) fn build(workspace: &Workspace, mode: Mode) -> Outcome<()> {
     assemble(&workspace.target, &workspace.root.join("static"), &wasm, mode)
 }
 
-/// A command that builds the page as people get it, and gives way to what runs beside it: 0 not at all, 19 always.
-pub(crate) fn builder(nice: u8) -> Outcome<Command> {
+/// A command that builds the page as people get it.
+pub(crate) fn builder() -> Outcome<Command> {
     let this = env::current_exe().map_err(|error| format!("This program is not found: {error}."))?;
-    let mut command = Command::new("nice");
-    command.arg("-n").arg(nice.to_string()).arg(this).arg("page");
+    let mut command = Command::new(this);
+    command.arg("page");
     Ok(command)
 }
 
