@@ -11,8 +11,6 @@ use crate::tools::{self, Outcome, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
-/// How much the server's build gives way to the page's, which takes longer and ends with one crate on one core.
-const PAGE_FIRST: u8 = 2;
 
 /// `words` are `[--dev] [--] ARGS`; ARGS go to `rrp serve` as they are.
 pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
@@ -46,15 +44,15 @@ fn optimise(workspace: &Workspace) -> Outcome<PathBuf> {
     tools::ensure_wasm(workspace)?;
     let page = Beside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
     let packages = packages(workspace)?;
-    let cargo = |nice: u8, what: &[&str]| {
-        let mut cargo = workspace.cargo_nicely(nice, &["build", "--release"]);
+    let cargo = |what: &[&str]| {
+        let mut cargo = workspace.cargo(&["build", "--release"]);
         cargo.args(packages.iter().flat_map(|package| ["--package", package])).args(what);
         cargo
     };
-    tools::run(&mut cargo(PAGE_FIRST, &["--lib"]), "Building the server")?;
+    tools::run(&mut cargo(&["--lib"]), "Building the server")?;
     println!("The server is built; {} s so far. The page follows.", began.elapsed().as_secs());
     page.wait()?;
-    tools::run(&mut cargo(0, &["--bin", "rrp"]), "Building the server")?;
+    tools::run(&mut cargo(&["--bin", "rrp"]), "Building the server")?;
     println!("Built in {} s.", began.elapsed().as_secs());
     Ok(server)
 }

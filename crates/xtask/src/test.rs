@@ -165,7 +165,7 @@ fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
 fn attack_procedures(run: &mut Run) -> Outcome<()> {
     let folder = run.workspace.target.join("tmp/wasm");
     let module =
-        run.workspace.cargo_nicely(19, &[MODULE.as_slice(), &["--target-dir", &folder.display().to_string()]].concat());
+        run.workspace.cargo_at_leisure(&[MODULE.as_slice(), &["--target-dir", &folder.display().to_string()]].concat());
     run.module = Some(Beside::begin(vec![module], run.workspace.target.join("module.txt"))?);
     run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())
 }

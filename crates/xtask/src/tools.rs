@@ -73,10 +73,10 @@ impl Workspace {
         self.ours(Command::new(env::var_os("CARGO").unwrap_or("cargo".into())), words)
     }
 
-    /// Cargo, called in the root with `words`, giving way to what runs beside it: 0 not at all, 19 always.
-    pub(crate) fn cargo_nicely(&self, nice: u8, words: &[&str]) -> Command {
+    /// Cargo, called in the root with `words`, using what the rest of the computer leaves.
+    pub(crate) fn cargo_at_leisure(&self, words: &[&str]) -> Command {
         let mut command = Command::new("nice");
-        command.arg("-n").arg(nice.to_string()).arg(env::var_os("CARGO").unwrap_or("cargo".into()));
+        command.args(["-n", "19"]).arg(env::var_os("CARGO").unwrap_or("cargo".into()));
         self.ours(command, words)
     }
 
