@@ -42,7 +42,20 @@ const LIBRARIES: [(&str, &[&str]); 8] = [
     ("robot", &["serde"]),
     ("sentences", &["serde"]),
     ("simulation", &["libm", "rapier3d", "serde", "toml"]),
-    ("store", &["async-trait", "neo4rs", "quick-xml", "rusqlite", "serde", "serde_json", "thiserror", "tokio"]),
+    (
+        "store",
+        &[
+            "async-trait",
+            "idna_adapter",
+            "neo4rs",
+            "quick-xml",
+            "rusqlite",
+            "serde",
+            "serde_json",
+            "thiserror",
+            "tokio",
+        ],
+    ),
 ];
 
 /// Rooms without clock, threads, network or chance.
