@@ -122,7 +122,8 @@ impl<'a> Run<'a> {
     fn tests(&mut self, more: &[&str]) -> Outcome<()> {
         let list = self.workspace.target.join("skipped.txt");
         let _ = fs::remove_file(&list);
-        let results = [ALL_BUT_THIS.as_slice(), &["--package", THIS]].map(|packages| {
+        // As it was built to run this.
+        let results = [ALL_BUT_THIS.as_slice(), &["--package", THIS, "--profile", THIS]].map(|packages| {
             let words = [&["test", "--no-fail-fast"], packages].concat();
             let mut cargo = self.workspace.cargo(&words);
             cargo.args(more).env("RRP_SKIPPED_LIST", &list);
