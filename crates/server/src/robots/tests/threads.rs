@@ -13,7 +13,7 @@ use super::{filtered, id};
 use crate::robots::{Host, Start};
 use behaviour::{BehaviourFile, FileConnector, StreamKind, Value};
 use probe::{Probe, Told};
-use std::sync::Arc;
+use std::sync::{Arc, mpsc};
 use std::time::{Duration, Instant};
 use tokio::runtime::Runtime;
 
@@ -27,6 +27,9 @@ const TICKS: usize = 2_000;
 const STOPS: usize = 500;
 /// Pause between two readings around the ticks: they fall into every part of a millisecond and of a step.
 const UNEVEN_US: u64 = 3_371;
+/// Round trips between two bare threads that are measured, and the pause before each in milliseconds: a robot's step.
+const ROUND_TRIPS: usize = 500;
+const STEP_MS: u64 = 10;
 /// The last values get so long to arrive, in milliseconds.
 const LAST_MS: u64 = 100;
 
@@ -34,16 +37,35 @@ const LAST_MS: u64 = 100;
 #[ignore = "measures for a minute; `cargo xtask bench engine threads` runs it"]
 fn hand_overs() {
     println!("{:<58}{:>12}{:>12}{:>16}", "over the threads, us", "p50", "p99", "p50 at most");
-    line("a reading of the robot's step, until its action is told", in_steps(), 50.0);
-    line("a reading a millisecond, until its action is told", paced(), 50.0);
-    line("when a tick is due, until its action is told", ticks(), 300.0);
-    line("Stop, until the robot is told to hold", stops(), 500_000.0);
+    line("two bare threads, there and back: the machine's own part", bare(), None);
+    line("a reading of the robot's step, until its action is told", in_steps(), Some(50.0));
+    line("a reading a millisecond, until its action is told", paced(), Some(50.0));
+    line("when a tick is due, until its action is told", ticks(), Some(300.0));
+    line("Stop, until the robot is told to hold", stops(), Some(500_000.0));
 }
 
-fn line(what: &str, mut taken_us: Vec<f64>, bar_us: f64) {
+fn line(what: &str, mut taken_us: Vec<f64>, bar_us: Option<f64>) {
     taken_us.sort_by(f64::total_cmp);
     let part = |hundredths: usize| taken_us[(taken_us.len() * hundredths / 100).min(taken_us.len() - 1)];
-    println!("  {what:<56}{:>12.1}{:>12.1}{bar_us:>16.0}", part(50), part(99));
+    let bar = bar_us.map_or_else(String::new, |us| format!("{us:.0}"));
+    println!("  {what:<56}{:>12.1}{:>12.1}{bar:>16}", part(50), part(99));
+}
+
+/// A moment that another thread is told and hands back, both asleep before: what two hand-overs cost at least on this
+/// machine. A virtual one that wakes slowly gives more than the bar here already.
+fn bare() -> Vec<f64> {
+    let (to, there) = mpsc::channel::<Instant>();
+    let (back, from) = mpsc::channel();
+    let other = std::thread::spawn(move || there.iter().try_for_each(|moment| back.send(moment)));
+    let trip = |_| {
+        std::thread::sleep(Duration::from_millis(STEP_MS));
+        to.send(Instant::now()).unwrap();
+        micros(from.recv().unwrap(), Instant::now())
+    };
+    let trips = (0..ROUND_TRIPS).map(trip).collect();
+    drop(to);
+    other.join().unwrap().unwrap();
+    trips
 }
 
 /// Starts it and waits until it runs.
