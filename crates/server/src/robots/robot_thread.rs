@@ -136,7 +136,12 @@ impl<'a> RobotThread<'a> {
         self.may_sense = Instant::now() + SENSE_MIN;
     }
 
+    /// Pictures are of the step before, and made first: after it, a reading's action would wait for them.
     fn step(&mut self) {
+        if self.steps % STEPS_PER_PICTURE == 1 {
+            self.show();
+            self.show_held();
+        }
         let mut readings = std::mem::take(&mut self.readings);
         self.robot.poll(self.now(), &mut readings);
         for reading in readings.drain(..) {
@@ -146,10 +151,6 @@ impl<'a> RobotThread<'a> {
         if let Some(reason) = self.robot.take_halt() {
             self.shared.pause_all(&RunFailure::Halt(reason));
             self.end_what_ended();
-        }
-        if self.steps.is_multiple_of(STEPS_PER_PICTURE) {
-            self.show();
-            self.show_held();
         }
         self.steps += 1;
     }

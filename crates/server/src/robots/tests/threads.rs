@@ -52,7 +52,7 @@ fn line(what: &str, mut taken_us: Vec<f64>, bar_us: Option<f64>) {
 }
 
 /// A moment that another thread is told and hands back, both asleep before: what two hand-overs cost at least on this
-/// machine. A virtual one that wakes slowly gives more than the bar here already.
+/// machine.
 fn bare() -> Vec<f64> {
     let (to, there) = mpsc::channel::<Instant>();
     let (back, from) = mpsc::channel();
