@@ -141,6 +141,7 @@ impl<'a> RobotThread<'a> {
         if self.steps % STEPS_PER_PICTURE == 1 {
             self.show();
             self.show_held();
+            self.end_what_ended();
         }
         let mut readings = std::mem::take(&mut self.readings);
         self.robot.poll(self.now(), &mut readings);

@@ -10,6 +10,7 @@
 mod probe;
 
 use super::{filtered, id};
+use crate::robots::robot_thread::STEP_MS;
 use crate::robots::{Host, Start};
 use behaviour::{BehaviourFile, FileConnector, StreamKind, Value};
 use probe::{Probe, Told};
@@ -27,9 +28,8 @@ const TICKS: usize = 2_000;
 const STOPS: usize = 500;
 /// Pause between two readings around the ticks: they fall into every part of a millisecond and of a step.
 const UNEVEN_US: u64 = 3_371;
-/// Round trips between two bare threads that are measured, and the pause before each in milliseconds: a robot's step.
+/// Round trips between two bare threads that are measured, each after a pause of a robot's step.
 const ROUND_TRIPS: usize = 500;
-const STEP_MS: u64 = 10;
 /// The last values get so long to arrive, in milliseconds.
 const LAST_MS: u64 = 100;
 
