@@ -261,6 +261,25 @@ async fn the_page_is_shown_as_asked() -> Outcome<()> {
     Ok(())
 }
 
+#[cfg(unix)]
+#[tokio::test]
+async fn a_chromium_that_draws_nothing_draws_again_and_a_page_that_hangs_is_told() -> Outcome<()> {
+    ready!("frames");
+    let (_browser, aiko, _) = someone().await?;
+    aiko.frames().await?;
+    let drawing = aiko.drawing_process().await?;
+    assert!(std::process::Command::new("kill").args(["-STOP", &drawing.to_string()]).status()?.success());
+    aiko.size(400, 700, true).await?;
+    aiko.frames().await?;
+    assert_ne!(aiko.drawing_process().await?, drawing, "it was started anew");
+    let folder = house::folder()?;
+    aiko.screenshot(&folder.path().join("page.png")).await?;
+    aiko.eval("setTimeout(() => { for (;;) {} })").await?;
+    let told = aiko.frames().await.expect_err("it hangs").to_string();
+    assert!(told.contains("its scripts do not run, and its process worked"), "{told}");
+    Ok(())
+}
+
 fn fake() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/harness/fake-server.sh"))
 }

@@ -50,9 +50,9 @@ async fn lost(page: &Page) -> Outcome<(u64, u64)> {
 }
 
 async fn still(page: &Page) -> Outcome<()> {
-    let js = "document.getAnimations().every(motion => motion.playState !== 'running') \
-        && new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
-    page.until(js, "nothing moves").await.map(drop)
+    let js = "document.getAnimations().every(motion => motion.playState !== 'running')";
+    page.until(js, "nothing moves").await?;
+    page.frames().await
 }
 
 #[tokio::test]

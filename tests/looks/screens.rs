@@ -58,9 +58,9 @@ pub(crate) async fn usable(page: &Page) -> Outcome<()> {
 
 /// Waits until nothing moves any more.
 pub(crate) async fn rests(page: &Page) -> Outcome<()> {
-    let still = "document.getAnimations().every(motion => motion.playState !== 'running') \
-        && new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
-    page.until(still, "nothing moves").await.map(drop)
+    let still = "document.getAnimations().every(motion => motion.playState !== 'running')";
+    page.until(still, "nothing moves").await?;
+    page.frames().await
 }
 
 /// Visits every screen on a desktop, with its name; whoever visits may change size and theme and must put them back.

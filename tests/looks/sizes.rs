@@ -34,7 +34,7 @@ async fn every_screen_keeps_the_rules_at_every_size() -> Outcome<()> {
     let walked = walk(page, &Words::english(), async |screen: &str| {
         for (size, width, height, touch) in SIZES {
             page.size(width, height, touch).await?;
-            settle(page).await?;
+            page.frames().await?;
             let place = format!("{screen}, {size}");
             let mut broken = rules::broken(page, &place).await?;
             broken.extend(rules::moving(page, &place).await?);
@@ -42,18 +42,12 @@ async fn every_screen_keeps_the_rules_at_every_size() -> Outcome<()> {
             keep(page, screen, size).await?;
         }
         page.size(1440, 900, false).await?;
-        settle(page).await
+        page.frames().await
     })
     .await;
     nothing("broken rules", &found.into_inner())?;
     walked?;
     page.no_errors()
-}
-
-/// Lets the page draw itself at its new size.
-async fn settle(page: &Page) -> Outcome<()> {
-    let drawn = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
-    page.until(drawn, "the page is drawn").await.map(drop)
 }
 
 /// Keeps pictures in light and dark.
@@ -90,7 +84,7 @@ async fn few_and_many_streams_with_any_names_keep_the_rules() -> Outcome<()> {
                     "the program is open",
                 )
                 .await?;
-                settle(page).await?;
+                page.frames().await?;
                 let place = format!("{count} {names:?}, {size}");
                 found.extend(rules::broken(page, &place).await?);
                 for (dark, theme) in [(true, "dark"), (false, "light")] {

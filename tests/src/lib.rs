@@ -16,6 +16,7 @@
 mod axe;
 mod browser;
 mod find;
+mod frames;
 mod hands;
 mod keys;
 mod page;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -17,6 +17,8 @@ use crate::{Outcome, Trouble, paths};
 const LOOK: Duration = Duration::from_millis(25);
 /// How long a page may take for anything, unless a test says otherwise.
 const PATIENCE: Duration = Duration::from_secs(30);
+/// How long the picture of a failure may take.
+const PICTURE: Duration = Duration::from_secs(20);
 
 /// A page in the browser, with the person's name for failures.
 pub struct Page {
@@ -28,6 +30,8 @@ pub struct Page {
     name: String,
     media: Mutex<BTreeMap<String, String>>,
     patience_ms: AtomicU64,
+    /// Whether Chromium's process that draws was started anew for this page.
+    pub(crate) drawn_anew: AtomicBool,
 }
 
 /// Processor time of the page's main thread since it was opened, in milliseconds.
@@ -48,7 +52,8 @@ impl Page {
     pub(crate) fn new(wire: Arc<Wire>, watch: Arc<Watch>, ids: [&str; 3], name: &str) -> Page {
         let [session, context, target] = ids.map(str::to_owned);
         let patience_ms = AtomicU64::new(u64::try_from(PATIENCE.as_millis()).unwrap_or(u64::MAX));
-        Page { wire, watch, session, context, target, name: test_name(name), media: Mutex::default(), patience_ms }
+        let (name, media, drawn_anew) = (test_name(name), Mutex::default(), AtomicBool::default());
+        Page { wire, watch, session, context, target, name, media, patience_ms, drawn_anew }
     }
 
     /// Turns on what the harness listens to.
@@ -64,6 +69,11 @@ impl Page {
     /// Calls any method of the DevTools protocol for this page.
     pub async fn call(&self, method: &str, params: Value) -> Outcome<Value> {
         self.wire.call(Some(&self.session), method, params).await
+    }
+
+    /// Calls any method of the DevTools protocol for the whole Chromium.
+    pub(crate) async fn browser(&self, method: &str, params: Value) -> Outcome<Value> {
+        self.wire.call(None, method, params).await
     }
 
     pub(crate) fn context(&self) -> &str {
@@ -198,9 +208,10 @@ impl Page {
     /// A trouble with the person's name, a screenshot, and what the page complained about.
     pub(crate) async fn fail(&self, sentence: &str) -> Trouble {
         let path = self.failure_path();
-        let picture = match self.screenshot(&path).await {
-            Ok(()) => format!("see {}", path.display()),
-            Err(trouble) => format!("no screenshot: {trouble}"),
+        let picture = match tokio::time::timeout(PICTURE, self.screenshot(&path)).await {
+            Ok(Ok(())) => format!("see {}", path.display()),
+            Ok(Err(trouble)) => format!("no screenshot: {trouble}; {}", self.stuck().await),
+            Err(_) => format!("no screenshot within {} s; {}", PICTURE.as_secs(), self.stuck().await),
         };
         let errors = self.watch.errors();
         let complaints = if errors.is_empty() { String::new() } else { format!("\n{}", errors.join("\n")) };

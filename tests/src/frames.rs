@@ -1,0 +1,88 @@
+//! Waiting for frames, which Chromium without a screen sometimes stops to draw: rare, and nothing a page can cause while its
+//! scripts run. Its process that draws is then ended once, and Chromium starts another.
+
+use std::process::Command;
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use crate::{Outcome, Page, Trouble};
+
+/// How long two frames may take; many times what a busy machine needs.
+const FRAMES: Duration = Duration::from_secs(10);
+/// How long a page is looked at that draws nothing.
+const LOOK: Duration = Duration::from_secs(5);
+const TWO: &str = "new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))";
+
+impl Page {
+    /// Waits until the page has drawn two frames, so that everything before is in view.
+    ///
+    /// # Errors
+    /// When nothing is drawn: with whether the page's scripts run, and how busy its process is.
+    pub async fn frames(&self) -> Outcome<()> {
+        if self.draws().await? {
+            return Ok(());
+        }
+        if self.scripts_run().await && !self.drawn_anew.swap(true, Ordering::Relaxed) {
+            eprintln!(
+                "NOTE: Chromium draws nothing, though the page's scripts run; its process that draws is started anew."
+            );
+            self.end_drawing().await?;
+            if self.draws().await? {
+                return Ok(());
+            }
+        }
+        Err(self.fail(&format!("no two frames are drawn within {} s", FRAMES.as_secs())).await)
+    }
+
+    async fn draws(&self) -> Outcome<bool> {
+        match tokio::time::timeout(FRAMES, self.eval(TWO)).await {
+            Ok(drawn) => drawn.map(|_| true),
+            Err(_) => Ok(false),
+        }
+    }
+
+    async fn scripts_run(&self) -> bool {
+        tokio::time::timeout(LOOK, self.eval("1")).await.is_ok_and(|answer| answer.is_ok())
+    }
+
+    /// Ends the process of Chromium that draws for all pages.
+    async fn end_drawing(&self) -> Outcome<()> {
+        let id = self.drawing_process().await?;
+        Command::new("kill").args(["-9", &id.to_string()]).status()?;
+        Ok(())
+    }
+
+    /// The id of the process of Chromium that draws for all pages.
+    pub async fn drawing_process(&self) -> Outcome<u64> {
+        let asked = self.browser("SystemInfo.getProcessInfo", json!({})).await?;
+        let all = asked["processInfo"].as_array().into_iter().flatten();
+        let found = all.filter(|process| process["type"] == "GPU").find_map(|process| process["id"].as_u64());
+        found.ok_or_else(|| Trouble::of("Chromium names no process that draws", &asked))
+    }
+
+    /// What the page does that gives no picture: whether its scripts run, and how busy its process is.
+    pub(crate) async fn stuck(&self) -> String {
+        let scripts = if self.scripts_run().await { "its scripts run" } else { "its scripts do not run" };
+        let began = Instant::now();
+        // Answered between the steps of a running script, too.
+        let before = self.process_seconds().await;
+        tokio::time::sleep(LOOK).await;
+        match (before, self.process_seconds().await) {
+            (Ok(before), Ok(after)) => {
+                let (worked, of) = (after - before, began.elapsed().as_secs_f64());
+                format!("{scripts}, and its process worked {worked:.1} of {of:.1} s")
+            }
+            (Err(trouble), _) | (_, Err(trouble)) => format!("{scripts}; {trouble}"),
+        }
+    }
+
+    /// Processor time of the page's whole process so far.
+    async fn process_seconds(&self) -> Outcome<f64> {
+        let answer = self.call("Performance.getMetrics", json!({})).await?;
+        let mut all = answer["metrics"].as_array().into_iter().flatten();
+        let found = all.find(|metric| metric["name"] == "ProcessTime").and_then(|metric| metric["value"].as_f64());
+        found.ok_or_else(|| Trouble::of("There is no ProcessTime", Value::Null))
+    }
+}
