@@ -66,6 +66,43 @@ async fn keys_reach_walk_edit_remove_and_bring_back() -> Outcome<()> {
     aiko.no_errors()
 }
 
+/// Presses a key on a stream and goes to the field that finds things at once, both before the page draws again.
+async fn hurries(page: &Page, key: &str, stream: &str) -> Outcome<()> {
+    page.press("button", stream).await?;
+    comes_to(page, stream).await?;
+    let now = format!(
+        "document.activeElement.dispatchEvent(new KeyboardEvent('keydown', {{ key: '{key}', bubbles: true }})), \
+         document.querySelector('#find').focus(), 0"
+    );
+    page.eval(&now).await?;
+    // Timers of a page come in their order: what was to come in some 60 ms has come after 200.
+    page.eval("new Promise(done => setTimeout(() => done(0), 200))").await.map(drop)
+}
+
+#[tokio::test]
+async fn who_goes_elsewhere_at_once_keeps_the_keyboard() -> Outcome<()> {
+    let stage = stage!("hurry");
+    let program = stage.wire.make("Hurry", Some("Track far and close balls")).await?;
+    let aiko = stage.person("aiko", &program).await?;
+    for key in ["Escape", "Delete"] {
+        hurries(&aiko, key, "Close ball, stream").await?;
+        let there = aiko.eval("document.activeElement.id === 'find' && !document.querySelector('[role=menu]')").await?;
+        assert_eq!(there, true, "after {key}");
+    }
+    aiko.type_text("far").await?;
+    aiko.find("button", "Go to Far ball").await?;
+    aiko.press("button", "Close ball, stream").await?;
+    aiko.key("F2").await?;
+    aiko.until("document.activeElement.className === 'rename'", "the name can be typed").await?;
+    aiko.key("Control+a").await?;
+    aiko.type_text("Near ball").await?;
+    aiko.press("searchbox", "Find or add").await?;
+    aiko.find("button", "Near ball, stream").await?;
+    aiko.eval("new Promise(done => setTimeout(() => done(0), 200))").await?;
+    assert_eq!(aiko.eval("document.activeElement.id === 'find'").await?, true, "a new name is saved on the way");
+    aiko.no_errors()
+}
+
 #[tokio::test]
 async fn a_new_name_is_typed_where_the_stream_stands() -> Outcome<()> {
     let stage = stage!("rename");

@@ -3,9 +3,9 @@
 use super::plus::plus_below;
 use super::pointers::edit;
 use super::walk::{Way, walk};
-use super::wire::press_soon;
 use super::{Stage, flyout};
 use crate::desk::{Desk, Selected};
+use crate::panels::focus;
 use behaviour::Id;
 use leptos::prelude::*;
 use std::collections::BTreeSet;
@@ -158,9 +158,7 @@ fn deselect(desk: &Desk, stage: &Stage) -> bool {
 /// Removes something; the keyboard goes on to what it came from. In the middle of a way it asks how.
 fn remove(desk: &Desk, stage: &Stage, what: &Selected) {
     if matches!(what, Selected::Stream(id) if desk.document.healed_by(id).is_some()) {
-        desk.document.selected.set(Some(what.clone()));
-        press_soon(".strip .remove > button");
-        return;
+        return focus::press_of(desk, what, ".strip .remove > button");
     }
     let next = match what {
         Selected::Stream(id) => walk(&desk.document.behaviour(), id, Way::Up, |_| None),

@@ -15,6 +15,7 @@ use crate::browser;
 use crate::desk::{Desk, Editor, Gap, Selected, settled};
 use crate::later::{SecondPiece, second_piece};
 use crate::layout::VALUE_ROOM;
+use crate::panels::focus;
 use behaviour::{Connector, Id, Place, Problem, ProblemKind, StreamKind};
 use leptos::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -363,18 +364,13 @@ impl Stage {
         self.focus_if(id, || true);
     }
 
-    /// Like `focus`, if `free` still says so at that moment: people do not wait.
+    /// Like `focus`, if `free` still says so at that moment.
     fn focus_if(&self, id: &Id, free: impl Fn() -> bool + 'static) {
         self.came_to(id);
         self.reveal(id);
-        let id = id.clone();
-        browser::after(30, move || {
-            if !free() {
-                return;
-            }
-            let marks = format!("#stage :is([data-node='{id}'], [data-note='{id}'], [data-group='{id}'])");
-            let node = document().query_selector(&marks).ok().flatten();
-            if let Some(node) = node.and_then(|node| node.dyn_into::<HtmlElement>().ok()) {
+        let marks = format!("#stage :is([data-node='{id}'], [data-note='{id}'], [data-group='{id}'])");
+        focus::soon(30, &marks, move |node| {
+            if free() {
                 let how = FocusOptions::new();
                 how.set_prevent_scroll(true);
                 let _ = node.focus_with_options(&how);
@@ -409,7 +405,10 @@ impl Stage {
     /// The keyboard goes elsewhere in the page.
     pub(super) fn focus_left(&self, event: &FocusEvent) {
         let next = event.related_target().and_then(|next| next.dyn_into::<Element>().ok());
-        let stays = next.is_some_and(|next| next.closest("#stage").ok().flatten().is_some());
+        let stays = next.as_ref().is_some_and(|next| next.closest("#stage").ok().flatten().is_some());
+        if next.is_some() && !stays {
+            self.wanted.set(None);
+        }
         if !stays && self.focused.with_untracked(Option::is_some) {
             self.focused.set(None);
         }
@@ -535,7 +534,7 @@ fn is_selected(desk: &Desk, id: &Id) -> bool {
 
 /// Whether the keyboard is nowhere that anything could be done with it.
 fn is_lost() -> bool {
-    document().active_element().is_none_or(|active| active.tag_name() == "BODY" || active.id() == "stage")
+    focus::is_nowhere() || focus::active().is_some_and(|active| active.id() == "stage")
 }
 
 /// Whether the keyboard is where somebody does something by now.

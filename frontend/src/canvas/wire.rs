@@ -5,9 +5,9 @@ use super::chip::chip_of;
 use super::curve::curve_between;
 use super::hand::Point;
 use super::offer::Offering;
-use crate::browser;
 use crate::desk::{Carried, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
+use crate::panels::focus;
 use crate::words;
 use behaviour::{Id, Place, StreamKind};
 use leptos::prelude::*;
@@ -347,24 +347,7 @@ pub(super) fn under(x: f32, y: f32) -> (Option<Id>, bool) {
     (marked, is_paper)
 }
 
-/// Presses a button, once it is there.
-pub(super) fn press_soon(selector: &'static str) {
-    browser::after(50, move || {
-        let found = document().query_selector(selector).ok().flatten();
-        if let Some(found) = found.and_then(|found| wasm_bindgen::JsCast::dyn_into::<web_sys::HtmlElement>(found).ok())
-        {
-            found.click();
-        }
-    });
-}
-
 /// Gives the keyboard to the offer, once it is there.
-pub(super) fn focus_soon(selector: &'static str) {
-    browser::after(30, move || {
-        let found = document().query_selector(selector).ok().flatten();
-        if let Some(found) = found.and_then(|found| wasm_bindgen::JsCast::dyn_into::<web_sys::HtmlElement>(found).ok())
-        {
-            let _ = found.focus();
-        }
-    });
+pub(super) fn focus_soon(selector: &str) {
+    focus::soon(30, selector, focus::focus);
 }

@@ -1,14 +1,68 @@
 //! Where the keyboard is: walking through a group with arrow keys, and what can be focused in a dialog.
 
+use crate::desk::{Desk, Selected};
+use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Document, Element, HtmlElement, HtmlInputElement, KeyboardEvent};
 
 const FOCUSABLE: &str = "a[href], button:not(:disabled):not([tabindex='-1']), input:not(:disabled):not([type='radio']:not(:checked)), select:not(:disabled), \
     textarea:not(:disabled), [tabindex='0']";
 
+/// A moment for the buttons of what is chosen to be there, in milliseconds.
+const SHOWN_MS: i32 = 60;
+
+/// Where something is typed.
+const FIELD: &str = "input, textarea, select";
+
 /// The element that has the keyboard.
 pub(crate) fn active() -> Option<HtmlElement> {
     document()?.active_element()?.dyn_into().ok()
+}
+
+/// Whether nothing has the keyboard.
+pub(crate) fn is_nowhere() -> bool {
+    active().is_none_or(|active| active.tag_name() == "BODY")
+}
+
+/// Where the keyboard was when something was begun whose end comes a moment later.
+pub(crate) struct Before(Option<HtmlElement>);
+
+impl Before {
+    /// Where it is now.
+    pub(crate) fn now() -> Self {
+        Self(active())
+    }
+
+    /// Whether somebody went elsewhere since, out of the graph or into a field: people do not wait, and what they type
+    /// by then is not for what was begun.
+    pub(crate) fn is_over(&self) -> bool {
+        let now = active();
+        let matches = |selector| now.as_ref().is_some_and(|now| now.closest(selector).is_ok_and(|found| found.is_some()));
+        now != self.0 && !is_nowhere() && (!matches("#stage") || matches(FIELD))
+    }
+}
+
+/// Does something with what a selector finds, `ms` milliseconds later, unless somebody went elsewhere until then.
+pub(crate) fn soon(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
+    let (before, selector) = (Before::now(), selector.to_owned());
+    crate::browser::after(ms, move || {
+        let found = document().and_then(|document| document.query_selector(&selector).ok().flatten());
+        if let Some(found) = found.filter(|_| !before.is_over()).and_then(|found| found.dyn_into().ok()) {
+            act(&found);
+        }
+    });
+}
+
+/// Chooses a part of the graph and presses one of the buttons it has then, once that is there, unless something else is
+/// chosen by then.
+pub(crate) fn press_of(desk: &Desk, what: &Selected, selector: &str) {
+    desk.document.selected.set(Some(what.clone()));
+    let (desk, what) = (desk.clone(), what.clone());
+    soon(SHOWN_MS, selector, move |button| {
+        if desk.document.selected.with_untracked(|now| now.as_ref() == Some(&what)) {
+            button.click();
+        }
+    });
 }
 
 /// One element by its id.

@@ -33,8 +33,7 @@ fn begin_at_top(desk: Hold) {
         if open.is_some() && before.is_some_and(|before| before != open) {
             let _ = request_animation_frame(move || {
                 window().scroll_to_with_x_and_y(0.0, 0.0);
-                let lost = focus::active().is_none_or(|active| active.tag_name() == "BODY");
-                if let Some(stage) = focus::by_id("stage").filter(|_| lost) {
+                if let Some(stage) = focus::by_id("stage").filter(|_| focus::is_nowhere()) {
                     let how = FocusOptions::new();
                     how.set_prevent_scroll(true);
                     let _ = stage.focus_with_options(&how);

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use tokio::sync::watch;
 
-/// CloseReason a link ends.
+/// Why a link ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum CloseReason {
     /// The client went.
@@ -23,6 +23,14 @@ pub(crate) enum CloseReason {
 }
 
 impl CloseReason {
+    /// Whether the client is still there and has to hear why it ends.
+    pub(crate) fn is_told(self) -> bool {
+        match self {
+            Self::Replaced | Self::Revoked | Self::Restart | Self::Resync => true,
+            Self::Left | Self::Unwelcome | Self::TooLarge => false,
+        }
+    }
+
     /// The code and the word of the closing frame.
     pub(crate) fn words(self) -> (u16, &'static str) {
         match self {

@@ -28,8 +28,8 @@ use tokio::sync::{Semaphore, mpsc};
 const GREETING_MS: u64 = 2_000;
 /// How long a client may be silent: two pings of the WebSocket.
 const SILENT_MS: u64 = 2 * ALIVE_MS;
-/// How long who is told to go may take to hear it.
-const LINGER_MS: u64 = 500;
+/// How long who is told to go may take to hear it, after the second in which it is written.
+const LINGER_MS: u64 = super::writer::CLOSE_MS + 500;
 /// Requests of one client that may be under way.
 const UNDER_WAY_MAX: usize = 8;
 
@@ -129,20 +129,24 @@ async fn serve(
     };
     drop(reader);
     outbox.close.with(why);
-    if why == CloseReason::Revoked {
-        let lingers = linger(&connections, stream, &me.name);
-        let _ = tokio::time::timeout(Duration::from_millis(LINGER_MS), lingers).await;
-    }
-    let _ = working.await;
-    connections
-        .state
-        .rooms
-        .tell_open(connections.state.rooms.library(), Note::Leave(outbox.session, Parting::LinkEnded));
-    connections.clients.leave(&me.client, outbox.session);
-    tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+    let leaves = async {
+        let _ = working.await;
+        let rooms = &connections.state.rooms;
+        rooms.tell_open(rooms.library(), Note::Leave(outbox.session, Parting::LinkEnded));
+        connections.clients.leave(&me.client, outbox.session);
+        tracing::info!(name = me.name, session = outbox.session, ?why, "somebody goes");
+    };
+    let hears_why = async {
+        if why.is_told() {
+            let lingers = linger(&connections, stream, &me.name);
+            let _ = tokio::time::timeout(Duration::from_millis(LINGER_MS), lingers).await;
+        }
+    };
+    tokio::join!(leaves, hears_why);
 }
 
-/// Hears the other side until it went, so that it hears why it has to; its Stop still counts.
+/// Hears the other side until it went, so that it hears why it has to: a socket that is let go of with something unread in it
+/// takes back what was written last. Its Stop still counts.
 async fn linger(connections: &Connections, stream: &mut SplitStream<WebSocket>, by: &str) {
     loop {
         match hear(stream.next().await) {

@@ -27,7 +27,7 @@ const BATCH_MAX_MESSAGES: usize = 4;
 /// How long one message, or some together, may take to be written.
 const WRITE_MS: u64 = 5_000;
 /// How long the closing frame may take.
-const CLOSE_MS: u64 = 1_000;
+pub(super) const CLOSE_MS: u64 = 1_000;
 
 struct Writer {
     connections: Arc<Connections>,

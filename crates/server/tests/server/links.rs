@@ -7,6 +7,7 @@ use protocol::{
 };
 use shell::{Client, NoLink, Trouble};
 use std::time::Duration;
+use tokio::io::AsyncWriteExt;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message;
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
@@ -194,6 +195,31 @@ async fn the_server_pings_with_the_revision() {
     let ping = aiko.until(|reply| matches!(reply, Reply::Ping { behaviour: Some(_), .. })).await.unwrap();
     assert_eq!(ping, Reply::Ping { behaviour: Some((play, 1)), library_revision: 1 });
     house.close().await;
+}
+
+#[tokio::test]
+async fn the_server_hears_everyone_until_they_know_that_it_ends() {
+    const EMPTY_PONG: [u8; 6] = [0x8A, 0x80, 0, 0, 0, 0];
+    let house = House::open().await;
+    let mut socket = socket(&house).await;
+    let hello = format!(r#"{{"ask":1,"request":{{"is":"hello","version":{},"name":"A"}}}}"#, protocol::VERSION);
+    socket.send(Message::text(hello)).await.unwrap();
+    let _welcome = socket.next().await.unwrap().unwrap();
+    let ending = tokio::spawn(house.close());
+    let code = loop {
+        if let Message::Close(frame) = socket.next().await.unwrap().unwrap() {
+            break frame.map(|frame| u16::from(frame.code));
+        }
+    };
+    assert_eq!(code, Some(1012));
+    // Its own closing frame is not sent yet: what is under way to a server that let go of the link would break it, and
+    // who writes as the server's last word comes would not hear that.
+    for _ in 0..50 {
+        socket.get_mut().write_all(&EMPTY_PONG).await.unwrap();
+        tokio::time::sleep(Duration::from_millis(1)).await;
+    }
+    while socket.next().await.is_some() {}
+    ending.await.unwrap();
 }
 
 #[tokio::test]

@@ -1,16 +1,13 @@
 //! The keyboard on the list in place of the graph: what can be done with the graph there, but walking and zooming.
 
-use crate::browser;
 use crate::canvas::edit;
 use crate::desk::{Desk, Dialog, Selected};
 use crate::later::SecondPiece;
+use crate::panels::focus;
 use leptos::prelude::*;
 use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
-use web_sys::{Element, HtmlElement, KeyboardEvent};
-
-/// A moment for the buttons under a row to be there, in milliseconds.
-const SHOWN_MS: i32 = 60;
+use web_sys::{Element, KeyboardEvent};
 
 /// Hears a key on the list or in it. A row that has the keyboard is pressed by Enter as any button; as a command, Enter
 /// edits what is selected.
@@ -43,19 +40,11 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, piece: &SecondPiece) {
 /// Removes something; in the middle of a way its button asks how.
 fn remove(desk: &Desk, what: &Selected) {
     match what {
-        Selected::Stream(id) if desk.document.healed_by(id).is_some() => press_soon(".strip-inline .remove > button"),
+        Selected::Stream(id) if desk.document.healed_by(id).is_some() => {
+            focus::press_of(desk, what, ".strip-inline .remove > button")
+        }
         Selected::Stream(_) | Selected::Connector(_) | Selected::Note(_) | Selected::Group(_) => {
             desk.document.remove(what)
         }
     }
-}
-
-/// Presses a button once it is there.
-pub(super) fn press_soon(selector: &'static str) {
-    browser::after(SHOWN_MS, move || {
-        let button = document().query_selector(selector).ok().flatten();
-        if let Some(button) = button.and_then(|button| button.dyn_into::<HtmlElement>().ok()) {
-            button.click();
-        }
-    });
 }

@@ -1,12 +1,12 @@
 //! The rows of the outline: a stream with its live value, a connector with its chip's words.
 
-use super::keys::press_soon;
 use super::strip::Strip;
 use crate::browser;
 use crate::desk::{Mark, Selected};
 use crate::icons::Icon;
 use crate::layout::{chip_words, what_it_is};
 use crate::live::rate_words;
+use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
 use crate::panels::inspector::{device_icon, kind_class};
 use crate::words;
@@ -92,8 +92,7 @@ fn Row(what: Selected, children: Children) -> impl IntoView {
             on:click=move |_| desk.desk().document.selected.set(Some(what.clone()))
             on:contextmenu=move |event| {
                 event.prevent_default();
-                desk.desk().document.selected.set(Some(asked.clone()));
-                press_soon(".strip-inline .more > button");
+                focus::press_of(&desk.desk(), &asked, ".strip-inline .more > button");
             }>
             {children()}
             {move || unused.get().then(|| view! {

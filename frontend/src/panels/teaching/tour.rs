@@ -104,8 +104,7 @@ fn leave_with_escape(desk: Hold, card: NodeRef<Aside>) {
         let Some(desk) = desk.if_there().filter(|_| event.key() == "Escape" && !event.is_composing()) else { return };
         let active = focus::active();
         let in_card = card.get_untracked().is_some_and(|card| card.contains(active.as_deref().map(AsRef::as_ref)));
-        let nowhere = active.is_none_or(|active| active.tag_name() == "BODY");
-        if in_card || (nowhere && desk.dialog.with_untracked(Option::is_none)) {
+        if in_card || (focus::is_nowhere() && desk.dialog.with_untracked(Option::is_none)) {
             leave(&desk);
         }
     });
