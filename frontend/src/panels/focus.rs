@@ -37,7 +37,8 @@ impl Before {
     /// by then is not for what was begun.
     pub(crate) fn is_over(&self) -> bool {
         let now = active();
-        let matches = |selector| now.as_ref().is_some_and(|now| now.closest(selector).is_ok_and(|found| found.is_some()));
+        let matches =
+            |selector| now.as_ref().is_some_and(|now| now.closest(selector).is_ok_and(|found| found.is_some()));
         now != self.0 && !is_nowhere() && (!matches("#stage") || matches(FIELD))
     }
 }
