@@ -81,6 +81,19 @@ fn a_log_that_nobody_reads_stops_nothing() -> Outcome<()> {
     tokio::runtime::Builder::new_current_thread().enable_all().build()?.block_on(log::unread())
 }
 
+/// Built as `cargo xtask serve` builds it, which is how it is attacked here.
+#[test]
+fn a_server_built_without_neo4j_says_so() -> Outcome<()> {
+    if !skip::optimised("a server without Neo4j") {
+        return Ok(());
+    }
+    let asked = ["serve", "--listen", "127.0.0.1:0", "--store", "bolt://neo4j@127.0.0.1:1"];
+    let said = std::process::Command::new(house::optimised()).args(asked).output()?;
+    let words = String::from_utf8_lossy(&said.stderr);
+    assert!(!said.status.success() && words.contains("built without Neo4j") && words.contains("--store"), "{words}");
+    Ok(())
+}
+
 /// Measures under attacks, at most so often until what was promised is seen.
 async fn under(target: &Target, name: &str, attacks: &[Attack], report: &mut String) -> Outcome<()> {
     let rest_kib = target.memory_kib()?;

@@ -69,7 +69,11 @@ pub fn ready_in_japanese(part: &str) -> bool {
 /// When it is missing and `CI` is `true`.
 pub fn optimised(part: &str) -> bool {
     let missing = !paths::optimised().is_file();
-    linux(part) && proceed(part, missing.then(|| "build it with `cargo build --release --package rrp`".to_owned()))
+    linux(part)
+        && proceed(
+            part,
+            missing.then(|| "build it with `cargo build --release --no-default-features --package rrp`".to_owned()),
+        )
 }
 
 /// Whether this is Linux, for tests that change what the system answers to the server.

@@ -34,6 +34,12 @@ pub enum StoreError {
     /// The store's address cannot be understood; with what it should be.
     #[error("This is no address of a store: {0}.")]
     Address(String),
+    /// The program was built without what speaks to a Neo4j.
+    #[error(
+        "This rrp was built without Neo4j. Start it by cargo xtask serve -- --store and the address, or build it by \
+         cargo build --release."
+    )]
+    WithoutNeo4j,
     /// The behaviour is in the bin and takes no changes.
     #[error("This program is in the bin. Restore it before changing it.")]
     Gone,
@@ -95,6 +101,7 @@ impl StoreError {
             | Self::Damaged(_)
             | Self::Newer { .. }
             | Self::Address(_)
+            | Self::WithoutNeo4j
             | Self::Gone
             | Self::Refused(_) => false,
         }

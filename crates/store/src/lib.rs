@@ -18,12 +18,15 @@ mod folder_lock;
 mod insight;
 mod json;
 mod memory;
+#[cfg(feature = "neo4j")]
 mod neo4j;
 mod open;
 mod query;
 mod sqlite;
 mod tags;
 mod usage;
+#[cfg(not(feature = "neo4j"))]
+mod without_neo4j;
 
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
@@ -31,10 +34,13 @@ pub use error::{StoreError, Unkept};
 pub use folder::FolderStore;
 pub use folder_lock::{FolderLock, lock_folder};
 pub use memory::MemoryStore;
+#[cfg(feature = "neo4j")]
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
 pub use open::{folder_of, is_same_folder, open_url};
 pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
+#[cfg(not(feature = "neo4j"))]
+pub use without_neo4j::{open_neo4j, read_thesis};
 
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};

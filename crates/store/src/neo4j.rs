@@ -21,7 +21,6 @@ mod thesis;
 
 use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Used, json};
 use address::Address;
-pub(crate) use address::is_neo4j;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use link::Link;

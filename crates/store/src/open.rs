@@ -10,7 +10,7 @@ use std::sync::Arc;
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
 pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
-    if crate::neo4j::is_neo4j(url) {
+    if is_neo4j(url) {
         return Ok(Arc::new(crate::open_neo4j(url).await?));
     }
     if let Some(folder) = url.strip_prefix("files:").filter(|folder| !folder.is_empty()) {
@@ -22,6 +22,13 @@ pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
         return Err(StoreError::Address(known.to_owned()));
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))
+}
+
+/// True for an address of a Neo4j.
+pub(crate) fn is_neo4j(url: &str) -> bool {
+    let scheme = url.split_once("://").map(|(scheme, _)| scheme);
+    let base = scheme.map(|scheme| scheme.strip_suffix("+s").or(scheme.strip_suffix("+ssc")).unwrap_or(scheme));
+    matches!(base, Some("bolt" | "neo4j"))
 }
 
 /// The folder of a store that is one, embedded or of files; none for a store somewhere else.

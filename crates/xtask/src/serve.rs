@@ -11,6 +11,8 @@ use crate::tools::{self, Outcome, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
+/// Leaves out what speaks to a Neo4j, a thirtieth of all that is compiled: who starts here keeps programs in a folder.
+pub(crate) const WITHOUT_NEO4J: &str = "--no-default-features";
 
 /// `words` are `[--dev] [--] ARGS`; ARGS go to `rrp serve` as they are.
 pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
@@ -19,7 +21,7 @@ pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
         rest => (false, rest),
     };
     let arguments = rest.strip_prefix(&["--"]).unwrap_or(rest);
-    let server = if dev { develop(workspace)? } else { optimise(workspace)? };
+    let server = if dev { develop(workspace)? } else { optimise(workspace, wants_neo4j(arguments))? };
     println!("Starting {} serve {}", server.display(), arguments.join(" "));
     become_server(Command::new(server).arg("serve").args(arguments))
 }
@@ -32,8 +34,16 @@ fn develop(workspace: &Workspace) -> Outcome<PathBuf> {
     Ok(workspace.server())
 }
 
-/// Builds what people use: the page beside the server, then the program with both in it.
-fn optimise(workspace: &Workspace) -> Outcome<PathBuf> {
+/// Whether the server is to keep its programs in a Neo4j.
+fn wants_neo4j(arguments: &[&str]) -> bool {
+    let store = std::env::var("RRP_STORE").ok();
+    let is_neo4j = |word: &str| ["bolt", "neo4j"].iter().any(|scheme| word.contains(scheme)) && word.contains("://");
+    arguments.iter().copied().chain(store.as_deref()).any(is_neo4j)
+}
+
+/// Builds what people use: the page beside the server, then the program with both in it. What speaks to a Neo4j is built
+/// for those who have one.
+fn optimise(workspace: &Workspace, neo4j: bool) -> Outcome<PathBuf> {
     let began = Instant::now();
     let server = workspace.optimised_server();
     if server.is_file() {
@@ -47,6 +57,7 @@ fn optimise(workspace: &Workspace) -> Outcome<PathBuf> {
     let cargo = |what: &[&str]| {
         let mut cargo = workspace.cargo(&["build", "--release"]);
         cargo.args(packages.iter().flat_map(|package| ["--package", package])).args(what);
+        cargo.args(if neo4j { [].as_slice() } else { &[WITHOUT_NEO4J] });
         cargo
     };
     tools::run(&mut cargo(&["--lib"]), "Building the server")?;
@@ -78,4 +89,15 @@ fn become_server(server: &mut Command) -> Outcome<()> {
 #[cfg(not(unix))]
 fn become_server(server: &mut Command) -> Outcome<()> {
     tools::run(server, "The server")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::wants_neo4j;
+
+    #[test]
+    fn a_neo4j_is_built_for_who_names_one() {
+        assert!(wants_neo4j(&["--store", "bolt://neo4j@127.0.0.1:7687"]) && wants_neo4j(&["--store=neo4j+s://h"]));
+        assert!(!wants_neo4j(&["--data", "/srv/neo4j"]) && !wants_neo4j(&[]));
+    }
 }

@@ -9,12 +9,14 @@ use crate::beside::Beside;
 use crate::neo4j;
 use crate::page;
 use crate::qi_python;
+use crate::serve;
 use crate::supply;
 use crate::tools::{self, Outcome, Workspace};
 
 /// What is optimised: the server, which is attacked, and the hostile corpus, as stacks, overflows and comparisons differ
-/// between debug and release. Selected together, so that what both use is compiled once.
-const OPTIMISED: [&str; 7] = ["--release", "--package", "rrp", "--package", "engine", "--test", "hostile"];
+/// between debug and release. Selected together, so that what both use is compiled once; without what `serve` leaves out.
+const OPTIMISED: [&str; 8] =
+    ["--release", serve::WITHOUT_NEO4J, "--package", "rrp", "--package", "engine", "--test", "hostile"];
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];

@@ -35,11 +35,6 @@ impl fmt::Debug for Address {
     }
 }
 
-/// True for an address of a Neo4j.
-pub(crate) fn is_neo4j(url: &str) -> bool {
-    url.split_once("://").is_some_and(|(scheme, _)| SCHEMES.iter().any(|(known, _)| *known == scheme))
-}
-
 impl Address {
     /// Reads an address; a missing password is looked for in the variables of `environment`.
     pub(super) fn read(url: &str, environment: &dyn Fn(&str) -> Option<String>) -> Result<Self, StoreError> {
@@ -104,8 +99,9 @@ fn plain(part: &str) -> Option<String> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Address, is_neo4j};
+    use super::{Address, SCHEMES};
     use crate::StoreError;
+    use crate::open::is_neo4j;
 
     fn read(url: &str) -> Result<Address, StoreError> {
         Address::read(url, &|name| (name == "RRP_NEO4J_PASSWORD").then(|| "from the variable".to_owned()))
@@ -157,7 +153,7 @@ mod tests {
 
     #[test]
     fn addresses_of_neo4j_are_known_by_their_beginning() {
-        assert!(is_neo4j("bolt://h") && is_neo4j("neo4j+ssc://h"));
+        assert!(SCHEMES.iter().all(|(scheme, _)| is_neo4j(&format!("{scheme}://h"))));
         assert!(!is_neo4j("sqlite:/x") && !is_neo4j("/x") && !is_neo4j("bolt:h"));
     }
 }
