@@ -40,7 +40,7 @@ pub use open::{folder_of, is_same_folder, open_url};
 pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
 #[cfg(not(feature = "neo4j"))]
-pub use without_neo4j::{open_neo4j, read_thesis};
+pub use without_neo4j::read_thesis;
 
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};

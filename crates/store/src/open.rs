@@ -5,13 +5,16 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
-/// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see [`crate::open_neo4j`]).
+/// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see `open_neo4j`; without the feature `neo4j` it is refused).
 ///
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
 pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
     if is_neo4j(url) {
+        #[cfg(feature = "neo4j")]
         return Ok(Arc::new(crate::open_neo4j(url).await?));
+        #[cfg(not(feature = "neo4j"))]
+        return Err(StoreError::WithoutNeo4j);
     }
     if let Some(folder) = url.strip_prefix("files:").filter(|folder| !folder.is_empty()) {
         return Ok(Arc::new(FolderStore::open(Path::new(folder)).await?));

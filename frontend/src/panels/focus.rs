@@ -25,17 +25,17 @@ pub(crate) fn is_nowhere() -> bool {
 }
 
 /// Where the keyboard was when something was begun whose end comes a moment later.
-pub(crate) struct Before(Option<HtmlElement>);
+struct Before(Option<HtmlElement>);
 
 impl Before {
     /// Where it is now.
-    pub(crate) fn now() -> Self {
+    fn now() -> Self {
         Self(active())
     }
 
     /// Whether somebody went elsewhere since, out of the graph or into a field: people do not wait, and what they type
     /// by then is not for what was begun.
-    pub(crate) fn is_over(&self) -> bool {
+    fn is_over(&self) -> bool {
         let now = active();
         let matches =
             |selector| now.as_ref().is_some_and(|now| now.closest(selector).is_ok_and(|found| found.is_some()));

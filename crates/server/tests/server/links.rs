@@ -18,6 +18,11 @@ pub(crate) async fn socket(house: &House) -> Socket {
     connect_async(format!("ws://{}/socket", house.address)).await.unwrap().0
 }
 
+/// The greeting of somebody new.
+fn hello() -> Message {
+    Message::text(format!(r#"{{"ask":1,"request":{{"is":"hello","version":{},"name":"A"}}}}"#, protocol::VERSION))
+}
+
 /// Says a text and answers with the next text and the code of the closing frame, whichever come.
 async fn say(socket: &mut Socket, text: &str) -> (Option<Refused>, Option<u16>) {
     socket.send(Message::text(text)).await.unwrap();
@@ -41,8 +46,7 @@ async fn the_answer_to_a_ping_may_come_before_the_greeting() {
     let house = House::open().await;
     let mut socket = socket(&house).await;
     socket.send(Message::Pong(Vec::new().into())).await.unwrap();
-    let hello = format!(r#"{{"ask":1,"request":{{"is":"hello","version":{},"name":"A"}}}}"#, protocol::VERSION);
-    socket.send(Message::text(hello)).await.unwrap();
+    socket.send(hello()).await.unwrap();
     let welcome = loop {
         match socket.next().await.unwrap().unwrap() {
             Message::Text(text) => break serde_json::from_str::<Told>(&text).unwrap().reply,
@@ -202,8 +206,7 @@ async fn the_server_hears_everyone_until_they_know_that_it_ends() {
     const EMPTY_PONG: [u8; 6] = [0x8A, 0x80, 0, 0, 0, 0];
     let house = House::open().await;
     let mut socket = socket(&house).await;
-    let hello = format!(r#"{{"ask":1,"request":{{"is":"hello","version":{},"name":"A"}}}}"#, protocol::VERSION);
-    socket.send(Message::text(hello)).await.unwrap();
+    socket.send(hello()).await.unwrap();
     let _welcome = socket.next().await.unwrap().unwrap();
     let ending = tokio::spawn(house.close());
     let code = loop {
