@@ -1,7 +1,6 @@
 //! Back to what was: a whole revision again, or what one change removed, each as one new change.
 
-use crate::{Behaviour, Change, Edit, Filled, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
-use std::collections::BTreeSet;
+use crate::{Behaviour, Change, Edit, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
 
 /// Records of a removal that are tried one by one, if not all of them can come back.
 const ONE_BY_ONE_MAX: usize = 64;
@@ -23,7 +22,9 @@ impl Room {
     #[must_use]
     pub fn go_back(&self, was: &Behaviour, start: Change) -> Change {
         let now = self.behaviour();
-        let all: BTreeSet<&RecordId> = now.records.keys().chain(was.records.keys()).filled();
+        let mut all: Vec<&RecordId> = now.records.keys().chain(was.records.keys()).collect();
+        all.sort_unstable();
+        all.dedup();
         let edits = all.into_iter().filter_map(|id| {
             let (before, after) = (now.records.get(id), was.records.get(id));
             let stays = before == after || (after.is_none() && *id == RecordId::settings());
@@ -55,7 +56,7 @@ impl Room {
         if gone.len() > ONE_BY_ONE_MAX {
             return Err(refusal);
         }
-        gone.sort_by_key(|(id, record)| rank(id, record));
+        gone.sort_unstable_by_key(|(id, record)| rank(id, record));
         let made = gone.into_iter().fold(start, |made, one| {
             let more = self.with(made.clone(), one);
             if self.has_ground(&more, one.0) && self.judge(&more, knowledge).is_ok() { more } else { made }

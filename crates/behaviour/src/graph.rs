@@ -1,14 +1,15 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
 use crate::walk::{self, Ends};
-use crate::{Behaviour, Connector, Filled, Id, StreamKind};
-use std::collections::{BTreeMap, BTreeSet};
+use crate::{Behaviour, Connector, Id, StreamKind};
+use std::collections::{HashMap, HashSet};
 
 /// The connectors around every stream, in file order.
 #[derive(Debug, Default)]
 pub struct Graph<'a> {
-    into: BTreeMap<&'a Id, Vec<(&'a Id, &'a Connector)>>,
-    out_of: BTreeMap<&'a Id, Vec<(&'a Id, &'a Connector)>>,
+    into: HashMap<&'a Id, Vec<(&'a Id, &'a Connector)>>,
+    out_of: HashMap<&'a Id, Vec<(&'a Id, &'a Connector)>>,
+    all: Vec<&'a Connector>,
 }
 
 impl<'a> Graph<'a> {
@@ -17,6 +18,7 @@ impl<'a> Graph<'a> {
     pub fn of(behaviour: &'a Behaviour) -> Self {
         let mut graph = Self::default();
         for (id, connector) in behaviour.connectors_in_order() {
+            graph.all.push(connector);
             graph.into.entry(&connector.output).or_default().push((id, connector));
             for input in &connector.inputs {
                 graph.out_of.entry(input).or_default().push((id, connector));
@@ -37,47 +39,31 @@ impl<'a> Graph<'a> {
         self.out_of.get(stream).map_or(&[], Vec::as_slice)
     }
 
-    /// All streams that values of `stream` can reach, without itself unless there is a cycle.
-    #[must_use]
-    pub fn below(&self, stream: &Id) -> BTreeSet<&'a Id> {
-        let mut reached = BTreeSet::new();
-        let mut open: Vec<&'a Id> = self.out_of_stream(stream).iter().map(|(_, connector)| &connector.output).collect();
-        while let Some(next) = open.pop() {
-            if reached.insert(next) {
-                open.extend(self.out_of_stream(next).iter().map(|(_, connector)| &connector.output));
-            }
-        }
-        reached
-    }
-
     /// How many connectors the longest way to each stream has; none of the streams in a circle or behind one.
     #[must_use]
-    pub fn ranks(&self, behaviour: &'a Behaviour) -> BTreeMap<&'a Id, usize> {
-        let wires = self.wires(behaviour.streams().map(|(id, _)| id));
+    pub fn ranks(&self, behaviour: &'a Behaviour) -> HashMap<&'a Id, usize> {
+        let wires = self.wires(behaviour.streams().map(|(id, _)| id).collect());
         let ranks = walk::ranks(wires.streams.len(), &wires.ends());
         wires.streams.into_iter().zip(ranks).filter_map(|(id, rank)| Some((id, rank?))).collect()
     }
 
     /// The graph in numbers, with these streams besides those that connectors lead from and to.
-    fn wires(&self, streams: impl Iterator<Item = &'a Id>) -> Wires<'a> {
-        let streams: BTreeSet<&'a Id> = self.into.keys().chain(self.out_of.keys()).copied().chain(streams).filled();
-        let streams: Vec<&'a Id> = streams.into_iter().collect();
+    fn wires(&self, mut streams: Vec<&'a Id>) -> Wires<'a> {
+        streams.extend(self.into.keys().chain(self.out_of.keys()).copied());
+        streams.sort_unstable();
+        streams.dedup();
         let place = |id: &Id| streams.binary_search(&id).unwrap_or_default();
-        let mut all: Vec<_> = self.into.values().flatten().collect();
-        all.sort_by_key(|(id, connector)| (connector.order, *id));
-        let ends = |(_, connector): &&(&Id, &Connector)| {
-            (connector.inputs.iter().map(place).collect(), place(&connector.output))
-        };
-        let connectors = all.iter().map(ends).collect();
+        let ends = |connector: &&Connector| (connector.inputs.iter().map(place).collect(), place(&connector.output));
+        let connectors = self.all.iter().map(ends).collect();
         Wires { streams, connectors }
     }
 
     /// The streams whose values can reach an action of the robot, actions included: one walk upwards for all of them.
     #[must_use]
-    pub fn reaching_action(&self, behaviour: &'a Behaviour) -> BTreeSet<&'a Id> {
+    pub fn reaching_action(&self, behaviour: &'a Behaviour) -> HashSet<&'a Id> {
         let actions = behaviour.streams().filter(|(_, stream)| stream.kind == StreamKind::Actuator);
         let mut open: Vec<&'a Id> = actions.map(|(id, _)| id).collect();
-        let mut reaching: BTreeSet<&'a Id> = BTreeSet::new();
+        let mut reaching: HashSet<&'a Id> = HashSet::new();
         while let Some(next) = open.pop() {
             if reaching.insert(next) {
                 open.extend(self.into_stream(next).iter().flat_map(|(_, connector)| &connector.inputs));
@@ -97,7 +83,7 @@ impl<'a> Graph<'a> {
     /// A stream that flows back into itself, if there is one.
     #[must_use]
     pub fn cycle(&self) -> Option<&'a Id> {
-        let wires = self.wires(std::iter::empty());
+        let wires = self.wires(Vec::new());
         let at = walk::in_circle(wires.streams.len(), &wires.ends())?;
         Some(wires.streams[wires.connectors[at].1])
     }
@@ -156,8 +142,6 @@ mod tests {
         let made = behaviour(&["s1", "s2", "x", "y", "a1"], &[(&["s1"], "x"), (&["x"], "a1"), (&["s1", "s2"], "y")]);
         let dead = Graph::of(&made).dead_streams(&made);
         assert_eq!(dead, [&id("s2"), &id("y")]);
-        let below = Graph::of(&made).below(&id("s1"));
-        assert_eq!(below.into_iter().map(Id::as_str).collect::<Vec<_>>(), ["a1", "x", "y"]);
     }
 
     #[test]

@@ -10,10 +10,10 @@ mod time;
 pub use ask::Asked;
 pub use news::{LockEvent, Why};
 
-use crate::{Change, Id, Kind, RecordId};
+use crate::{Change, Filled, Id, Kind, RecordId};
 use ask::{Ask, PutOff};
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 
 /// Locks one link may hold, each over a set of records.
 pub const LOCKS_PER_SESSION_MAX: usize = 16;
@@ -125,11 +125,11 @@ pub struct Locks {
     now_ms: u64,
     /// By the counters of their tokens.
     held: BTreeMap<u64, Lock>,
-    by_record: BTreeMap<RecordId, u64>,
+    by_record: HashMap<RecordId, u64>,
     /// By the names of the changes.
-    saving: BTreeMap<Id, Saving>,
+    saving: HashMap<Id, Saving>,
     /// Which clients were told *not yet* for which records.
-    refused: BTreeMap<(Id, RecordId), PutOff>,
+    refused: HashMap<(Id, RecordId), PutOff>,
     /// Grows whenever who holds what changes.
     version: u64,
     news: VecDeque<LockEvent>,
@@ -139,8 +139,8 @@ impl Locks {
     /// Nothing is locked. The epoch is the server's, which grows with every start.
     #[must_use]
     pub fn new(epoch: u64) -> Self {
-        let (held, by_record, saving) = (BTreeMap::new(), BTreeMap::new(), BTreeMap::new());
-        let (refused, news) = (BTreeMap::new(), VecDeque::new());
+        let (held, by_record, saving) = (BTreeMap::new(), HashMap::new(), HashMap::new());
+        let (refused, news) = (HashMap::new(), VecDeque::new());
         Self { epoch, counter: 0, now_ms: 0, held, by_record, saving, refused, version: 0, news }
     }
 
@@ -183,7 +183,7 @@ impl Locks {
     /// If a change of the record is being saved just now, or it would be too many.
     pub fn take_over(&mut self, now_ms: u64, admin: Holder, record: RecordId) -> Result<Grant, Denied> {
         self.advance(now_ms);
-        let records = BTreeSet::from([record.clone()]);
+        let records = std::iter::once(record.clone()).filled();
         let taken = self.by_record.get(&record).copied();
         let Some(counter) = taken.filter(|counter| self.held[counter].holder.session != admin.session) else {
             return self.take(now_ms, admin, records);

@@ -6,7 +6,7 @@
 mod composed;
 
 use composed::composed;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::ops::Range;
 use unicode_xid::UnicodeXID;
 
@@ -99,7 +99,7 @@ pub fn arguments_of(body: &str, stream_names: &[&str]) -> Vec<String> {
     if stream_names.iter().all(|name| name.is_ascii()) {
         return today;
     }
-    let used: BTreeSet<&str> = variables(body).into_iter().map(|place| &body[place]).collect();
+    let used: HashSet<&str> = variables(body).into_iter().map(|place| &body[place]).collect();
     let before = ascii_argument_names(stream_names.iter().copied());
     let known = |(today, before): (String, String)| {
         let is_old = today != before && used.contains(before.as_str()) && !used.contains(today.as_str());
@@ -165,8 +165,8 @@ fn begins_with_letter(name: &str) -> bool {
 /// Names that are taken, and the number to try next for each name that was wanted twice.
 #[derive(Default)]
 struct Used {
-    names: BTreeSet<String>,
-    next: BTreeMap<String, u64>,
+    names: HashSet<String>,
+    next: HashMap<String, u64>,
 }
 
 impl Used {
@@ -233,15 +233,17 @@ pub(crate) fn rename_field(body: &str, old: &str, new: &str) -> String {
 /// Where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
 #[must_use]
 pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)> {
-    let mut found = BTreeSet::new();
+    let mut found = Vec::new();
     for place in variables(body) {
         let written = &body[place];
         let right = arguments.iter().find(|argument| is_same_but_case(argument, written) && *argument != written);
         if let Some(right) = right.filter(|_| !arguments.iter().any(|argument| argument == written)) {
-            found.insert((written.to_owned(), right.clone()));
+            found.push((written.to_owned(), right.clone()));
         }
     }
-    found.into_iter().collect()
+    found.sort_unstable();
+    found.dedup();
+    found
 }
 
 fn is_same_but_case(one: &str, other: &str) -> bool {
@@ -252,21 +254,24 @@ fn is_same_but_case(one: &str, other: &str) -> bool {
 /// to have the helper's name is no call.
 #[must_use]
 pub fn calls_helper(body: &str, helper: &str) -> bool {
-    called_names(body).contains(helper)
+    called_names(body).contains(&helper)
 }
 
 /// The names of everything that `body` calls, `distance(ball)`, or points to, `Fn("distance")`: helpers and functions of
-/// the language.
+/// the language, each once, in the order of the alphabet.
 #[must_use]
-pub fn called_names(body: &str) -> BTreeSet<&str> {
-    uses(body).into_iter().map(|place| &body[place]).collect()
+pub fn called_names(body: &str) -> Vec<&str> {
+    let mut names: Vec<&str> = uses(body).into_iter().map(|place| &body[place]).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
 }
 
 /// The body with every helper that it uses under its new name, all at once. Arguments, fields and texts keep theirs.
 #[must_use]
 pub fn rename_helpers(body: &str, names: &BTreeMap<String, String>) -> String {
     let mut places = uses(body);
-    places.sort_by_key(|place| place.start);
+    places.sort_unstable_by_key(|place| place.start);
     let mut renamed = String::with_capacity(body.len());
     let mut done = 0;
     for place in places {

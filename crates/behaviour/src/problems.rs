@@ -17,7 +17,7 @@ use crate::{
 };
 use around::Around;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// One problem of one element. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -153,7 +153,7 @@ fn stream_problems(around: &Around) -> Vec<Problem> {
     let behaviour = around.behaviour;
     let reaching = around.graph.reaching_action(behaviour);
     let multiplying = multiplying(behaviour);
-    let mut hints: BTreeMap<&Id, Vec<ProblemKind>> = BTreeMap::new();
+    let mut hints: HashMap<&Id, Vec<ProblemKind>> = HashMap::new();
     for (id, kind) in [ways::fighting(around), ways::pressed_and_released(around), ways::too_fast(around)].concat() {
         hints.entry(id).or_default().push(kind);
     }
@@ -186,7 +186,7 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
         return None;
     }
     let streams = behaviour.streams_in_order();
-    let places: BTreeMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).filled();
+    let places: HashMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).filled();
     let ends = |connector: &Connector| {
         let inputs = connector.inputs.iter().map(|id| places.get(id).copied()).collect::<Option<Vec<_>>>()?;
         Some((inputs, *places.get(&connector.output)?, connector.operation.spec().gives))

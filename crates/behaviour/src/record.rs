@@ -355,7 +355,7 @@ impl Behaviour {
     #[must_use]
     pub fn streams_in_order(&self) -> Vec<(&Id, &Stream)> {
         let mut all: Vec<_> = self.streams().collect();
-        all.sort_by_key(|(id, stream)| (stream.order, (*id).clone()));
+        all.sort_unstable_by_key(|(id, stream)| (stream.order, *id));
         all
     }
 
@@ -363,7 +363,7 @@ impl Behaviour {
     #[must_use]
     pub fn connectors_in_order(&self) -> Vec<(&Id, &Connector)> {
         let mut all: Vec<_> = self.connectors().collect();
-        all.sort_by_key(|(id, connector)| (connector.order, (*id).clone()));
+        all.sort_unstable_by_key(|(id, connector)| (connector.order, *id));
         all
     }
 

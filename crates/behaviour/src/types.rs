@@ -11,7 +11,7 @@ pub use device::{Claims, DeviceType, Pace};
 pub use infer::{Inference, Seen, infer, infer_seeing};
 pub use unit::{Quantity, Unit};
 
-use crate::Value;
+use crate::{Filled, Value};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -78,7 +78,7 @@ impl ValueType {
 
     /// An object with these fields.
     pub fn record<'a>(fields: impl IntoIterator<Item = (&'a str, ValueType)>) -> Self {
-        Self::Record(fields.into_iter().map(|(name, of)| (name.to_owned(), of)).collect()).bounded()
+        Self::Record(fields.into_iter().map(|(name, of)| (name.to_owned(), of)).filled()).bounded()
     }
 
     /// The kind of a value that is there. Its numbers have no unit.
@@ -101,7 +101,7 @@ impl ValueType {
             Value::Map(fields) if fields.len() > TYPE_MAX_FIELDS => Self::Any,
             Value::Map(fields) => {
                 let kinds = fields.iter().map(|(name, value)| (name.to_string(), Self::of_value(value, depth)));
-                Self::Record(kinds.collect())
+                Self::Record(kinds.filled())
             }
         }
     }
@@ -132,7 +132,7 @@ impl ValueType {
             },
             (Self::Record(one), Self::Record(other)) => {
                 let both = one.iter().filter_map(|(name, of)| Some((name.clone(), of.or(other.get(name)?))));
-                Self::Record(both.collect())
+                Self::Record(both.filled())
             }
             (Self::List(one), Self::List(other)) => Self::List(Box::new(one.or(other))),
             _ => Self::Any,
@@ -173,7 +173,7 @@ impl ValueType {
             (Self::Record(_) | Self::List(_), 0) => Self::Any,
             (Self::Record(fields), _) if fields.len() > TYPE_MAX_FIELDS => Self::Any,
             (Self::Record(fields), _) => {
-                Self::Record(fields.into_iter().map(|(name, of)| (name, of.within(depth - 1, parts))).collect())
+                Self::Record(fields.into_iter().map(|(name, of)| (name, of.within(depth - 1, parts))).filled())
             }
             (Self::List(of), _) => Self::List(Box::new(of.within(depth - 1, parts))),
             (plain, _) => plain,

@@ -3,8 +3,8 @@
 //! Whose a value is follows from the log too: taking a change back makes a record again what it was, and again the value of
 //! who made it so. So a change can be taken back exactly if everything it made is still there.
 
-use crate::{Change, Committed, Id, NAME_MAX_CHARS, RecordId, Refusal, Room};
-use std::collections::BTreeMap;
+use crate::{Change, Committed, Edit, Id, NAME_MAX_CHARS, RecordId, Refusal, Room};
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 
 /// Changes that one person can take back.
@@ -24,7 +24,8 @@ struct Version {
 #[derive(Clone, Debug)]
 struct Step {
     change: Change,
-    versions: BTreeMap<RecordId, (Version, Version)>,
+    found: BTreeMap<RecordId, Version>,
+    left: BTreeMap<RecordId, Version>,
 }
 
 /// What one person can take back and do again; the newest is last.
@@ -38,7 +39,7 @@ struct Steps {
 #[derive(Clone, Debug, Default)]
 pub struct UndoLog {
     versions: BTreeMap<RecordId, Version>,
-    people: BTreeMap<Id, Steps>,
+    people: HashMap<Id, Steps>,
 }
 
 impl UndoLog {
@@ -55,13 +56,13 @@ impl UndoLog {
         let Committed { revision, change } = committed;
         let taken_back = self.taken_back(change);
         let new = Version { revision: *revision, author: Arc::from(change.author.as_str()) };
-        let versions = change.edits.iter().map(|edit| {
-            let earlier = taken_back.as_ref().and_then(|(_, step)| step.versions.get(&edit.id));
-            let after = earlier.map_or_else(|| new.clone(), |(before, _)| before.clone());
-            (edit.id.clone(), (self.version(&edit.id), after))
-        });
-        let step = Step { versions: versions.collect(), change: change.clone() };
-        self.versions.extend(step.versions.iter().map(|(id, (_, after))| (id.clone(), after.clone())));
+        let mut step = Step { change: change.clone(), found: BTreeMap::new(), left: BTreeMap::new() };
+        for Edit { id, .. } in &change.edits {
+            let earlier = taken_back.as_ref().and_then(|(_, step)| step.found.get(id));
+            step.found.insert(id.clone(), self.version(id));
+            step.left.insert(id.clone(), earlier.unwrap_or(&new).clone());
+        }
+        self.versions.extend(step.left.iter().map(|(id, left)| (id.clone(), left.clone())));
         let Some(steps) = change.by.as_ref().map(|by| self.people.entry(by.clone()).or_default()) else { return };
         match taken_back {
             Some((Side::Done, _)) => steps.undone.push(step),
@@ -111,8 +112,8 @@ impl UndoLog {
 
     /// The first record that is not as this step left it, and what it is now.
     fn changed_since<'a>(&self, step: &'a Step) -> Option<(&'a RecordId, Version)> {
-        let now = step.versions.iter().map(|(id, (_, after))| (id, self.version(id), after));
-        now.filter(|(_, now, after)| now != *after).map(|(id, now, _)| (id, now)).next()
+        let now = step.left.iter().map(|(id, left)| (id, self.version(id), left));
+        now.filter(|(_, now, left)| now != *left).map(|(id, now, _)| (id, now)).next()
     }
 
     fn version(&self, id: &RecordId) -> Version {

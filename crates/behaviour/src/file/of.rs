@@ -5,7 +5,7 @@ use crate::{
     Behaviour, Connector, Engine, Filled, Group, Helper, Id, Note, Place, Procedure, Record, Settings, Stream, Value,
     called_names,
 };
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 impl BehaviourFile {
     /// The file of a behaviour with those helpers of `library` that it uses, also through other helpers.
@@ -38,7 +38,7 @@ fn order_of(behaviour: &Behaviour) -> BTreeMap<String, i64> {
     let streams = behaviour.streams_in_order().into_iter().map(|(id, stream)| (id, stream.order));
     let connectors = behaviour.connectors_in_order().into_iter().map(|(id, connector)| (id, connector.order));
     let numbered = (0..).zip(streams).chain((0..).zip(connectors));
-    numbered.filter(|(at, (_, order))| at != order).map(|(_, (id, order))| (id.to_string(), order)).collect()
+    numbered.filter(|(at, (_, order))| at != order).map(|(_, (id, order))| (id.to_string(), order)).filled()
 }
 
 fn file_note(id: &Id, note: &Note) -> FileNote {
@@ -96,21 +96,22 @@ fn layout_of(behaviour: &Behaviour) -> BTreeMap<String, Place> {
         Record::Place(place) => Some((key.id.to_string(), *place)),
         _ => None,
     });
-    places.collect()
+    places.filled()
 }
 
 fn used_helpers(connectors: &[FileConnector], library: &[&Helper]) -> Vec<FileHelper> {
-    let known: BTreeMap<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
+    let mut known: HashMap<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
     let mut open: Vec<&str> = connectors.iter().filter_map(|connector| connector.helper.as_deref()).collect();
     open.extend(connectors.iter().filter_map(|connector| connector.body.as_deref()).flat_map(called_names));
-    let mut used: BTreeMap<&str, &Helper> = BTreeMap::new();
+    let mut used = Vec::new();
     while let Some(name) = open.pop() {
-        if let Some(helper) = known.get(name).filter(|_| !used.contains_key(name)) {
-            used.insert(&helper.name, helper);
+        if let Some(helper) = known.remove(name) {
+            used.push(helper);
             open.extend(called_names(&helper.body));
         }
     }
-    used.into_values().map(file_helper).collect()
+    used.sort_unstable_by_key(|helper| &helper.name);
+    used.into_iter().map(file_helper).collect()
 }
 
 fn file_helper(helper: &Helper) -> FileHelper {

@@ -1,9 +1,9 @@
 //! Asking for what somebody else is editing: one is put before the holder at a time, silence means yes.
 
 use super::{Grant, Holder, LockEvent, Locks, Token, Why};
-use crate::RecordId;
+use crate::{Filled, RecordId};
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::VecDeque;
 
 /// How long a holder may be silent until that means yes.
 pub(super) const SILENCE_MS: u64 = 10_000;
@@ -208,7 +208,7 @@ impl Locks {
     }
 
     fn give_to(&mut self, ask: Ask) {
-        let (to, records) = (ask.asker, BTreeSet::from([ask.record]));
+        let (to, records) = (ask.asker, std::iter::once(ask.record).filled());
         let event = match self.check_room(to.session, 1) {
             Ok(()) => {
                 let grant: Grant = self.give(to.clone(), records);
@@ -243,7 +243,8 @@ impl Locks {
 
     fn remember_refused(&mut self, asker: &Holder, record: &RecordId, put_off: PutOff) {
         if self.refused.len() >= REFUSED_MAX {
-            let soonest = self.refused.iter().min_by_key(|(_, put_off)| put_off.again_ms).map(|(key, _)| key.clone());
+            let soonest = self.refused.iter().min_by_key(|(key, put_off)| (put_off.again_ms, *key));
+            let soonest = soonest.map(|(key, _)| key.clone());
             soonest.map(|key| self.refused.remove(&key));
         }
         self.refused.insert((asker.client.clone(), record.clone()), put_off);

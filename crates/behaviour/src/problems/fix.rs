@@ -169,7 +169,9 @@ impl<'a> Fixer<'a, '_> {
             let takes = |(wants, gets): (&ValueType, &ValueType)| wants.takes(gets) == Fit::Good;
             signature.takes.len() == gets.len() && signature.takes.iter().zip(gets).all(takes) && fits(&signature.gives)
         };
-        self.around.library.keys().filter(is_for).map(|name| (*name).to_owned()).collect()
+        let mut names: Vec<String> = self.around.library.keys().filter(is_for).map(|name| (*name).to_owned()).collect();
+        names.sort_unstable();
+        names
     }
 
     fn kind(&mut self) -> Vec<Fix> {

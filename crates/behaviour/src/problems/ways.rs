@@ -6,7 +6,7 @@ use super::around::{Around, is_driven_by};
 use crate::connectors::{Passes, to_combine};
 use crate::flow::Gives;
 use crate::{Connector, Id, Pace, Procedure, StreamKind, ValueType, called_names};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// So many actions are compared with each other.
 const FIGHTERS_MAX: usize = 32;
@@ -19,7 +19,7 @@ struct Fighter<'a> {
     parts: Vec<String>,
     priority: i64,
     /// The streams whose values lead to a command at once, and whether each of their values does.
-    from: BTreeMap<&'a Id, bool>,
+    from: HashMap<&'a Id, bool>,
 }
 
 /// Actions that are told different things by one reading, and want the same part of the robot: each with the name of the
@@ -46,8 +46,8 @@ fn fighters<'a>(around: &Around<'a>) -> Vec<Fighter<'a>> {
 }
 
 /// The streams whose values lead to a command of this action at once, and whether each of them does.
-fn commanding<'a>(around: &Around<'a>, action: &'a Id) -> BTreeMap<&'a Id, bool> {
-    let (mut from, mut open) = (BTreeMap::new(), vec![(action, true)]);
+fn commanding<'a>(around: &Around<'a>, action: &'a Id) -> HashMap<&'a Id, bool> {
+    let (mut from, mut open) = (HashMap::new(), vec![(action, true)]);
     while let Some((id, each)) = open.pop() {
         if from.get(id).is_some_and(|known| *known || !each) {
             continue;
@@ -82,7 +82,7 @@ pub(super) fn pressed_and_released<'a>(around: &Around<'a>) -> Vec<(&'a Id, Prob
 }
 
 /// The streams that tell of a touch and of its end, with the name of the sense.
-pub(super) fn pressing<'a>(around: &Around<'a>) -> BTreeMap<&'a Id, &'a str> {
+pub(super) fn pressing<'a>(around: &Around<'a>) -> HashMap<&'a Id, &'a str> {
     let tells_end = |id: &Id| around.inference.device(id).is_some_and(|device| device.tells_end);
     let passes = |connector: &Connector, _: &Id| {
         let spec = connector.operation.spec();
@@ -99,7 +99,7 @@ pub(super) fn too_fast<'a>(around: &Around<'a>) -> Vec<(&'a Id, ProblemKind)> {
 }
 
 /// The streams with many values a second, with the name of the sense.
-pub(super) fn fast<'a>(around: &Around<'a>) -> BTreeMap<&'a Id, &'a str> {
+pub(super) fn fast<'a>(around: &Around<'a>) -> HashMap<&'a Id, &'a str> {
     let passes = |connector: &Connector, input: &Id| {
         let spec = connector.operation.spec();
         (spec.gives == Gives::Each || spec.is_test()) && is_driven_by(connector, input)
@@ -124,9 +124,9 @@ fn reached<'a>(
     around: &Around<'a>,
     is_sense: impl Fn(&Id) -> bool,
     passes: impl Fn(&Connector, &Id) -> bool,
-) -> BTreeMap<&'a Id, &'a str> {
+) -> HashMap<&'a Id, &'a str> {
     let streams = around.behaviour.streams_in_order().into_iter();
-    let mut reached: BTreeMap<&Id, &str> = BTreeMap::new();
+    let mut reached: HashMap<&Id, &str> = HashMap::new();
     for (id, sense) in streams.filter(|(id, stream)| stream.kind == StreamKind::Sensor && is_sense(id)) {
         let mut open = vec![id];
         while let Some(next) = open.pop() {

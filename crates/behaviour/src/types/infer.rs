@@ -4,7 +4,7 @@ use super::{Declared, DeviceType, Fit, Signature, ValueType};
 use crate::connectors::{Passes, Takes};
 use crate::{Behaviour, Connector, Filled, Graph, Helper, Id, Knowledge, Procedure, StreamKind};
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// How many bytes of procedures are read for one behaviour; what comes after them carries [`ValueType::Any`].
 const READ_MAX_BYTES: usize = 256 << 10;
@@ -39,15 +39,15 @@ pub type Seen = BTreeMap<Id, ValueType>;
 /// What is known of a behaviour: what its streams carry, what its devices are, and what its helpers make.
 pub struct Inference<'a> {
     helpers: Helpers<'a>,
-    devices: BTreeMap<&'a Id, DeviceType>,
-    types: BTreeMap<&'a Id, ValueType>,
+    devices: HashMap<&'a Id, DeviceType>,
+    types: HashMap<&'a Id, ValueType>,
     /// How many bytes may still be read to look for names.
     unnamed: Cell<usize>,
 }
 
 /// What helpers make of values.
 struct Helpers<'a> {
-    library: BTreeMap<&'a str, &'a Helper>,
+    library: HashMap<&'a str, &'a Helper>,
     names: Vec<&'a str>,
     knowledge: &'a dyn Knowledge,
     /// What was found out, by a call as text.
@@ -71,11 +71,12 @@ impl<'a> Inference<'a> {
             ValueType::Any => seen.get(id).cloned().unwrap_or_default(),
             known => known,
         };
-        let library: BTreeMap<_, _> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
-        let names = library.keys().copied().collect();
+        let library: HashMap<_, _> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
+        let mut names: Vec<&str> = library.keys().copied().collect();
+        names.sort_unstable();
         let (left, depth) = (Cell::new(READ_MAX_BYTES), Cell::new(0));
         let helpers = Helpers { library, names, knowledge, known: RefCell::default(), left, depth };
-        let (devices, types, unnamed) = (BTreeMap::new(), BTreeMap::new(), Cell::new(READ_MAX_BYTES));
+        let (devices, types, unnamed) = (HashMap::new(), HashMap::new(), Cell::new(READ_MAX_BYTES));
         let mut made = Self { helpers, devices, types, unnamed };
         for (id, stream) in behaviour.streams() {
             if let Some(device) = &stream.device {
