@@ -39,6 +39,19 @@ impl<'a> Graph<'a> {
         self.out_of.get(stream).map_or(&[], Vec::as_slice)
     }
 
+    /// All streams that values of `stream` can reach, without itself unless there is a cycle.
+    #[must_use]
+    pub fn below(&self, stream: &Id) -> HashSet<&'a Id> {
+        let mut reached = HashSet::new();
+        let mut open: Vec<&'a Id> = self.out_of_stream(stream).iter().map(|(_, connector)| &connector.output).collect();
+        while let Some(next) = open.pop() {
+            if reached.insert(next) {
+                open.extend(self.out_of_stream(next).iter().map(|(_, connector)| &connector.output));
+            }
+        }
+        reached
+    }
+
     /// How many connectors the longest way to each stream has; none of the streams in a circle or behind one.
     #[must_use]
     pub fn ranks(&self, behaviour: &'a Behaviour) -> HashMap<&'a Id, usize> {
@@ -142,6 +155,8 @@ mod tests {
         let made = behaviour(&["s1", "s2", "x", "y", "a1"], &[(&["s1"], "x"), (&["x"], "a1"), (&["s1", "s2"], "y")]);
         let dead = Graph::of(&made).dead_streams(&made);
         assert_eq!(dead, [&id("s2"), &id("y")]);
+        let below = Graph::of(&made).below(&id("s1"));
+        assert_eq!(below, [&id("a1"), &id("x"), &id("y")].into());
     }
 
     #[test]

@@ -6,5 +6,5 @@ mod index;
 mod stats;
 
 pub(crate) use carried::Carried;
-pub use index::{ConnectorIx, IndexVec, Ix, StreamIx};
+pub use index::{ConnectorIx, IndexVec, Ix, Pairs, StreamIx};
 pub use stats::{ConnectorStats, LastFault, Stats, StreamStats};

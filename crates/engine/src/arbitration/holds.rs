@@ -2,12 +2,12 @@
 
 use crate::arbitration::Claim;
 use robot::Millis;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// The parts that are held, each by one holder.
 #[derive(Clone, Debug)]
 pub(crate) struct Holds<B> {
-    held: BTreeMap<String, Hold<B>>,
+    held: HashMap<String, Hold<B>>,
 }
 
 /// A part that is held.
@@ -20,7 +20,7 @@ pub(crate) struct Hold<B> {
 
 impl<B> Default for Holds<B> {
     fn default() -> Self {
-        Self { held: BTreeMap::new() }
+        Self { held: HashMap::new() }
     }
 }
 

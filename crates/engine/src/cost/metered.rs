@@ -86,7 +86,7 @@ fn counting(engine: Rc<Engine>, name: String) -> RhaiFunc {
         owe(CALL_NANOS + before + compared);
         let Some(context) = context else { return Ok(Dynamic::UNIT) };
         let global = context.global_runtime_state();
-        let inner = NativeCallContext::new_with_all_fields(&engine, &name, None, global, Position::NONE);
+        let inner = NativeCallContext::from((&*engine, &*name, None, global, Position::NONE));
         let made = inner.call_native_fn_raw(&name, true, arguments)?;
         let grown = arguments.first().map_or(0, |first| looking_through(&name, first));
         let items = list_length(&made) * MADE_ITEM_NANOS;

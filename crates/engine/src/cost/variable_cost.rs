@@ -9,7 +9,7 @@ mod reader;
 use crate::cost::meter;
 use rhai::{Dynamic, ImmutableString, Scope};
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// How a variable is used.
@@ -40,7 +40,8 @@ pub(crate) struct VariableCost {
     quarters: u64,
     /// Whether a text may be gone through that a variable gave: its letters are taken one by one.
     texts_go_through: bool,
-    uses: BTreeMap<ImmutableString, BTreeSet<Use>>,
+    /// By variable, each use once.
+    uses: HashMap<ImmutableString, Vec<Use>>,
 }
 
 /// Quarters of a step that a step counts.
@@ -133,9 +134,7 @@ impl VariableCost {
     pub(crate) fn add(&mut self, helper: &Self) {
         self.quarters = self.quarters.max(helper.quarters);
         self.texts_go_through |= helper.texts_go_through;
-        for (name, kinds) in &helper.uses {
-            kinds.iter().for_each(|kind| self.used(name, *kind));
-        }
+        helper.uses.iter().for_each(|(name, kinds)| kinds.iter().for_each(|kind| self.used(name, *kind)));
     }
 
     /// Lets each step count so many steps more.
@@ -144,7 +143,10 @@ impl VariableCost {
     }
 
     fn used(&mut self, name: &ImmutableString, kind: Use) {
-        self.uses.entry(name.clone()).or_default().insert(kind);
+        let kinds = self.uses.entry(name.clone()).or_default();
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
     }
 
     /// Begins to count for a procedure.

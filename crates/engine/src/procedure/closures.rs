@@ -5,18 +5,19 @@
 
 use crate::cost::callers::is_caller;
 use crate::faults::{BodyFault, Misuse};
+use crate::rhai::nodes::each_node;
 use rhai::{AST, ASTNode, BinaryExpr, Expr, FnCallExpr, Position, Stmt, StmtBlock};
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 /// Refuses closures that could outlive the place where they are written, also by a helper with the name of a caller.
-pub(crate) fn check_closures(ast: &AST, helpers: &BTreeSet<String>) -> Result<(), BodyFault> {
-    let mut found = Found { helpers, kept: BTreeSet::new(), refused: None };
-    ast.walk(&mut |path: &[ASTNode]| {
+pub(crate) fn check_closures(ast: &AST, helpers: &HashSet<String>) -> Result<(), BodyFault> {
+    let mut found = Found { helpers, kept: HashSet::new(), refused: None };
+    each_node(ast, &mut |path: &[ASTNode]| {
         found.look(path);
         true
     });
     let kept = std::mem::take(&mut found.kept);
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         found.look_at_use(path, &kept);
         true
     });
@@ -25,9 +26,9 @@ pub(crate) fn check_closures(ast: &AST, helpers: &BTreeSet<String>) -> Result<()
 
 struct Found<'h> {
     /// Helpers with the name of a caller.
-    helpers: &'h BTreeSet<String>,
+    helpers: &'h HashSet<String>,
     /// Variables that begin as such a closure.
-    kept: BTreeSet<String>,
+    kept: HashSet<String>,
     /// The first reason.
     refused: Option<BodyFault>,
 }
@@ -70,7 +71,7 @@ impl Found<'_> {
     }
 
     /// A variable that begins as a closure may be called or handed to a list.
-    fn look_at_use(&mut self, path: &[ASTNode], kept: &BTreeSet<String>) {
+    fn look_at_use(&mut self, path: &[ASTNode], kept: &HashSet<String>) {
         let [.., parent, ASTNode::Expr(used @ Expr::Variable(variable, _, at))] = path else { return };
         if kept.contains(variable.1.as_str()) && !is_called(parent, used) && !self.calls_only(parent) {
             self.refuse(*at, Misuse::KeptClosure);

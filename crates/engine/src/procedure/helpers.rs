@@ -15,7 +15,7 @@ use behaviour::{FileHelper, is_identifier};
 use reach::Reach;
 use rhai::{AST, Engine};
 use std::cell::OnceCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashSet;
 use std::rc::Rc;
 
 /// At least the steps that Rhai counts for one part of a procedure.
@@ -27,7 +27,7 @@ pub(crate) struct Helpers {
     functions: Rc<Functions>,
     compiled: Option<CompiledHelpers>,
     /// Those with the name of a function that is handed closures.
-    callers: BTreeSet<String>,
+    callers: HashSet<String>,
     reach: Reach,
     /// The limit of steps.
     operations: u64,
@@ -49,7 +49,7 @@ struct Read<'f> {
     /// The body as a function.
     function: String,
     /// What it calls.
-    calls: BTreeSet<String>,
+    calls: Vec<String>,
 }
 
 impl Helpers {
@@ -57,20 +57,21 @@ impl Helpers {
     pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
         let mut texts = Vec::new();
-        let (mut all, mut names) = (BTreeMap::new(), BTreeSet::new());
+        let (mut all, mut names) = (Vec::new(), HashSet::new());
         for helper in helpers {
             let twice = !names.insert(helper.name.as_str());
             match if twice { Err(Reason::NameTwice) } else { compile_one(engine, helper).map_err(Reason::Body) } {
                 Ok(read) => {
                     texts.push(read.function.clone());
-                    all.insert(helper.name.as_str(), read);
+                    all.push((helper.name.as_str(), read));
                 }
                 Err(reason) => faults.push(Fault { id: helper.name.clone(), reason }),
             }
         }
+        all.sort_unstable_by_key(|(name, _)| *name);
         let calls = calls(&all);
         faults.extend(recursion(helpers, &all, &calls));
-        let callers = all.keys().filter(|name| is_caller(name)).map(|name| (*name).to_owned()).collect();
+        let callers = all.iter().filter(|(name, _)| is_caller(name)).map(|(name, _)| (*name).to_owned()).collect();
         let all = in_order(all, &called_first(&calls));
         let mut made = Self { callers, reach: reach(&all), ..Self::default() };
         faults.extend(all.iter().filter_map(|(name, read)| {
@@ -171,15 +172,14 @@ fn compile_one<'f>(engine: &Engine, helper: &'f FileHelper) -> Result<Read<'f>, 
     Ok(Read { params: &helper.params, body, function, calls })
 }
 
-/// Who calls whom, by their place in `all`.
-fn calls(all: &BTreeMap<&str, Read>) -> Vec<Vec<usize>> {
-    let places: BTreeMap<&str, usize> = all.keys().enumerate().map(|(at, name)| (*name, at)).collect();
-    let called = |read: &Read| read.calls.iter().filter_map(|name| places.get(name.as_str()).copied()).collect();
-    all.values().map(called).collect()
+/// Who calls whom, by their place in `all`, which has them in the order of their names.
+fn calls(all: &[(&str, Read)]) -> Vec<Vec<usize>> {
+    let place = |name: &String| all.binary_search_by_key(&name.as_str(), |(known, _)| known).ok();
+    all.iter().map(|(_, read)| read.calls.iter().filter_map(place).collect()).collect()
 }
 
 /// Those that are called before those that call them.
-fn in_order<'f>(all: BTreeMap<&'f str, Read<'f>>, order: &[usize]) -> Vec<(&'f str, Read<'f>)> {
+fn in_order<'f>(all: Vec<(&'f str, Read<'f>)>, order: &[usize]) -> Vec<(&'f str, Read<'f>)> {
     let mut all: Vec<_> = all.into_iter().map(Some).collect();
     order.iter().filter_map(|at| all[*at].take()).collect()
 }
@@ -209,9 +209,9 @@ pub(crate) fn check_distinct(names: &[String]) -> Result<(), BodyFault> {
 }
 
 /// Helpers that call themselves, also through others, in the order of the file.
-fn recursion(helpers: &[FileHelper], all: &BTreeMap<&str, Read>, calls: &[Vec<usize>]) -> Vec<Fault> {
-    let looping: BTreeSet<&str> =
-        all.keys().copied().zip(circular(calls)).filter(|(_, is)| *is).map(|(n, _)| n).collect();
+fn recursion(helpers: &[FileHelper], all: &[(&str, Read)], calls: &[Vec<usize>]) -> Vec<Fault> {
+    let looping: HashSet<&str> =
+        all.iter().zip(circular(calls)).filter(|(_, is)| *is).map(|((name, _), _)| *name).collect();
     let faulty = helpers.iter().filter(|helper| looping.contains(helper.name.as_str()));
     faulty.map(|helper| Fault { id: helper.name.clone(), reason: Reason::CallsItself(helper.name.clone()) }).collect()
 }

@@ -6,6 +6,7 @@ mod operators;
 
 use crate::faults::BodyFault;
 use crate::procedure::walk;
+use crate::rhai::nodes::each_node;
 use behaviour::{Call, TYPE_MAX_FIELDS, ValueType, is_identifier};
 use known::{function_names, parsed};
 pub use misuse::misused;
@@ -44,7 +45,7 @@ pub fn unknown_name(arguments: &[(String, ValueType)], body: &str, helpers: &[&s
 fn unknown_function(ast: &AST, helpers: &[&str]) -> Option<(String, Vec<String>)> {
     let called = walk::called(ast);
     let unknown = called.into_iter().filter(|name| is_identifier(name) && !helpers.contains(&name.as_str()));
-    let name = function_names(|known| unknown.into_iter().find(|name| !known.contains(name)))?;
+    let name = function_names(|known| unknown.into_iter().find(|name| known.binary_search(name).is_err()))?;
     let own = helpers.iter().map(|helper| (*helper).to_owned());
     let known = function_names(|known| own.chain(known.iter().cloned()).collect());
     Some((name, known))
@@ -52,7 +53,7 @@ fn unknown_function(ast: &AST, helpers: &[&str]) -> Option<(String, Vec<String>)
 
 fn unknown_field(ast: &AST, arguments: &[(String, ValueType)]) -> Option<(String, Vec<String>)> {
     let mut found = None;
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         if let Some(ASTNode::Expr(Expr::Dot(pair, ..))) = path.last()
             && let Some((name, field)) = argument_and_field(pair)
             && let Some((_, ValueType::Record(fields))) = arguments.iter().find(|(argument, _)| argument == name)
@@ -64,7 +65,7 @@ fn unknown_field(ast: &AST, arguments: &[(String, ValueType)]) -> Option<(String
     });
     // A variable of its own may have the name of an argument.
     let mut declares = false;
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         declares |= matches!(path.last(), Some(ASTNode::Stmt(Stmt::Var(..) | Stmt::Assignment(..) | Stmt::For(..))));
         !declares
     });
@@ -77,9 +78,7 @@ fn argument_and_field(pair: &BinaryExpr) -> Option<(&str, &str)> {
         only => only,
     };
     match (&pair.lhs, first) {
-        (Expr::Variable(variable, ..), Expr::Property(property, _)) if variable.2.is_empty() => {
-            Some((variable.1.as_str(), property.2.as_str()))
-        }
+        (Expr::Variable(variable, ..), Expr::Property(property, _)) => Some((variable.1.as_str(), property.2.as_str())),
         _ => None,
     }
 }
@@ -140,7 +139,7 @@ impl Reader<'_> {
 
     fn part(&mut self, expression: &Expr) -> Option<ValueType> {
         self.deeper(|deeper| match expression {
-            Expr::Variable(variable, ..) if variable.2.is_empty() => {
+            Expr::Variable(variable, ..) => {
                 let known = deeper.names.iter().rev().find(|(name, _)| *name == variable.1.as_str());
                 Some(known.map(|(_, kind)| kind.clone()).unwrap_or_default())
             }
@@ -207,7 +206,7 @@ impl Reader<'_> {
     }
 
     fn call(&mut self, call: &FnCallExpr) -> Option<ValueType> {
-        if call.capture_parent_scope || call.is_qualified() {
+        if call.capture_parent_scope {
             return None;
         }
         let arguments = self.parts(&call.args)?;

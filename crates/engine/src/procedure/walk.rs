@@ -4,8 +4,9 @@ use crate::cost::callers::is_caller;
 use crate::faults::{BodyFault, Misuse};
 use crate::procedure::closures::check_closures;
 use crate::rhai::library::is_refused;
+use crate::rhai::nodes::each_node;
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 
 /// The most values that a function of the library takes, and some more.
 pub(crate) const VALUES_MAX: usize = 8;
@@ -46,7 +47,7 @@ impl Search {
 /// What looking for the functions that `ast` calls may take.
 pub(crate) fn search(ast: &AST) -> Search {
     let mut search = Search::default();
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         match path.last() {
             Some(ASTNode::Stmt(Stmt::TryCatch(..))) => search.catches = true,
             Some(ASTNode::Stmt(Stmt::Share(captures))) => {
@@ -78,7 +79,7 @@ pub(crate) fn check_widths(ast: &AST, takes: &dyn Fn(&str, usize) -> bool) -> Re
 
 fn check_captures(ast: &AST) -> Result<(), BodyFault> {
     let mut refused = None;
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         if let Some(ASTNode::Stmt(Stmt::Share(captures))) = path.last()
             && captures.len() > CAPTURES_MAX
         {
@@ -90,12 +91,12 @@ fn check_captures(ast: &AST) -> Result<(), BodyFault> {
     refused.map_or(Ok(()), Err)
 }
 
-/// The names of functions that are called in `ast`.
-pub(crate) fn called(ast: &AST) -> BTreeSet<String> {
-    let mut names = BTreeSet::new();
-    each_call(ast, &mut |call| {
-        names.insert(call.name.to_owned());
-    });
+/// The names of functions that are called in `ast`, each once, in order.
+pub(crate) fn called(ast: &AST) -> Vec<String> {
+    let mut names = Vec::new();
+    each_call(ast, &mut |call| names.push(call.name.to_owned()));
+    names.sort_unstable();
+    names.dedup();
     names
 }
 
@@ -103,7 +104,7 @@ pub(crate) fn called(ast: &AST) -> BTreeSet<String> {
 /// such bound. `helper` knows the helpers by name.
 pub(crate) fn length(ast: &AST, helper: &dyn Fn(&str) -> Option<Option<u64>>) -> Option<u64> {
     let mut parts = (!ast.has_functions()).then_some(0_u64);
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         let of_helper = match path.last() {
             Some(ASTNode::Stmt(Stmt::While(..) | Stmt::Do(..) | Stmt::For(..))) => None,
             Some(
@@ -132,7 +133,7 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), BodyFault> {
         }
     });
     refused.map_or_else(|| check_captures(ast), Err)?;
-    check_closures(ast, &BTreeSet::new())
+    check_closures(ast, &HashSet::new())
 }
 
 /// A call.
@@ -145,7 +146,7 @@ struct Call<'a> {
 }
 
 fn each_call(ast: &AST, seen: &mut dyn FnMut(Call)) {
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(ast, &mut |path: &[ASTNode]| {
         let (call, at, is_method) = match path.last() {
             Some(ASTNode::Stmt(Stmt::FnCall(call, at)) | ASTNode::Expr(Expr::FnCall(call, at))) => (call, at, false),
             Some(ASTNode::Expr(Expr::MethodCall(call, at))) => (call, at, true),

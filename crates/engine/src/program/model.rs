@@ -87,7 +87,7 @@ impl Graph {
         outgoing.iter_mut().for_each(Vec::shrink_to_fit);
         let ranks = ranks(streams.len(), &connectors)?;
         let mut by_id: Vec<StreamIx> = streams.indices().collect();
-        by_id.sort_by_key(|&at| &streams[at].id);
+        by_id.sort_unstable_by_key(|&at| &streams[at].id);
         let sensed = streams.iter().map(|stream| stream.kind == StreamKind::Sensor).collect();
         Ok(Self { streams, sensed, by_id, connectors, outgoing, ranks })
     }

@@ -10,11 +10,11 @@ use crate::procedure::Procedure;
 use crate::procedure::helpers::{Helpers, check_distinct};
 use crate::rhai::maths::has_power;
 use crate::rhai::sandbox::hardened_engine;
-use crate::values::{ConnectorIx, StreamIx};
+use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::{
     BehaviourFile, Engine, FORMAT, FileConnector, FlawKind, Procedure as Written, StreamKind, is_identifier,
 };
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 
 /// Everything that keeps a behaviour from running, in the order of the file; empty if it can run.
 #[must_use]
@@ -61,15 +61,15 @@ fn has_powers(file: &BehaviourFile) -> bool {
     bodies.chain(file.helpers.iter().map(|helper| &helper.body)).any(|body| has_power(body))
 }
 
-fn index(file: &BehaviourFile) -> BTreeMap<&str, StreamIx> {
+fn index(file: &BehaviourFile) -> HashMap<&str, usize> {
     let streams = file.streams.iter().enumerate().rev();
-    streams.map(|(at, stream)| (stream.id.as_str(), StreamIx::of(at))).collect()
+    streams.map(|(at, stream)| (stream.id.as_str(), at)).collect()
 }
 
 /// A file that is checked.
 struct Check<'f> {
     file: &'f BehaviourFile,
-    streams: BTreeMap<&'f str, StreamIx>,
+    streams: HashMap<&'f str, usize>,
     faults: Vec<Fault>,
 }
 
@@ -95,7 +95,7 @@ impl Check<'_> {
     }
 
     fn ids(&mut self) {
-        let mut seen = BTreeSet::new();
+        let mut seen = HashSet::new();
         let ids = self.file.streams.iter().map(|s| &s.id).chain(self.file.connectors.iter().map(|c| &c.id));
         let twice: Vec<_> = ids.filter(|id| !seen.insert(id.as_str())).collect();
         for id in twice {
@@ -105,7 +105,7 @@ impl Check<'_> {
 
     /// What every connector of the file is, unless it is none; and all of them with their ends, unless an end is missing.
     fn connectors(&mut self) -> (Vec<Option<Declared>>, Option<Vec<ConnectorInfo>>) {
-        let mut fed = BTreeSet::new();
+        let mut fed = IndexVec::filled(&false, self.file.streams.len());
         let many = self.file.connectors.len();
         let (mut all, mut infos) = (Vec::with_capacity(many), Vec::with_capacity(many));
         for connector in &self.file.connectors {
@@ -125,13 +125,13 @@ impl Check<'_> {
         &self,
         declared: &Declared,
         connector: &FileConnector,
-        fed: &mut BTreeSet<StreamIx>,
+        fed: &mut IndexVec<StreamIx, bool>,
     ) -> Result<ConnectorInfo, Reason> {
         let inputs = connector.inputs.iter().map(|id| self.stream(id)).collect::<Result<Vec<_>, _>>()?;
         let output = self.stream(&connector.output)?;
         self.check_inputs(declared, connector, &inputs)?;
         self.check_output(declared, output)?;
-        if !fed.insert(output) && declared.spec().ends == StreamKind::Ordinary {
+        if std::mem::replace(&mut fed[output], true) && declared.spec().ends == StreamKind::Ordinary {
             return Err(Reason::SecondInput(connector.output.clone()));
         }
         let (spec, op) = (declared.spec(), declared.kind.op);
@@ -140,16 +140,16 @@ impl Check<'_> {
     }
 
     fn stream(&self, id: &str) -> Result<StreamIx, FlawKind> {
-        self.streams.get(id).copied().ok_or_else(|| FlawKind::NoStream(id.to_owned()))
+        self.streams.get(id).map(|at| StreamIx::of(*at)).ok_or_else(|| FlawKind::NoStream(id.to_owned()))
     }
 
     fn check_inputs(&self, of: &Declared, connector: &FileConnector, inputs: &[StreamIx]) -> Result<(), Reason> {
         if let Some(takes) = of.wants_inputs(inputs.len()) {
             return Err(Reason::Inputs { word: of.spec().word, takes, gets: inputs.len() });
         }
-        let mut seen = BTreeSet::new();
+        let mut seen = HashSet::new();
         for (input, id) in inputs.iter().zip(&connector.inputs) {
-            if !seen.insert(input) {
+            if !seen.insert(id.as_str()) {
                 return Err(Reason::InputTwice(id.clone()));
             }
             if self.file.streams[input.index()].kind == StreamKind::Actuator {
@@ -216,7 +216,7 @@ impl Check<'_> {
 
     /// The name of a stream.
     fn name(&self, id: &str) -> &str {
-        self.streams.get(id).map_or("", |at| &self.file.streams[at.index()].name)
+        self.streams.get(id).map_or("", |at| &self.file.streams[*at].name)
     }
 }
 

@@ -16,7 +16,9 @@ pub(crate) fn to_rhai(value: &Value) -> Dynamic {
         Value::Text(text) => Dynamic::from(ImmutableString::from(text.as_ref())),
         Value::List(items) => Dynamic::from_array(items.iter().map(to_rhai).collect()),
         Value::Map(fields) => {
-            Dynamic::from_map(fields.iter().map(|(name, value)| (name.as_ref().into(), to_rhai(value))).collect())
+            let mut map = Map::new();
+            map.extend(fields.iter().map(|(name, value)| (name.as_ref().into(), to_rhai(value))));
+            Dynamic::from_map(map)
         }
     }
 }

@@ -41,8 +41,7 @@ fn set_limits(engine: &mut Engine, limits: &Limits) {
         .set_max_array_size(limits.list_items)
         .set_max_map_size(limits.map_fields)
         .set_max_variables(limits.variables)
-        .set_max_functions(limits.functions)
-        .set_max_modules(0);
+        .set_max_functions(limits.functions);
 }
 
 /// Counts the steps of a call and ends it at the limit, or when the interrupt says so.

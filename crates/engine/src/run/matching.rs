@@ -1,18 +1,18 @@
 //! What two versions of a behaviour have in common: the streams and connectors that mean the same in both.
 
-use crate::values::{ConnectorIx, Ix, StreamIx};
+use crate::values::{ConnectorIx, Ix, Pairs, StreamIx};
 use behaviour::{
     BehaviourFile, FileConnector, FileHelper, FileStream, Operation, Procedure, called_names, rename_identifier,
 };
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 
 /// Streams and connectors that keep what they remember when one version of a behaviour follows another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Matching {
     /// By stream of the old version, the stream of the new one.
-    pub streams: BTreeMap<StreamIx, StreamIx>,
+    pub streams: Pairs<StreamIx>,
     /// By connector of the old version, the connector of the new one.
-    pub connectors: BTreeMap<ConnectorIx, ConnectorIx>,
+    pub connectors: Pairs<ConnectorIx>,
 }
 
 impl Matching {
@@ -25,10 +25,10 @@ impl Matching {
             let params = stream.params.clone().unwrap_or_default();
             (stream.kind, stream.device.clone(), params)
         };
-        let streams = pairs(&old.streams, &new.streams, |stream| &stream.id);
+        let mut streams = pairs(&old.streams, &new.streams, |stream| &stream.id);
         let same_stream =
             |&(from, to): &(StreamIx, StreamIx)| device(&old.streams[from.index()]) == device(&new.streams[to.index()]);
-        let connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
+        let mut connectors = pairs(&old.connectors, &new.connectors, |connector| &connector.id);
         let (before, after) = (Reader::of(old), Reader::of(new));
         let helpers = before.same_helpers(&after);
         let same = |&(from, to): &(ConnectorIx, ConnectorIx)| {
@@ -36,18 +36,22 @@ impl Matching {
             let other = after.meaning(&new.connectors[to.index()]);
             one == other && one.is_some_and(|one| one.helpers.iter().all(|name| helpers.contains(name.as_str())))
         };
-        Self {
-            streams: streams.into_iter().filter(same_stream).collect(),
-            connectors: connectors.into_iter().filter(same).collect(),
-        }
+        streams.retain(same_stream);
+        connectors.retain(same);
+        Self { streams: Pairs::of(streams), connectors: Pairs::of(connectors) }
     }
 }
 
-/// The numbers of what has the same id in both.
+/// The numbers of what has the same id in both, in the order of the old ones.
 fn pairs<I: Ix, T>(old: &[T], new: &[T], id: impl Fn(&T) -> &String) -> Vec<(I, I)> {
-    let places: BTreeMap<&String, usize> = new.iter().enumerate().map(|(at, thing)| (id(thing), at)).collect();
-    let found = |(at, thing): (usize, &T)| Some((I::of(at), I::of(*places.get(id(thing))?)));
+    let places = places(new.iter().map(|thing| id(thing).as_str()));
+    let found = |(at, thing): (usize, &T)| Some((I::of(at), I::of(*places.get(id(thing).as_str())?)));
     old.iter().enumerate().filter_map(found).collect()
+}
+
+/// The places of what has these names.
+fn places<'f>(names: impl Iterator<Item = &'f str>) -> HashMap<&'f str, usize> {
+    names.enumerate().map(|(at, name)| (name, at)).collect()
 }
 
 /// What a connector does, whatever it and its arguments are called.
@@ -56,41 +60,47 @@ struct Meaning<'f> {
     /// With the body of its procedure, also if that is a helper, in which arguments are numbered.
     operation: Operation,
     inputs: &'f [String],
-    /// The helpers that it calls itself.
-    helpers: BTreeSet<String>,
+    /// The helpers that it calls itself, each once, in order.
+    helpers: Vec<String>,
 }
 
 /// Reads meanings out of a file.
 struct Reader<'f> {
-    names: BTreeMap<&'f str, &'f str>,
-    helpers: BTreeMap<&'f str, &'f FileHelper>,
+    file: &'f BehaviourFile,
+    streams: HashMap<&'f str, usize>,
+    helpers: HashMap<&'f str, usize>,
 }
 
 impl<'f> Reader<'f> {
     fn of(file: &'f BehaviourFile) -> Self {
-        let names = file.streams.iter().map(|stream| (stream.id.as_str(), stream.name.as_str())).collect();
-        let helpers = file.helpers.iter().map(|helper| (helper.name.as_str(), helper)).collect();
-        Self { names, helpers }
+        let streams = places(file.streams.iter().map(|stream| stream.id.as_str()));
+        let helpers = places(file.helpers.iter().map(|helper| helper.name.as_str()));
+        Self { file, streams, helpers }
     }
 
-    /// The helpers that a text calls.
-    fn called<'t>(&self, body: &'t str) -> BTreeSet<&'t str> {
+    fn helper(&self, name: &str) -> Option<&'f FileHelper> {
+        self.helpers.get(name).map(|at| &self.file.helpers[*at])
+    }
+
+    /// The helpers that a text calls, each once, in order.
+    fn called<'t>(&self, body: &'t str) -> Vec<&'t str> {
         called_names(body).into_iter().filter(|name| self.helpers.contains_key(name)).collect()
     }
 
     /// The helpers that mean the same in both, with all that they call, also through others.
-    fn same_helpers(&self, other: &Self) -> BTreeSet<&'f str> {
-        let mut callers: BTreeMap<&str, Vec<&'f str>> = BTreeMap::new();
-        let mut same: BTreeSet<&'f str> = self.helpers.keys().copied().collect();
+    fn same_helpers(&self, other: &Self) -> HashSet<&'f str> {
+        let mut callers: HashMap<&str, Vec<&'f str>> = HashMap::new();
+        let mut same: HashSet<&'f str> = self.helpers.keys().copied().collect();
         let mut different = Vec::new();
-        for (name, helper) in &self.helpers {
+        for helper in &self.file.helpers {
+            let name = helper.name.as_str();
             let called = self.called(&helper.body);
             called.iter().for_each(|called| callers.entry(*called).or_default().push(name));
-            let is_same = |twin: &&FileHelper| {
+            let is_same = |twin: &FileHelper| {
                 (&twin.params, &twin.body) == (&helper.params, &helper.body) && called == other.called(&twin.body)
             };
-            if !other.helpers.get(name).is_some_and(is_same) {
-                different.push(*name);
+            if !other.helper(name).is_some_and(is_same) {
+                different.push(name);
             }
         }
         while let Some(name) = different.pop() {
@@ -105,12 +115,10 @@ impl<'f> Reader<'f> {
     fn meaning(&self, of: &'f FileConnector) -> Option<Meaning<'f>> {
         let mut operation = of.operation().ok()?;
         let arguments = operation.arguments(of.inputs.iter().map(|id| self.name(id)));
-        let mut helpers = BTreeSet::new();
+        let mut helpers = Vec::new();
         if let Some(procedure) = operation.procedure_mut() {
             let (names, body) = match procedure {
-                Procedure::Helper(name) => {
-                    self.helpers.get(name.as_str()).map(|helper| (&helper.params, &helper.body))?
-                }
+                Procedure::Helper(name) => self.helper(name).map(|helper| (&helper.params, &helper.body))?,
                 Procedure::Body { body, .. } => (&arguments, &*body),
             };
             helpers = self.called(body).into_iter().map(str::to_owned).collect();
@@ -120,7 +128,7 @@ impl<'f> Reader<'f> {
     }
 
     fn name(&self, stream: &str) -> &'f str {
-        self.names.get(stream).copied().unwrap_or_default()
+        self.streams.get(stream).map_or("", |at| &self.file.streams[*at].name)
     }
 }
 

@@ -8,7 +8,6 @@ use crate::program::{ConnectorInfo, Graph, Program};
 use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::Value;
 use robot::Millis;
-use std::collections::BTreeMap;
 
 /// A run without its time.
 pub(crate) struct Core {
@@ -43,12 +42,12 @@ impl Core {
     }
 
     /// What every connector remembers.
-    pub(crate) fn memories(&self) -> BTreeMap<ConnectorIx, Memory> {
+    pub(crate) fn memories(&self) -> Vec<(ConnectorIx, Memory)> {
         self.connectors.enumerate().map(|(at, connector)| (at, connector.memory())).collect()
     }
 
     /// Lets connectors go on with what others of the same meaning remembered.
-    pub(crate) fn resume(&mut self, memories: BTreeMap<ConnectorIx, Memory>) {
+    pub(crate) fn resume(&mut self, memories: Vec<(ConnectorIx, Memory)>) {
         for (connector, memory) in memories {
             self.connectors[connector].resume(memory);
         }

@@ -12,7 +12,6 @@ use crate::values::in_place::Output;
 use crate::values::{ConnectorIx, StreamIx};
 use behaviour::Value;
 use robot::Millis;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 
 /// The time of event mode.
@@ -161,10 +160,10 @@ impl Event {
     /// What it remembers. Values that wait count as sensed in the first instant that is open.
     pub(crate) fn memory(&self, core: &Core) -> RunMemory {
         let mut connectors = core.memories();
-        for waiting in connectors.values_mut().flat_map(|memory| &mut memory.waiting) {
+        for waiting in connectors.iter_mut().flat_map(|(_, memory)| &mut memory.waiting) {
             waiting.carried.origin = (self.open, 0);
         }
-        RunMemory { open: self.open, readings: 0, connectors, waiting: BTreeMap::new() }
+        RunMemory { open: self.open, readings: 0, connectors, waiting: Vec::new() }
     }
 
     /// Goes on with what another run of the same connectors remembered. A reading that waits for a frame has no place

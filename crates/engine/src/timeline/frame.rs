@@ -38,8 +38,9 @@ enum Said {
 
 impl Frame {
     pub(crate) fn of(graph: &Graph, length: u64) -> Self {
-        let mut order: Vec<ConnectorIx> = graph.connectors.indices().collect();
-        order.sort_by_key(|&at| graph.ranks[at]);
+        // No way is longer than there are connectors.
+        let mut ranked = vec![Vec::new(); graph.connectors.len() + 1];
+        graph.ranks.enumerate().for_each(|(at, &rank)| ranked[rank].push(at));
         Self {
             length,
             open: length,
@@ -47,7 +48,7 @@ impl Frame {
             readings: 0,
             now: IndexVec::filled(&None, graph.streams.len()),
             schedule: Schedule::of(graph.connectors.len()),
-            order,
+            order: ranked.concat(),
             said: Vec::new(),
         }
     }
@@ -131,7 +132,7 @@ impl Frame {
     fn say_readings(&mut self, core: &Core) {
         let sensed = |at: &StreamIx| core.graph.streams[*at].kind == StreamKind::Sensor && self.now[*at].is_some();
         let mut sensed: Vec<_> = self.now.indices().filter(sensed).collect();
-        sensed.sort_by_key(|&at| self.now[at].as_ref().map(|carried| carried.origin));
+        sensed.sort_unstable_by_key(|&at| self.now[at].as_ref().map(|carried| carried.origin));
         for at in sensed {
             self.said.extend(self.now[at].as_ref().map(|carried| Said::Value(at, carried.value.clone())));
         }

@@ -1,8 +1,7 @@
 //! What a run remembers from one instant to the next, in a form that both modes give and take.
 
 use crate::connectors::Memory;
-use crate::values::{Carried, ConnectorIx, StreamIx};
-use std::collections::BTreeMap;
+use crate::values::{Carried, ConnectorIx, Ix, Pairs, StreamIx};
 
 /// The memory of a run.
 #[derive(Clone, Debug)]
@@ -12,22 +11,18 @@ pub(crate) struct RunMemory {
     /// How many readings there were.
     pub(crate) readings: u64,
     /// What each connector remembers.
-    pub(crate) connectors: BTreeMap<ConnectorIx, Memory>,
+    pub(crate) connectors: Vec<(ConnectorIx, Memory)>,
     /// Readings of a frame that did not run yet, by stream.
-    pub(crate) waiting: BTreeMap<StreamIx, Carried>,
+    pub(crate) waiting: Vec<(StreamIx, Carried)>,
 }
 
 impl RunMemory {
     /// Renumbers it for the graph that follows; what has no place there is forgotten.
-    pub(crate) fn moved(
-        self,
-        streams: &BTreeMap<StreamIx, StreamIx>,
-        connectors: &BTreeMap<ConnectorIx, ConnectorIx>,
-    ) -> Self {
+    pub(crate) fn moved(self, streams: &Pairs<StreamIx>, connectors: &Pairs<ConnectorIx>) -> Self {
         Self { connectors: moved(self.connectors, connectors), waiting: moved(self.waiting, streams), ..self }
     }
 }
 
-fn moved<I: Ord + Copy, T>(of: BTreeMap<I, T>, to: &BTreeMap<I, I>) -> BTreeMap<I, T> {
-    of.into_iter().filter_map(|(at, thing)| Some((*to.get(&at)?, thing))).collect()
+fn moved<I: Ix, T>(of: Vec<(I, T)>, to: &Pairs<I>) -> Vec<(I, T)> {
+    of.into_iter().filter_map(|(at, thing)| Some((to.get(at)?, thing))).collect()
 }

@@ -168,3 +168,38 @@ impl<I: Ix, T> IndexMut<I> for IndexVec<I, T> {
         &mut self.all[at.index()]
     }
 }
+
+/// Some numbers, in order, each with the number that stands for it elsewhere.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Pairs<I> {
+    all: Vec<(I, I)>,
+}
+
+impl<I: Ix> Pairs<I> {
+    /// Out of pairs in the order of their first numbers.
+    pub(crate) fn of(all: Vec<(I, I)>) -> Self {
+        Self { all }
+    }
+
+    /// The number that stands for this one, if there is one.
+    #[must_use]
+    pub fn get(&self, at: I) -> Option<I> {
+        let place = self.all.binary_search_by_key(&at.index(), |(from, _)| from.index()).ok()?;
+        Some(self.all[place].1)
+    }
+
+    /// Whether there is one for this number.
+    #[must_use]
+    pub fn contains_key(&self, at: &I) -> bool {
+        self.get(*at).is_some()
+    }
+}
+
+impl<'p, I> IntoIterator for &'p Pairs<I> {
+    type Item = (&'p I, &'p I);
+    type IntoIter = std::iter::Map<std::slice::Iter<'p, (I, I)>, fn(&(I, I)) -> (&I, &I)>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.all.iter().map(|(from, to)| (from, to))
+    }
+}

@@ -5,8 +5,9 @@ use super::{
 };
 use crate::cost::callers::is_caller;
 use crate::cost::meter;
+use crate::rhai::nodes::each_node;
 use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, FnPtr, ImmutableString, Stmt, Token};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 
 /// Statements in closures with fewer parts are hardly anything.
 const SMALL_PARTS: usize = 2;
@@ -18,10 +19,10 @@ const ONCE_MAX: usize = 16;
 impl VariableCost {
     /// Reads a body with its closures; a helper can be called again and again.
     pub(crate) fn of(ast: &AST, is_helper: bool) -> Self {
-        let cost = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: BTreeMap::new() };
+        let cost = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: HashMap::new() };
         let (body, owned) = (ast.statements(), copied_when_handed_over(ast));
         let mut reader = Reader { body, is_helper, owned, cost, constant: 0, once: Vec::new(), parts: Vec::new() };
-        ast.walk(&mut |path: &[ASTNode]| {
+        each_node(ast, &mut |path: &[ASTNode]| {
             reader.look(path);
             true
         });
@@ -32,7 +33,7 @@ impl VariableCost {
 struct Reader<'a> {
     body: &'a [Stmt],
     is_helper: bool,
-    owned: BTreeSet<ImmutableString>,
+    owned: HashSet<String>,
     cost: VariableCost,
     /// What the largest ready-made list or object in a loop costs.
     constant: usize,
@@ -85,7 +86,7 @@ impl Reader<'_> {
             }
             [.., ASTNode::Expr(used @ Expr::Variable(variable, ..))] => {
                 let Some(mut kind) = kind_of_use(path, used) else { return };
-                if kind == Use::Touch && self.owned.contains(&variable.1) {
+                if kind == Use::Touch && self.owned.contains(variable.1.as_str()) {
                     kind = Use::Copy;
                 }
                 if kind >= Use::Copy && !self.repeats(path) {
@@ -206,14 +207,16 @@ fn takes_item(link: &Expr) -> bool {
 }
 
 /// Constants, and what a closure uses of the variables around it: functions get a copy of them.
-fn copied_when_handed_over(ast: &AST) -> BTreeSet<ImmutableString> {
-    let mut names = BTreeSet::new();
-    ast.walk(&mut |path: &[ASTNode]| {
+fn copied_when_handed_over(ast: &AST) -> HashSet<String> {
+    let mut names = HashSet::new();
+    each_node(ast, &mut |path: &[ASTNode]| {
         match path.last() {
             Some(ASTNode::Stmt(Stmt::Var(variable, options, _))) if options.intersects(ASTFlags::CONSTANT) => {
-                names.insert(variable.0.name.clone());
+                names.insert(variable.0.name.to_string());
             }
-            Some(ASTNode::Stmt(Stmt::Share(shared))) => names.extend(shared.iter().map(|(name, _)| name.name.clone())),
+            Some(ASTNode::Stmt(Stmt::Share(shared))) => {
+                names.extend(shared.iter().map(|(name, _)| name.name.to_string()));
+            }
             _ => {}
         }
         true

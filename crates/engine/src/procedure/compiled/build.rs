@@ -115,7 +115,7 @@ impl<'h> Builder<'h> {
 
     pub(super) fn part(&mut self, expression: &Expr) -> Option<Node> {
         self.deeper(|deeper| match expression {
-            Expr::Variable(variable, ..) if variable.2.is_empty() => deeper.variable(&variable.1),
+            Expr::Variable(variable, ..) => deeper.variable(&variable.1),
             Expr::FnCall(call, _) => deeper.call(call),
             Expr::Dot(..) | Expr::Index(..) => deeper.chain(expression),
             Expr::And(parts, _) => deeper.parts(parts).map(|parts| Node::All(parts.into())),
@@ -126,7 +126,7 @@ impl<'h> Builder<'h> {
                 for (name, field) in &fields.0 {
                     made.push((name.name.as_str(), deeper.part(field)?));
                 }
-                made.sort_by_key(|(name, _)| *name);
+                made.sort_unstable_by_key(|(name, _)| *name);
                 let names = Names::of(&made.iter().map(|(name, _)| *name).collect::<Vec<_>>());
                 let fields: Box<[Node]> = made.into_iter().map(|(_, field)| field).collect();
                 (names.len() == fields.len()).then(|| Node::Object(Box::new((names, fields))))
@@ -150,7 +150,7 @@ impl<'h> Builder<'h> {
     }
 
     fn call(&mut self, call: &FnCallExpr) -> Option<Node> {
-        if call.capture_parent_scope || call.is_qualified() {
+        if call.capture_parent_scope {
             return None;
         }
         let arguments = self.parts(&call.args)?;

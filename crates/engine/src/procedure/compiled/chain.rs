@@ -64,7 +64,7 @@ impl Builder<'_> {
             Expr::MethodCall(call, _) if link.dot => {
                 let parameters = call.args.len() + 1;
                 let taken = |many| self.helpers.has(&call.name, many);
-                if call.is_qualified() || taken(parameters) || taken(parameters - 1) {
+                if taken(parameters) || taken(parameters - 1) {
                     return None;
                 }
                 let function = Function::of(&call.name, parameters)?;

@@ -5,7 +5,7 @@ use super::build;
 use super::node::Node;
 use crate::cost::Limits;
 use rhai::AST;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// A compiled helper.
@@ -21,7 +21,7 @@ pub(super) struct Piece {
 
 /// All helpers by name and number of parameters; nothing for one that only Rhai can run.
 pub(crate) struct CompiledHelpers {
-    pieces: BTreeMap<(String, usize), Option<Piece>>,
+    pieces: HashMap<(String, usize), Option<Piece>>,
     limits: Limits,
     bounds: Rc<Bounds>,
 }
@@ -29,7 +29,7 @@ pub(crate) struct CompiledHelpers {
 impl CompiledHelpers {
     /// None yet.
     pub(crate) fn of(limits: &Limits) -> Self {
-        Self { pieces: BTreeMap::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
+        Self { pieces: HashMap::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
     }
 
     /// Adds a helper. The ones it calls must be here before it.

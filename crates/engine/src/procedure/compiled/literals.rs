@@ -3,7 +3,7 @@
 use super::compare::Comparison;
 use super::node::Node;
 use super::numbers::Operator;
-use behaviour::Value;
+use behaviour::{Fields, Value};
 use rhai::{Dynamic, Expr, Token};
 
 pub(super) fn operation(token: &Token, arguments: Vec<Node>) -> Option<Node> {
@@ -63,8 +63,8 @@ fn ready_made(made: &Dynamic) -> Option<Value> {
         return items.iter().map(ready_made).collect::<Option<Vec<_>>>().map(Value::list);
     }
     if let Ok(fields) = made.as_map_ref() {
-        let fields = fields.iter().map(|(name, made)| Some((name.as_str(), ready_made(made)?)));
-        return fields.collect::<Option<Vec<_>>>().map(Value::object);
+        let fields = fields.iter().map(|(name, made)| Some((name.clone(), ready_made(made)?)));
+        return fields.collect::<Option<Vec<_>>>().map(|fields| Value::Map(Fields::of(fields)));
     }
     if let Ok(text) = made.as_immutable_string_ref() {
         return Some(Value::text(&*text));

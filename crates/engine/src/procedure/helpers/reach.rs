@@ -4,12 +4,12 @@ use crate::cost::callers::is_caller;
 use crate::cost::variable_cost::VariableCost;
 use crate::procedure::walk::{self, Search};
 use rhai::AST;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashMap;
 
 /// The helpers by name, those that are called before those that call them.
 #[derive(Default)]
 pub(super) struct Reach {
-    names: BTreeMap<String, usize>,
+    names: HashMap<String, usize>,
     lengths: Vec<Length>,
 }
 
@@ -31,7 +31,7 @@ pub(super) struct Length {
 
 impl Reach {
     /// Adds a helper. The ones that it calls must be here before it.
-    pub(super) fn add(&mut self, name: &str, params: usize, body: &AST, called: &BTreeSet<String>, search: Search) {
+    pub(super) fn add(&mut self, name: &str, params: usize, body: &AST, called: &[String], search: Search) {
         let length = Length {
             parts: walk::length(body, &|helper| self.get(helper).map(|length| length.parts)),
             cost: VariableCost::of(body, true),
@@ -50,7 +50,7 @@ impl Reach {
     }
 
     /// The helpers that may be called, also through others; all where a text may name one.
-    pub(super) fn reached(&self, called: &BTreeSet<String>) -> impl Iterator<Item = &Length> {
+    pub(super) fn reached(&self, called: &[String]) -> impl Iterator<Item = &Length> {
         let mut all = names_others(called);
         let mut seen = vec![false; self.lengths.len()];
         let mut open: Vec<usize> = called.iter().filter_map(|name| self.names.get(name).copied()).collect();
@@ -66,6 +66,6 @@ impl Reach {
 }
 
 /// True for what calls functions by their name in a text, or may.
-fn names_others(called: &BTreeSet<String>) -> bool {
+fn names_others(called: &[String]) -> bool {
     called.iter().any(|name| name == "Fn" || is_caller(name))
 }

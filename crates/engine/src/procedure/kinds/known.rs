@@ -8,7 +8,7 @@ use crate::procedure::parse::compile;
 use crate::rhai::sandbox::hardened_engine;
 use rhai::AST;
 use std::cell::RefCell;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// The texts of all procedures that are kept, in bytes; then it is begun anew.
@@ -21,7 +21,7 @@ type Read = Result<Rc<AST>, BodyFault>;
 
 #[derive(Default)]
 struct Kept {
-    read: BTreeMap<(Vec<String>, String), Read>,
+    read: HashMap<(Vec<String>, String), Read>,
     bytes: usize,
 }
 
@@ -29,7 +29,7 @@ thread_local! {
     static READING: rhai::Engine = hardened_engine(&Limits::default());
     static KEPT: RefCell<Kept> = RefCell::default();
     /// Making an engine's list takes longer than reading a body.
-    static FUNCTIONS: BTreeSet<String> = names_of_functions();
+    static FUNCTIONS: Vec<String> = names_of_functions();
 }
 
 /// A body as Rhai reads it, kept for the next time.
@@ -51,12 +51,16 @@ pub(super) fn parsed(names: &[String], body: &str) -> Read {
     })
 }
 
-/// Looks at the names of all functions that procedures can call.
-pub(super) fn function_names<T>(look: impl FnOnce(&BTreeSet<String>) -> T) -> T {
-    FUNCTIONS.with(look)
+/// Looks at the names of all functions that procedures can call, each once, in order.
+pub(super) fn function_names<T>(look: impl FnOnce(&[String]) -> T) -> T {
+    FUNCTIONS.with(|names| look(names))
 }
 
-fn names_of_functions() -> BTreeSet<String> {
+fn names_of_functions() -> Vec<String> {
     let all = READING.with(|engine| engine.collect_fn_metadata(None, known, true));
-    all.into_iter().map(|(name, _)| name).filter(|name| behaviour::is_identifier(name)).collect()
+    let names = all.into_iter().map(|(name, _)| name);
+    let mut names: Vec<String> = names.filter(|name| behaviour::is_identifier(name)).collect();
+    names.sort_unstable();
+    names.dedup();
+    names
 }

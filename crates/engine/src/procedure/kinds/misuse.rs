@@ -3,6 +3,7 @@
 use super::Reader;
 use super::known::parsed;
 use super::operators::wants_numbers;
+use crate::rhai::nodes::each_node;
 use behaviour::{Call, ValueType};
 use rhai::{ASTNode, Expr, FnCallExpr, Stmt};
 
@@ -13,7 +14,7 @@ pub fn misused(arguments: &[(String, ValueType)], body: &str, helper: Call) -> O
     let names: Vec<String> = arguments.iter().map(|(name, _)| name.clone()).collect();
     let ast = parsed(&names, body).ok().filter(|ast| !ast.has_functions())?;
     let (mut found, mut declares) = (Vec::new(), false);
-    ast.walk(&mut |path: &[ASTNode]| {
+    each_node(&ast, &mut |path: &[ASTNode]| {
         match path.last() {
             Some(ASTNode::Expr(Expr::FnCall(call, _)) | ASTNode::Stmt(Stmt::FnCall(call, _))) => {
                 found.extend(object_beside_number(call, arguments, helper));
@@ -35,7 +36,7 @@ fn object_beside_number<'a>(call: &FnCallExpr, arguments: &'a [(String, ValueTyp
         return None;
     }
     let object = |of: &Expr| match of {
-        Expr::Variable(variable, ..) if variable.2.is_empty() => {
+        Expr::Variable(variable, ..) => {
             let (name, kind) = arguments.iter().find(|(name, _)| *name == variable.1.as_str())?;
             matches!(kind, ValueType::Record(_)).then_some(name.as_str())
         }
