@@ -1,7 +1,7 @@
 //! What the page asks of its browser. Outside of one (host tests) everything answers with nothing.
 
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
 use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlTextAreaElement, Storage, Window};
 
@@ -210,7 +210,7 @@ const MEASURED_MAX: usize = 8_192;
 
 thread_local! {
     static PEN: Option<CanvasRenderingContext2d> = pen();
-    static MEASURED: RefCell<BTreeMap<(String, u32, u32), f64>> = RefCell::default();
+    static MEASURED: RefCell<HashMap<(String, u32, u32), f64>> = RefCell::default();
 }
 
 fn pen() -> Option<CanvasRenderingContext2d> {

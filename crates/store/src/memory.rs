@@ -12,7 +12,7 @@ use crate::{
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};
 use std::cmp::Reverse;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Keeps behaviours until the last clone is dropped.
@@ -32,7 +32,7 @@ struct Shelf {
     behaviour: Behaviour,
     history: Vec<Committed>,
     /// Every op id with the revision it made.
-    ops: BTreeMap<Id, u64>,
+    ops: HashMap<Id, u64>,
     removed: Option<(u64, String)>,
     checkpoints: BTreeMap<String, Checkpoint>,
 }

@@ -2,11 +2,11 @@
 
 use crate::{LIBRARY, Store, StoreError, Used};
 use behaviour::{Id, Procedure, Record, RecordId, calls_helper};
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{BTreeSet, HashSet, VecDeque};
 
 /// Who uses a helper, also through other helpers; every user once, by its shortest way.
 pub(crate) async fn through_others<S: Store + ?Sized>(store: &S, helper: &str) -> Result<Vec<Used>, StoreError> {
-    let (mut found, mut seen): (Vec<Used>, BTreeSet<(Id, RecordId)>) = Default::default();
+    let (mut found, mut seen): (Vec<Used>, HashSet<(Id, RecordId)>) = Default::default();
     let mut open = VecDeque::from([helper.to_owned()]);
     while let Some(next) = open.pop_front() {
         let through = (next != helper).then(|| next.clone());

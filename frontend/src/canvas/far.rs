@@ -7,10 +7,10 @@ use super::stage::{Drawn, Edited};
 use crate::desk::{Desk, Selected};
 use behaviour::{Connector, Id};
 use leptos::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 
 /// What others have selected, and what they edit.
-type Others = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<BTreeMap<Id, Edited>>);
+type Others = (ArcRwSignal<Vec<(Id, u8, String)>>, ArcRwSignal<HashMap<Id, Edited>>);
 
 /// Whether a connector takes from one of these streams or leads to one.
 fn touches(desk: &Desk, connector: &Id, is_one: impl Fn(&Id) -> bool) -> bool {

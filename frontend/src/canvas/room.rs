@@ -2,7 +2,7 @@
 
 use super::view::Bounds;
 use behaviour::{Filled, Id};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The widest a live value becomes, in canvas units.
 const WIDEST: f64 = 300.0;
@@ -42,7 +42,7 @@ pub(super) fn beside_chip(chip: &Bounds, others: &[Bounds]) -> Option<(Side, f64
 }
 
 /// For every stream how wide its value may be; `chips` are in the way too.
-pub(super) fn rooms(streams: &[(Id, Bounds)], chips: &[Bounds]) -> BTreeMap<Id, f64> {
+pub(super) fn rooms(streams: &[(Id, Bounds)], chips: &[Bounds]) -> HashMap<Id, f64> {
     let mut rows: BTreeMap<i64, Vec<f64>> = BTreeMap::new();
     for bounds in streams.iter().map(|(_, bounds)| bounds).chain(chips) {
         for row in row(bounds.top)..=row(bounds.bottom) {

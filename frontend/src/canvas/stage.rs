@@ -18,7 +18,7 @@ use crate::layout::VALUE_ROOM;
 use crate::panels::focus;
 use behaviour::{Connector, Id, Place, Problem, ProblemKind, StreamKind};
 use leptos::prelude::*;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::{JsCast, closure::Closure};
@@ -60,7 +60,7 @@ pub(crate) struct Stage {
     /// Who else selected what: what, their colour, their name.
     pub(super) others: ArcRwSignal<Vec<(Id, u8, String)>>,
     /// What somebody else is editing, and where that leads to.
-    pub(super) edited: ArcRwSignal<BTreeMap<Id, Edited>>,
+    pub(super) edited: ArcRwSignal<HashMap<Id, Edited>>,
     /// The view moves by itself and slowly.
     pub(super) glides: ArcRwSignal<bool>,
     /// What the strip keeps clear of: streams, in canvas units.
@@ -99,7 +99,7 @@ pub(crate) struct Stage {
     /// How the graph lies on paper, while it is printed.
     pub(super) paper: ArcMemo<Option<Paper>>,
     /// How wide the live value of a stream may be; nothing while there are no values.
-    rooms: ArcMemo<BTreeMap<Id, f64>>,
+    rooms: ArcMemo<HashMap<Id, f64>>,
     /// What of the canvas is in view, and whether the view rests.
     pub(super) cells: ArcMemo<Cells>,
     pub(super) rests: ArcRwSignal<bool>,
@@ -618,10 +618,10 @@ fn shapes_memo(desk: Desk, dragged: ArcRwSignal<Option<Id>>) -> ArcMemo<Vec<(Id,
     })
 }
 
-fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<BTreeMap<Id, f64>> {
+fn rooms_memo(desk: Desk, shapes: ArcMemo<Vec<(Id, Bounds)>>) -> ArcMemo<HashMap<Id, f64>> {
     ArcMemo::new(move |_| {
         if !desk.robots.has_values.get() {
-            return BTreeMap::new();
+            return HashMap::new();
         }
         let connectors = desk.document.connector_ids.get();
         let chips: Vec<Bounds> = connectors.iter().filter_map(|id| chip_bounds(&desk, id)).collect();
@@ -637,9 +637,9 @@ pub(super) struct Edited {
     pub(super) is_it: bool,
 }
 
-fn edited_signal(desk: Desk) -> ArcRwSignal<BTreeMap<Id, Edited>> {
+fn edited_signal(desk: Desk) -> ArcRwSignal<HashMap<Id, Edited>> {
     settled(move || {
-        let mut edited = BTreeMap::new();
+        let mut edited = HashMap::new();
         for (record, editor) in desk.document.edited_by_others() {
             let output = desk.document.connector(&record.id).map(|signals| signals.record.with(|at| at.output.clone()));
             if let Some(output) = output {

@@ -59,7 +59,7 @@ use crate::layout::Tidy;
 use behaviour::{Behaviour, Checkpoint, Id, Place, Problem, RecordId, ValueType};
 use leptos::prelude::*;
 use protocol::{LockShown, Person};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -85,18 +85,18 @@ pub(crate) struct Fields {
     pub(crate) stream_ids: ArcRwSignal<Vec<Id>>,
     pub(crate) connector_ids: ArcRwSignal<Vec<Id>>,
     /// The actions that several connectors lead to, and these.
-    pub(crate) shared: ArcRwSignal<BTreeMap<Id, Vec<Id>>>,
+    pub(crate) shared: ArcRwSignal<HashMap<Id, Vec<Id>>>,
     pub(crate) note_ids: ArcRwSignal<Vec<Id>>,
     pub(crate) group_ids: ArcRwSignal<Vec<Id>>,
     /// The streams that are not seen here, and the folded group of each.
-    pub(crate) hidden: ArcRwSignal<BTreeMap<Id, Id>>,
+    pub(crate) hidden: ArcRwSignal<HashMap<Id, Id>>,
     /// Folded groups that are shown open on this page.
     unfolded_here: ArcRwSignal<BTreeSet<Id>>,
     pub(crate) problems: ArcRwSignal<Vec<Problem>>,
     /// Tells whether what runs would run differently if it were started now.
     pub(crate) fingerprint: ArcRwSignal<u32>,
     /// Who removed what of the open behaviour and of the library, by its id.
-    pub(crate) removed_by: ArcRwSignal<BTreeMap<Id, Remover>>,
+    pub(crate) removed_by: ArcRwSignal<HashMap<Id, Remover>>,
     /// Who is editing what, this tab included.
     pub(crate) locks: ArcRwSignal<Vec<LockShown>>,
     /// The editor that is open here.

@@ -4,7 +4,7 @@ use super::spot::whole_width;
 use super::{GAP, LEVEL, snapped};
 use behaviour::{Behaviour, Filled, Graph, Id, Place, StreamKind};
 use rust_sugiyama::configure::{Config, CrossingMinimization, RankingType};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// More rows than this times the streams are not filled up for actions to stand at the bottom.
 const FILLED_MAX: usize = 8;
@@ -17,7 +17,7 @@ const BENDS: f64 = 40.0;
 pub(crate) fn tidy(behaviour: &Behaviour) -> BTreeMap<Id, Place> {
     let streams = behaviour.streams_in_order();
     let graph = Graph::of(behaviour);
-    let number: BTreeMap<&Id, u32> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
+    let number: HashMap<&Id, u32> = (0..).zip(&streams).map(|(at, (id, _))| (*id, at)).filled();
     let acts = |at: usize| streams.get(at).is_some_and(|(_, stream)| stream.kind == StreamKind::Actuator);
     let width = |at: usize| {
         let Some((id, stream)) = streams.get(at) else { return WAY };
@@ -130,7 +130,7 @@ fn config() -> Config {
     }
 }
 
-fn edges(behaviour: &Behaviour, number: &BTreeMap<&Id, u32>) -> Vec<(u32, u32)> {
+fn edges(behaviour: &Behaviour, number: &HashMap<&Id, u32>) -> Vec<(u32, u32)> {
     let mut edges = BTreeSet::new();
     for (_, connector) in behaviour.connectors_in_order() {
         for input in &connector.inputs {

@@ -11,7 +11,7 @@ use behaviour::{
     TAG_MAX_CHARS, TAGS_MAX, connectors, is_identifier,
 };
 use fields::Fields;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The lengths a frame may have, in milliseconds.
 const FRAME_MS: std::ops::RangeInclusive<u64> = 1..=1000;
@@ -53,9 +53,9 @@ impl Reader<'_, '_> {
             What::Plain(_) => {}
             What::Array(items) => items.iter().for_each(|item| self.check_twice(item)),
             What::Object(fields) => {
-                let mut seen = BTreeSet::new();
+                let mut seen: HashSet<&str> = HashSet::new();
                 for (name, field) in fields {
-                    if !seen.insert(name) {
+                    if !seen.insert(name.as_str()) {
                         self.fault(field.at, format!("“{name}” is there twice. Leave one out."));
                     }
                     self.check_twice(field);
@@ -348,7 +348,7 @@ impl Reader<'_, '_> {
         let Some(What::Object(entries)) = fields.get("order").map(|node| &node.what) else { return };
         let streams = file.streams.iter().map(|stream| stream.id.as_str());
         let connectors = file.connectors.iter().map(|connector| connector.id.as_str());
-        let all: BTreeSet<&str> = streams.chain(connectors).collect();
+        let all: HashSet<&str> = streams.chain(connectors).collect();
         for (id, node) in entries.iter().filter(|(id, _)| !all.contains(id.as_str())) {
             self.fault(node.at, format!("There is no stream or connector “{}”. Leave its order out.", short(id)));
         }
@@ -356,7 +356,7 @@ impl Reader<'_, '_> {
 
     /// A stream is in one group at most.
     fn check_groups(&mut self, fields: &Fields, file: &BehaviourFile) {
-        let mut seen: BTreeMap<&str, &str> = BTreeMap::new();
+        let mut seen: HashMap<&str, &str> = HashMap::new();
         for (group, stream) in file.groups.iter().flat_map(|group| group.streams.iter().map(move |id| (group, id))) {
             if seen.insert(stream, &group.id).is_some_and(|other| other != group.id) {
                 let reason = format!("“{}” is in two groups. Leave it out of one.", short(stream));

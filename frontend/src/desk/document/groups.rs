@@ -8,7 +8,7 @@ use crate::words;
 use behaviour::{Group, Id, Place, Record, RecordId, numbered};
 use leptos::prelude::*;
 use protocol::Role;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 
 impl Document {
     /// The signals of one group, none when it is gone.
@@ -220,7 +220,7 @@ impl Document {
         let groups: Vec<(Id, GroupSignals)> =
             self.state().groups.iter().map(|(id, signals)| (id.clone(), signals.clone())).collect();
         let opened = self.unfolded_here.get_untracked();
-        let mut hidden = BTreeMap::new();
+        let mut hidden = HashMap::new();
         for (id, signals) in groups {
             signals.record.with_untracked(|group| {
                 if group.folded && !opened.contains(&id) {

@@ -10,7 +10,7 @@ use behaviour::{Change, Id, RecordId, Refusal, Token};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request, Role};
 use std::cell::RefCell;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 const QUEUE_KEY: &str = "rrp.waiting";
 
@@ -26,7 +26,7 @@ pub(super) type OnAnswer = Box<dyn FnOnce(Result<(), Refused>)>;
 
 thread_local! {
     /// Who wants to know what became of a change; nobody after a reload.
-    static ON_ANSWER: RefCell<BTreeMap<Id, OnAnswer>> = RefCell::default();
+    static ON_ANSWER: RefCell<HashMap<Id, OnAnswer>> = RefCell::default();
 }
 
 impl Document {

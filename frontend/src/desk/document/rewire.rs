@@ -226,7 +226,9 @@ pub(super) fn inserted(
 /// A stream and all that is below it, lower by so much.
 fn lowered(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, change: Change, from: &Id, by: f64) -> Change {
     let graph = Graph::of(behaviour);
-    let below: BTreeSet<&Id> = graph.below(from).into_iter().chain([from]).collect();
+    let mut below: Vec<&Id> = graph.below(from).into_iter().chain([from]).collect();
+    below.sort_unstable();
+    below.dedup();
     let moved = below.into_iter().filter_map(|id| Some((id, *places.get(id)?)));
     moved.fold(change, |change, (id, place)| {
         change.put(behaviour, key(Kind::Place, id), Record::Place(snapped(Place { y: place.y + by, ..place })))

@@ -5,7 +5,7 @@ use crate::desk::tab::set_if_new;
 use crate::layout::{self, Tidy};
 use behaviour::{Behaviour, Connector, Id, Kind, Place, Record, RecordId, Stream, StreamKind};
 use leptos::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 impl Document {
     /// Shows a whole behaviour in place of what was shown.
@@ -86,7 +86,7 @@ impl Document {
             let state = self.state();
             (state.streams.clone(), state.connectors.clone())
         };
-        let mut shared: BTreeMap<Id, Vec<Id>> = BTreeMap::new();
+        let mut shared: HashMap<Id, Vec<Id>> = HashMap::new();
         for (id, signals) in connectors {
             let output = signals.record.with_untracked(|connector| connector.output.clone());
             let acts = |output: &StreamSignals| output.record.with_untracked(|at| at.kind == StreamKind::Actuator);

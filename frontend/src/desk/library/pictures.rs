@@ -5,7 +5,7 @@ use crate::browser;
 use behaviour::{Filled, Id};
 use leptos::prelude::*;
 use protocol::{PICTURES_MAX, Picture, PictureOf, Reply, Request};
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
 use std::sync::Arc;
 
 /// Pictures kept in the page.
@@ -48,7 +48,7 @@ impl Library {
     }
 
     fn got_pictures(&self, asked: &[PictureOf], got: &[(Id, Picture)]) {
-        let revisions: BTreeMap<&Id, u64> = asked.iter().map(|of| (&of.behaviour, of.revision)).filled();
+        let revisions: HashMap<&Id, u64> = asked.iter().map(|of| (&of.behaviour, of.revision)).filled();
         self.pictures.update(|kept| {
             if kept.len() + got.len() > PICTURES_KEPT_MAX {
                 kept.clear();

@@ -1,7 +1,7 @@
 //! The graph as rows: every stream under the connector that makes it, every connector under its first stream.
 
 use behaviour::{Behaviour, Graph, Id, StreamKind};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 
 /// One row.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -46,7 +46,7 @@ pub(super) fn with_asides(behaviour: &Behaviour, is_folded: impl Fn(&Id) -> bool
     let mut seen = BTreeSet::new();
     let mut rows = Vec::new();
     let alone = |what, depth| Node { what, depth, again: false, under: None };
-    let groups: BTreeMap<&Id, &Id> =
+    let groups: HashMap<&Id, &Id> =
         behaviour.groups().flat_map(|(id, group)| group.streams.iter().map(move |stream| (stream, id))).collect();
     for node in nodes(behaviour) {
         let stream = match &node.what {

@@ -5,7 +5,8 @@ use behaviour::{
     Behaviour, BehaviourFile, Change, FileHelper, Helper, Id, Kind, Record, RecordId, called_names, numbered,
     rename_helpers,
 };
-use std::collections::{BTreeMap, BTreeSet};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap, HashMap, HashSet};
 
 /// Where the helpers of a file went.
 pub(super) struct Shelved {
@@ -23,10 +24,10 @@ pub(super) fn shelve(
     by: &str,
     new_id: &mut impl FnMut() -> Id,
 ) -> Result<Shelved, Unfit> {
-    let mut there: BTreeMap<String, Helper> = library.helpers().map(|(_, h)| (h.name.clone(), h.clone())).collect();
+    let mut there: HashMap<String, Helper> = library.helpers().map(|(_, h)| (h.name.clone(), h.clone())).collect();
     let mut change = Change::of(new_id(), by, "Import helpers");
     let mut names = BTreeMap::new();
-    let in_file: BTreeSet<&str> = file.helpers.iter().map(|helper| helper.name.as_str()).collect();
+    let in_file: HashSet<&str> = file.helpers.iter().map(|helper| helper.name.as_str()).collect();
     for helper in callees_first(&file.helpers)? {
         let mut wanted = Helper {
             name: helper.name.clone(),
@@ -49,7 +50,7 @@ pub(super) fn shelve(
 }
 
 /// Its own name, or with the first number under which it is there already or nothing is, here or in the file.
-fn name_for(wanted: &Helper, there: &BTreeMap<String, Helper>, in_file: &BTreeSet<&str>) -> String {
+fn name_for(wanted: &Helper, there: &HashMap<String, Helper>, in_file: &HashSet<&str>) -> String {
     let same = |other: &Helper| other.params == wanted.params && other.body == wanted.body;
     let fits = |name: &String| match there.get(name) {
         Some(other) => same(other),
@@ -60,7 +61,7 @@ fn name_for(wanted: &Helper, there: &BTreeMap<String, Helper>, in_file: &BTreeSe
 
 /// Every helper after those that it calls; each body is read once.
 fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, Unfit> {
-    let places: BTreeMap<&str, usize> = helpers.iter().enumerate().map(|(at, helper)| (&*helper.name, at)).collect();
+    let places: HashMap<&str, usize> = helpers.iter().enumerate().map(|(at, helper)| (&*helper.name, at)).collect();
     let mut callers: Vec<Vec<usize>> = vec![Vec::new(); helpers.len()];
     let mut waits = vec![0_usize; helpers.len()];
     for (at, helper) in helpers.iter().enumerate() {
@@ -69,14 +70,14 @@ fn callees_first(helpers: &[FileHelper]) -> Result<Vec<&FileHelper>, Unfit> {
             waits[at] += 1;
         }
     }
-    let mut ready: BTreeSet<usize> = (0..helpers.len()).filter(|at| waits[*at] == 0).collect();
+    let mut ready: BinaryHeap<Reverse<usize>> = (0..helpers.len()).filter(|at| waits[*at] == 0).map(Reverse).collect();
     let mut sorted = Vec::with_capacity(helpers.len());
-    while let Some(at) = ready.pop_first() {
+    while let Some(Reverse(at)) = ready.pop() {
         sorted.push(&helpers[at]);
         for caller in &callers[at] {
             waits[*caller] -= 1;
             if waits[*caller] == 0 {
-                ready.insert(*caller);
+                ready.push(Reverse(*caller));
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::shapes::{chip_width, one_line, wide};
 use behaviour::{BehaviourFile, FileConnector, FileGroup, FileNote, FileStream, Lasting, Place};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{HashMap, HashSet};
 
 /// The height of a stream, in canvas units.
 pub(super) const HEIGHT: f64 = 48.0;
@@ -40,7 +40,7 @@ pub(super) struct Drawing<'f> {
     pub(super) notes: Vec<(&'f FileNote, Point)>,
     /// Those that have a stream; a folded one has its frame too.
     pub(super) groups: Vec<(&'f FileGroup, Area)>,
-    tops: BTreeMap<&'f str, Point>,
+    tops: HashMap<&'f str, Point>,
 }
 
 impl<'f> Drawing<'f> {
@@ -101,7 +101,7 @@ fn area(stream: &FileStream, (x, y): Point) -> Area {
 
 /// The frame of a group, if one of its streams is there.
 fn frame(group: &FileGroup, streams: &[(&FileStream, Point)]) -> Option<Area> {
-    let ids: BTreeSet<&str> = group.streams.iter().map(String::as_str).collect();
+    let ids: HashSet<&str> = group.streams.iter().map(String::as_str).collect();
     let members = streams.iter().filter(|(stream, _)| ids.contains(stream.id.as_str()));
     let (left, top, width, height) = around(&members.map(|(stream, top)| area(stream, *top)).collect::<Vec<_>>())?;
     let wide = (width + 2.0 * FRAME).max(wide(&one_line(&group.title), 13.0) + 2.0 * FRAME);
@@ -137,8 +137,8 @@ fn near(place: Place) -> Point {
 }
 
 /// Every connector's label, none on another as far as there is room near its line.
-fn chips<'f>(file: &'f BehaviourFile, tops: &BTreeMap<&str, Point>) -> Vec<Chip<'f>> {
-    let mut into: BTreeMap<&str, usize> = BTreeMap::new();
+fn chips<'f>(file: &'f BehaviourFile, tops: &HashMap<&str, Point>) -> Vec<Chip<'f>> {
+    let mut into: HashMap<&str, usize> = HashMap::new();
     for connector in &file.connectors {
         *into.entry(&connector.output).or_default() += 1;
     }
@@ -165,7 +165,7 @@ fn free((x, y): Point, label: &str, others: &[Chip]) -> Point {
 }
 
 /// Above the stream it leads to, or on the way there if others lead there too.
-fn chip_middle(connector: &FileConnector, tops: &BTreeMap<&str, Point>, alone: bool) -> Point {
+fn chip_middle(connector: &FileConnector, tops: &HashMap<&str, Point>, alone: bool) -> Point {
     let inputs: Vec<_> = connector.inputs.iter().filter_map(|id| tops.get(id.as_str())).collect();
     let Some((x, y)) = tops.get(connector.output.as_str()) else { return (0.0, 0.0) };
     match inputs.as_slice() {
@@ -175,8 +175,8 @@ fn chip_middle(connector: &FileConnector, tops: &BTreeMap<&str, Point>, alone: b
 }
 
 /// The place of every stream. Those without one stand to the right of the others, layer by layer.
-fn tops(file: &BehaviourFile) -> BTreeMap<&str, Point> {
-    let mut tops: BTreeMap<&str, Point> = BTreeMap::new();
+fn tops(file: &BehaviourFile) -> HashMap<&str, Point> {
+    let mut tops: HashMap<&str, Point> = HashMap::new();
     let mut right = 0.0_f64;
     for stream in &file.streams {
         if let Some(place) = file.layout.get(&stream.id) {
@@ -186,7 +186,7 @@ fn tops(file: &BehaviourFile) -> BTreeMap<&str, Point> {
         }
     }
     let ranks = ranks(file);
-    let mut ends: BTreeMap<usize, f64> = BTreeMap::new();
+    let mut ends: HashMap<usize, f64> = HashMap::new();
     for stream in file.streams.iter().filter(|stream| !file.layout.contains_key(&stream.id)) {
         let rank = ranks.get(stream.id.as_str()).copied().unwrap_or_default();
         let end = ends.entry(rank).or_insert(right);
@@ -197,9 +197,9 @@ fn tops(file: &BehaviourFile) -> BTreeMap<&str, Point> {
 }
 
 /// The longest way from a sense to each stream, in connectors; 0 where values flow in a circle.
-fn ranks(file: &BehaviourFile) -> BTreeMap<&str, usize> {
-    let mut waiting: BTreeMap<&str, usize> = file.streams.iter().map(|stream| (stream.id.as_str(), 0)).collect();
-    let mut below: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+fn ranks(file: &BehaviourFile) -> HashMap<&str, usize> {
+    let mut waiting: HashMap<&str, usize> = file.streams.iter().map(|stream| (stream.id.as_str(), 0)).collect();
+    let mut below: HashMap<&str, Vec<&str>> = HashMap::new();
     for connector in &file.connectors {
         for input in connector.inputs.iter().filter(|input| waiting.contains_key(input.as_str())) {
             below.entry(input).or_default().push(&connector.output);
@@ -208,8 +208,9 @@ fn ranks(file: &BehaviourFile) -> BTreeMap<&str, usize> {
     for output in below.values().flatten() {
         *waiting.entry(output).or_default() += 1;
     }
-    let mut ranks = BTreeMap::new();
-    let mut ready: Vec<&str> = waiting.iter().filter(|(_, left)| **left == 0).map(|(id, _)| *id).collect();
+    let mut ranks = HashMap::new();
+    let is_first = |id: &&str| waiting.get(id).is_some_and(|left| *left == 0);
+    let mut ready: Vec<&str> = file.streams.iter().map(|stream| stream.id.as_str()).filter(is_first).collect();
     while let Some(id) = ready.pop() {
         let rank = *ranks.entry(id).or_insert(0_usize);
         for output in below.get(id).into_iter().flatten() {
