@@ -15,6 +15,7 @@ pub(crate) use guest::{Guest, Here};
 pub(crate) use may::{Asked, Route};
 pub(crate) use secret::Digest;
 
+use crate::support::tasks::blocking;
 use crate::support::{atomic_file, lock, now_ms};
 use behaviour::{Id, without_unseen};
 use book::{Book, Indexed, Made};
@@ -224,7 +225,7 @@ impl Invitations {
         lock(&self.live).arrive(&guest.pass);
         self.tell();
         let (all, name, named) = (Arc::clone(self), name.to_owned(), guest.clone());
-        tokio::task::spawn_blocking(move || all.call(&named, &name));
+        drop(blocking(move || all.call(&named, &name)));
         Here::of(Arc::clone(self), guest.pass)
     }
 

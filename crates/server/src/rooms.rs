@@ -23,7 +23,7 @@ use past::Past;
 use protocol::{Area, Exercise, LIBRARY, Pointer, Refused, Reply, Role, Summary};
 use shown::AllShown;
 use snapshot::LibrarySnapshot;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 use std::sync::{Arc, Mutex};
 use store::Store;
 use tokio::sync::{mpsc, oneshot, watch};
@@ -198,7 +198,7 @@ pub(crate) struct Surroundings {
 /// The open rooms. A clone is the same rooms.
 #[derive(Clone)]
 pub(crate) struct Rooms {
-    open: Arc<Mutex<BTreeMap<Id, mpsc::Sender<Note>>>>,
+    open: Arc<Mutex<HashMap<Id, mpsc::Sender<Note>>>>,
     around: Arc<Surroundings>,
 }
 

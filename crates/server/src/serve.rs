@@ -29,7 +29,7 @@ use crate::support::lookups::Lookups;
 use crate::support::retry::retry;
 use crate::support::store_call::bounded;
 use crate::support::store_health::{self, StoreHealth};
-use crate::support::tasks::Tasks;
+use crate::support::tasks::{Tasks, blocking, boxed};
 use crate::support::workers::Workers;
 use crate::support::{data_folder, now_ms};
 use behaviour::{Behaviour, Id};
@@ -165,7 +165,7 @@ pub async fn serve_with(
         ways.extend(started.handed);
     }
     for handed in ways {
-        messages.handle().spawn(serving::serve(handed, routed.clone(), connections.clone(), closing.clone()));
+        messages.handle().spawn(boxed(serving::serve(handed, routed.clone(), connections.clone(), closing.clone())));
     }
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
     bin::keep(&state.library, config.data.as_deref());
@@ -174,7 +174,7 @@ pub async fn serve_with(
     stop.await;
     end(&state, &closing, &connections).await;
     let threads = move || accepting.into_iter().for_each(|thread| drop(thread.join()));
-    drop(tokio::task::spawn_blocking(threads).await);
+    drop(blocking(threads).await);
     Ok(())
 }
 
@@ -308,7 +308,7 @@ async fn end(state: &ServerState, closing: &CancellationToken, connections: &Tas
     tracing::info!("the server ends: the robots stop first");
     state.robots.stop_now(None, None, "the server's end");
     let robots = state.robots.clone();
-    if let Err(error) = tokio::task::spawn_blocking(move || robots.shut_down()).await {
+    if let Err(error) = blocking(move || robots.shut_down()).await {
         tracing::error!(%error, "the robots did not end in order");
     }
     state.tasks.stopping.cancel();

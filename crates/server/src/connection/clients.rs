@@ -5,7 +5,7 @@ use crate::connection::secrets::Secrets;
 use crate::support::lock;
 use behaviour::{Id, without_unseen};
 use protocol::{Credential, Person};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -18,7 +18,7 @@ const NAME_MAX_CHARS: usize = 40;
 #[derive(Debug, Default)]
 pub(crate) struct Clients {
     links: AtomicU64,
-    here: Mutex<BTreeMap<Id, Link>>,
+    here: Mutex<HashMap<Id, Link>>,
     secrets: Secrets,
 }
 
@@ -75,7 +75,7 @@ impl Clients {
 }
 
 /// The first colour nobody has, else the one that fewest have.
-fn free_color(here: &BTreeMap<Id, Link>) -> u8 {
+fn free_color(here: &HashMap<Id, Link>) -> u8 {
     let uses = |color: &u8| here.values().filter(|link| link.color == *color).count();
     (0..COLORS).min_by_key(uses).unwrap_or(0)
 }

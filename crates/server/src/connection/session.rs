@@ -15,6 +15,7 @@ use crate::connection::outbox::Outbox;
 use crate::invitations::{Entry, Here};
 use crate::rooms::member::Member;
 use crate::rooms::{Entering, Note, Parting};
+use crate::support::tasks::boxed;
 use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
@@ -22,6 +23,7 @@ use futures_util::stream::SplitStream;
 use protocol::{ALIVE_MS, Ask, Person, Refused, Reply, Request, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
+use tokio::runtime::Handle;
 use tokio::sync::{Semaphore, mpsc};
 
 /// How long the greeting may take.
@@ -37,14 +39,15 @@ const UNDER_WAY_MAX: usize = 8;
 pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry) {
     let (sink, mut stream) = socket.split();
     let (outbox, told, waiting) = Outbox::new(connections.number(), connections.waiting.clone());
-    let writing = connections.state.tasks.tracker.spawn(super::writer::write(
+    let writes = super::writer::write(
         Arc::clone(&connections),
         outbox.session,
         sink,
         told,
         (waiting, entry.role()),
         outbox.close.clone(),
-    ));
+    );
+    let writing = connections.state.tasks.spawn_on(boxed(writes), &Handle::current());
     let greeted = tokio::select! {
         () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
         () = entry.until_over() => Err(CloseReason::Revoked),

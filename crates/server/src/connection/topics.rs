@@ -9,7 +9,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
 use protocol::{Invitation, Reply, RobotState, RunState, UPDATES_PER_SECOND_MAX};
 use robot::Scene;
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::sync::watch;
@@ -50,8 +50,8 @@ impl Topics {
         follow(tasks, invitations.told(), self.invitations.clone(), |all| invitations_text(all));
         follow(tasks, robots.states(), self.robots.clone(), |robots| robots_text(robots));
         follow(tasks, robots.runs(), self.runs.clone(), |runs| runs_text(runs));
-        tasks.tracker.spawn(keep_pictures(robots.clone(), tasks.clone()));
-        tasks.tracker.spawn(keep_list(news.clone(), tasks.clone()));
+        tasks.spawn(keep_pictures(robots.clone(), tasks.clone()));
+        tasks.spawn(keep_list(news.clone(), tasks.clone()));
     }
 }
 
@@ -69,7 +69,7 @@ fn runs_text(newest: &[RunState]) -> Utf8Bytes {
 
 /// Keeps the pictures of all robots new, also of those that come later.
 async fn keep_pictures(all: Robots, tasks: Tasks) {
-    let (mut robots, mut known) = (all.states(), BTreeSet::new());
+    let (mut robots, mut known) = (all.states(), HashSet::new());
     loop {
         robots.borrow_and_update();
         let hosts = all.hosts();
@@ -109,7 +109,7 @@ fn follow<T: Send + Sync + 'static>(
     let ending = tasks.clone();
     // It may have changed since the first text was made.
     newest.mark_changed();
-    tasks.tracker.spawn(async move {
+    tasks.spawn(async move {
         while let Some(Ok(())) = ending.until_end(newest.changed()).await {
             let value = Arc::clone(&newest.borrow_and_update());
             topic.send_replace(text(&value));

@@ -9,6 +9,7 @@ use crate::connection::topics::BEAT_MS;
 use crate::rooms::member::Feed;
 use crate::rooms::shown::GaveWay;
 use crate::support::message::encode;
+use crate::support::tasks::Made;
 use crate::support::workers::Sender;
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
@@ -253,11 +254,11 @@ async fn values(
 ) -> Option<Utf8Bytes> {
     let (known, all, behaviour, robot) =
         (std::mem::take(watching), Arc::clone(connections), behaviour.clone(), robot.cloned());
-    let made = connections.state.tasks.runtime.spawn(async move {
+    let (work, made) = Made::by(async move {
         let mut known = known;
         (known.news(&all, &behaviour, robot.as_ref()), known)
     });
-    let (text, known) = made.await.ok()?;
+    let (text, known) = made.when(connections.state.tasks.runtime.spawn(work)).await.ok()?;
     *watching = known;
     text
 }

@@ -7,6 +7,7 @@ use super::stop;
 use crate::http::door::{Came, Door};
 use crate::robots::Robots;
 use crate::support::places::Places;
+use crate::support::tasks::boxed;
 use std::io;
 use std::net::{IpAddr, SocketAddr};
 use std::sync::Arc;
@@ -68,7 +69,7 @@ pub(crate) fn start(
     let acceptor = Arc::new(Acceptor { door, robots, silent, stops, others });
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     let thread = std::thread::Builder::new().name("accept".into());
-    let thread = thread.spawn(move || runtime.block_on(accept(listener, acceptor, ending)))?;
+    let thread = thread.spawn(move || runtime.block_on(boxed(accept(listener, acceptor, ending))))?;
     Ok((thread, handed))
 }
 
@@ -79,7 +80,7 @@ async fn accept(listener: std::net::TcpListener, acceptor: Arc<Acceptor>, ending
     };
     while let Some(accepted) = ending.run_until_cancelled(listener.accept()).await {
         match accepted {
-            Ok((stream, peer)) => drop(tokio::spawn(Arc::clone(&acceptor).admit(stream, peer.ip()))),
+            Ok((stream, peer)) => drop(tokio::spawn(boxed(Arc::clone(&acceptor).admit(stream, peer.ip())))),
             Err(error) => {
                 tracing::warn!(%error, "a connection could not be accepted");
                 // One place less, so that the next one finds room.

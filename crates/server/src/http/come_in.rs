@@ -8,6 +8,7 @@ pub(super) use words::Language;
 
 use super::door::Came;
 use crate::invitations::{Entry, NotIn};
+use crate::support::tasks::blocking;
 use axum::extract::{Form, FromRequest, Request};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Redirect, Response};
@@ -56,7 +57,7 @@ pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Resp
     let Ok(Form(Sent { token })) = Form::<Sent>::from_request(request, &()).await else {
         return no(&NotIn::Unknown, language);
     };
-    let exchanged = tokio::task::spawn_blocking(move || invitations.come_in(&token, source)).await;
+    let exchanged = blocking(move || invitations.come_in(&token, source)).await;
     let exchanged = exchanged.unwrap_or_else(|error| Err(NotIn::NotKept(error.to_string())));
     match exchanged {
         Ok(secret) => {

@@ -2,7 +2,7 @@
 
 use crate::invitations::Source;
 use crate::support::lock;
-use std::collections::{BTreeSet, VecDeque};
+use std::collections::{HashSet, VecDeque};
 use std::sync::Mutex;
 
 /// Places that are remembered; the one that was first is forgotten.
@@ -14,7 +14,7 @@ pub(crate) struct Known(Mutex<Places>);
 
 #[derive(Debug, Default)]
 struct Places {
-    all: BTreeSet<Source>,
+    all: HashSet<Source>,
     order: VecDeque<Source>,
 }
 

@@ -13,6 +13,7 @@ use super::known::Known;
 use crate::invitations::{Invitations, Source, Way};
 use crate::robots::Robots;
 use crate::support::priority::{self, Priority};
+use crate::support::tasks::{Work, boxed};
 use certificate::Certificate;
 use lane::Lane;
 use std::io;
@@ -124,23 +125,19 @@ impl Opened {
             let (others, handed) = mpsc::channel(HANDED_OVER_MAX);
             let lane = Lane::new(door.clone(), robots.clone(), acceptor.clone(), others);
             let priority = is_of_strangers.then_some(Priority::Run);
-            threads.push(thread(name, priority, lane.work(arriving, ending.clone()))?);
+            threads.push(thread(name, priority, boxed(lane.work(arriving, ending.clone())))?);
             Ok::<_, io::Error>((waiting, handed))
         };
         let (in_already, handed_known) = lane("guests", false)?;
         let (strangers, handed_others) = lane("strangers", true)?;
         let sorter = Sorter { known, in_already, strangers };
-        threads.push(thread("network", None, accept_all(listener, sorter, ending.clone()))?);
+        threads.push(thread("network", None, boxed(accept_all(listener, sorter, ending.clone())))?);
         Ok(Started { threads, handed: [handed_known, handed_others] })
     }
 }
 
 /// A thread that does this.
-fn thread(
-    name: &str,
-    priority: Option<Priority>,
-    work: impl Future<Output = ()> + Send + 'static,
-) -> io::Result<JoinHandle<()>> {
+fn thread(name: &str, priority: Option<Priority>, work: Work) -> io::Result<JoinHandle<()>> {
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     std::thread::Builder::new().name(name.into()).spawn(move || {
         priority.into_iter().for_each(priority::of_this_thread);

@@ -1,6 +1,7 @@
 //! Recordings over HTTP: the list, and a file as it is so far.
 
 use crate::recordings::Recordings;
+use crate::support::tasks::blocking;
 use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::http::{StatusCode, header};
@@ -14,7 +15,7 @@ const PIECE_BYTES: usize = 64 << 10;
 
 /// All recordings, newest first.
 pub(crate) async fn list(recordings: Recordings) -> Response {
-    match tokio::task::spawn_blocking(move || recordings.list()).await {
+    match blocking(move || recordings.list()).await {
         Ok(list) => Json(list).into_response(),
         Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
     }
@@ -24,7 +25,7 @@ pub(crate) async fn list(recordings: Recordings) -> Response {
 pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
     let wanted = name.clone();
     let open = move || recordings.find(&wanted).map(File::open);
-    let file = match tokio::task::spawn_blocking(open).await {
+    let file = match blocking(open).await {
         Ok(Some(Ok(file))) => file,
         Ok(Some(Err(error))) => return (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
         _ => return (StatusCode::NOT_FOUND, format!("{}\n", Refused::NoRecording)).into_response(),
@@ -38,7 +39,7 @@ pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
 
 /// The next piece of a file. Nothing waits for the reader: it is read only when it is wanted.
 async fn next_piece(file: File) -> std::io::Result<Option<(Bytes, File)>> {
-    let read = tokio::task::spawn_blocking(move || {
+    let read = blocking(move || {
         let mut piece = Vec::with_capacity(PIECE_BYTES);
         (&file).take(PIECE_BYTES as u64).read_to_end(&mut piece)?;
         Ok::<_, std::io::Error>((Bytes::from(piece), file))

@@ -12,6 +12,7 @@ use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
 use crate::support::places::Places;
 use crate::support::store_call::bounded;
+use crate::support::tasks::boxed;
 use crate::support::workers::Sender;
 use axum::Extension;
 use axum::extract::rejection::QueryRejection;
@@ -170,8 +171,8 @@ async fn socket(
     let upgrade = upgrade.max_message_size(MESSAGE_MAX_BYTES).max_frame_size(MESSAGE_MAX_BYTES);
     let upgrade = upgrade.read_buffer_size(READ_BYTES).write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
     upgrade.on_upgrade(move |socket| async move {
-        let tracker = app.connections.state.tasks.tracker.clone();
-        let _ = tracker.spawn_on(session::run(app.connections, socket, entry), &app.messages).await;
+        let tasks = app.connections.state.tasks.clone();
+        let _ = tasks.spawn_on(boxed(session::run(app.connections, socket, entry)), &app.messages).await;
         drop(place);
     })
 }

@@ -5,6 +5,7 @@ use crate::http::accept::Handed;
 use crate::http::door::Came;
 use crate::http::line::{Io, Line};
 use crate::support::places::Places;
+use crate::support::tasks::{Made, boxed};
 use axum::Router;
 use axum::body::Body;
 use axum::http::{HeaderValue, Request, Response, StatusCode, header};
@@ -43,12 +44,12 @@ pub(crate) async fn serve(mut handed: Handed, routed: Routed, tasks: TaskTracker
     let places = Places::of(SERVED_MAX);
     while let Some(Some((line, came))) = stopping.run_until_cancelled(handed.recv()).await {
         let (place, routed, stopping) = (places.take(), routed.clone(), stopping.clone());
-        tasks.spawn(async move {
+        tasks.spawn(boxed(async move {
             match Line::arrive(line) {
                 Ok(stream) => drop(place.hold(one(stream, came, routed, stopping)).await),
                 Err(error) => tracing::debug!(%error, "a connection was lost on the way"),
             }
-        });
+        }));
     }
 }
 
@@ -78,8 +79,8 @@ async fn one(stream: Box<dyn Io>, came: Came, routed: Routed, stopping: Cancella
 async fn answer(routed: Routed, came: Came, request: Request<Incoming>) -> Result<Response<Body>, Infallible> {
     let mut request = request.map(Body::new);
     request.extensions_mut().insert(came);
-    let work = routed.router.oneshot(request);
-    let answered = AbortOnDropHandle::new(routed.on.spawn(work)).await;
+    let (work, made) = Made::by(routed.router.oneshot(request));
+    let answered = made.when(AbortOnDropHandle::new(routed.on.spawn(work))).await;
     let Ok(mut response) = answered.unwrap_or_else(|error| Ok(failed(&error)));
     if response.status() != StatusCode::SWITCHING_PROTOCOLS {
         response.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));

@@ -3,6 +3,7 @@
 use crate::library::list::names;
 use crate::rooms::Rooms;
 use crate::state::ServerState;
+use crate::support::tasks::blocking;
 use axum::Json;
 use axum::body::Body;
 use axum::http::{StatusCode, header};
@@ -50,13 +51,13 @@ pub(crate) async fn list(store: &dyn Store) -> Response {
 pub(crate) fn backup(state: &Arc<ServerState>) -> Response {
     let (tell, told) = tokio::sync::mpsc::channel::<String>(LINES_MAX);
     let writing = Arc::clone(state);
-    state.tasks.tracker.spawn(async move {
+    state.tasks.spawn(async move {
         let put = |line: String| {
             let tell = tell.clone();
             async move { tell.send(line).await.map_err(std::io::Error::other) }
         };
         let kept = writing.robots.clone();
-        let Ok(robots) = tokio::task::spawn_blocking(move || kept.kept()).await else { return };
+        let Ok(robots) = blocking(move || kept.kept()).await else { return };
         let taken = store::backup::backup(&*writing.store, writing.epoch, &robots, put, &|_, _| {});
         match writing.tasks.until_end(taken).await {
             Some(Ok(done)) => tracing::info!(?done, "a backup was taken"),

@@ -5,7 +5,7 @@ use super::secret::Digest;
 use behaviour::Id;
 use protocol::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, Lasts, Refused, Role};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// Devices that may have come by one invitation; the one that came first gives way.
 const PASSES_MAX: usize = 256;
@@ -125,8 +125,8 @@ impl Kept {
 pub(super) struct Indexed {
     pub(super) book: Book,
     /// Links that may work, with the place of their invitation.
-    pub(super) links: BTreeMap<Digest, usize>,
-    passes: BTreeMap<Digest, usize>,
+    pub(super) links: HashMap<Digest, usize>,
+    passes: HashMap<Digest, usize>,
 }
 
 impl Indexed {

@@ -1,6 +1,6 @@
 //! How often somebody may try links that do not work, from one place. Who is in already is never asked this.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
 use std::net::{IpAddr, Ipv6Addr};
 
 /// Links that do not work which a place may try at once.
@@ -11,7 +11,7 @@ const AGAIN_MS: u64 = 6_000;
 const PLACES_MAX: usize = 4_096;
 
 /// Where a connection comes from: an address, or the network of 64 bits that one computer may have all addresses of.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub(crate) struct Source(IpAddr);
 
 impl Source {
@@ -28,7 +28,7 @@ impl Source {
 #[derive(Debug, Default)]
 pub(super) struct Guesses {
     /// When all of it will be forgiven, by place.
-    forgiven_ms: BTreeMap<Source, u64>,
+    forgiven_ms: HashMap<Source, u64>,
     /// The same, whoever is forgiven first.
     order: BTreeSet<(u64, Source)>,
 }

@@ -4,7 +4,7 @@ use super::{Digest, Invitations};
 use crate::support::now_ms;
 use behaviour::Id;
 use protocol::Role;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio_util::sync::CancellationToken;
@@ -43,8 +43,8 @@ impl Guest {
 /// Who is here, and what tells them to go.
 #[derive(Debug, Default)]
 pub(super) struct Live {
-    over: BTreeMap<Id, CancellationToken>,
-    here: BTreeMap<Digest, usize>,
+    over: HashMap<Id, CancellationToken>,
+    here: HashMap<Digest, usize>,
 }
 
 impl Live {

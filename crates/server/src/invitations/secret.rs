@@ -18,7 +18,7 @@ pub(super) fn random() -> Option<String> {
 
 /// The SHA-256 of a secret: all that is kept of it. A slow hash, as for passwords, would gain nothing: there are too many
 /// secrets of 256 random bits to try, however fast. For the same reason it may be looked up by comparing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Digest([u8; 32]);
 
 impl Digest {

@@ -26,7 +26,7 @@ const FILE: &str = "bin-looked.json";
 /// Empties the bin now and then until the server ends.
 pub(crate) fn keep(library: &Arc<Library>, data: Option<&Path>) {
     let (library, mut looks) = (Arc::clone(library), Looks::within(data));
-    library.clone().tasks.tracker.spawn(async move {
+    library.clone().tasks.spawn(async move {
         let mut beat = tokio::time::interval(Duration::from_millis(LOOK_MS));
         while library.tasks.until_end(beat.tick()).await.is_some() {
             match empty(&*library.store, &mut looks, crate::support::now_ms()).await {

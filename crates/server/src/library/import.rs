@@ -74,7 +74,7 @@ pub(crate) async fn import(
     for _ in 0..TRIES {
         let brought = judge(library, &sender, &file, mode, &by).await?;
         let finishing = finish(Arc::clone(library), Arc::clone(&file), mode, brought);
-        match library.tasks.spawn(finishing).await.map_err(|error| Refused::Unreadable(error.to_string()))? {
+        match library.tasks.make(finishing).await.map_err(|error| Refused::Unreadable(error.to_string()))? {
             Err(no) if no.is_overtaken() => last = no,
             done => return done,
         }

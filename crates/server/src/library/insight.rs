@@ -25,7 +25,7 @@ pub(crate) async fn where_used(store: &dyn Store, helper: &str) -> Result<Reply,
 pub(crate) async fn drivers(store: &dyn Store, actuator: &str) -> Result<Reply, Refused> {
     let mut drivers = bounded(store.drivers(actuator)).await.map_err(no)?;
     let total = drivers.len() as u64;
-    drivers.sort_by_key(|driver| driver.name.to_lowercase());
+    drivers.sort_by_cached_key(|driver| driver.name.to_lowercase());
     drivers.truncate(FOUND_MAX);
     Ok(Reply::Drivers { drivers, total })
 }
@@ -33,7 +33,7 @@ pub(crate) async fn drivers(store: &dyn Store, actuator: &str) -> Result<Reply, 
 /// Actions that several behaviours drive.
 pub(crate) async fn contested(store: &dyn Store) -> Result<Reply, Refused> {
     let mut contested = bounded(store.contested()).await.map_err(no)?;
-    contested.iter_mut().for_each(|one| one.behaviours.sort_by_key(|(_, name)| name.to_lowercase()));
+    contested.iter_mut().for_each(|one| one.behaviours.sort_by_cached_key(|(_, name)| name.to_lowercase()));
     Ok(Reply::Contested { contested })
 }
 

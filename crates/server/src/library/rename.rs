@@ -11,7 +11,7 @@ use behaviour::{
     Behaviour, Change, Helper, Id, Kind, NAME_MAX_CHARS, Procedure, Record, RecordId, Refusal, rename_helpers,
 };
 use protocol::{Refused, Reply};
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, HashSet};
 use std::sync::Arc;
 use tokio::sync::oneshot;
 use uuid::Uuid;
@@ -43,7 +43,7 @@ pub(crate) async fn rename(library: &Arc<Library>, wish: Wish) -> Result<Reply, 
         let _one_at_a_time = library.renaming.lock().await;
         renaming.done().await
     };
-    library.tasks.spawn(work).await.map_err(|error| Refused::Unreadable(error.to_string()))?
+    library.tasks.make(work).await.map_err(|error| Refused::Unreadable(error.to_string()))?
 }
 
 struct Renaming {
@@ -67,7 +67,7 @@ impl Renaming {
             self.propose(self.library.rooms.library(), self.plain(helpers.behaviour())).await?;
             return Ok(Reply::HelperRenamed { programs: 0, left: Vec::new() });
         }
-        for program in programs.keys() {
+        for (program, _) in &programs {
             self.check(program).await?;
         }
         let old = Id::from_uuid(Uuid::new_v4());
@@ -77,14 +77,17 @@ impl Renaming {
 
     /// Lets all uses follow, also those that were made meanwhile; then the old name goes.
     async fn follow(&self, old: &Id) -> Result<Reply, Refused> {
-        let (mut followed, mut left) = (BTreeSet::new(), BTreeMap::new());
+        let (mut followed, mut left) = (HashSet::new(), Vec::new());
         for _ in 0..TRIES {
-            left = self.programs().await?;
-            for program in left.keys().cloned().collect::<Vec<_>>() {
+            left.clear();
+            for (program, name) in self.programs().await? {
                 match self.follow_in(&program).await {
-                    Ok(Followed::Now) => drop((followed.insert(program.clone()), left.remove(&program))),
-                    Ok(Followed::Before) => drop(left.remove(&program)),
-                    Err(no) => tracing::warn!(behaviour = %program, %no, "a program keeps the old name of a helper"),
+                    Ok(Followed::Now) => drop(followed.insert(program)),
+                    Ok(Followed::Before) => {}
+                    Err(no) => {
+                        tracing::warn!(behaviour = %program, %no, "a program keeps the old name of a helper");
+                        left.push(name);
+                    }
                 }
             }
             let gone = if left.is_empty() { self.let_go(old).await } else { break };
@@ -95,14 +98,16 @@ impl Renaming {
             }
         }
         let programs = u32::try_from(followed.len()).unwrap_or(u32::MAX);
-        Ok(Reply::HelperRenamed { programs, left: left.into_values().collect() })
+        Ok(Reply::HelperRenamed { programs, left })
     }
 
-    /// The programs that use the helper themselves, by their names.
-    async fn programs(&self) -> Result<BTreeMap<Id, String>, Refused> {
+    /// The programs that use the helper themselves, with their names, in order of id.
+    async fn programs(&self) -> Result<Vec<(Id, String)>, Refused> {
         let users = bounded(self.library.store.users(&self.wish.seen.name)).await.map_err(|error| store_no(&error))?;
         let programs = users.into_iter().filter(|user| user.behaviour != *self.library.rooms.library());
-        let programs: BTreeMap<Id, String> = programs.map(|user| (user.behaviour, user.name)).collect();
+        let mut programs: Vec<(Id, String)> = programs.map(|user| (user.behaviour, user.name)).collect();
+        // The store tells them in that order, once for each record.
+        programs.dedup_by(|next, one| next.0 == one.0);
         if programs.len() <= FOLLOWING_MAX {
             return Ok(programs);
         }

@@ -5,7 +5,7 @@ use crate::support::store_call::bounded;
 use behaviour::{Behaviour, Graph, Id};
 use futures_util::StreamExt;
 use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Refused, Reply};
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
 use store::Store;
 
@@ -22,7 +22,7 @@ pub(crate) struct Thumbnails(Mutex<Kept>);
 
 #[derive(Debug, Default)]
 struct Kept {
-    made: BTreeMap<Id, (u64, Arc<Picture>)>,
+    made: HashMap<Id, (u64, Arc<Picture>)>,
     order: VecDeque<Id>,
 }
 
@@ -69,7 +69,7 @@ pub(crate) fn picture_of(behaviour: &Behaviour) -> Picture {
     let graph = Graph::of(behaviour);
     let rows = rows(behaviour, &graph);
     let streams: Vec<_> = behaviour.streams_in_order().into_iter().take(Picture::STREAMS_MAX).collect();
-    let numbers: BTreeMap<&Id, u16> = streams.iter().map(|(id, _)| *id).zip(0..).collect();
+    let numbers: HashMap<&Id, u16> = streams.iter().map(|(id, _)| *id).zip(0..).collect();
     let ends = behaviour.connectors_in_order().into_iter();
     let ends = ends.flat_map(|(_, connector)| connector.inputs.iter().map(move |from| (from, &connector.output)));
     let lines = ends.filter_map(|(from, to)| Some([*numbers.get(from)?, *numbers.get(to)?])).collect();
@@ -82,9 +82,9 @@ pub(crate) fn picture_of(behaviour: &Behaviour) -> Picture {
 }
 
 /// A place for every stream that has none: a row for each rank, each row in the middle.
-fn rows<'a>(behaviour: &'a Behaviour, graph: &Graph<'a>) -> BTreeMap<&'a Id, [f64; 2]> {
+fn rows<'a>(behaviour: &'a Behaviour, graph: &Graph<'a>) -> HashMap<&'a Id, [f64; 2]> {
     let ranks = graph.ranks(behaviour);
-    let mut rows: BTreeMap<usize, Vec<&Id>> = BTreeMap::new();
+    let mut rows: HashMap<usize, Vec<&Id>> = HashMap::new();
     for (id, _) in behaviour.streams_in_order() {
         if behaviour.place(id).is_none() {
             rows.entry(ranks.get(id).copied().unwrap_or_default()).or_default().push(id);

@@ -5,7 +5,7 @@ use super::refusal::BackupMisfit;
 use super::register::{Known, Register, check_real};
 use behaviour::Id;
 use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, RealRobot};
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::path::Path;
 use store::backup::{Reached, Robot};
 
@@ -47,7 +47,7 @@ fn real(reached: &Reached) -> RealRobot {
 /// # Errors
 /// Why not.
 pub fn check_robots(data: &Path, robots: &[Robot]) -> Result<(), BackupMisfit> {
-    let ids: BTreeSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
+    let ids: HashSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
     let is_named = |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count());
     let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(|reached| check_real(&real(reached)).is_ok());
     let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;

@@ -8,7 +8,6 @@ use behaviour::{StreamKind, Value};
 use engine::{ConnectorIx, Emission, End, IndexVec, Run, StreamIx};
 use robot::{Millis, Use};
 use std::cell::Cell;
-use std::collections::BTreeMap;
 use std::rc::Rc;
 use std::time::Instant;
 
@@ -19,7 +18,7 @@ pub(super) struct EmissionSink<'a> {
     /// What it counted.
     pub(super) tally: Tally,
     /// For every actuator stream its use and device.
-    uses: BTreeMap<StreamIx, (Use, String)>,
+    uses: IndexVec<StreamIx, Option<(Use, String)>>,
     /// When the procedure that runs now began, or a little before.
     pub(super) clock: Rc<Cell<Instant>>,
     /// The connector that took too long last.
@@ -38,10 +37,14 @@ pub(super) struct EmissionSink<'a> {
 impl<'a> EmissionSink<'a> {
     /// For a run that commands these devices.
     pub(super) fn new(job: &'a Job, tally: Tally, run: &Run, clock: Rc<Cell<Instant>>) -> Self {
-        let of = |wanted: Wanted| (wanted.index, (Use { run: job.run, stream: wanted.stream }, wanted.device));
         let acts: IndexVec<StreamIx, bool> =
             run.streams().iter().map(|info| info.kind == StreamKind::Actuator).collect();
-        let uses = devices(run, &job.start.file).into_iter().filter(|wanted| acts[wanted.index]).map(of).collect();
+        let mut uses: IndexVec<StreamIx, _> = acts.iter().map(|_| None).collect();
+        for Wanted { index, stream, device, .. } in devices(run, &job.start.file) {
+            if acts[index] {
+                uses[index] = Some((Use { run: job.run, stream }, device));
+            }
+        }
         let (recorder, step) = (None, Step::default());
         Self { job, tally, uses, clock, too_long: None, recorder, acts, step, late: 0, cut: false }
     }
@@ -55,7 +58,7 @@ impl<'a> EmissionSink<'a> {
                 if self.recorder.is_some() && self.acts[stream] {
                     self.step.value(at.0, stream, value);
                 }
-                if let Some((user, device)) = self.uses.get(&stream) {
+                if let Some((user, device)) = &self.uses[stream] {
                     let command = Command { cancel: self.job.cancel.clone(), value: value.clone() };
                     self.job.shared.queue.command(user.clone(), device, command);
                 }

@@ -10,7 +10,7 @@ use behaviour::Id;
 use engine::{HeldBy, Precedence, StreamIx};
 use protocol::HeldPart;
 use robot::{Health, Millis, Reading, Robot, SceneEdit, Use};
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -62,7 +62,7 @@ pub(super) struct RobotThread<'a> {
     steps: u64,
     /// When its first step was due.
     began: Instant,
-    users: BTreeMap<u64, User>,
+    users: HashMap<u64, User>,
     readings: Vec<Reading>,
     /// When it looks between two steps again what the senses have read.
     may_sense: Instant,
@@ -70,7 +70,7 @@ pub(super) struct RobotThread<'a> {
     parts: Precedence,
     blocked: Blocked,
     /// What was shown of that last.
-    shown: BTreeMap<u64, Vec<HeldPart>>,
+    shown: HashMap<u64, Vec<HeldPart>>,
 }
 
 /// A run that uses the robot.
@@ -79,12 +79,12 @@ struct User {
     behaviour: (Id, String),
     cancel: Arc<CancelFlag>,
     mailbox: Arc<Mailbox>,
-    streams: BTreeMap<Id, (StreamIx, Keep)>,
+    streams: HashMap<Id, (StreamIx, Keep)>,
     devices: Vec<Wanted>,
 }
 
 /// A part that a stream of a run wanted and did not get: from whom, and when.
-type Blocked = BTreeMap<(u64, Id, String), (u64, Millis)>;
+type Blocked = HashMap<(u64, Id, String), (u64, Millis)>;
 
 impl<'a> RobotThread<'a> {
     /// A robot whose first step is due at `began`.
@@ -94,12 +94,12 @@ impl<'a> RobotThread<'a> {
             robot,
             steps: 0,
             began,
-            users: BTreeMap::new(),
+            users: HashMap::new(),
             readings: Vec::new(),
             may_sense: Instant::now(),
             parts: Precedence::default(),
             blocked: Blocked::new(),
-            shown: BTreeMap::new(),
+            shown: HashMap::new(),
         }
     }
 
@@ -166,7 +166,7 @@ impl<'a> RobotThread<'a> {
             self.close(run);
         }
         // A Stop cancels first; what is written down of it may come later.
-        let stopped = self.users.iter().find(|(_, user)| user.cancel.is_cancelled()).map(|(run, _)| *run);
+        let stopped = self.users.iter().filter(|(_, user)| user.cancel.is_cancelled()).map(|(run, _)| *run).min();
         if let Some(run) = stopped {
             self.close(run);
             self.end_what_ended();
@@ -233,8 +233,10 @@ impl<'a> RobotThread<'a> {
         let (now, users) = (self.now(), &self.users);
         let is_new = |at: Millis| now.0.saturating_sub(at.0) < HELD_SHOWN_MS;
         self.blocked.retain(|(run, ..), (by, at)| is_new(*at) && users.contains_key(run) && users.contains_key(by));
-        let mut held: BTreeMap<u64, Vec<HeldPart>> = BTreeMap::new();
-        for ((run, stream, part), (by, _)) in &self.blocked {
+        let mut held: HashMap<u64, Vec<HeldPart>> = HashMap::new();
+        let mut blocked: Vec<_> = self.blocked.iter().collect();
+        blocked.sort_unstable();
+        for ((run, stream, part), (by, _)) in blocked {
             if let Some((by, name)) = users.get(by).map(|holder| holder.behaviour.clone()) {
                 held.entry(*run).or_default().push(HeldPart { part: part.clone(), stream: stream.clone(), by, name });
             }
@@ -297,7 +299,9 @@ impl<'a> RobotThread<'a> {
     fn close(&mut self, run: u64) {
         self.parts.let_go(run);
         let Some(user) = self.users.remove(&run) else { return };
-        for stream in user.streams.into_keys() {
+        let mut streams: Vec<_> = user.streams.into_keys().collect();
+        streams.sort();
+        for stream in streams {
             self.robot.close(&Use { run, stream });
         }
     }

@@ -6,7 +6,7 @@ use super::mailbox::{Keep, Mailbox};
 use behaviour::{BehaviourFile, Id};
 use engine::{Handover, StreamIx};
 use protocol::{RunPhase, RunState};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -18,10 +18,10 @@ pub(super) const RUNNING_MAX_RUNS: usize = 16;
 /// The runs by their numbers; every use of it is short.
 #[derive(Debug, Default)]
 pub(super) struct RunTable {
-    preparing: BTreeMap<u64, Preparing>,
+    preparing: HashMap<u64, Preparing>,
     runs: BTreeMap<u64, Entry>,
     /// Of the runs that the robot interrupted: what they may go on with.
-    paused: BTreeMap<u64, Paused>,
+    paused: HashMap<u64, Paused>,
 }
 
 /// A run that the robot interrupted.
@@ -52,7 +52,7 @@ struct Preparing {
 }
 
 /// The sensor streams of a run by id: their index, and which readings wait.
-pub(super) type Senses = BTreeMap<Id, (StreamIx, Keep)>;
+pub(super) type Senses = HashMap<Id, (StreamIx, Keep)>;
 
 /// Taken while somebody applies an edited behaviour to a run.
 #[derive(Clone, Debug, Default)]
@@ -176,7 +176,7 @@ impl RunTable {
     /// What a behaviour goes on with, if the robot interrupted it and nobody pressed Stop since.
     pub(super) fn take_memory(&mut self, behaviour: &Id) -> Option<PausedMemory> {
         let of_it = |run: &u64| self.runs.get(run).is_some_and(|entry| entry.state.behaviour == *behaviour);
-        let run = self.paused.keys().rfind(|run| of_it(run)).copied()?;
+        let run = self.paused.keys().filter(|run| of_it(run)).max().copied()?;
         let paused = self.paused.get_mut(&run).filter(|paused| !paused.cancel.is_cancelled())?;
         paused.memory.take()
     }
@@ -196,9 +196,9 @@ impl RunTable {
 
     /// Cancels all that is only being prepared.
     pub(super) fn cancel_all(&mut self) {
-        for waiting in self.preparing.values() {
+        self.preparing.values().for_each(|waiting| {
             waiting.cancel.cancel();
-        }
+        });
     }
 
     /// Whether a behaviour runs or is about to.

@@ -11,7 +11,7 @@ use crate::support::lock;
 use behaviour::Id;
 use protocol::{HeldPart, Recorded, RunPhase, RunState};
 use robot::Scene;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
@@ -166,7 +166,7 @@ impl RobotShared {
     }
 
     /// Shows which parts of the robot are kept from which runs.
-    pub(super) fn held(&self, mut held: BTreeMap<u64, Vec<HeldPart>>) {
+    pub(super) fn held(&self, mut held: HashMap<u64, Vec<HeldPart>>) {
         let mut table = lock(&self.table);
         for entry in table.entries_mut() {
             entry.state.held = held.remove(&entry.state.run).unwrap_or_default();

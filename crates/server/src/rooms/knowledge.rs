@@ -3,7 +3,7 @@
 use crate::support::lock;
 use behaviour::{Call, DeviceType, Helper, Knowledge, Params, Signature, StreamKind, ValueType};
 use std::cell::Cell;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
@@ -39,7 +39,7 @@ pub struct Knowing(Mutex<Answers>);
 
 #[derive(Debug, Default)]
 struct Answers {
-    known: BTreeMap<Arc<Question>, Answer>,
+    known: HashMap<Arc<Question>, Answer>,
     order: VecDeque<Arc<Question>>,
     bytes: usize,
 }

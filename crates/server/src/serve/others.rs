@@ -3,6 +3,7 @@
 use super::ServeError;
 use crate::http::network::{self, Network, NotOpened, Opened};
 use crate::invitations::Invitations;
+use crate::support::tasks::blocking;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -32,7 +33,7 @@ pub(super) fn open(
 /// The invitation that is told at the start. Where it cannot be made, as on a full disk, those who came before still come.
 pub(super) async fn first_invitation(all: &Arc<Invitations>) -> Option<Invited> {
     let all = Arc::clone(all);
-    match tokio::task::spawn_blocking(move || all.make_at_start()).await {
+    match blocking(move || all.make_at_start()).await {
         Ok(Ok(made)) => Some(Invited { link: made.link, qr: made.qr, fingerprint: made.fingerprint }),
         Ok(Err(why)) => {
             tracing::warn!(%why, "nobody new is invited");

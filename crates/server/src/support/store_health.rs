@@ -68,7 +68,7 @@ fn text(away: Option<String>) -> Utf8Bytes {
 /// Asks until the server ends.
 pub(crate) fn keep(health: StoreHealth, store: Arc<dyn Store>, tasks: &Tasks) {
     let ending = tasks.clone();
-    tasks.tracker.spawn(async move {
+    tasks.spawn(async move {
         let mut beat = tokio::time::interval(Duration::from_millis(ASK_MS));
         beat.set_missed_tick_behavior(tokio::time::MissedTickBehavior::Delay);
         while ending.until_end(beat.tick()).await.is_some() {

@@ -5,7 +5,7 @@ use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use behaviour::Id;
 use protocol::Refused;
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::collections::{HashMap, HashSet, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use tokio::sync::oneshot;
@@ -21,7 +21,7 @@ const WAITING_PER_SENDER_MAX: usize = 16;
 const WAITING_MAX: usize = 1_024;
 
 /// For whom something is worked on. Of one sender one task is under way at a time, and senders take turns.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Sender {
     /// What a link asks, by its number.
     Link(u64),
@@ -65,14 +65,17 @@ struct Shared {
     bell: Condvar,
 }
 
+/// Work of whatever kind, as one type: what does it is compiled once.
+type Work = Box<dyn FnOnce(&CancellationToken) + Send>;
+/// Work with what it is told by.
 type Task = Box<dyn FnOnce() + Send>;
 
 #[derive(Default)]
 struct Queue {
-    waiting: BTreeMap<Sender, VecDeque<Task>>,
+    waiting: HashMap<Sender, VecDeque<Task>>,
     /// Senders of whom something waits and nothing is under way, next first.
     turns: VecDeque<Sender>,
-    under_way: BTreeSet<Sender>,
+    under_way: HashSet<Sender>,
     count: usize,
     ended: bool,
 }
@@ -98,17 +101,34 @@ impl Workers {
     ///
     /// # Errors
     /// If too much waits already, or the work panics.
-    pub(crate) async fn run<T: Send + 'static>(
+    pub(crate) fn run<T: Send + 'static>(
         &self,
         sender: Sender,
         work: impl FnOnce(&CancellationToken) -> T + Send + 'static,
-    ) -> Result<T, NotDone> {
+    ) -> impl Future<Output = Result<T, NotDone>> {
+        let made = Arc::new(Mutex::new(None));
+        let place = Arc::clone(&made);
+        let put = move |token: &CancellationToken| {
+            let done = work(token);
+            *lock(&place) = Some(done);
+        };
+        self.made(sender, Box::new(put), made)
+    }
+
+    /// Does work that puts what it makes into a place, and takes that.
+    async fn made<T>(&self, sender: Sender, work: Work, made: Arc<Mutex<Option<T>>>) -> Result<T, NotDone> {
+        self.done(sender, work).await?;
+        lock(&made).take().ok_or(NotDone::Failed)
+    }
+
+    /// Does work and waits for its end.
+    async fn done(&self, sender: Sender, work: Work) -> Result<(), NotDone> {
         let (token, (done, waiting)) = (CancellationToken::new(), oneshot::channel());
         let _leaving = token.clone().drop_guard();
         let task = move || {
             if !token.is_cancelled() {
                 let worked = catch_unwind(AssertUnwindSafe(|| work(&token)));
-                drop(done.send(worked.map_err(|_| NotDone::Failed)));
+                let _ = done.send(worked.map_err(|_| NotDone::Failed));
             }
         };
         if !lock(&self.0.0.queue).put(sender, Box::new(task)) {

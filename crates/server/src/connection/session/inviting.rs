@@ -2,6 +2,7 @@
 
 use super::Session;
 use crate::invitations::{Invited, Terms};
+use crate::support::tasks::blocking;
 use protocol::{Refused, Reply, Request};
 use std::sync::Arc;
 
@@ -19,6 +20,6 @@ impl Session {
             _ => Ok(Reply::Invitations { invitations: all.told().borrow().to_vec() }),
         };
         let failed = |error: tokio::task::JoinError| Err(Refused::InvitationsNotKept(error.to_string()));
-        self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+        self.later(ask, async move { blocking(work).await.unwrap_or_else(failed) });
     }
 }

@@ -13,8 +13,10 @@ use crate::robots::real;
 use crate::rooms::member::Answer;
 use crate::rooms::{Locking, Note, Parting, Whereabouts};
 use crate::state::ServerState;
+use crate::support::tasks::blocking;
 use crate::support::workers::Sender;
 use behaviour::{Change, Helper, Id, Token, Value};
+use futures_util::future::BoxFuture;
 use protocol::{Refused, Reply, Request};
 use robot::Control;
 use std::future::Future;
@@ -142,6 +144,10 @@ impl Session {
 
     /// What has to wait goes on by itself, so that Stop can be heard meanwhile.
     pub(super) fn later(&self, ask: u32, work: impl Future<Output = Result<Reply, Refused>> + Send + 'static) {
+        self.later_boxed(ask, Box::pin(work));
+    }
+
+    fn later_boxed(&self, ask: u32, work: BoxFuture<'static, Result<Reply, Refused>>) {
         let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
             return self.outbox.no(ask, Refused::TooFast);
         };
@@ -197,10 +203,7 @@ impl Session {
             _ => Ok(()),
         };
         let failed = |error: tokio::task::JoinError| Err(Refused::NotKept(error.to_string()));
-        self.later(
-            ask,
-            async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed).map(|()| Reply::Done) },
-        );
+        self.later(ask, async move { blocking(work).await.unwrap_or_else(failed).map(|()| Reply::Done) });
     }
 
     /// The folder of the recordings, which may take its time.
@@ -211,7 +214,7 @@ impl Session {
             _ => Ok(Reply::Recordings { recordings: recordings.list() }),
         };
         let failed = |error: tokio::task::JoinError| Err(Refused::CannotRecord(error.to_string()));
-        self.later(ask, async move { tokio::task::spawn_blocking(work).await.unwrap_or_else(failed) });
+        self.later(ask, async move { blocking(work).await.unwrap_or_else(failed) });
     }
 
     /// Tries a procedure, among the other work.
@@ -285,7 +288,7 @@ impl Session {
         let Entry::Guest(guest) = &self.entry else { return self.outbox.say(Some(ask), Reply::Done) };
         let (all, guest, name) = (Arc::clone(&self.state().invitations), guest.clone(), self.me.name.clone());
         self.later(ask, async move {
-            let _kept_or_logged = tokio::task::spawn_blocking(move || all.call(&guest, &name)).await;
+            let _kept_or_logged = blocking(move || all.call(&guest, &name)).await;
             Ok(Reply::Done)
         });
     }

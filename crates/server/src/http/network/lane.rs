@@ -9,7 +9,8 @@ use crate::invitations::Source;
 use crate::robots::Robots;
 use crate::support::lock;
 use crate::support::places::{Place, Places};
-use std::collections::BTreeMap;
+use crate::support::tasks::boxed;
+use std::collections::HashMap;
 use std::io;
 use std::net::IpAddr;
 use std::sync::{Arc, Mutex};
@@ -56,7 +57,7 @@ impl Lane {
         ending: CancellationToken,
     ) {
         while let Some(Some((stream, peer))) = ending.run_until_cancelled(arriving.recv()).await {
-            drop(tokio::spawn(Arc::clone(&self).admit(stream, peer)));
+            drop(tokio::spawn(boxed(Arc::clone(&self).admit(stream, peer))));
         }
     }
 
@@ -120,7 +121,7 @@ async fn first<S: AsyncRead + Unpin>(mut stream: S) -> io::Result<(bool, Begun<S
 
 /// Connections that have not said yet what they want, of each place where there are any.
 #[derive(Default)]
-struct ByPlace(Mutex<BTreeMap<Source, (Arc<Places>, usize)>>);
+struct ByPlace(Mutex<HashMap<Source, (Arc<Places>, usize)>>);
 
 impl ByPlace {
     /// A place among those of where somebody comes from; the oldest of these gives way.

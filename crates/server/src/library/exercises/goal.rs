@@ -3,7 +3,7 @@
 use behaviour::{Params, Value};
 use robot::Millis;
 use serde::Deserialize;
-use std::collections::BTreeMap;
+use std::collections::HashMap;
 
 /// A part counts from so long after it began, so that what samples or waits has settled, in milliseconds.
 const SETTLE_MS: u64 = 1_000;
@@ -68,7 +68,7 @@ pub(crate) struct Expectation {
     pub(crate) action: String,
     /// What may be chosen for it; what is not named may be anything.
     #[serde(default)]
-    pub(crate) with: BTreeMap<String, Vec<Value>>,
+    pub(crate) with: HashMap<String, Vec<Value>>,
     /// What it shall be told.
     pub(crate) is: Wanted,
     /// What is said where it is not so, in a sentence.

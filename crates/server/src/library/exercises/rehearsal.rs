@@ -3,9 +3,8 @@
 
 use super::goal::{Action, Goal, Part};
 use behaviour::{BehaviourFile, Params, StreamKind};
-use engine::{Emission, End, Limits, Run, StreamInfo, StreamIx};
+use engine::{Emission, End, IndexVec, Limits, Run, StreamInfo, StreamIx};
 use protocol::Tried;
-use std::collections::BTreeMap;
 use std::time::{Duration, Instant};
 use tokio_util::sync::CancellationToken;
 
@@ -41,12 +40,11 @@ fn run_through(file: &BehaviourFile, goal: &Goal, token: &CancellationToken) -> 
 }
 
 fn on_readings(mut run: Run, goal: &Goal, is_over: impl Fn() -> bool) -> Tried {
-    let mut actions: BTreeMap<StreamIx, Action> =
-        run.streams().enumerate().filter_map(|(index, info)| Some((index, action(info)?))).collect();
+    let mut actions: IndexVec<StreamIx, Option<Action>> = run.streams().iter().map(action).collect();
     let mut fault = None;
     let mut note = |emission: Emission| match emission {
         Emission::Value { at, stream, value } => {
-            if let Some(action) = actions.get_mut(&stream) {
+            if let Some(action) = &mut actions[stream] {
                 action.told.push((at, value.clone()));
             }
         }
@@ -71,7 +69,7 @@ fn on_readings(mut run: Run, goal: &Goal, is_over: impl Fn() -> bool) -> Tried {
             Tried::CannotRun(run.fault().map(|fault| fault.to_string()).unwrap_or_default())
         }
         None => {
-            let actions: Vec<Action> = actions.into_values().collect();
+            let actions: Vec<Action> = actions.iter_mut().filter_map(Option::take).collect();
             match goal.missed(&actions) {
                 Some(says) => Tried::Missed { says: says.to_owned(), fault },
                 None => Tried::Reached(goal.reached.clone()),

@@ -5,7 +5,7 @@ use crate::rooms::member::Answer;
 use crate::rooms::past::{Naming, Wish};
 use behaviour::{Change, Edit, Kind};
 use protocol::Refused;
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{HashMap, VecDeque};
 
 /// Jobs that may wait in one room.
 const WAITING_MAX_JOBS: usize = 1_024;
@@ -55,7 +55,7 @@ pub(super) fn is_small(change: &Change) -> bool {
 /// Jobs that wait: each sender's in order, and the senders take turns.
 #[derive(Default)]
 pub(super) struct Waiting {
-    of: BTreeMap<Option<u64>, VecDeque<Job>>,
+    of: HashMap<Option<u64>, VecDeque<Job>>,
     /// Who is next.
     turns: VecDeque<Option<u64>>,
     count: usize,
