@@ -61,9 +61,12 @@ const LIBRARIES: [(&str, &[&str]); 8] = [
 /// Rooms without clock, threads, network or chance.
 const PURE: [&str; 6] = ["behaviour", "engine", "protocol", "robot", "sentences", "simulation"];
 const IMPURE: [&str; 6] = ["std::time::Instant", "Instant::now", "SystemTime", "std::thread", "std::net", "tokio"];
-/// Rooms whose work must happen in the same order in every run.
+/// Rooms whose work must happen in the same order in every run. There is one file that keeps the order of hashes to itself.
 const ORDERED: [&str; 4] = ["behaviour", "engine", "sentences", "simulation"];
 const UNORDERED: [&str; 2] = ["HashMap", "HashSet"];
+const LOOKUP: &str = "crates/behaviour/src/lookup.rs";
+/// What would show it.
+const GOES_THROUGH: [&str; 6] = [".iter(", ".into_iter(", ".keys(", ".values(", ".drain(", "IntoIterator for"];
 /// Functions of the standard library that differ between machines; `libm` does not.
 const TRIGONOMETRY: [&str; 8] =
     [".sin()", ".cos()", ".tan()", ".asin()", ".acos()", ".atan()", ".atan2(", ".sin_cos()"];
@@ -161,7 +164,8 @@ fn every_file_opens_with_its_purpose() -> Outcome<()> {
 #[test]
 fn pure_rooms_have_no_clock_no_threads_and_no_network() -> Outcome<()> {
     let mut wrong = mentions(&PURE, &IMPURE)?;
-    wrong.extend(mentions(&ORDERED, &UNORDERED)?);
+    wrong.extend(mentions(&ORDERED, &UNORDERED)?.into_iter().filter(|found| !found.starts_with(LOOKUP)));
+    wrong.extend(mentions(&["behaviour"], &GOES_THROUGH)?.into_iter().filter(|found| found.starts_with(LOOKUP)));
     none("pure rooms mention what depends on the machine", &wrong)
 }
 

@@ -2,13 +2,14 @@
 
 use crate::walk::{self, Ends};
 use crate::{Behaviour, Connector, Id, StreamKind};
-use std::collections::{HashMap, HashSet};
+use crate::{Lookup, LookupSet};
+use std::collections::BTreeSet;
 
 /// The connectors around every stream, in file order.
 #[derive(Debug, Default)]
 pub struct Graph<'a> {
-    into: HashMap<&'a Id, Vec<(&'a Id, &'a Connector)>>,
-    out_of: HashMap<&'a Id, Vec<(&'a Id, &'a Connector)>>,
+    into: Lookup<&'a Id, Vec<(&'a Id, &'a Connector)>>,
+    out_of: Lookup<&'a Id, Vec<(&'a Id, &'a Connector)>>,
     all: Vec<&'a Connector>,
 }
 
@@ -41,8 +42,8 @@ impl<'a> Graph<'a> {
 
     /// All streams that values of `stream` can reach, without itself unless there is a cycle.
     #[must_use]
-    pub fn below(&self, stream: &Id) -> HashSet<&'a Id> {
-        let mut reached = HashSet::new();
+    pub fn below(&self, stream: &Id) -> BTreeSet<&'a Id> {
+        let mut reached = BTreeSet::new();
         let mut open: Vec<&'a Id> = self.out_of_stream(stream).iter().map(|(_, connector)| &connector.output).collect();
         while let Some(next) = open.pop() {
             if reached.insert(next) {
@@ -52,9 +53,9 @@ impl<'a> Graph<'a> {
         reached
     }
 
-    /// How many connectors the longest way to each stream has; none of the streams in a circle or behind one.
+    /// How many connectors the longest way to each stream has, by id; none of the streams in a circle or behind one.
     #[must_use]
-    pub fn ranks(&self, behaviour: &'a Behaviour) -> HashMap<&'a Id, usize> {
+    pub fn ranks(&self, behaviour: &'a Behaviour) -> Vec<(&'a Id, usize)> {
         let wires = self.wires(behaviour.streams().map(|(id, _)| id).collect());
         let ranks = walk::ranks(wires.streams.len(), &wires.ends());
         wires.streams.into_iter().zip(ranks).filter_map(|(id, rank)| Some((id, rank?))).collect()
@@ -62,7 +63,7 @@ impl<'a> Graph<'a> {
 
     /// The graph in numbers, with these streams besides those that connectors lead from and to.
     fn wires(&self, mut streams: Vec<&'a Id>) -> Wires<'a> {
-        streams.extend(self.into.keys().chain(self.out_of.keys()).copied());
+        streams.extend(self.all.iter().flat_map(|connector| connector.inputs.iter().chain([&connector.output])));
         streams.sort_unstable();
         streams.dedup();
         let place = |id: &Id| streams.binary_search(&id).unwrap_or_default();
@@ -73,10 +74,10 @@ impl<'a> Graph<'a> {
 
     /// The streams whose values can reach an action of the robot, actions included: one walk upwards for all of them.
     #[must_use]
-    pub fn reaching_action(&self, behaviour: &'a Behaviour) -> HashSet<&'a Id> {
+    pub fn reaching_action(&self, behaviour: &'a Behaviour) -> LookupSet<&'a Id> {
         let actions = behaviour.streams().filter(|(_, stream)| stream.kind == StreamKind::Actuator);
         let mut open: Vec<&'a Id> = actions.map(|(id, _)| id).collect();
-        let mut reaching: HashSet<&'a Id> = HashSet::new();
+        let mut reaching: LookupSet<&'a Id> = LookupSet::new();
         while let Some(next) = open.pop() {
             if reaching.insert(next) {
                 open.extend(self.into_stream(next).iter().flat_map(|(_, connector)| &connector.inputs));
@@ -156,7 +157,7 @@ mod tests {
         let dead = Graph::of(&made).dead_streams(&made);
         assert_eq!(dead, [&id("s2"), &id("y")]);
         let below = Graph::of(&made).below(&id("s1"));
-        assert_eq!(below, [&id("a1"), &id("x"), &id("y")].into());
+        assert_eq!(below.into_iter().map(Id::as_str).collect::<Vec<_>>(), ["a1", "x", "y"]);
     }
 
     #[test]
@@ -164,7 +165,7 @@ mod tests {
         let made = behaviour(&["s1", "x", "y", "a1"], &[(&["s1"], "x"), (&["s1", "x"], "y"), (&["y"], "a1")]);
         let graph = Graph::of(&made);
         let ranks = graph.ranks(&made);
-        let rank = |name: &str| ranks[&id(name)];
+        let rank = |name: &str| ranks.iter().find(|(at, _)| at.as_str() == name).unwrap().1;
         assert_eq!([rank("s1"), rank("x"), rank("y"), rank("a1")], [0, 1, 2, 3]);
     }
 
@@ -172,6 +173,6 @@ mod tests {
     fn a_circle_has_no_rank_and_ends() {
         let made = behaviour(&["s1", "x", "y"], &[(&["s1", "y"], "x"), (&["x"], "y")]);
         let graph = Graph::of(&made);
-        assert_eq!(graph.ranks(&made).into_keys().collect::<Vec<_>>(), [&id("s1")]);
+        assert_eq!(graph.ranks(&made), [(&id("s1"), 0)]);
     }
 }

@@ -1,8 +1,8 @@
 //! Whether a history that comes from elsewhere, such as a backup, hangs together.
 
+use crate::LookupSet;
 use crate::rules::{check_graph, check_groups, check_helper_names, check_names};
 use crate::{Behaviour, Change, Edit, Engine, Id, Kind, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind};
-use std::collections::HashSet;
 
 /// A behaviour as its changes make it from nothing, one after the other.
 ///
@@ -12,7 +12,7 @@ use std::collections::HashSet;
 #[derive(Clone, Debug, Default)]
 pub struct History {
     behaviour: Behaviour,
-    seen: HashSet<Id>,
+    seen: LookupSet<Id>,
 }
 
 impl History {
@@ -50,7 +50,7 @@ impl History {
         if change.edits.is_empty() {
             return Err(Refusal::Edits(0));
         }
-        let mut touched = HashSet::new();
+        let mut touched = LookupSet::new();
         change.edits.iter().try_for_each(|edit| {
             if !touched.insert(&edit.id) || !is_of_one_kind(edit) {
                 return Err(Refusal::Malformed(edit.id.to_string()));

@@ -19,6 +19,7 @@ mod ids;
 mod lasting;
 pub mod library;
 mod locks;
+mod lookup;
 pub mod marbles;
 mod names;
 mod numbered;
@@ -51,6 +52,7 @@ pub use locks::{
     Asked, Denied, Grant, Held, Holder, LOCKED_MAX, LOCKED_PER_SESSION_MAX, LOCKS_PER_SESSION_MAX, LockEvent, Locks,
     Presented, Token, Why,
 };
+pub use lookup::{Lookup, LookupSet};
 pub use names::{
     argument_names, arguments_of, called_names, calls_helper, in_names_of_today, is_identifier, is_name_letter,
     rename_helpers, rename_identifier, shown_spellings,

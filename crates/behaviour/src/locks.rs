@@ -10,10 +10,11 @@ mod time;
 pub use ask::Asked;
 pub use news::{LockEvent, Why};
 
+use crate::Lookup;
 use crate::{Change, Filled, Id, Kind, RecordId};
 use ask::{Ask, PutOff};
 use serde::{Deserialize, Serialize};
-use std::collections::{BTreeMap, BTreeSet, HashMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 /// Locks one link may hold, each over a set of records.
 pub const LOCKS_PER_SESSION_MAX: usize = 16;
@@ -125,11 +126,11 @@ pub struct Locks {
     now_ms: u64,
     /// By the counters of their tokens.
     held: BTreeMap<u64, Lock>,
-    by_record: HashMap<RecordId, u64>,
+    by_record: Lookup<RecordId, u64>,
     /// By the names of the changes.
-    saving: HashMap<Id, Saving>,
+    saving: Vec<(Id, Saving)>,
     /// Which clients were told *not yet* for which records.
-    refused: HashMap<(Id, RecordId), PutOff>,
+    refused: Vec<((Id, RecordId), PutOff)>,
     /// Grows whenever who holds what changes.
     version: u64,
     news: VecDeque<LockEvent>,
@@ -139,8 +140,8 @@ impl Locks {
     /// Nothing is locked. The epoch is the server's, which grows with every start.
     #[must_use]
     pub fn new(epoch: u64) -> Self {
-        let (held, by_record, saving) = (BTreeMap::new(), HashMap::new(), HashMap::new());
-        let (refused, news) = (HashMap::new(), VecDeque::new());
+        let (held, by_record, saving) = (BTreeMap::new(), Lookup::new(), Vec::new());
+        let (refused, news) = (Vec::new(), VecDeque::new());
         Self { epoch, counter: 0, now_ms: 0, held, by_record, saving, refused, version: 0, news }
     }
 
@@ -249,12 +250,13 @@ impl Locks {
         }
         let records = lockable(change).cloned().collect();
         let saving = Saving { client: presented.client.clone(), by: change.author.clone(), records };
-        self.saving.insert(change.op.clone(), saving);
+        self.saving.retain(|(op, _)| *op != change.op);
+        self.saving.push((change.op.clone(), saving));
     }
 
     /// A change is saved and everyone was told, or it is not saved and never will be.
     pub fn saved(&mut self, now_ms: u64, op: &Id) {
-        self.saving.remove(op);
+        self.saving.retain(|(saved, _)| saved != op);
         self.advance(now_ms);
     }
 
@@ -327,7 +329,8 @@ impl Locks {
 
     /// Who locked a record, or who else's change of it is being saved.
     fn busy(&self, client: &Id, record: &RecordId) -> Option<&str> {
-        let mut others = self.saving.values().filter(|saving| saving.client.as_ref() != Some(client));
+        let mut others =
+            self.saving.iter().map(|(_, saving)| saving).filter(|saving| saving.client.as_ref() != Some(client));
         let saver = || others.find(|saving| saving.records.contains(record)).map(|saving| saving.by.as_str());
         self.holder(record).map(|holder| holder.name.as_str()).or_else(saver)
     }
@@ -342,7 +345,7 @@ impl Locks {
     }
 
     fn is_saving(&self, lock: &Lock) -> bool {
-        self.saving.values().any(|saving| !saving.records.is_disjoint(&lock.records))
+        self.saving.iter().any(|(_, saving)| !saving.records.is_disjoint(&lock.records))
     }
 
     /// Locks what is known to be free.

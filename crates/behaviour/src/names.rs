@@ -5,8 +5,9 @@
 
 mod composed;
 
+use crate::{Lookup, LookupSet};
 use composed::composed;
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 use unicode_xid::UnicodeXID;
 
@@ -99,7 +100,7 @@ pub fn arguments_of(body: &str, stream_names: &[&str]) -> Vec<String> {
     if stream_names.iter().all(|name| name.is_ascii()) {
         return today;
     }
-    let used: HashSet<&str> = variables(body).into_iter().map(|place| &body[place]).collect();
+    let used: LookupSet<&str> = variables(body).into_iter().map(|place| &body[place]).collect();
     let before = ascii_argument_names(stream_names.iter().copied());
     let known = |(today, before): (String, String)| {
         let is_old = today != before && used.contains(before.as_str()) && !used.contains(today.as_str());
@@ -165,8 +166,8 @@ fn begins_with_letter(name: &str) -> bool {
 /// Names that are taken, and the number to try next for each name that was wanted twice.
 #[derive(Default)]
 struct Used {
-    names: HashSet<String>,
-    next: HashMap<String, u64>,
+    names: LookupSet<String>,
+    next: Lookup<String, u64>,
 }
 
 impl Used {

@@ -10,6 +10,7 @@ mod words;
 pub use fix::{Fix, FixKind, fixes, fixes_seeing};
 pub use near::near;
 
+use crate::Lookup;
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
 use crate::{
     Behaviour, Connector, Engine, Filled, Fit, Helper, Id, Kind, Knowledge, Procedure, RecordId, Seen, Settings,
@@ -17,7 +18,6 @@ use crate::{
 };
 use around::Around;
 use serde::{Deserialize, Serialize};
-use std::collections::HashMap;
 
 /// One problem of one element. [`std::fmt::Display`] says it in one English sentence.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -153,7 +153,7 @@ fn stream_problems(around: &Around) -> Vec<Problem> {
     let behaviour = around.behaviour;
     let reaching = around.graph.reaching_action(behaviour);
     let multiplying = multiplying(behaviour);
-    let mut hints: HashMap<&Id, Vec<ProblemKind>> = HashMap::new();
+    let mut hints: Lookup<&Id, Vec<ProblemKind>> = Lookup::new();
     for (id, kind) in [ways::fighting(around), ways::pressed_and_released(around), ways::too_fast(around)].concat() {
         hints.entry(id).or_default().push(kind);
     }
@@ -186,7 +186,7 @@ fn multiplying(behaviour: &Behaviour) -> Option<(&Id, bool)> {
         return None;
     }
     let streams = behaviour.streams_in_order();
-    let places: HashMap<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).filled();
+    let places: Lookup<&Id, usize> = streams.iter().enumerate().map(|(at, (id, _))| (*id, at)).filled();
     let ends = |connector: &Connector| {
         let inputs = connector.inputs.iter().map(|id| places.get(id).copied()).collect::<Option<Vec<_>>>()?;
         Some((inputs, *places.get(&connector.output)?, connector.operation.spec().gives))

@@ -7,8 +7,9 @@ use crate::size::Size;
 use crate::{
     Behaviour, Change, EDITS_MAX, Id, Knowledge, Locks, Presented, Record, RecordId, Refusal, rules, without_unseen,
 };
+use crate::{Lookup, LookupSet};
 use serde::{Deserialize, Serialize};
-use std::collections::{HashMap, HashSet, VecDeque};
+use std::collections::VecDeque;
 
 /// How many answered changes a room remembers, to answer one sent twice; the store remembers all.
 const ANSWERED_MAX: usize = 1_024;
@@ -20,7 +21,7 @@ pub struct Room {
     revision: u64,
     /// Of the behaviour, so that a change costs what it touches.
     size: Size,
-    answered: HashMap<Id, Answer>,
+    answered: Lookup<Id, Answer>,
     answered_order: VecDeque<Id>,
 }
 
@@ -60,7 +61,7 @@ impl Room {
     #[must_use]
     pub fn open(behaviour: Behaviour, revision: u64) -> Self {
         let size = Size::of(&behaviour);
-        Self { behaviour, revision, size, answered: HashMap::new(), answered_order: VecDeque::new() }
+        Self { behaviour, revision, size, answered: Lookup::new(), answered_order: VecDeque::new() }
     }
 
     /// Whether changes that make a behaviour from nothing, one after the other, keep the rules.
@@ -227,7 +228,7 @@ fn check_whole(change: &Change) -> Result<(), Refusal> {
     if change.edits.is_empty() || change.edits.len() > EDITS_MAX {
         return Err(Refusal::Edits(change.edits.len()));
     }
-    let mut seen = HashSet::new();
+    let mut seen = LookupSet::new();
     for edit in &change.edits {
         let kinds = [&edit.before, &edit.after].into_iter().flatten();
         if !seen.insert(&edit.id) || kinds.into_iter().any(|record| record.kind() != edit.id.kind) {

@@ -5,8 +5,8 @@ use crate::{
     Behaviour, Change, Connector, DeviceType, Edit, Filled, Graph, Group, Helper, Id, Note, Params, Procedure, Record,
     Settings, Signature, Stream, StreamKind, ValueType, has_unseen, record_bytes,
 };
+use crate::{Lookup, LookupSet};
 use serde::{Deserialize, Serialize};
-use std::collections::{HashMap, HashSet};
 use std::ops::RangeInclusive;
 
 /// The longest name of a behaviour, stream or helper, in characters.
@@ -211,7 +211,7 @@ fn check_bounds(edit: &Edit) -> Result<(), Refusal> {
     if bytes > RECORD_MAX_BYTES && before.is_none_or(|before| record_bytes(&edit.id, before) < bytes) {
         return Err(Refusal::TooLarge(format!("this {}", edit.id.kind.word())));
     }
-    let known: HashSet<&str> = before.map(names_in).unwrap_or_default().into_iter().filled();
+    let known: LookupSet<&str> = before.map(names_in).unwrap_or_default().into_iter().filled();
     let mut new = names_in(after).into_iter().filter(|name| !known.contains(name));
     new.try_for_each(|name| {
         within("This name", name, NAME_MAX_CHARS)?;
@@ -272,7 +272,7 @@ fn check_group(group: &Group) -> Result<(), Refusal> {
 
 /// A stream is in one group at most, whether it is there or gone.
 pub(crate) fn check_groups(after: &Behaviour) -> Result<(), Refusal> {
-    let mut seen: HashMap<&Id, &Group> = HashMap::new();
+    let mut seen: Lookup<&Id, &Group> = Lookup::new();
     for (_, group) in after.groups() {
         for id in &group.streams {
             if let Some(other) = seen.insert(id, group) {
@@ -299,7 +299,7 @@ fn check_tags(tags: &[String]) -> Result<(), Refusal> {
     if tags.len() > TAGS_MAX {
         return Err(Refusal::TooMany("tags".to_owned(), TAGS_MAX));
     }
-    let mut seen = HashSet::new();
+    let mut seen = LookupSet::new();
     tags.iter().try_for_each(|tag| {
         if tag.trim() != tag {
             return Err(Refusal::Name(shortened(tag)));
@@ -386,7 +386,7 @@ pub(crate) fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
 }
 
 fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
-    let mut seen = HashSet::new();
+    let mut seen = LookupSet::new();
     for name in names {
         if !seen.insert(name) {
             return Err(Refusal::NameTaken(name.to_owned()));
@@ -396,7 +396,7 @@ fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
 }
 
 pub(crate) fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
-    let streams: HashMap<&Id, &Stream> = after.streams().filled();
+    let streams: Lookup<&Id, &Stream> = after.streams().filled();
     for (_, connector) in after.connectors_in_order() {
         check_ends(&streams, connector)?;
     }
@@ -410,7 +410,7 @@ pub(crate) fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
     graph.cycle().map_or(Ok(()), |id| Err(Refusal::Cycle(name_of(id))))
 }
 
-fn check_ends(streams: &HashMap<&Id, &Stream>, connector: &Connector) -> Result<(), Refusal> {
+fn check_ends(streams: &Lookup<&Id, &Stream>, connector: &Connector) -> Result<(), Refusal> {
     let output = streams.get(&connector.output).ok_or(Refusal::MissingStream)?;
     let inputs: Option<Vec<_>> = connector.inputs.iter().map(|id| streams.get(id)).collect();
     let inputs = inputs.ok_or(Refusal::MissingStream)?;
@@ -418,7 +418,7 @@ fn check_ends(streams: &HashMap<&Id, &Stream>, connector: &Connector) -> Result<
     if !spec.inputs.are_many() && inputs.len() != 1 {
         return Err(Refusal::OneInput(spec.word.to_owned()));
     }
-    let mut seen = HashSet::new();
+    let mut seen = LookupSet::new();
     for (id, input) in connector.inputs.iter().zip(inputs) {
         if !seen.insert(id) {
             return Err(Refusal::InputTwice(input.name.clone()));

@@ -3,8 +3,9 @@
 //! Whose a value is follows from the log too: taking a change back makes a record again what it was, and again the value of
 //! who made it so. So a change can be taken back exactly if everything it made is still there.
 
+use crate::Lookup;
 use crate::{Change, Committed, Edit, Id, NAME_MAX_CHARS, RecordId, Refusal, Room};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Changes that one person can take back.
@@ -39,7 +40,7 @@ struct Steps {
 #[derive(Clone, Debug, Default)]
 pub struct UndoLog {
     versions: BTreeMap<RecordId, Version>,
-    people: HashMap<Id, Steps>,
+    people: Lookup<Id, Steps>,
 }
 
 impl UndoLog {

@@ -6,6 +6,5 @@ pub(crate) mod fields;
 pub(crate) mod library;
 mod lists;
 pub(crate) mod maths;
-pub(crate) mod nodes;
 pub(crate) mod sandbox;
 mod texts;

@@ -1,11 +1,12 @@
 //! From a behaviour to its file.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
+use crate::Lookup;
 use crate::{
     Behaviour, Connector, Engine, Filled, Group, Helper, Id, Note, Place, Procedure, Record, Settings, Stream, Value,
     called_names,
 };
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 impl BehaviourFile {
     /// The file of a behaviour with those helpers of `library` that it uses, also through other helpers.
@@ -100,7 +101,7 @@ fn layout_of(behaviour: &Behaviour) -> BTreeMap<String, Place> {
 }
 
 fn used_helpers(connectors: &[FileConnector], library: &[&Helper]) -> Vec<FileHelper> {
-    let mut known: HashMap<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
+    let mut known: Lookup<&str, &Helper> = library.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
     let mut open: Vec<&str> = connectors.iter().filter_map(|connector| connector.helper.as_deref()).collect();
     open.extend(connectors.iter().filter_map(|connector| connector.body.as_deref()).flat_map(called_names));
     let mut used = Vec::new();

@@ -5,7 +5,8 @@ use crate::{
     BadId, Behaviour, Connector, Group, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId,
     Settings, Stream, connectors,
 };
-use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
+use crate::{Lookup, LookupSet};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Something in a file of which no records can be made. [`std::fmt::Display`] says it in one line: `id: reason`.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -57,7 +58,7 @@ impl BehaviourFile {
         if self.format != FORMAT {
             flaws.push(flaw("format", FlawKind::Format(self.format.clone())));
         }
-        let mut ids = HashMap::new();
+        let mut ids = Lookup::new();
         for name in self.ids() {
             match new_id(name).map_or_else(|| Id::new(name), Ok) {
                 Ok(id) if ids.insert(name.clone(), id.clone()).is_none() => {}
@@ -85,7 +86,7 @@ impl BehaviourFile {
         if flaws.is_empty() { Ok(Behaviour { records }) } else { Err(flaws) }
     }
 
-    fn to_records(&self, ids: &HashMap<String, Id>, flaws: &mut Vec<Flaw>) -> BTreeMap<RecordId, Record> {
+    fn to_records(&self, ids: &Lookup<String, Id>, flaws: &mut Vec<Flaw>) -> BTreeMap<RecordId, Record> {
         let mut records = BTreeMap::new();
         let mut settings = Settings::named(&self.name);
         settings.robot = self.robot.clone().unwrap_or(settings.robot);
@@ -124,7 +125,7 @@ impl BehaviourFile {
         self.order.get(name).copied().unwrap_or(at)
     }
 
-    fn order_under(&self, name: &str, ids: &HashMap<String, Id>, at: i64) -> i64 {
+    fn order_under(&self, name: &str, ids: &Lookup<String, Id>, at: i64) -> i64 {
         let kept = ids.get(name).is_some_and(|id| id.as_str() == name);
         if kept { self.order_of(name, at) } else { at }
     }
@@ -141,7 +142,7 @@ impl BehaviourFile {
                 flaw(name, FlawKind::Order { here, above })
             }));
         }
-        let ids: HashSet<&str> = self.ids().map(String::as_str).collect();
+        let ids: LookupSet<&str> = self.ids().map(String::as_str).collect();
         for name in self.order.keys().filter(|name| !ids.contains(name.as_str())) {
             flaws.push(flaw(name, FlawKind::OrderOfNothing));
         }
@@ -149,7 +150,7 @@ impl BehaviourFile {
 
     /// A stream is in one group at most.
     fn check_groups(&self, flaws: &mut Vec<Flaw>) {
-        let mut seen: HashMap<&str, &str> = HashMap::new();
+        let mut seen: Lookup<&str, &str> = Lookup::new();
         for (group, stream) in self.groups.iter().flat_map(|group| group.streams.iter().map(move |id| (group, id))) {
             let other = seen.insert(stream, &group.id);
             if other.is_some_and(|other| other != group.id) {
@@ -206,7 +207,7 @@ impl FileStream {
 }
 
 impl FileConnector {
-    fn record(&self, order: i64, ids: &HashMap<String, Id>) -> Result<(Id, Connector), FlawKind> {
+    fn record(&self, order: i64, ids: &Lookup<String, Id>) -> Result<(Id, Connector), FlawKind> {
         let find = |name: &String| ids.get(name).cloned().ok_or_else(|| FlawKind::NoStream(name.clone()));
         let inputs = self.inputs.iter().map(find).collect::<Result<_, _>>()?;
         let connector = Connector { operation: self.operation()?, inputs, output: find(&self.output)?, order };

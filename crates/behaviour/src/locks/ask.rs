@@ -1,7 +1,7 @@
 //! Asking for what somebody else is editing: one is put before the holder at a time, silence means yes.
 
 use super::{Grant, Holder, LockEvent, Locks, Token, Why};
-use crate::{Filled, RecordId};
+use crate::{Filled, Id, RecordId};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 
@@ -90,7 +90,7 @@ impl Locks {
     pub fn ask(&mut self, now_ms: u64, asker: Holder, record: RecordId) -> Asked {
         self.advance(now_ms);
         let Some(counter) = self.by_record.get(&record).copied() else { return Asked::Free };
-        let put_off = self.refused.get(&(asker.client.clone(), record.clone()));
+        let put_off = put_off(&self.refused, &asker.client, &record);
         if let Some(put_off) = put_off.filter(|put_off| put_off.again_ms > self.now_ms) {
             return Asked::TooSoon { again_ms: put_off.again_ms };
         }
@@ -165,7 +165,7 @@ impl Locks {
         let now_ms = self.now_ms;
         let Some(lock) = self.held.get_mut(&counter) else { return };
         let Some(ask) = lock.asks.front_mut() else { return };
-        let put_off = self.refused.get(&(ask.asker.client.clone(), ask.record.clone()));
+        let put_off = put_off(&self.refused, &ask.asker.client, &ask.record);
         let before = put_off.filter(|put_off| put_off.counter == counter);
         ask.since_ms = before.map_or(now_ms, |put_off| put_off.since_ms);
         ask.by_ms = now_ms + SILENCE_MS;
@@ -242,11 +242,16 @@ impl Locks {
     }
 
     fn remember_refused(&mut self, asker: &Holder, record: &RecordId, put_off: PutOff) {
+        self.refused.retain(|((client, of), _)| (client, of) != (&asker.client, record));
         if self.refused.len() >= REFUSED_MAX {
-            let soonest = self.refused.iter().min_by_key(|(key, put_off)| (put_off.again_ms, *key));
-            let soonest = soonest.map(|(key, _)| key.clone());
-            soonest.map(|key| self.refused.remove(&key));
+            let soonest = (0..self.refused.len()).min_by_key(|at| self.refused[*at].1.again_ms);
+            soonest.map(|at| self.refused.remove(at));
         }
-        self.refused.insert((asker.client.clone(), record.clone()), put_off);
+        self.refused.push(((asker.client.clone(), record.clone()), put_off));
     }
+}
+
+/// Until when who was refused may not ask for a record again.
+fn put_off<'r>(refused: &'r [((Id, RecordId), PutOff)], client: &Id, record: &RecordId) -> Option<&'r PutOff> {
+    refused.iter().find(|((of, at), _)| (of, at) == (client, record)).map(|(_, put_off)| put_off)
 }

@@ -54,7 +54,7 @@ impl Locks {
             self.happen(counter, due);
         }
         self.now_ms = until_ms;
-        self.refused.retain(|_, put_off| put_off.is_remembered(until_ms));
+        self.refused.retain(|(_, put_off)| put_off.is_remembered(until_ms));
     }
 
     /// What happens next, of locks that are not held up by an edit being saved.

@@ -5,7 +5,7 @@ use crate::flow::Gives;
 use crate::{
     Behaviour, Connector, Filled, Fit, Graph, Helper, Id, Inference, Knowledge, Procedure, Seen, Stream, ValueType,
 };
-use std::collections::{HashMap, HashSet};
+use crate::{Lookup, LookupSet};
 
 /// So many connectors above a stream are looked at.
 const ABOVE_MAX: usize = 500;
@@ -15,7 +15,7 @@ pub(super) struct Around<'a> {
     pub(super) behaviour: &'a Behaviour,
     pub(super) graph: Graph<'a>,
     /// Helpers by name.
-    pub(super) library: HashMap<&'a str, &'a Helper>,
+    pub(super) library: Lookup<&'a str, &'a Helper>,
     pub(super) knowledge: &'a dyn Knowledge,
     pub(super) inference: Inference<'a>,
 }
@@ -61,7 +61,7 @@ impl<'a> Around<'a> {
     /// Every stream from which values flow to a stream, itself included, with the connectors on the way. None if those are
     /// too many.
     pub(super) fn above(&self, id: &'a Id) -> Option<(Vec<&'a Id>, Vec<&'a Connector>)> {
-        let (mut seen, mut streams, mut ways, mut open) = (HashSet::new(), Vec::new(), Vec::new(), vec![id]);
+        let (mut seen, mut streams, mut ways, mut open) = (LookupSet::new(), Vec::new(), Vec::new(), vec![id]);
         while let Some(next) = open.pop() {
             if seen.insert(next) {
                 streams.push(next);

@@ -169,9 +169,7 @@ impl<'a> Fixer<'a, '_> {
             let takes = |(wants, gets): (&ValueType, &ValueType)| wants.takes(gets) == Fit::Good;
             signature.takes.len() == gets.len() && signature.takes.iter().zip(gets).all(takes) && fits(&signature.gives)
         };
-        let mut names: Vec<String> = self.around.library.keys().filter(is_for).map(|name| (*name).to_owned()).collect();
-        names.sort_unstable();
-        names
+        self.around.inference.helper_names().iter().filter(is_for).map(|name| (*name).to_owned()).collect()
     }
 
     fn kind(&mut self) -> Vec<Fix> {

@@ -1,10 +1,11 @@
 //! What every stream of a behaviour carries, told before it runs.
 
 use super::{Declared, DeviceType, Fit, Signature, ValueType};
+use crate::Lookup;
 use crate::connectors::{Passes, Takes};
 use crate::{Behaviour, Connector, Filled, Graph, Helper, Id, Knowledge, Procedure, StreamKind};
 use std::cell::{Cell, RefCell};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// How many bytes of procedures are read for one behaviour; what comes after them carries [`ValueType::Any`].
 const READ_MAX_BYTES: usize = 256 << 10;
@@ -30,7 +31,8 @@ pub fn infer_seeing(
     seen: &Seen,
 ) -> BTreeMap<Id, ValueType> {
     let inference = Inference::seeing(behaviour, helpers, knowledge, seen);
-    inference.types.into_iter().map(|(id, of)| (id.clone(), of)).filled()
+    let mut types = inference.types;
+    behaviour.streams().map(|(id, _)| (id.clone(), types.remove(id).unwrap_or_default())).filled()
 }
 
 /// The kinds of the newest values of a running program, by stream.
@@ -39,15 +41,15 @@ pub type Seen = BTreeMap<Id, ValueType>;
 /// What is known of a behaviour: what its streams carry, what its devices are, and what its helpers make.
 pub struct Inference<'a> {
     helpers: Helpers<'a>,
-    devices: HashMap<&'a Id, DeviceType>,
-    types: HashMap<&'a Id, ValueType>,
+    devices: Lookup<&'a Id, DeviceType>,
+    types: Lookup<&'a Id, ValueType>,
     /// How many bytes may still be read to look for names.
     unnamed: Cell<usize>,
 }
 
 /// What helpers make of values.
 struct Helpers<'a> {
-    library: HashMap<&'a str, &'a Helper>,
+    library: Lookup<&'a str, &'a Helper>,
     names: Vec<&'a str>,
     knowledge: &'a dyn Knowledge,
     /// What was found out, by a call as text.
@@ -71,12 +73,13 @@ impl<'a> Inference<'a> {
             ValueType::Any => seen.get(id).cloned().unwrap_or_default(),
             known => known,
         };
-        let library: HashMap<_, _> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
-        let mut names: Vec<&str> = library.keys().copied().collect();
+        let library: Lookup<_, _> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
+        let mut names: Vec<&str> = helpers.iter().map(|helper| helper.name.as_str()).collect();
         names.sort_unstable();
+        names.dedup();
         let (left, depth) = (Cell::new(READ_MAX_BYTES), Cell::new(0));
         let helpers = Helpers { library, names, knowledge, known: RefCell::default(), left, depth };
-        let (devices, types, unnamed) = (HashMap::new(), HashMap::new(), Cell::new(READ_MAX_BYTES));
+        let (devices, types, unnamed) = (Lookup::new(), Lookup::new(), Cell::new(READ_MAX_BYTES));
         let mut made = Self { helpers, devices, types, unnamed };
         for (id, stream) in behaviour.streams() {
             if let Some(device) = &stream.device {
@@ -125,6 +128,11 @@ impl<'a> Inference<'a> {
         let inputs = connector.inputs.iter().map(kind);
         let kinds = std::iter::repeat_n(ValueType::Any, before).chain(inputs);
         names.into_iter().zip(kinds).collect()
+    }
+
+    /// The names of all helpers, in order.
+    pub(crate) fn helper_names(&self) -> &[&'a str] {
+        &self.helpers.names
     }
 
     /// What a helper takes and gives, as far as somebody declared it.

@@ -1,13 +1,13 @@
 //! Who holds which part of the robot, and for how long: what all rules of precedence have in common.
 
 use crate::arbitration::Claim;
+use behaviour::Lookup;
 use robot::Millis;
-use std::collections::HashMap;
 
 /// The parts that are held, each by one holder.
 #[derive(Clone, Debug)]
 pub(crate) struct Holds<B> {
-    held: HashMap<String, Hold<B>>,
+    held: Lookup<String, Hold<B>>,
 }
 
 /// A part that is held.
@@ -20,7 +20,7 @@ pub(crate) struct Hold<B> {
 
 impl<B> Default for Holds<B> {
     fn default() -> Self {
-        Self { held: HashMap::new() }
+        Self { held: Lookup::new() }
     }
 }
 

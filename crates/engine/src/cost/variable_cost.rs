@@ -9,7 +9,6 @@ mod reader;
 use crate::cost::meter;
 use rhai::{Dynamic, ImmutableString, Scope};
 use std::cell::{Cell, RefCell};
-use std::collections::HashMap;
 use std::rc::Rc;
 
 /// How a variable is used.
@@ -40,8 +39,8 @@ pub(crate) struct VariableCost {
     quarters: u64,
     /// Whether a text may be gone through that a variable gave: its letters are taken one by one.
     texts_go_through: bool,
-    /// By variable, each use once.
-    uses: HashMap<ImmutableString, Vec<Use>>,
+    /// By variable, in the order of their names; each use once.
+    uses: Vec<(ImmutableString, Vec<Use>)>,
 }
 
 /// Quarters of a step that a step counts.
@@ -97,7 +96,7 @@ fn count(name: &str, scope: &Scope) {
     CURRENT.with(|current| {
         let current = current.borrow();
         let Some(current) = current.as_ref() else { return };
-        let uses = current.uses.get(name).into_iter().flatten().map(|kind| cost(value, *kind)).max();
+        let uses = current.uses_of(name).iter().map(|kind| cost(value, *kind)).max();
         let letters = if current.texts_go_through { meter::text_bytes(value) * 3 / 2 } else { 0 };
         meter::owe(uses.unwrap_or(0).max(letters));
     });
@@ -134,7 +133,9 @@ impl VariableCost {
     pub(crate) fn add(&mut self, helper: &Self) {
         self.quarters = self.quarters.max(helper.quarters);
         self.texts_go_through |= helper.texts_go_through;
-        helper.uses.iter().for_each(|(name, kinds)| kinds.iter().for_each(|kind| self.used(name, *kind)));
+        for (name, kinds) in &helper.uses {
+            kinds.iter().for_each(|kind| self.used(name, *kind));
+        }
     }
 
     /// Lets each step count so many steps more.
@@ -142,8 +143,21 @@ impl VariableCost {
         self.quarters = self.quarters.saturating_add(steps.saturating_mul(PLAIN_QUARTERS));
     }
 
+    /// Where a variable is, or belongs.
+    fn place(&self, name: &str) -> Result<usize, usize> {
+        self.uses.binary_search_by(|(known, _)| known.as_str().cmp(name))
+    }
+
+    fn uses_of(&self, name: &str) -> &[Use] {
+        self.place(name).map_or(&[], |at| &self.uses[at].1)
+    }
+
     fn used(&mut self, name: &ImmutableString, kind: Use) {
-        let kinds = self.uses.entry(name.clone()).or_default();
+        let at = self.place(name).unwrap_or_else(|at| {
+            self.uses.insert(at, (name.clone(), Vec::new()));
+            at
+        });
+        let kinds = &mut self.uses[at].1;
         if !kinds.contains(&kind) {
             kinds.push(kind);
         }

@@ -4,14 +4,14 @@
 //! freed, and chains, which overflow the stack when they are. Its `curry` copies without a bound.
 
 use crate::cost::callers::is_caller;
+use crate::cost::nodes::each_node;
 use crate::faults::{BodyFault, Misuse};
-use crate::rhai::nodes::each_node;
+use behaviour::LookupSet;
 use rhai::{AST, ASTNode, BinaryExpr, Expr, FnCallExpr, Position, Stmt, StmtBlock};
-use std::collections::HashSet;
 
 /// Refuses closures that could outlive the place where they are written, also by a helper with the name of a caller.
-pub(crate) fn check_closures(ast: &AST, helpers: &HashSet<String>) -> Result<(), BodyFault> {
-    let mut found = Found { helpers, kept: HashSet::new(), refused: None };
+pub(crate) fn check_closures(ast: &AST, helpers: &LookupSet<String>) -> Result<(), BodyFault> {
+    let mut found = Found { helpers, kept: LookupSet::new(), refused: None };
     each_node(ast, &mut |path: &[ASTNode]| {
         found.look(path);
         true
@@ -26,9 +26,9 @@ pub(crate) fn check_closures(ast: &AST, helpers: &HashSet<String>) -> Result<(),
 
 struct Found<'h> {
     /// Helpers with the name of a caller.
-    helpers: &'h HashSet<String>,
+    helpers: &'h LookupSet<String>,
     /// Variables that begin as such a closure.
-    kept: HashSet<String>,
+    kept: LookupSet<String>,
     /// The first reason.
     refused: Option<BodyFault>,
 }
@@ -71,7 +71,7 @@ impl Found<'_> {
     }
 
     /// A variable that begins as a closure may be called or handed to a list.
-    fn look_at_use(&mut self, path: &[ASTNode], kept: &HashSet<String>) {
+    fn look_at_use(&mut self, path: &[ASTNode], kept: &LookupSet<String>) {
         let [.., parent, ASTNode::Expr(used @ Expr::Variable(variable, _, at))] = path else { return };
         if kept.contains(variable.1.as_str()) && !is_called(parent, used) && !self.calls_only(parent) {
             self.refuse(*at, Misuse::KeptClosure);

@@ -11,11 +11,11 @@ use crate::procedure::closures::check_closures;
 use crate::procedure::compiled::CompiledHelpers;
 use crate::procedure::parse::compile;
 use crate::procedure::walk;
+use behaviour::LookupSet;
 use behaviour::{FileHelper, is_identifier};
 use reach::Reach;
 use rhai::{AST, Engine};
 use std::cell::OnceCell;
-use std::collections::HashSet;
 use std::rc::Rc;
 
 /// At least the steps that Rhai counts for one part of a procedure.
@@ -27,7 +27,7 @@ pub(crate) struct Helpers {
     functions: Rc<Functions>,
     compiled: Option<CompiledHelpers>,
     /// Those with the name of a function that is handed closures.
-    callers: HashSet<String>,
+    callers: LookupSet<String>,
     reach: Reach,
     /// The limit of steps.
     operations: u64,
@@ -57,7 +57,7 @@ impl Helpers {
     pub(crate) fn compile(engine: &Engine, helpers: &[FileHelper], limits: &Limits) -> Result<Self, Vec<Fault>> {
         let mut faults = Vec::new();
         let mut texts = Vec::new();
-        let (mut all, mut names) = (Vec::new(), HashSet::new());
+        let (mut all, mut names) = (Vec::new(), LookupSet::new());
         for helper in helpers {
             let twice = !names.insert(helper.name.as_str());
             match if twice { Err(Reason::NameTwice) } else { compile_one(engine, helper).map_err(Reason::Body) } {
@@ -210,7 +210,7 @@ pub(crate) fn check_distinct(names: &[String]) -> Result<(), BodyFault> {
 
 /// Helpers that call themselves, also through others, in the order of the file.
 fn recursion(helpers: &[FileHelper], all: &[(&str, Read)], calls: &[Vec<usize>]) -> Vec<Fault> {
-    let looping: HashSet<&str> =
+    let looping: LookupSet<&str> =
         all.iter().zip(circular(calls)).filter(|(_, is)| *is).map(|((name, _), _)| *name).collect();
     let faulty = helpers.iter().filter(|helper| looping.contains(helper.name.as_str()));
     faulty.map(|helper| Fault { id: helper.name.clone(), reason: Reason::CallsItself(helper.name.clone()) }).collect()

@@ -4,9 +4,9 @@ mod known;
 mod misuse;
 mod operators;
 
+use crate::cost::nodes::each_node;
 use crate::faults::BodyFault;
 use crate::procedure::walk;
-use crate::rhai::nodes::each_node;
 use behaviour::{Call, TYPE_MAX_FIELDS, ValueType, is_identifier};
 use known::{function_names, parsed};
 pub use misuse::misused;

@@ -1,12 +1,12 @@
 //! What a procedure calls, and whether it may.
 
 use crate::cost::callers::is_caller;
+use crate::cost::nodes::each_node;
 use crate::faults::{BodyFault, Misuse};
 use crate::procedure::closures::check_closures;
 use crate::rhai::library::is_refused;
-use crate::rhai::nodes::each_node;
+use behaviour::LookupSet;
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
-use std::collections::HashSet;
 
 /// The most values that a function of the library takes, and some more.
 pub(crate) const VALUES_MAX: usize = 8;
@@ -133,7 +133,7 @@ pub(crate) fn check_calls(ast: &AST) -> Result<(), BodyFault> {
         }
     });
     refused.map_or_else(|| check_captures(ast), Err)?;
-    check_closures(ast, &HashSet::new())
+    check_closures(ast, &LookupSet::new())
 }
 
 /// A call.

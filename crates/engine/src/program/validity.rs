@@ -14,7 +14,7 @@ use crate::values::{ConnectorIx, IndexVec, StreamIx};
 use behaviour::{
     BehaviourFile, Engine, FORMAT, FileConnector, FlawKind, Procedure as Written, StreamKind, is_identifier,
 };
-use std::collections::{HashMap, HashSet};
+use behaviour::{Lookup, LookupSet};
 
 /// Everything that keeps a behaviour from running, in the order of the file; empty if it can run.
 #[must_use]
@@ -61,7 +61,7 @@ fn has_powers(file: &BehaviourFile) -> bool {
     bodies.chain(file.helpers.iter().map(|helper| &helper.body)).any(|body| has_power(body))
 }
 
-fn index(file: &BehaviourFile) -> HashMap<&str, usize> {
+fn index(file: &BehaviourFile) -> Lookup<&str, usize> {
     let streams = file.streams.iter().enumerate().rev();
     streams.map(|(at, stream)| (stream.id.as_str(), at)).collect()
 }
@@ -69,7 +69,7 @@ fn index(file: &BehaviourFile) -> HashMap<&str, usize> {
 /// A file that is checked.
 struct Check<'f> {
     file: &'f BehaviourFile,
-    streams: HashMap<&'f str, usize>,
+    streams: Lookup<&'f str, usize>,
     faults: Vec<Fault>,
 }
 
@@ -95,7 +95,7 @@ impl Check<'_> {
     }
 
     fn ids(&mut self) {
-        let mut seen = HashSet::new();
+        let mut seen = LookupSet::new();
         let ids = self.file.streams.iter().map(|s| &s.id).chain(self.file.connectors.iter().map(|c| &c.id));
         let twice: Vec<_> = ids.filter(|id| !seen.insert(id.as_str())).collect();
         for id in twice {
@@ -147,7 +147,7 @@ impl Check<'_> {
         if let Some(takes) = of.wants_inputs(inputs.len()) {
             return Err(Reason::Inputs { word: of.spec().word, takes, gets: inputs.len() });
         }
-        let mut seen = HashSet::new();
+        let mut seen = LookupSet::new();
         for (input, id) in inputs.iter().zip(&connector.inputs) {
             if !seen.insert(id.as_str()) {
                 return Err(Reason::InputTwice(id.clone()));

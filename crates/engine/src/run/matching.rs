@@ -4,7 +4,7 @@ use crate::values::{ConnectorIx, Ix, Pairs, StreamIx};
 use behaviour::{
     BehaviourFile, FileConnector, FileHelper, FileStream, Operation, Procedure, called_names, rename_identifier,
 };
-use std::collections::{HashMap, HashSet};
+use behaviour::{Lookup, LookupSet};
 
 /// Streams and connectors that keep what they remember when one version of a behaviour follows another.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -50,7 +50,7 @@ fn pairs<I: Ix, T>(old: &[T], new: &[T], id: impl Fn(&T) -> &String) -> Vec<(I, 
 }
 
 /// The places of what has these names.
-fn places<'f>(names: impl Iterator<Item = &'f str>) -> HashMap<&'f str, usize> {
+fn places<'f>(names: impl Iterator<Item = &'f str>) -> Lookup<&'f str, usize> {
     names.enumerate().map(|(at, name)| (name, at)).collect()
 }
 
@@ -67,8 +67,8 @@ struct Meaning<'f> {
 /// Reads meanings out of a file.
 struct Reader<'f> {
     file: &'f BehaviourFile,
-    streams: HashMap<&'f str, usize>,
-    helpers: HashMap<&'f str, usize>,
+    streams: Lookup<&'f str, usize>,
+    helpers: Lookup<&'f str, usize>,
 }
 
 impl<'f> Reader<'f> {
@@ -88,9 +88,9 @@ impl<'f> Reader<'f> {
     }
 
     /// The helpers that mean the same in both, with all that they call, also through others.
-    fn same_helpers(&self, other: &Self) -> HashSet<&'f str> {
-        let mut callers: HashMap<&str, Vec<&'f str>> = HashMap::new();
-        let mut same: HashSet<&'f str> = self.helpers.keys().copied().collect();
+    fn same_helpers(&self, other: &Self) -> LookupSet<&'f str> {
+        let mut callers: Lookup<&str, Vec<&'f str>> = Lookup::new();
+        let mut same: LookupSet<&'f str> = self.file.helpers.iter().map(|helper| helper.name.as_str()).collect();
         let mut different = Vec::new();
         for helper in &self.file.helpers {
             let name = helper.name.as_str();

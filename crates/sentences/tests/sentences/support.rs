@@ -88,7 +88,8 @@ pub(crate) fn same_acting(one: &Behaviour, other: &Behaviour) -> Result<(), Stri
     let acting = |behaviour: &Behaviour| {
         let graph = Graph::of(behaviour);
         let reaching = graph.reaching_action(behaviour);
-        let mut shapes: Vec<String> = reaching.into_iter().map(|id| shape(behaviour, &graph, id)).collect();
+        let all = behaviour.streams().map(|(id, _)| id).filter(|id| reaching.contains(id));
+        let mut shapes: Vec<String> = all.map(|id| shape(behaviour, &graph, id)).collect();
         shapes.sort();
         shapes
     };

@@ -83,7 +83,7 @@ pub(crate) fn picture_of(behaviour: &Behaviour) -> Picture {
 
 /// A place for every stream that has none: a row for each rank, each row in the middle.
 fn rows<'a>(behaviour: &'a Behaviour, graph: &Graph<'a>) -> HashMap<&'a Id, [f64; 2]> {
-    let ranks = graph.ranks(behaviour);
+    let ranks: HashMap<&Id, usize> = graph.ranks(behaviour).into_iter().collect();
     let mut rows: HashMap<usize, Vec<&Id>> = HashMap::new();
     for (id, _) in behaviour.streams_in_order() {
         if behaviour.place(id).is_none() {

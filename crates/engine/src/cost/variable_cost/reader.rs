@@ -5,9 +5,9 @@ use super::{
 };
 use crate::cost::callers::is_caller;
 use crate::cost::meter;
-use crate::rhai::nodes::each_node;
+use crate::cost::nodes::each_node;
+use behaviour::LookupSet;
 use rhai::{AST, ASTFlags, ASTNode, Dynamic, Expr, FnCallExpr, FnPtr, ImmutableString, Stmt, Token};
-use std::collections::{HashMap, HashSet};
 
 /// Statements in closures with fewer parts are hardly anything.
 const SMALL_PARTS: usize = 2;
@@ -19,7 +19,7 @@ const ONCE_MAX: usize = 16;
 impl VariableCost {
     /// Reads a body with its closures; a helper can be called again and again.
     pub(crate) fn of(ast: &AST, is_helper: bool) -> Self {
-        let cost = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: HashMap::new() };
+        let cost = Self { quarters: PLAIN_QUARTERS, texts_go_through: false, uses: Vec::new() };
         let (body, owned) = (ast.statements(), copied_when_handed_over(ast));
         let mut reader = Reader { body, is_helper, owned, cost, constant: 0, once: Vec::new(), parts: Vec::new() };
         each_node(ast, &mut |path: &[ASTNode]| {
@@ -33,7 +33,7 @@ impl VariableCost {
 struct Reader<'a> {
     body: &'a [Stmt],
     is_helper: bool,
-    owned: HashSet<String>,
+    owned: LookupSet<String>,
     cost: VariableCost,
     /// What the largest ready-made list or object in a loop costs.
     constant: usize,
@@ -207,8 +207,8 @@ fn takes_item(link: &Expr) -> bool {
 }
 
 /// Constants, and what a closure uses of the variables around it: functions get a copy of them.
-fn copied_when_handed_over(ast: &AST) -> HashSet<String> {
-    let mut names = HashSet::new();
+fn copied_when_handed_over(ast: &AST) -> LookupSet<String> {
+    let mut names = LookupSet::new();
     each_node(ast, &mut |path: &[ASTNode]| {
         match path.last() {
             Some(ASTNode::Stmt(Stmt::Var(variable, options, _))) if options.intersects(ASTFlags::CONSTANT) => {

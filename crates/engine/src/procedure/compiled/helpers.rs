@@ -4,8 +4,8 @@ use super::bounds::Bounds;
 use super::build;
 use super::node::Node;
 use crate::cost::Limits;
+use behaviour::Lookup;
 use rhai::AST;
-use std::collections::HashMap;
 use std::rc::Rc;
 
 /// A compiled helper.
@@ -21,7 +21,7 @@ pub(super) struct Piece {
 
 /// All helpers by name and number of parameters; nothing for one that only Rhai can run.
 pub(crate) struct CompiledHelpers {
-    pieces: HashMap<(String, usize), Option<Piece>>,
+    pieces: Lookup<(String, usize), Option<Piece>>,
     limits: Limits,
     bounds: Rc<Bounds>,
 }
@@ -29,7 +29,7 @@ pub(crate) struct CompiledHelpers {
 impl CompiledHelpers {
     /// None yet.
     pub(crate) fn of(limits: &Limits) -> Self {
-        Self { pieces: HashMap::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
+        Self { pieces: Lookup::new(), limits: limits.clone(), bounds: Rc::new(Bounds::of(limits)) }
     }
 
     /// Adds a helper. The ones it calls must be here before it.

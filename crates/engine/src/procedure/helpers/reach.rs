@@ -3,13 +3,13 @@
 use crate::cost::callers::is_caller;
 use crate::cost::variable_cost::VariableCost;
 use crate::procedure::walk::{self, Search};
+use behaviour::Lookup;
 use rhai::AST;
-use std::collections::HashMap;
 
 /// The helpers by name, those that are called before those that call them.
 #[derive(Default)]
 pub(super) struct Reach {
-    names: HashMap<String, usize>,
+    names: Lookup<String, usize>,
     lengths: Vec<Length>,
 }
 

@@ -6,9 +6,9 @@ use crate::faults::BodyFault;
 use crate::procedure::helpers::check_distinct;
 use crate::procedure::parse::compile;
 use crate::rhai::sandbox::hardened_engine;
+use behaviour::Lookup;
 use rhai::AST;
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::rc::Rc;
 
 /// The texts of all procedures that are kept, in bytes; then it is begun anew.
@@ -21,7 +21,7 @@ type Read = Result<Rc<AST>, BodyFault>;
 
 #[derive(Default)]
 struct Kept {
-    read: HashMap<(Vec<String>, String), Read>,
+    read: Lookup<(Vec<String>, String), Read>,
     bytes: usize,
 }
 

@@ -3,7 +3,7 @@
 use super::Reader;
 use super::known::parsed;
 use super::operators::wants_numbers;
-use crate::rhai::nodes::each_node;
+use crate::cost::nodes::each_node;
 use behaviour::{Call, ValueType};
 use rhai::{ASTNode, Expr, FnCallExpr, Stmt};
 
