@@ -121,7 +121,8 @@ impl Stops {
     }
 }
 
-/// How long it takes until the memory is given back.
+/// How long it takes until the memory is given back. People go on working meanwhile: what a thread's allocator keeps it gives
+/// back as that thread does something again.
 async fn back(target: &Target, rest_kib: u64) -> Outcome<Duration> {
     let began = Instant::now();
     while target.memory_kib()? > rest_kib + KEPT_KIB {
@@ -129,6 +130,7 @@ async fn back(target: &Target, rest_kib: u64) -> Outcome<Duration> {
             let kib = target.memory_kib()?;
             return Err(format!("The server keeps {} MiB, {} at rest.", kib >> 10, rest_kib >> 10).into());
         }
+        target.still_works().await?;
         tokio::time::sleep(Duration::from_millis(100)).await;
     }
     Ok(began.elapsed())

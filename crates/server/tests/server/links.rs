@@ -3,7 +3,7 @@
 use crate::house::{House, id, plain, stream_id};
 use futures_util::{SinkExt, StreamExt};
 use protocol::{
-    Area, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply, Request,
+    Area, Ask, Credential, ListQuery, MESSAGE_MAX_BYTES, Message as Told, Person, Pointer, Refused, Reply, Request,
 };
 use shell::{Client, NoLink, Trouble};
 use std::time::Duration;
@@ -201,28 +201,50 @@ async fn the_server_pings_with_the_revision() {
     house.close().await;
 }
 
-#[tokio::test]
-async fn the_server_hears_everyone_until_they_know_that_it_ends() {
+/// Waits for the closing frame, whose code is this, and writes on: its own closing frame is not sent yet, and what is under
+/// way to a server that let go of the link would break it. Who writes as the server's last word comes would not hear that.
+async fn is_heard_until_it_knows(socket: &mut Socket, code: u16) {
     const EMPTY_PONG: [u8; 6] = [0x8A, 0x80, 0, 0, 0, 0];
-    let house = House::open().await;
-    let mut socket = socket(&house).await;
-    socket.send(hello()).await.unwrap();
-    let _welcome = socket.next().await.unwrap().unwrap();
-    let ending = tokio::spawn(house.close());
-    let code = loop {
+    let why = loop {
         if let Message::Close(frame) = socket.next().await.unwrap().unwrap() {
             break frame.map(|frame| u16::from(frame.code));
         }
     };
-    assert_eq!(code, Some(1012));
-    // Its own closing frame is not sent yet: what is under way to a server that let go of the link would break it, and
-    // who writes as the server's last word comes would not hear that.
+    assert_eq!(why, Some(code));
     for _ in 0..50 {
         socket.get_mut().write_all(&EMPTY_PONG).await.unwrap();
         tokio::time::sleep(Duration::from_millis(1)).await;
     }
     while socket.next().await.is_some() {}
+}
+
+#[tokio::test]
+async fn the_server_hears_everyone_until_they_know_that_it_ends() {
+    let house = House::open().await;
+    let mut socket = socket(&house).await;
+    socket.send(hello()).await.unwrap();
+    let _welcome = socket.next().await.unwrap().unwrap();
+    let ending = tokio::spawn(house.close());
+    is_heard_until_it_knows(&mut socket, 1012).await;
     ending.await.unwrap();
+}
+
+#[tokio::test]
+async fn the_server_hears_who_is_replaced_until_they_know_it() {
+    let house = House::open().await;
+    let (mut older, mut newer) = (socket(&house).await, socket(&house).await);
+    older.send(hello()).await.unwrap();
+    let welcome = loop {
+        if let Message::Text(text) = older.next().await.unwrap().unwrap() {
+            break serde_json::from_str::<Told>(&text).unwrap().reply;
+        }
+    };
+    let Reply::Welcome { you, secret, .. } = welcome else { panic!("{welcome:?}") };
+    let again = Some(Credential { client: you.client, secret });
+    let request = Request::Hello { version: protocol::VERSION, name: "A".into(), again };
+    newer.send(Message::text(serde_json::to_string(&Ask { ask: 1, request }).unwrap())).await.unwrap();
+    is_heard_until_it_knows(&mut older, 4000).await;
+    house.close().await;
 }
 
 #[tokio::test]
