@@ -1,6 +1,6 @@
 //! Back to what was: a whole revision again, or what one change removed, each as one new change.
 
-use crate::{Behaviour, Change, Edit, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
+use crate::{Behaviour, Change, Edit, Filled, Id, Kind, Knowledge, Record, RecordId, Refusal, Room};
 
 /// Records of a removal that are tried one by one, if not all of them can come back.
 const ONE_BY_ONE_MAX: usize = 64;
@@ -22,9 +22,7 @@ impl Room {
     #[must_use]
     pub fn go_back(&self, was: &Behaviour, start: Change) -> Change {
         let now = self.behaviour();
-        let mut all: Vec<&RecordId> = now.records.keys().chain(was.records.keys()).collect();
-        all.sort_unstable();
-        all.dedup();
+        let all = now.records.keys().chain(was.records.keys()).distinct();
         let edits = all.into_iter().filter_map(|id| {
             let (before, after) = (now.records.get(id), was.records.get(id));
             let stays = before == after || (after.is_none() && *id == RecordId::settings());

@@ -11,6 +11,17 @@ pub trait Filled: Iterator + Sized {
         all.extend(self);
         all
     }
+
+    /// All of it in order, each once.
+    fn distinct(self) -> Vec<Self::Item>
+    where
+        Self::Item: Ord,
+    {
+        let mut all: Vec<Self::Item> = self.collect();
+        all.sort_unstable();
+        all.dedup();
+        all
+    }
 }
 
 impl<I: Iterator> Filled for I {}
@@ -25,5 +36,6 @@ mod tests {
         let pairs = [(2, 'b'), (1, 'a'), (2, 'c')];
         assert_eq!(pairs.into_iter().filled::<BTreeMap<_, _>>(), BTreeMap::from(pairs));
         assert_eq!([3, 1, 3].into_iter().filled::<BTreeSet<_>>(), BTreeSet::from([1, 3]));
+        assert_eq!([3, 1, 3].into_iter().distinct(), [1, 3]);
     }
 }

@@ -1,8 +1,7 @@
 //! A behaviour seen as a graph: what flows from where to where.
 
 use crate::walk::{self, Ends};
-use crate::{Behaviour, Connector, Id, StreamKind};
-use crate::{Lookup, LookupSet};
+use crate::{Behaviour, Connector, Filled, Id, Lookup, LookupSet, StreamKind};
 use std::collections::BTreeSet;
 
 /// The connectors around every stream, in file order.
@@ -62,10 +61,9 @@ impl<'a> Graph<'a> {
     }
 
     /// The graph in numbers, with these streams besides those that connectors lead from and to.
-    fn wires(&self, mut streams: Vec<&'a Id>) -> Wires<'a> {
-        streams.extend(self.all.iter().flat_map(|connector| connector.inputs.iter().chain([&connector.output])));
-        streams.sort_unstable();
-        streams.dedup();
+    fn wires(&self, streams: Vec<&'a Id>) -> Wires<'a> {
+        let ends = self.all.iter().flat_map(|connector| connector.inputs.iter().chain([&connector.output]));
+        let streams = streams.into_iter().chain(ends).distinct();
         let place = |id: &Id| streams.binary_search(&id).unwrap_or_default();
         let ends = |connector: &&Connector| (connector.inputs.iter().map(place).collect(), place(&connector.output));
         let connectors = self.all.iter().map(ends).collect();

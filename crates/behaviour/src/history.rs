@@ -1,8 +1,9 @@
 //! Whether a history that comes from elsewhere, such as a backup, hangs together.
 
-use crate::LookupSet;
 use crate::rules::{check_graph, check_groups, check_helper_names, check_names};
-use crate::{Behaviour, Change, Edit, Engine, Id, Kind, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind};
+use crate::{
+    Behaviour, Change, Edit, Engine, Id, Kind, LookupSet, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind,
+};
 
 /// A behaviour as its changes make it from nothing, one after the other.
 ///

@@ -10,8 +10,7 @@ mod time;
 pub use ask::Asked;
 pub use news::{LockEvent, Why};
 
-use crate::Lookup;
-use crate::{Change, Filled, Id, Kind, RecordId};
+use crate::{Change, Filled, Id, Kind, Lookup, RecordId};
 use ask::{Ask, PutOff};
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};

@@ -1,8 +1,8 @@
 //! Maps and sets that are asked and not gone through, so that no order of hashes can be seen in what is made of them.
 
 use std::borrow::Borrow;
+use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-use std::collections::{HashMap, HashSet};
 use std::fmt;
 use std::hash::Hash;
 use std::ops::Index;
@@ -114,8 +114,8 @@ impl<K: Eq + Hash + Borrow<Q>, Q: Eq + Hash + ?Sized, V> Index<&Q> for Lookup<K,
 }
 
 /// A set that can only be asked, as [`Lookup`] can.
-#[derive(Clone, PartialEq, Eq)]
-pub struct LookupSet<K: Eq + Hash>(HashSet<K>);
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LookupSet<K: Eq + Hash>(Lookup<K, ()>);
 
 impl<K: Eq + Hash> LookupSet<K> {
     /// An empty one.
@@ -130,26 +130,7 @@ impl<K: Eq + Hash> LookupSet<K> {
     where
         K: Borrow<Q>,
     {
-        self.0.contains(one)
-    }
-
-    /// Puts something in; says whether it was not there.
-    pub fn insert(&mut self, one: K) -> bool {
-        self.0.insert(one)
-    }
-
-    /// Takes something away; says whether it was there.
-    pub fn remove<Q: Eq + Hash + ?Sized>(&mut self, one: &Q) -> bool
-    where
-        K: Borrow<Q>,
-    {
-        self.0.remove(one)
-    }
-
-    /// How many there are.
-    #[must_use]
-    pub fn len(&self) -> usize {
-        self.0.len()
+        self.0.contains_key(one)
     }
 
     /// Whether there is nothing.
@@ -157,28 +138,39 @@ impl<K: Eq + Hash> LookupSet<K> {
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
+
+    /// Puts something in; says whether it was not there.
+    pub fn insert(&mut self, one: K) -> bool {
+        self.0.insert(one, ()).is_none()
+    }
+
+    /// Takes something away; says whether it was there.
+    pub fn remove<Q: Eq + Hash + ?Sized>(&mut self, one: &Q) -> bool
+    where
+        K: Borrow<Q>,
+    {
+        self.0.remove(one).is_some()
+    }
 }
 
 impl<K: Eq + Hash> Default for LookupSet<K> {
     fn default() -> Self {
-        Self(HashSet::new())
-    }
-}
-
-impl<K: Eq + Hash> fmt::Debug for LookupSet<K> {
-    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
-        write!(to, "LookupSet of {}", self.len())
+        Self(Lookup::new())
     }
 }
 
 impl<K: Eq + Hash> Extend<K> for LookupSet<K> {
     fn extend<I: IntoIterator<Item = K>>(&mut self, more: I) {
-        self.0.extend(more);
+        for one in more {
+            self.insert(one);
+        }
     }
 }
 
 impl<K: Eq + Hash> FromIterator<K> for LookupSet<K> {
     fn from_iter<I: IntoIterator<Item = K>>(all: I) -> Self {
-        Self(HashSet::from_iter(all))
+        let mut made = Self::new();
+        made.extend(all);
+        made
     }
 }

@@ -5,7 +5,7 @@
 
 mod composed;
 
-use crate::{Lookup, LookupSet};
+use crate::{Filled, Lookup, LookupSet};
 use composed::composed;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -242,9 +242,7 @@ pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)
             found.push((written.to_owned(), right.clone()));
         }
     }
-    found.sort_unstable();
-    found.dedup();
-    found
+    found.into_iter().distinct()
 }
 
 fn is_same_but_case(one: &str, other: &str) -> bool {
@@ -262,10 +260,7 @@ pub fn calls_helper(body: &str, helper: &str) -> bool {
 /// the language, each once, in the order of the alphabet.
 #[must_use]
 pub fn called_names(body: &str) -> Vec<&str> {
-    let mut names: Vec<&str> = uses(body).into_iter().map(|place| &body[place]).collect();
-    names.sort_unstable();
-    names.dedup();
-    names
+    uses(body).into_iter().map(|place| &body[place]).distinct()
 }
 
 /// The body with every helper that it uses under its new name, all at once. Arguments, fields and texts keep theirs.

@@ -10,11 +10,10 @@ mod words;
 pub use fix::{Fix, FixKind, fixes, fixes_seeing};
 pub use near::near;
 
-use crate::Lookup;
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
 use crate::{
-    Behaviour, Connector, Engine, Filled, Fit, Helper, Id, Kind, Knowledge, Procedure, RecordId, Seen, Settings,
-    StreamKind, Unit, ValueType,
+    Behaviour, Connector, Engine, Filled, Fit, Helper, Id, Kind, Knowledge, Lookup, Procedure, RecordId, Seen,
+    Settings, StreamKind, Unit, ValueType,
 };
 use around::Around;
 use serde::{Deserialize, Serialize};

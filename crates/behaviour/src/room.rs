@@ -5,9 +5,9 @@
 
 use crate::size::Size;
 use crate::{
-    Behaviour, Change, EDITS_MAX, Id, Knowledge, Locks, Presented, Record, RecordId, Refusal, rules, without_unseen,
+    Behaviour, Change, EDITS_MAX, Id, Knowledge, Locks, Lookup, LookupSet, Presented, Record, RecordId, Refusal, rules,
+    without_unseen,
 };
-use crate::{Lookup, LookupSet};
 use serde::{Deserialize, Serialize};
 use std::collections::VecDeque;
 

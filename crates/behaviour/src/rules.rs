@@ -2,10 +2,9 @@
 
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
-    Behaviour, Change, Connector, DeviceType, Edit, Filled, Graph, Group, Helper, Id, Note, Params, Procedure, Record,
-    Settings, Signature, Stream, StreamKind, ValueType, has_unseen, record_bytes,
+    Behaviour, Change, Connector, DeviceType, Edit, Filled, Graph, Group, Helper, Id, Lookup, LookupSet, Note, Params,
+    Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, has_unseen, record_bytes,
 };
-use crate::{Lookup, LookupSet};
 use serde::{Deserialize, Serialize};
 use std::ops::RangeInclusive;
 

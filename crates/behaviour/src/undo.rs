@@ -3,8 +3,7 @@
 //! Whose a value is follows from the log too: taking a change back makes a record again what it was, and again the value of
 //! who made it so. So a change can be taken back exactly if everything it made is still there.
 
-use crate::Lookup;
-use crate::{Change, Committed, Edit, Id, NAME_MAX_CHARS, RecordId, Refusal, Room};
+use crate::{Change, Committed, Edit, Id, Lookup, NAME_MAX_CHARS, RecordId, Refusal, Room};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

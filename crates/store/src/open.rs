@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
-/// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see `open_neo4j`; without the feature `neo4j` it is refused).
+/// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see `open_neo4j`; without the feature
+/// `neo4j` it is refused).
 ///
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.

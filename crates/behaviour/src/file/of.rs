@@ -1,10 +1,9 @@
 //! From a behaviour to its file.
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
-use crate::Lookup;
 use crate::{
-    Behaviour, Connector, Engine, Filled, Group, Helper, Id, Note, Place, Procedure, Record, Settings, Stream, Value,
-    called_names,
+    Behaviour, Connector, Engine, Filled, Group, Helper, Id, Lookup, Note, Place, Procedure, Record, Settings, Stream,
+    Value, called_names,
 };
 use std::collections::BTreeMap;
 

@@ -2,10 +2,9 @@
 
 use super::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream};
 use crate::{
-    BadId, Behaviour, Connector, Group, Helper, Id, Kind, Note, Operation, Parameters, Procedure, Record, RecordId,
-    Settings, Stream, connectors,
+    BadId, Behaviour, Connector, Group, Helper, Id, Kind, Lookup, LookupSet, Note, Operation, Parameters, Procedure,
+    Record, RecordId, Settings, Stream, connectors,
 };
-use crate::{Lookup, LookupSet};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Something in a file of which no records can be made. [`std::fmt::Display`] says it in one line: `id: reason`.

@@ -3,9 +3,10 @@
 use crate::connectors::{Passes, Spec};
 use crate::flow::Gives;
 use crate::{
-    Behaviour, Connector, Filled, Fit, Graph, Helper, Id, Inference, Knowledge, Procedure, Seen, Stream, ValueType,
+    Behaviour, Connector, Filled, Fit, Graph, Helper, Id, Inference, Knowledge, Lookup, Procedure, Seen, Stream,
+    ValueType,
 };
-use crate::{Lookup, LookupSet};
+use std::collections::BTreeSet;
 
 /// So many connectors above a stream are looked at.
 const ABOVE_MAX: usize = 500;
@@ -60,11 +61,10 @@ impl<'a> Around<'a> {
 
     /// Every stream from which values flow to a stream, itself included, with the connectors on the way. None if those are
     /// too many.
-    pub(super) fn above(&self, id: &'a Id) -> Option<(Vec<&'a Id>, Vec<&'a Connector>)> {
-        let (mut seen, mut streams, mut ways, mut open) = (LookupSet::new(), Vec::new(), Vec::new(), vec![id]);
+    pub(super) fn above(&self, id: &'a Id) -> Option<(BTreeSet<&'a Id>, Vec<&'a Connector>)> {
+        let (mut seen, mut ways, mut open) = (BTreeSet::new(), Vec::new(), vec![id]);
         while let Some(next) = open.pop() {
             if seen.insert(next) {
-                streams.push(next);
                 for (_, connector) in self.graph.into_stream(next) {
                     ways.push(*connector);
                     open.extend(&connector.inputs);
@@ -74,7 +74,7 @@ impl<'a> Around<'a> {
                 return None;
             }
         }
-        Some((streams, ways))
+        Some((seen, ways))
     }
 }
 

@@ -3,10 +3,10 @@
 
 use super::ProblemKind;
 use super::around::{Around, is_driven_by};
-use crate::Lookup;
 use crate::connectors::{Passes, to_combine};
 use crate::flow::Gives;
-use crate::{Connector, Id, Pace, Procedure, StreamKind, ValueType, called_names};
+use crate::{Connector, Id, Lookup, Pace, Procedure, StreamKind, ValueType, called_names};
+use std::collections::BTreeMap;
 
 /// So many actions are compared with each other.
 const FIGHTERS_MAX: usize = 32;
@@ -19,9 +19,7 @@ struct Fighter<'a> {
     parts: Vec<String>,
     priority: i64,
     /// The streams whose values lead to a command at once, and whether each of their values does.
-    from: Lookup<&'a Id, bool>,
-    /// The same streams, some twice.
-    ids: Vec<&'a Id>,
+    from: BTreeMap<&'a Id, bool>,
 }
 
 /// Actions that are told different things by one reading, and want the same part of the robot: each with the name of the
@@ -42,23 +40,19 @@ fn fighters<'a>(around: &Around<'a>) -> Vec<Fighter<'a>> {
         let claims = &around.inference.device(id).filter(|_| stream.kind == StreamKind::Actuator)?.claims;
         let parts = stream.resources.clone().unwrap_or_else(|| claims.parts.clone());
         let (priority, is_one) = (stream.priority.unwrap_or(0), claims.replaces && !parts.is_empty());
-        is_one.then(|| {
-            let (from, ids) = commanding(around, id);
-            Fighter { id, parts, priority, from, ids }
-        })
+        is_one.then(|| Fighter { id, parts, priority, from: commanding(around, id) })
     };
     streams.filter_map(fighter).take(FIGHTERS_MAX).collect()
 }
 
 /// The streams whose values lead to a command of this action at once, and whether each of them does.
-fn commanding<'a>(around: &Around<'a>, action: &'a Id) -> (Lookup<&'a Id, bool>, Vec<&'a Id>) {
-    let (mut from, mut ids, mut open) = (Lookup::new(), Vec::new(), vec![(action, true)]);
+fn commanding<'a>(around: &Around<'a>, action: &'a Id) -> BTreeMap<&'a Id, bool> {
+    let (mut from, mut open) = (BTreeMap::new(), vec![(action, true)]);
     while let Some((id, each)) = open.pop() {
         if from.get(id).is_some_and(|known| *known || !each) {
             continue;
         }
         from.insert(id, each);
-        ids.push(id);
         for (_, connector) in around.graph.into_stream(id) {
             let gives = connector.operation.spec().gives;
             let inputs = connector.inputs.iter().filter(|input| is_driven_by(connector, input));
@@ -67,7 +61,7 @@ fn commanding<'a>(around: &Around<'a>, action: &'a Id) -> (Lookup<&'a Id, bool>,
             }
         }
     }
-    (from, ids)
+    from
 }
 
 /// A part that both are told to move by the same reading: certainly, as one of them is told by every reading.
@@ -76,8 +70,8 @@ fn contested(one: &Fighter, other: &Fighter) -> Option<String> {
         return None;
     }
     let part = one.parts.iter().find(|part| other.parts.contains(part))?;
-    let at_once = |id: &&Id| other.from.get(*id).is_some_and(|too| *too || one.from[*id]);
-    one.ids.iter().any(at_once).then(|| part.clone())
+    let at_once = |(id, each): (&&Id, &bool)| other.from.get(*id).is_some_and(|too| *each || *too);
+    one.from.iter().any(at_once).then(|| part.clone())
 }
 
 /// Actions that are told by a touch and once more by letting go, with the name of the sense.

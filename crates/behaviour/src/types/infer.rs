@@ -1,9 +1,8 @@
 //! What every stream of a behaviour carries, told before it runs.
 
 use super::{Declared, DeviceType, Fit, Signature, ValueType};
-use crate::Lookup;
 use crate::connectors::{Passes, Takes};
-use crate::{Behaviour, Connector, Filled, Graph, Helper, Id, Knowledge, Procedure, StreamKind};
+use crate::{Behaviour, Connector, Filled, Graph, Helper, Id, Knowledge, Lookup, Procedure, StreamKind};
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeMap;
 
@@ -74,9 +73,7 @@ impl<'a> Inference<'a> {
             known => known,
         };
         let library: Lookup<_, _> = helpers.iter().map(|helper| (helper.name.as_str(), *helper)).filled();
-        let mut names: Vec<&str> = helpers.iter().map(|helper| helper.name.as_str()).collect();
-        names.sort_unstable();
-        names.dedup();
+        let names = helpers.iter().map(|helper| helper.name.as_str()).distinct();
         let (left, depth) = (Cell::new(READ_MAX_BYTES), Cell::new(0));
         let helpers = Helpers { library, names, knowledge, known: RefCell::default(), left, depth };
         let (devices, types, unnamed) = (Lookup::new(), Lookup::new(), Cell::new(READ_MAX_BYTES));

@@ -5,7 +5,7 @@ use crate::cost::nodes::each_node;
 use crate::faults::{BodyFault, Misuse};
 use crate::procedure::closures::check_closures;
 use crate::rhai::library::is_refused;
-use behaviour::LookupSet;
+use behaviour::{Filled, LookupSet};
 use rhai::{AST, ASTNode, Expr, Position, Stmt};
 
 /// The most values that a function of the library takes, and some more.
@@ -95,9 +95,7 @@ fn check_captures(ast: &AST) -> Result<(), BodyFault> {
 pub(crate) fn called(ast: &AST) -> Vec<String> {
     let mut names = Vec::new();
     each_call(ast, &mut |call| names.push(call.name.to_owned()));
-    names.sort_unstable();
-    names.dedup();
-    names
+    names.into_iter().distinct()
 }
 
 /// How many parts a call of `ast` computes at most, those of helpers included; nothing if a loop or a closure has no

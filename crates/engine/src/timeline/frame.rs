@@ -38,9 +38,8 @@ enum Said {
 
 impl Frame {
     pub(crate) fn of(graph: &Graph, length: u64) -> Self {
-        // No way is longer than there are connectors.
-        let mut ranked = vec![Vec::new(); graph.connectors.len() + 1];
-        graph.ranks.enumerate().for_each(|(at, &rank)| ranked[rank].push(at));
+        let mut order: Vec<ConnectorIx> = graph.connectors.indices().collect();
+        order.sort_unstable_by_key(|&at| (graph.ranks[at], at));
         Self {
             length,
             open: length,
@@ -48,7 +47,7 @@ impl Frame {
             readings: 0,
             now: IndexVec::filled(&None, graph.streams.len()),
             schedule: Schedule::of(graph.connectors.len()),
-            order: ranked.concat(),
+            order,
             said: Vec::new(),
         }
     }

@@ -53,8 +53,14 @@ impl<T> Made<T> {
         (boxed(async move { place.put(work.await) }), made)
     }
 
-    fn put(self, made: T) {
+    /// Puts there what was made.
+    pub(crate) fn put(&self, made: T) {
         *lock(&self.0) = Some(made);
+    }
+
+    /// What was made, if it was.
+    pub(crate) fn taken(&self) -> Option<T> {
+        lock(&self.0).take()
     }
 
     /// What was made, when the task ended.
@@ -64,7 +70,7 @@ impl<T> Made<T> {
     pub(crate) async fn when(self, ended: impl Future<Output = Result<(), JoinError>>) -> Result<T, JoinError> {
         ended.await?;
         #[expect(clippy::expect_used, reason = "a task that ended well has put there what it made")]
-        Ok(lock(&self.0).take().expect("what was made is there"))
+        Ok(self.taken().expect("what was made is there"))
     }
 }
 

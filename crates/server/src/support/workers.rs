@@ -3,6 +3,7 @@
 
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
+use crate::support::tasks::Made;
 use behaviour::Id;
 use protocol::Refused;
 use std::collections::{HashMap, HashSet, VecDeque};
@@ -106,19 +107,16 @@ impl Workers {
         sender: Sender,
         work: impl FnOnce(&CancellationToken) -> T + Send + 'static,
     ) -> impl Future<Output = Result<T, NotDone>> {
-        let made = Arc::new(Mutex::new(None));
-        let place = Arc::clone(&made);
-        let put = move |token: &CancellationToken| {
-            let done = work(token);
-            *lock(&place) = Some(done);
-        };
+        let made = Made::default();
+        let place = made.clone();
+        let put = move |token: &CancellationToken| place.put(work(token));
         self.made(sender, Box::new(put), made)
     }
 
     /// Does work that puts what it makes into a place, and takes that.
-    async fn made<T>(&self, sender: Sender, work: Work, made: Arc<Mutex<Option<T>>>) -> Result<T, NotDone> {
+    async fn made<T>(&self, sender: Sender, work: Work, made: Made<T>) -> Result<T, NotDone> {
         self.done(sender, work).await?;
-        lock(&made).take().ok_or(NotDone::Failed)
+        made.taken().ok_or(NotDone::Failed)
     }
 
     /// Does work and waits for its end.

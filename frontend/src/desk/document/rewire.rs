@@ -5,8 +5,8 @@ use super::build::{connected, free_name, renamed_all};
 use super::{ConnectPlan, Output, Selected, Spot};
 use crate::layout::{LEVEL, snapped};
 use behaviour::{
-    Behaviour, Change, Connector, Graph, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream, StreamKind,
-    connectors,
+    Behaviour, Change, Connector, Filled, Graph, Id, Kind, Params, Place, Procedure, Record, RecordId, Stream,
+    StreamKind, connectors,
 };
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -226,9 +226,7 @@ pub(super) fn inserted(
 /// A stream and all that is below it, lower by so much.
 fn lowered(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, change: Change, from: &Id, by: f64) -> Change {
     let graph = Graph::of(behaviour);
-    let mut below: Vec<&Id> = graph.below(from).into_iter().chain([from]).collect();
-    below.sort_unstable();
-    below.dedup();
+    let below = graph.below(from).into_iter().chain([from]).distinct();
     let moved = below.into_iter().filter_map(|id| Some((id, *places.get(id)?)));
     moved.fold(change, |change, (id, place)| {
         change.put(behaviour, key(Kind::Place, id), Record::Place(snapped(Place { y: place.y + by, ..place })))

@@ -6,7 +6,7 @@ use crate::faults::BodyFault;
 use crate::procedure::helpers::check_distinct;
 use crate::procedure::parse::compile;
 use crate::rhai::sandbox::hardened_engine;
-use behaviour::Lookup;
+use behaviour::{Filled, Lookup};
 use rhai::AST;
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -59,8 +59,5 @@ pub(super) fn function_names<T>(look: impl FnOnce(&[String]) -> T) -> T {
 fn names_of_functions() -> Vec<String> {
     let all = READING.with(|engine| engine.collect_fn_metadata(None, known, true));
     let names = all.into_iter().map(|(name, _)| name);
-    let mut names: Vec<String> = names.filter(|name| behaviour::is_identifier(name)).collect();
-    names.sort_unstable();
-    names.dedup();
-    names
+    names.filter(|name| behaviour::is_identifier(name)).distinct()
 }
