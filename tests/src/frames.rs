@@ -43,7 +43,8 @@ impl Page {
         }
     }
 
-    async fn scripts_run(&self) -> bool {
+    /// Whether a script of the page is run now, within a while.
+    pub(crate) async fn scripts_run(&self) -> bool {
         tokio::time::timeout(LOOK, self.eval("1")).await.is_ok_and(|answer| answer.is_ok())
     }
 
@@ -63,8 +64,8 @@ impl Page {
     }
 
     /// What the page does that gives no picture: whether its scripts run, and how busy its process is.
-    pub(crate) async fn stuck(&self) -> String {
-        let scripts = if self.scripts_run().await { "its scripts run" } else { "its scripts do not run" };
+    pub(crate) async fn stuck(&self, scripts: bool) -> String {
+        let scripts = if scripts { "its scripts run" } else { "its scripts do not run" };
         let began = Instant::now();
         // Answered between the steps of a running script, too.
         let before = self.process_seconds().await;

@@ -208,10 +208,14 @@ impl Page {
     /// A trouble with the person's name, a screenshot, and what the page complained about.
     pub(crate) async fn fail(&self, sentence: &str) -> Trouble {
         let path = self.failure_path();
-        let picture = match tokio::time::timeout(PICTURE, self.screenshot(&path)).await {
-            Ok(Ok(())) => format!("see {}", path.display()),
-            Ok(Err(trouble)) => format!("no screenshot: {trouble}; {}", self.stuck().await),
-            Err(_) => format!("no screenshot within {} s; {}", PICTURE.as_secs(), self.stuck().await),
+        let scripts = self.scripts_run().await;
+        // A page whose scripts do not run gives no picture either.
+        let taken =
+            async { if scripts { tokio::time::timeout(PICTURE, self.screenshot(&path)).await.ok() } else { None } };
+        let picture = match taken.await {
+            Some(Ok(())) => format!("see {}", path.display()),
+            Some(Err(trouble)) => format!("no screenshot: {trouble}; {}", self.stuck(scripts).await),
+            None => format!("no screenshot to be had; {}", self.stuck(scripts).await),
         };
         let errors = self.watch.errors();
         let complaints = if errors.is_empty() { String::new() } else { format!("\n{}", errors.join("\n")) };

@@ -73,8 +73,8 @@ pub(crate) fn builder() -> Outcome<Command> {
     Ok(command)
 }
 
-/// Compiles `package` for the browser and answers with its wasm file. Its target folder is its own:
-/// an outer cargo holds the lock of the usual one.
+/// Compiles `package` for the browser and answers with its wasm file. Its target folder is its own: the server is compiled
+/// at the same time, and holds the lock of the usual one.
 fn compile(workspace: &Workspace, package: &str, mode: Mode) -> Outcome<PathBuf> {
     let folder = workspace.target.join("page-build");
     let mut cargo = workspace.cargo(&["build", "--lib", "--target", WASM, "--package", package]);
