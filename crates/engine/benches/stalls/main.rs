@@ -1,7 +1,9 @@
 //! How long a runaway procedure holds its thread: the hostile corpus under the product's limits, in CPU time.
 //!
 //! `cargo bench -p engine --bench stalls` prints the worst scripts, by what ended them, and fails if one is beyond its
-//! bound. Both count CPU time of this thread, so that a busy machine makes little difference.
+//! bound. CPU time of this thread is counted, so that what else runs makes little difference; and as a shared machine is half
+//! as quick again from one second to the next, sorting some numbers is timed beside each script, and a time is told as what it
+//! would be where that takes what it should.
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a bench prints, and may give up")]
 
 #[path = "../../tests/hostile/scripts.rs"]
@@ -10,6 +12,7 @@ mod scripts;
 use behaviour::Value;
 use engine::{Limits, check_body, try_body};
 use scripts::Verdict;
+use std::hint::black_box;
 use std::time::Duration;
 
 /// The wall deadline of a procedure in a run.
@@ -18,8 +21,12 @@ const DEADLINE_MS: u64 = 20;
 const STEPS_BAR_MS: u64 = 2;
 /// The same where only the deadline does.
 const DEADLINE_BAR_MS: u64 = 30;
-/// Each script runs this often; its quickest run counts, the others were disturbed.
-const PASSES: usize = 5;
+/// All scripts run one after the other, this often; the middle run of each counts. Runs in a row would share what disturbs one.
+const ROUNDS: usize = 15;
+/// How many numbers are sorted to see how quick the machine is just now.
+const NUMBERS: usize = 10_000;
+/// What sorting the numbers takes, in microseconds, on the machine that the bounds are for while nobody else is on it.
+const SORTED_MICROS: f64 = 100.0;
 /// How many lines a list has.
 const SHOWN: usize = 12;
 
@@ -30,16 +37,21 @@ struct Stall {
 }
 
 fn main() {
+    let scripts: Vec<_> = scripts::all().filter(|(_, verdict)| !matches!(verdict, Verdict::Refused(_))).collect();
+    let round = || scripts.iter().map(|(body, _)| stall(body)).collect::<Vec<_>>();
+    let rounds: Vec<_> = (0..ROUNDS).map(|_| round()).collect();
     let (mut by_steps, mut by_deadline, mut others) = (Vec::new(), Vec::new(), Vec::new());
-    for &(body, verdict) in scripts::all().filter(|(_, verdict)| !matches!(verdict, Verdict::Refused(_))) {
-        let (micros, reason) = (0..PASSES).map(|_| stall(body)).min_by_key(|(micros, _)| *micros).unwrap();
+    for (at, &&(body, verdict)) in scripts.iter().enumerate() {
+        let mut runs: Vec<_> = rounds.iter().map(|round| &round[at]).collect();
+        runs.sort_by_key(|(micros, _)| *micros);
+        let (micros, reason) = runs[ROUNDS / 2];
         let list = match reason.as_deref() {
             Some(reason) if reason.contains("too many steps") => &mut by_steps,
             Some(reason) if reason.contains("took too long") => &mut by_deadline,
             _ => &mut others,
         };
         assert!(verdict != Verdict::Endless || reason.is_some(), "{body}");
-        list.push(Stall { micros, body });
+        list.push(Stall { micros: *micros, body });
     }
     let all_within = [
         show("ended by the limit of steps", by_steps, STEPS_BAR_MS),
@@ -49,14 +61,25 @@ fn main() {
     std::process::exit(i32::from(all_within.contains(&false)));
 }
 
-/// Microseconds of CPU time of one call, and why it gave no value.
+/// Microseconds of CPU time of one call, were the machine as quick as it should be, and why it gave no value.
 fn stall(body: &str) -> (u64, Option<String>) {
     let x = ["x".to_owned()];
     check_body(&x, body).unwrap();
+    let slowness = sorting() / SORTED_MICROS;
     let begin = cpu();
     let limits = Limits::default().interrupted_by(move || cpu() - begin > Duration::from_millis(DEADLINE_MS));
     let made = try_body(&[], &x, body, &[Value::Int(1)], &limits);
-    (u64::try_from((cpu() - begin).as_micros()).unwrap(), made.err().map(|fault| fault.to_string()))
+    let micros = (cpu() - begin).as_secs_f64() * 1e6 / slowness;
+    (micros as u64, made.err().map(|fault| fault.to_string()))
+}
+
+/// Microseconds of CPU time that sorting some numbers takes now.
+fn sorting() -> f64 {
+    let next = |last: &u32| Some(last.wrapping_mul(1_664_525).wrapping_add(1_013_904_223));
+    let mut numbers: Vec<u32> = std::iter::successors(Some(1), next).take(NUMBERS).collect();
+    let begin = cpu();
+    black_box(&mut numbers).sort_unstable();
+    (cpu() - begin).as_secs_f64() * 1e6
 }
 
 /// Prints the worst of them; true if all are within the bar.
