@@ -17,7 +17,7 @@ fn emptied<'a>(neo4j: &'a Alone, store: &'a Arc<dyn Store>) -> Made<'a> {
 
 #[tokio::test(flavor = "multi_thread")]
 async fn the_neo4j_store_keeps_the_contract() {
-    let Some(neo4j) = shared::alone("the contract of the Neo4j store").await else { return };
+    let Some(neo4j) = shared::own("the contract of the Neo4j store").await else { return };
     let store: Arc<dyn Store> = Arc::new(neo4j.store().await);
     Box::pin(contract::check(|| emptied(&neo4j, &store))).await;
 }

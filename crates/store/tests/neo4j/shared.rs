@@ -1,30 +1,42 @@
-//! One Neo4j for all tests that do it no harm; they use it one after the other.
+//! One Neo4j for the tests that do it no harm; they use it one after the other.
 
 use crate::server::{self, Neo4j};
 use neo4rs::{Graph, query};
 use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 use store::Neo4jStore;
 use tokio::sync::{Mutex, MutexGuard, OnceCell};
 
 const PATIENCE: Duration = Duration::from_secs(120);
 
-static SHARED: OnceCell<Option<Neo4j>> = OnceCell::const_new();
+static SHARED: OnceCell<Arc<Neo4j>> = OnceCell::const_new();
 static TURN: Mutex<()> = Mutex::const_new(());
 
-/// The shared Neo4j, for one test at a time.
+/// A Neo4j for one test at a time.
 pub(crate) struct Alone {
-    neo4j: &'static Neo4j,
-    _turn: MutexGuard<'static, ()>,
+    neo4j: Arc<Neo4j>,
+    /// Held where it is the shared one.
+    _turn: Option<MutexGuard<'static, ()>>,
 }
 
 /// Waits for the shared Neo4j; none if there is none here.
 pub(crate) async fn alone(part: &str) -> Option<Alone> {
     let folder = server::folder(part)?;
     let turn = TURN.lock().await;
-    let start = || async { tokio::task::spawn_blocking(|| Some(Neo4j::start(folder))).await.expect("a start") };
-    let neo4j = SHARED.get_or_init(start).await.as_ref()?;
-    Some(Alone { neo4j, _turn: turn })
+    let neo4j = Arc::clone(SHARED.get_or_init(|| start(folder)).await);
+    Some(Alone { neo4j, _turn: Some(turn) })
+}
+
+/// A Neo4j of its own for a test that takes long, while others use the shared one; none if there is none here.
+pub(crate) async fn own(part: &str) -> Option<Alone> {
+    let folder = server::folder(part)?;
+    Some(Alone { neo4j: start(folder).await, _turn: None })
+}
+
+async fn start(folder: PathBuf) -> Arc<Neo4j> {
+    tokio::task::spawn_blocking(|| Arc::new(Neo4j::start(folder))).await.expect("a start")
 }
 
 impl Alone {
@@ -52,7 +64,7 @@ impl Alone {
 
     /// What the database itself answers.
     pub(crate) async fn rows(&self, text: &str) -> Vec<Value> {
-        rows(self.neo4j, text).await
+        rows(&self.neo4j, text).await
     }
 }
 
