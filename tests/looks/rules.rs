@@ -1,4 +1,5 @@
-//! What holds for every screen: nothing scrolls sideways, what is cut has a title, Stop is on top, nothing moves for who
+//! What holds for every screen: nothing scrolls sideways, what is cut has a title, how saving goes is read whole,
+//! Stop is on top, nothing moves for who
 //! wants no motion.
 
 use house::{Outcome, Page};
@@ -33,6 +34,10 @@ const CUT: &str = "(() => {
     return found;
 })()";
 
+/// Where only a part is seen of how saving goes.
+const SAVING: &str = "[...document.querySelectorAll('.saving')].filter(said => said.scrollWidth > said.clientWidth + 1)
+    .map(said => `only a part of “${said.textContent}” is seen`)";
+
 /// Where something else is on top of Stop.
 const STOP: &str = "(() => {
     const stop = document.getElementById('stop');
@@ -53,7 +58,7 @@ const MOVES: &str = "document.getAnimations().filter(motion => motion.playState 
 /// Every broken rule, with where it was.
 pub(crate) async fn broken(page: &Page, place: &str) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
-    for rule in [SIDEWAYS, CUT, STOP] {
+    for rule in [SIDEWAYS, CUT, SAVING, STOP] {
         found.extend(list(page, rule, place).await?);
     }
     Ok(found)
