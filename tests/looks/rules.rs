@@ -1,6 +1,5 @@
-//! What holds for every screen: nothing scrolls sideways, what is cut has a title, how saving goes is read whole,
-//! Stop is on top, nothing moves for who
-//! wants no motion.
+//! What holds for every screen: nothing scrolls sideways, what is cut has a title, that all is saved is read whole, Stop is
+//! on top, nothing moves for who wants no motion.
 
 use house::{Outcome, Page};
 
@@ -34,8 +33,8 @@ const CUT: &str = "(() => {
     return found;
 })()";
 
-/// Where only a part is seen of how saving goes.
-const SAVING: &str = "[...document.querySelectorAll('.saving')].filter(said => said.scrollWidth > said.clientWidth + 1)
+/// Where only a part is seen of how saving goes, as long as it goes well.
+const SAVING: &str = "[...document.querySelectorAll('.saving:not([data-offline])')].filter(said => said.scrollWidth > said.clientWidth + 1)
     .map(said => `only a part of “${said.textContent}” is seen`)";
 
 /// Where something else is on top of Stop.
