@@ -1,5 +1,5 @@
-//! What holds for every screen: nothing scrolls sideways, what is cut has a title, that all is saved is read whole, Stop is
-//! on top, nothing moves for who wants no motion.
+//! What holds for every screen: nothing scrolls sideways, what is cut has a title, that all is saved is read whole, the bar
+//! ends in the window, Stop is on top, nothing moves for who wants no motion.
 
 use house::{Outcome, Page};
 
@@ -37,6 +37,11 @@ const CUT: &str = "(() => {
 const SAVING: &str = "[...document.querySelectorAll('.saving:not([data-offline])')].filter(said => said.scrollWidth > said.clientWidth + 1)
     .map(said => `only a part of “${said.textContent}” is seen`)";
 
+/// What of the bar is beyond the edge of the window.
+const BAR: &str = "[...document.querySelectorAll('.bar .tool, .bar .avatar')]
+    .filter(button => button.getClientRects().length && button.getBoundingClientRect().right > innerWidth + 1)
+    .map(button => `${button.getAttribute('aria-label') ?? button.textContent} is beyond the edge`)";
+
 /// Where something else is on top of Stop.
 const STOP: &str = "(() => {
     const stop = document.getElementById('stop');
@@ -57,7 +62,7 @@ const MOVES: &str = "document.getAnimations().filter(motion => motion.playState 
 /// Every broken rule, with where it was.
 pub(crate) async fn broken(page: &Page, place: &str) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
-    for rule in [SIDEWAYS, CUT, SAVING, STOP] {
+    for rule in [SIDEWAYS, CUT, SAVING, BAR, STOP] {
         found.extend(list(page, rule, place).await?);
     }
     Ok(found)
