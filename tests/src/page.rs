@@ -210,9 +210,8 @@ impl Page {
         let path = self.failure_path();
         let scripts = self.scripts_run().await;
         // A page whose scripts do not run gives no picture either.
-        let taken =
-            async { if scripts { tokio::time::timeout(PICTURE, self.screenshot(&path)).await.ok() } else { None } };
-        let picture = match taken.await {
+        let taken = if scripts { tokio::time::timeout(PICTURE, self.screenshot(&path)).await.ok() } else { None };
+        let picture = match taken {
             Some(Ok(())) => format!("see {}", path.display()),
             Some(Err(trouble)) => format!("no screenshot: {trouble}; {}", self.stuck(scripts).await),
             None => format!("no screenshot to be had; {}", self.stuck(scripts).await),
