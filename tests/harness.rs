@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
-use house::{Browser, Outcome, Page, Server, skip};
+use house::{Browser, Outcome, Page, Rules, Server, skip};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpListener, TcpStream};
 
@@ -165,15 +165,21 @@ async fn fingers_tap_and_pinch() -> Outcome<()> {
 async fn axe_finds_a_planted_fault() -> Outcome<()> {
     ready!("axe");
     let (_browser, aiko, url) = someone().await?;
-    assert_eq!(aiko.axe("").await?, []);
+    assert_eq!(aiko.axe("", Rules::All).await?, []);
     aiko.eval("document.getElementById('one').setAttribute('style', 'color:#777;background:#888')").await?;
-    let found = aiko.axe("main").await?;
-    assert_eq!(found.len(), 1, "{found:?}");
-    assert_eq!(found[0].rule, "color-contrast");
-    assert!(found[0].nodes[0].contains("#one"), "{found:?}");
+    for rules in [Rules::All, Rules::Colours] {
+        let found = aiko.axe("main", rules).await?;
+        assert_eq!(found.len(), 1, "{rules:?}: {found:?}");
+        assert_eq!(found[0].rule, "color-contrast");
+        assert!(found[0].nodes[0].contains("#one"), "{found:?}");
+    }
+    assert_eq!(aiko.axe("main", Rules::AllButColours).await?, []);
+    aiko.eval("document.querySelector('main').append(document.createElement('select')), 0").await?;
+    assert_eq!(aiko.axe("main", Rules::AllButColours).await?.len(), 1);
+    assert_eq!(aiko.axe("main", Rules::Colours).await?.len(), 1);
     aiko.goto(&format!("{url}strict")).await?;
     aiko.forget_errors();
-    aiko.axe("").await?;
+    aiko.axe("", Rules::All).await?;
     aiko.no_errors()
 }
 

@@ -1,10 +1,9 @@
 //! How notes and groups look: open, folded, chosen, while a note is written; on the canvas and in the outline of a phone.
 
-use crate::axe::check;
-use crate::screens::{Stage, nothing, rests, run_template};
+use crate::look::colours;
+use crate::screens::{Stage, nothing, run_template};
 use crate::words::Words;
-use house::{Outcome, Page, skip};
-use std::path::PathBuf;
+use house::{Outcome, skip};
 
 #[tokio::test]
 async fn axe_finds_nothing_on_notes_and_groups() -> Outcome<()> {
@@ -19,38 +18,23 @@ async fn axe_finds_nothing_on_notes_and_groups() -> Outcome<()> {
     page.key("n").await?;
     page.until("document.activeElement.matches('textarea.note-field')", "the note is written").await?;
     page.type_text("Ask Yuki whether the children liked it.").await?;
-    found.extend(look(page, "note-written").await?);
+    found.extend(colours(page, "note-written").await?);
     page.key("Control+Enter").await?;
     page.until("document.activeElement.matches('[data-note]')", "the note is saved").await?;
     page.key("Space").await?;
     page.find("toolbar", "Note").await?;
-    found.extend(look(page, "note").await?);
+    found.extend(colours(page, "note").await?);
     page.eval("document.querySelector('[data-node][aria-label^=Far]').focus(), 0").await?;
     page.key("Space").await?;
     page.key("Control+g").await?;
     page.find("toolbar", "Group").await?;
-    found.extend(look(page, "group").await?);
+    found.extend(colours(page, "group").await?);
     page.press("button", "Fold Group").await?;
     page.find("button", "Unfold Group").await?;
-    found.extend(look(page, "group-folded").await?);
+    found.extend(colours(page, "group-folded").await?);
     page.size(390, 844, true).await?;
     page.until("document.querySelector('.group-row') !== null", "the outline has the group").await?;
-    found.extend(look(page, "outline").await?);
+    found.extend(colours(page, "outline").await?);
     nothing("findings about notes and groups", &found)?;
     page.no_errors()
-}
-
-/// What axe finds in light and dark; pictures of both if someone wants to look.
-async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
-    let mut found = Vec::new();
-    for dark in [true, false] {
-        page.theme(dark).await?;
-        rests(page).await?;
-        let theme = if dark { "dark" } else { "light" };
-        found.extend(check(page, &format!("{state}, {theme}")).await?);
-        if let Some(folder) = std::env::var_os("LOOKS_PICTURES") {
-            page.screenshot(&PathBuf::from(folder).join(format!("{state}-{theme}.png"))).await?;
-        }
-    }
-    Ok(found)
 }

@@ -3,7 +3,7 @@
 use crate::look::{DESKTOP, PHONE, colours, set};
 use crate::screens::{Stage, nothing, rests, run_template, selected, walk};
 use crate::words::Words;
-use house::{Outcome, Page, skip};
+use house::{Outcome, Page, Rules, skip};
 use std::cell::RefCell;
 
 #[tokio::test]
@@ -31,8 +31,14 @@ async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
     page.no_errors()
 }
 
+/// What breaks any rule of axe.
 pub(crate) async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {
-    let violations = page.axe("").await?;
+    check_by(page, Rules::All, place).await
+}
+
+/// What breaks these rules of axe.
+pub(crate) async fn check_by(page: &Page, rules: Rules, place: &str) -> Outcome<Vec<String>> {
+    let violations = page.axe("", rules).await?;
     let line = |violation: house::Violation| {
         let nodes = violation.nodes.join("\n      ");
         format!("{place}: {} ({}): {}\n      {nodes}", violation.rule, violation.impact, violation.help)

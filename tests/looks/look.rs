@@ -1,10 +1,10 @@
 //! A look at one state of the page, in every window, in light and dark: axe, what is too small to be pressed, what is cut.
 
-use crate::axe::check;
+use crate::axe::check_by;
 use crate::rules::{broken, list};
 use crate::screens::rests;
 use crate::targets::SMALL;
-use house::{Outcome, Page};
+use house::{Outcome, Page, Rules};
 use std::path::PathBuf;
 
 /// A window: its name, width and height, and whether it is a touch screen.
@@ -47,14 +47,14 @@ pub(crate) async fn set(page: &Page, (_, width, height, touch): &Window) -> Outc
     rests(page).await
 }
 
-/// What axe finds, in light and dark.
+/// What axe finds in light, and what in dark.
 pub(crate) async fn colours(page: &Page, state: &str) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
-    for (dark, theme) in [(false, "light"), (true, "dark")] {
+    for (dark, theme, rules) in [(false, "light", Rules::All), (true, "dark", Rules::Colours)] {
         page.theme(dark).await?;
         rests(page).await?;
         let place = format!("{state}-{theme}");
-        found.extend(check(page, &place).await?);
+        found.extend(check_by(page, rules, &place).await?);
         picture(page, &place).await?;
     }
     Ok(found)

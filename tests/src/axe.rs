@@ -7,6 +7,33 @@ use crate::page::Page;
 
 const AXE: &str = include_str!("../vendor/axe.min.js");
 
+/// The rules whose answer hangs on colours.
+const COLOURS: &str = "['color-contrast', 'link-in-text-block']";
+
+/// Which of its rules axe is asked. Those about colours are half of its work.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rules {
+    /// Every rule.
+    All,
+    /// What another theme can break: contrast, and links that only their colour tells from the text around them.
+    Colours,
+    /// What no theme changes: names, roles, order.
+    AllButColours,
+}
+
+impl Rules {
+    /// As axe takes it among its options.
+    fn option(self) -> String {
+        match self {
+            Rules::All => "{}".to_owned(),
+            Rules::Colours => format!("{{ runOnly: {COLOURS} }}"),
+            Rules::AllButColours => {
+                format!("{{ rules: Object.fromEntries({COLOURS}.map(rule => [rule, {{ enabled: false }}])) }}")
+            }
+        }
+    }
+}
+
 /// A broken rule and the elements that break it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Violation {
@@ -22,12 +49,14 @@ pub struct Violation {
 
 impl Page {
     /// Checks what matches the CSS selector `scope` (all of the page when it is empty) in its present state.
-    pub async fn axe(&self, scope: &str) -> Outcome<Vec<Violation>> {
+    pub async fn axe(&self, scope: &str, rules: Rules) -> Outcome<Vec<Violation>> {
         if self.eval("typeof globalThis.axe").await? != "object" {
             self.eval(&format!("{AXE}\n;0")).await?;
         }
         let scope = if scope.is_empty() { "document".to_owned() } else { Value::from(scope).to_string() };
-        let script = format!("axe.run({scope}, {{ resultTypes: ['violations'] }}).then(found => found.violations)");
+        // Nothing is fetched again for rules that are off by themselves.
+        let options = format!("{{ resultTypes: ['violations'], preload: false, ...{} }}", rules.option());
+        let script = format!("axe.run({scope}, {options}).then(found => found.violations)");
         let found = self.eval(&script).await?;
         Ok(found.as_array().into_iter().flatten().map(violation).collect())
     }

@@ -32,7 +32,7 @@ mod watch;
 mod wire;
 mod within;
 
-pub use axe::Violation;
+pub use axe::{Rules, Violation};
 pub use browser::Browser;
 pub use find::{Node, Rect};
 pub use page::{Cpu, Page};

@@ -29,6 +29,8 @@ pub struct Page {
     target: String,
     name: String,
     media: Mutex<BTreeMap<String, String>>,
+    /// Width and height of the window, and whether it is a touch screen.
+    window: Mutex<Option<(u32, u32, bool)>>,
     patience_ms: AtomicU64,
     /// Whether Chromium's process that draws was started anew for this page.
     pub(crate) drawn_anew: AtomicBool,
@@ -52,8 +54,9 @@ impl Page {
     pub(crate) fn new(wire: Arc<Wire>, watch: Arc<Watch>, ids: [&str; 3], name: &str) -> Page {
         let [session, context, target] = ids.map(str::to_owned);
         let patience_ms = AtomicU64::new(u64::try_from(PATIENCE.as_millis()).unwrap_or(u64::MAX));
-        let (name, media, drawn_anew) = (test_name(name), Mutex::default(), AtomicBool::default());
-        Page { wire, watch, session, context, target, name, media, patience_ms, drawn_anew }
+        let (name, media, window, drawn_anew) =
+            (test_name(name), Mutex::default(), Mutex::default(), AtomicBool::default());
+        Page { wire, watch, session, context, target, name, media, window, patience_ms, drawn_anew }
     }
 
     /// Turns on what the harness listens to.
@@ -112,6 +115,11 @@ impl Page {
 
     /// Makes the window `width` by `height` CSS pixels; `mobile` behaves as a touch screen.
     pub async fn size(&self, width: u32, height: u32, mobile: bool) -> Outcome<()> {
+        let window = Some((width, height, mobile));
+        // Chromium lays everything out again, even for the size that it has.
+        if std::mem::replace(&mut *self.window.lock().unwrap_or_else(PoisonError::into_inner), window) == window {
+            return Ok(());
+        }
         let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile });
         self.call("Emulation.setDeviceMetricsOverride", metrics).await?;
         let touch = json!({ "enabled": mobile, "maxTouchPoints": 5 });
