@@ -115,13 +115,17 @@ impl Page {
 
     /// Makes the window `width` by `height` CSS pixels; `mobile` behaves as a touch screen.
     pub async fn size(&self, width: u32, height: u32, mobile: bool) -> Outcome<()> {
-        let window = Some((width, height, mobile));
-        // Chromium lays everything out again, even for the size that it has.
-        if std::mem::replace(&mut *self.window.lock().unwrap_or_else(PoisonError::into_inner), window) == window {
+        let window = (width, height, mobile);
+        let before = self.window.lock().unwrap_or_else(PoisonError::into_inner).replace(window);
+        // Chromium lays everything out again, even for what it has already.
+        if before == Some(window) {
             return Ok(());
         }
         let metrics = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": mobile });
         self.call("Emulation.setDeviceMetricsOverride", metrics).await?;
+        if before.is_some_and(|(_, _, touch)| touch == mobile) {
+            return Ok(());
+        }
         let touch = json!({ "enabled": mobile, "maxTouchPoints": 5 });
         self.call("Emulation.setTouchEmulationEnabled", touch).await.map(drop)
     }

@@ -27,7 +27,7 @@ pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
         Err(sentence) => println!("SKIPPED by name: kills of a server on Neo4j ({sentence})"),
     }
     // One after the other: each has the computer to itself.
-    cargo.args(["--ignored", "--nocapture", "--test-threads=1"]).env("RRP_OPTIMISED", workspace.optimised_server());
+    cargo.args(["--ignored", "--nocapture", "--test-threads=1"]).env("RRP_OPTIMISED", workspace.released());
     tools::run(&mut cargo, "The benchmark of the rooms")
 }
 

@@ -11,6 +11,8 @@ use crate::tools::{self, Outcome, Workspace};
 
 /// The package that people run: the one that carries the page.
 const PROGRAM: &str = "rrp";
+/// How it is built: optimised where values pass, as little as may be elsewhere.
+pub(crate) const PROFILE: &str = "serve";
 /// Leaves out what speaks to a Neo4j, a thirtieth of all that is compiled: who starts here keeps programs in a folder.
 pub(crate) const WITHOUT_NEO4J: &str = "--no-default-features";
 
@@ -45,7 +47,7 @@ fn wants_neo4j(arguments: &[&str]) -> bool {
 /// for those who have one.
 fn optimise(workspace: &Workspace, neo4j: bool) -> Outcome<PathBuf> {
     let began = Instant::now();
-    let server = workspace.optimised_server();
+    let server = workspace.served();
     if server.is_file() {
         println!("Building what has changed of the page and the server.");
     } else {
@@ -55,7 +57,7 @@ fn optimise(workspace: &Workspace, neo4j: bool) -> Outcome<PathBuf> {
     let page = Beside::begin(vec![page::builder()?], workspace.target.join("page.txt"))?;
     let packages = packages(workspace)?;
     let cargo = |what: &[&str]| {
-        let mut cargo = workspace.cargo(&["build", "--release"]);
+        let mut cargo = workspace.cargo(&["build", "--profile", PROFILE]);
         cargo.args(packages.iter().flat_map(|package| ["--package", package])).args(what);
         cargo.args(if neo4j { [].as_slice() } else { &[WITHOUT_NEO4J] });
         cargo

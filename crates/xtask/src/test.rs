@@ -13,10 +13,10 @@ use crate::serve;
 use crate::supply;
 use crate::tools::{self, Outcome, Workspace};
 
-/// What is optimised: the server, which is attacked, and the hostile corpus, as stacks, overflows and comparisons differ
-/// between debug and release. Selected together, so that what both use is compiled once; without what `serve` leaves out.
-const OPTIMISED: [&str; 8] =
-    ["--release", serve::WITHOUT_NEO4J, "--package", "rrp", "--package", "engine", "--test", "hostile"];
+/// What is optimised: the server as people run it, which is attacked, and the hostile corpus, as stacks, overflows and
+/// comparisons differ between debug and release. Selected together, so that what both use is compiled once.
+const OPTIMISED: [&str; 9] =
+    ["--profile", serve::PROFILE, serve::WITHOUT_NEO4J, "--package", "rrp", "--package", "engine", "--test", "hostile"];
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
@@ -151,7 +151,7 @@ impl<'a> Run<'a> {
         if server.is_file() {
             cargo.env("RRP_BIN", server).env("RRP_TOOLS_READY", "1");
         }
-        cargo.env("RRP_OPTIMISED", self.workspace.optimised_server());
+        cargo.env("RRP_OPTIMISED", self.workspace.served());
     }
 }
 

@@ -63,8 +63,13 @@ impl Workspace {
         self.target.join("debug").join(format!("rrp{}", env::consts::EXE_SUFFIX))
     }
 
-    /// The optimised build of the server.
-    pub(crate) fn optimised_server(&self) -> PathBuf {
+    /// The build of the server that people run first.
+    pub(crate) fn served(&self) -> PathBuf {
+        self.target.join("serve").join(format!("rrp{}", env::consts::EXE_SUFFIX))
+    }
+
+    /// The optimised build of the server, which is measured.
+    pub(crate) fn released(&self) -> PathBuf {
         self.target.join("release").join(format!("rrp{}", env::consts::EXE_SUFFIX))
     }
 
