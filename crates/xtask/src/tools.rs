@@ -4,6 +4,8 @@ use std::env;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
+use crate::serve;
+
 /// A result whose error is a sentence for the person at the terminal.
 pub(crate) type Outcome<T> = Result<T, String>;
 
@@ -60,17 +62,22 @@ impl Workspace {
 
     /// The development build of the server.
     pub(crate) fn server(&self) -> PathBuf {
-        self.target.join("debug").join(format!("rrp{}", env::consts::EXE_SUFFIX))
+        self.program("debug")
     }
 
     /// The build of the server that people run first.
     pub(crate) fn served(&self) -> PathBuf {
-        self.target.join("serve").join(format!("rrp{}", env::consts::EXE_SUFFIX))
+        self.program(serve::PROFILE)
     }
 
     /// The optimised build of the server, which is measured.
     pub(crate) fn released(&self) -> PathBuf {
-        self.target.join("release").join(format!("rrp{}", env::consts::EXE_SUFFIX))
+        self.program("release")
+    }
+
+    /// The server as cargo builds it into the folder of a profile.
+    fn program(&self, folder: &str) -> PathBuf {
+        self.target.join(folder).join(format!("rrp{}", env::consts::EXE_SUFFIX))
     }
 
     /// Cargo, called in the root with `words`, free of what our own cargo left in the environment.
