@@ -9,9 +9,10 @@ use house::{Outcome, Trouble};
 use serde_json::Value;
 
 /// Our rooms and the ones each may use in its product code.
-const ARROWS: [(&str, &[&str]); 18] = [
+const ARROWS: [(&str, &[&str]); 19] = [
     ("behaviour", &[]),
     ("commands", &["behaviour", "engine", "load", "robot", "sentences", "server", "shell", "simulation", "store"]),
+    ("compression", &[]),
     ("engine", &["behaviour", "robot"]),
     ("frontend", &["behaviour", "engine", "protocol", "robot", "sentences", "simulation"]),
     (
@@ -30,12 +31,13 @@ const ARROWS: [(&str, &[&str]); 18] = [
     ("shell", &["behaviour", "protocol", "robot"]),
     ("simulation", &["behaviour", "robot"]),
     ("store", &["behaviour"]),
-    ("xtask", &[]),
+    ("xtask", &["compression"]),
 ];
 
 /// Rooms whose outside libraries are listed in full.
-const LIBRARIES: [(&str, &[&str]); 8] = [
+const LIBRARIES: [(&str, &[&str]); 9] = [
     ("behaviour", &["serde", "unicode-normalization", "unicode-xid", "uuid"]),
+    ("compression", &["brotli", "flate2"]),
     ("engine", &["libm", "rhai", "serde"]),
     ("protocol", &["serde"]),
     ("qi", &["rustls", "sha2", "thiserror", "tokio", "tokio-rustls"]),

@@ -67,24 +67,28 @@ impl Fields {
 
     /// The field `name`.
     #[must_use]
+    #[inline]
     pub fn get(&self, name: &str) -> Option<&Value> {
         self.0.names.place(name).and_then(|at| self.values().get(at))
     }
 
     /// True if there is a field `name`.
     #[must_use]
+    #[inline]
     pub fn contains_key(&self, name: &str) -> bool {
         self.0.names.place(name).is_some()
     }
 
     /// How many fields.
     #[must_use]
+    #[inline]
     pub fn len(&self) -> usize {
         self.0.names.names.len()
     }
 
     /// True if there is none.
     #[must_use]
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -103,6 +107,7 @@ impl Fields {
 
     /// The names, in order.
     #[must_use]
+    #[inline]
     pub fn names(&self) -> &Names {
         &self.0.names
     }
@@ -159,18 +164,21 @@ impl Names {
 
     /// The place of a name.
     #[must_use]
+    #[inline]
     pub fn place(&self, name: &str) -> Option<usize> {
         self.names.binary_search_by(|known| known.as_ref().cmp(name)).ok()
     }
 
     /// How many names.
     #[must_use]
+    #[inline]
     pub fn len(&self) -> usize {
         self.names.len()
     }
 
     /// True if there is none.
     #[must_use]
+    #[inline]
     pub fn is_empty(&self) -> bool {
         self.names.is_empty()
     }
@@ -183,6 +191,7 @@ impl Names {
     }
 
     /// The names that this thread remembers, or new ones.
+    #[inline]
     fn sorted(names: &[&str]) -> Self {
         if names.iter().map(|name| name.len() + 1).sum::<usize>() > SHAPE_MAX_BYTES {
             return Self::new(names);
@@ -203,17 +212,20 @@ impl Names {
         })
     }
 
+    #[inline]
     fn new(names: &[&str]) -> Self {
         static SHAPE: AtomicU64 = AtomicU64::new(0);
         Self { shape: SHAPE.fetch_add(1, Relaxed), names: names.iter().map(|name| Arc::from(*name)).collect() }
     }
 
+    #[inline]
     fn order(&self, names: &[&str]) -> Ordering {
         self.names.iter().map(AsRef::as_ref).cmp(names.iter().copied())
     }
 }
 
 impl PartialEq for Fields {
+    #[inline]
     fn eq(&self, other: &Self) -> bool {
         let same_names = self.shape() == other.shape() || self.0.names.names == other.0.names.names;
         same_names && self.values() == other.values()

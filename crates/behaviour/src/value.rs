@@ -47,6 +47,7 @@ impl Value {
 
     /// The field `name` of an object.
     #[must_use]
+    #[inline]
     pub fn field(&self, name: &str) -> Option<&Value> {
         match self {
             Self::Map(fields) => fields.get(name),
@@ -56,12 +57,14 @@ impl Value {
 
     /// The text, if it is one.
     #[must_use]
+    #[inline]
     pub fn as_text(&self) -> Option<&str> {
         if let Self::Text(text) = self { Some(text) } else { None }
     }
 
     /// The number, whole or measured.
     #[must_use]
+    #[inline]
     pub fn as_number(&self) -> Option<f64> {
         match self {
             Self::Int(whole) => Some(*whole as f64),
@@ -72,6 +75,7 @@ impl Value {
 
     /// True when no number in it is NaN or infinite.
     #[must_use]
+    #[inline]
     pub fn is_finite(&self) -> bool {
         match self {
             Self::Float(number) => number.is_finite(),

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread;
@@ -21,7 +21,7 @@ const QUALITY: i32 = 11;
 const QUALITY_LATER: i32 = 10;
 /// A way to compress, by the ending of the file that it makes: of a file with this name and content.
 type Press = (&'static str, fn(&str, &[u8]) -> io::Result<Vec<u8>>);
-const PRESSES: [Press; 2] = [("br", brotlied), ("gz", gzipped)];
+const PRESSES: [Press; 2] = [("br", brotlied), ("gz", |_, content| compression::gzip(content))];
 
 /// Reads every file below `folder`; a folder that is not there holds none.
 pub(crate) fn read(folder: &Path) -> Result<Files, String> {
@@ -128,19 +128,7 @@ fn is_compressed(name: &str) -> bool {
 }
 
 fn brotlied(name: &str, content: &[u8]) -> io::Result<Vec<u8>> {
-    let mut out = Vec::new();
-    let quality = if split::is_later(name) { QUALITY_LATER } else { QUALITY };
-    // Told how much there is, it looks for a better way to cut it.
-    let params =
-        brotli::enc::BrotliEncoderParams { quality, lgwin: 22, size_hint: content.len(), ..Default::default() };
-    brotli::BrotliCompress(&mut &content[..], &mut out, &params)?;
-    Ok(out)
-}
-
-fn gzipped(_: &str, content: &[u8]) -> io::Result<Vec<u8>> {
-    let mut press = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::best());
-    press.write_all(content)?;
-    press.finish()
+    compression::brotli(content, if split::is_later(name) { QUALITY_LATER } else { QUALITY })
 }
 
 /// Puts `content` in place at once: a server that reads meanwhile sees the old file or the new one.

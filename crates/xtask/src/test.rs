@@ -20,10 +20,13 @@ const OPTIMISED: [&str; 9] =
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
-/// All but this program: cargo chooses the features of libraries for all that is selected together, so that with it many
+/// All but this program and what it alone uses: cargo chooses the features of libraries for all that is selected together, so that with it many
 /// that it was built with just now would be built once more, with features that only others want.
-const ALL_BUT_THIS: [&str; 3] = ["--workspace", "--exclude", THIS];
+const ALL_BUT_THIS: [&str; 5] = ["--workspace", "--exclude", THIS, "--exclude", ITS_OWN];
+/// The others, as they were built to run this.
+const THIS_AND_ITS_OWN: [&str; 6] = ["--package", THIS, "--package", ITS_OWN, "--profile", THIS];
 const THIS: &str = "xtask";
+const ITS_OWN: &str = "compression";
 const HOW_TO_GET_CHROMIUM: &str =
     "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
 
@@ -124,8 +127,7 @@ impl<'a> Run<'a> {
     fn tests(&mut self, more: &[&str]) -> Outcome<()> {
         let list = self.workspace.target.join("skipped.txt");
         let _ = fs::remove_file(&list);
-        // As it was built to run this.
-        let results = [ALL_BUT_THIS.as_slice(), &["--package", THIS, "--profile", THIS]].map(|packages| {
+        let results = [ALL_BUT_THIS.as_slice(), &THIS_AND_ITS_OWN].map(|packages| {
             let words = [&["test", "--no-fail-fast"], packages].concat();
             let mut cargo = self.workspace.cargo(&words);
             cargo.args(more).env("RRP_SKIPPED_LIST", &list);
