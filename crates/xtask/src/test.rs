@@ -20,10 +20,10 @@ const OPTIMISED: [&str; 9] =
 /// The module that one of the last tests compares with the native build: in its own folder, as that test builds it.
 const MODULE: [&str; 8] =
     ["build", "--quiet", "--release", "--package", "house-wasm", "--lib", "--target", tools::WASM];
-/// All but this program and what it alone uses: cargo chooses the features of libraries for all that is selected together, so that with it many
-/// that it was built with just now would be built once more, with features that only others want.
+/// All but this program and what it alone uses: cargo chooses the features of libraries for all that is selected together, so
+/// that with them many that they were built with just now would be built once more, with features that only others want.
 const ALL_BUT_THIS: [&str; 5] = ["--workspace", "--exclude", THIS, "--exclude", ITS_OWN];
-/// The others, as they were built to run this.
+/// This program and what it alone uses, as they were built to run this.
 const THIS_AND_ITS_OWN: [&str; 6] = ["--package", THIS, "--package", ITS_OWN, "--profile", THIS];
 const THIS: &str = "xtask";
 const ITS_OWN: &str = "compression";
