@@ -1,35 +1,8 @@
-//! axe finds nothing, on any screen, in light and dark, on a desktop and on a phone.
+//! What axe finds, and that it finds nothing where the page has no colours of its own.
 
-use crate::look::{DESKTOP, PHONE, colours, set};
-use crate::screens::{Stage, nothing, rests, run_template, selected, walk};
+use crate::screens::{Stage, nothing, rests, run_template, selected};
 use crate::words::Words;
 use house::{Outcome, Page, Rules, skip};
-use std::cell::RefCell;
-
-#[tokio::test]
-async fn axe_finds_nothing_on_any_screen() -> Outcome<()> {
-    if !skip::ready("axe on every screen") {
-        return Ok(());
-    }
-    let stage = Stage::set().await?;
-    let page = &stage.page;
-    let found = RefCell::new(Vec::new());
-    let walked = walk(page, &Words::english(), async |screen: &str| {
-        for window in [PHONE, DESKTOP] {
-            set(page, &window).await?;
-            let more = colours(page, &format!("{screen}-{}", window.0)).await?;
-            found.borrow_mut().extend(more);
-        }
-        page.theme(false).await
-    })
-    .await;
-    let mut found = found.into_inner();
-    found.sort();
-    found.dedup();
-    nothing("findings of axe", &found)?;
-    walked?;
-    page.no_errors()
-}
 
 /// What breaks any rule of axe.
 pub(crate) async fn check(page: &Page, place: &str) -> Outcome<Vec<String>> {

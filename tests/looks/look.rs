@@ -1,9 +1,9 @@
 //! A look at one state of the page, in every window, in light and dark: axe, what is too small to be pressed, what is cut.
 
 use crate::axe::check_by;
-use crate::rules::{broken, list};
+use crate::rules::broken;
 use crate::screens::rests;
-use crate::targets::SMALL;
+use crate::targets::small;
 use house::{Outcome, Page, Rules};
 use std::path::PathBuf;
 
@@ -18,6 +18,9 @@ pub(crate) const PHONE: Window = ("phone", 390, 844, true);
 pub(crate) const SIDEWAYS: Window = ("sideways", 844, 390, true);
 /// The four of the design.
 pub(crate) const WINDOWS: [Window; 4] = [DESKTOP, TABLET, PHONE, SIDEWAYS];
+/// These, and a desktop and a tablet at 200 %.
+pub(crate) const SIZES: [Window; 6] =
+    [DESKTOP, TABLET, PHONE, SIDEWAYS, ("desktop-200", 720, 450, false), ("tablet-200", 590, 410, false)];
 /// Those in which the graph is a drawing: in the others it is a list.
 pub(crate) const DRAWN: [Window; 3] = [DESKTOP, TABLET, SIDEWAYS];
 
@@ -64,8 +67,7 @@ pub(crate) async fn colours(page: &Page, state: &str) -> Outcome<Vec<String>> {
 pub(crate) async fn measures(page: &Page, (window, _, _, touch): &Window, state: &str) -> Outcome<Vec<String>> {
     let place = format!("{state}, {window}");
     let mut found = broken(page, &place).await?;
-    let least = if *touch { 44 } else { 24 };
-    found.extend(list(page, &format!("{SMALL}({least})"), &place).await?);
+    found.extend(small(page, *touch, &place).await?);
     Ok(found)
 }
 

@@ -1,9 +1,11 @@
 //! How every screen looks at every size: accessibility, nothing cut or scrolled sideways, Stop on top, the first load.
 
+mod all_screens;
 mod asides;
 mod axe;
 mod conflicts;
 mod corners;
+mod few_and_many;
 mod graphs;
 mod history;
 mod invite;
@@ -14,7 +16,6 @@ mod look;
 mod presence;
 mod rules;
 mod screens;
-mod sizes;
 mod targets;
 mod tour;
 mod words;

@@ -1,15 +1,11 @@
 //! Everything that can be pressed is large enough: 24 px for a mouse, 44 px for a finger.
 
-use crate::look::{DESKTOP, WINDOWS, set};
 use crate::rules::list;
-use crate::screens::{Stage, nothing, walk};
-use crate::words::Words;
-use house::{Outcome, skip};
-use std::cell::RefCell;
+use house::{Outcome, Page};
 
 /// What is smaller than `least` on the screen, measured by where it can be hit. What stands in a graph that is seen from
 /// farther away is as small as that: two fingers make it larger.
-pub(crate) const SMALL: &str = "(async least => {
+const SMALL: &str = "(async least => {
     const wanted = 'a[href], button, input, select, textarea, [role=button], [role=menuitem], [tabindex=\"0\"]';
     const found = [];
     const frame = () => new Promise(done => requestAnimationFrame(done));
@@ -37,25 +33,8 @@ pub(crate) const SMALL: &str = "(async least => {
     return found;
 })";
 
-#[tokio::test]
-async fn whatever_can_be_pressed_is_large_enough() -> Outcome<()> {
-    if !skip::ready("the size of what can be pressed") {
-        return Ok(());
-    }
-    let stage = Stage::set().await?;
-    let page = &stage.page;
-    let found = RefCell::new(Vec::new());
-    let walked = walk(page, &Words::english(), async |screen: &str| {
-        for window in WINDOWS {
-            set(page, &window).await?;
-            let (name, _, _, touch) = window;
-            let least = if touch { 44 } else { 24 };
-            let small = list(page, &format!("{SMALL}({least})"), &format!("{screen}, {name}")).await?;
-            found.borrow_mut().extend(small);
-        }
-        set(page, &DESKTOP).await
-    })
-    .await;
-    nothing("small targets", &found.into_inner())?;
-    walked
+/// What on the page is too small for a mouse, or for fingers.
+pub(crate) async fn small(page: &Page, touch: bool, place: &str) -> Outcome<Vec<String>> {
+    let least = if touch { 44 } else { 24 };
+    list(page, &format!("{SMALL}({least})"), place).await
 }

@@ -1,8 +1,9 @@
-//! A Chromium of one's own, in which each person has a separate profile.
+//! A Chromium of one's own, in which each person has a separate profile. A test takes over that of one before it, emptied.
 
 use std::io::{BufRead, BufReader, Read};
+use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use serde_json::json;
@@ -16,6 +17,8 @@ use crate::{Outcome, Trouble, paths};
 
 /// How long Chromium may take to start.
 const START: Duration = Duration::from_secs(60);
+/// How long it may take to close what a test had open.
+const CLEAR: Duration = Duration::from_secs(10);
 
 const FLAGS: [&str; 18] = [
     "--headless=new",
@@ -41,25 +44,29 @@ const FLAGS: [&str; 18] = [
     "about:blank",
 ];
 
-/// A running headless Chromium; it is killed when this value is dropped.
+/// Runs what it is given with the profile in its first argument, and ends and removes both when its own input ends: that is
+/// when the tests have ended, in whatever way.
+const GUARD: &str = r#"profile=$1; shift; "$@" & exec 2>&-; read -r _; kill -9 $!; rm -rf "$profile"; kill -9 0"#;
+
+/// Those that a test has done with, emptied. To take one over is a second's work less than a start.
+static SPARE: Mutex<Vec<Process>> = Mutex::new(Vec::new());
+
+/// A running headless Chromium for one test at a time.
 pub struct Browser {
     wire: Arc<Wire>,
-    _process: Process,
+    process: Option<Process>,
 }
 
 impl Browser {
-    /// Starts Chromium with an empty profile.
+    /// A Chromium without people or pages: one that is spare, or a new one.
     pub async fn launch() -> Outcome<Browser> {
-        let path = paths::chromium().ok_or("There is no Chromium; name one in RRP_CHROMIUM.")?;
-        let profile = paths::folder()?;
-        let mut command = Command::new(path);
-        command.args(FLAGS).arg(format!("--user-data-dir={}", profile.path().display()));
-        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::piped());
-        own_group(&mut command);
-        let child = command.spawn().map_err(|error| Trouble::of("Chromium does not start", error))?;
-        let mut process = Process { child, _profile: profile };
-        let address = process.address().await?;
-        Ok(Browser { wire: Wire::open(&address).await?, _process: process })
+        while let Some(process) = spare().pop() {
+            if let Ok(wire) = Wire::open(&process.address).await {
+                return Ok(Browser { wire, process: Some(process) });
+            }
+        }
+        let process = Process::start().await?;
+        Ok(Browser { wire: Wire::open(&process.address).await?, process: Some(process) })
     }
 
     /// A person with a profile of their own (cookies, storage) and one page; `name` is used in failures.
@@ -88,13 +95,41 @@ impl Browser {
     }
 }
 
-/// The process and its profile, which go together.
+/// What the tests before left is closed here and not when the next test begins: nothing of it may run beside others.
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let Some(process) = self.process.take() else { return };
+        // It has a runtime of its own: that of the test may be at its end.
+        let emptied = std::thread::spawn(move || process.emptied()).join();
+        spare().extend(emptied.ok().flatten());
+    }
+}
+
+fn spare() -> std::sync::MutexGuard<'static, Vec<Process>> {
+    SPARE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// The process, where it listens, and its profile, which go together.
 struct Process {
     child: Child,
+    address: String,
     _profile: TempDir,
 }
 
 impl Process {
+    /// Starts Chromium with an empty profile.
+    async fn start() -> Outcome<Process> {
+        let path = paths::chromium().ok_or("There is no Chromium; name one in RRP_CHROMIUM.")?;
+        let profile = paths::folder()?;
+        let mut command = guarded(&path, profile.path());
+        command.args(FLAGS).arg(format!("--user-data-dir={}", profile.path().display()));
+        command.stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
+        let child = command.spawn().map_err(|error| Trouble::of("Chromium does not start", error))?;
+        let mut process = Process { child, address: String::new(), _profile: profile };
+        process.address = process.address().await?;
+        Ok(process)
+    }
+
     /// Waits for the address that Chromium prints; its other words are read and thrown away.
     async fn address(&mut self) -> Outcome<String> {
         let words = self.child.stderr.take().ok_or("Chromium has no standard error.")?;
@@ -105,6 +140,36 @@ impl Process {
             Ok(Err(_)) | Err(_) => Err(format!("Chromium did not start within {} s.", START.as_secs()).into()),
         }
     }
+
+    /// Closes the people in it and their pages; none if it does not answer any more.
+    fn emptied(self) -> Option<Process> {
+        let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build().ok()?;
+        let cleared = runtime.block_on(async { tokio::time::timeout(CLEAR, clear(&self.address)).await });
+        matches!(cleared, Ok(Ok(()))).then_some(self)
+    }
+}
+
+/// Ends all people with their pages, cookies and what they store.
+async fn clear(address: &str) -> Outcome<()> {
+    let wire = Wire::open(address).await?;
+    let people = wire.call(None, "Target.getBrowserContexts", json!({})).await?;
+    for person in people["browserContextIds"].as_array().into_iter().flatten() {
+        wire.call(None, "Target.disposeBrowserContext", json!({ "browserContextId": person })).await?;
+    }
+    Ok(())
+}
+
+/// A command for `chromium` that heads a group of processes, so that all of it can be ended together, and that outlives
+/// neither its profile nor us.
+fn guarded(chromium: &Path, profile: &Path) -> Command {
+    if cfg!(not(unix)) {
+        return Command::new(chromium);
+    }
+    let mut command = Command::new("sh");
+    command.args(["-c", GUARD, "sh"]).args([profile, chromium]);
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
+    command
 }
 
 /// Sends the DevTools address, or what was said instead of one, and reads on to the end.
@@ -118,14 +183,6 @@ fn drain(words: impl Read, tell: oneshot::Sender<Result<String, String>>) {
     });
     let _ = tell.send(address.ok_or_else(|| said.join("\n")));
     lines.for_each(drop);
-}
-
-/// Makes `command` the head of a group of processes, so that all of Chromium can be ended together.
-fn own_group(command: &mut Command) {
-    #[cfg(unix)]
-    std::os::unix::process::CommandExt::process_group(command, 0);
-    #[cfg(not(unix))]
-    let _ = command;
 }
 
 impl Drop for Process {

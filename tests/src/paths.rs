@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::Outcome;
 
 /// Names under which Chromium is looked for on PATH, best first.
-const CHROMIUM_NAMES: [&str; 3] = ["chromium", "chromium-browser", "google-chrome"];
+const CHROMIUM_NAMES: [&str; 4] = ["chromium-headless-shell", "chromium", "chromium-browser", "google-chrome"];
 
 /// The folder that holds the root `Cargo.toml`.
 pub fn root() -> PathBuf {

@@ -28,7 +28,7 @@ const THIS_AND_ITS_OWN: [&str; 6] = ["--package", THIS, "--package", ITS_OWN, "-
 const THIS: &str = "xtask";
 const ITS_OWN: &str = "compression";
 const HOW_TO_GET_CHROMIUM: &str =
-    "install it with `apt-get install chromium`, or name another one in the variable RRP_CHROMIUM";
+    "install it with `apt-get install chromium-headless-shell`, or name another one in the variable RRP_CHROMIUM";
 
 /// What all of it takes on the disk when nothing was built before.
 const WANTED_GIGABYTES: u32 = 9;
@@ -86,6 +86,7 @@ pub(crate) fn all(workspace: &Workspace) -> Outcome<()> {
 /// Runs only the tests whose name contains `filter`, with the page and the server as they were last built.
 pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
     let mut run = Run::on(workspace);
+    make_ready(workspace)?;
     find_tools(&mut run)?;
     find_neo4j(&mut run)?;
     find_libqi(&mut run)?;
@@ -157,12 +158,19 @@ impl<'a> Run<'a> {
     }
 }
 
-/// The page is built beside the other checks, and after it the server that carries it.
+/// The page is built beside the other checks, and after it the server that carries it. What is installed comes meanwhile.
 fn find_tools_and_begin(run: &mut Run) -> Outcome<()> {
-    find_tools(run)?;
+    make_ready(run.workspace)?;
     let optimised = run.workspace.cargo(&[&["build", "--bin", "rrp"], OPTIMISED.as_slice()].concat());
     run.beside = Some(Beside::begin(vec![page::builder()?, optimised], run.workspace.target.join("beside.txt"))?);
-    Ok(())
+    find_tools(run)
+}
+
+/// Makes sure that the page can be compiled, and makes its folder, which the server's code names at compile time.
+fn make_ready(workspace: &Workspace) -> Outcome<()> {
+    tools::ensure_wasm(workspace)?;
+    let page = workspace.page();
+    fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))
 }
 
 /// Nothing else is compiled from here on, and many tests wait more than they work: what one of them would build alone
@@ -180,11 +188,8 @@ fn test_all(run: &mut Run) -> Outcome<()> {
     run.module.take().map_or(Ok(()), Beside::wait)
 }
 
-/// Looks for the browser, and makes the page's folder, which the server's code names at compile time.
+/// Looks for the browser and for what single tests need.
 fn find_tools(run: &mut Run) -> Outcome<()> {
-    tools::ensure_wasm(run.workspace)?;
-    let page = run.workspace.page();
-    fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))?;
     // The XSD of behaviour files is tried with it; its test says so if it is not to be had.
     if tools::on_path("xmllint").is_none() {
         tools::install("xmllint", &["libxml2-utils"]);

@@ -5,8 +5,7 @@ use crate::{Append, Query, Store, StoreError};
 use behaviour::{Behaviour, Change, Committed, Id, Kind, Place, Procedure, Record, RecordId};
 use std::collections::BTreeMap;
 
-/// How many runs the suite makes.
-pub(super) const SEEDS: u64 = 12;
+/// What happens in one run.
 const STEPS: u64 = 80;
 const BEHAVIOURS: [&str; 4] = ["a", "b", "c", crate::LIBRARY];
 

@@ -26,13 +26,13 @@ async fn opened(dir: &Path) -> FolderStore {
 #[tokio::test(flavor = "multi_thread")]
 async fn a_folder_keeps_the_contract() {
     let used = Mutex::new(Vec::new());
-    contract::check(|| async {
+    let make = || async {
         let dir = tempfile::tempdir().expect("a directory");
         let store = opened(dir.path()).await;
         used.lock().expect("no panic").push(dir);
         Arc::new(store) as Arc<dyn Store>
-    })
-    .await;
+    };
+    contract::check(make, contract::RUNS).await;
 }
 
 #[tokio::test]
