@@ -1,7 +1,7 @@
 //! Every screen at every size and theme: pictures in `target/looks`, and what holds everywhere. One walk for all of it, as most
 //! of the work is to come to a screen and to be another size.
 
-use crate::look::{DESKTOP, PHONE, SIZES, Window, colours, set};
+use crate::look::{DESKTOP, PHONE, SIZES, Window, colours, keeps_pictures, set};
 use crate::rules;
 use crate::screens::{Stage, nothing, rests, walk};
 use crate::targets;
@@ -63,7 +63,7 @@ async fn look(page: &Page, screen: &str, window: &Window) -> Outcome<Vec<String>
 
 /// Keeps pictures in light and dark.
 async fn keep(page: &Page, screen: &str, size: &str) -> Outcome<()> {
-    if !KEPT.contains(&screen) || size == "tablet-200" {
+    if !keeps_pictures() || !KEPT.contains(&screen) || size == "tablet-200" {
         return Ok(());
     }
     for (dark, theme) in [(true, "dark"), (false, "light")] {

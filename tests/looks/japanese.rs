@@ -3,7 +3,7 @@
 
 use crate::axe::check_by;
 use crate::corners;
-use crate::look::{DESKTOP, PHONE, WINDOWS, Window, measures, set};
+use crate::look::{DESKTOP, PHONE, WINDOWS, Window, keeps_pictures, measures, set};
 use crate::screens::{Stage, nothing, rests, walk};
 use crate::words::Words;
 use house::{Outcome, Page, Rules, skip};
@@ -66,10 +66,12 @@ async fn look(page: &Page, state: &str, windows: &[Window]) -> Outcome<Vec<Strin
         if window.0 == DESKTOP.0 || window.0 == PHONE.0 {
             found.extend(check_by(page, Rules::AllButColours, &format!("{state}, {}", window.0)).await?);
         }
-        page.theme(window.0 == PHONE.0).await?;
-        rests(page).await?;
-        page.screenshot(&house::target().join(format!("looks/ja/{state}-{}.png", window.0))).await?;
-        page.theme(false).await?;
+        if keeps_pictures() {
+            page.theme(window.0 == PHONE.0).await?;
+            rests(page).await?;
+            page.screenshot(&house::target().join(format!("looks/ja/{state}-{}.png", window.0))).await?;
+            page.theme(false).await?;
+        }
     }
     set(page, &DESKTOP).await?;
     Ok(found)

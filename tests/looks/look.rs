@@ -78,3 +78,8 @@ pub(crate) async fn picture(page: &Page, name: &str) -> Outcome<()> {
         None => Ok(()),
     }
 }
+
+/// Whether the pictures of every screen are kept in `target/looks`: not in CI, where nobody looks at them.
+pub(crate) fn keeps_pictures() -> bool {
+    std::env::var("CI").as_deref() != Ok("true")
+}
