@@ -3,7 +3,7 @@
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use serde_json::json;
@@ -60,7 +60,7 @@ pub struct Browser {
 impl Browser {
     /// A Chromium without people or pages: one that is spare, or a new one.
     pub async fn launch() -> Outcome<Browser> {
-        while let Some(process) = spare().pop() {
+        while let Some(process) = take_spare() {
             if let Ok(wire) = Wire::open(&process.address).await {
                 return Ok(Browser { wire, process: Some(process) });
             }
@@ -105,7 +105,11 @@ impl Drop for Browser {
     }
 }
 
-fn spare() -> std::sync::MutexGuard<'static, Vec<Process>> {
+fn take_spare() -> Option<Process> {
+    spare().pop()
+}
+
+fn spare() -> MutexGuard<'static, Vec<Process>> {
     SPARE.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
