@@ -248,6 +248,24 @@ async fn two_people_share_nothing_and_two_tabs_share_all() -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn of_one_test_nothing_is_left_in_the_browser_of_the_next() -> Outcome<()> {
+    ready!("a browser that is taken over");
+    // More than once, as tests beside this one take browsers over and give them back too.
+    for round in 0..4 {
+        let (browser, aiko, url) = someone().await?;
+        let ben = browser.person("ben").await?;
+        ben.goto(&url).await?;
+        assert_eq!(browser.people().await?, 2, "in round {round}");
+        // Cookies do not know ports: that of the round before would be here.
+        for page in [aiko, ben] {
+            assert_eq!(page.eval("document.cookie").await?, "", "in round {round}");
+            page.eval("document.cookie = 'left=yes'").await?;
+        }
+    }
+    Ok(())
+}
+
+#[tokio::test]
 async fn the_page_is_shown_as_asked() -> Outcome<()> {
     ready!("looks");
     let (_browser, aiko, _) = someone().await?;

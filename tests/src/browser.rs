@@ -6,7 +6,7 @@ use std::process::{Child, Command, Stdio};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use serde_json::json;
+use serde_json::{Value, json};
 use tempfile::TempDir;
 use tokio::sync::oneshot;
 
@@ -73,6 +73,11 @@ impl Browser {
     pub async fn person(&self, name: &str) -> Outcome<Page> {
         let context = self.wire.call(None, "Target.createBrowserContext", json!({})).await?;
         self.open(context["browserContextId"].as_str().unwrap_or_default(), name).await
+    }
+
+    /// How many people are in it.
+    pub async fn people(&self) -> Outcome<usize> {
+        Ok(people(&self.wire).await?.len())
     }
 
     /// Another page of the same person, as a second tab; `name` is used in failures.
@@ -156,11 +161,15 @@ impl Process {
 /// Ends all people with their pages, cookies and what they store.
 async fn clear(address: &str) -> Outcome<()> {
     let wire = Wire::open(address).await?;
-    let people = wire.call(None, "Target.getBrowserContexts", json!({})).await?;
-    for person in people["browserContextIds"].as_array().into_iter().flatten() {
+    for person in people(&wire).await? {
         wire.call(None, "Target.disposeBrowserContext", json!({ "browserContextId": person })).await?;
     }
     Ok(())
+}
+
+async fn people(wire: &Wire) -> Outcome<Vec<Value>> {
+    let mut found = wire.call(None, "Target.getBrowserContexts", json!({})).await?;
+    Ok(found["browserContextIds"].as_array_mut().map(std::mem::take).unwrap_or_default())
 }
 
 /// A command for `chromium` that heads a group of processes, so that all of it can be ended together, and that outlives

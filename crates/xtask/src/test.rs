@@ -46,8 +46,8 @@ const STEPS: [Step; 11] = [
     ("the server and the tests", |run| run.cargo(&[&["test", "--no-run"], ALL_BUT_THIS.as_slice()].concat())),
     ("the page and the optimised server", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
     ("hostile procedures, optimised", attack_procedures),
-    ("cargo test", test_all),
-    ("cargo doc", document),
+    ("cargo test", |run| run.tests(&[])),
+    ("cargo doc", |run| run.meanwhile.take().map_or(Ok(()), Beside::wait)),
 ];
 
 /// A run through the checks, and what it found on the way.
@@ -58,8 +58,8 @@ struct Run<'a> {
     /// A Python that has the real libqi.
     libqi: Option<PathBuf>,
     beside: Option<Beside>,
-    /// What a test would build by itself otherwise, while others wait.
-    module: Option<Beside>,
+    /// What is built while tests wait.
+    meanwhile: Option<Beside>,
     skipped: Vec<String>,
 }
 
@@ -97,7 +97,7 @@ pub(crate) fn only(workspace: &Workspace, filter: &str) -> Outcome<()> {
 
 impl<'a> Run<'a> {
     fn on(workspace: &'a Workspace) -> Self {
-        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, module: None, skipped: Vec::new() }
+        Run { workspace, chromium: None, neo4j: None, libqi: None, beside: None, meanwhile: None, skipped: Vec::new() }
     }
 
     /// Where a part was made that `tests` need; without it they are skipped by name, but never in CI.
@@ -173,19 +173,17 @@ fn make_ready(workspace: &Workspace) -> Outcome<()> {
     fs::create_dir_all(&page).map_err(|error| format!("{} cannot be made: {error}.", page.display()))
 }
 
-/// Nothing else is compiled from here on, and many tests wait more than they work: what one of them would build alone
-/// is built meanwhile.
+/// Nothing else is compiled from here on, and many tests wait more than they work: meanwhile what one of them would build alone
+/// is built, what is documented, and the tests of this program.
 fn attack_procedures(run: &mut Run) -> Outcome<()> {
-    let folder = run.workspace.target.join("tmp/wasm");
-    let module =
-        run.workspace.cargo_at_leisure(&[MODULE.as_slice(), &["--target-dir", &folder.display().to_string()]].concat());
-    run.module = Some(Beside::begin(vec![module], run.workspace.target.join("module.txt"))?);
+    let workspace = run.workspace;
+    let folder = workspace.target.join("tmp/wasm").display().to_string();
+    let module = workspace.cargo_at_leisure(&[MODULE.as_slice(), &["--target-dir", &folder]].concat());
+    let mut documents = workspace.cargo_at_leisure(&["doc", "--workspace", "--no-deps"]);
+    documents.env("RUSTDOCFLAGS", "-D warnings");
+    let ours = workspace.cargo_at_leisure(&[&["test", "--no-run"], THIS_AND_ITS_OWN.as_slice()].concat());
+    run.meanwhile = Some(Beside::begin(vec![module, documents, ours], workspace.target.join("meanwhile.txt"))?);
     run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())
-}
-
-fn test_all(run: &mut Run) -> Outcome<()> {
-    run.tests(&[])?;
-    run.module.take().map_or(Ok(()), Beside::wait)
 }
 
 /// Looks for the browser and for what single tests need.
@@ -229,11 +227,6 @@ fn check_supply(run: &mut Run) -> Outcome<()> {
         None => println!("Licences, sources, doubles and advisories are as .deny.toml wants them."),
     }
     Ok(())
-}
-
-fn document(run: &mut Run) -> Outcome<()> {
-    let mut cargo = run.workspace.cargo(&["doc", "--workspace", "--no-deps"]);
-    tools::run(cargo.env("RUSTDOCFLAGS", "-D warnings"), "`cargo doc`")
 }
 
 /// What is free, and what is wanted where nothing was built yet.
