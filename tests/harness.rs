@@ -10,7 +10,7 @@ use tokio::net::{TcpListener, TcpStream};
 const PAGE: &str = include_str!("harness/page.html");
 const SCRIPT: &str = include_str!("harness/page.js");
 
-/// A person on the little page; the browser is kept, as it ends when it is dropped.
+/// A person on the little page; the browser is kept, as those in it end when it is dropped.
 async fn someone() -> Outcome<(Browser, Page, String)> {
     let url = serve().await?;
     let browser = Browser::launch().await?;

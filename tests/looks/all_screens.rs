@@ -1,10 +1,9 @@
 //! Every screen at every size and theme: pictures in `target/looks`, and what holds everywhere. One walk for all of it, as most
 //! of the work is to come to a screen and to be another size.
 
-use crate::look::{DESKTOP, PHONE, SIZES, Window, colours, keeps_pictures, set};
+use crate::look::{DESKTOP, PHONE, SIZES, Window, colours, keeps_pictures, measures, set};
 use crate::rules;
 use crate::screens::{Stage, nothing, rests, walk};
-use crate::targets;
 use crate::words::Words;
 use house::{Outcome, Page, skip};
 use std::cell::RefCell;
@@ -48,16 +47,14 @@ async fn every_screen_keeps_the_rules_at_every_size_and_axe_finds_nothing() -> O
 
 /// What breaks a rule on a screen at a size; pictures of some are kept before anything is scrolled.
 async fn look(page: &Page, screen: &str, window: &Window) -> Outcome<Vec<String>> {
-    let (size, _, _, touch) = window;
-    let place = format!("{screen}, {size}");
-    let mut found = rules::broken(page, &place).await?;
-    found.extend(rules::moving(page, &place).await?);
+    let size = window.0;
+    let mut found = rules::moving(page, &format!("{screen}, {size}")).await?;
     keep(page, screen, size).await?;
-    if [PHONE.0, DESKTOP.0].contains(size) {
+    if [PHONE.0, DESKTOP.0].contains(&size) {
         found.extend(colours(page, &format!("{screen}-{size}")).await?);
         page.theme(false).await?;
     }
-    found.extend(targets::small(page, *touch, &place).await?);
+    found.extend(measures(page, window, screen).await?);
     Ok(found)
 }
 
