@@ -2,6 +2,7 @@
 
 mod words;
 
+use words::reads_alike;
 pub(crate) use words::{measured, rate_words, short_value, sparkline, unit};
 
 use behaviour::Value;
@@ -33,7 +34,7 @@ pub(crate) struct LiveStream {
     pub(crate) received: f64,
     /// The last numbers, oldest first, at most 32; empty for other values.
     pub(crate) recent: Vec<f64>,
-    /// The last values of any kind, oldest first, at most five that differ; fewer where they are large.
+    /// The last values of any kind, oldest first, at most five that read differently; fewer where they are large.
     pub(crate) last: VecDeque<Value>,
 }
 
@@ -55,9 +56,8 @@ impl LiveStream {
     }
 
     fn keep(&mut self, value: &Value) {
-        if self.last.back() == Some(value) {
-            return;
-        }
+        // A sense seldom measures the very same twice: the newest stands for those that look like it.
+        self.last.pop_back_if(|back| reads_alike(back, value));
         self.last.push_back(value.clone());
         let large = |last: &VecDeque<Value>| last.iter().map(about_bytes).sum::<usize>() > LAST_MAX_BYTES;
         while self.last.len() > LAST_MAX || (self.last.len() > 1 && large(&self.last)) {
@@ -137,6 +137,8 @@ mod tests {
         let ball = |x: f64| Value::object([("x", Value::Float(x))]);
         [1.0, 1.0, 2.0].into_iter().for_each(|x| live.hear(sample(1, ball(x)), 0.0));
         assert_eq!(live.last, [ball(1.0), ball(2.0)], "the same one again is no other value");
+        live.hear(sample(1, ball(2.001)), 0.0);
+        assert_eq!(live.last, [ball(1.0), ball(2.001)], "the newest of those that read alike");
         (0..9).for_each(|count| live.hear(sample(count, Value::Bool(count % 2 == 0)), 0.0));
         assert_eq!((live.last.len(), kept(&live).as_str()), (LAST_MAX, "true false true false true"));
         live.hear(sample(10, Value::text("x".repeat(50_000))), 0.0);

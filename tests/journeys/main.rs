@@ -23,6 +23,7 @@ mod record;
 mod robots;
 mod room;
 mod runaway;
+mod steady;
 mod steps;
 mod stop;
 mod tags;

@@ -38,6 +38,24 @@ pub(crate) fn measured(value: &Value, kind: Option<&ValueType>) -> String {
     }
 }
 
+/// Whether two values are the same to who reads them: in all parts but their time, as far as their numbers are written.
+pub(crate) fn reads_alike(one: &Value, other: &Value) -> bool {
+    match (one, other) {
+        (Value::Map(one), Value::Map(other)) => {
+            let alike = |(name, value): (&std::sync::Arc<str>, &Value)| {
+                let that = other.get(name);
+                &**name == "time" || that.is_some_and(|that| value == that || numbers_alike(value, that, short_field))
+            };
+            one.len() == other.len() && one.iter().all(alike)
+        }
+        _ => one == other || numbers_alike(one, other, short_value),
+    }
+}
+
+fn numbers_alike(one: &Value, other: &Value, written: fn(&Value) -> String) -> bool {
+    one.as_number().is_some() && other.as_number().is_some() && written(one) == written(other)
+}
+
 /// In what numbers of a kind are measured; that it is a share says nothing beside a number.
 pub(crate) fn unit(kind: &ValueType) -> &'static str {
     kind.unit().filter(|unit| *unit != Unit::Fraction).map_or("", Unit::symbol)
@@ -125,7 +143,7 @@ pub(crate) fn sparkline(recent: &[f64], width: f64, height: f64) -> Option<Strin
 
 #[cfg(test)]
 mod tests {
-    use super::{measured, rate_words, short_value, sparkline};
+    use super::{measured, rate_words, reads_alike, short_value, sparkline};
     use behaviour::{Unit, Value, ValueType};
 
     #[test]
@@ -145,6 +163,20 @@ mod tests {
         for (value, words) in cases {
             assert_eq!(short_value(&value), words);
         }
+    }
+
+    #[test]
+    fn values_read_alike_when_only_time_and_what_is_not_written_of_numbers_differ() {
+        let read = |text: &str| serde_json::from_str::<Value>(text).unwrap();
+        let ball = read(r#"{"size":0.0712,"time":120,"x":0.0834}"#);
+        assert!(reads_alike(&ball, &read(r#"{"size":0.0711,"time":190,"x":0.0829}"#)));
+        for other in [r#"{"size":0.0812,"time":120,"x":0.0834}"#, r#"{"size":0.0712,"time":120}"#, "0.0712", "null"] {
+            assert!(!reads_alike(&ball, &read(other)) && !reads_alike(&read(other), &ball), "{other}");
+        }
+        assert!(reads_alike(&Value::Float(14.211), &Value::Float(14.209)));
+        assert!(!reads_alike(&Value::Float(14.2), &Value::Float(14.3)));
+        let long = |end: &str| Value::text(format!("a text whose end alone differs: {end}"));
+        assert!(!reads_alike(&long("one"), &long("other")), "what is cut in writing may still make a difference");
     }
 
     #[test]

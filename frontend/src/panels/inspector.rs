@@ -1,4 +1,5 @@
-//! What is selected: its name, what it does, its last value, its problems, and what can be done with it.
+//! What is selected: its name, what it does, what can be done with it, its problems and its last value. What grows while
+//! values flow stands last, so that no button moves away from who is about to press it.
 
 mod settings;
 
@@ -106,10 +107,6 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
             <p class="second">{move || says(&record.read())}</p>
             <p class="second">{move || what_it_is(&record.read())}</p>
             <Settings id=id.clone() record />
-            {has_device.then(|| view! { <Uses id=id.clone() instead=|| None /> })}
-            <StreamLive id=id.clone() signals />
-            <Undecided id=id.clone() />
-            <ProblemList of=Some(id.clone()) />
             <div class="row">
                 <Edit dialog=Dialog::EditStream(id.clone()) />
                 <Show when=is_sensor>
@@ -124,6 +121,10 @@ fn StreamPanel(id: Id, signals: StreamSignals) -> impl IntoView {
                 <RemoveButton what=Selected::Stream(id.clone()) class="button small" in_words=true />
             </div>
             <MayNot />
+            {has_device.then(|| view! { <Uses id=id.clone() instead=|| None /> })}
+            <StreamLive id=id.clone() signals />
+            <Undecided id=id.clone() />
+            <ProblemList of=Some(id.clone()) />
             <Below id />
             <AlsoUsed record />
         </section>
@@ -199,15 +200,15 @@ fn ConnectorPanel(id: Id, signals: ConnectorSignals) -> impl IntoView {
             <p class="second">{move || words::connector_says(spec())}</p>
             {move || procedure_text(&record.read()).map(|text| view! { <pre class="code-line"><code>{text}</code></pre> })}
             <ConnectorControl id=id.clone() />
-            <TrialTable answers unit />
-            <Undecided id=id.clone() />
-            <ConnectorLive id=id.clone() signals />
-            <ProblemList of=problems />
             <div class="row">
                 <Edit dialog />
                 <RemoveButton what=removed class="button small" in_words=true />
             </div>
             <MayNot />
+            <Undecided id=id.clone() />
+            <ProblemList of=problems />
+            <TrialTable answers unit />
+            <ConnectorLive id=id.clone() signals />
         </section>
     }
 }

@@ -84,11 +84,13 @@ pub(crate) struct Answers {
     /// A name in it that means nothing.
     pub(crate) unknown: ArcRwSignal<Option<UnknownName>>,
     number: ArcRwSignal<u32>,
+    /// Whether they come while values flow; ones that read alike are told once.
+    flow: bool,
 }
 
 /// Keeps asking while the question or the values change.
 pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
-    let answers = Answers::none();
+    let answers = Answers::none(true);
     let desk = hold();
     let told = answers.clone();
     let soon = Soon::new(move || {
@@ -114,7 +116,7 @@ pub(crate) fn ask(question: Memo<Option<Question>>) -> Answers {
 
 /// Keeps asking about values that somebody writes down.
 pub(crate) fn ask_on(question: Memo<(Question, Vec<Vec<Value>>)>) -> Answers {
-    let answers = Answers::none();
+    let answers = Answers::none(false);
     let desk = hold();
     let told = answers.clone();
     let soon = Soon::new(move || {
@@ -130,12 +132,13 @@ pub(crate) fn ask_on(question: Memo<(Question, Vec<Vec<Value>>)>) -> Answers {
 }
 
 impl Answers {
-    fn none() -> Self {
+    fn none(flow: bool) -> Self {
         Self {
             error: ArcRwSignal::new(None),
             trials: ArcRwSignal::default(),
             unknown: ArcRwSignal::new(None),
             number: ArcRwSignal::new(0),
+            flow,
         }
     }
 
@@ -157,7 +160,7 @@ impl Answers {
                 let given = froms.into_iter().zip(&sets).zip(results);
                 let written = |set: &Vec<Value>| written(desk, &question.inputs, set);
                 let trials = given.map(|((from, set), result)| trial(from, written(set), result, question.is_test));
-                me.trials.set(trials.collect());
+                me.trials.set(if me.flow { read_once(trials) } else { trials.collect() });
                 me.error.set(error.map(|error| match &unknown {
                     Some(unknown) => words::no_such_name(&unknown.name),
                     None => words::translated(&error),
@@ -166,6 +169,17 @@ impl Answers {
             }
         });
     }
+}
+
+/// The trials without those that read like an earlier one, as values do that differ in what is not shown of them.
+fn read_once(trials: impl Iterator<Item = Trial>) -> Vec<Trial> {
+    let mut once: Vec<Trial> = Vec::new();
+    for trial in trials {
+        if once.iter().all(|known| (&known.values, &known.result) != (&trial.values, &trial.result)) {
+            once.push(trial);
+        }
+    }
+    once
 }
 
 /// Values of streams, with their units.
@@ -245,9 +259,13 @@ fn newest(desk: Hold, id: &Id) -> Option<(bool, Value)> {
     crate::json::read(device.example).ok().map(|example| (true, example))
 }
 
-/// The trials in one line: "now 14.2 → passes".
+/// The trials in one line: "now 14.2 → passes". While values flow it is always as high, so that nothing under it moves
+/// away from who is about to press it; the earliest are left out where they do not fit.
 #[component]
 pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
+    let desk = hold();
+    let flow = answers.flow;
+    let steady = move || flow && desk.desk().robots.running().is_some();
     let shown = move || {
         let trial = |trial: Trial| {
             let from = trial.from.words();
@@ -255,7 +273,7 @@ pub(crate) fn TrialLine(answers: Answers) -> impl IntoView {
         };
         answers.trials.get().into_iter().map(trial).collect_view()
     };
-    view! { <div class="trials">{shown}</div> }
+    view! { <div class="trials" class:steady=steady>{shown}</div> }
 }
 
 /// The trials as a table, for the inspector; `unit` is that of what comes out, if it is a number of one.
@@ -294,5 +312,25 @@ fn class(mark: Mark) -> &'static str {
         Mark::Passes => "good",
         Mark::Plain | Mark::Left => "",
         Mark::Fails => "bad-text",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Mark, Origin, Trial, read_once};
+
+    #[test]
+    fn what_reads_alike_is_told_once() {
+        let trial = |from, given: &str, result: &str| Trial {
+            values: vec![given.to_owned()],
+            from,
+            result: result.to_owned(),
+            mark: Mark::Plain,
+        };
+        let now = trial(Origin::Now, "20", "stopped");
+        let other = trial(Origin::Earlier, "20", "passes");
+        let alike = trial(Origin::Earlier, "20", "stopped");
+        let told = read_once([now.clone(), alike, other.clone(), other.clone()].into_iter());
+        assert_eq!(told, [now, other], "the newest stays, and what came out differently");
     }
 }
