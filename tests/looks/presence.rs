@@ -1,6 +1,7 @@
 //! How it looks when others are here: their signs and pointers, the field for one's name, following, the list of people.
 
 use crate::look::look;
+use crate::rules;
 use crate::screens::{Stage, nothing, run_template, usable};
 use crate::words::Words;
 use house::{Outcome, Page, skip};
@@ -32,6 +33,12 @@ async fn axe_finds_nothing_while_others_are_here() -> Outcome<()> {
     for (at, name) in ["Ren", "Mio", "Ben"].into_iter().enumerate() {
         let _stays = beside(&stage, &format!("other-{at}"), name).await?;
     }
+    for width in [900, 1000, 1199, 1200, 1280, 1366] {
+        aiko.size(width, 800, false).await?;
+        aiko.frames().await?;
+        found.extend(rules::broken(aiko, &format!("six people in {width}")).await?);
+    }
+    aiko.size(1440, 900, false).await?;
     aiko.press("button", "1 more person").await?;
     aiko.find("dialog", "People here").await?;
     found.extend(look(aiko, "people").await?);

@@ -13,8 +13,14 @@ use crate::desk::{Dialog, LinkState, Saving};
 use crate::icons::Icon;
 use crate::later::Later;
 use crate::words;
+use leptos::html::Div;
 use leptos::prelude::*;
 use protocol::Role;
+use wasm_bindgen::{JsCast, closure::Closure};
+use web_sys::ResizeObserver;
+
+/// The class of the tools while there is no room for their words.
+const TIGHT: &str = "tight";
 
 /// The bar.
 #[component]
@@ -23,11 +29,14 @@ pub(crate) fn Toolbar() -> impl IntoView {
     let no_edit = Signal::derive(move || !may_edit(desk));
     let none_open = Signal::derive(move || desk.desk().document.open.read().is_none());
     let none_to_edit = Signal::derive(move || none_open.get() || no_edit.get());
+    let tools = NodeRef::new();
     mark_usable(desk);
+    keep_in_window(desk, tools);
     view! {
         <header class="bar">
             <div
                 class="tools"
+                node_ref=tools
                 role="toolbar"
                 aria-label=words::skip_name()
                 on:keydown=|event| focus::walk(&event, "ArrowRight", "ArrowLeft")
@@ -73,6 +82,32 @@ fn mark_usable(desk: Hold) {
                 let _ = clock.mark("rrp-usable");
             }
         }
+    });
+}
+
+/// Leaves the words of the tools away while there is no room for them: how much they need is known only where they are, by
+/// the letters of the computer, the language and how many people are here.
+fn keep_in_window(desk: Hold, tools: NodeRef<Div>) {
+    let measure = move || {
+        let Some(tools) = tools.try_get_untracked().flatten() else { return };
+        let classes = tools.class_list();
+        let _ = classes.remove_1(TIGHT);
+        if tools.scroll_width() > tools.client_width() {
+            let _ = classes.add_1(TIGHT);
+        }
+    };
+    Effect::new(move |_| {
+        let Some(tools) = tools.get() else { return };
+        let seen = Closure::<dyn FnMut()>::new(measure).into_js_value();
+        if let Ok(observer) = ResizeObserver::new(seen.unchecked_ref()) {
+            observer.observe(&tools);
+        }
+    });
+    let people = Memo::new(move |_| desk.desk().document.signs().len());
+    Effect::new(move |_| {
+        people.track();
+        desk.desk().role.track();
+        let _ = request_animation_frame(measure);
     });
 }
 
