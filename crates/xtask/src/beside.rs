@@ -74,7 +74,10 @@ fn run(mut command: Command, said: &File, running: &Mutex<Running>) -> Outcome<(
         match ended.map(Option::flatten) {
             Ok(None) => std::thread::sleep(LOOK),
             Ok(Some(status)) if status.success() => return Ok(()),
-            Ok(Some(status)) => return Err(format!("{what} failed ({status}); what went wrong is printed above.")),
+            Ok(Some(status)) => {
+                println!("== {what} failed ({status}); what it says is printed when it is waited for.");
+                return Err(format!("{what} failed ({status}); what went wrong is printed above."));
+            }
             Err(error) => return Err(format!("{what} cannot be waited for: {error}.")),
         }
     }

@@ -36,18 +36,20 @@ const WANTED_GIGABYTES: u32 = 9;
 /// One named check.
 type Step = (&'static str, fn(&mut Run) -> Outcome<()>);
 
-const STEPS: [Step; 11] = [
+const STEPS: [Step; 10] = [
     ("tools", find_tools_and_begin),
     ("a Neo4j for the tests", find_neo4j),
     ("libqi for the tests", find_libqi),
     ("cargo fmt", |run| run.cargo(&["fmt", "--all", "--check"])),
-    ("cargo clippy", |run| run.cargo(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"])),
     ("what we take from others", check_supply),
     ("the server and the tests", |run| run.cargo(&[&["test", "--no-run"], ALL_BUT_THIS.as_slice()].concat())),
     ("the page and the optimised server", |run| run.beside.take().map_or(Ok(()), Beside::wait)),
-    ("hostile procedures, optimised", attack_procedures),
-    ("cargo test", |run| run.tests(&[])),
-    ("cargo doc", |run| run.meanwhile.take().map_or(Ok(()), Beside::wait)),
+    ("hostile procedures, optimised", |run| run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())),
+    ("cargo test", |run| {
+        run.meanwhile = Some(begin_meanwhile(run.workspace)?);
+        run.tests(&[])
+    }),
+    ("cargo clippy and cargo doc", |run| run.meanwhile.take().map_or(Ok(()), Beside::wait)),
 ];
 
 /// A run through the checks, and what it found on the way.
@@ -58,7 +60,7 @@ struct Run<'a> {
     /// A Python that has the real libqi.
     libqi: Option<PathBuf>,
     beside: Option<Beside>,
-    /// What is built while tests wait.
+    /// What is checked and built while tests wait.
     meanwhile: Option<Beside>,
     skipped: Vec<String>,
 }
@@ -174,16 +176,16 @@ fn make_ready(workspace: &Workspace) -> Outcome<()> {
 }
 
 /// Nothing else is compiled from here on, and many tests wait more than they work: meanwhile what one of them would build alone
-/// is built, what is documented, and the tests of this program.
-fn attack_procedures(run: &mut Run) -> Outcome<()> {
-    let workspace = run.workspace;
+/// is built, then lints and what is documented are checked, and the tests of this program are built. The first has its own
+/// folder, so that the tests, which begin beside it, need not wait for who holds that of all others.
+fn begin_meanwhile(workspace: &Workspace) -> Outcome<Beside> {
     let folder = workspace.target.join("tmp/wasm").display().to_string();
     let module = workspace.cargo_at_leisure(&[MODULE.as_slice(), &["--target-dir", &folder]].concat());
+    let lints = workspace.cargo_at_leisure(&["clippy", "--workspace", "--all-targets", "--", "-D", "warnings"]);
     let mut documents = workspace.cargo_at_leisure(&["doc", "--workspace", "--no-deps"]);
     documents.env("RUSTDOCFLAGS", "-D warnings");
     let ours = workspace.cargo_at_leisure(&[&["test", "--no-run"], THIS_AND_ITS_OWN.as_slice()].concat());
-    run.meanwhile = Some(Beside::begin(vec![module, documents, ours], workspace.target.join("meanwhile.txt"))?);
-    run.cargo(&[&["test"], OPTIMISED.as_slice()].concat())
+    Beside::begin(vec![module, lints, documents, ours], workspace.target.join("meanwhile.txt"))
 }
 
 /// Looks for the browser and for what single tests need.

@@ -1,4 +1,4 @@
-//! Saving a change: one statement, made of the parts that this change needs, which does all of it or nothing.
+//! Saving a change: one statement, with the parts that this change needs, which does all of it or nothing.
 
 use super::delta::Delta;
 use super::link::{Broken, Link, Params};
@@ -35,36 +35,36 @@ const PARTS: [Part; 12] = [
     Part { each_type: RELATIONSHIP_GOES, ..part(&["connectors"], CONNECTORS_GO) },
     part(&["gone_streams"], STREAMS_GO),
     part(&["streams", "devices"], STREAMS),
-    Part { counts: Some("simple = size($simple)"), ..part(&["simple"], SIMPLE_CONNECTORS) },
-    Part { counts: Some("nodes = size($nodes) AND inputs = $inputs"), ..part(&["nodes"], CONNECTOR_NODES) },
+    Part { counts: Some("simple = size($does.simple)"), ..part(&["simple"], SIMPLE_CONNECTORS) },
+    Part { counts: Some("nodes = size($does.nodes) AND inputs = $does.inputs"), ..part(&["nodes"], CONNECTOR_NODES) },
     part(&["places", "gone_places"], PLACES),
     part(&["notes", "gone_notes"], NOTES),
     part(&["groups", "gone_groups"], GROUPS),
     part(&["helpers", "gone_helpers"], HELPERS),
     // One at a time: a helper that appears and a connector that names it must not miss each other.
-    part(&["doors"], "CALL () { UNWIND $doors AS x MATCH (n:Shared {name: x}) SET n.lock = true REMOVE n.lock }"),
+    part(&["doors"], "CALL () { UNWIND $does.doors AS x MATCH (n:Shared {name: x}) SET n.lock = true REMOVE n.lock }"),
     part(&["named"], NAMED),
     part(&["linked", "calls"], LINKED),
 ];
 
 const CONNECTORS_GO: &str = "
-  CALL () { UNWIND $connectors AS x MATCH (n:Connector {program_id: $id, id: x}) DETACH DELETE n }";
+  CALL () { UNWIND $does.connectors AS x MATCH (n:Connector {program_id: $id, id: x}) DETACH DELETE n }";
 
 /// One by one, so that each is found by the constraint of its type.
 const RELATIONSHIP_GOES: &str = "
-  CALL () { UNWIND $connectors AS x MATCH ()-[r:$TYPE {program_id: $id, id: x}]->() DELETE r }";
+  CALL () { UNWIND $does.connectors AS x MATCH ()-[r:$TYPE {program_id: $id, id: x}]->() DELETE r }";
 
 /// Not detached: a connector left behind makes the whole change fail.
 const STREAMS_GO: &str = "
   CALL () {
-    UNWIND $gone_streams AS x MATCH (n:Stream {program_id: $id, id: x})
+    UNWIND $does.gone_streams AS x MATCH (n:Stream {program_id: $id, id: x})
     OPTIONAL MATCH (n)-[own:program|device]->() DELETE own, n
   }";
 
 const STREAMS: &str = "
-  CALL () { UNWIND $devices AS d MERGE (:Device {kind: d.kind, name: d.name}) }
+  CALL () { UNWIND $does.devices AS d MERGE (:Device {kind: d.kind, name: d.name}) }
   CALL (p) {
-    UNWIND $streams AS s
+    UNWIND $does.streams AS s
     MERGE (n:Stream {program_id: $id, id: s.id})
     SET n = s.properties
     REMOVE n:Sensor:Ordinary:Actuator
@@ -83,7 +83,7 @@ const STREAMS: &str = "
 
 const SIMPLE_CONNECTORS: &str = "
   CALL () {
-    UNWIND $simple AS c
+    UNWIND $does.simple AS c
     MATCH (a:Stream {program_id: $id, id: c.input})
     MATCH (b:Stream {program_id: $id, id: c.output})
     CREATE (a)-[r:$(c.type)]->(b)
@@ -93,7 +93,7 @@ const SIMPLE_CONNECTORS: &str = "
 
 const CONNECTOR_NODES: &str = "
   CALL (p) {
-    UNWIND $nodes AS c
+    UNWIND $does.nodes AS c
     MATCH (b:Stream {program_id: $id, id: c.output})
     CREATE (n:Connector)-[:program]->(p)
     CREATE (n)-[:output]->(b)
@@ -109,39 +109,39 @@ const CONNECTOR_NODES: &str = "
   }";
 
 const PLACES: &str = "
-  CALL () { UNWIND $gone_places AS x MATCH (n:Place {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_places AS x MATCH (n:Place {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
-    UNWIND $places AS x
+    UNWIND $does.places AS x
     MERGE (n:Place {program_id: $id, id: x.id}) SET n.x = x.x, n.y = x.y
     MERGE (n)-[:program]->(p)
   }";
 
 const NOTES: &str = "
-  CALL () { UNWIND $gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
-    UNWIND $notes AS x
+    UNWIND $does.notes AS x
     MERGE (n:Note {program_id: $id, id: x.id}) SET n.text = x.text, n.by = x.by, n.at_ms = x.at_ms
     MERGE (n)-[:program]->(p)
   }";
 
 /// The streams of a group are a list of ids, as some may be gone.
 const GROUPS: &str = "
-  CALL () { UNWIND $gone_groups AS x MATCH (n:Group {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_groups AS x MATCH (n:Group {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
-    UNWIND $groups AS x
+    UNWIND $does.groups AS x
     MERGE (n:Group {program_id: $id, id: x.id}) SET n.title = x.title, n.streams = x.streams, n.folded = x.folded
     MERGE (n)-[:program]->(p)
   }";
 
 const HELPERS: &str = "
-  CALL () { UNWIND $gone_helpers AS x MATCH (n:Helper {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_helpers AS x MATCH (n:Helper {program_id: $id, id: x}) DETACH DELETE n }
   CALL (p) {
-    UNWIND $helpers AS x MERGE (n:Helper {program_id: $id, id: x.id}) SET n = x.properties MERGE (n)-[:program]->(p)
+    UNWIND $does.helpers AS x MERGE (n:Helper {program_id: $id, id: x.id}) SET n = x.properties MERGE (n)-[:program]->(p)
   }";
 
 const NAMED: &str = "
   CALL () {
-    UNWIND $named AS c
+    UNWIND $does.named AS c
     MATCH (n:Connector {program_id: $id, id: c.id})
     MATCH (h:Helper {program_id: 'library', name: c.helper})
     CREATE (n)-[:helper]->(h)
@@ -149,22 +149,25 @@ const NAMED: &str = "
 
 const LINKED: &str = "
   CALL () {
-    UNWIND $linked AS x
+    UNWIND $does.linked AS x
     MATCH (h:Helper {program_id: 'library', id: x})
     CALL (h) { MATCH (c:Connector)-[old:helper]->(h) WHERE c.helper <> h.name DELETE old }
     CALL (h) { MATCH (c:Connector {helper: h.name}) WHERE NOT EXISTS { (c)-[:helper]->(h) } CREATE (c)-[:helper]->(h) }
     CALL (h) { MATCH (h)-[old:calls]-(:Helper) DELETE old }
   }
   CALL () {
-    UNWIND $calls AS c
+    UNWIND $does.calls AS c
     MATCH (h:Helper {program_id: 'library', id: c.from})
     MATCH (other:Helper {program_id: 'library', id: c.to})
     MERGE (h)-[:calls]->(other)
   }";
 
 /// The first change makes the behaviour.
-const NEW: &str = "MERGE (p:Behaviour {id: $id}) ON CREATE SET p.revision = 0, p:$($shelf)";
-const KNOWN: &str = "MATCH (p:Behaviour {id: $id})";
+const START: &str = "
+FOREACH (_ IN CASE WHEN $base = 0 THEN [1] ELSE [] END |
+  MERGE (new:Behaviour {id: $id}) ON CREATE SET new.revision = 0, new:$($shelf))
+WITH 1 AS started
+MATCH (p:Behaviour {id: $id})";
 
 /// The lock comes before anything of p is read, so that writers of one behaviour follow one another.
 const GUARD: &str = "
@@ -177,7 +180,7 @@ CALL (p, done, head, binned) {
 const COMMIT: &str = "
   CREATE (:Op {program_id: $id, id: $op.id, revision: $base + one, author: $op.author, label: $op.label,
     at_ms: $op.at_ms, change: $op.change})
-  SET p += $summary, p.revision = $base + one
+  SET p += $does.summary, p.revision = $base + one
   FOREACH (_ IN CASE WHEN p:Program AND p.name_key IS NOT NULL THEN [1] ELSE [] END | SET p:Listed)
   FOREACH (_ IN CASE WHEN p.name_key IS NULL THEN [1] ELSE [] END | REMOVE p:Listed)
   RETURN count(*) AS applied
@@ -196,7 +199,7 @@ struct Outcome {
 }
 
 /// The statement with the parts that these lists need.
-fn statement(first: bool, needed: impl Fn(&str) -> bool) -> String {
+fn statement(needed: impl Fn(&str) -> bool) -> String {
     let parts: Vec<&Part> = PARTS.iter().filter(|part| part.lists.iter().any(|list| needed(list))).collect();
     let cypher: Vec<String> = parts.iter().map(|part| part.text()).collect();
     let counts: Vec<&str> = parts.iter().filter_map(|part| part.counts).collect();
@@ -205,8 +208,7 @@ fn statement(first: bool, needed: impl Fn(&str) -> bool) -> String {
         // Dividing by zero undoes everything.
         counts => format!("WITH p, 1 / CASE WHEN {} THEN 1 ELSE 0 END AS one", counts.join(" AND ")),
     };
-    let start = if first { NEW } else { KNOWN };
-    format!("{start}{GUARD}\n{}\n{one}{COMMIT}", cypher.join("\n"))
+    format!("{START}{GUARD}\n{}\n{one}{COMMIT}", cypher.join("\n"))
 }
 
 /// Saves a change, whose JSON is given, unless it was saved before or is not the next one.
@@ -218,7 +220,7 @@ pub(super) async fn append(
     after: &Behaviour,
 ) -> Result<Append, StoreError> {
     let delta = Delta::of(id, committed, after)?;
-    let text = statement(committed.revision == 1, |list| delta.has(list));
+    let text = statement(|list| delta.has(list));
     let found = link.ask(&text, params(id, committed, json, delta), Broken::Again).await?;
     let Some(outcome) = found.rows.into_iter().next() else { return Ok(Append::Conflict { head: 0 }) };
     outcome_of(&outcome, committed.revision, found.open_before)
@@ -241,13 +243,10 @@ fn params(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params 
         "id": change.op, "author": change.author, "label": change.label, "at_ms": change.at_ms, "change": json,
     });
     let base = committed.revision.checked_sub(1).and_then(|base| i64::try_from(base).ok()).unwrap_or(-1);
-    let mut params = empty_params();
-    params.extend(delta.params());
-    params.insert("id".to_owned(), json!(id));
-    params.insert("shelf".to_owned(), json!(if id.as_str() == LIBRARY { "Library" } else { "Program" }));
-    params.insert("op".to_owned(), op);
-    params.insert("base".to_owned(), base.into());
-    params
+    let shelf = if id.as_str() == LIBRARY { "Library" } else { "Program" };
+    let mut does = does_nothing();
+    does.extend(delta.params());
+    params_of(id.as_str(), shelf, op, base, does)
 }
 
 /// What the usual gestures touch: move, add a stream, add or edit a connector, rename, delete, write a note.
@@ -263,19 +262,24 @@ const USUAL: [&[&str]; 7] = [
 
 /// Has the plans of the usual statements made: the first of each takes longer than people should wait.
 pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
-    let usual = USUAL.iter().map(|lists| statement(false, |list| lists.contains(&list)));
-    let new = statement(true, |list| ["streams", "simple", "places"].contains(&list));
-    for text in usual.chain([new, super::load::LOAD.clone()]) {
+    let usual = USUAL.iter().map(|lists| statement(|list| lists.contains(&list)));
+    for text in usual.chain([super::load::LOAD.clone()]) {
         let explained = format!("EXPLAIN {text}");
-        link.ask_for::<Value>(WARM_UP_MAX, &explained, empty_params(), Broken::Again).await?;
+        let nothing = params_of("", "Program", json!({}), -1, does_nothing());
+        link.ask_for::<Value>(WARM_UP_MAX, &explained, nothing, Broken::Again).await?;
     }
     Ok(())
 }
 
-/// Every parameter that a statement may name.
-fn empty_params() -> Params {
+/// What a statement may name of what a change does, doing nothing.
+fn does_nothing() -> Params {
     let lists = PARTS.iter().flat_map(|part| part.lists).map(|list| ((*list).to_owned(), json!([])));
-    let others = [("id", json!("")), ("shelf", json!("Program")), ("base", json!(-1)), ("inputs", json!(0))];
-    let maps = [("op", json!({})), ("summary", json!({}))];
-    lists.chain(others.into_iter().chain(maps).map(|(name, value)| (name.to_owned(), value))).collect()
+    lists.chain([("inputs".to_owned(), json!(0)), ("summary".to_owned(), json!({}))]).collect()
+}
+
+/// Every parameter of a statement. What the change does is one, a map: Neo4j keeps a plan for each mixture of types and sizes
+/// of its parameters, and does not look into maps.
+fn params_of(id: &str, shelf: &str, op: Value, base: i64, does: Params) -> Params {
+    let all = [("id", json!(id)), ("shelf", json!(shelf)), ("op", op), ("base", json!(base)), ("does", does.into())];
+    all.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
 }

@@ -11,7 +11,7 @@ use store::{Append, Neo4jStore, Store, StoreError, open_neo4j};
 use tokio::task::{JoinSet, spawn_blocking};
 use tokio::time::timeout;
 
-const KILLS: usize = 6;
+const KILLS: usize = 4;
 const WRITERS: usize = 8;
 /// Changes that are acknowledged before a kill.
 const BEFORE_KILL: usize = 40;
