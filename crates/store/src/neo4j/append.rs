@@ -48,16 +48,16 @@ const PARTS: [Part; 12] = [
 ];
 
 const CONNECTORS_GO: &str = "
-  CALL () { UNWIND $does.connectors AS x MATCH (n:Connector {program_id: $id, id: x}) DETACH DELETE n }";
+  CALL () { UNWIND $does.connectors AS x MATCH (n:Connector {program_id: $does.id, id: x}) DETACH DELETE n }";
 
 /// One by one, so that each is found by the constraint of its type.
 const RELATIONSHIP_GOES: &str = "
-  CALL () { UNWIND $does.connectors AS x MATCH ()-[r:$TYPE {program_id: $id, id: x}]->() DELETE r }";
+  CALL () { UNWIND $does.connectors AS x MATCH ()-[r:$TYPE {program_id: $does.id, id: x}]->() DELETE r }";
 
 /// Not detached: a connector left behind makes the whole change fail.
 const STREAMS_GO: &str = "
   CALL () {
-    UNWIND $does.gone_streams AS x MATCH (n:Stream {program_id: $id, id: x})
+    UNWIND $does.gone_streams AS x MATCH (n:Stream {program_id: $does.id, id: x})
     OPTIONAL MATCH (n)-[own:program|device]->() DELETE own, n
   }";
 
@@ -65,7 +65,7 @@ const STREAMS: &str = "
   CALL () { UNWIND $does.devices AS d MERGE (:Device {kind: d.kind, name: d.name}) }
   CALL (p) {
     UNWIND $does.streams AS s
-    MERGE (n:Stream {program_id: $id, id: s.id})
+    MERGE (n:Stream {program_id: $does.id, id: s.id})
     SET n = s.properties
     REMOVE n:Sensor:Ordinary:Actuator
     SET n:$(s.label)
@@ -84,8 +84,8 @@ const STREAMS: &str = "
 const SIMPLE_CONNECTORS: &str = "
   CALL () {
     UNWIND $does.simple AS c
-    MATCH (a:Stream {program_id: $id, id: c.input})
-    MATCH (b:Stream {program_id: $id, id: c.output})
+    MATCH (a:Stream {program_id: $does.id, id: c.input})
+    MATCH (b:Stream {program_id: $does.id, id: c.output})
     CREATE (a)-[r:$(c.type)]->(b)
     SET r = c.properties
     RETURN count(*) AS simple
@@ -94,14 +94,14 @@ const SIMPLE_CONNECTORS: &str = "
 const CONNECTOR_NODES: &str = "
   CALL (p) {
     UNWIND $does.nodes AS c
-    MATCH (b:Stream {program_id: $id, id: c.output})
+    MATCH (b:Stream {program_id: $does.id, id: c.output})
     CREATE (n:Connector)-[:program]->(p)
     CREATE (n)-[:output]->(b)
     SET n = c.properties, n:$(c.label)
     WITH n, c
     CALL (n, c) {
       UNWIND range(0, size(c.inputs) - 1) AS slot
-      MATCH (a:Stream {program_id: $id, id: c.inputs[slot]})
+      MATCH (a:Stream {program_id: $does.id, id: c.inputs[slot]})
       CREATE (a)-[:input {slot: slot}]->(n)
       RETURN count(*) AS found
     }
@@ -109,40 +109,40 @@ const CONNECTOR_NODES: &str = "
   }";
 
 const PLACES: &str = "
-  CALL () { UNWIND $does.gone_places AS x MATCH (n:Place {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_places AS x MATCH (n:Place {program_id: $does.id, id: x}) DETACH DELETE n }
   CALL (p) {
     UNWIND $does.places AS x
-    MERGE (n:Place {program_id: $id, id: x.id}) SET n.x = x.x, n.y = x.y
+    MERGE (n:Place {program_id: $does.id, id: x.id}) SET n.x = x.x, n.y = x.y
     MERGE (n)-[:program]->(p)
   }";
 
 const NOTES: &str = "
-  CALL () { UNWIND $does.gone_notes AS x MATCH (n:Note {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_notes AS x MATCH (n:Note {program_id: $does.id, id: x}) DETACH DELETE n }
   CALL (p) {
     UNWIND $does.notes AS x
-    MERGE (n:Note {program_id: $id, id: x.id}) SET n.text = x.text, n.by = x.by, n.at_ms = x.at_ms
+    MERGE (n:Note {program_id: $does.id, id: x.id}) SET n.text = x.text, n.by = x.by, n.at_ms = x.at_ms
     MERGE (n)-[:program]->(p)
   }";
 
 /// The streams of a group are a list of ids, as some may be gone.
 const GROUPS: &str = "
-  CALL () { UNWIND $does.gone_groups AS x MATCH (n:Group {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_groups AS x MATCH (n:Group {program_id: $does.id, id: x}) DETACH DELETE n }
   CALL (p) {
     UNWIND $does.groups AS x
-    MERGE (n:Group {program_id: $id, id: x.id}) SET n.title = x.title, n.streams = x.streams, n.folded = x.folded
+    MERGE (n:Group {program_id: $does.id, id: x.id}) SET n.title = x.title, n.streams = x.streams, n.folded = x.folded
     MERGE (n)-[:program]->(p)
   }";
 
 const HELPERS: &str = "
-  CALL () { UNWIND $does.gone_helpers AS x MATCH (n:Helper {program_id: $id, id: x}) DETACH DELETE n }
+  CALL () { UNWIND $does.gone_helpers AS x MATCH (n:Helper {program_id: $does.id, id: x}) DETACH DELETE n }
   CALL (p) {
-    UNWIND $does.helpers AS x MERGE (n:Helper {program_id: $id, id: x.id}) SET n = x.properties MERGE (n)-[:program]->(p)
+    UNWIND $does.helpers AS x MERGE (n:Helper {program_id: $does.id, id: x.id}) SET n = x.properties MERGE (n)-[:program]->(p)
   }";
 
 const NAMED: &str = "
   CALL () {
     UNWIND $does.named AS c
-    MATCH (n:Connector {program_id: $id, id: c.id})
+    MATCH (n:Connector {program_id: $does.id, id: c.id})
     MATCH (h:Helper {program_id: 'library', name: c.helper})
     CREATE (n)-[:helper]->(h)
   }";
@@ -165,20 +165,20 @@ const LINKED: &str = "
 /// The first change makes the behaviour.
 const START: &str = "
 FOREACH (_ IN CASE WHEN $base = 0 THEN [1] ELSE [] END |
-  MERGE (new:Behaviour {id: $id}) ON CREATE SET new.revision = 0, new:$($shelf))
+  MERGE (new:Behaviour {id: $does.id}) ON CREATE SET new.revision = 0, new:$($does.shelf))
 WITH 1 AS started
-MATCH (p:Behaviour {id: $id})";
+MATCH (p:Behaviour {id: $does.id})";
 
 /// The lock comes before anything of p is read, so that writers of one behaviour follow one another.
 const GUARD: &str = "
 SET p.lock = true REMOVE p.lock
-WITH p OPTIONAL MATCH (done:Op {program_id: $id, id: $op.id})
+WITH p OPTIONAL MATCH (done:Op {program_id: $does.id, id: $op.id})
 WITH p, done, p.revision AS head, p:Binned AS binned
 CALL (p, done, head, binned) {
   WITH p WHERE done IS NULL AND NOT binned AND head = $base";
 
 const COMMIT: &str = "
-  CREATE (:Op {program_id: $id, id: $op.id, revision: $base + one, author: $op.author, label: $op.label,
+  CREATE (:Op {program_id: $does.id, id: $op.id, revision: $base + one, author: $op.author, label: $op.label,
     at_ms: $op.at_ms, change: $op.change})
   SET p += $does.summary, p.revision = $base + one
   FOREACH (_ IN CASE WHEN p:Program AND p.name_key IS NOT NULL THEN [1] ELSE [] END | SET p:Listed)
@@ -221,7 +221,7 @@ pub(super) async fn append(
 ) -> Result<Append, StoreError> {
     let delta = Delta::of(id, committed, after)?;
     let text = statement(|list| delta.has(list));
-    let found = link.ask(&text, params(id, committed, json, delta), Broken::Again).await?;
+    let found = link.ask(&text, params_of(id, committed, json, delta), Broken::Again).await?;
     let Some(outcome) = found.rows.into_iter().next() else { return Ok(Append::Conflict { head: 0 }) };
     outcome_of(&outcome, committed.revision, found.open_before)
 }
@@ -237,20 +237,20 @@ fn outcome_of(outcome: &Outcome, revision: u64, open_before: bool) -> Result<App
     }
 }
 
-fn params(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params {
+fn params_of(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params {
     let change = &committed.change;
     let op = json!({
         "id": change.op, "author": change.author, "label": change.label, "at_ms": change.at_ms, "change": json,
     });
     let base = committed.revision.checked_sub(1).and_then(|base| i64::try_from(base).ok()).unwrap_or(-1);
-    let shelf = if id.as_str() == LIBRARY { "Library" } else { "Program" };
-    let mut does = does_nothing();
+    let mut does = nothing(id.as_str());
     does.extend(delta.params());
-    params_of(id.as_str(), shelf, op, base, does)
+    params(does, op, base)
 }
 
-/// What the usual gestures touch: move, add a stream, add or edit a connector, rename, delete, write a note.
-const USUAL: [&[&str]; 7] = [
+/// What the usual gestures touch: move, add a stream, add or edit a connector, rename, delete, write a note; a new name of
+/// the behaviour is on its own node.
+const USUAL: [&[&str]; 8] = [
     &["places"],
     &["streams", "places"],
     &["connectors", "streams", "simple", "places"],
@@ -258,28 +258,60 @@ const USUAL: [&[&str]; 7] = [
     &["connectors", "streams", "simple"],
     &["connectors", "gone_streams", "places"],
     &["notes", "places"],
+    &[],
 ];
 
-/// Has the plans of the usual statements made: the first of each takes longer than people should wait.
+/// As long as the ids that behaviours get.
+const AS_LONG_AS_AN_ID: &str = "00000000000000000000000000000000";
+
+/// Has the plans of the usual statements made: the first of each takes longer than people should wait. They are found again by
+/// parameters of the same kinds and sizes only, such as an id that is as long as all are.
 pub(super) async fn warm_up(link: &Link) -> Result<(), StoreError> {
     let usual = USUAL.iter().map(|lists| statement(|list| lists.contains(&list)));
-    for text in usual.chain([super::load::LOAD.clone()]) {
+    let usual = usual.map(|text| (text, params(nothing(AS_LONG_AS_AN_ID), json!({}), -1)));
+    for (text, params) in usual.chain([(super::load::LOAD.clone(), super::load::params(AS_LONG_AS_AN_ID))]) {
         let explained = format!("EXPLAIN {text}");
-        let nothing = params_of("", "Program", json!({}), -1, does_nothing());
-        link.ask_for::<Value>(WARM_UP_MAX, &explained, nothing, Broken::Again).await?;
+        link.ask_for::<Value>(WARM_UP_MAX, &explained, params, Broken::Again).await?;
     }
     Ok(())
 }
 
-/// What a statement may name of what a change does, doing nothing.
-fn does_nothing() -> Params {
+/// What a change does, doing nothing to the behaviour with this id.
+fn nothing(id: &str) -> Params {
     let lists = PARTS.iter().flat_map(|part| part.lists).map(|list| ((*list).to_owned(), json!([])));
-    lists.chain([("inputs".to_owned(), json!(0)), ("summary".to_owned(), json!({}))]).collect()
+    let shelf = if id == LIBRARY { "Library" } else { "Program" };
+    let others = [("id", json!(id)), ("shelf", json!(shelf)), ("inputs", json!(0)), ("summary", json!({}))];
+    lists.chain(others.map(|(name, value)| (name.to_owned(), value))).collect()
 }
 
-/// Every parameter of a statement. What the change does is one, a map: Neo4j keeps a plan for each mixture of types and sizes
-/// of its parameters, and does not look into maps.
-fn params_of(id: &str, shelf: &str, op: Value, base: i64, does: Params) -> Params {
-    let all = [("id", json!(id)), ("shelf", json!(shelf)), ("op", op), ("base", json!(base)), ("does", does.into())];
-    all.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+/// The parameters of a statement. What the change does is one of them, a map: Neo4j plans a statement anew for other sizes of
+/// texts and lists among its parameters (none, one, up to ten, up to a hundred), and does not look into maps.
+fn params(does: Params, op: Value, base: i64) -> Params {
+    let all = [("does", does.into()), ("op", op), ("base", json!(base))];
+    all.map(|(name, value)| (name.to_owned(), value)).into_iter().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{AS_LONG_AS_AN_ID, Delta, nothing, params, params_of};
+    use behaviour::{Behaviour, Change, Committed, Id, Kind, Place, Record, RecordId};
+    use serde_json::json;
+
+    #[test]
+    fn no_parameter_has_a_size_that_a_plan_is_made_for() {
+        let id = Id::new("b").unwrap();
+        let warm = params(nothing(AS_LONG_AS_AN_ID), json!({}), -1);
+        for places in [0, 1, 12] {
+            let put = |change: Change, at: usize| {
+                let key = RecordId::new(Kind::Place, &Id::new(&format!("s{at}")).unwrap());
+                change.put(&Behaviour::default(), key, Record::Place(Place { x: 1.0, y: 2.0 }))
+            };
+            let change = (0..places).fold(Change::of(id.clone(), "Aiko", "Move"), put);
+            let committed = Committed { revision: 2, change };
+            let delta = Delta::of(&id, &committed, &Behaviour::default()).unwrap();
+            let params = params_of(&id, &committed, "{}".to_owned(), delta);
+            assert!(params.values().all(|value| value.is_object() || value.is_i64()), "{params:?}");
+            assert!(params.keys().eq(warm.keys()), "what is planned at the start has the same parameters");
+        }
+    }
 }

@@ -63,10 +63,14 @@ struct Made {
     change: String,
 }
 
+/// The parameters of [`LOAD`].
+pub(super) fn params(id: &str) -> Params {
+    Params::from_iter([("id".to_owned(), json!(id))])
+}
+
 /// A behaviour as it is now.
 pub(super) async fn load(link: &Link, id: &Id) -> Result<Option<Loaded>, StoreError> {
-    let params = Params::from_iter([("id".to_owned(), json!(id))]);
-    let found = link.ask::<Row>(&LOAD, params, Broken::Again).await?;
+    let found = link.ask::<Row>(&LOAD, params(id.as_str()), Broken::Again).await?;
     let Some(row) = found.rows.into_iter().next() else { return Ok(None) };
     let (revision, removed_ms) = (row.revision, row.removed_ms);
     let behaviour = behaviour(row).map_err(|fault| link.told(fault))?;
