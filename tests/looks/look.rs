@@ -41,6 +41,7 @@ pub(crate) async fn look_in(page: &Page, state: &str, windows: &[Window]) -> Out
         } else {
             page.theme(false).await?;
             found.extend(check_by(page, Rules::AllButColours, &place).await?);
+            picture(page, &format!("{place}-light")).await?;
         }
         found.extend(measures(page, window, state).await?);
     }
