@@ -29,20 +29,12 @@ pub(crate) async fn look(page: &Page, state: &str) -> Outcome<Vec<String>> {
     look_in(page, state, &WINDOWS).await
 }
 
-/// Looks at a state in these windows, and leaves the page on a desktop. A tablet and a phone on its side have the colours of a
-/// desktop, so those are looked at there and on a phone.
+/// Looks at a state in these windows, and leaves the page on a desktop.
 pub(crate) async fn look_in(page: &Page, state: &str, windows: &[Window]) -> Outcome<Vec<String>> {
     let mut found = Vec::new();
     for window in windows {
         set(page, window).await?;
-        let place = format!("{state}-{}", window.0);
-        if [DESKTOP, PHONE].contains(window) {
-            found.extend(colours(page, &place).await?);
-        } else {
-            page.theme(false).await?;
-            found.extend(check_by(page, Rules::AllButColours, &place).await?);
-            picture(page, &format!("{place}-light")).await?;
-        }
+        found.extend(colours(page, &format!("{state}-{}", window.0)).await?);
         found.extend(measures(page, window, state).await?);
     }
     page.theme(false).await?;
