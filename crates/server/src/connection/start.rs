@@ -48,7 +48,11 @@ pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>,
     let file = Arc::new(file);
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
-        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(|why| not_applied(&why))?;
+        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(|why| match why {
+            // A Stop came first; nothing goes on.
+            NoRun::Ended | NoRun::StoppedMeanwhile => Refused::NotRunning,
+            why => not_applied(&why),
+        })?;
     }
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
     Ok(Reply::Done)
