@@ -6,7 +6,6 @@ use crate::state::ServerState;
 use crate::support::workers::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
 use protocol::{Refused, Reply};
-use std::fmt::Display;
 use std::sync::Arc;
 
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
@@ -42,24 +41,19 @@ pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>,
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
     let file = ready(state, &behaviour, look).await.map_err(|no| match no {
-        Refused::Problems(problems) => not_applied(&problems.first().map(ToString::to_string).unwrap_or_default()),
+        Refused::Problems(problems) => {
+            let first = problems.first().map(ToString::to_string).unwrap_or_default();
+            Refused::NotApplied(first.trim_end_matches('.').to_owned())
+        }
         other => other,
     })?;
     let file = Arc::new(file);
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
-        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(|why| match why {
-            // A Stop came first; nothing goes on.
-            NoRun::Ended | NoRun::StoppedMeanwhile => Refused::NotRunning,
-            why => not_applied(&why),
-        })?;
+        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(NoRun::not_applied)?;
     }
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
     Ok(Reply::Done)
-}
-
-fn not_applied(why: &impl Display) -> Refused {
-    Refused::NotApplied(why.to_string().trim_end_matches('.').to_owned())
 }
 
 /// The file to run, if no problem stops it.

@@ -59,6 +59,14 @@ impl NoRun {
     pub(crate) fn cannot_start(self) -> Refused {
         Refused::CannotStart(self.to_string())
     }
+
+    /// This as why what runs does not go on with an edited behaviour. Where a Stop came first, nothing goes on.
+    pub(crate) fn not_applied(self) -> Refused {
+        match self {
+            Self::Ended | Self::StoppedMeanwhile => Refused::NotRunning,
+            why => Refused::NotApplied(why.to_string().trim_end_matches('.').to_owned()),
+        }
+    }
 }
 
 /// Why a run ended by itself.

@@ -5,6 +5,7 @@ use super::{filtered, id, phase, shows_until_told, stopped_by, until};
 use crate::robots::{Host, Seen, Start};
 use behaviour::{BehaviourFile, FileConnector, StreamKind, Value};
 use engine::Limits;
+use protocol::Refused;
 use protocol::{RunPhase, RunState};
 use std::sync::Arc;
 
@@ -46,7 +47,9 @@ async fn the_edited_behaviour_takes_over_with_the_same_run_and_the_same_devices(
 async fn a_refused_edit_leaves_what_runs_as_it_is() {
     let puppet = Puppet::default();
     let robots = puppet.robots(Limits::default);
-    assert_eq!(robots.apply(filtered("one", "true")).await.unwrap_err().to_string(), "it does not run any more");
+    let ended = robots.apply(filtered("one", "true")).await.unwrap_err();
+    assert_eq!(ended.to_string(), "it does not run any more");
+    assert_eq!(ended.not_applied(), Refused::NotRunning, "nobody is told that it goes on");
     let run = robots.start(filtered("one", "ball > 3")).await.unwrap();
     let bad = robots.apply(edited(filtered("one", "true"), body("ball >"))).await.unwrap_err().to_string();
     assert!(bad.contains("at character 7"), "{bad}");
