@@ -3,11 +3,22 @@
 use std::cell::RefCell;
 use std::collections::HashMap;
 use wasm_bindgen::{JsCast, JsValue, closure::Closure};
-use web_sys::{CanvasRenderingContext2d, HtmlCanvasElement, HtmlTextAreaElement, Storage, Window};
+use web_sys::{
+    CanvasRenderingContext2d, Element, HtmlCanvasElement, HtmlTextAreaElement, ResizeObserver, Storage, Window,
+};
 
 /// The window; none in tests on the host.
 pub(crate) fn window() -> Option<Window> {
     if cfg!(target_arch = "wasm32") { web_sys::window() } else { None }
+}
+
+/// Calls `seen` whenever the element has another size, and once soon. It is watched as long as it is in the page, or until
+/// the answer is disconnected; no answer where the browser cannot watch.
+pub(crate) fn watch_size(element: &Element, seen: impl FnMut() + 'static) -> Option<ResizeObserver> {
+    let seen = Closure::<dyn FnMut()>::new(seen).into_js_value();
+    let observer = ResizeObserver::new(seen.unchecked_ref()).ok()?;
+    observer.observe(element);
+    Some(observer)
 }
 
 /// Whether this person wants little motion.

@@ -21,8 +21,8 @@ use leptos::prelude::*;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
-use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::{Element, FocusEvent, FocusOptions, HtmlElement, ResizeObserver};
+use wasm_bindgen::JsCast;
+use web_sys::{Element, FocusEvent, FocusOptions, HtmlElement};
 
 /// After so long without a move a gesture rests, in milliseconds.
 const REST_MS: i32 = 220;
@@ -422,10 +422,7 @@ impl Stage {
             let measure =
                 move || stage.measured((f64::from(measured.client_width()), f64::from(measured.client_height())));
             measure();
-            let seen = Closure::<dyn FnMut()>::new(measure).into_js_value();
-            if let Ok(observer) = ResizeObserver::new(seen.unchecked_ref()) {
-                observer.observe(&root);
-            }
+            browser::watch_size(&root, measure);
         });
     }
 

@@ -21,8 +21,7 @@ use leptos::prelude::*;
 use phrase::SentenceLine;
 use sentences::{Language, Sentence};
 use warned::{Trouble, Warned};
-use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::ResizeObserver;
+use wasm_bindgen::JsCast;
 use which::{Which, which};
 
 /// So soon after a change the sentences are made again, in milliseconds.
@@ -244,12 +243,10 @@ fn follow_height(root: NodeRef<leptos::html::Section>) {
         let measured = root.clone();
         let measure = move || tell(f64::from(measured.offset_height()));
         measure();
-        let seen = Closure::<dyn FnMut()>::new(measure).into_js_value();
-        if let Ok(observer) = ResizeObserver::new(seen.unchecked_ref()) {
-            observer.observe(&root);
+        if let Some(observer) = browser::watch_size(&root, measure) {
             let observer = StoredValue::new_local(observer);
             on_cleanup(move || {
-                let _ = observer.try_with_value(ResizeObserver::disconnect);
+                let _ = observer.try_with_value(web_sys::ResizeObserver::disconnect);
                 let _ = height_of_all(0.0);
             });
         }

@@ -16,8 +16,6 @@ use crate::words;
 use leptos::html::Div;
 use leptos::prelude::*;
 use protocol::Role;
-use wasm_bindgen::{JsCast, closure::Closure};
-use web_sys::ResizeObserver;
 
 /// The class of the tools while there is no room for their words.
 const TIGHT: &str = "tight";
@@ -97,10 +95,8 @@ fn keep_in_window(desk: Hold, tools: NodeRef<Div>) {
         }
     };
     Effect::new(move |_| {
-        let Some(tools) = tools.get() else { return };
-        let seen = Closure::<dyn FnMut()>::new(measure).into_js_value();
-        if let Ok(observer) = ResizeObserver::new(seen.unchecked_ref()) {
-            observer.observe(&tools);
+        if let Some(tools) = tools.get() {
+            browser::watch_size(&tools, measure);
         }
     });
     let people = Memo::new(move |_| desk.desk().document.signs().len());
