@@ -39,6 +39,8 @@ pub const STOP_PATH: &str = "/stop";
 pub const CLOSE_REVOKED: u16 = 4001;
 /// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
 pub const COME_IN_PATH: &str = "/come-in";
+/// Where a POST of the host makes a link by which another browser becomes theirs.
+pub const HOST_LINK_PATH: &str = "/api/host-link";
 /// Where recordings are, as plain GETs: the list, and under it each file.
 pub const RECORDINGS_PATH: &str = "/api/recordings";
 /// The largest message either side accepts, in bytes.

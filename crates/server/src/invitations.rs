@@ -5,6 +5,7 @@ mod book;
 mod entry;
 mod guesses;
 mod guest;
+mod host;
 mod may;
 mod qr;
 mod secret;
@@ -12,6 +13,7 @@ mod secret;
 pub(crate) use entry::Entry;
 pub(crate) use guesses::Source;
 pub(crate) use guest::{Guest, Here};
+pub(crate) use host::HostAccess;
 pub(crate) use may::{Asked, Route};
 pub(crate) use secret::Digest;
 
@@ -241,6 +243,11 @@ impl Invitations {
         if let Err(why) = named {
             tracing::warn!(%why, "who came by an invitation could not be kept");
         }
+    }
+
+    /// What a guest is called; empty until they said so.
+    pub(crate) fn name_of(&self, guest: &Guest) -> String {
+        self.book.borrow().book.name_of(&guest.pass).to_owned()
     }
 
     fn leave(&self, pass: &Digest) {

@@ -48,6 +48,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use tokio::sync::watch;
 
+/// Places among those for robots that only the host fills, so that a real robot finds one.
+const HOST_ROBOTS: usize = 4;
+
 /// All robots. A clone is the same robots.
 #[derive(Clone)]
 pub(crate) struct Robots {
@@ -83,11 +86,17 @@ impl Robots {
         Ok(Self { fleet, settling })
     }
 
-    /// Adds a robot, simulated or real; asked twice with the same id, it adds one.
+    /// Adds a robot, simulated or real; asked twice with the same id, it adds one. The last places are for the host.
     ///
     /// # Errors
     /// Why there cannot be another one. Waits for the disk.
-    pub(crate) fn add(&self, robot: &Id, name: &str, real: Option<RealRobot>) -> Result<(), Refused> {
+    pub(crate) fn add(
+        &self,
+        robot: &Id,
+        name: &str,
+        real: Option<RealRobot>,
+        is_host: bool,
+    ) -> Result<(), Refused> {
         let fleet = &self.fleet;
         let mut register = lock(&fleet.register);
         if register.known().iter().any(|known| known.robot == *robot) {
@@ -97,11 +106,20 @@ impl Robots {
         if register.known().len() >= ROBOTS_MAX {
             return Err(RobotsUnchanged::TooMany.not_added());
         }
+        if !is_host && register.known().len() >= ROBOTS_MAX - HOST_ROBOTS {
+            return Err(RobotsUnchanged::KeptForHost.not_added());
+        }
         let unkept = |error: std::io::Error| RobotsUnchanged::NewUnkept(error).not_added();
         register.add(known.clone()).map_err(unkept)?;
         let host = fleet.host(&known).inspect_err(|_| drop(register.remove(robot))).map_err(unkept)?;
         lock(&fleet.hosts).push(host);
         Ok(())
+    }
+
+    /// Whether it is there and no simulated one.
+    pub(crate) fn is_real(&self, robot: &Id) -> bool {
+        let register = lock(&self.fleet.register);
+        register.known().iter().any(|known| known.robot == *robot && known.real.is_some())
     }
 
     /// Gives a robot another name.

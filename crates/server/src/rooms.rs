@@ -45,8 +45,8 @@ pub(crate) enum Note {
     Locking(u64, Locking),
     /// Something of its past is wanted.
     Past(Past, Answer),
-    /// The behaviour shall go to the bin; with the name of who says so.
-    Remove(String, Answer),
+    /// The behaviour shall go to the bin, unless somebody else is editing it.
+    Remove(Remover, Answer),
     /// The changes after a revision are wanted.
     Since(u64, Answer),
     /// Where a link's person is.
@@ -65,6 +65,15 @@ pub(crate) struct Entering {
     pub(crate) secret: Id,
     /// What they may do.
     pub(crate) role: Role,
+}
+
+/// Who moves a behaviour to the bin.
+#[derive(Clone, Debug)]
+pub(crate) struct Remover {
+    /// Their client, whose own locks do not matter.
+    pub(crate) client: Id,
+    /// What they are called.
+    pub(crate) name: String,
 }
 
 /// Where somebody points, what they selected and what they see.

@@ -11,7 +11,7 @@ use crate::http::network::{Network, NoCertificate};
 use crate::http::page::Page;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
-use crate::invitations::Invitations;
+use crate::invitations::{HostAccess, Invitations};
 use crate::library::create::first_library;
 use crate::library::exercises::{ExerciseStart, exercises};
 use crate::library::templates::{Template, templates};
@@ -100,6 +100,8 @@ pub struct Ready {
     pub address: SocketAddr,
     /// Where others do, or the proxy through which they come.
     pub network: Option<SocketAddr>,
+    /// A link by which one browser of this computer becomes the host's, once; none without random numbers.
+    pub host_link: Option<String>,
     /// How the first one comes in from elsewhere, if others may.
     pub invited: Option<Invited>,
 }
@@ -144,17 +146,18 @@ pub async fn serve_with(
     let listener = accept::listen(config.listen).map_err(listening)?;
     let address = listener.local_addr().map_err(listening)?;
     let _data = data_folder::take(&config.store, config.data.as_deref())?;
+    let host = Arc::new(HostAccess::within(config.data.as_deref()).map_err(ServeError::Thread)?);
     let invitations = Invitations::within(config.data.as_deref());
     let network = config.network.as_ref();
     let network = network.map(|network| others::open(network, config.data.as_deref(), &invitations)).transpose()?;
     let reached = network.as_ref().map(|network| network.address);
-    let state = open(store, &config, Arc::clone(&invitations)).await?;
+    let state = open(store, &config, Arc::clone(&invitations), Arc::clone(&host)).await?;
     let served = Connections::of(Arc::clone(&state), config.data.as_deref());
     let (closing, connections) = (CancellationToken::new(), TaskTracker::new());
     let messages = Messages::start().map_err(ServeError::Thread)?;
-    let router = routes::routes(served, messages.handle().clone(), config.page);
+    let router = routes::routes(served, messages.handle().clone(), config.page, address);
     let routed = Routed { router, on: state.tasks.runtime.clone() };
-    let door = Door::local(address.port());
+    let door = Door::local(address.port(), Arc::clone(&host));
     let local = accept::start(listener, door, state.robots.clone(), closing.clone()).map_err(ServeError::Thread)?;
     let (mut accepting, mut ways) = (vec![local.0], vec![local.1]);
     let mut invited = None;
@@ -169,8 +172,12 @@ pub async fn serve_with(
     }
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
     bin::keep(&state.library, config.data.as_deref());
+    let published = host_key::publish(&host.key(address), config.data.as_deref());
+    if !published.is_kept() {
+        tracing::warn!("commands cannot show that they are the host's: the key could not be written");
+    }
     tracing::info!(%address, epoch = state.epoch, "the server is ready");
-    ready(Ready { address, network: reached, invited });
+    ready(Ready { address, network: reached, host_link: host.new_link(address), invited });
     stop.await;
     end(&state, &closing, &connections).await;
     let threads = move || accepting.into_iter().for_each(|thread| drop(thread.join()));
@@ -210,6 +217,7 @@ async fn open(
     store: Arc<dyn Store>,
     config: &Config,
     invitations: Arc<Invitations>,
+    host: Arc<HostAccess>,
 ) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
@@ -246,15 +254,15 @@ async fn open(
             move |behaviour| robots.has(behaviour)
         }),
     };
-    Ok(Arc::new(put_together(surroundings, robots, recordings, invitations)))
+    Ok(Arc::new(put_together(surroundings, (robots, recordings), invitations, host)))
 }
 
 /// Everything, once its parts are there.
 fn put_together(
     surroundings: Surroundings,
-    robots: Robots,
-    recordings: Recordings,
+    (robots, recordings): (Robots, Recordings),
     invitations: Arc<Invitations>,
+    host: Arc<HostAccess>,
 ) -> ServerState {
     let Surroundings { store, health, knowing, workers, lookups, tasks, epoch, .. } = &surroundings;
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
@@ -279,6 +287,7 @@ fn put_together(
         knowing,
         workers,
         lookups,
+        host,
         invitations,
         rooms,
         library,

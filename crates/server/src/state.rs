@@ -1,6 +1,6 @@
 //! The whole state of the server: only starting, HTTP and connections know it, everything else is given what it needs.
 
-use crate::invitations::Invitations;
+use crate::invitations::{HostAccess, Invitations};
 use crate::library::Library;
 use crate::library::thumbnails::Thumbnails;
 use crate::recordings::Recordings;
@@ -30,7 +30,9 @@ pub(crate) struct ServerState {
     pub(crate) workers: Workers,
     /// Turns for what has to be looked up in the store.
     pub(crate) lookups: Lookups,
-    /// Who may come in besides who is at this computer.
+    /// What shows that somebody is the host.
+    pub(crate) host: Arc<HostAccess>,
+    /// Who may come in besides the host.
     pub(crate) invitations: Arc<Invitations>,
     /// The open rooms.
     pub(crate) rooms: Rooms,

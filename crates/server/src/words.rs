@@ -78,6 +78,10 @@ impl fmt::Display for NotAllowed {
             Self::NoOrigin => "the request does not say from which page it is",
             Self::OtherPage => "another page may not use this server",
             Self::NotInvited => "only who was invited may come in here",
+            Self::Forwarded => {
+                "a proxy or a tunnel passes this on, and here only this computer itself may ask. Start rrp with \
+                 --behind-proxy and the address that people use, and let the proxy speak to that port (rrp serve --help)"
+            }
         })
     }
 }
@@ -189,6 +193,9 @@ impl fmt::Display for RobotsUnchanged {
             ),
             Self::LongLogin => write!(to, "its user name and password may have {LOGIN_MAX_CHARS} characters"),
             Self::TooMany => write!(to, "there are {ROBOTS_MAX} already; remove one first"),
+            Self::KeptForHost => to.write_str(
+                "the places that are left are for robots of the host; ask at the robot’s computer, or remove one first",
+            ),
             Self::NewUnkept(error) => write!(to, "it could not be kept ({error})"),
             Self::OnlyOne => to.write_str("it is the only one"),
             Self::InUse => to.write_str("something runs on it; press Stop first"),

@@ -6,8 +6,8 @@ mod words;
 
 pub(super) use words::Language;
 
-use super::door::Came;
-use crate::invitations::{Entry, NotIn};
+use super::door::{Came, LetsIn};
+use crate::invitations::{Entry, HostAccess, Invitations, NotIn, Source};
 use crate::support::tasks::blocking;
 use axum::extract::{Form, FromRequest, Request};
 use axum::http::{HeaderValue, StatusCode, header};
@@ -26,15 +26,23 @@ struct Sent {
 }
 
 /// For who follows a link.
-pub(super) fn page(language: Language) -> Response {
-    let [title, text] = language.invited();
-    show(StatusCode::OK, language, [title, text], true)
+pub(super) fn page(came: &Came, language: Language) -> Response {
+    match came.door.lets_in() {
+        LetsIn::Host(_) => show(StatusCode::OK, language, language.opening(), Shows { come_in: Some(At::Once), stop: true }),
+        LetsIn::Guests(_) => {
+            show(StatusCode::OK, language, language.invited(), Shows { come_in: Some(At::Press), stop: false })
+        }
+    }
 }
 
 /// For who was not invited.
 pub(super) fn ask_for_one(language: Language) -> Response {
-    let [title, text] = language.by_invitation();
-    show(StatusCode::UNAUTHORIZED, language, [title, text], false)
+    show(StatusCode::UNAUTHORIZED, language, language.by_invitation(), Shows::default())
+}
+
+/// For who is at this computer and shows no secret of it.
+pub(super) fn ask_for_link(language: Language) -> Response {
+    show(StatusCode::UNAUTHORIZED, language, language.by_link(), Shows { come_in: None, stop: true })
 }
 
 /// How it looks.
@@ -49,25 +57,36 @@ pub(super) fn script() -> Response {
 
 /// Exchanges the token that was sent for a cookie: always a new one, whatever cookie came along.
 pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Response {
-    let Some(invitations) = came.door.invitations().map(Arc::clone) else {
-        debug_assert!(matches!(entry, Entry::Local));
-        return Redirect::to("/").into_response();
-    };
     let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
-    let Ok(Form(Sent { token })) = Form::<Sent>::from_request(request, &()).await else {
-        return no(&NotIn::Unknown, language);
+    let sent = Form::<Sent>::from_request(request, &()).await;
+    let token = sent.map(|Form(Sent { token })| token).unwrap_or_default();
+    let exchanged = match came.door.lets_in() {
+        LetsIn::Host(host) => as_host(host, &token),
+        LetsIn::Guests(invitations) => as_guest(Arc::clone(invitations), token, source).await,
     };
-    let exchanged = blocking(move || invitations.come_in(&token, source)).await;
-    let exchanged = exchanged.unwrap_or_else(|error| Err(NotIn::NotKept(error.to_string())));
     match exchanged {
         Ok(secret) => {
             let mut response = Redirect::to("/").into_response();
-            let cookie = came.door.give(&secret).and_then(|cookie| HeaderValue::from_str(&cookie).ok());
+            let cookie = HeaderValue::from_str(&came.door.give(&secret));
             cookie.into_iter().for_each(|cookie| drop(response.headers_mut().insert(header::SET_COOKIE, cookie)));
             response
         }
+        // Who is the host already and presses an old link again.
+        Err(_) if matches!(entry, Entry::Local) => Redirect::to("/").into_response(),
+        Err(NotIn::Unknown) if matches!(entry, Entry::Unproven) => {
+            show(StatusCode::FORBIDDEN, language, language.old_link(), Shows { come_in: None, stop: true })
+        }
         Err(why) => no(&why, language),
     }
+}
+
+fn as_host(host: &HostAccess, token: &str) -> Result<String, NotIn> {
+    host.come_in(token).ok_or(NotIn::Unknown)
+}
+
+async fn as_guest(invitations: Arc<Invitations>, token: String, source: Source) -> Result<String, NotIn> {
+    let exchanged = blocking(move || invitations.come_in(&token, source)).await;
+    exchanged.unwrap_or_else(|error| Err(NotIn::NotKept(error.to_string())))
 }
 
 fn no(why: &NotIn, language: Language) -> Response {
@@ -76,23 +95,43 @@ fn no(why: &NotIn, language: Language) -> Response {
         NotIn::TooMany(_) => StatusCode::TOO_MANY_REQUESTS,
         NotIn::NotKept(_) => StatusCode::SERVICE_UNAVAILABLE,
     };
-    let mut response = show(status, language, [language.not_in(), &language.why(why)], false);
+    let mut response = show(status, language, [language.not_in(), &language.why(why)], Shows::default());
     if let NotIn::TooMany(seconds) = why {
         response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(*seconds));
     }
     response
 }
 
-/// The page with this title and text, and perhaps with a button to come in by.
-fn show(status: StatusCode, language: Language, [title, text]: [&str; 2], button: bool) -> Response {
+/// When a link lets somebody in.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum At {
+    /// As the page is there: nobody but its reader looks at the link of a terminal.
+    Once,
+    /// As its button is pressed.
+    Press,
+}
+
+/// Which buttons a page has.
+#[derive(Clone, Copy, Default)]
+struct Shows {
+    come_in: Option<At>,
+    stop: bool,
+}
+
+/// The page with this title, text and buttons.
+fn show(status: StatusCode, language: Language, [title, text]: [&str; 2], shows: Shows) -> Response {
     let text = escaped(text);
+    let hidden_unless = |shown: bool| if shown { "" } else { "hidden" };
     let holes = [
         ("{language}", language.code()),
         ("{title}", title),
-        ("{hidden}", if button { "" } else { "hidden" }),
+        ("{hidden}", hidden_unless(shows.come_in.is_some())),
+        ("{at once}", if shows.come_in == Some(At::Once) { "data-at-once" } else { "" }),
         ("{come in}", language.come_in()),
         ("{broken}", language.broken()),
         ("{needs script}", language.needs_script()),
+        ("{no stop}", hidden_unless(shows.stop)),
+        ("{stop}", language.stop()),
         ("{text}", text.as_str()),
     ];
     let page = holes.iter().fold(PAGE.to_owned(), |page, (hole, said)| page.replace(hole, said));

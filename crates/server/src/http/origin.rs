@@ -21,6 +21,8 @@ pub(crate) enum NotAllowed {
     OtherPage,
     /// Nobody invited who sends it.
     NotInvited,
+    /// A proxy that nobody declared passes it on to the way in of this computer.
+    Forwarded,
 }
 
 /// Tells whose pages may ask.

@@ -23,6 +23,7 @@ use axum::response::{IntoResponse, Response};
 use axum::routing::{MethodRouter, any, get, post};
 use axum::{Json, Router};
 use protocol::{MESSAGE_MAX_BYTES, Refused};
+use std::net::SocketAddr;
 use std::sync::Arc;
 use std::time::Duration;
 use store::files::FILE_MAX_BYTES;
@@ -45,6 +46,10 @@ const TOKEN_MAX_BYTES: usize = 1 << 10;
 /// How long the next piece of a request may take to come.
 const PIECE_MS: u64 = 5_000;
 
+/// Said to a program at this computer that shows no secret of it.
+const NOT_THE_HOST: &str = "Only the host may do this. Run rrp as the user who runs the server, or open the link that \
+                            `rrp open` prints in this browser.\n";
+
 /// What the routes work with.
 #[derive(Clone)]
 struct AppState {
@@ -56,6 +61,8 @@ struct AppState {
     /// The threads that carry messages.
     messages: Handle,
     page: Page,
+    /// Where this computer reaches the server.
+    address: SocketAddr,
 }
 
 impl AppState {
@@ -65,9 +72,9 @@ impl AppState {
 }
 
 /// All routes; sockets are served on `messages`.
-pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page) -> Router {
-    let app =
-        AppState { connections, downloads: Downloads::default(), uploads: Places::of(UPLOADS_MAX), messages, page };
+pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page, address: SocketAddr) -> Router {
+    let (downloads, uploads) = (Downloads::default(), Places::of(UPLOADS_MAX));
+    let app = AppState { connections, downloads, uploads, messages, page, address };
     let add = |router: Router<AppState>, route: Route| {
         let handler = handler(route, &app).layer(middleware::from_fn_with_state(route, ask_role));
         match route.path() {
@@ -89,7 +96,9 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
     let few_at_once = middleware::from_fn_with_state(app.downloads.clone(), few_at_once);
     let handler = match route {
         Route::Page => get(files),
-        Route::ComeIn => get(|headers: HeaderMap| async move { come_in::page(Language::of(&headers)) })
+        Route::ComeIn => get(async |Extension(came): Extension<Came>, headers: HeaderMap| {
+            come_in::page(&came, Language::of(&headers))
+        })
             .post(enter)
             .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
         Route::ComeInStyle => get(|| async { come_in::style() }),
@@ -107,6 +116,7 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
         // Nothing more is added to the way of Stop.
         Route::Stop => return post(stop),
+        Route::HostLink => post(host_link),
     };
     // What fails says so itself, in its own words.
     handler.layer(TraceLayer::new_for_http().on_failure(()))
@@ -122,7 +132,7 @@ fn with_headers(router: Router) -> Router {
 
 /// Lets in only what the guard lets in, and finds out as whom its sender is in.
 async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next: Next) -> Response {
-    match came.door.guard.may_enter(&request) {
+    match came.door.may_enter(&request) {
         Ok(()) => {
             let entry = came.entry(request.headers());
             request.extensions_mut().insert(entry);
@@ -151,6 +161,8 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
     };
     match (entry, route) {
         (Entry::Stranger, Route::Page) => come_in::ask_for_one(language),
+        (Entry::Unproven, Route::Page) => come_in::ask_for_link(language),
+        (Entry::Unproven, _) => (StatusCode::UNAUTHORIZED, NOT_THE_HOST).into_response(),
         (Entry::Stranger, _) => (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response(),
         (Entry::Local | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
     }
@@ -175,6 +187,14 @@ async fn socket(
         let _ = tasks.spawn_on(boxed(session::run(app.connections, socket, entry)), &app.messages).await;
         drop(place);
     })
+}
+
+/// Makes a link by which another browser of this computer becomes the host's.
+async fn host_link(State(app): State<AppState>) -> Response {
+    match app.state().host.new_link(app.address) {
+        Some(link) => Json(serde_json::json!({ "link": link })).into_response(),
+        None => (StatusCode::SERVICE_UNAVAILABLE, "This computer gives no random numbers.\n").into_response(),
+    }
 }
 
 /// The accepting thread answers almost every Stop; this one is for requests that are written in another way.
@@ -211,8 +231,18 @@ async fn download(State(app): State<AppState>, Path(file): Path<String>) -> Resp
     transfer::download(&app.state().rooms, &file).await
 }
 
-async fn import(State(app): State<AppState>, Query(how): Query<upload::How>, request: Request) -> Response {
+async fn import(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Query(how): Query<upload::How>,
+    request: Request,
+) -> Response {
     let sender = Sender::Request(app.connections.number());
+    let how = match &entry {
+        // Whatever they say: a guest is who they are here.
+        Entry::Guest(guest) => upload::How { by: app.state().invitations.name_of(guest), ..how },
+        Entry::Local | Entry::Unproven | Entry::Stranger => how,
+    };
     upload::upload(&app.state().library, &app.uploads, sender, how, request).await
 }
 

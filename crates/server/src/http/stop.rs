@@ -5,7 +5,7 @@ use crate::http::door::Door;
 use crate::http::origin::NotAllowed;
 use crate::robots::Robots;
 use axum::extract::Query;
-use axum::http::Uri;
+use axum::http::{HeaderMap, HeaderName, HeaderValue, Uri};
 use behaviour::Id;
 use serde::Deserialize;
 use std::time::Duration;
@@ -67,11 +67,11 @@ fn asked(head: &[u8], door: &Door) -> Result<StopTarget, NotAllowed> {
     let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
     let mut request = httparse::Request::new(&mut lines);
     request.parse(head).map_err(|_| NotAllowed::Unreadable)?;
-    let all = |name: &'static str| {
-        let lines = request.headers.iter().filter(move |line| line.name.eq_ignore_ascii_case(name));
-        lines.map(|line| std::str::from_utf8(line.value).unwrap_or("?"))
+    let line = |line: &httparse::Header| {
+        Some((line.name.parse::<HeaderName>().ok()?, HeaderValue::from_bytes(line.value).ok()?))
     };
-    door.may_stop(all("host").next(), all("origin").next(), all("cookie"))?;
+    let headers: HeaderMap = request.headers.iter().filter_map(line).collect();
+    door.may_stop(&headers)?;
     let uri = request.path.and_then(|path| path.parse::<Uri>().ok()).unwrap_or_default();
     Ok(Query::try_from_uri(&uri).map(|Query(which)| which).unwrap_or_default())
 }

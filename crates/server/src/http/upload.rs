@@ -22,15 +22,15 @@ const UPLOAD_MS: u64 = 20_000;
 #[derive(Debug, Default, Deserialize)]
 pub(super) struct How {
     #[serde(default)]
-    mode: Wanted,
-    /// Who imports it.
+    pub(super) mode: Wanted,
+    /// What the host wants to be called as who imports it.
     #[serde(default)]
-    by: String,
+    pub(super) by: String,
 }
 
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(rename_all = "lowercase")]
-enum Wanted {
+pub(super) enum Wanted {
     #[default]
     Copy,
     Restore,

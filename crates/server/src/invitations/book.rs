@@ -94,6 +94,12 @@ impl Book {
         passes.any(|pass| pass.cookie == *cookie && pass.name == name)
     }
 
+    /// What who has this cookie is called; empty if they never said so.
+    pub(super) fn name_of(&self, cookie: &Digest) -> &str {
+        let mut passes = self.kept.iter().flat_map(|kept| &kept.passes);
+        passes.find(|pass| pass.cookie == *cookie).map_or("", |pass| &pass.name)
+    }
+
     /// Who has this cookie says what they are called.
     pub(super) fn name(&mut self, cookie: &Digest, name: &str, now_ms: u64) {
         let mut passes = self.kept.iter_mut().flat_map(|kept| &mut kept.passes);

@@ -1,7 +1,7 @@
 //! As whom somebody is in.
 
 use super::guest::Guest;
-use super::may::{Asked, least};
+use super::may::{Asked, Route, least};
 use protocol::{Refused, Request, Role};
 
 /// The least that somebody must be.
@@ -16,10 +16,12 @@ pub(crate) enum Least {
 /// As whom somebody is in.
 #[derive(Clone, Debug)]
 pub(crate) enum Entry {
-    /// At this computer.
+    /// The host: who showed a secret of this computer.
     Local,
     /// By an invitation.
     Guest(Guest),
+    /// At this computer, but nothing shows that they are its host.
+    Unproven,
     /// Not at all.
     Stranger,
 }
@@ -30,7 +32,7 @@ impl Entry {
         match self {
             Self::Local => Some(Role::Host),
             Self::Guest(guest) => Some(guest.role),
-            Self::Stranger => None,
+            Self::Unproven | Self::Stranger => None,
         }
     }
 
@@ -40,6 +42,10 @@ impl Entry {
     /// What they would have to be, or that they may not be here at all.
     pub(crate) fn may(&self, asked: Asked) -> Result<(), Refused> {
         let Least::In(least) = least(&asked) else { return Ok(()) };
+        // Who stands beside the robot's computer may stop the robot.
+        if matches!((self, asked), (Self::Unproven, Asked::Http(Route::Stop))) {
+            return Ok(());
+        }
         let is_over = matches!(self, Self::Guest(guest) if guest.is_over());
         // Who is told to go may press Stop until the socket is closed.
         if is_over && !matches!(asked, Asked::Socket(Request::Stop { .. })) {
@@ -52,11 +58,11 @@ impl Entry {
         }
     }
 
-    /// Waits until they may not be here any more; for ever at this computer.
+    /// Waits until they may not be here any more; for ever if no invitation let them in.
     pub(crate) async fn until_over(&self) {
         match self {
             Self::Guest(guest) => guest.until_over().await,
-            Self::Local | Self::Stranger => std::future::pending().await,
+            Self::Local | Self::Unproven | Self::Stranger => std::future::pending().await,
         }
     }
 }

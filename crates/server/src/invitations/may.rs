@@ -2,7 +2,7 @@
 //! a route is asked here by the compiler.
 
 use super::entry::Least;
-use protocol::{COME_IN_PATH, PATH, RECORDINGS_PATH, Request, Role, STOP_PATH};
+use protocol::{COME_IN_PATH, HOST_LINK_PATH, PATH, RECORDINGS_PATH, Request, Role, STOP_PATH};
 
 /// What is asked, by whatever way.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +11,10 @@ pub(crate) enum Asked<'a> {
     Socket(&'a Request),
     /// Over HTTP.
     Http(Route),
+    /// Over a socket: removing a robot that is none of the simulated ones.
+    RemoveRealRobot,
+    /// Over a socket: adding a robot where few places for one are left.
+    LastRobot,
 }
 
 /// Every route of the server.
@@ -44,6 +48,8 @@ pub(crate) enum Route {
     Import,
     /// Stop.
     Stop,
+    /// A link for another browser of the host.
+    HostLink,
     /// What robots can sense and do.
     Catalogue,
     /// How that page looks.
@@ -52,7 +58,7 @@ pub(crate) enum Route {
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 16] = [
+    pub(crate) const ALL: [Self; 17] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
@@ -67,6 +73,7 @@ impl Route {
         Self::Recording,
         Self::Import,
         Self::Stop,
+        Self::HostLink,
         Self::Catalogue,
         Self::CatalogueStyle,
     ];
@@ -88,6 +95,7 @@ impl Route {
             Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
             Self::Import => "/api/import",
             Self::Stop => STOP_PATH,
+            Self::HostLink => HOST_LINK_PATH,
             Self::Catalogue => "/catalogue",
             Self::CatalogueStyle => "/catalogue.css",
         };
@@ -100,6 +108,8 @@ pub(crate) fn least(asked: &Asked) -> Least {
     match asked {
         Asked::Socket(request) => Least::In(of_request(request)),
         Asked::Http(route) => of_route(*route),
+        // Only the host can bring a real robot back, and has to find a place for one.
+        Asked::RemoveRealRobot | Asked::LastRobot => Least::In(Role::Host),
     }
 }
 
@@ -117,6 +127,7 @@ fn of_route(route: Route) -> Least {
         | Route::CatalogueStyle
         | Route::Stop => Least::In(Role::Viewer),
         Route::Backup | Route::Import => Least::In(Role::Editor),
+        Route::HostLink => Least::In(Role::Host),
     }
 }
 

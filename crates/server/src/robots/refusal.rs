@@ -101,6 +101,8 @@ pub(crate) enum RobotsUnchanged {
     LongLogin,
     /// There are as many as may be.
     TooMany,
+    /// The places that are left are for the host.
+    KeptForHost,
     /// The new one could not be written down, or has no thread.
     NewUnkept(io::Error),
     /// There is no other one.

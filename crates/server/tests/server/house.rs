@@ -16,6 +16,8 @@ pub(crate) struct House {
     pub(crate) address: SocketAddr,
     /// Where others reach it, if they may come in.
     pub(crate) network: Option<SocketAddr>,
+    /// The link by which a browser becomes the host's.
+    pub(crate) host_link: Option<String>,
     /// The link that was told at the start, if others may come in.
     pub(crate) link: Option<String>,
     stop: oneshot::Sender<()>,
@@ -65,8 +67,8 @@ impl House {
             let stopped = async { drop(stopped.await) };
             serve_with(store, config, |now| tell.send(now).unwrap(), stopped).await.unwrap();
         });
-        let Ready { address, network, invited } = ready.await.unwrap();
-        Self { address, network, link: invited.map(|invited| invited.link), stop, serving }
+        let Ready { address, network, invited, host_link } = ready.await.unwrap();
+        Self { address, network, host_link, link: invited.map(|invited| invited.link), stop, serving }
     }
 
     pub(crate) async fn close(self) {
@@ -76,6 +78,11 @@ impl House {
 
     pub(crate) fn url(&self) -> String {
         format!("http://{}/", self.address)
+    }
+
+    /// What a program of the host shows.
+    pub(crate) fn key(&self) -> String {
+        host_key::header(&host_key::of_server(self.address).unwrap())
     }
 
     pub(crate) async fn person(&self, name: &str) -> Client {

@@ -5,8 +5,17 @@ use std::time::{Duration, Instant};
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::TcpStream;
 
-/// Sends a request as it is and answers with everything that came back.
+/// Sends a request of the host's and answers with everything that came back.
 pub(crate) async fn raw(house: &House, request: &str) -> String {
+    let (first, rest) = request.split_once("\r\n").unwrap_or((request, ""));
+    if rest.is_empty() {
+        return unproven(house, request).await;
+    }
+    unproven(house, &format!("{first}\r\n{}: {}\r\n{rest}", host_key::HEADER, house.key())).await
+}
+
+/// Sends a request as it is and answers with everything that came back.
+pub(crate) async fn unproven(house: &House, request: &str) -> String {
     let mut stream = TcpStream::connect(house.address).await.unwrap();
     stream.write_all(request.as_bytes()).await.unwrap();
     let mut answer = Vec::new();

@@ -6,6 +6,7 @@ mod console;
 mod edits;
 mod history;
 mod history_limits;
+mod host;
 mod house;
 mod http;
 mod invited;

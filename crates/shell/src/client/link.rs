@@ -11,8 +11,10 @@ use tokio::net::TcpStream;
 use tokio::sync::{mpsc, oneshot};
 use tokio::task::AbortHandle;
 use tokio::time::Instant;
+use tokio_tungstenite::tungstenite::client::IntoClientRequest;
+use tokio_tungstenite::tungstenite::http::{HeaderValue, Uri};
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, WebSocketConfig};
-use tokio_tungstenite::tungstenite::{Error, Message};
+use tokio_tungstenite::tungstenite::{self, Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
 
 /// The largest message taken from the server, in bytes: large behaviours come in parts, a change as a whole.
@@ -63,7 +65,14 @@ pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
     let address = socket_address(url);
     let config =
         WebSocketConfig::default().max_message_size(Some(MESSAGE_MAX_BYTES)).max_frame_size(Some(MESSAGE_MAX_BYTES));
-    let connecting = tokio_tungstenite::connect_async_with_config(&address, Some(config), true);
+    let connecting = async {
+        let mut request = address.into_client_request()?;
+        if let Some(key) = key_for(request.uri()).await {
+            let shown = HeaderValue::from_str(&host_key::header(&key)).map_err(tungstenite::http::Error::from)?;
+            request.headers_mut().insert(host_key::HEADER, shown);
+        }
+        tokio_tungstenite::connect_async_with_config(request, Some(config), true).await
+    };
     let connected = tokio::time::timeout(Duration::from_millis(CONNECT_MS), connecting).await;
     let (socket, _) = match connected {
         Ok(Ok(connected)) => connected,
@@ -78,6 +87,13 @@ pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
         Carrier { link: Arc::clone(&link), socket, tell, waiting: BTreeMap::new(), assembly: Assembly::default() };
     let carrying = tokio::spawn(carrier.carry(inbox));
     Ok((link, lines, told, carrying.abort_handle()))
+}
+
+/// What shows that we are the host, if the server at this address is this user's own on this computer.
+async fn key_for(uri: &Uri) -> Option<String> {
+    let place = (uri.host()?.trim_matches(['[', ']']), uri.port_u16().unwrap_or(80));
+    let mut addresses = tokio::net::lookup_host(place).await.ok()?.filter(|address| address.ip().is_loopback());
+    addresses.find_map(host_key::of_server)
 }
 
 /// `http://HOST:PORT/` or `HOST:PORT` as the address of the socket.

@@ -11,7 +11,7 @@ use crate::library::trial::{self, Trial, helpers_of};
 use crate::library::{bin, insight, list, rename, thumbnails};
 use crate::robots::real;
 use crate::rooms::member::Answer;
-use crate::rooms::{Locking, Note, Parting, Whereabouts};
+use crate::rooms::{Locking, Note, Parting, Remover, Whereabouts};
 use crate::state::ServerState;
 use crate::support::tasks::blocking;
 use crate::support::workers::Sender;
@@ -193,9 +193,13 @@ impl Session {
     /// Which robots there are and who wins on them: kept before it counts, which may take its time.
     fn change_robots(&self, ask: u32, request: Request) {
         let robots = self.state().robots.clone();
+        let (entry, is_host) = (self.entry.clone(), self.entry.may(Asked::LastRobot).is_ok());
         let work = move || match request {
-            Request::AddRobot { robot, name, real } => robots.add(&robot, &name, real.map(|real| *real)),
+            Request::AddRobot { robot, name, real } => robots.add(&robot, &name, real.map(|real| *real), is_host),
             Request::RenameRobot { robot, name } => robots.rename(&robot, &name),
+            Request::RemoveRobot { robot } if robots.is_real(&robot) => {
+                entry.may(Asked::RemoveRealRobot).and_then(|()| robots.remove(&robot))
+            }
             Request::RemoveRobot { robot } => robots.remove(&robot),
             Request::Place { behaviour, robot, above } => {
                 robots.meant(robot.as_ref())?.place(&behaviour, above.as_ref())
@@ -314,8 +318,9 @@ impl Session {
         if *behaviour == *self.state().rooms.library() {
             self.outbox.no(ask, Refused::NoBehaviour);
         } else {
+            let by = Remover { client: self.me.client.clone(), name: self.me.name.clone() };
             let answer = self.answer(ask);
-            self.state().rooms.tell(behaviour, Note::Remove(self.me.name.clone(), answer));
+            self.state().rooms.tell(behaviour, Note::Remove(by, answer));
         }
     }
 

@@ -1,5 +1,5 @@
 // Puts the token of the link, which stands behind its #, where the button sends it from.
-const form = document.querySelector("form");
+const form = document.querySelector("#come-in");
 if (!form.hidden) {
   const token = location.hash.slice(1);
   form.elements.token.value = token;
@@ -7,6 +7,8 @@ if (!form.hidden) {
   document.querySelector("#broken").hidden = token !== "";
   // What was used does not stay in the history.
   form.addEventListener("submit", () => history.replaceState(null, "", location.pathname));
+  // The link of a terminal is opened by nobody but its reader: opening it is the press.
+  if ("atOnce" in form.dataset && token !== "") form.requestSubmit();
 } else {
   // Who is in and came here by a link of another site: the browser kept the cookie back that one time.
   fetch("/", { method: "HEAD" }).then((answer) => {

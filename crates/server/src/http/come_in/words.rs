@@ -49,6 +49,45 @@ impl Language {
         ]
     }
 
+    /// For who follows the link of the host.
+    pub(super) fn opening(self) -> [&'static str; 2] {
+        [
+            self.said("Opening rrp", "rrp を開いています"),
+            self.said(
+                "This browser becomes the host’s: it stays in, also after a restart.",
+                "このブラウザーがホストになります。再起動の後もそのまま使えます。",
+            ),
+        ]
+    }
+
+    /// For who is at the host's computer and not known.
+    pub(super) fn by_link(self) -> [&'static str; 2] {
+        [
+            self.said("This browser is not known here yet", "このブラウザーはまだ登録されていません"),
+            self.said(
+                "In a terminal of this computer, run `rrp open` and open the link that it prints. Stop works without it.",
+                "このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
+            ),
+        ]
+    }
+
+    /// For who opens the link of the host a second time.
+    pub(super) fn old_link(self) -> [&'static str; 2] {
+        [
+            self.said("This link was used already", "このリンクは使用済みです"),
+            self.said(
+                "Each link works once, until rrp ends. Run `rrp open` in a terminal of this computer and open the link \
+                 that it prints. Stop works without it.",
+                "リンクは rrp が終わるまでに一度だけ使えます。このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
+            ),
+        ]
+    }
+
+    /// What is on the button that stops all robots.
+    pub(super) fn stop(self) -> &'static str {
+        self.said("Stop all robots", "すべてのロボットを停止")
+    }
+
     pub(super) fn not_in(self) -> &'static str {
         self.said("You are not in yet", "まだ入っていません")
     }

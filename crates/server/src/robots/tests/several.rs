@@ -12,7 +12,7 @@ const FIRST: &str = "simulated-nao";
 /// The first robot and Momo.
 fn two() -> (Robots, [Id; 2]) {
     let robots = Robots::within(None, 1, Recordings::default()).unwrap();
-    robots.add(&id("momo"), "Momo", None).unwrap();
+    robots.add(&id("momo"), "Momo", None, true).unwrap();
     (robots, [id(FIRST), id("momo")])
 }
 
@@ -101,8 +101,8 @@ async fn robots_are_there_again_after_a_restart_and_not_without_bound() {
     let within = || Robots::within(Some(folder.path()), 1, Recordings::default()).unwrap();
     let robots = within();
     for (at, name) in ["Momo", "Momo", "Kiki"].into_iter().enumerate() {
-        robots.add(&id(&format!("r{at}")), name, None).unwrap();
-        robots.add(&id(&format!("r{at}")), "asked twice", None).unwrap();
+        robots.add(&id(&format!("r{at}")), name, None, true).unwrap();
+        robots.add(&id(&format!("r{at}")), "asked twice", None, true).unwrap();
     }
     robots.remove(&id("r2")).unwrap();
     robots.shut_down();
@@ -111,9 +111,12 @@ async fn robots_are_there_again_after_a_restart_and_not_without_bound() {
     assert_eq!(names(&robots), ["Simulated NAO", "Momo", "Momo 2"]);
     let ready = |robots: &Robots| robots.states().borrow().iter().all(|state| state.health == Health::Ready);
     until("all are ready", || ready(&robots)).await;
-    for at in 3..ROBOTS_MAX {
-        robots.add(&id(&format!("more{at}")), "More", None).unwrap();
+    robots.add(&id("more3"), "More", None, false).unwrap();
+    let of_guest = robots.add(&id("too-many"), "X", None, false);
+    assert!(matches!(of_guest, Err(Refused::RobotNotAdded(why)) if why.contains("host")), "places are kept for it");
+    for at in 4..ROBOTS_MAX {
+        robots.add(&id(&format!("more{at}")), "More", None, true).unwrap();
     }
-    assert!(matches!(robots.add(&id("too-many"), "X", None), Err(Refused::RobotNotAdded(_))));
+    assert!(matches!(robots.add(&id("too-many"), "X", None, true), Err(Refused::RobotNotAdded(_))));
     robots.shut_down();
 }

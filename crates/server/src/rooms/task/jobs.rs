@@ -77,10 +77,13 @@ impl RoomTask {
             Some(Job::Name(what, from)) => {
                 self.saving = Saving::UnderWay(Box::pin(naming::name(around, id, self.room.revision(), what, from)));
             }
-            Some(Job::Remove(by, from)) => {
-                self.stay = Stay::Leaving;
-                self.saving = Saving::UnderWay(Box::pin(saving::remove(around, id, by, from)));
-            }
+            Some(Job::Remove(by, from)) => match self.locks.edited_by_others(&by.client, &self.room) {
+                Some(locked) => from.no(Refused::Change(locked)),
+                None => {
+                    self.stay = Stay::Leaving;
+                    self.saving = Saving::UnderWay(Box::pin(saving::remove(around, id, by.name, from)));
+                }
+            },
             None => {}
         }
     }

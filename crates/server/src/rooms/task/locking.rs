@@ -102,6 +102,13 @@ impl LockBook {
         room.check_locks(change, &Presented { client: None, tokens: Vec::new() }, &self.locks)
     }
 
+    /// What somebody else than this client is editing, as why it may not be removed under their hands.
+    pub(super) fn edited_by_others(&self, client: &Id, room: &Room) -> Option<Refusal> {
+        let held = self.locks.held().find(|held| held.holder.client != *client)?;
+        let record = held.records.iter().next()?;
+        Some(Refusal::Locked { what: room.name_of(record), by: held.holder.name.clone() })
+    }
+
     /// What was begun came to an end.
     pub(super) fn saved(&mut self, op: &Id) {
         self.locks.saved(self.now_ms(), op);

@@ -1,6 +1,7 @@
 //! What waits for saving in one room: each sender's in order, bounded, and the senders take turns.
 
 use super::saving::Proposal;
+use crate::rooms::Remover;
 use crate::rooms::member::Answer;
 use crate::rooms::past::{Naming, Wish};
 use behaviour::{Change, Edit, Kind};
@@ -24,7 +25,7 @@ pub(super) enum Job {
     /// A version gets a name, or loses it.
     Name(Naming, Answer),
     /// The behaviour goes to the bin; with who says so.
-    Remove(String, Answer),
+    Remove(Remover, Answer),
 }
 
 impl Job {
@@ -120,6 +121,7 @@ impl Waiting {
 
 #[cfg(test)]
 mod tests {
+    use crate::rooms::Remover;
     use super::{Job, Proposal, WAITING_PER_SENDER_MAX_JOBS, Waiting};
     use crate::rooms::member::{Answer, Feed, Recipient, Whole};
     use axum::extract::ws::Utf8Bytes;
@@ -179,7 +181,8 @@ mod tests {
     fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
         let has_room = waiting.has_room(Some(session));
         if has_room {
-            waiting.put(Job::Remove(by.to_owned(), answer(session)));
+            let by = Remover { client: Id::new("client").unwrap(), name: by.to_owned() };
+            waiting.put(Job::Remove(by, answer(session)));
         }
         has_room
     }
