@@ -21,8 +21,9 @@ pub(crate) async fn held(target: Target) {
         0 => String::new(),
         1 => "GET / HTTP/1.1\r\nX-Slow: ".to_owned(),
         _ => format!(
-            "POST /api/import HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nContent-Length: 1000000\r\n\r\n",
-            target.address
+            "POST /api/import HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\n{1}Content-Length: 1000000\r\n\r\n",
+            target.address,
+            house::host_line(target.address)
         ),
     };
     let all = (0..HELD).map(|number| {
@@ -48,12 +49,13 @@ async fn drip(target: &Target, begin: &str) {
 
 /// Sockets that are open and say nothing; who is closed comes again.
 pub(crate) async fn half_open(target: Target) {
-    let address = format!("ws://{}/socket", target.address);
+    let address = target.url();
     let all = (0..SOCKETS).map(|_| {
         let address = address.clone();
         async move {
             loop {
-                if let Ok((mut socket, _)) = tokio_tungstenite::connect_async(&address).await {
+                let Ok(asked) = shell::handshake(&address).await else { continue };
+                if let Ok((mut socket, _)) = tokio_tungstenite::connect_async(asked).await {
                     while let Some(Ok(_)) = futures_util::StreamExt::next(&mut socket).await {}
                 }
                 tokio::time::sleep(DRIP).await;

@@ -77,7 +77,8 @@ pub(crate) async fn unread(target: Target) {
 
 async fn unread_one(target: &Target, path: &str) {
     let Ok(mut stream) = TcpStream::connect(target.address).await else { return };
-    let request = format!("GET {path} HTTP/1.1\r\nHost: {}\r\n\r\n", target.address);
+    let host = house::host_line(target.address);
+    let request = format!("GET {path} HTTP/1.1\r\nHost: {}\r\n{host}\r\n", target.address);
     if stream.write_all(request.as_bytes()).await.is_ok() {
         // As long as the server holds on: it cannot write to the end of it.
         let closed = async {
@@ -108,8 +109,9 @@ pub(crate) async fn imports(target: Target) {
 async fn import(target: &Target, file: &str) -> Outcome<()> {
     let mut stream = TcpStream::connect(target.address).await?;
     let head = format!(
-        "POST /api/import HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\nContent-Length: {1}\r\n\r\n",
+        "POST /api/import HTTP/1.1\r\nHost: {0}\r\nOrigin: http://{0}\r\n{1}Content-Length: {2}\r\n\r\n",
         target.address,
+        house::host_line(target.address),
         file.len()
     );
     stream.write_all(head.as_bytes()).await?;

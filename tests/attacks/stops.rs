@@ -102,7 +102,7 @@ type Socket = tokio_tungstenite::WebSocketStream<tokio_tungstenite::MaybeTlsStre
 
 /// A link that was let in and asks for no pictures.
 pub(crate) async fn greeted(target: &Target) -> Outcome<Socket> {
-    let (mut socket, _) = tokio_tungstenite::connect_async(format!("ws://{}/socket", target.address)).await?;
+    let (mut socket, _) = tokio_tungstenite::connect_async(shell::handshake(&target.url()).await?).await?;
     let hello = Request::Hello { version: VERSION, name: "Operator".to_owned(), again: None };
     socket.send(said(0, hello)?).await?;
     answered(&mut socket, 0).await?;

@@ -21,11 +21,12 @@ pub(crate) struct Wire {
 
 impl Wire {
     pub(crate) fn to(server: &Server) -> Self {
-        Self { url: format!("ws://{}{}", server.address(), protocol::PATH) }
+        Self { url: server.url() }
     }
 
     async fn ask(&self, request: Value) -> Outcome<Value> {
-        let (mut socket, _) = tokio_tungstenite::connect_async(&self.url).await.map_err(broken)?;
+        let asked = shell::handshake(&self.url).await.map_err(broken)?;
+        let (mut socket, _) = tokio_tungstenite::connect_async(asked).await.map_err(broken)?;
         let hello = json!({ "is": "hello", "version": protocol::VERSION, "name": "Hands" });
         ask(&mut socket, 0, hello).await?;
         ask(&mut socket, 1, request).await

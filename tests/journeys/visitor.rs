@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 use behaviour::{Behaviour, Change, Id};
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
-use protocol::{Ask, ListQuery, Message, PATH, Reply, Request, RunPhase, RunState};
+use protocol::{Ask, ListQuery, Message, Reply, Request, RunPhase, RunState};
 use robot::Scene;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message as Frame;
@@ -39,8 +39,9 @@ impl Opened {
 impl Visitor {
     /// Comes in and greets.
     pub(crate) async fn enter(server: &Server) -> Outcome<Self> {
-        let address = format!("ws://{}{PATH}", server.address());
-        let connected = tokio_tungstenite::connect_async(&address).await;
+        let address = server.url();
+        let asked = shell::handshake(&address).await.map_err(|error| Trouble(format!("{address}: {error}")))?;
+        let connected = tokio_tungstenite::connect_async(asked).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("{address}: {error}")))?;
         let mut visitor = Self { socket, asked: 0 };
         let hello = Request::Hello { version: protocol::VERSION, name: "Visitor".to_owned(), again: None };

@@ -97,8 +97,9 @@ struct Line {
 
 impl Line {
     async fn open(server: &Server) -> Outcome<Line> {
-        let address = format!("ws://{}{}", server.address(), protocol::PATH);
-        let connected = tokio_tungstenite::connect_async(address).await;
+        let asked = shell::handshake(&server.url()).await;
+        let asked = asked.map_err(|error| Trouble(format!("There is no address: {error}")))?;
+        let connected = tokio_tungstenite::connect_async(asked).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("There is no socket: {error}")))?;
         let mut line = Line { socket, asks: 0 };
         let hello = Request::Hello { version: protocol::VERSION, name: "Looks".to_owned(), again: None };

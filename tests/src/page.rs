@@ -1,6 +1,6 @@
 //! One person's page: going places, asking it things, waiting for it, and looking at it.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 
 use crate::watch::{self, Traffic, Watch};
 use crate::wire::Wire;
-use crate::{Outcome, Trouble, paths};
+use crate::{Outcome, Trouble, host, paths};
 
 /// Between two looks at the page.
 const LOOK: Duration = Duration::from_millis(25);
@@ -32,6 +32,8 @@ pub struct Page {
     /// Width and height of the window, and whether it is a touch screen.
     window: Mutex<Option<(u32, u32, bool)>>,
     patience_ms: AtomicU64,
+    /// Origins of servers of ours to which the browser is shown as the host's.
+    in_already: Mutex<BTreeSet<String>>,
     /// Whether Chromium's process that draws was started anew for this page.
     pub(crate) drawn_anew: AtomicBool,
 }
@@ -56,7 +58,8 @@ impl Page {
         let patience_ms = AtomicU64::new(u64::try_from(PATIENCE.as_millis()).unwrap_or(u64::MAX));
         let (name, media, window, drawn_anew) =
             (test_name(name), Mutex::default(), Mutex::default(), AtomicBool::default());
-        Page { wire, watch, session, context, target, name, media, window, patience_ms, drawn_anew }
+        let in_already = Mutex::default();
+        Page { wire, watch, session, context, target, name, media, window, patience_ms, in_already, drawn_anew }
     }
 
     /// Turns on what the harness listens to.
@@ -85,12 +88,26 @@ impl Page {
 
     /// Goes to `url`, waits until it is loaded, and starts the counters of `network` anew.
     pub async fn goto(&self, url: &str) -> Outcome<()> {
+        self.come_in(url).await?;
         self.watch.begin(url);
         let gone = self.call("Page.navigate", json!({ "url": url })).await?;
         if let Some(why) = gone["errorText"].as_str() {
             return Err(Trouble::of(&format!("{url} cannot be opened"), why));
         }
         self.until("document.readyState === 'complete'", &format!("{url} is loaded")).await.map(drop)
+    }
+
+    /// Has the browser shown as the host's, where a server of ours is and that was not done before.
+    async fn come_in(&self, url: &str) -> Outcome<()> {
+        let origin = url.splitn(4, '/').take(3).collect::<Vec<_>>().join("/");
+        if self.in_already.lock().unwrap_or_else(PoisonError::into_inner).contains(&origin) {
+            return Ok(());
+        }
+        let Some((name, value)) = host::cookie(url).await.ok().flatten() else { return Ok(()) };
+        let cookie = json!({ "name": name, "value": value, "url": url, "httpOnly": true, "sameSite": "Strict" });
+        self.call("Network.setCookie", cookie).await?;
+        self.in_already.lock().unwrap_or_else(PoisonError::into_inner).insert(origin);
+        Ok(())
     }
 
     /// Loads the page again, as F5 does, and waits until it is loaded.

@@ -66,6 +66,8 @@ pub(crate) enum Failure {
     NoXml(NoXml),
     /// An id of our own is none; with the reason.
     Id(String),
+    /// No server runs on this data folder.
+    NoServer(PathBuf),
     /// The running server does not answer.
     Silent(SocketAddr, Foreign),
     /// The running server ended its answer too early.

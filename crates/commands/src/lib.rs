@@ -9,6 +9,7 @@ mod export;
 mod failure;
 mod import;
 mod keep;
+mod let_in;
 mod link;
 mod listening;
 mod load;
@@ -36,6 +37,8 @@ struct Line {
 #[derive(Debug, Subcommand)]
 enum What {
     Serve(serve::ServeArgs),
+    Open(let_in::OpenArgs),
+    Invite(let_in::InviteArgs),
     Shell(ShellArgs),
     Robot(robot::RobotArgs),
     Replay(replay::ReplayArgs),
@@ -65,6 +68,8 @@ struct ShellArgs {
 const EXAMPLES: &str = "Examples:
   rrp serve                            serve on this computer, on http://127.0.0.1:7130/
   rrp serve --listen 127.0.0.1:0       on a free port
+  rrp open                             a link that opens the page in another browser of this computer
+  rrp invite --role viewer             a link that lets somebody else look on
   rrp shell                            look around and start behaviours from a terminal
   rrp robot add NAO --address nao.local
   rrp replay --behaviour tracking.json --trace morning.jsonl
@@ -83,6 +88,8 @@ const EXAMPLES: &str = "Examples:
 pub fn run(page: Page) -> ExitCode {
     match Line::parse().what {
         What::Serve(args) => serve::serve(args, page),
+        What::Open(args) => ended(let_in::open(&args)),
+        What::Invite(args) => ended(let_in::invite(args)),
         What::Shell(args) => console(&args.url),
         What::Robot(args) => robot::robot(&args),
         What::Replay(args) => replay::replay(&args),

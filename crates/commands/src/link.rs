@@ -67,7 +67,11 @@ impl Link {
     async fn exchange(&self, method: Method, path: &str, body: Bytes) -> Result<Answer, Foreign> {
         let (address, origin) = (self.address, format!("http://{}", self.address));
         let request = Request::builder().method(method).uri(path);
-        let request = request.header(HOST, address.to_string()).header(ORIGIN, origin).body(Full::new(body))?;
+        let mut request = request.header(HOST, address.to_string()).header(ORIGIN, origin);
+        if let Some(key) = host_key::of_server(address) {
+            request = request.header(host_key::HEADER, host_key::header(&key));
+        }
+        let request = request.body(Full::new(body))?;
         let stream = within(CONNECT_MS, TcpStream::connect(address)).await??;
         let (mut server, connection) = http1::handshake(TokioIo::new(stream)).await?;
         // Ends with the answer; what is wrong with it is told there.

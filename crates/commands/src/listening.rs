@@ -2,6 +2,7 @@
 
 use crate::failure::Failure;
 use clap::Args;
+use protocol::{Lasts, Role};
 use server::{Invited, Network, Secured};
 use std::io::{self, IsTerminal, Write};
 use std::net::{Ipv4Addr, SocketAddr};
@@ -98,11 +99,8 @@ fn origin_of(said: &str) -> Option<String> {
 
 /// Says how the first one comes in from elsewhere; on a terminal with a picture for phones.
 pub(crate) fn tell_invitation(out: &mut (impl Write + IsTerminal), invited: &Invited) -> io::Result<()> {
-    writeln!(
-        out,
-        "\nTo let somebody in who may edit, give them this link. It works once, within a day:\n{}",
-        invited.link
-    )?;
+    let (who, lasts) = (may(invited.role), lasting(invited.lasts));
+    writeln!(out, "\nTo let somebody in who may {who}, give them this link. It works {lasts}:\n{}", invited.link)?;
     if out.is_terminal() {
         writeln!(out, "\n{}", picture(&invited.qr))?;
     }
@@ -112,7 +110,24 @@ pub(crate) fn tell_invitation(out: &mut (impl Write + IsTerminal), invited: &Inv
             "Their browser warns of a certificate it does not know. It is this one if its SHA-256 fingerprint is\n{fingerprint}"
         )?;
     }
-    writeln!(out, "The page makes more invitations, for others and for those who only watch.")
+    writeln!(out, "The page and `rrp invite` make more invitations, for others and for those who only watch.")
+}
+
+fn may(role: Role) -> &'static str {
+    match role {
+        Role::Viewer => "look on and press Stop",
+        Role::Operator => "press Start and Stop",
+        Role::Editor => "edit",
+        Role::Host => "do everything",
+    }
+}
+
+fn lasting(lasts: Lasts) -> &'static str {
+    match lasts {
+        Lasts::Once => "once, within a day",
+        Lasts::Day => "for a day",
+        Lasts::UntilRevoked => "until you revoke it in the page",
+    }
 }
 
 /// A QR code in half lines of black on white, whatever the colours of the terminal.

@@ -2,11 +2,12 @@
 
 use crate::data_folder::data_folder;
 use crate::failure::Failure;
+use crate::let_in::tell_host_link;
 use crate::listening::{Listening, tell_invitation};
 use crate::log::{self, Log};
 use clap::Args;
 use server::{Config, Page, Ready, ServeError};
-use std::io::Write;
+use std::io::{IsTerminal, StdoutLock, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
@@ -18,8 +19,13 @@ const ENDING_MS: u64 = 2_000;
 
 /// Serves the page, the robot and the behaviours in a folder, on this computer, and to whom you invite.
 ///
+/// You are its host: a link is printed on the terminal that opens the page in a browser of this computer, once; the
+/// browser stays in. `rrp open` prints another one. Who else uses this computer, or comes through a proxy that was not
+/// declared with --behind-proxy, can only press Stop.
+///
 /// With an address of this computer in the network in --listen, others come in by invitation: their browsers speak TLS,
-/// and a link for the first of them is printed with its QR code. The page makes more, lists them and revokes them.
+/// and a link for the first of them is printed with its QR code. The page and `rrp invite` make more; the page lists and
+/// revokes them. Links are printed on a terminal only, never into a journal.
 ///
 /// Prints one line on standard output once it accepts connections; logs go to standard error (RRP_LOG=debug for more).
 /// Ctrl-C and SIGTERM stop the robot first, then finish writing, then exit with 0.
@@ -101,10 +107,19 @@ fn ready(now: Ready) {
     let tell = move || {
         let mut out = std::io::stdout().lock();
         let said = writeln!(out, "rrp is ready: http://{}/", now.address).and_then(|()| out.flush());
-        let invited = now.invited.as_ref().map_or(Ok(()), |invited| tell_invitation(&mut out, invited));
-        drop(said.and(invited).and_then(|()| out.flush()));
+        drop(said.and_then(|()| tell_links(&mut out, &now)).and_then(|()| out.flush()));
     };
     drop(std::thread::Builder::new().name("ready".into()).spawn(tell));
+}
+
+/// Says the links that let people in, on a terminal only: what is written into a journal or a file others may read for long.
+fn tell_links(out: &mut StdoutLock, now: &Ready) -> std::io::Result<()> {
+    if !out.is_terminal() {
+        tracing::info!("`rrp open` prints a link for a browser of this computer, `rrp invite` one for others");
+        return Ok(());
+    }
+    now.host_link.as_ref().map_or(Ok(()), |link| tell_host_link(out, link))?;
+    now.invited.as_ref().map_or(Ok(()), |invited| tell_invitation(out, invited))
 }
 
 /// Ctrl-C or SIGTERM.

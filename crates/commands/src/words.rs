@@ -60,6 +60,12 @@ impl fmt::Display for Failure {
             }
             Self::Gone => to.write_str("The behaviour is gone. Choose another one."),
             Self::NoXml(why) => write!(to, "{why}"),
+            Self::NoServer(folder) => write!(
+                to,
+                "No rrp server of yours runs on {}. Start one with `rrp serve`, or say with --data DIR on which folder it \
+                 runs.",
+                folder.display()
+            ),
             Self::Silent(address, error) => {
                 write!(to, "The rrp server at http://{address}/ does not answer ({error}). Look whether it runs.")
             }

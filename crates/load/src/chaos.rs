@@ -2,6 +2,7 @@
 //! silent while both sides believe that the other is there.
 
 use crate::dice::Dice;
+use host_key::{HostKey, Published};
 use std::net::SocketAddr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -65,6 +66,30 @@ pub struct Proxy {
     _until: DropGuard,
 }
 
+/// The key of the server behind a proxy, under the proxy's address: who comes through it shows what the server wants.
+struct KeyOfServer {
+    here: SocketAddr,
+    target: SocketAddr,
+    published: Option<(String, Published)>,
+}
+
+impl KeyOfServer {
+    fn of(target: SocketAddr, here: SocketAddr) -> Self {
+        let mut this = Self { here, target, published: None };
+        this.renew();
+        this
+    }
+
+    /// A server that was started again has another key.
+    fn renew(&mut self) {
+        let Some(key) = host_key::of_server(self.target) else { return };
+        if self.published.as_ref().is_none_or(|(before, _)| *before != key) {
+            let told = host_key::publish(&HostKey { address: self.here, key: key.clone() }, None);
+            self.published = Some((key, told));
+        }
+    }
+}
+
 /// What becomes of a piece.
 enum Fate {
     Pass,
@@ -97,7 +122,8 @@ impl Proxy {
         let listener = TcpListener::bind("127.0.0.1:0").await?;
         let (address, counts) = (listener.local_addr()?, Arc::new(Counts::default()));
         let (until, calm) = (CancellationToken::new(), CancellationToken::new());
-        let accepting = accept(listener, target, faults, seed, Arc::clone(&counts), calm.clone());
+        let key = KeyOfServer::of(target, address);
+        let accepting = accept(listener, key, faults, seed, Arc::clone(&counts), calm.clone());
         let ending = until.clone();
         tokio::spawn(async move {
             tokio::select! {
@@ -136,15 +162,16 @@ impl Proxy {
 
 async fn accept(
     listener: TcpListener,
-    target: SocketAddr,
+    mut key: KeyOfServer,
     faults: Faults,
     seed: u64,
     counts: Arc<Counts>,
     calm: CancellationToken,
 ) {
     let mut links = JoinSet::new();
-    let Ok(here) = listener.local_addr() else { return };
+    let (here, target) = (key.here, key.target);
     while let Ok((client, _)) = listener.accept().await {
+        key.renew();
         while links.try_join_next().is_some() {}
         // A server that is not there is noticed by a link that ends at once.
         let Ok(server) = TcpStream::connect(target).await else { continue };

@@ -2,7 +2,7 @@
 
 use behaviour::Id;
 use futures_util::SinkExt;
-use protocol::{Ask, PATH, Request, VERSION};
+use protocol::{Ask, Request, VERSION};
 use std::net::SocketAddr;
 use std::time::Duration;
 use tokio::net::TcpSocket;
@@ -30,7 +30,8 @@ async fn once(address: SocketAddr, behaviour: &Id) -> Result<(), Ended> {
     let socket = if address.is_ipv4() { TcpSocket::new_v4() } else { TcpSocket::new_v6() }?;
     socket.set_recv_buffer_size(BUFFER_BYTES)?;
     let stream = socket.connect(address).await?;
-    let (mut socket, _) = tokio_tungstenite::client_async(format!("ws://{address}{PATH}"), stream).await?;
+    let (mut socket, _) =
+        tokio_tungstenite::client_async(shell::handshake(&address.to_string()).await?, stream).await?;
     let hello = Request::Hello { version: VERSION, name: "Asleep".to_owned(), again: None };
     let open = Request::Open { behaviour: behaviour.clone() };
     for (ask, request) in [(1, hello), (2, open)] {

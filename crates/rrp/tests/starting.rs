@@ -114,7 +114,9 @@ impl Server {
     fn sent(&self, method: &str, path: &str, body: &str) -> String {
         let address = self.url.trim_start_matches("http://").trim_end_matches('/');
         let mut stream = TcpStream::connect(address).expect("it listens");
-        let head = format!("{method} {path} HTTP/1.0\r\nHost: {address}\r\nOrigin: http://{address}\r\n");
+        let key = host_key::of_server(address.parse().expect("an address")).expect("a key");
+        let key = format!("{}: {}", host_key::HEADER, host_key::header(&key));
+        let head = format!("{method} {path} HTTP/1.0\r\nHost: {address}\r\nOrigin: http://{address}\r\n{key}\r\n");
         let whole = format!("{head}Content-Length: {}\r\n\r\n{body}", body.len());
         stream.write_all(whole.as_bytes()).expect("sent");
         let mut answer = String::new();
@@ -324,18 +326,48 @@ fn a_database_that_is_silent_is_said_in_the_log() {
 }
 
 #[test]
-fn others_are_invited_by_a_link_on_standard_output() {
+fn links_that_let_people_in_are_printed_on_a_terminal_only() {
     let data = tempfile::tempdir().expect("a folder");
     let line =
         ["serve", "--listen", "127.0.0.1:0", "--behind-proxy", "https://rrp.example", "--data", &text(data.path())];
-    let mut child = rrp(&line).stdout(Stdio::piped()).stderr(Stdio::null()).spawn().expect("rrp starts");
-    let lines = BufReader::new(child.stdout.take().expect("its output")).lines().map_while(Result::ok);
-    let said: Vec<String> = lines.take_while(|line| !line.starts_with("The page makes more")).collect();
+    let mut child = rrp(&line).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("rrp starts");
+    let mut first = String::new();
+    let mut out = BufReader::new(child.stdout.take().expect("its output"));
+    out.read_line(&mut first).expect("a line");
+    assert!(first.starts_with("rrp is ready: http://127.0.0.1:"), "{first}");
+    let opened = fine(&["open", "--data", &text(data.path())]);
+    assert!(opened.contains("/come-in#") && opened.contains("http://127.0.0.1:"), "{opened}");
+    let invited = fine(&["invite", "--role", "viewer", "--lasts", "day", "--data", &text(data.path())]);
+    let links: Vec<&str> = invited.lines().filter(|line| line.starts_with("https://rrp.example/come-in#")).collect();
+    assert!(matches!(links[..], [link] if link.len() > 60), "{invited}");
+    assert!(invited.contains("look on") && invited.contains("for a day"), "{invited}");
+    assert!(!invited.contains('\u{1b}'), "no picture where no terminal is: {invited}");
     child.kill().and_then(|()| child.wait()).expect("it ends");
-    assert!(said[0].starts_with("rrp is ready: http://127.0.0.1:"), "{said:?}");
-    let links: Vec<&String> = said.iter().filter(|line| line.starts_with("https://rrp.example/come-in#")).collect();
-    assert!(matches!(links[..], [link] if link.len() > 60), "{said:?}");
-    assert!(!said.iter().any(|line| line.contains('\u{1b}')), "no picture where no terminal is: {said:?}");
+    let mut rest = String::new();
+    out.read_to_string(&mut rest).expect("its output");
+    child.stderr.take().expect("its log").read_to_string(&mut rest).expect("its log");
+    assert!(!rest.contains("come-in#"), "no link for a journal: {rest}");
+    assert!(rest.contains("rrp open") && rest.contains("rrp invite"), "{rest}");
+    let none = refused(&["open", "--data", &text(&data.path().join("other"))]);
+    assert!(none.contains("No rrp server of yours runs on") && none.contains("rrp serve"), "{none}");
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_terminal_shows_both_links() {
+    let data = tempfile::tempdir().expect("a folder");
+    let serve = rrp(&[]).get_program().to_string_lossy().into_owned();
+    let serve =
+        format!("{serve} serve --listen 127.0.0.1:0 --behind-proxy https://rrp.example --data {}", text(data.path()));
+    let mut terminal = Command::new("script");
+    terminal.args(["-qec", &serve, "/dev/null"]).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::null());
+    let mut child = terminal.spawn().expect("`script` starts");
+    let lines = BufReader::new(child.stdout.take().expect("its output")).lines().map_while(Result::ok);
+    let said: Vec<String> = lines.take_while(|line| !line.starts_with("The page and `rrp invite`")).collect();
+    drop((child.kill(), child.wait()));
+    let has = |begin: &str| said.iter().any(|line| line.starts_with(begin));
+    assert!(has("http://127.0.0.1:") && has("https://rrp.example/come-in#"), "{said:?}");
+    assert!(said.iter().any(|line| line.contains('\u{1b}')), "a picture for phones: {said:?}");
 }
 
 #[test]

@@ -90,13 +90,7 @@ impl Robots {
     ///
     /// # Errors
     /// Why there cannot be another one. Waits for the disk.
-    pub(crate) fn add(
-        &self,
-        robot: &Id,
-        name: &str,
-        real: Option<RealRobot>,
-        is_host: bool,
-    ) -> Result<(), Refused> {
+    pub(crate) fn add(&self, robot: &Id, name: &str, real: Option<RealRobot>, is_host: bool) -> Result<(), Refused> {
         let fleet = &self.fleet;
         let mut register = lock(&fleet.register);
         if register.known().iter().any(|known| known.robot == *robot) {

@@ -3,6 +3,7 @@
 mod link;
 mod mirror;
 
+pub use link::handshake;
 pub use mirror::Mirror;
 
 use crate::client::link::{Line, Link};
@@ -46,6 +47,8 @@ pub enum NoLink {
     },
     /// The server at this address does not take the connection.
     Silent(String),
+    /// The server at this address runs for another user, who is its host.
+    NotHost(String),
     /// An id of our own is none; with the reason.
     Id(String),
     /// The server answers the greeting with this.

@@ -10,7 +10,7 @@ mod script;
 mod terminal;
 mod words;
 
-pub use client::{Client, DEFAULT_URL, Mirror, NoLink, Trouble};
+pub use client::{Client, DEFAULT_URL, Mirror, NoLink, Trouble, handshake};
 pub use console::Console;
 
 use std::io::IsTerminal;

@@ -18,6 +18,10 @@ impl fmt::Display for NoLink {
         match self {
             Self::NoServer { url, error } => write!(to, "There is no rrp server at {url} ({error})."),
             Self::Silent(url) => write!(to, "The server at {url} does not answer."),
+            Self::NotHost(url) => write!(
+                to,
+                "The server at {url} does not know you as its host. Do this as the user who runs it, on its computer."
+            ),
             Self::Id(reason) => to.write_str(reason),
             Self::Greeting(reply) => write!(to, "The server greets in a strange way: {reply:?}"),
             Self::NoList(reply) => write!(to, "The server gave no list of programs: {reply:?}"),

@@ -28,7 +28,9 @@ struct Sent {
 /// For who follows a link.
 pub(super) fn page(came: &Came, language: Language) -> Response {
     match came.door.lets_in() {
-        LetsIn::Host(_) => show(StatusCode::OK, language, language.opening(), Shows { come_in: Some(At::Once), stop: true }),
+        LetsIn::Host(_) => {
+            show(StatusCode::OK, language, language.opening(), Shows { come_in: Some(At::Once), stop: true })
+        }
         LetsIn::Guests(_) => {
             show(StatusCode::OK, language, language.invited(), Shows { come_in: Some(At::Press), stop: false })
         }

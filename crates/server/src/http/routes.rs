@@ -99,8 +99,8 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::ComeIn => get(async |Extension(came): Extension<Came>, headers: HeaderMap| {
             come_in::page(&came, Language::of(&headers))
         })
-            .post(enter)
-            .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
+        .post(enter)
+        .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
         Route::ComeInStyle => get(|| async { come_in::style() }),
         Route::ComeInScript => get(|| async { come_in::script() }),
         Route::Socket => any(socket),

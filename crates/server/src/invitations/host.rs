@@ -124,8 +124,7 @@ mod tests {
     #[test]
     fn links_that_nobody_uses_are_few() {
         let host = HostAccess::within(None).unwrap();
-        let links: Vec<_> =
-            (0..=LINKS_MAX).map(|_| host.new_link("127.0.0.1:1".parse().unwrap()).unwrap()).collect();
+        let links: Vec<_> = (0..=LINKS_MAX).map(|_| host.new_link("127.0.0.1:1".parse().unwrap()).unwrap()).collect();
         assert_eq!(host.come_in(token(&links[0])), None, "the oldest gave way");
         assert!(host.come_in(token(&links[1])).is_some() && host.come_in(token(&links[LINKS_MAX])).is_some());
     }

@@ -4,13 +4,18 @@ use super::ServeError;
 use crate::http::network::{self, Network, NotOpened, Opened};
 use crate::invitations::Invitations;
 use crate::support::tasks::blocking;
+use protocol::{Invitation, Lasts, Role};
 use std::path::Path;
 use std::sync::Arc;
 
 /// How somebody comes in from elsewhere.
 #[derive(Clone, Debug)]
 pub struct Invited {
-    /// The link to give to them. It works once, within a day, and they may edit.
+    /// What who comes may do.
+    pub role: Role,
+    /// How long the link works.
+    pub lasts: Lasts,
+    /// The link to give to them.
     pub link: String,
     /// That as a QR code: a row of `0` and `1` each, without the quiet zone.
     pub qr: Vec<String>,
@@ -34,7 +39,10 @@ pub(super) fn open(
 pub(super) async fn first_invitation(all: &Arc<Invitations>) -> Option<Invited> {
     let all = Arc::clone(all);
     match blocking(move || all.make_at_start()).await {
-        Ok(Ok(made)) => Some(Invited { link: made.link, qr: made.qr, fingerprint: made.fingerprint }),
+        Ok(Ok(made)) => {
+            let (Invitation { role, lasts, .. }, link) = (made.invitation, made.link);
+            Some(Invited { role, lasts, link, qr: made.qr, fingerprint: made.fingerprint })
+        }
         Ok(Err(why)) => {
             tracing::warn!(%why, "nobody new is invited");
             None

@@ -10,15 +10,12 @@ use std::time::Duration;
 use tokio::io::AsyncWriteExt;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message;
-use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream, connect_async};
 
 pub(crate) type Socket = WebSocketStream<MaybeTlsStream<TcpStream>>;
 
 pub(crate) async fn socket(house: &House) -> Socket {
-    let mut request = format!("ws://{}/socket", house.address).into_client_request().unwrap();
-    request.headers_mut().insert(host_key::HEADER, house.key().parse().unwrap());
-    connect_async(request).await.unwrap().0
+    connect_async(shell::handshake(&house.url()).await.unwrap()).await.unwrap().0
 }
 
 /// The greeting of somebody new.

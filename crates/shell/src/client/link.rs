@@ -12,7 +12,8 @@ use tokio::sync::{mpsc, oneshot};
 use tokio::task::AbortHandle;
 use tokio::time::Instant;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
-use tokio_tungstenite::tungstenite::http::{HeaderValue, Uri};
+use tokio_tungstenite::tungstenite::handshake::client::Request as Handshake;
+use tokio_tungstenite::tungstenite::http::{HeaderValue, StatusCode, Uri};
 use tokio_tungstenite::tungstenite::protocol::{CloseFrame, WebSocketConfig};
 use tokio_tungstenite::tungstenite::{self, Error, Message};
 use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
@@ -62,20 +63,18 @@ type Opened = (Arc<Link>, mpsc::Sender<Line>, mpsc::Receiver<Reply>, AbortHandle
 
 /// Connects and starts the task.
 pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
-    let address = socket_address(url);
     let config =
         WebSocketConfig::default().max_message_size(Some(MESSAGE_MAX_BYTES)).max_frame_size(Some(MESSAGE_MAX_BYTES));
     let connecting = async {
-        let mut request = address.into_client_request()?;
-        if let Some(key) = key_for(request.uri()).await {
-            let shown = HeaderValue::from_str(&host_key::header(&key)).map_err(tungstenite::http::Error::from)?;
-            request.headers_mut().insert(host_key::HEADER, shown);
-        }
+        let request = handshake(url).await?;
         tokio_tungstenite::connect_async_with_config(request, Some(config), true).await
     };
     let connected = tokio::time::timeout(Duration::from_millis(CONNECT_MS), connecting).await;
     let (socket, _) = match connected {
         Ok(Ok(connected)) => connected,
+        Ok(Err(Error::Http(answer))) if answer.status() == StatusCode::UNAUTHORIZED => {
+            return Err(NoLink::NotHost(url.to_owned()));
+        }
         Ok(Err(error)) => return Err(NoLink::NoServer { url: url.to_owned(), error: error.to_string() }),
         Err(_) => return Err(NoLink::Silent(url.to_owned())),
     };
@@ -89,7 +88,21 @@ pub(super) async fn open(url: &str) -> Result<Opened, NoLink> {
     Ok((link, lines, told, carrying.abort_handle()))
 }
 
-/// What shows that we are the host, if the server at this address is this user's own on this computer.
+/// What is said first to the server at an address, `http://HOST:PORT/` or `HOST:PORT`, to get a socket. Where that server is
+/// this user's own on this computer, it shows that we are its host.
+///
+/// # Errors
+/// If this is no address.
+pub async fn handshake(url: &str) -> Result<Handshake, Error> {
+    let mut request = socket_address(url).into_client_request()?;
+    if let Some(key) = key_for(request.uri()).await {
+        let shown = HeaderValue::from_str(&host_key::header(&key)).map_err(tungstenite::http::Error::from)?;
+        request.headers_mut().insert(host_key::HEADER, shown);
+    }
+    Ok(request)
+}
+
+/// The key of a server of this user's on this computer.
 async fn key_for(uri: &Uri) -> Option<String> {
     let place = (uri.host()?.trim_matches(['[', ']']), uri.port_u16().unwrap_or(80));
     let mut addresses = tokio::net::lookup_host(place).await.ok()?.filter(|address| address.ip().is_loopback());

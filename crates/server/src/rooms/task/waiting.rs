@@ -121,8 +121,8 @@ impl Waiting {
 
 #[cfg(test)]
 mod tests {
-    use crate::rooms::Remover;
     use super::{Job, Proposal, WAITING_PER_SENDER_MAX_JOBS, Waiting};
+    use crate::rooms::Remover;
     use crate::rooms::member::{Answer, Feed, Recipient, Whole};
     use axum::extract::ws::Utf8Bytes;
     use behaviour::{Change, Edit, Id, Kind, RecordId};
