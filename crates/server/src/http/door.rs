@@ -76,14 +76,9 @@ impl Door {
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_stop<'a>(
-        &self,
-        host: Option<&str>,
-        origin: Option<&str>,
-        cookies: impl Iterator<Item = &'a str>,
-    ) -> Result<(), NotAllowed> {
-        self.guard.may_stop(host, origin)?;
-        self.entry(cookies).may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)
+    pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<(), NotAllowed> {
+        self.guard.may_stop(headers)?;
+        self.entry(cookies(headers)).may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)
     }
 
     /// The header that gives somebody the cookie of this secret.

@@ -18,11 +18,13 @@ impl Language {
         if first == "ja" || first.starts_with("ja-") { Self::Japanese } else { Self::English }
     }
 
-    pub(super) fn code(self) -> &'static str {
+    /// Its tag.
+    pub(in crate::http) fn code(self) -> &'static str {
         self.said("en", "ja")
     }
 
-    fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
+    /// One of two texts.
+    pub(in crate::http) fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
         match self {
             Self::English => english,
             Self::Japanese => japanese,
