@@ -22,11 +22,14 @@ mod keys;
 mod page;
 mod paths;
 pub mod rehearsal;
+mod requests;
 mod server;
 pub mod skip;
 pub mod sources;
 mod standin;
 mod switch;
+#[cfg(unix)]
+mod terminal;
 mod trouble;
 mod watch;
 mod wire;
@@ -37,9 +40,11 @@ pub use browser::Browser;
 pub use find::{Node, Rect};
 pub use page::{Cpu, Page};
 pub use paths::{folder, optimised, root, server, target};
-pub use server::Server;
+pub use server::{Server, signal};
 pub use standin::StandIn;
 pub use switch::Switch;
+#[cfg(unix)]
+pub use terminal::{Closed, InTerminal, Terminal};
 pub use trouble::{Outcome, Trouble};
 pub use watch::Traffic;
 pub use within::Within;

@@ -1,11 +1,12 @@
-//! `rrp serve`: the server in the foreground, until Ctrl-C or SIGTERM.
+//! `rrp serve`: the server in the foreground, until a signal or the end of its terminal.
 
 use crate::data_folder::data_folder;
+use crate::ending;
 use crate::failure::Failure;
 use crate::listening::{Listening, tell_invitation};
 use crate::log::{self, Log};
 use clap::Args;
-use server::{Config, Page, Ready, ServeError};
+use server::{Config, Page, Ready};
 use std::io::Write;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -22,7 +23,8 @@ const ENDING_MS: u64 = 2_000;
 /// and a link for the first of them is printed with its QR code. The page makes more, lists them and revokes them.
 ///
 /// Prints one line on standard output once it accepts connections; logs go to standard error (RRP_LOG=debug for more).
-/// Ctrl-C and SIGTERM stop the robot first, then finish writing, then exit with 0.
+/// Ctrl-C, SIGTERM, SIGQUIT and the end of the terminal (a closed window, a lost SSH session: SIGHUP) stop the robots first,
+/// then finish writing, then exit with 0. With `nohup` it outlives the terminal.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  rrp serve\n  rrp serve --listen 127.0.0.1:0 --data /tmp/play
   rrp serve --listen 192.168.1.5:7130            others come in by invitation, this computer by http://127.0.0.1:7130/
@@ -72,14 +74,15 @@ fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
     let (listen, network) = args.at.ways()?;
     let config = Config { listen, network, store, data, seed: args.seed, page };
     let runtime = tokio::runtime::Runtime::new().map_err(Failure::ServerNotStarted)?;
-    let served: Result<(), ServeError> = runtime.block_on(async {
+    let served = runtime.block_on(async {
+        let asked_to_end = ending::asked().map_err(Failure::ServerNotStarted)?;
         tokio::select! {
-            served = server::serve(config, ready, asked_to_stop()) => served,
+            served = server::serve(config, ready, asked_to_end) => served.map_err(Failure::Serve),
             () = log.tell_losses() => Ok(()),
         }
     });
     runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
-    served.map_err(Failure::Serve)
+    served
 }
 
 /// The address of the store: the one that was given, or a folder.
@@ -105,26 +108,4 @@ fn ready(now: Ready) {
         drop(said.and(invited).and_then(|()| out.flush()));
     };
     drop(std::thread::Builder::new().name("ready".into()).spawn(tell));
-}
-
-/// Ctrl-C or SIGTERM.
-async fn asked_to_stop() {
-    let interrupted = async { drop(tokio::signal::ctrl_c().await) };
-    tokio::select! {
-        () = interrupted => {}
-        () = terminated() => {}
-    }
-}
-
-#[cfg(unix)]
-async fn terminated() {
-    match tokio::signal::unix::signal(tokio::signal::unix::SignalKind::terminate()) {
-        Ok(mut signal) => drop(signal.recv().await),
-        Err(_) => std::future::pending().await,
-    }
-}
-
-#[cfg(not(unix))]
-async fn terminated() {
-    std::future::pending().await
 }
