@@ -1,35 +1,42 @@
-// Loads the program, keeps Stop working whatever happens to it, and says so when the program fails.
+// Loads the program, and says so when it fails. Stop needs nothing of this: it is in stop.js.
 
 const RELOADS_MAX = 3;
 const RELOAD_MS = 800;
 const HEALTHY_MS = 20_000;
-const STOP_WAIT_MS = 4_000;
-const SAID_MS = 4_000;
-const ESCAPES_WITHIN_MS = 600;
-const CLICK_WITHIN_MS = 1_000;
 const RELOADS = "rrp-reloads";
 
 const form = document.getElementById("stop-form");
-const said = document.getElementById("stop-said");
 const words = form.dataset;
+
+// ---- Escape twice, where stop.js did not come or fails ---------------------------------------------------------------
+
+const ESCAPES_WITHIN_MS = 600;
+
+let first = null;
+window.addEventListener("keydown", (event) => {
+  if (event.key !== "Escape" || event.repeat || event.isComposing) return;
+  const isSecond = first && event.timeStamp - first.timeStamp < ESCAPES_WITHIN_MS && !first.defaultPrevented;
+  if (isSecond && !window.rrpHears) form.submit();
+  first = isSecond ? null : event;
+}, { capture: true });
 
 // ---- The language: as chosen, else as the browser is set; English needs nothing --------------------------------------
 
 const LANGUAGE = "rrp.language";
-const LANGUAGES = { ja: "./ja.txt" };
+const LANGUAGES = new Map([["ja", "./ja.txt"]]);
 const WORDS_WAIT_MS = 4_000;
 
 function language() {
   let chosen = null;
   try { chosen = localStorage.getItem(LANGUAGE); } catch { /* Private windows may have no storage. */ }
-  return chosen ?? navigator.language.slice(0, 2);
+  return chosen ?? (navigator.language ?? "en").slice(0, 2);
 }
 
 // The table of a second language, which the program takes when it starts. Without it the page speaks English.
 async function table(code) {
-  if (!Object.hasOwn(LANGUAGES, code)) return null;
+  if (!LANGUAGES.has(code)) return null;
   try {
-    const answer = await fetch(LANGUAGES[code], { signal: AbortSignal.timeout(WORDS_WAIT_MS) });
+    const answer = await fetch(LANGUAGES.get(code), { signal: AbortSignal.timeout?.(WORDS_WAIT_MS) });
     return answer.ok ? await answer.text() : null;
   } catch {
     return null;
@@ -55,64 +62,6 @@ const spoken = language();
 const wanted = table(spoken);
 const code = fetch("./app_bg.wasm");
 code.catch(() => { /* Said where it is waited for. */ });
-
-// ---- Stop ---------------------------------------------------------------------------------------------------------
-
-let quietLater = 0;
-let tries = 0;
-
-function say(state, sentence) {
-  clearTimeout(quietLater);
-  form.dataset.state = state;
-  said.textContent = sentence;
-  if (state === "stopped") quietLater = setTimeout(() => say("", ""), SAID_MS);
-}
-
-async function stop() {
-  const mine = ++tries;
-  say("stopping", words.stopping);
-  let reached = false;
-  try {
-    const signal = AbortSignal.timeout(STOP_WAIT_MS);
-    const headers = { accept: "application/json" };
-    reached = (await fetch(form.getAttribute("action"), { method: "POST", headers, signal, keepalive: true, cache: "no-store" })).ok;
-  } catch {
-    reached = false;
-  }
-  if (mine !== tries) return;
-  if (reached) say("stopped", words.stopped);
-  else say("failed", words.failed);
-}
-
-// Stop is heard as a finger or a mouse comes down: what comes of that later, a browser may keep for itself, as while
-// something still glides under another finger. The click of a pointer that follows is the same press; that of a key is one
-// of its own, however soon.
-const button = document.getElementById("stop");
-let pressed = -Infinity;
-button.addEventListener("pointerdown", (event) => {
-  if (event.button !== 0) return;
-  pressed = event.timeStamp;
-  stop();
-});
-button.addEventListener("click", (event) => {
-  if (event.detail > 0 && event.timeStamp - pressed < CLICK_WITHIN_MS) event.preventDefault();
-});
-
-form.addEventListener("submit", (event) => {
-  event.preventDefault();
-  stop();
-});
-
-let lastEscape = -Infinity;
-window.addEventListener("keydown", (event) => {
-  if (event.key !== "Escape" || event.repeat || event.isComposing) return;
-  if (event.timeStamp - lastEscape < ESCAPES_WITHIN_MS) {
-    lastEscape = -Infinity;
-    stop();
-  } else {
-    lastEscape = event.timeStamp;
-  }
-}, { capture: true });
 
 // ---- When the program fails ---------------------------------------------------------------------------------------
 
@@ -172,6 +121,9 @@ function addManifest() {
   document.head.append(link);
 }
 
+// From here on a failure is said below; one before this line, or of reading this file, stop.js sees by this.
+window.rrpBegan = true;
+
 try {
   const { default: init } = await import("./app.js");
   window.rrpWords = await wanted;
@@ -181,5 +133,9 @@ try {
   setTimeout(() => { if (!panicked) setReloads(0); }, HEALTHY_MS);
   setTimeout(addManifest, HEALTHY_MS / 10);
 } catch (error) {
-  if (!panicked) overlay(words.unloaded, error, true);
+  // What this browser cannot run, it cannot run when it is loaded again either.
+  const isTooOld = !window.WebAssembly || error instanceof WebAssembly.CompileError;
+  if (isTooOld) document.getElementById("loading")?.remove();
+  document.getElementById("unopened").hidden = !isTooOld;
+  if (!panicked && !isTooOld) overlay(words.unloaded, error, true);
 }

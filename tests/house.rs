@@ -1,5 +1,7 @@
 //! The structure of the house: who may use whom, and what the sources may not say.
 
+mod scripts;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::process::Command;
 
@@ -218,6 +220,19 @@ fn the_page_never_turns_text_into_markup() -> Outcome<()> {
         );
     }
     none("ways to turn text into markup", &wrong)
+}
+
+/// Where Escape is heard: whoever uses it says so there, or the second of two would be Stop.
+const ESCAPE: &str = "frontend/src/escape.rs";
+
+#[test]
+fn escape_is_heard_in_one_place_of_the_page() -> Outcome<()> {
+    let hears = |source: &Source| source.literals().iter().any(|(_, text)| text == "Escape");
+    let all: Vec<String> =
+        Source::below("frontend")?.iter().filter(|file| hears(file)).map(|file| file.path.clone()).collect();
+    assert!(all.iter().any(|path| path == ESCAPE), "it is heard there");
+    let elsewhere: Vec<String> = all.into_iter().filter(|path| path != ESCAPE).collect();
+    none("files of the page that hear Escape by themselves", &elsewhere)
 }
 
 #[test]

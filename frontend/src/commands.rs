@@ -127,7 +127,8 @@ pub(crate) static ALL: &[Command] = &[
         Act::Desk(|desk| desk.robots.records.update(|it| *it = !*it)),
     ),
     command(Group::Robot, words::stimulate, "", Role::Operator, Act::Desk(send_value)).on(&[On::Stream]),
-    command(Group::Robot, words::stop_all_robots, "Esc Esc", Role::Viewer, Act::Desk(|desk| desk.robots.stop_all())),
+    command(Group::Robot, words::stop_this_robot, "Esc Esc", Role::Viewer, Act::Desk(press_stop)),
+    command(Group::Robot, words::stop_all_robots, "", Role::Viewer, Act::Desk(|desk| desk.robots.stop_all())),
     command(Group::Robot, words::add_robot, "", Role::Editor, Act::Opens(|| Dialog::AddRobot)),
     command(Group::Robot, words::rename_robot, "", Role::Operator, Act::Opens(|| Dialog::RenameRobot)),
     command(Group::Robot, words::remove_this_robot, "", Role::Operator, Act::Opens(|| Dialog::RemoveRobot)),
@@ -304,6 +305,11 @@ pub(crate) fn find(desk: &Desk) {
         Some(field) => drop(field.focus()),
         None => desk.dialog.set(Some(Dialog::Find)),
     }
+}
+
+/// Presses the page's Stop, which stops the robot that is looked at.
+fn press_stop(_: &Desk) {
+    panels::focus::by_id("stop").iter().for_each(HtmlElement::click);
 }
 
 /// Lets the run go on with what was changed since.

@@ -6,6 +6,7 @@ mod canvas;
 mod carries;
 mod commands;
 mod desk;
+mod escape;
 mod few;
 mod fields;
 mod icons;

@@ -1,6 +1,7 @@
 //! Hands on the canvas: fingers, pens, mice and keys, how much work a drag is, and that nothing gets in the way of
 //! anything else.
 
+mod backing_out;
 mod carry;
 mod control;
 mod drags;

@@ -23,11 +23,14 @@ mod keys;
 mod page;
 mod paths;
 pub mod rehearsal;
+mod requests;
 mod server;
 pub mod skip;
 pub mod sources;
 mod standin;
 mod switch;
+#[cfg(unix)]
+mod terminal;
 mod trouble;
 mod watch;
 mod wire;
@@ -39,9 +42,11 @@ pub use find::{Node, Rect};
 pub use host::host_line;
 pub use page::{Cpu, Page};
 pub use paths::{folder, optimised, root, server, target};
-pub use server::Server;
+pub use server::{Server, signal};
 pub use standin::StandIn;
 pub use switch::Switch;
+#[cfg(unix)]
+pub use terminal::{Closed, InTerminal, Terminal};
 pub use trouble::{Outcome, Trouble};
 pub use watch::Traffic;
 pub use within::Within;

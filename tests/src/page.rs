@@ -82,6 +82,10 @@ impl Page {
         self.wire.call(None, method, params).await
     }
 
+    pub(crate) fn watch(&self) -> &Watch {
+        &self.watch
+    }
+
     pub(crate) fn context(&self) -> &str {
         &self.context
     }

@@ -91,9 +91,13 @@ impl Server {
 
     /// Asks the server to end (SIGTERM); it must do so with the exit code 0.
     pub async fn terminate(&mut self) -> Outcome<()> {
+        self.end_by("TERM").await
+    }
+
+    /// Asks the server to end by this signal; it must do so with the exit code 0.
+    pub async fn end_by(&mut self, name: &str) -> Outcome<()> {
         let mut child = self.child.take().ok_or("The server is not running.")?;
-        let id = child.id().ok_or_else(|| self.trouble("The server had ended already"))?;
-        Command::new("kill").args(["-TERM", &id.to_string()]).status().await?;
+        signal(child.id(), name).await?;
         match tokio::time::timeout(PATIENCE, child.wait()).await {
             Ok(Ok(status)) if status.success() => Ok(()),
             Ok(Ok(status)) => Err(self.trouble(&format!("The server ended with {status}"))),
@@ -143,6 +147,13 @@ impl Server {
         let last = &lines[lines.len().saturating_sub(LOG_LINES)..];
         Trouble(format!("{sentence}; its log ends with:\n{}", last.join("\n")))
     }
+}
+
+/// Sends a signal to a process that runs.
+pub async fn signal(process: Option<u32>, name: &str) -> Outcome<()> {
+    let process = process.ok_or("The process had ended already.")?;
+    Command::new("kill").args([&format!("-{name}"), &process.to_string()]).status().await?;
+    Ok(())
 }
 
 /// Reads lines up to the one that says where the server is.

@@ -1,6 +1,6 @@
 //! What a page did behind its test's back: errors it reported and what it fetched.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde_json::Value;
@@ -24,6 +24,10 @@ struct Seen {
     host: String,
     errors: Vec<String>,
     traffic: Traffic,
+    /// Files that are answered here, and with what.
+    answers: BTreeMap<String, Value>,
+    /// Files that are held back, and the requests for them.
+    held: BTreeMap<String, Option<String>>,
 }
 
 /// Collects the events of one page.
@@ -52,6 +56,39 @@ impl Watch {
 
     pub(crate) fn forget_errors(&self) {
         self.seen().errors.clear();
+    }
+
+    pub(crate) fn answer_with(&self, name: &str, answer: Value) {
+        self.seen().answers.insert(name.to_owned(), answer);
+    }
+
+    pub(crate) fn hold(&self, name: &str) {
+        self.seen().held.insert(name.to_owned(), None);
+    }
+
+    /// The request for a file that is held back, once there is one.
+    pub(crate) fn held(&self, name: &str) -> Option<String> {
+        self.seen().held.get(name).cloned().flatten()
+    }
+
+    /// Files that the browser asks us for.
+    pub(crate) fn paused(&self) -> Vec<String> {
+        let seen = self.seen();
+        seen.answers.keys().chain(seen.held.keys()).cloned().collect()
+    }
+
+    /// The answer to a request that the browser asks us for, unless it is held back.
+    pub(crate) fn answer_to(&self, params: &Value) -> Option<Value> {
+        let mut seen = self.seen();
+        let (url, request) = (params["request"]["url"].as_str()?, params["requestId"].as_str()?);
+        let name = url.rsplit('/').next()?;
+        if let Some(held) = seen.held.get_mut(name) {
+            *held = Some(request.to_owned());
+            return None;
+        }
+        let mut answer = seen.answers.get(name)?.clone();
+        answer["requestId"] = request.into();
+        Some(answer)
     }
 
     /// Takes in one event of the DevTools protocol.

@@ -83,6 +83,14 @@ impl Wire {
         }
     }
 
+    /// Answers a request of a page; nobody waits for what Chromium says to that.
+    fn fulfill(&self, session: &str, answer: &Value) {
+        let id = self.last.fetch_add(1, Ordering::Relaxed) + 1;
+        let message = json!({ "id": id, "sessionId": session, "method": "Fetch.fulfillRequest", "params": answer });
+        // A full queue leaves the page waiting, which its test notices.
+        drop(self.out.try_send(Message::text(message.to_string())));
+    }
+
     fn expect(&self, id: u64) -> Outcome<oneshot::Receiver<Answer>> {
         let mut inside = self.inside();
         if inside.closed {
@@ -120,8 +128,12 @@ impl Wire {
             }
         } else if let (Some(method), Some(session)) = (message["method"].as_str(), message["sessionId"].as_str()) {
             let watch = self.inside().watches.get(session).cloned();
-            if let Some(watch) = watch {
-                watch.note(method, &message["params"]);
+            let Some(watch) = watch else { return };
+            watch.note(method, &message["params"]);
+            if method == "Fetch.requestPaused"
+                && let Some(answer) = watch.answer_to(&message["params"])
+            {
+                self.fulfill(session, &answer);
             }
         }
     }

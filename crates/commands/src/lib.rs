@@ -4,6 +4,7 @@ mod bench;
 mod check;
 mod data_folder;
 mod devices;
+mod ending;
 mod explain;
 mod export;
 mod failure;

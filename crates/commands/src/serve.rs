@@ -1,12 +1,13 @@
-//! `rrp serve`: the server in the foreground, until Ctrl-C or SIGTERM.
+//! `rrp serve`: the server in the foreground, until a signal or the end of its terminal.
 
 use crate::data_folder::data_folder;
+use crate::ending;
 use crate::failure::Failure;
 use crate::let_in::tell_host_link;
 use crate::listening::{Listening, tell_invitation};
 use crate::log::{self, Log};
 use clap::Args;
-use server::{Config, Page, Ready, ServeError};
+use server::{Config, Page, Ready};
 use std::io::{IsTerminal, StdoutLock, Write};
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -28,7 +29,8 @@ const ENDING_MS: u64 = 2_000;
 /// revokes them. Links are printed on a terminal only, never into a journal.
 ///
 /// Prints one line on standard output once it accepts connections; logs go to standard error (RRP_LOG=debug for more).
-/// Ctrl-C and SIGTERM stop the robot first, then finish writing, then exit with 0.
+/// Ctrl-C, SIGTERM, SIGQUIT and the end of the terminal (a closed window, a lost SSH session: SIGHUP) stop the robots first,
+/// then finish writing, then exit with 0. With `nohup` it outlives the terminal.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  rrp serve\n  rrp serve --listen 127.0.0.1:0 --data /tmp/play
   rrp serve --listen 192.168.1.5:7130            others come in by invitation, this computer by http://127.0.0.1:7130/
@@ -78,14 +80,15 @@ fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
     let (listen, network) = args.at.ways()?;
     let config = Config { listen, network, store, data, seed: args.seed, page };
     let runtime = tokio::runtime::Runtime::new().map_err(Failure::ServerNotStarted)?;
-    let served: Result<(), ServeError> = runtime.block_on(async {
+    let served = runtime.block_on(async {
+        let asked_to_end = ending::asked().map_err(Failure::ServerNotStarted)?;
         tokio::select! {
-            served = server::serve(config, ready, asked_to_stop()) => served,
+            served = server::serve(config, ready, asked_to_end) => served.map_err(Failure::Serve),
             () = log.tell_losses() => Ok(()),
         }
     });
     runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
-    served.map_err(Failure::Serve)
+    served
 }
 
 /// The address of the store: the one that was given, or a folder.
@@ -120,26 +123,4 @@ fn tell_links(out: &mut StdoutLock, now: &Ready) -> std::io::Result<()> {
     }
     now.host_link.as_ref().map_or(Ok(()), |link| tell_host_link(out, link))?;
     now.invited.as_ref().map_or(Ok(()), |invited| tell_invitation(out, invited))
-}
-
-/// Ctrl-C or SIGTERM.
-async fn asked_to_stop() {
-    let interrupted = async { drop(tokio::signal::ctrl_c().await) };
-    tokio::select! {
-        () = interrupted => {}
-        () = terminated() => {}
-    }
-}
-
-#[cfg(unix)]
-async fn terminated() {
-    match tokio::signal::unix::signal(tokio::signal::unix::SignalKind::terminate()) {
-        Ok(mut signal) => drop(signal.recv().await),
-        Err(_) => std::future::pending().await,
-    }
-}
-
-#[cfg(not(unix))]
-async fn terminated() {
-    std::future::pending().await
 }

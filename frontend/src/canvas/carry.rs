@@ -3,6 +3,7 @@
 use super::{Stage, wire};
 use crate::browser::{self, Heard};
 use crate::desk::{Carried, Item, Moved, Phase, Spot, use_desk};
+use crate::escape;
 use crate::icons::Icon;
 use crate::layout::STREAM_HEIGHT;
 use crate::panels::lead_to_action;
@@ -75,9 +76,14 @@ fn hear(stage: &Stage) -> Vec<Heard> {
         on("pointerup", |stage, event| with_pointer(event, |event| stage.let_go(event, true))),
         on("pointercancel", |stage, event| with_pointer(event, |event| stage.let_go(event, false))),
         on("keydown", |stage, event| {
-            let escapes = event.dyn_ref::<KeyboardEvent>().is_some_and(|event| event.key() == "Escape");
-            if escapes && stage.carries() {
-                stage.put_down();
+            let put_down = || {
+                let carries = stage.carries();
+                if carries {
+                    stage.put_down();
+                }
+                carries
+            };
+            if event.dyn_ref::<KeyboardEvent>().is_some_and(|event| escape::may_end(event, put_down)) {
                 swallow(event);
             }
         }),

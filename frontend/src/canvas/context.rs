@@ -7,6 +7,7 @@ use super::strip_spot::EDGE;
 use crate::browser;
 use crate::commands::{ALL, Command, On};
 use crate::desk::{Desk, Selected, use_desk};
+use crate::escape;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -112,15 +113,19 @@ fn Items(desk: Desk, stage: Stage, context: Context) -> impl IntoView {
         }
     };
     let key = move |event: KeyboardEvent| {
+        let close = || {
+            keys.forget_menu();
+            give_keyboard(about.as_ref().map(Selected::id));
+        };
+        if escape::ends(&event, close) {
+            return event.stop_propagation();
+        }
         match event.key().as_str() {
             "ArrowDown" => step(&event, |at, count| (at + 1) % count),
             "ArrowUp" => step(&event, |at, count| (at + count - 1) % count),
             "Home" => step(&event, |_, _| 0),
             "End" => step(&event, |_, count| count - 1),
-            "Escape" | "Tab" => {
-                keys.forget_menu();
-                give_keyboard(about.as_ref().map(Selected::id));
-            }
+            "Tab" => close(),
             _ => return,
         }
         event.prevent_default();

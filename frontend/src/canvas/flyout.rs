@@ -7,6 +7,7 @@ use super::strip_spot::EDGE;
 use super::view::Bounds;
 use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
+use crate::escape;
 use crate::later::Later;
 use crate::layout::{CHIP_HEIGHT, chip_width, chip_words};
 use crate::panels::ProblemList;
@@ -60,11 +61,13 @@ fn element(selector: &str) -> Option<HtmlElement> {
 
 /// Escape goes back to the chip.
 fn back(event: &KeyboardEvent, id: &Id) {
-    if event.key() == "Escape" && !event.default_prevented() {
-        event.stop_propagation();
+    let back = || {
         if let Some(chip) = element(&format!("[data-chip='{id}']")) {
             let _ = chip.focus();
         }
+    };
+    if escape::ends(event, back) {
+        event.stop_propagation();
     }
 }
 

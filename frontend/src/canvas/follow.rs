@@ -2,6 +2,7 @@
 
 use super::Stage;
 use crate::desk::{Desk, Sign, use_desk};
+use crate::escape;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -75,9 +76,7 @@ pub(super) fn Following() -> impl IntoView {
 /// Escape ends it, wherever the keyboard is but in a dialog.
 fn end_on_escape(desk: Desk) {
     let handle = window_event_listener(leptos::ev::keydown, move |event: KeyboardEvent| {
-        if event.key() == "Escape" && desk.dialog.with_untracked(Option::is_none) {
-            desk.document.unfollow();
-        }
+        escape::may_end(&event, || desk.dialog.with_untracked(Option::is_none) && desk.document.unfollow());
     });
     on_cleanup(move || handle.remove());
 }

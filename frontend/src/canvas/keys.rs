@@ -5,6 +5,7 @@ use super::pointers::edit;
 use super::walk::{Way, walk};
 use super::{Stage, flyout};
 use crate::desk::{Desk, Selected};
+use crate::escape;
 use crate::panels::focus;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -29,7 +30,8 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         }
         return;
     }
-    if !matches!(event.key().as_str(), "Shift" | "Tab") && desk.document.unfollow() && event.key() == "Escape" {
+    let ends_following = !matches!(event.key().as_str(), "Shift" | "Tab") && desk.document.unfollow();
+    if ends_following && escape::ends(event, || ()) {
         return;
     }
     if target.closest(".offer").ok().flatten().is_none() && stage.wire_key(event) {
@@ -44,11 +46,11 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     let here = selected_at(&target).or_else(|| desk.document.selected.get_untracked());
     let several = desk.document.several.with_untracked(|several| !several.is_empty());
     let on_button = target.closest("button").ok().flatten().is_some();
+    escape::may_end(event, || choose_nothing(desk, stage, several));
     let go = |here: Option<Selected>, way: Way| {
         if event.shift_key() { extend(desk, stage, here, way) } else { step(desk, stage, here, way) }
     };
     let done = match event.key().as_str() {
-        "Escape" if !several => deselect(desk, stage),
         "c" | "C" => connect(stage, here),
         "n" | "N" => then(|| stage.add_note()),
         "f" | "F" => fold(stage, here),
@@ -57,7 +59,6 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         "Enter" if !on_button => with(here, |here| open(desk, stage, &here)),
         " " if !on_button && event.shift_key() => with(here, |here| desk.document.choose_too(here)),
         " " if !on_button => with(here, |here| desk.document.selected.set(Some(here))),
-        "Escape" if several => then(|| desk.document.choose(BTreeSet::new())),
         "Delete" | "Backspace" if several && !on_button => {
             then(|| desk.document.remove_several(&desk.document.chosen()))
         }
@@ -146,13 +147,19 @@ fn selected_at(target: &Element) -> Option<Selected> {
     graph.or_else(|| id("data-note").map(Selected::Note)).or_else(|| id("data-group").map(Selected::Group))
 }
 
-fn deselect(desk: &Desk, stage: &Stage) -> bool {
+/// Chooses nothing any more, which is nothing to take back; whether the control of a connector was closed with it.
+fn choose_nothing(desk: &Desk, stage: &Stage, several: bool) -> bool {
+    if several {
+        desk.document.choose(BTreeSet::new());
+        return false;
+    }
     let Some(selected) = desk.document.selected.get_untracked() else { return false };
     desk.document.selected.set(None);
-    if !matches!(selected, Selected::Connector(_)) {
+    let has_control = matches!(selected, Selected::Connector(_));
+    if !has_control {
         stage.focus(selected.id());
     }
-    true
+    has_control
 }
 
 /// Removes something; the keyboard goes on to what it came from. In the middle of a way it asks how.

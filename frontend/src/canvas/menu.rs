@@ -2,6 +2,7 @@
 
 use crate::browser;
 use crate::desk::{Dialog, Spot, use_desk};
+use crate::escape;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::Id;
@@ -56,17 +57,20 @@ fn key(event: &KeyboardEvent, open: &ArcRwSignal<bool>, root: NodeRef<leptos::ht
     if !open.get_untracked() {
         return;
     }
+    let close = || {
+        open.set(false);
+        if let Some(button) = root.get_untracked().and_then(|root| root.query_selector("button").ok().flatten()) {
+            focus(&button);
+        }
+    };
+    if escape::ends(event, close) {
+        return event.stop_propagation();
+    }
     match event.key().as_str() {
         "ArrowDown" => step(root, |at, count| (at + 1) % count),
         "ArrowUp" => step(root, |at, count| (at + count - 1) % count),
         "Home" => step(root, |_, _| 0),
         "End" => step(root, |_, count| count - 1),
-        "Escape" => {
-            open.set(false);
-            if let Some(button) = root.get_untracked().and_then(|root| root.query_selector("button").ok().flatten()) {
-                focus(&button);
-            }
-        }
         _ => return,
     }
     event.prevent_default();

@@ -4,6 +4,7 @@ use super::Stage;
 use super::wire::focus_soon;
 use crate::browser;
 use crate::desk::{Choice, Desk, Dialog, Gap, Selected, Spot, use_desk};
+use crate::escape;
 use crate::icons::Icon;
 use crate::layout::STREAM_HEIGHT;
 use crate::panels::{Finder, focus};
@@ -190,16 +191,19 @@ fn Item(desk: Desk, stage: Stage, offering: Offering, offer: Offer, first: bool)
 }
 
 fn key(event: &KeyboardEvent, stage: &Stage, input: &Id, finds: bool) {
+    let forget = || {
+        stage.forget_wire();
+        stage.focus(input);
+    };
+    if escape::ends(event, forget) {
+        return event.stop_propagation();
+    }
     match event.key().as_str() {
         "ArrowDown" | "ArrowUp" | "Home" | "End" if finds => return,
         "ArrowDown" => step(event, |at, count| (at + 1) % count),
         "ArrowUp" => step(event, |at, count| (at + count - 1) % count),
         "Home" => step(event, |_, _| 0),
         "End" => step(event, |_, count| count - 1),
-        "Escape" => {
-            stage.forget_wire();
-            stage.focus(input);
-        }
         letter if !finds && is_letter(event, letter) => to_letter(event, letter),
         _ => return,
     }

@@ -3,6 +3,7 @@
 use super::Stage;
 use super::bounds::bounds;
 use crate::desk::{Desk, use_desk};
+use crate::escape;
 use crate::layout::{BOX, stream_width, text_width};
 use crate::words;
 use behaviour::{Id, NAME_MAX_CHARS, Place, Stream};
@@ -86,11 +87,10 @@ fn NameField(id: Id) -> impl IntoView {
     // What is typed is asked of the event: when the field goes, it is left once more, and nothing of it is here any more.
     let key = move |event: KeyboardEvent| {
         event.stop_propagation();
-        match event.key().as_str() {
-            "Enter" if !event.is_composing() => keys(typed(&event)),
-            "Escape" => keys(None),
-            _ => {}
+        if event.key() == "Enter" && !event.is_composing() {
+            keys(typed(&event));
         }
+        escape::ends(&event, || keys(None));
     };
     view! {
         <input class="rename" type="text" node_ref=field maxlength=NAME_MAX_CHARS.to_string() aria-label=words::new_name(&name)

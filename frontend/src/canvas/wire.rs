@@ -6,6 +6,7 @@ use super::curve::curve_between;
 use super::hand::Point;
 use super::offer::Offering;
 use crate::desk::{Carried, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
+use crate::escape;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
 use crate::panels::focus;
 use crate::words;
@@ -151,6 +152,13 @@ impl Stage {
     /// A key while there is a wire: arrows go through its ends, Enter ends it, Escape takes it back, Tab offers more.
     pub(super) fn wire_key(&self, event: &KeyboardEvent) -> bool {
         let Some(wire) = self.wire.get_untracked() else { return false };
+        let forget = || {
+            self.forget_wire();
+            self.focus(&wire.from);
+        };
+        if escape::ends(event, forget) {
+            return true;
+        }
         match event.key().as_str() {
             "ArrowDown" | "ArrowRight" => self.turn_wire(1),
             "ArrowUp" | "ArrowLeft" => self.turn_wire(wire.ends.len().saturating_sub(1)),
@@ -159,10 +167,6 @@ impl Stage {
                 None => self.offer(Offering::at(wire.from, wire.to)),
             },
             "Tab" => self.offer(Offering::at(wire.from, wire.to)),
-            "Escape" => {
-                self.forget_wire();
-                self.focus(&wire.from);
-            }
             _ => return false,
         }
         true

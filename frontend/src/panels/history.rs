@@ -10,6 +10,7 @@ use super::hold::{Hold, hold};
 use super::may::{MayNot, may_edit};
 use crate::browser;
 use crate::desk::{LinkState, Version};
+use crate::escape;
 use crate::icons::Icon;
 use crate::words;
 use foot::Foot;
@@ -135,30 +136,40 @@ fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
     let target = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
     let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
     let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
-    match event.key().as_str() {
-        "n" | "N" if !types && !with_others && untrack(|| may_change(desk)) => names.set(Some(meant(desk))),
-        "Escape" if names.get_untracked().is_some() => {
-            names.set(None);
-            back_to_lines();
-        }
-        "Escape" if desk.desk().document.comparing.with_untracked(Option::is_some) => {
-            desk.desk().document.end_comparing()
-        }
-        "Escape" => close(desk),
-        _ => return,
+    let is_naming = matches!(event.key().as_str(), "n" | "N") && !types && !with_others && untrack(|| may_change(desk));
+    if is_naming {
+        names.set(Some(meant(desk)));
+        event.prevent_default();
     }
-    event.prevent_default();
-    event.stop_propagation();
+    if is_naming || escape::ends(event, || end_next(desk, names)) {
+        event.stop_propagation();
+    }
+}
+
+/// Ends what was begun last: a name, comparing, the panel.
+fn end_next(desk: Hold, names: RwSignal<Option<u64>>) {
+    if names.get_untracked().is_some() {
+        names.set(None);
+        back_to_lines();
+    } else if desk.desk().document.comparing.with_untracked(Option::is_some) {
+        desk.desk().document.end_comparing();
+    } else {
+        close(desk);
+    }
 }
 
 /// Escape ends comparing from everywhere on the page where it means nothing else.
 fn end_from_outside(desk: Hold) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
         let desk = desk.desk();
-        let free = event.key() == "Escape" && !event.default_prevented() && desk.dialog.with_untracked(Option::is_none);
-        if free && desk.document.comparing.with_untracked(Option::is_some) {
-            desk.document.end_comparing();
-        }
+        escape::may_end(&event, || {
+            let is_free = desk.dialog.with_untracked(Option::is_none);
+            let ends = is_free && desk.document.comparing.with_untracked(Option::is_some);
+            if ends {
+                desk.document.end_comparing();
+            }
+            ends
+        });
     });
     on_cleanup(move || handle.remove());
 }

@@ -1,6 +1,7 @@
 //! A button that drops down a menu; arrow keys walk in it, Escape closes it and the button has the keyboard again.
 
 use super::focus;
+use crate::escape;
 use crate::icons::Icon;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -155,20 +156,21 @@ fn menu_keys(
         return;
     }
     event.stop_propagation();
+    let close = || {
+        open.set(false);
+        if let Some(button) = button.get_untracked() {
+            focus::focus(&button);
+        }
+    };
+    if escape::ends(event, close) {
+        return;
+    }
     match key.as_str() {
         "ArrowDown" => step(root, |at, count| (at + 1) % count),
         "ArrowUp" => step(root, |at, count| (at + count - 1) % count),
         "Home" => step(root, |_, _| 0),
         "End" => step(root, |_, count| count - 1),
-        "Escape" | "Tab" => {
-            open.set(false);
-            if let Some(button) = button.get_untracked() {
-                focus::focus(&button);
-            }
-            if key == "Tab" {
-                return;
-            }
-        }
+        "Tab" => return close(),
         _ => return,
     }
     event.prevent_default();

@@ -1,6 +1,7 @@
 //! What others see as one's name, asked once and politely: when somebody else is here for the first time.
 
 use super::hold::hold;
+use crate::escape;
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
@@ -36,13 +37,11 @@ fn Asked() -> impl IntoView {
         event.prevent_default();
         desk.desk().set_my_name(&name.get_untracked());
     };
-    let escape = move |event: web_sys::KeyboardEvent| {
-        if event.key() == "Escape" {
-            desk.desk().keep_my_name();
-        }
+    let keys = move |event: web_sys::KeyboardEvent| {
+        escape::ends(&event, || desk.desk().keep_my_name());
     };
     view! {
-        <form class="notice name-card" autocomplete="off" aria-label=words::my_name() on:submit=save on:keydown=escape>
+        <form class="notice name-card" autocomplete="off" aria-label=words::my_name() on:submit=save on:keydown=keys>
             <label class="label" for=FIELD_ID>{words::others_see_you()}</label>
             <input class="input" id=FIELD_ID type="text" maxlength=NAME_MAX_CHARS.to_string() prop:value=move || name.get()
                 on:input=move |event| name.set(event_target_value(&event)) />

@@ -2,6 +2,7 @@
 
 use crate::browser;
 use crate::desk::Desk;
+use crate::escape;
 use crate::words;
 use behaviour::Note;
 use leptos::prelude::*;
@@ -36,10 +37,12 @@ pub(crate) fn NoteField(text: String, done: Callback<Option<String>>) -> impl In
             done.run(text);
         }
     };
-    let key = move |event: KeyboardEvent| match event.key().as_str() {
-        "Enter" if (event.ctrl_key() || event.meta_key()) && !event.is_composing() => end(typed(&event)),
-        "Escape" if !event.is_composing() => end(None),
-        _ => {}
+    let key = move |event: KeyboardEvent| {
+        let control = event.ctrl_key() || event.meta_key();
+        if event.key() == "Enter" && control && !event.is_composing() {
+            end(typed(&event));
+        }
+        escape::ends(&event, || end(None));
     };
     let lines = RwSignal::new(lines_of(&text));
     let grow = move |event: web_sys::Event| lines.set(typed(&event).as_deref().map_or(LINES_MIN, lines_of));

@@ -6,6 +6,7 @@ use super::inspector::{device_icon, kind_class};
 use super::may::{MayNot, may_edit};
 use super::typed::Typing;
 use crate::desk::{Carried, ConnectPlan, Desk, Dialog, Item, Output, Selected, Spot};
+use crate::escape;
 use crate::icons::Icon;
 use crate::later::Later;
 use crate::words;
@@ -27,14 +28,20 @@ pub(crate) fn Palette() -> impl IntoView {
     let typing = Typing::new();
     let search = typing.text;
     let may_be_sentence = Memo::new(move |_| is_longer(&search.read()));
-    let key = move |event: web_sys::KeyboardEvent| match event.key().as_str() {
-        "Enter" if !event.is_composing() => typing.entered.update(|entered| *entered += 1),
-        "Escape" if !search.read_untracked().is_empty() => {
-            search.set(String::new());
-            event.prevent_default();
+    let key = move |event: web_sys::KeyboardEvent| {
+        if event.key() == "Enter" && !event.is_composing() {
+            typing.entered.update(|entered| *entered += 1);
+        }
+        let clear = || {
+            let is_typed = !search.read_untracked().is_empty();
+            if is_typed {
+                search.set(String::new());
+            }
+            is_typed
+        };
+        if escape::may_end(&event, clear) {
             event.stop_propagation();
         }
-        _ => {}
     };
     view! {
         <nav

@@ -123,6 +123,7 @@ sentences! {
     add_robot_hint: "It has a room of its own, and everybody here can use it.";
     remove_robot_says: "Its room and its order go with it. Programs stay.";
     stop_all_robots: "Stop all robots";
+    stop_this_robot: "Stop this robot";
     start: "Start";
     running: "Running";
     was_running: "Was running";

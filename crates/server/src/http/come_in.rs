@@ -133,7 +133,7 @@ fn show(status: StatusCode, language: Language, [title, text]: [&str; 2], shows:
         ("{broken}", language.broken()),
         ("{needs script}", language.needs_script()),
         ("{no stop}", hidden_unless(shows.stop)),
-        ("{stop}", language.stop()),
+        ("{stop}", language.stop_all()),
         ("{text}", text.as_str()),
     ];
     let page = holes.iter().fold(PAGE.to_owned(), |page, (hole, said)| page.replace(hole, said));

@@ -101,14 +101,14 @@ impl Door {
         }
     }
 
-    /// Whether a request is answered at all.
+    /// Whether a request is answered at all. Behind a proxy or a tunnel that nobody declared, everybody in the world would
+    /// come from this computer: what it passes on is refused.
     ///
     /// # Errors
     /// Why not.
     pub(crate) fn may_enter(&self, request: &Request) -> Result<(), NotAllowed> {
         self.guard.may_enter(request)?;
-        let is_stop = request.uri().path() == protocol::STOP_PATH;
-        self.speaks_for_itself(request.headers(), is_stop)
+        if self.is_passed_on(request.headers()) { Err(NotAllowed::Forwarded) } else { Ok(()) }
     }
 
     /// Whether a Stop is taken from there: from everybody who is in, and from everybody at this computer.
@@ -116,20 +116,17 @@ impl Door {
     /// # Errors
     /// Why not.
     pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<(), NotAllowed> {
-        let of = |name: HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
-        self.guard.may_stop(of(header::HOST), of(header::ORIGIN))?;
-        self.speaks_for_itself(headers, true)?;
-        self.entry(headers).may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)
-    }
-
-    /// Behind a proxy or a tunnel that nobody declared, everybody in the world would come from this computer: what it passes
-    /// on is refused, but for the Stop of a host.
-    fn speaks_for_itself(&self, headers: &HeaderMap, is_stop: bool) -> Result<(), NotAllowed> {
-        let is_undeclared = matches!(self.shown, Shown::Host(_)) && is_forwarded(headers);
-        if is_undeclared && !(is_stop && matches!(self.entry(headers), Entry::Local)) {
+        self.guard.may_stop(headers)?;
+        let entry = self.entry(headers);
+        if self.is_passed_on(headers) && !matches!(entry, Entry::Local) {
             return Err(NotAllowed::Forwarded);
         }
-        Ok(())
+        entry.may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)
+    }
+
+    /// Whether an undeclared proxy sends this to the door of this computer, for somebody else.
+    fn is_passed_on(&self, headers: &HeaderMap) -> bool {
+        matches!(self.shown, Shown::Host(_)) && is_forwarded(headers)
     }
 
     /// The header that gives somebody the cookie of this secret.

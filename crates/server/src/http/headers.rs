@@ -9,7 +9,8 @@ pub(super) const HEADERS: [(&str, &str); 5] = [
          frame-ancestors 'none'",
     ),
     ("x-content-type-options", "nosniff"),
-    ("referrer-policy", "no-referrer"),
+    // With less, browsers would keep to themselves from which page a form is sent, as that of Stop is without script.
+    ("referrer-policy", "same-origin"),
     ("cross-origin-opener-policy", "same-origin"),
     ("permissions-policy", "camera=(), microphone=(), geolocation=()"),
 ];

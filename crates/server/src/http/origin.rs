@@ -6,6 +6,11 @@ use axum::http::{HeaderMap, HeaderName, header};
 use std::net::IpAddr;
 use std::sync::Arc;
 
+/// From where a request comes, as browsers say it themselves: no page can change it.
+const SITE: HeaderName = HeaderName::from_static("sec-fetch-site");
+/// For which purpose.
+const MODE: HeaderName = HeaderName::from_static("sec-fetch-mode");
+
 /// Why somebody may not come in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NotAllowed {
@@ -38,12 +43,17 @@ pub(crate) enum OriginGuard {
 }
 
 impl OriginGuard {
-    /// Whether a Stop is taken from there: never refused to somebody without a browser.
+    /// Whether a Stop is taken from there: never refused to somebody without a browser, nor to a form of our own whose
+    /// browser keeps to itself which page it is on (`Origin: null`), as long as it says that this page is ours.
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_stop(&self, host: Option<&str>, origin: Option<&str>) -> Result<(), NotAllowed> {
-        self.check(host, origin, Origin::Optional)
+    pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<(), NotAllowed> {
+        let of = |name: HeaderName| headers.get(name).map(|value| value.to_str().unwrap_or("?"));
+        let is_own_form = of(header::ORIGIN) == Some("null") && of(SITE) == Some("same-origin");
+        let origin = of(header::ORIGIN).filter(|_| !is_own_form);
+        self.check(of(header::HOST), origin, Origin::Optional)?;
+        if is_from_another_page(headers, protocol::STOP_PATH) { Err(NotAllowed::OtherPage) } else { Ok(()) }
     }
 
     /// Whether a request is answered. What changes something must say where it comes from; another page gets nothing,
@@ -54,8 +64,7 @@ impl OriginGuard {
     pub(crate) fn may_enter(&self, request: &Request) -> Result<(), NotAllowed> {
         let of = |name: HeaderName| request.headers().get(name).map(|value| value.to_str().unwrap_or("?"));
         let path = request.uri().path();
-        let free = request.method().is_safe() || path == protocol::STOP_PATH;
-        let need = if free { Origin::Optional } else { Origin::Required };
+        let need = if request.method().is_safe() { Origin::Optional } else { Origin::Required };
         self.check(of(header::HOST), of(header::ORIGIN), need)?;
         if is_from_another_page(request.headers(), path) { Err(NotAllowed::OtherPage) } else { Ok(()) }
     }
@@ -74,14 +83,14 @@ impl OriginGuard {
     }
 }
 
-/// What browsers say of requests without an Origin. Following a link to the page itself is fine.
+/// What browsers say of requests without an Origin. Following a link to the page itself is fine; Stop is no page.
 fn is_from_another_page(headers: &HeaderMap, path: &str) -> bool {
-    let is = |name: &str, words: &[&str]| {
+    let is = |name: HeaderName, words: &[&str]| {
         let said = headers.get(name).and_then(|value| value.to_str().ok());
         said.is_some_and(|said| words.contains(&said))
     };
-    let follows_link = is("sec-fetch-mode", &["navigate"]) && !path.starts_with("/api/");
-    is("sec-fetch-site", &["cross-site", "same-site"]) && !follows_link
+    let is_page = !path.starts_with("/api/") && path != protocol::STOP_PATH;
+    is(SITE, &["cross-site", "same-site"]) && !(is_page && is(MODE, &["navigate"]))
 }
 
 /// Whether a missing Origin is fine: browsers always send one where it matters, other programs never do.
@@ -141,6 +150,7 @@ mod tests {
     use super::{Origin, OriginGuard, check};
     use axum::body::Body;
     use axum::extract::Request;
+    use axum::http::HeaderMap;
 
     #[test]
     fn another_page_gets_nothing_and_may_only_link_to_the_page() {
@@ -161,6 +171,34 @@ mod tests {
             }
             let request = request.body(Body::empty()).unwrap();
             assert_eq!(OriginGuard::Local(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
+        }
+    }
+
+    #[test]
+    fn a_stop_by_a_form_of_ours_counts_whatever_its_browser_tells() {
+        let (null, own, evil) =
+            (("origin", "null"), ("origin", "http://localhost:7130"), ("origin", "https://evil.example"));
+        let navigates = ("sec-fetch-mode", "navigate");
+        let site = |site: &'static str| ("sec-fetch-site", site);
+        let table = [
+            (vec![], true),
+            (vec![own], true),
+            (vec![own, site("same-origin"), navigates], true),
+            (vec![null, site("same-origin"), navigates], true),
+            (vec![site("same-origin")], true),
+            (vec![null], false),
+            (vec![null, site("cross-site"), navigates], false),
+            (vec![null, site("same-site"), navigates], false),
+            (vec![null, site("none"), navigates], false),
+            (vec![site("cross-site"), navigates], false),
+            (vec![evil, site("same-origin")], false),
+            (vec![own, site("cross-site")], false),
+        ];
+        for (sent, may) in table {
+            let sent = sent.iter().chain([&("host", "localhost:7130")]);
+            let headers: HeaderMap =
+                sent.map(|(name, value)| (name.parse().unwrap(), value.parse().unwrap())).collect();
+            assert_eq!(OriginGuard::Local(7130).may_stop(&headers).is_ok(), may, "{headers:?}");
         }
     }
 

@@ -5,8 +5,7 @@ use super::door::Came;
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::page::Page;
-use super::stop::StopTarget;
-use super::{catalogue, come_in, cut, page, recordings, transfer, upload};
+use super::{catalogue, come_in, cut, page, recordings, stop, transfer, upload};
 use crate::connection::{Connections, session};
 use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
@@ -14,14 +13,13 @@ use crate::support::places::Places;
 use crate::support::store_call::bounded;
 use crate::support::tasks::boxed;
 use crate::support::workers::Sender;
-use axum::Extension;
-use axum::extract::rejection::QueryRejection;
+use axum::Router;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
 use axum::middleware::{self, Next};
 use axum::response::{IntoResponse, Response};
 use axum::routing::{MethodRouter, any, get, post};
-use axum::{Json, Router};
+use axum::{Extension, Json};
 use protocol::{MESSAGE_MAX_BYTES, Refused};
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -76,7 +74,11 @@ pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page
     let (downloads, uploads) = (Downloads::default(), Places::of(UPLOADS_MAX));
     let app = AppState { connections, downloads, uploads, messages, page, address };
     let add = |router: Router<AppState>, route: Route| {
-        let handler = handler(route, &app).layer(middleware::from_fn_with_state(route, ask_role));
+        let handler = match route {
+            // It asks itself, as on the accepting thread.
+            Route::Stop => post(stop),
+            route => handler(route, &app).layer(middleware::from_fn_with_state(route, ask_role)),
+        };
         match route.path() {
             Some(path) => router.route(&path, handler),
             None => router.fallback(handler),
@@ -114,8 +116,7 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::Recordings => get(list_recordings).layer(few_at_once),
         Route::Recording => get(recording).layer(few_at_once),
         Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
-        // Nothing more is added to the way of Stop.
-        Route::Stop => return post(stop),
+        Route::Stop => post(stop),
         Route::HostLink => post(host_link),
     };
     // What fails says so itself, in its own words.
@@ -130,8 +131,11 @@ fn with_headers(router: Router) -> Router {
     })
 }
 
-/// Lets in only what the guard lets in, and finds out as whom its sender is in.
+/// Lets in only what the guard lets in, and finds out as whom its sender is in. Stop asks that in its own way.
 async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next: Next) -> Response {
+    if request.method() == Method::POST && request.uri().path() == protocol::STOP_PATH {
+        return next.run(request).await;
+    }
     match came.door.may_enter(&request) {
         Ok(()) => {
             let entry = came.entry(request.headers());
@@ -198,10 +202,8 @@ async fn host_link(State(app): State<AppState>) -> Response {
 }
 
 /// The accepting thread answers almost every Stop; this one is for requests that are written in another way.
-async fn stop(State(app): State<AppState>, which: Result<Query<StopTarget>, QueryRejection>) -> Response {
-    let which = which.map(|Query(which)| which).unwrap_or_default();
-    app.state().robots.stop_now(which.behaviour.as_ref(), which.robot.as_ref(), "the Stop button");
-    Json(serde_json::json!({ "stopped": true })).into_response()
+async fn stop(State(app): State<AppState>, Extension(came): Extension<Came>, uri: Uri, asked: HeaderMap) -> Response {
+    stop::press(&came.door, &app.state().robots, &uri, &asked).into_response()
 }
 
 async fn readyz(State(app): State<AppState>) -> Response {

@@ -1,5 +1,10 @@
 //! Answers one Stop: reads its head, lets the robots hold, says so, and only then has anything else done.
 
+mod said;
+mod words;
+
+pub(super) use said::Said;
+
 use super::headers::HEADERS;
 use crate::http::door::Door;
 use crate::http::origin::NotAllowed;
@@ -20,25 +25,33 @@ const SIDE_MAX_MS: u64 = 1_000;
 /// What may follow the head and is thrown away, in bytes.
 const REST_MAX_BYTES: usize = 16 << 10;
 
-/// What is to stop: everything on all robots if nothing is named.
+/// What is to stop: everything on all robots if nothing is named. An id that is none names nothing: better too much than
+/// too little.
 #[derive(Debug, Default, Deserialize)]
-pub(crate) struct StopTarget {
+struct StopTarget {
     /// Only this behaviour.
-    pub(crate) behaviour: Option<Id>,
+    behaviour: Option<Id>,
     /// Only on this robot.
-    pub(crate) robot: Option<Id>,
+    robot: Option<Id>,
+}
+
+/// Does a Stop unless somebody asks who may not, in whatever way it came in; answers with what is to be said.
+pub(super) fn press(door: &Door, robots: &Robots, uri: &Uri, asked: &HeaderMap) -> Said {
+    let which = door.may_stop(asked).map(|()| Query::try_from_uri(uri).map(|Query(which)| which).unwrap_or_default());
+    if let Ok(StopTarget { behaviour, robot }) = &which {
+        robots.stop_now(behaviour.as_ref(), robot.as_ref(), "the Stop button");
+    }
+    Said::of(&which.map(drop), uri, asked)
 }
 
 /// Reads the Stop, does it and answers; the connection ends with that.
 pub(super) async fn answer(mut stream: impl AsyncRead + AsyncWrite + Unpin, door: &Door, robots: &Robots) {
     let Some(head) = within(head(&mut stream)).await.flatten() else { return };
-    let said = match asked(&head, door) {
-        Ok(which) => {
-            robots.stop_now(which.behaviour.as_ref(), which.robot.as_ref(), "the Stop button");
-            response("200 OK", "application/json", "{\"stopped\":true}")
-        }
-        Err(why) => response("403 Forbidden", "text/plain; charset=utf-8", &format!("Refused: {why}.\n")),
+    let said = match asked(&head) {
+        Some((uri, asked)) => press(door, robots, &uri, &asked),
+        None => Said::of(&Err(NotAllowed::Unreadable), &Uri::default(), &HeaderMap::new()),
     };
+    let said = written(&said);
     let answered = within(async { stream.write_all(&said).await.and(stream.shutdown().await) }).await;
     tracing::info!(?answered, "Stop over HTTP");
     within(drain(&mut stream)).await;
@@ -61,28 +74,31 @@ async fn head(stream: &mut (impl AsyncRead + Unpin)) -> Option<Vec<u8>> {
     }
 }
 
-/// What is to stop, unless somebody asks who may not. An id that is none stops everything: better too much than too
-/// little.
-fn asked(head: &[u8], door: &Door) -> Result<StopTarget, NotAllowed> {
+/// Where it is sent to and its header; none if it cannot be read.
+fn asked(head: &[u8]) -> Option<(Uri, HeaderMap)> {
     let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
     let mut request = httparse::Request::new(&mut lines);
-    request.parse(head).map_err(|_| NotAllowed::Unreadable)?;
-    let line = |line: &httparse::Header| {
-        Some((line.name.parse::<HeaderName>().ok()?, HeaderValue::from_bytes(line.value).ok()?))
-    };
-    let headers: HeaderMap = request.headers.iter().filter_map(line).collect();
-    door.may_stop(&headers)?;
+    request.parse(head).ok()?;
     let uri = request.path.and_then(|path| path.parse::<Uri>().ok()).unwrap_or_default();
-    Ok(Query::try_from_uri(&uri).map(|Query(which)| which).unwrap_or_default())
+    let mut asked = HeaderMap::new();
+    for line in request.headers.iter() {
+        if let (Ok(name), Ok(value)) = (line.name.parse::<HeaderName>(), HeaderValue::from_bytes(line.value)) {
+            asked.append(name, value);
+        }
+    }
+    Some((uri, asked))
 }
 
-fn response(status: &str, kind: &str, body: &str) -> Vec<u8> {
-    let mut text = format!("HTTP/1.1 {status}\r\ncontent-type: {kind}\r\ncontent-length: {}\r\n", body.len());
+fn written(said: &Said) -> Vec<u8> {
+    let mut text = format!("HTTP/1.1 {}\r\ncontent-length: {}\r\n", said.status, said.body.len());
+    for (name, value) in said.headers() {
+        text.push_str(&format!("{name}: {value}\r\n"));
+    }
     for (name, value) in HEADERS {
         text.push_str(&format!("{name}: {value}\r\n"));
     }
     text.push_str("connection: close\r\n\r\n");
-    text.push_str(body);
+    text.push_str(&said.body);
     text.into_bytes()
 }
 

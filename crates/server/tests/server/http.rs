@@ -34,11 +34,47 @@ async fn stop_answers_at_once_and_headers_are_strict() {
     assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
     assert!(answer.ends_with(r#"{"stopped":true}"#), "{answer}");
     assert!(answer.contains("content-security-policy: default-src 'none'; script-src 'self' 'wasm-unsafe-eval'"));
-    assert!(answer.contains("x-content-type-options: nosniff") && answer.contains("referrer-policy: no-referrer"));
+    assert!(answer.contains("x-content-type-options: nosniff") && answer.contains("referrer-policy: same-origin"));
     let origin = format!("Origin: http://{}\r\n", house.address);
     let form = format!("{origin}Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 3\r\n\r\na=b");
     let answer = raw(&house, &line("POST", "/stop?behaviour=x", &house, &form)).await;
     assert!(answer.starts_with("HTTP/1.1 200"), "{answer}");
+    house.close().await;
+}
+
+/// What a browser sends with a form whose page's address it keeps to itself.
+pub(crate) const FORM: &str = "Origin: null\r\nSec-Fetch-Site: same-origin\r\nSec-Fetch-Mode: navigate\r\n\
+                               Accept: text/html,application/xhtml+xml,*/*;q=0.8\r\nAccept-Language: ja,en;q=0.5\r\n\
+                               Content-Type: application/x-www-form-urlencoded\r\nContent-Length: 0\r\n";
+
+/// The lines of an answer, without those that say when it was given.
+fn undated(answer: &str) -> Vec<&str> {
+    let mut lines: Vec<&str> = answer.lines().filter(|line| !line.starts_with("date: ")).collect();
+    lines.sort_unstable();
+    lines
+}
+
+#[tokio::test]
+async fn a_form_stops_and_gets_a_page_however_its_request_is_written() {
+    let house = House::open().await;
+    let site = |site: &str| FORM.replace("same-origin", site);
+    let json = FORM.replace("text/html", "application/json");
+    for (sent, starts, says) in [
+        (FORM, "HTTP/1.1 200", "停止しました"),
+        (&FORM.replace("ja,en", "en,ja"), "HTTP/1.1 200", "The robot holds still."),
+        (&json.replace("xhtml+xml", "x"), "HTTP/1.1 200", "{\"stopped\":true}"),
+        (&site("cross-site"), "HTTP/1.1 403", "胸のボタン"),
+        (&site("same-site"), "HTTP/1.1 403", "胸のボタン"),
+    ] {
+        let [path, whole] = ["/stop?robot=r1".to_owned(), format!("http://{}/stop?robot=r1", house.address)];
+        let answer = raw(&house, &line("POST", &path, &house, sent)).await;
+        assert!(answer.starts_with(starts) && answer.contains(says), "{sent}: {answer}");
+        assert!(answer.contains("cache-control: no-store") && answer.contains("frame-ancestors 'none'"), "{answer}");
+        let again = answer.contains("<form method=\"post\" action=\"/stop?robot=r1\">");
+        assert_eq!(again, answer.contains("text/html"), "a page has Stop again: {answer}");
+        let other = raw(&house, &line("POST", &whole, &house, sent)).await;
+        assert_eq!(undated(&answer), undated(&other), "on the accepting thread and elsewhere");
+    }
     house.close().await;
 }
 

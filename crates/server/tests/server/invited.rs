@@ -2,6 +2,7 @@
 
 use crate::browser::{Browser, Socket, status, token};
 use crate::house::{House, make, plain, stream_id};
+use crate::http::FORM;
 use behaviour::Id;
 use protocol::{CLOSE_REVOKED, Invitation, Lasts, Refused, Reply, Request, Role};
 use shell::Client;
@@ -275,4 +276,21 @@ async fn at_this_computer_nothing_is_asked_and_a_restart_keeps_who_was_invited()
     browser.cookie = Some(format!("__Host-rrp-{}={secret}", browser.address.port()));
     assert!(browser.socket("Ben").await.is_ok());
     house.close().await;
+}
+
+#[tokio::test]
+async fn a_guest_stops_by_the_form_alone() {
+    let scene = Scene::open().await;
+    let (browser, _) = scene.guest(Role::Viewer).await;
+    let stranger = scene.browser().stranger();
+    for path in ["/stop".to_owned(), format!("https://{}/stop", browser.address)] {
+        let form = FORM.replace("Content-Length: 0\r\n", "");
+        let answer = browser.raw(&browser.request("POST", &path, &form, "")).await;
+        assert!(status(&answer) == 200 && answer.contains("停止しました"), "{answer}");
+        let elsewhere = form.replace("same-origin", "cross-site");
+        assert_eq!(status(&browser.raw(&browser.request("POST", &path, &elsewhere, "")).await), 403);
+        let answer = stranger.raw(&stranger.request("POST", &path, &form, "")).await;
+        assert!(status(&answer) == 403 && answer.contains("招待を頼んで"), "{answer}");
+    }
+    scene.house.close().await;
 }

@@ -3,6 +3,7 @@
 
 use crate::browser::{status, token};
 use crate::house::House;
+use crate::http::FORM;
 use server::{Network, Secured};
 use std::net::SocketAddr;
 use std::sync::Arc;
@@ -53,5 +54,14 @@ async fn a_proxy_on_this_computer_opens_nothing_by_itself() {
     let cookie = format!("Cookie: a=b; {}\r\n", cookie.split(';').next().unwrap());
     assert_eq!(status(&handed_on(proxy, "GET", "/api/behaviours", &cookie, "").await), 200);
     assert_eq!(status(&handed_on(proxy, "POST", "/stop", &format!("{ORIGIN}{cookie}"), "").await), 200);
+    // Without script, where the browser does not say from which page.
+    let form = FORM.replace("Content-Length: 0\r\n", &cookie);
+    for path in ["/stop".to_owned(), format!("http://{proxy}/stop")] {
+        let answer = handed_on(proxy, "POST", &path, &form, "").await;
+        assert!(status(&answer) == 200 && answer.contains("停止しました"), "{answer}");
+        let elsewhere = form.replace("same-origin", "cross-site");
+        let answer = handed_on(proxy, "POST", &path, &elsewhere, "").await;
+        assert!(status(&answer) == 403 && answer.contains("胸のボタン"), "{answer}");
+    }
     house.close().await;
 }

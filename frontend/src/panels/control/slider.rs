@@ -2,6 +2,7 @@
 
 use super::now::{Measured, shown};
 use super::test::Test;
+use crate::escape;
 use crate::icons::Icon;
 use crate::words;
 use leptos::prelude::*;
@@ -85,12 +86,10 @@ pub(super) fn Stepper(
         match event.key().as_str() {
             "ArrowUp" => by(steps),
             "ArrowDown" => by(-steps),
-            // What is typed is taken back; leaving the field would save it.
-            "Escape" => {
-                let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
-                return field.into_iter().for_each(|field| field.set_value(&written.get_untracked()));
+            _ => {
+                escape::may_end(&event, || takes_back(&event, &written.get_untracked()));
+                return;
             }
-            _ => return,
         }
         event.prevent_default();
         event.stop_propagation();
@@ -104,4 +103,13 @@ pub(super) fn Stepper(
         </span>
         {move || Some(unit.get()).filter(|unit| !unit.is_empty()).map(|unit| view! { <span class="unit">{unit}</span> })}
     }
+}
+
+/// What is typed in a field is as it is written again; leaving the field would save it. Whether that is all: beside a chip
+/// the same Escape goes back to the chip.
+fn takes_back(event: &web_sys::KeyboardEvent, written: &str) -> bool {
+    let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
+    let Some(field) = field.filter(|field| field.value() != written) else { return false };
+    field.set_value(written);
+    field.closest(".flyout").ok().flatten().is_none()
 }

@@ -1,5 +1,6 @@
 //! The frame of every dialog: title, contents, feet; Escape goes back or closes, Tab stays inside and also reaches Stop.
 
+use crate::escape;
 use crate::icons::Icon;
 use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
@@ -176,20 +177,16 @@ fn watch_keys_outside(desk: Hold, dialog: NodeRef<Div>) {
 }
 
 fn trap(event: &KeyboardEvent, desk: Hold, dialog: NodeRef<Div>) {
-    match event.key().as_str() {
-        "Escape" if !event.is_composing() && !event.default_prevented() => {
-            event.prevent_default();
-            if !step_back(event, dialog) {
-                close(desk);
-            }
+    escape::ends(event, || {
+        if !step_back(event, dialog) {
+            close(desk);
         }
-        "Tab" => {
-            if let Some(dialog) = dialog.get_untracked() {
-                event.prevent_default();
-                step(&dialog, event.shift_key());
-            }
-        }
-        _ => {}
+    });
+    if event.key() == "Tab"
+        && let Some(dialog) = dialog.get_untracked()
+    {
+        event.prevent_default();
+        step(&dialog, event.shift_key());
     }
 }
 

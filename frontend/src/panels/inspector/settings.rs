@@ -1,6 +1,7 @@
 //! The name and the settings of a selected stream, changed where they stand: one change each.
 
 use crate::desk::Dialog;
+use crate::escape;
 use crate::fields::{ParamFields, ParamForm, TextField, Unfilled};
 use crate::icons::Icon;
 use crate::panels::hold::{Hold, hold};
@@ -49,9 +50,8 @@ pub(super) fn Settings(id: Id, record: Memo<Stream>) -> impl IntoView {
     follow(fields);
     let reads = move || !may_edit(desk) || editor.read().is_some();
     let key = move |event: KeyboardEvent| {
-        if event.key() == "Escape" {
+        if escape::ends(&event, || fields.take_back()) {
             event.stop_propagation();
-            fields.take_back();
         }
     };
     view! {

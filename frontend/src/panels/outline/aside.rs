@@ -1,6 +1,7 @@
 //! The rows of the outline that are no part of the graph: the heading of a group, which folds, and notes.
 
 use crate::desk::{GroupSignals, NoteSignals, Selected};
+use crate::escape;
 use crate::icons::Icon;
 use crate::panels::hold::hold;
 use crate::panels::may::may_edit;
@@ -30,10 +31,11 @@ pub(super) fn GroupRow(id: Id) -> impl IntoView {
         }
     };
     let field = move || {
-        let key = move |event: web_sys::KeyboardEvent| match event.key().as_str() {
-            "Enter" if !event.is_composing() => end(Some(event_target_value(&event))),
-            "Escape" => end(None),
-            _ => {}
+        let key = move |event: web_sys::KeyboardEvent| {
+            if event.key() == "Enter" && !event.is_composing() {
+                end(Some(event_target_value(&event)));
+            }
+            escape::ends(&event, || end(None));
         };
         view! {
             <input class="input" type="text" maxlength=NAME_MAX_CHARS.to_string() aria-label=words::new_name(&title.get_untracked())

@@ -2,6 +2,7 @@
 
 use crate::canvas::edit;
 use crate::desk::{Desk, Dialog, Selected};
+use crate::escape;
 use crate::later::SecondPiece;
 use crate::panels::focus;
 use leptos::prelude::*;
@@ -30,11 +31,17 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, piece: &SecondPiece) {
         ("F2", Some(Selected::Stream(id))) => desk.dialog.set(Some(Dialog::EditStream(id))),
         ("Delete" | "Backspace", _) if several => desk.document.remove_several(&desk.document.chosen()),
         ("Delete" | "Backspace", Some(chosen)) => remove(desk, &chosen),
-        ("Escape", _) if several => desk.document.choose(BTreeSet::new()),
-        ("Escape", Some(_)) => desk.document.selected.set(None),
-        _ => return,
+        _ => return deselect(event, desk),
     }
     event.prevent_default();
+}
+
+/// Escape chooses nothing any more, which is nothing to take back.
+fn deselect(event: &KeyboardEvent, desk: &Desk) {
+    escape::may_end(event, || {
+        desk.document.choose(BTreeSet::new());
+        false
+    });
 }
 
 /// Removes something; in the middle of a way its button asks how.

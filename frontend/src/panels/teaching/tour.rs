@@ -4,6 +4,7 @@ use super::progress::{finish, go, leave};
 use super::spot::{Area, spot};
 use super::steps::{Before, STEPS, Step};
 use crate::browser;
+use crate::escape;
 use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
 use crate::words;
@@ -101,12 +102,16 @@ fn advance(desk: Hold, at: Memo<usize>) {
 /// Escape leaves while the card or nothing has the keyboard; in a dialog, a menu or on the graph it means something else.
 fn leave_with_escape(desk: Hold, card: NodeRef<Aside>) {
     let handle = window_event_listener(leptos::ev::keydown, move |event| {
-        let Some(desk) = desk.if_there().filter(|_| event.key() == "Escape" && !event.is_composing()) else { return };
-        let active = focus::active();
-        let in_card = card.get_untracked().is_some_and(|card| card.contains(active.as_deref().map(AsRef::as_ref)));
-        if in_card || (focus::is_nowhere() && desk.dialog.with_untracked(Option::is_none)) {
-            leave(&desk);
-        }
+        let Some(desk) = desk.if_there() else { return };
+        escape::may_end(&event, || {
+            let active = focus::active();
+            let in_card = card.get_untracked().is_some_and(|card| card.contains(active.as_deref().map(AsRef::as_ref)));
+            let leaves = in_card || (focus::is_nowhere() && desk.dialog.with_untracked(Option::is_none));
+            if leaves {
+                leave(&desk);
+            }
+            leaves
+        });
     });
     on_cleanup(move || handle.remove());
 }

@@ -3,6 +3,7 @@
 use super::change::{New, put};
 use crate::browser;
 use crate::desk::Editor;
+use crate::escape;
 use crate::icons::Icon;
 use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
@@ -116,9 +117,11 @@ fn NumberField(
     };
     let key = move |event: KeyboardEvent| {
         let steps = if event.shift_key() { 10.0 } else { 1.0 };
+        if escape::ends(&event, || back_to_number(&event, move || typed.set(None))) {
+            return event.stop_propagation();
+        }
         match event.key().as_str() {
             "Enter" => back_to_number(&event, save),
-            "Escape" => back_to_number(&event, move || typed.set(None)),
             "ArrowUp" => by(steps),
             "ArrowDown" => by(-steps),
             _ => {

@@ -2,6 +2,7 @@
 
 use crate::browser;
 use crate::desk::Desk;
+use crate::escape;
 use crate::panels::ProblemLine;
 use crate::panels::focus;
 use crate::panels::hold::hold;
@@ -104,10 +105,12 @@ pub(super) fn Trouble(warned: Warned) -> impl IntoView {
     });
     let root = NodeRef::<leptos::html::Div>::new();
     let keys = move |event: web_sys::KeyboardEvent| {
-        if event.key() == "Escape" {
-            event.stop_propagation();
+        let hide = || {
             warned.back();
             warned.hide();
+        };
+        if escape::ends(&event, hide) {
+            event.stop_propagation();
         }
     };
     let press = move |event: web_sys::MouseEvent| {

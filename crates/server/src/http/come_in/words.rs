@@ -18,11 +18,13 @@ impl Language {
         if first == "ja" || first.starts_with("ja-") { Self::Japanese } else { Self::English }
     }
 
-    pub(super) fn code(self) -> &'static str {
+    /// Its tag.
+    pub(in crate::http) fn code(self) -> &'static str {
         self.said("en", "ja")
     }
 
-    fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
+    /// One of two texts.
+    pub(in crate::http) fn said(self, english: &'static str, japanese: &'static str) -> &'static str {
         match self {
             Self::English => english,
             Self::Japanese => japanese,
@@ -84,7 +86,7 @@ impl Language {
     }
 
     /// What is on the button that stops all robots.
-    pub(super) fn stop(self) -> &'static str {
+    pub(super) fn stop_all(self) -> &'static str {
         self.said("Stop all robots", "すべてのロボットを停止")
     }
 

@@ -1,6 +1,7 @@
 //! The name of a program, which can be typed anew in its place.
 
 use crate::desk::Settle;
+use crate::escape;
 use crate::icons::Icon;
 use crate::panels::focus;
 use crate::panels::hold::hold;
@@ -61,19 +62,19 @@ pub(super) fn Name(id: String, name: RwSignal<String>) -> impl IntoView {
             }
         });
     };
-    let keys = move |event: KeyboardEvent| match event.key().as_str() {
-        "Enter" if !event.is_composing() => {
+    let take_back = move || {
+        refusal.set(None);
+        end();
+    };
+    let keys = move |event: KeyboardEvent| {
+        if event.key() == "Enter" && !event.is_composing() {
             event.prevent_default();
             event.stop_propagation();
             save();
         }
-        "Escape" if !event.is_composing() => {
-            event.prevent_default();
+        if escape::ends(&event, take_back) {
             event.stop_propagation();
-            refusal.set(None);
-            end();
         }
-        _ => {}
     };
     let shown = move || {
         view! {

@@ -2,6 +2,7 @@
 
 use super::super::shelf::Shown;
 use crate::desk::Settle;
+use crate::escape;
 use crate::icons::Icon;
 use crate::link::NoAnswer;
 use crate::panels::focus;
@@ -54,10 +55,15 @@ pub(super) fn Tags(shown: Shown, id: String, tags: Vec<String>) -> impl IntoView
             event.stop_propagation();
             add();
         }
-        if event.key() == "Escape" && !event.is_composing() && !typed.read_untracked().is_empty() {
-            event.prevent_default();
+        let clear = || {
+            let is_typed = !typed.read_untracked().is_empty();
+            if is_typed {
+                typed.set(String::new());
+            }
+            is_typed
+        };
+        if escape::may_end(&event, clear) {
             event.stop_propagation();
-            typed.set(String::new());
         }
     };
     let chip = move |tag: String| {
