@@ -11,6 +11,9 @@ const FORWARDED: HeaderName = HeaderName::from_static("x-forwarded-for");
 /// How long a browser keeps the cookie, in seconds: as long as browsers keep any. The server forgets it earlier.
 const COOKIE_SECONDS: u64 = 400 * 24 * 60 * 60;
 
+/// Cookies of our name in one request that are looked at: browsers send one.
+const COOKIES_MAX: usize = 4;
+
 /// A way in.
 #[derive(Clone)]
 pub(crate) struct Door {
@@ -114,7 +117,7 @@ impl Others {
     fn guest<'a>(&self, cookies: impl Iterator<Item = &'a str>) -> Option<Guest> {
         let all = cookies.flat_map(|line| line.split(';')).filter_map(|pair| pair.trim().split_once('='));
         let own = all.filter(|(name, _)| *name == &*self.cookie).map(|(_, value)| value);
-        let guest = own.filter_map(|value| self.invitations.guest(value)).next();
+        let guest = own.take(COOKIES_MAX).filter_map(|value| self.invitations.guest(value)).next();
         guest.iter().for_each(|guest| self.note(guest));
         guest
     }

@@ -152,3 +152,102 @@ impl Signer for NotingSigner {
         self.signer.scheme()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Agreeing, Agreement, Certificate, Digest, Holder, Proof, Tickets};
+    use crate::http::network::certificate::Secured;
+    use crate::http::network::hello::Hello;
+    use rustls::client::{ClientSessionMemoryCache, ClientSessionStore, Resumption, Tls12ClientSessionValue};
+    use rustls::client::{Tls13ClientSessionValue, WebPkiServerVerifier};
+    use rustls::crypto::ring;
+    use rustls::pki_types::ServerName;
+    use rustls::{ClientConfig, ClientConnection, NamedGroup, RootCertStore, ServerConnection};
+    use std::sync::Arc;
+
+    /// Shows every server the tickets of one.
+    #[derive(Debug)]
+    struct Careless(ClientSessionMemoryCache);
+
+    impl ClientSessionStore for Careless {
+        fn set_kx_hint(&self, _: ServerName<'static>, group: NamedGroup) {
+            self.0.set_kx_hint(one(), group);
+        }
+        fn kx_hint(&self, _: &ServerName<'_>) -> Option<NamedGroup> {
+            self.0.kx_hint(&one())
+        }
+        fn set_tls12_session(&self, _: ServerName<'static>, _: Tls12ClientSessionValue) {}
+        fn tls12_session(&self, _: &ServerName<'_>) -> Option<Tls12ClientSessionValue> {
+            None
+        }
+        fn remove_tls12_session(&self, _: &ServerName<'static>) {}
+        fn insert_tls13_ticket(&self, _: ServerName<'static>, ticket: Tls13ClientSessionValue) {
+            self.0.insert_tls13_ticket(one(), ticket);
+        }
+        fn take_tls13_ticket(&self, _: &ServerName<'static>) -> Option<Tls13ClientSessionValue> {
+            self.0.take_tls13_ticket(&one())
+        }
+    }
+
+    fn one() -> ServerName<'static> {
+        ServerName::try_from("localhost").unwrap()
+    }
+
+    fn server_and_client() -> (Agreement, Arc<ClientConfig>) {
+        let certificate = Certificate::of(&Secured::Made, None, "10.0.0.1".parse().unwrap()).unwrap();
+        let (mut roots, provider) = (RootCertStore::empty(), Arc::new(ring::default_provider()));
+        roots.add(certificate.key.cert[0].clone()).unwrap();
+        let verifier = WebPkiServerVerifier::builder_with_provider(Arc::new(roots), Arc::clone(&provider));
+        let client = ClientConfig::builder_with_provider(provider).with_safe_default_protocol_versions().unwrap();
+        let mut client = client.with_webpki_verifier(verifier.build().unwrap()).with_no_client_auth();
+        client.resumption = Resumption::store(Arc::new(Careless(ClientSessionMemoryCache::new(8))));
+        (Agreement::of(certificate, Tickets::within(None).unwrap()), Arc::new(client))
+    }
+
+    /// Agrees on TLS with a client that calls the server this.
+    fn agree(agreement: &Agreement, client: &Arc<ClientConfig>, name: &str, proof: Option<Proof>) -> Arc<Agreeing> {
+        let (acceptor, agreeing) = agreement.with(proof);
+        let mut server = ServerConnection::new(Arc::clone(acceptor.config())).unwrap();
+        let name = ServerName::try_from(name.to_owned()).unwrap();
+        let mut client = ClientConnection::new(Arc::clone(client), name).unwrap();
+        while client.wants_write() || server.wants_write() {
+            let (mut to_server, mut to_client) = (Vec::new(), Vec::new());
+            while client.wants_write() {
+                client.write_tls(&mut to_server).unwrap();
+            }
+            server.read_tls(&mut &to_server[..]).unwrap();
+            server.process_new_packets().unwrap();
+            while server.wants_write() {
+                server.write_tls(&mut to_client).unwrap();
+            }
+            client.read_tls(&mut &to_client[..]).unwrap();
+            client.process_new_packets().unwrap();
+        }
+        assert!(!client.is_handshaking() && !server.is_handshaking());
+        agreeing
+    }
+
+    /// Whose ticket the client shows next.
+    fn shown(agreement: &Agreement, client: &Arc<ClientConfig>) -> Holder {
+        let (mut client, mut hello) = (ClientConnection::new(Arc::clone(client), one()).unwrap(), Vec::new());
+        client.write_tls(&mut hello).unwrap();
+        let Hello::Again(ticket) = Hello::of(&hello) else { panic!("no ticket") };
+        agreement.tickets.open(&ticket).unwrap().0
+    }
+
+    #[test]
+    fn who_goes_on_by_a_ticket_leaves_with_more_and_who_only_shows_it_does_not() {
+        let (agreement, client) = server_and_client();
+        let first = agree(&agreement, &client, "localhost", None).unproven().unwrap();
+        assert_eq!(shown(&agreement, &client), Holder::Connection(first));
+
+        let pass = Digest::of("a cookie that was shown on it");
+        let proof = Some(Proof { holder: Holder::Connection(first), pass });
+        assert_eq!(agree(&agreement, &client, "localhost", proof).unproven(), None);
+        assert_eq!(shown(&agreement, &client), Holder::Device(pass));
+
+        let proof = Some(Proof { holder: Holder::Device(pass), pass });
+        let stolen = agree(&agreement, &client, "10.0.0.1", proof).unproven();
+        assert_eq!(stolen.map(Holder::Connection), Some(shown(&agreement, &client)), "it goes on by the certificate");
+    }
+}

@@ -2,7 +2,7 @@
 //! library that agrees on TLS, so nothing is decided here about what is wrong with it.
 
 /// The longest hello, in bytes: as long as one record may be.
-pub(super) const HELLO_MAX_BYTES: usize = 16 << 10;
+const HELLO_MAX_BYTES: usize = 16 << 10;
 /// A record that is part of a handshake.
 const HANDSHAKE: u8 = 22;
 /// A message of a handshake: the client's hello.

@@ -3,7 +3,7 @@
 //! nothing it has a place among those of its kind; who is unknown takes none from who may be known.
 
 use super::agreement::Proof;
-use super::hello::{HELLO_MAX_BYTES, Hello};
+use super::hello::Hello;
 use super::lane::Arrivals;
 use super::tickets::{Holder, Tickets};
 use crate::http::accept::{REST_MS, SILENT_MS};
@@ -83,7 +83,7 @@ impl Sorter {
                 Ok((stream, peer)) => drop(tokio::spawn(boxed(Arc::clone(&self).admit(stream, peer.ip())))),
                 Err(error) => {
                     tracing::warn!(%error, "a connection from the network could not be accepted");
-                    // One of each place that strangers have less, so that the next one finds room.
+                    // Strangers have some places less, so that the next one finds room.
                     self.unknown.give_way();
                     self.lanes.strangers.give_way();
                     tokio::time::sleep(Duration::from_millis(REST_MS)).await;
@@ -178,5 +178,3 @@ impl Lanes {
         }
     }
 }
-
-const _: () = assert!(FIRST_BYTES <= HELLO_MAX_BYTES, "what is read at once is bounded by what a hello may have");
