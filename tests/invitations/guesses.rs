@@ -85,7 +85,7 @@ pub(crate) async fn guessed(
     let ((), stops) = tokio::try_join!(guessing, stopping)?;
     let (mut by_socket, mut by_connection) = stops?;
     let count = |of: &AtomicUsize| of.load(Ordering::Relaxed);
-    let (socket, connection) = (p99(&mut by_socket), p99(&mut by_connection));
+    let (socket, connection) = (share(&mut by_socket, 99), share(&mut by_connection, 99));
     println!(
         "{all} guesses in {:.0} s: {} refused, {} slowed, {} cut off; Stop p99 {socket:?} by a socket, {connection:?} by a \
          connection of its own with TLS, of {} and {} Stops",
@@ -124,7 +124,8 @@ async fn pressed(guest: &Browser, mut socket: Socket, until: &Guesses) -> Outcom
     Ok((by_socket, by_connection))
 }
 
-fn p99(taken: &mut [Duration]) -> Duration {
+/// The longest of so many of 100.
+pub(crate) fn share(taken: &mut [Duration], of: usize) -> Duration {
     taken.sort_unstable();
-    taken.get((taken.len() * 99).div_ceil(100).saturating_sub(1)).copied().unwrap_or(Duration::MAX)
+    taken.get((taken.len() * of).div_ceil(100).saturating_sub(1)).copied().unwrap_or(Duration::MAX)
 }

@@ -9,11 +9,14 @@
 #[expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 #[path = "../../crates/server/tests/server/browser.rs"]
 mod browser;
+mod flood;
+mod floods;
 mod guesses;
 mod wire;
 
 use behaviour::Id;
 use browser::{Browser, Socket, status};
+use floods::Bar;
 use house::{Outcome, Server, Trouble, skip};
 use protocol::{CLOSE_REVOKED, Invitation, Lasts, ListQuery, Refused, Reply, Request, Role};
 use serde_json::json;
@@ -50,6 +53,43 @@ fn stop_is_heard_while_links_are_guessed() -> Outcome<()> {
 #[ignore = "measured by `cargo xtask bench rooms`"]
 fn figure_7_stop_while_links_are_guessed() -> Outcome<()> {
     guessed("figure_7_stop_while_links_are_guessed", GUESSES[1], Some(house::optimised()))
+}
+
+/// Stops under each flood, in a run of all tests and where it is measured: for a minute.
+const FLOODS: [Bar; 2] = [
+    Bar { stops: 25, p99: Duration::from_secs(3), rest: Duration::from_millis(10) },
+    Bar { stops: 300, p99: Duration::from_millis(250), rest: Duration::from_millis(190) },
+];
+
+#[test]
+fn stop_is_heard_while_strangers_flood_the_way_in() -> Outcome<()> {
+    flooded("stop_is_heard_while_strangers_flood_the_way_in", FLOODS[0], None)
+}
+
+#[test]
+#[ignore = "measured by `cargo xtask bench rooms`"]
+fn figure_8_stop_while_strangers_flood_the_way_in() -> Outcome<()> {
+    flooded("figure_8_stop_while_strangers_flood_the_way_in", FLOODS[1], Some(house::optimised()))
+}
+
+#[test]
+#[ignore = "started by the others, as a process of its own"]
+fn strangers_flood() -> Outcome<()> {
+    let Ok(told) = std::env::var(flood::TOLD) else { return Ok(()) };
+    tokio::runtime::Builder::new_current_thread().enable_all().build()?.block_on(flood::flood(&told))
+}
+
+fn flooded(test: &str, bar: Bar, optimised: Option<std::path::PathBuf>) -> Outcome<()> {
+    let part = "invitations: floods from a second host";
+    if wire::is_inside() {
+        let runtime = tokio::runtime::Builder::new_multi_thread().enable_all().build()?;
+        return runtime.block_on(async { floods::flooded(&Network::lay().await?, optimised.as_deref(), bar).await });
+    }
+    let is_there = if optimised.is_some() { skip::optimised(part) } else { skip::built(part) };
+    if !is_there || !skip::possible(part, wire::missing()) {
+        return Ok(());
+    }
+    wire::again_inside(test)
 }
 
 fn guessed(test: &str, guesses: (usize, Duration), optimised: Option<std::path::PathBuf>) -> Outcome<()> {

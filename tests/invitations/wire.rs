@@ -3,21 +3,39 @@
 use house::{Outcome, Trouble};
 use rustix::thread::{LinkNameSpaceType, move_into_link_name_space};
 use std::fs::File;
+use std::net::{IpAddr, Ipv4Addr, Ipv6Addr};
 use std::os::fd::AsFd;
+use std::path::Path;
 use std::process::Stdio;
 use std::time::{Duration, Instant};
 use tokio::process::{Child, Command};
 
 /// The address of the server's computer.
-pub(crate) const HERE: &str = "10.77.0.1";
+pub(crate) const HERE: Ipv4Addr = Ipv4Addr::new(10, 77, 0, 1);
 /// That of the other one.
-const THERE: &str = "10.77.0.2";
+pub(crate) const THERE: Ipv4Addr = Ipv4Addr::new(10, 77, 0, 2);
+/// The address of the server's computer in IPv6.
+pub(crate) const HERE_V6: Ipv6Addr = Ipv6Addr::new(0xfd77, 0, 0, 0, 0, 0, 0, 1);
+/// That of the other one.
+pub(crate) const THERE_V6: Ipv6Addr = Ipv6Addr::new(0xfd77, 0, 0, 0, 0, 0, 0, 2);
+/// More computers behind the other end of the wire, in each protocol.
+const STRANGERS: u8 = 8;
 /// Set where the test runs in a network of its own.
 const INSIDE: &str = "RRP_INSIDE_A_NETWORK";
 /// How long the system may take to make a network.
 const PATIENCE: Duration = Duration::from_secs(30);
 /// Between two looks.
 const LOOK: Duration = Duration::from_millis(10);
+
+/// More addresses at the other computer, as if there were more of them.
+pub(crate) fn strangers() -> impl Iterator<Item = IpAddr> {
+    (3..3 + STRANGERS).map(|last| Ipv4Addr::new(10, 77, 0, last).into())
+}
+
+/// The same in IPv6: of one network of 64 bits with the first one.
+pub(crate) fn strangers_v6() -> impl Iterator<Item = IpAddr> {
+    (3..3 + u16::from(STRANGERS)).map(|last| Ipv6Addr::new(0xfd77, 0, 0, 0, 0, 0, 0, last).into())
+}
 
 /// Whether this is the process in the network of its own.
 pub(crate) fn is_inside() -> bool {
@@ -67,10 +85,9 @@ impl Network {
             tokio::time::sleep(LOOK).await;
         }
         let other = this.id();
-        let up = |name: &str, address: &str| {
-            format!("ip link set lo up && ip addr add {address}/24 dev {name} && ip link set {name} up")
-        };
-        let (here, there) = (up("rrp0", HERE), up("rrp1", THERE));
+        let more: Vec<IpAddr> = strangers().chain(strangers_v6()).collect();
+        let here = up("rrp0", &[HERE.into(), HERE_V6.into()]);
+        let there = up("rrp1", &[&[THERE.into(), THERE_V6.into()], &more[..]].concat());
         sh(&format!("ip link add rrp0 type veth peer name rrp1 netns {other} && {here}")).await?;
         sh(&format!("nsenter -t {other} -n sh -c '{there}'")).await?;
         Ok(this)
@@ -82,6 +99,13 @@ impl Network {
 
     fn space(&self) -> String {
         format!("/proc/{}/ns/net", self.id())
+    }
+
+    /// A program that runs at the other computer and leaves this one's processors to everybody else, as if it had its own.
+    pub(crate) fn there(&self, program: &Path) -> Command {
+        let mut there = Command::new("nsenter");
+        there.args(["-t", &self.id().to_string(), "-n", "nice", "-n", "19"]).arg(program);
+        there
     }
 
     /// Does something at the other computer. Sockets that are made there stay there, whoever reads them.
@@ -99,6 +123,16 @@ impl Network {
             tokio::task::spawn_blocking(move || there.join()).await.map_err(|error| Trouble(error.to_string()))?;
         Ok(joined.map_err(|_| Trouble("What was done at the other computer failed.".into()))??)
     }
+}
+
+/// Gives one end of the wire these addresses.
+fn up(name: &str, addresses: &[IpAddr]) -> String {
+    let add = |address: &IpAddr| match address {
+        IpAddr::V4(v4) => format!("ip addr add {v4}/24 dev {name}"),
+        IpAddr::V6(v6) => format!("ip addr add {v6}/64 dev {name} nodad"),
+    };
+    let added: Vec<String> = addresses.iter().map(add).collect();
+    format!("ip link set lo up && {} && ip link set {name} up", added.join(" && "))
 }
 
 async fn sh(line: &str) -> Outcome<()> {

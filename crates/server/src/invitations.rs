@@ -187,17 +187,15 @@ impl Invitations {
         revoked.map_err(Refused::InvitationsNotKept)
     }
 
-    /// Exchanges the token of a link for that of a cookie, always a new one. Waits for the disk.
+    /// Exchanges the token of a link for that of a cookie, always a new one. Waits for the disk. A link that works is never
+    /// refused for what others tried: it is looked up first, which costs no more than refusing, and nobody guesses 256 bits.
     ///
     /// # Errors
-    /// If it lets nobody in; who tries too often from one place is not even looked up.
+    /// If it lets nobody in; then also if too many such links came from there.
     pub(crate) fn come_in(&self, token: &str, from: Source) -> Result<String, NotIn> {
-        let tried_ms = u64::try_from(self.began.elapsed().as_millis()).unwrap_or(u64::MAX);
-        lock(&self.guesses).check(tried_ms, from).map_err(NotIn::TooMany)?;
         let link = Digest::of(token);
-        if !self.book.borrow().links.contains_key(&link) {
-            lock(&self.guesses).failed(tried_ms, from);
-            return Err(NotIn::Unknown);
+        if !self.book.borrow().is_open(&link, now_ms()) {
+            return Err(self.guessed(from));
         }
         let cookie = secret::random().ok_or_else(|| NotIn::NotKept(NO_RANDOM.to_owned()))?;
         // Somebody else may have used it since.
@@ -212,6 +210,19 @@ impl Invitations {
         }
     }
 
+    /// Somebody tried a link that does not work.
+    fn guessed(&self, from: Source) -> NotIn {
+        let tried_ms = u64::try_from(self.began.elapsed().as_millis()).unwrap_or(u64::MAX);
+        let mut guesses = lock(&self.guesses);
+        match guesses.check(tried_ms, from) {
+            Ok(()) => {
+                guesses.failed(tried_ms, from);
+                NotIn::Unknown
+            }
+            Err(seconds) => NotIn::TooMany(seconds),
+        }
+    }
+
     /// Who shows this cookie.
     pub(crate) fn guest(&self, cookie: &str) -> Option<Guest> {
         let pass = Digest::of(cookie);
@@ -220,6 +231,11 @@ impl Invitations {
         let (invitation, role, ends_ms) = self.book.borrow().guest(&pass, now_ms())?;
         let over = live.over(&invitation);
         Some(Guest { role, pass, ends_ms, over })
+    }
+
+    /// Whether a cookie of this digest still lets somebody in.
+    pub(crate) fn holds(&self, pass: &Digest) -> bool {
+        self.book.borrow().guest(pass, now_ms()).is_some()
     }
 
     /// A guest is here, under this name, until what is returned is dropped.

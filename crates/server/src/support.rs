@@ -2,6 +2,8 @@
 
 pub(crate) mod atomic_file;
 pub(crate) mod data_folder;
+pub(crate) mod fair_places;
+pub(crate) mod fair_queue;
 pub(crate) mod lookups;
 pub(crate) mod message;
 pub(crate) mod places;

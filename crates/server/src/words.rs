@@ -57,8 +57,8 @@ impl fmt::Display for NotIn {
             Self::Unknown => to.write_str("This link does not work, or not any more. Ask for another invitation."),
             Self::TooMany(seconds) => write!(
                 to,
-                "Too many links that do not work were tried from your network. Wait {seconds} seconds, then open your \
-                 link again."
+                "This link does not work, and too many such links were tried from your network. Ask for another \
+                 invitation, or wait {seconds} seconds before you try another link."
             ),
             Self::NotKept(reason) => write!(
                 to,

@@ -1,9 +1,8 @@
 //! A way in: this computer's own, where the host shows a secret of it, or that of others, who show the cookie of their
 //! invitation.
 
-use super::known::Known;
 use super::origin::{NotAllowed, OriginGuard};
-use crate::invitations::{Asked, Entry, HostAccess, Invitations, Route, Source};
+use crate::invitations::{Asked, Digest, Entry, Guest, HostAccess, Invitations, Route, Source};
 use axum::extract::Request;
 use axum::http::{HeaderMap, HeaderName, header};
 use std::net::IpAddr;
@@ -16,6 +15,9 @@ const FORWARDED: [&str; 8] =
     ["forwarded", "x-forwarded-", "x-real-ip", "x-client-ip", "via", "cf-", "true-client-ip", "x-original-"];
 /// How long a browser keeps the cookie, in seconds: as long as browsers keep any. The server forgets it earlier.
 const COOKIE_SECONDS: u64 = 400 * 24 * 60 * 60;
+
+/// Cookies of our name in one request that are looked at: browsers send one.
+const COOKIES_MAX: usize = 4;
 
 /// A way in.
 #[derive(Clone)]
@@ -34,12 +36,21 @@ enum Shown {
     /// Those of this computer.
     Host(Arc<HostAccess>),
     /// Those of invitations.
-    Guests {
-        invitations: Arc<Invitations>,
-        /// From where those who are in come; none if a proxy says that.
-        known: Option<Arc<Known>>,
-    },
+    Guests(Guests),
 }
+
+/// Who comes in by the way of others.
+#[derive(Clone)]
+struct Guests {
+    invitations: Arc<Invitations>,
+    /// A proxy says from where they come.
+    is_proxied: bool,
+    /// Told who shows a cookie that holds.
+    noting: Option<Noting>,
+}
+
+/// Notes the digest of a cookie that holds, without waiting.
+pub(crate) type Noting = Arc<dyn Fn(Digest) + Send + Sync>;
 
 /// By which way a request came, and from where.
 #[derive(Clone)]
@@ -66,28 +77,38 @@ impl Door {
 
     /// That of others, by TLS on this port. With this prefix browsers take the cookie by TLS only, and from nobody but this
     /// very host.
-    pub(crate) fn tls(port: u16, invitations: Arc<Invitations>, known: Arc<Known>) -> Self {
-        let shown = Shown::Guests { invitations, known: Some(known) };
+    pub(crate) fn tls(port: u16, invitations: Arc<Invitations>) -> Self {
+        let shown = Shown::Guests(Guests { invitations, is_proxied: false, noting: None });
         Self { guard: OriginGuard::Tls, cookie: format!("__Host-rrp-{port}").into(), shown }
     }
 
     /// That of others, through a proxy that serves this origin.
     pub(crate) fn proxied(origin: &str, invitations: Arc<Invitations>) -> Self {
-        let shown = Shown::Guests { invitations, known: None };
+        let shown = Shown::Guests(Guests { invitations, is_proxied: true, noting: None });
         Self { guard: OriginGuard::Proxy(origin.into()), cookie: "__Host-rrp".into(), shown }
+    }
+
+    /// This way, for one connection: which guest shows a cookie on it is noted.
+    pub(crate) fn noting(&self, noting: Noting) -> Self {
+        let mut this = self.clone();
+        if let Shown::Guests(guests) = &mut this.shown {
+            guests.noting = Some(noting);
+        }
+        this
     }
 
     /// What lets people in here.
     pub(crate) fn lets_in(&self) -> LetsIn<'_> {
         match &self.shown {
             Shown::Host(host) => LetsIn::Host(host),
-            Shown::Guests { invitations, .. } => LetsIn::Guests(invitations),
+            Shown::Guests(guests) => LetsIn::Guests(&guests.invitations),
         }
     }
 
     /// As whom somebody who sends these headers is in.
     fn entry(&self, headers: &HeaderMap) -> Entry {
-        let mut cookies = cookies(headers).filter(|(name, _)| *name == &*self.cookie).map(|(_, value)| value);
+        let lines = headers.get_all(header::COOKIE).iter().filter_map(|line| line.to_str().ok());
+        let mut cookies = self.cookies(lines);
         match &self.shown {
             Shown::Host(host) => {
                 let key = headers.get(host_key::HEADER).and_then(|value| host_key::shown(value.to_str().ok()?));
@@ -95,10 +116,20 @@ impl Door {
                     key.is_some_and(|key| host.knows_key(key)) || cookies.any(|cookie| host.knows_cookie(cookie));
                 if is_host { Entry::Local } else { Entry::Unproven }
             }
-            Shown::Guests { invitations, .. } => {
-                cookies.find_map(|cookie| invitations.guest(cookie)).map_or(Entry::Stranger, Entry::Guest)
-            }
+            Shown::Guests(guests) => guests.guest(cookies).map_or(Entry::Stranger, Entry::Guest),
         }
+    }
+
+    /// The digest of the first guest's cookie in these lines that holds.
+    pub(crate) fn pass<'a>(&self, lines: impl Iterator<Item = &'a str>) -> Option<Digest> {
+        let Shown::Guests(guests) = &self.shown else { return None };
+        Some(guests.guest(self.cookies(lines))?.pass())
+    }
+
+    /// The cookies of our name in these lines; browsers send one.
+    fn cookies<'a>(&self, lines: impl Iterator<Item = &'a str>) -> impl Iterator<Item = &'a str> {
+        let pairs = lines.flat_map(|line| line.split(';')).filter_map(|pair| pair.trim().split_once('='));
+        pairs.filter(|(name, _)| **name == *self.cookie).map(|(_, value)| value).take(COOKIES_MAX)
     }
 
     /// Whether a request is answered at all. Behind a proxy or a tunnel that nobody declared, everybody in the world would
@@ -129,38 +160,44 @@ impl Door {
         matches!(self.shown, Shown::Host(_)) && is_forwarded(headers)
     }
 
-    /// The header that gives somebody the cookie of this secret.
+    /// The header that gives somebody the cookie of this secret. From now on a guest is known.
     pub(crate) fn give(&self, secret: &str) -> String {
+        if let Shown::Guests(guests) = &self.shown {
+            guests.invitations.guest(secret).iter().for_each(|guest| guests.note(guest));
+        }
         // Where this computer is spoken to without TLS, browsers would not keep a cookie for TLS only.
         let secure = if matches!(self.shown, Shown::Host(_)) { "" } else { " Secure;" };
         format!("{}={secret}; Path=/; Max-Age={COOKIE_SECONDS}; HttpOnly;{secure} SameSite=Strict", self.cookie)
     }
 }
 
+impl Guests {
+    /// Who shows one of these cookies.
+    fn guest<'a>(&self, mut cookies: impl Iterator<Item = &'a str>) -> Option<Guest> {
+        let guest = cookies.find_map(|cookie| self.invitations.guest(cookie));
+        guest.iter().for_each(|guest| self.note(guest));
+        guest
+    }
+
+    fn note(&self, guest: &Guest) {
+        self.noting.iter().for_each(|note| note(guest.pass()));
+    }
+}
+
 impl Came {
     /// As whom the sender of a request is in.
     pub(crate) fn entry(&self, headers: &HeaderMap) -> Entry {
-        let entry = self.door.entry(headers);
-        if let (Entry::Guest(_), Shown::Guests { known: Some(known), .. }) = (&entry, &self.door.shown) {
-            known.note(Source::of(self.peer));
-        }
-        entry
+        self.door.entry(headers)
     }
 
     /// From where a request came: of a proxy, what it says last itself.
     pub(crate) fn source(&self, headers: &HeaderMap) -> Source {
-        let is_proxied = matches!(&self.door.shown, Shown::Guests { known: None, .. });
+        let is_proxied = matches!(&self.door.shown, Shown::Guests(guests) if guests.is_proxied);
         let lines = is_proxied.then(|| headers.get_all(FORWARDED_FOR));
         let last =
             lines.and_then(|lines| lines.iter().next_back()?.to_str().ok()?.rsplit(',').next()?.trim().parse().ok());
         Source::of(last.unwrap_or(self.peer))
     }
-}
-
-/// The cookies of a request, by name.
-fn cookies(headers: &HeaderMap) -> impl Iterator<Item = (&str, &str)> {
-    let lines = headers.get_all(header::COOKIE).iter().filter_map(|line| line.to_str().ok());
-    lines.flat_map(|line| line.split(';')).filter_map(|pair| pair.trim().split_once('='))
 }
 
 /// Whether a proxy or a tunnel sends this for somebody else.

@@ -17,8 +17,8 @@ pub(crate) struct Line(Way);
 
 enum Way {
     Plain(std::net::TcpStream),
-    Read(Box<Begun<Socket>>),
-    Tls(Box<Begun<TlsStream<Socket>>>),
+    Read(Box<Begun<Begun<Socket>>>),
+    Tls(Box<Begun<TlsStream<Begun<Socket>>>>),
 }
 
 impl Line {
@@ -28,13 +28,13 @@ impl Line {
     }
 
     /// One of which this was read.
-    pub(super) fn read(mut begun: Begun<Socket>) -> Self {
+    pub(super) fn read(mut begun: Begun<Begun<Socket>>) -> Self {
         begun.stream.leave();
         Self(Way::Read(Box::new(begun)))
     }
 
     /// One whose TLS was agreed on.
-    pub(super) fn tls(mut begun: Begun<TlsStream<Socket>>) -> Self {
+    pub(super) fn tls(mut begun: Begun<TlsStream<Begun<Socket>>>) -> Self {
         begun.stream.get_mut().0.leave();
         Self(Way::Tls(Box::new(begun)))
     }
@@ -73,13 +73,8 @@ enum At {
 
 impl Socket {
     /// One that this thread waits for.
-    ///
-    /// # Errors
-    /// If it is lost already.
-    pub(super) fn new(stream: std::net::TcpStream) -> io::Result<Self> {
-        let mut this = Self(At::Away(stream));
-        this.arrive()?;
-        Ok(this)
+    pub(super) fn new(stream: TcpStream) -> Self {
+        Self(At::Here(stream))
     }
 
     fn leave(&mut self) {
@@ -136,6 +131,21 @@ impl<S> Begun<S> {
     /// Of which this was read.
     pub(super) fn new(stream: S, first: Vec<u8>) -> Self {
         Self { stream, first }
+    }
+}
+
+impl Begun<Socket> {
+    /// Nobody waits for it from now on, until it arrives.
+    pub(super) fn leave(&mut self) {
+        self.stream.leave();
+    }
+
+    /// The thread that calls this waits for it.
+    ///
+    /// # Errors
+    /// If it was lost on the way.
+    pub(super) fn arrive(&mut self) -> io::Result<()> {
+        self.stream.arrive()
     }
 }
 

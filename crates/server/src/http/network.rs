@@ -1,33 +1,35 @@
 //! The way in for others: TLS, or a proxy that does it. It has threads of its own, so that nothing strangers do there slows
-//! those at this computer; and those who are in have one apart from all others, so that their Stop does not wait behind
-//! what strangers try.
+//! those at this computer; and those who prove that they are in have one apart from all others, so that their Stop does not
+//! wait behind what strangers try, not even behind what is tried from their own address.
 
+mod agreement;
 mod certificate;
+mod hello;
 mod lane;
+mod sorter;
+mod tickets;
 
 pub use certificate::{NoCertificate, Secured};
 
-use super::accept::{self, HANDED_OVER_MAX, Handed, REST_MS};
-use super::door::{Came, Door};
+use super::accept::{self, HANDED_OVER_MAX, Handed};
+use super::door::Door;
 use super::known::Known;
-use crate::invitations::{Invitations, Source, Way};
+use crate::invitations::{Invitations, Way};
 use crate::robots::Robots;
 use crate::support::priority::{self, Priority};
 use crate::support::tasks::{Work, boxed};
+use agreement::Agreement;
 use certificate::Certificate;
-use lane::Lane;
+use lane::{Arrivals, Lane};
+use sorter::{Lanes, Sorter};
 use std::io;
 use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, UdpSocket};
 use std::path::Path;
 use std::sync::Arc;
 use std::thread::JoinHandle;
-use std::time::Duration;
-use tokio::net::TcpListener;
+use tickets::Tickets;
 use tokio::sync::mpsc;
 use tokio_util::sync::CancellationToken;
-
-/// Connections that wait to be looked at, on each lane.
-const WAITING_MAX: usize = 256;
 
 /// How others come in.
 #[derive(Clone, Debug)]
@@ -44,8 +46,9 @@ pub(crate) struct Opened {
     /// Where it listens.
     pub(crate) address: SocketAddr,
     door: Door,
-    certificate: Option<Certificate>,
-    /// Where those who are in come from.
+    /// None where a proxy agrees on TLS.
+    agreement: Option<Agreement>,
+    /// Those who are in, by what they are known before they say so.
     known: Arc<Known>,
 }
 
@@ -61,8 +64,8 @@ pub(crate) fn open(
     let listener = accept::listen(network.listen).map_err(NotOpened::Listen)?;
     let address = listener.local_addr().map_err(NotOpened::Listen)?;
     let reached = SocketAddr::new(reached(address.ip()), address.port());
-    let known = Arc::new(Known::default());
-    let (door, certificate, way) = match &network.secured {
+    let known = Known::within(data, Arc::clone(invitations));
+    let (door, agreement, way) = match &network.secured {
         Secured::Proxy { origin } => {
             let way = Way { origin: origin.clone(), fingerprint: None };
             (Door::proxied(origin, Arc::clone(invitations)), None, way)
@@ -70,12 +73,18 @@ pub(crate) fn open(
         secured => {
             let certificate = Certificate::of(secured, data, reached.ip()).map_err(NotOpened::Certificate)?;
             let way = Way { origin: format!("https://{reached}"), fingerprint: certificate.fingerprint.clone() };
-            (Door::tls(address.port(), Arc::clone(invitations), Arc::clone(&known)), Some(certificate), way)
+            let tickets = Tickets::within(data).ok_or_else(no_random)?;
+            let door = Door::tls(address.port(), Arc::clone(invitations));
+            (door, Some(Agreement::of(certificate, tickets)), way)
         }
     };
     tracing::info!(%address, origin = way.origin, "others can come in by invitation");
     invitations.open(way);
-    Ok(Opened { listener, address, door, certificate, known })
+    Ok(Opened { listener, address, door, agreement, known })
+}
+
+fn no_random() -> NotOpened {
+    NotOpened::Certificate(NoCertificate::NotMade("this computer gives no random numbers".to_owned()))
 }
 
 /// Why a network was not opened.
@@ -103,12 +112,13 @@ fn reached(listen: IpAddr) -> IpAddr {
     }
 }
 
-/// The threads of a network, and where what they accept arrives: those who are in, and all others.
+/// The threads of a network, and where what they accept arrives: those who prove that they are in, those who may be, and
+/// all others.
 pub(crate) struct Started {
     /// The threads, which work until the end.
     pub(crate) threads: Vec<JoinHandle<()>>,
     /// Connections to be served.
-    pub(crate) handed: [Handed; 2],
+    pub(crate) handed: [Handed; 3],
 }
 
 impl Opened {
@@ -117,22 +127,29 @@ impl Opened {
     /// # Errors
     /// If a thread cannot be made.
     pub(crate) fn start(self, robots: &Robots, ending: &CancellationToken) -> io::Result<Started> {
-        let Self { listener, door, certificate, known, .. } = self;
-        let acceptor = certificate.map(|certificate| certificate.acceptor);
+        let Self { listener, door, agreement, known, .. } = self;
         let mut threads = Vec::new();
-        let mut lane = |name: &str, is_of_strangers: bool| {
-            let (waiting, arriving) = mpsc::channel(WAITING_MAX);
+        let mut lane = |name: &str, priority: Option<Priority>| {
+            let arrivals = Arrivals::new();
             let (others, handed) = mpsc::channel(HANDED_OVER_MAX);
-            let lane = Lane::new(door.clone(), robots.clone(), acceptor.clone(), others);
-            let priority = is_of_strangers.then_some(Priority::Run);
-            threads.push(thread(name, priority, boxed(lane.work(arriving, ending.clone())))?);
-            Ok::<_, io::Error>((waiting, handed))
+            let (door, known, robots, agreement) =
+                (door.clone(), Arc::clone(&known), robots.clone(), agreement.clone());
+            let lane = Arc::new(Lane { door, known, robots, agreement, others });
+            threads.push(thread(name, priority, boxed(lane.work(Arc::clone(&arrivals), ending.clone())))?);
+            Ok::<_, io::Error>((arrivals, handed))
         };
-        let (in_already, handed_known) = lane("guests", false)?;
-        let (strangers, handed_others) = lane("strangers", true)?;
-        let sorter = Sorter { known, in_already, strangers };
-        threads.push(thread("network", None, boxed(accept_all(listener, sorter, ending.clone())))?);
-        Ok(Started { threads, handed: [handed_known, handed_others] })
+        let (proven, handed_proven) = lane("guests", None)?;
+        let (may_be, handed_known) = lane("known", Some(Priority::Run))?;
+        let (strangers, handed_others) = lane("strangers", Some(Priority::Work))?;
+        let tickets = agreement.map(|agreement| agreement.tickets);
+        let lanes = Lanes { proven, known: may_be, strangers };
+        let sorter = Sorter::new(door, Arc::clone(&known), tickets, lanes);
+        let (accepting, keeping) = (sorter.accept(listener, ending.clone()), ending.clone());
+        let both = async move {
+            tokio::join!(accepting, known.keep(keeping));
+        };
+        threads.push(thread("network", None, boxed(both))?);
+        Ok(Started { threads, handed: [handed_proven, handed_known, handed_others] })
     }
 }
 
@@ -143,37 +160,4 @@ fn thread(name: &str, priority: Option<Priority>, work: Work) -> io::Result<Join
         priority.into_iter().for_each(priority::of_this_thread);
         runtime.block_on(work);
     })
-}
-
-/// Tells those who are in from strangers, by where they come from.
-struct Sorter {
-    known: Arc<Known>,
-    in_already: mpsc::Sender<(std::net::TcpStream, IpAddr)>,
-    strangers: mpsc::Sender<(std::net::TcpStream, IpAddr)>,
-}
-
-async fn accept_all(listener: std::net::TcpListener, sorter: Sorter, ending: CancellationToken) {
-    let listener = match TcpListener::from_std(listener) {
-        Ok(listener) => listener,
-        Err(error) => return tracing::error!(%error, "nobody can come in"),
-    };
-    while let Some(accepted) = ending.run_until_cancelled(listener.accept()).await {
-        match accepted.and_then(|(stream, peer)| Ok((stream.into_std()?, peer.ip()))) {
-            Ok((stream, peer)) => {
-                let is_known = sorter.known.has(Source::of(peer));
-                let lane = if is_known { &sorter.in_already } else { &sorter.strangers };
-                // Who finds no room is closed; whoever needs it comes again.
-                drop(lane.try_send((stream, peer)));
-            }
-            Err(error) => {
-                tracing::warn!(%error, "a connection from the network could not be accepted");
-                tokio::time::sleep(Duration::from_millis(REST_MS)).await;
-            }
-        }
-    }
-}
-
-/// What goes with a connection of this door.
-fn came(door: &Door, peer: IpAddr) -> Came {
-    Came { door: door.clone(), peer }
 }

@@ -131,7 +131,7 @@ impl Kept {
 pub(super) struct Indexed {
     pub(super) book: Book,
     /// Links that may work, with the place of their invitation.
-    pub(super) links: HashMap<Digest, usize>,
+    links: HashMap<Digest, usize>,
     passes: HashMap<Digest, usize>,
 }
 
@@ -142,6 +142,11 @@ impl Indexed {
         let open = book.kept.iter().enumerate().filter(|(_, kept)| !kept.invitation.revoked);
         let passes = open.flat_map(|(at, kept)| kept.passes.iter().map(move |pass| (pass.cookie, at))).collect();
         Self { book, links, passes }
+    }
+
+    /// Whether somebody can come in by this link.
+    pub(super) fn is_open(&self, link: &Digest, now_ms: u64) -> bool {
+        self.links.get(link).is_some_and(|at| !self.book.kept[*at].is_over(now_ms))
     }
 
     /// By which invitation somebody with this cookie is in, as what, and until when.

@@ -1,4 +1,5 @@
-//! How often somebody may try links that do not work, from one place. Who is in already is never asked this.
+//! How often somebody is told that a link does not work, from one place. Who is in already is never asked this, nor who has
+//! a link that works.
 
 use std::collections::{BTreeSet, HashMap};
 use std::net::{IpAddr, Ipv6Addr};
@@ -34,7 +35,7 @@ pub(super) struct Guesses {
 }
 
 impl Guesses {
-    /// Whether a place may try a link.
+    /// Whether a place may be told of one more.
     ///
     /// # Errors
     /// The seconds that it has to wait.

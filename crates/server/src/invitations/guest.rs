@@ -20,6 +20,11 @@ pub(crate) struct Guest {
 }
 
 impl Guest {
+    /// The digest of their cookie: one for each device that came in.
+    pub(crate) fn pass(&self) -> Digest {
+        self.pass
+    }
+
     /// Whether they may not be here any more.
     pub(crate) fn is_over(&self) -> bool {
         self.over.is_cancelled() || self.ends_ms.is_some_and(|ends_ms| ends_ms <= now_ms())

@@ -64,14 +64,14 @@ fn a_disk_that_keeps_nothing_lets_nobody_in_and_still_throws_out() {
 }
 
 #[test]
-fn a_hundred_thousand_guesses_are_hardly_looked_up_and_who_is_in_never_waits() {
+fn a_hundred_thousand_guesses_are_slowed_and_neither_who_is_in_nor_a_right_link_waits() {
     let all = opened(None);
     let (_, token) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
     let cookie = all.come_in(&token, here()).unwrap();
-    let mut looked_up = 0;
+    let mut told = 0;
     for guess in 0..100_000 {
         match all.come_in(&format!("guess {guess}"), here()) {
-            Err(NotIn::Unknown) => looked_up += 1,
+            Err(NotIn::Unknown) => told += 1,
             Err(NotIn::TooMany(seconds)) => assert!(seconds > 0),
             other => panic!("{other:?}"),
         }
@@ -80,9 +80,22 @@ fn a_hundred_thousand_guesses_are_hardly_looked_up_and_who_is_in_never_waits() {
             assert_eq!(entry.may(Asked::Http(Route::Stop)), Ok(()), "from the same place");
         }
     }
-    assert!(looked_up < 100, "{looked_up}");
+    assert!(told < 100, "{told}");
+    assert!(all.come_in(&token, here()).is_ok(), "whatever others tried from the same place");
     let elsewhere = Source::of("10.0.0.3".parse().unwrap());
-    assert!(all.come_in(&token, elsewhere).is_ok(), "another place is not slowed");
+    assert_eq!(all.come_in("a guess", elsewhere), Err(NotIn::Unknown), "another place is not slowed");
+}
+
+#[test]
+fn a_link_that_ended_is_a_guess_like_any_other() {
+    let all = opened(None);
+    let (invited, token) = invite(&all, Role::Viewer, Lasts::Once);
+    all.come_in(&token, here()).unwrap();
+    let (_, revoked) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
+    all.revoke(&all.told().borrow()[0].id.clone()).unwrap();
+    let tries = (0..40).map(|_| [all.come_in(&token, here()), all.come_in(&revoked, here())]);
+    let told = tries.flatten().filter(|tried| *tried == Err(NotIn::Unknown)).count();
+    assert!(told < 20, "{told} for {}", invited.link);
 }
 
 #[tokio::test]

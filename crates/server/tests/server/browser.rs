@@ -4,29 +4,35 @@ use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 use futures_util::{SinkExt, StreamExt};
 use protocol::{Ask, Message, Reply, Request};
-use std::net::SocketAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
-use tokio::net::TcpStream;
+use tokio::net::{TcpSocket, TcpStream};
 use tokio_rustls::TlsConnector;
 use tokio_rustls::client::TlsStream;
+use tokio_rustls::rustls::client::Resumption;
 use tokio_rustls::rustls::crypto::ring;
 use tokio_rustls::rustls::pki_types::{CertificateDer, ServerName};
-use tokio_rustls::rustls::{ClientConfig, RootCertStore};
+use tokio_rustls::rustls::{ClientConfig, ClientConnection, RootCertStore};
 use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::tungstenite::protocol::CloseFrame;
 use tokio_tungstenite::tungstenite::{Error, Message as Frame};
 
+/// Servers of which a browser keeps tickets.
+const TICKETS_OF: usize = 8;
 /// How long anything may take before a test gives up.
 const PATIENCE: Duration = Duration::from_secs(60);
 
 /// A browser that trusts the certificate of one server.
 #[derive(Clone)]
 pub(crate) struct Browser {
-    tls: TlsConnector,
+    /// Keeps tickets, and shows each once.
+    tls: ClientConfig,
+    /// From which of its addresses it connects; none if it does not matter.
+    pub(crate) from: Option<IpAddr>,
     /// Where the server is.
     pub(crate) address: SocketAddr,
     /// `NAME=VALUE`, as it is sent.
@@ -43,19 +49,45 @@ impl Browser {
         roots.add(CertificateDer::from(certificate)).unwrap();
         let config = ClientConfig::builder_with_provider(Arc::new(ring::default_provider()));
         let config = config.with_safe_default_protocol_versions().unwrap();
-        let config = config.with_root_certificates(roots).with_no_client_auth();
+        let tls = config.with_root_certificates(roots).with_no_client_auth();
         let place = link.strip_prefix("https://").unwrap().split('/').next().unwrap();
-        Self { tls: TlsConnector::from(Arc::new(config)), address: place.parse().unwrap(), cookie: None }
+        Self { tls, from: None, address: place.parse().unwrap(), cookie: None }
     }
 
-    /// Somebody else at the same computer, without our cookie.
+    /// Somebody else at the same computer, without our cookie and our tickets.
     pub(crate) fn stranger(&self) -> Self {
-        Self { cookie: None, ..self.clone() }
+        let mut stranger = Self { cookie: None, ..self.clone() };
+        stranger.tls.resumption = Resumption::in_memory_sessions(TICKETS_OF);
+        stranger
+    }
+
+    /// This as a program that keeps no tickets.
+    pub(crate) fn without_tickets(mut self) -> Self {
+        self.tls.resumption = Resumption::disabled();
+        self
     }
 
     async fn connect(&self) -> std::io::Result<TlsStream<TcpStream>> {
-        let stream = TcpStream::connect(self.address).await?;
-        self.tls.connect(ServerName::from(self.address.ip()), stream).await
+        let socket = if self.address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
+        if let Some(from) = self.from {
+            socket.bind((from, 0).into())?;
+        }
+        self.agree(socket.connect(self.address).await?).await
+    }
+
+    /// Agrees on TLS.
+    pub(crate) async fn agree(&self, stream: TcpStream) -> std::io::Result<TlsStream<TcpStream>> {
+        let tls = TlsConnector::from(Arc::new(self.tls.clone()));
+        tls.connect(ServerName::from(self.address.ip()), stream).await
+    }
+
+    /// The first thing that it says.
+    pub(crate) fn hello(&self) -> Vec<u8> {
+        let name = ServerName::from(self.address.ip());
+        let mut connection = ClientConnection::new(Arc::new(self.tls.clone()), name).unwrap();
+        let mut hello = Vec::new();
+        connection.write_tls(&mut hello).unwrap();
+        hello
     }
 
     /// Sends a request as it is and answers with everything that came back.

@@ -10,12 +10,12 @@ use rustls::ServerConfig;
 use rustls::crypto::ring as provider;
 use rustls::pki_types::pem::{self, PemObject};
 use rustls::pki_types::{CertificateDer, PrivateKeyDer, PrivatePkcs8KeyDer};
+use rustls::sign::{CertifiedKey, SingleCertAndKey};
 use serde::{Deserialize, Serialize};
 use std::net::IpAddr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
-use tokio_rustls::TlsAcceptor;
 
 /// The file of the certificate that the server made, with its key.
 const FILE: &str = "rrp.certificate.json";
@@ -57,7 +57,9 @@ pub enum NoCertificate {
 
 /// A certificate that is ready to be shown.
 pub(super) struct Certificate {
-    pub(super) acceptor: TlsAcceptor,
+    /// How TLS is spoken, by whoever it is shown to.
+    pub(super) config: ServerConfig,
+    pub(super) key: Arc<CertifiedKey>,
     /// What people compare, if the server made it.
     pub(super) fingerprint: Option<String>,
 }
@@ -81,15 +83,30 @@ impl Certificate {
                 let chain = CertificateDer::pem_file_iter(certificate).and_then(Iterator::collect);
                 let chain: Vec<_> = chain.map_err(|error| unreadable(certificate, &error))?;
                 let key_der = PrivateKeyDer::from_pem_file(key).map_err(|error| unreadable(key, &error))?;
-                Ok(Self { acceptor: acceptor(chain, key_der)?, fingerprint: None })
+                Self::ready(chain, key_der, None)
             }
             Secured::Made | Secured::Proxy { .. } => {
                 let (certificate, key) = made(data, &names(reached))?;
                 let fingerprint = Some(fingerprint(&certificate));
-                let acceptor = acceptor(vec![certificate], PrivatePkcs8KeyDer::from(key).into())?;
-                Ok(Self { acceptor, fingerprint })
+                Self::ready(vec![certificate], PrivatePkcs8KeyDer::from(key).into(), fingerprint)
             }
         }
+    }
+
+    fn ready(
+        chain: Vec<CertificateDer<'static>>,
+        key: PrivateKeyDer<'static>,
+        fingerprint: Option<String>,
+    ) -> Result<Self, NoCertificate> {
+        let misfit = |error: rustls::Error| NoCertificate::Misfit(error.to_string());
+        let provider = Arc::new(provider::default_provider());
+        let key = Arc::new(CertifiedKey::from_der(chain, key, &provider).map_err(misfit)?);
+        // 1.3 alone, whatever else the library may know here.
+        let config = ServerConfig::builder_with_provider(provider).with_protocol_versions(&[&rustls::version::TLS13]);
+        let shown = Arc::new(SingleCertAndKey::from(Arc::clone(&key)));
+        let mut config = config.map_err(misfit)?.with_no_client_auth().with_cert_resolver(shown);
+        config.alpn_protocols = vec![b"http/1.1".to_vec()];
+        Ok(Self { config, key, fingerprint })
     }
 }
 
@@ -136,19 +153,6 @@ fn make(names: &[String], until_ms: u64) -> Result<(CertificateDer<'static>, Vec
     params.not_before = day(now_ms().saturating_sub(DAY_MS));
     params.not_after = day(until_ms);
     Ok((params.self_signed(&key)?.der().clone(), key.serialize_der()))
-}
-
-fn acceptor(chain: Vec<CertificateDer<'static>>, key: PrivateKeyDer<'static>) -> Result<TlsAcceptor, NoCertificate> {
-    let misfit = |error: rustls::Error| NoCertificate::Misfit(error.to_string());
-    // 1.3 alone, whatever else the library may know here.
-    let config = ServerConfig::builder_with_provider(Arc::new(provider::default_provider()))
-        .with_protocol_versions(&[&rustls::version::TLS13])
-        .map_err(misfit)?;
-    let mut config = config.with_no_client_auth().with_single_cert(chain, key).map_err(misfit)?;
-    config.alpn_protocols = vec![b"http/1.1".to_vec()];
-    // Every request is a connection of its own: who was here agrees on the next one without another signature.
-    config.ticketer = provider::Ticketer::new().map_err(misfit)?;
-    Ok(TlsAcceptor::from(Arc::new(config)))
 }
 
 /// As browsers show it: `AB:CD:…`.

@@ -117,6 +117,7 @@ mod tests {
             NotAllowed::NoOrigin,
             NotAllowed::OtherPage,
             NotAllowed::NotInvited,
+            NotAllowed::Forwarded,
         ];
         for why in all {
             let english = Said::of(&Err(why), &uri, &asked("text/html", "en-GB")).body;

@@ -27,6 +27,11 @@ impl Language {
                  rrp printed, and press Stop there.",
                 "このコンピューターには別のアドレスで接続します。ロボットの胸のボタンを押すか、rrp が表示したアドレスを開いて、そこで「停止」を押してください。",
             ),
+            NotAllowed::Forwarded => self.said(
+                "A proxy passes this on to a server that was not told of it. Press the button on its chest. Whoever runs \
+                 rrp starts it with --behind-proxy.",
+                "プロキシがこの操作を、プロキシを使う設定になっていないサーバーに渡しました。ロボットの胸のボタンを押してください。rrp は --behind-proxy を付けて起動します。",
+            ),
             NotAllowed::OtherPage | NotAllowed::NoOrigin | NotAllowed::NoHost | NotAllowed::Unreadable => self.said(
                 "Your browser did not say that this press came from rrp’s own page. Press Stop here again, or press the \
                  button on its chest.",

@@ -1,0 +1,180 @@
+//! Accepts connections of others and reads the first bytes of each, on a thread that does nothing else: a ticket or a
+//! cookie in them proves who comes, and where from says who may. Each goes on to the lane of its kind. While it says
+//! nothing it has a place among those of its kind; who is unknown takes none from who may be known.
+
+use super::agreement::Proof;
+use super::hello::Hello;
+use super::lane::Arrivals;
+use super::tickets::{Holder, Tickets};
+use crate::http::accept::{REST_MS, SILENT_MS};
+use crate::http::door::Door;
+use crate::http::known::{Known, Mark};
+use crate::http::line::{Begun, Socket};
+use crate::invitations::{Digest, Source};
+use crate::support::fair_places::FairPlaces;
+use crate::support::tasks::boxed;
+use std::io;
+use std::net::IpAddr;
+use std::sync::Arc;
+use std::time::Duration;
+use tokio::io::AsyncReadExt;
+use tokio::net::{TcpListener, TcpStream};
+use tokio_util::sync::CancellationToken;
+
+/// Connections of each kind that have not said yet what they want.
+const SILENT_MAX: usize = 512;
+/// What is read at once, in bytes: as much as most hellos have.
+const FIRST_BYTES: usize = 2 << 10;
+/// The longest head of a request that is looked at, in bytes.
+const HEAD_MAX_BYTES: usize = 8 << 10;
+/// Header lines in it.
+const LINES_MAX: usize = 64;
+
+/// Who comes, as far as that can be told: those of one share.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(super) enum Who {
+    /// A device that proves that it is in, by the digest of its cookie.
+    Proven(Digest),
+    /// Somebody from an address from which a device came that is in.
+    Known(IpAddr),
+    /// Somebody from anywhere else.
+    Stranger(Source),
+}
+
+/// A connection of which something was read.
+pub(super) struct Arrival {
+    pub(super) begun: Begun<Socket>,
+    pub(super) peer: IpAddr,
+    pub(super) proof: Option<Proof>,
+}
+
+/// What tells who comes, and the lanes for each kind.
+pub(super) struct Sorter {
+    door: Door,
+    known: Arc<Known>,
+    /// None where a proxy agrees on TLS.
+    tickets: Option<Arc<Tickets>>,
+    may_be_known: Arc<FairPlaces<Who>>,
+    unknown: Arc<FairPlaces<Who>>,
+    lanes: Lanes,
+}
+
+/// Where those of each kind wait for their lane.
+pub(super) struct Lanes {
+    pub(super) proven: Arc<Arrivals>,
+    pub(super) known: Arc<Arrivals>,
+    pub(super) strangers: Arc<Arrivals>,
+}
+
+impl Sorter {
+    pub(super) fn new(door: Door, known: Arc<Known>, tickets: Option<Arc<Tickets>>, lanes: Lanes) -> Arc<Self> {
+        let (may_be_known, unknown) = (FairPlaces::of(SILENT_MAX), FairPlaces::of(SILENT_MAX));
+        Arc::new(Self { door, known, tickets, may_be_known, unknown, lanes })
+    }
+
+    /// Accepts connections until `ending`.
+    pub(super) async fn accept(self: Arc<Self>, listener: std::net::TcpListener, ending: CancellationToken) {
+        let listener = match TcpListener::from_std(listener) {
+            Ok(listener) => listener,
+            Err(error) => return tracing::error!(%error, "nobody can come in"),
+        };
+        while let Some(accepted) = ending.run_until_cancelled(listener.accept()).await {
+            match accepted {
+                Ok((stream, peer)) => drop(tokio::spawn(boxed(Arc::clone(&self).admit(stream, peer.ip())))),
+                Err(error) => {
+                    tracing::warn!(%error, "a connection from the network could not be accepted");
+                    // Strangers have some places less, so that the next one finds room.
+                    self.unknown.give_way();
+                    self.lanes.strangers.give_way();
+                    tokio::time::sleep(Duration::from_millis(REST_MS)).await;
+                }
+            }
+        }
+    }
+
+    async fn admit(self: Arc<Self>, stream: TcpStream, peer: IpAddr) {
+        let is_known = self.known.pass(Mark::Address(peer)).is_some();
+        let (from, places) = match is_known {
+            true => (Who::Known(peer.to_canonical()), &self.may_be_known),
+            false => (Who::Stranger(Source::of(peer)), &self.unknown),
+        };
+        let place = places.take(from);
+        let read = tokio::time::timeout(Duration::from_millis(SILENT_MS), self.read(Socket::new(stream)));
+        let (mut begun, who, proof) = match place.hold(read).await {
+            Some(Ok(Ok((begun, Some(Shown::Ticket(proof)))))) => (begun, Who::Proven(proof.pass), Some(proof)),
+            Some(Ok(Ok((begun, Some(Shown::Cookie(pass)))))) => (begun, Who::Proven(pass), None),
+            Some(Ok(Ok((begun, None)))) => (begun, from, None),
+            Some(Ok(Err(_)) | Err(_)) | None => return,
+        };
+        drop(place);
+        begun.leave();
+        self.lanes.of(who).push(who, Arrival { begun, peer, proof });
+    }
+
+    /// Reads so much that it can be told who it is.
+    async fn read(&self, mut socket: Socket) -> io::Result<(Begun<Socket>, Option<Shown>)> {
+        let mut first = Vec::with_capacity(FIRST_BYTES);
+        loop {
+            if socket.read_buf(&mut first).await? == 0 {
+                return Err(io::ErrorKind::UnexpectedEof.into());
+            }
+            let shown = match &self.tickets {
+                Some(tickets) => self.ticket(tickets, &first),
+                None => self.cookie(&first),
+            };
+            if let Some(shown) = shown {
+                return Ok((Begun::new(socket, first), shown));
+            }
+        }
+    }
+
+    /// What the ticket in a hello proves, once enough came to tell.
+    fn ticket(&self, tickets: &Tickets, hello: &[u8]) -> Option<Option<Shown>> {
+        match Hello::of(hello) {
+            Hello::Begun => None,
+            Hello::Unknown => Some(None),
+            Hello::Again(ticket) => Some(self.proof(tickets, &ticket).map(Shown::Ticket)),
+        }
+    }
+
+    fn proof(&self, tickets: &Tickets, ticket: &[u8]) -> Option<Proof> {
+        let (holder, _) = tickets.open(ticket)?;
+        let pass = match holder {
+            Holder::Device(pass) => Some(pass).filter(|pass| self.known.holds(pass)),
+            Holder::Connection(id) => self.known.pass(Mark::Tickets(id)),
+        }?;
+        tickets.is_fresh(ticket).then_some(Proof { holder, pass })
+    }
+
+    /// What the cookies in a head prove, once all of it came.
+    fn cookie(&self, first: &[u8]) -> Option<Option<Shown>> {
+        let mut lines = [httparse::EMPTY_HEADER; LINES_MAX];
+        let mut request = httparse::Request::new(&mut lines);
+        match request.parse(first) {
+            Ok(httparse::Status::Partial) if first.len() < HEAD_MAX_BYTES => None,
+            Ok(httparse::Status::Partial) | Err(_) => Some(None),
+            Ok(httparse::Status::Complete(_)) => {
+                let cookies = request.headers.iter().filter(|line| line.name.eq_ignore_ascii_case("cookie"));
+                let pass = self.door.pass(cookies.filter_map(|line| std::str::from_utf8(line.value).ok()));
+                Some(pass.map(Shown::Cookie))
+            }
+        }
+    }
+}
+
+/// What proves who somebody is.
+enum Shown {
+    Ticket(Proof),
+    /// The digest of a cookie that holds.
+    Cookie(Digest),
+}
+
+impl Lanes {
+    fn of(&self, who: Who) -> &Arrivals {
+        match who {
+            Who::Proven(_) => &self.proven,
+            Who::Known(_) => &self.known,
+            Who::Stranger(_) => &self.strangers,
+        }
+    }
+}
