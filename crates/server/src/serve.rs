@@ -11,7 +11,7 @@ use crate::http::network::{Network, NoCertificate};
 use crate::http::page::Page;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
-use crate::invitations::Invitations;
+use crate::invitations::{self, Invitations};
 use crate::library::create::first_library;
 use crate::library::exercises::{ExerciseStart, exercises};
 use crate::library::templates::{Template, templates};
@@ -168,6 +168,7 @@ pub async fn serve_with(
         messages.handle().spawn(boxed(serving::serve(handed, routed.clone(), connections.clone(), closing.clone())));
     }
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
+    invitations::keep(&invitations, &state.files, &state.tasks);
     bin::keep(&state.library, config.data.as_deref());
     tracing::info!(%address, epoch = state.epoch, "the server is ready");
     ready(Ready { address, network: reached, invited });
@@ -246,7 +247,8 @@ async fn open(
             move |behaviour| robots.has(behaviour)
         }),
     };
-    Ok(Arc::new(put_together(surroundings, robots, recordings, invitations)))
+    let files = Workers::for_files().map_err(ServeError::Thread)?;
+    Ok(Arc::new(put_together(surroundings, robots, recordings, (invitations, files))))
 }
 
 /// Everything, once its parts are there.
@@ -254,7 +256,7 @@ fn put_together(
     surroundings: Surroundings,
     robots: Robots,
     recordings: Recordings,
-    invitations: Arc<Invitations>,
+    (invitations, files): (Arc<Invitations>, Workers),
 ) -> ServerState {
     let Surroundings { store, health, knowing, workers, lookups, tasks, epoch, .. } = &surroundings;
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
@@ -272,6 +274,7 @@ fn put_together(
     });
     let thumbnails = Thumbnails::default();
     ServerState {
+        files,
         store,
         health,
         robots,

@@ -8,10 +8,12 @@ pub(super) use words::Language;
 
 use super::door::Came;
 use crate::invitations::{Entry, NotIn};
-use crate::support::tasks::blocking;
+use crate::support::identity::Identity;
+use crate::support::workers::Workers;
 use axum::extract::{Form, FromRequest, Request};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Redirect, Response};
+use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -48,7 +50,7 @@ pub(super) fn script() -> Response {
 }
 
 /// Exchanges the token that was sent for a cookie: always a new one, whatever cookie came along.
-pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Response {
+pub(super) async fn come_in(came: Came, entry: &Entry, files: &Workers, request: Request) -> Response {
     let Some(invitations) = came.door.invitations().map(Arc::clone) else {
         debug_assert!(matches!(entry, Entry::Local));
         return Redirect::to("/").into_response();
@@ -57,8 +59,9 @@ pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Resp
     let Ok(Form(Sent { token })) = Form::<Sent>::from_request(request, &()).await else {
         return no(&NotIn::Unknown, language);
     };
-    let exchanged = blocking(move || invitations.come_in(&token, source)).await;
-    let exchanged = exchanged.unwrap_or_else(|error| Err(NotIn::NotKept(error.to_string())));
+    let sender = Identity::Stranger.asks(source.number());
+    let exchanged = files.run(sender, move |_| invitations.come_in(&token, source)).await;
+    let exchanged = exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).to_string())));
     match exchanged {
         Ok(secret) => {
             let mut response = Redirect::to("/").into_response();

@@ -1,6 +1,7 @@
 //! How often somebody may try links that do not work, from one place. Who is in already is never asked this.
 
 use std::collections::{BTreeSet, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::net::{IpAddr, Ipv6Addr};
 
 /// Links that do not work which a place may try at once.
@@ -15,6 +16,13 @@ const PLACES_MAX: usize = 4_096;
 pub(crate) struct Source(IpAddr);
 
 impl Source {
+    /// A number by which places are told apart when they take turns.
+    pub(crate) fn number(self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.hash(&mut hasher);
+        hasher.finish()
+    }
+
     /// The place of this address.
     pub(crate) fn of(address: IpAddr) -> Self {
         match address.to_canonical() {
@@ -64,7 +72,8 @@ impl Guesses {
 #[cfg(test)]
 mod tests {
     use super::{AGAIN_MS, Guesses, PLACES_MAX, Source, TRIES_MAX};
-    use std::net::{IpAddr, Ipv4Addr};
+    use std::hash::{DefaultHasher, Hash, Hasher};
+use std::net::{IpAddr, Ipv4Addr};
 
     #[test]
     fn a_place_tries_a_few_at_once_and_then_one_now_and_then() {

@@ -6,7 +6,7 @@
 use super::Library;
 use crate::rooms::Note;
 use crate::support::store_call::{bounded, store_no};
-use crate::support::workers::Sender;
+use crate::support::identity::Sender;
 use behaviour::{
     Behaviour, Change, Helper, Id, Kind, NAME_MAX_CHARS, Procedure, Record, RecordId, Refusal, rename_helpers,
 };

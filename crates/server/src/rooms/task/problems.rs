@@ -3,7 +3,8 @@
 
 use super::RoomTask;
 use crate::support::message::encode;
-use crate::support::workers::{NotDone, Sender};
+use crate::support::identity::Sender;
+use crate::support::workers::NotDone;
 use behaviour::{BehaviourFile, Problem};
 use futures_util::future::BoxFuture;
 use protocol::Reply;

@@ -2,7 +2,7 @@
 
 use crate::rooms::Surroundings;
 use crate::support::store_call::{bounded, store_no};
-use crate::support::workers::Sender;
+use crate::support::identity::Sender;
 use behaviour::{Behaviour, Committed, Id, Room};
 use protocol::Refused;
 use std::collections::VecDeque;
