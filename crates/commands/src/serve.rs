@@ -15,6 +15,9 @@ use std::time::Duration;
 
 /// Files and connections that the server may have open, if the system allows it.
 const FILES: u64 = 8_192;
+/// Threads that may wait for the store's disk at once: four that read, and what is prepared for saving. All else that waits
+/// for something has threads of its own.
+const BLOCKING_THREADS: usize = 32;
 /// How long what still works in the background may take at the end.
 const ENDING_MS: u64 = 2_000;
 
@@ -79,7 +82,9 @@ fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
     let store = store_url(args.store, args.data)?;
     let (listen, network) = args.at.ways()?;
     let config = Config { listen, network, store, data, seed: args.seed, page };
-    let runtime = tokio::runtime::Runtime::new().map_err(Failure::ServerNotStarted)?;
+    let mut threads = tokio::runtime::Builder::new_multi_thread();
+    threads.max_blocking_threads(BLOCKING_THREADS).enable_all();
+    let runtime = threads.build().map_err(Failure::ServerNotStarted)?;
     let served = runtime.block_on(async {
         let asked_to_end = ending::asked().map_err(Failure::ServerNotStarted)?;
         tokio::select! {

@@ -81,6 +81,10 @@ pub struct Invitation {
     /// Whether it was revoked.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub revoked: bool,
+    /// Whether it stands nowhere on the server's disk yet that it was revoked: it is tried again, and a restart before that
+    /// would undo it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub unwritten: bool,
 }
 
 /// Somebody who came by an invitation, on one of their devices.

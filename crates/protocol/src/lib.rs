@@ -37,6 +37,9 @@ pub const PATH: &str = "/socket";
 pub const STOP_PATH: &str = "/stop";
 /// The code with which the server closes the socket of who came by an invitation that ended.
 pub const CLOSE_REVOKED: u16 = 4001;
+/// The code with which the server closes the socket of a page whose place another page of the same person took. A page that
+/// came back by itself would take it back.
+pub const CLOSE_GAVE_WAY: u16 = 4002;
 /// Where an invitation's link leads, with its token behind the `#`, which no browser sends and no log keeps.
 pub const COME_IN_PATH: &str = "/come-in";
 /// Where a POST of the host makes a link by which another browser becomes theirs.

@@ -1,5 +1,6 @@
 //! Sockets: who is connected, what they ask, and what they are told.
 
+mod budgets;
 mod clients;
 mod close_signal;
 mod hear;
@@ -15,20 +16,21 @@ mod values;
 mod writer;
 
 use crate::state::ServerState;
-use crate::support::places::Places;
+use crate::support::identity::Identity;
+use crate::support::shares::{Limits, SharedPlace, SharedPlaces};
+use budgets::{Budget, Budgets};
 use clients::Clients;
-use inbox::Weights;
 use outbox::AllWaiting;
 use secrets::Secrets;
 use std::path::Path;
 use std::sync::Arc;
-use tokio::sync::{OwnedSemaphorePermit, Semaphore};
 use topics::Topics;
 
-/// WebSockets that may be open. Other requests get through beyond that.
-const SOCKETS_MAX: usize = 512;
+/// WebSockets that may be open; other requests get through beyond that. A guest has eight pages. The host is not counted, as
+/// programs that the host runs speak for many, yet only what is kept for the host is sure.
+const SOCKETS: Limits = Limits { all: 512, guest: 8, host: 512, reserved: 64, still_ms: 0 };
 /// WebSockets among them that have not greeted yet.
-const HALF_OPEN_MAX: usize = 64;
+const HALF_OPEN: Limits = Limits { all: 128, guest: 4, host: 64, reserved: 64, still_ms: 0 };
 
 /// Everyone who is connected, and the server behind them.
 pub(crate) struct Connections {
@@ -38,13 +40,29 @@ pub(crate) struct Connections {
     /// What everyone is told.
     topics: Topics,
     /// Places for sockets that have not greeted yet.
-    half_open: Arc<Places>,
-    /// Room for large messages.
-    weights: Weights,
+    half_open: Arc<SharedPlaces>,
+    /// What people may ask.
+    budgets: Budgets,
     /// What waits to be written to all clients.
     waiting: AllWaiting,
     /// Places for sockets.
-    sockets: Arc<Semaphore>,
+    sockets: Arc<SharedPlaces>,
+}
+
+/// A place for a socket, with whose it is and what they may ask.
+pub(crate) struct Seat {
+    place: SharedPlace,
+    budget: Arc<Budget>,
+    person: Arc<Identity>,
+}
+
+/// Why somebody gets no place for a socket.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoPlace {
+    /// All are taken, and nobody has more than they.
+    TooMany,
+    /// They opened too many lately.
+    TooOften,
 }
 
 impl Connections {
@@ -56,16 +74,24 @@ impl Connections {
             state,
             clients: Clients::proved_by(Secrets::within(data)),
             topics,
-            half_open: Places::of(HALF_OPEN_MAX),
-            weights: Weights::default(),
+            half_open: SharedPlaces::within(HALF_OPEN),
+            budgets: Budgets::default(),
             waiting: AllWaiting::default(),
-            sockets: Arc::new(Semaphore::new(SOCKETS_MAX)),
+            sockets: SharedPlaces::within(SOCKETS),
         })
     }
 
-    /// A place for a socket, if there is one.
-    pub(crate) fn place(&self) -> Option<OwnedSemaphorePermit> {
-        Arc::clone(&self.sockets).try_acquire_owned().ok()
+    /// A place for a socket of this person, the only way to one.
+    ///
+    /// # Errors
+    /// Why they get none.
+    pub(crate) fn place(&self, person: &Identity) -> Result<Seat, NoPlace> {
+        let budget = self.budgets.of(person);
+        if !budget.may_open() {
+            return Err(NoPlace::TooOften);
+        }
+        let place = self.sockets.take(person).ok_or(NoPlace::TooMany)?;
+        Ok(Seat { place, budget, person: Arc::new(person.clone()) })
     }
 
     /// A number that no link and no request has had.

@@ -13,6 +13,7 @@ mod line;
 pub(crate) mod network;
 pub(crate) mod origin;
 pub(crate) mod page;
+mod readiness;
 mod recordings;
 pub(crate) mod routes;
 pub(crate) mod serving;

@@ -6,24 +6,27 @@ mod entry;
 mod guesses;
 mod guest;
 mod host;
+mod keeping;
 mod may;
 mod qr;
+mod reserve;
 mod secret;
 
 pub(crate) use entry::Entry;
 pub(crate) use guesses::Source;
 pub(crate) use guest::{Guest, Here};
 pub(crate) use host::HostAccess;
+pub(crate) use keeping::keep;
 pub(crate) use may::{Asked, Route};
-pub(crate) use secret::Digest;
 
-use crate::support::tasks::blocking;
+use crate::support::digest::Digest;
 use crate::support::{atomic_file, lock, now_ms};
 use behaviour::{Id, without_unseen};
-use book::{Book, Indexed, Made};
+use book::{Book, Indexed, Made, Names};
 use guesses::Guesses;
 use guest::Live;
 use protocol::{COME_IN_PATH, Invitation, LABEL_MAX_CHARS, Lasts, Refused, Role};
+use reserve::Reserve;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, OnceLock};
 use std::time::Instant;
@@ -41,15 +44,24 @@ const NO_RANDOM: &str = "this computer gives no random numbers";
 pub(crate) struct Invitations {
     file: Option<PathBuf>,
     way: OnceLock<Way>,
-    /// Held while something is written: one writer at a time.
+    /// Held while the book is written: one writer at a time. Revoking does not wait for it.
     writing: Mutex<()>,
+    /// Held while what holds is put in the place of what held, for no longer.
+    replacing: Mutex<()>,
+    /// What guests are called, as far as the book does not say it yet.
+    names: Mutex<Names>,
+    /// What is revoked, as far as the book on the disk does not say it yet.
+    reserve: Mutex<Reserve>,
+    /// Whether the book says less than it should.
+    due: watch::Sender<bool>,
     /// What holds, for those who only look.
     book: watch::Sender<Arc<Indexed>>,
     live: Mutex<Live>,
     guesses: Mutex<Guesses>,
     /// When the clock of the guesses was 0.
     began: Instant,
-    told: watch::Sender<Arc<Vec<Invitation>>>,
+    /// New whenever the list is another.
+    told: watch::Sender<Arc<()>>,
 }
 
 /// Where links lead.
@@ -102,17 +114,22 @@ impl Invitations {
     /// Those of a data folder; without one they last as long as the server.
     pub(crate) fn within(data: Option<&Path>) -> Arc<Self> {
         let file = data.map(|data| data.join(FILE));
-        let book: Book = file.as_deref().and_then(atomic_file::read).unwrap_or_default();
-        let told = watch::Sender::new(Arc::new(book.list(|_| false)));
+        let mut book: Book = file.as_deref().and_then(atomic_file::read).unwrap_or_default();
+        let reserve = Reserve::within(data);
+        let revoked = reserve.noted().iter().filter(|invitation| book.revoke(invitation)).count();
         Arc::new(Self {
             file,
             way: OnceLock::new(),
             writing: Mutex::default(),
+            replacing: Mutex::default(),
+            names: Mutex::default(),
+            reserve: Mutex::new(reserve),
+            due: watch::Sender::new(revoked > 0),
             book: watch::Sender::new(Arc::new(Indexed::of(book))),
             live: Mutex::default(),
             guesses: Mutex::default(),
             began: Instant::now(),
-            told,
+            told: watch::Sender::default(),
         })
     }
 
@@ -126,9 +143,20 @@ impl Invitations {
         self.way.get().is_some()
     }
 
-    /// All of them, newest first, told anew whenever they change.
-    pub(crate) fn told(&self) -> watch::Receiver<Arc<Vec<Invitation>>> {
+    /// Tells when the list changed.
+    pub(crate) fn told(&self) -> watch::Receiver<Arc<()>> {
         self.told.subscribe()
+    }
+
+    /// All of them, newest first.
+    pub(crate) fn list(&self) -> Vec<Invitation> {
+        let mut list = {
+            let (names, live) = (lock(&self.names), lock(&self.live));
+            self.book.borrow().book.list(&names, |pass| live.is_here(pass))
+        };
+        let reserve = lock(&self.reserve);
+        list.iter_mut().for_each(|one| one.unwritten = reserve.is_unwritten(&one.id));
+        list
     }
 
     /// Makes one. Waits for the disk.
@@ -166,25 +194,19 @@ impl Invitations {
         Ok(Invited { invitation, link, qr, fingerprint })
     }
 
-    /// Ends one: its links and cookies are dead before this returns, and everyone by it is told to go. Waits for the disk.
+    /// Ends one: its links and cookies are dead and everyone by it is told to go before anything is written. Waits for the
+    /// disk, but for nothing else that is written there.
     ///
     /// # Errors
-    /// If there is none, or this cannot be kept; then it holds as long as the server.
+    /// If there is none, or this cannot be written; then it holds as long as the server, and it is tried again.
     pub(crate) fn revoke(&self, invitation: &Id) -> Result<(), Refused> {
-        let revoked = {
-            let _one = lock(&self.writing);
-            let mut book = self.book.borrow().book.clone();
-            if !book.revoke(invitation) {
-                return Err(Refused::NoInvitation);
-            }
-            // In force at once, whatever the disk says.
-            self.publish(book.clone());
-            self.put(&book)
-        };
+        self.replace(|book| book.revoke(invitation).then_some(())).ok_or(Refused::NoInvitation)?;
         lock(&self.live).end(invitation);
+        let noted = lock(&self.reserve).note(invitation);
+        self.due.send_replace(true);
         self.tell();
-        tracing::info!(%invitation, kept = revoked.is_ok(), "an invitation is revoked");
-        revoked.map_err(Refused::InvitationsNotKept)
+        tracing::info!(%invitation, kept = noted.is_ok(), "an invitation is revoked");
+        noted.map_err(|error| Refused::InvitationsNotKept(error.to_string()))
     }
 
     /// Exchanges the token of a link for that of a cookie, always a new one. Waits for the disk. A link that works is never
@@ -230,7 +252,7 @@ impl Invitations {
         let mut live = lock(&self.live);
         let (invitation, role, ends_ms) = self.book.borrow().guest(&pass, now_ms())?;
         let over = live.over(&invitation);
-        Some(Guest { role, pass, ends_ms, over })
+        Some(Guest { role, invitation, pass, ends_ms, over })
     }
 
     /// Whether a cookie of this digest still lets somebody in.
@@ -241,29 +263,26 @@ impl Invitations {
     /// A guest is here, under this name, until what is returned is dropped.
     pub(crate) fn arrive(self: &Arc<Self>, guest: &Guest, name: &str) -> Here {
         lock(&self.live).arrive(&guest.pass);
+        self.call(guest, name);
         self.tell();
-        let (all, name, named) = (Arc::clone(self), name.to_owned(), guest.clone());
-        drop(blocking(move || all.call(&named, &name)));
         Here::of(Arc::clone(self), guest.pass)
     }
 
-    /// A guest is called this from now on, which is kept.
+    /// A guest is called this from now on: known at once, and written later.
     pub(crate) fn call(&self, guest: &Guest, name: &str) {
-        if self.book.borrow().book.is_named(&guest.pass, name) {
-            return;
-        }
-        let named = self.change(|book| {
-            book.name(&guest.pass, name, now_ms());
-            Ok(())
-        });
-        if let Err(why) = named {
-            tracing::warn!(%why, "who came by an invitation could not be kept");
+        let mut names = lock(&self.names);
+        if names.contains_key(&guest.pass) || !self.book.borrow().book.is_named(&guest.invitation, &guest.pass, name) {
+            names.insert(guest.pass, (name.to_owned(), now_ms()));
+            drop(names);
+            self.due.send_replace(true);
+            self.tell();
         }
     }
 
     /// What a guest is called; empty until they said so.
     pub(crate) fn name_of(&self, guest: &Guest) -> String {
-        self.book.borrow().book.name_of(&guest.pass).to_owned()
+        let new = lock(&self.names).get(&guest.pass).map(|(name, _)| name.clone());
+        new.unwrap_or_else(|| self.book.borrow().book.name_of(&guest.pass).to_owned())
     }
 
     fn leave(&self, pass: &Digest) {
@@ -271,15 +290,52 @@ impl Invitations {
         self.tell();
     }
 
-    /// Changes the book: kept before it holds.
+    /// Changes the book: kept before it holds, with what may be written later.
     fn change<T>(&self, how: impl FnOnce(&mut Book) -> Result<T, Refused>) -> Result<T, Refused> {
         let _one = lock(&self.writing);
-        let mut book = self.book.borrow().book.clone();
-        let changed = how(&mut book)?;
-        self.put(&book).map_err(Refused::InvitationsNotKept)?;
-        self.publish(book);
+        // What comes meanwhile is due again.
+        self.due.send_replace(false);
+        let changed = self.write(how);
+        if changed.is_err() {
+            self.due.send_replace(true);
+        }
         self.tell();
+        changed
+    }
+
+    fn write<T>(&self, how: impl FnOnce(&mut Book) -> Result<T, Refused>) -> Result<T, Refused> {
+        let (names, mut book) = (lock(&self.names).clone(), self.book.borrow().book.clone());
+        let changed = how(&mut book)?;
+        book.name(&names);
+        self.put(&book).map_err(Refused::InvitationsNotKept)?;
+        let is_kept = |invitation: &Id| book.has_revoked(invitation);
+        lock(&self.reserve).kept(is_kept);
+        self.replace(|now| {
+            // It may have been revoked since, which never waits for this.
+            for invitation in book.revoked(now) {
+                book.revoke(&invitation);
+            }
+            *now = book;
+        });
+        lock(&self.names).retain(|pass, name| names.get(pass) != Some(name));
         Ok(changed)
+    }
+
+    /// Waits until something is to be written.
+    async fn is_due(&self) {
+        // It is there as long as this is.
+        let _ = self.due.subscribe().wait_for(|is_due| *is_due).await;
+    }
+
+    /// Writes what is due, if anything is; what cannot be written stays due.
+    fn write_due(&self) {
+        if !*self.due.borrow() {
+            return;
+        }
+        lock(&self.reserve).again();
+        if let Err(why) = self.change(|_| Ok(())) {
+            tracing::warn!(%why, "what is known of invitations could not be written; it is tried again");
+        }
     }
 
     fn put(&self, book: &Book) -> Result<(), String> {
@@ -288,14 +344,17 @@ impl Invitations {
         atomic_file::put(file, &text).map_err(|error| error.to_string())
     }
 
-    fn publish(&self, book: Book) {
+    /// Changes what holds, at once.
+    fn replace<T>(&self, how: impl FnOnce(&mut Book) -> T) -> T {
+        let _one = lock(&self.replacing);
+        let mut book = self.book.borrow().book.clone();
+        let done = how(&mut book);
         self.book.send_replace(Arc::new(Indexed::of(book)));
+        done
     }
 
     fn tell(&self) {
-        let live = lock(&self.live);
-        let list = self.book.borrow().book.list(|pass| live.is_here(pass));
-        self.told.send_replace(Arc::new(list));
+        self.told.send_modify(|_| {});
     }
 }
 

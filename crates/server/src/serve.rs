@@ -11,7 +11,7 @@ use crate::http::network::{Network, NoCertificate};
 use crate::http::page::Page;
 use crate::http::serving::{self, Routed};
 use crate::http::{accept, routes};
-use crate::invitations::{HostAccess, Invitations};
+use crate::invitations::{self, HostAccess, Invitations};
 use crate::library::create::first_library;
 use crate::library::exercises::{ExerciseStart, exercises};
 use crate::library::templates::{Template, templates};
@@ -171,6 +171,7 @@ pub async fn serve_with(
         messages.handle().spawn(boxed(serving::serve(handed, routed.clone(), connections.clone(), closing.clone())));
     }
     store_health::keep(state.health.clone(), Arc::clone(&state.store), &state.tasks);
+    invitations::keep(&invitations, &state.files, &state.tasks);
     bin::keep(&state.library, config.data.as_deref());
     let published = host_key::publish(&host.key(address), config.data.as_deref());
     if !published.is_kept() {
@@ -254,15 +255,16 @@ async fn open(
             move |behaviour| robots.has(behaviour)
         }),
     };
-    Ok(Arc::new(put_together(surroundings, (robots, recordings), invitations, host)))
+    let files = Workers::for_files().map_err(ServeError::Thread)?;
+    Ok(Arc::new(put_together(surroundings, (robots, recordings), (invitations, host), files)))
 }
 
 /// Everything, once its parts are there.
 fn put_together(
     surroundings: Surroundings,
     (robots, recordings): (Robots, Recordings),
-    invitations: Arc<Invitations>,
-    host: Arc<HostAccess>,
+    (invitations, host): (Arc<Invitations>, Arc<HostAccess>),
+    files: Workers,
 ) -> ServerState {
     let Surroundings { store, health, knowing, workers, lookups, tasks, epoch, .. } = &surroundings;
     let (store, health, knowing) = (Arc::clone(store), health.clone(), Arc::clone(knowing));
@@ -280,6 +282,7 @@ fn put_together(
     });
     let thumbnails = Thumbnails::default();
     ServerState {
+        files,
         store,
         health,
         robots,

@@ -28,6 +28,8 @@ pub(crate) struct ServerState {
     pub(crate) knowing: Arc<Knowing>,
     /// Work on what people send.
     pub(crate) workers: Workers,
+    /// Reading and writing of files.
+    pub(crate) files: Workers,
     /// Turns for what has to be looked up in the store.
     pub(crate) lookups: Lookups,
     /// What shows that somebody is the host.

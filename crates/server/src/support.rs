@@ -2,16 +2,20 @@
 
 pub(crate) mod atomic_file;
 pub(crate) mod data_folder;
+pub(crate) mod digest;
 pub(crate) mod fair_places;
 pub(crate) mod fair_queue;
+pub(crate) mod identity;
 pub(crate) mod lookups;
 pub(crate) mod message;
 pub(crate) mod places;
 pub(crate) mod priority;
 pub(crate) mod retry;
+pub(crate) mod shares;
 pub(crate) mod store_call;
 pub(crate) mod store_health;
 pub(crate) mod tasks;
+pub(crate) mod turns;
 pub(crate) mod workers;
 
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -10,6 +10,8 @@ pub(crate) enum CloseReason {
     Left,
     /// A new link of the same client took over.
     Replaced,
+    /// Another page of the same person took its place.
+    GaveWay,
     /// The greeting was missing or of another version.
     Unwelcome,
     /// A message was too large or none of ours.
@@ -26,7 +28,7 @@ impl CloseReason {
     /// Whether the client is still there and has to hear why it ends.
     pub(crate) fn is_told(self) -> bool {
         match self {
-            Self::Replaced | Self::Revoked | Self::Restart | Self::Resync => true,
+            Self::Replaced | Self::GaveWay | Self::Revoked | Self::Restart | Self::Resync => true,
             Self::Left | Self::Unwelcome | Self::TooLarge => false,
         }
     }
@@ -36,6 +38,7 @@ impl CloseReason {
         match self {
             Self::Left => (1000, "bye"),
             Self::Replaced => (4000, "replaced"),
+            Self::GaveWay => (protocol::CLOSE_GAVE_WAY, "gave way"),
             Self::Unwelcome => (1008, "unwelcome"),
             Self::Revoked => (protocol::CLOSE_REVOKED, "revoked"),
             Self::TooLarge => (1009, "too large"),

@@ -3,7 +3,7 @@
 
 use crate::library::exercises::{exercise, rehearse};
 use crate::state::ServerState;
-use crate::support::workers::Sender;
+use crate::support::identity::Sender;
 use behaviour::{Behaviour, BehaviourFile, Helper, Id, Knowledge, Problem, Seen};
 use protocol::{Refused, Reply};
 use std::sync::Arc;

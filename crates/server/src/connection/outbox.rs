@@ -2,11 +2,14 @@
 
 use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::rooms::member::{Feed, Recipient, Whole};
+use crate::support::identity::{Group, Identity, Sender};
+use crate::support::lock;
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use protocol::{Refused, Reply};
-use std::sync::Arc;
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, Weak};
 use tokio::sync::mpsc;
 
 /// Messages that may wait for one client: answers to the 200 that it may ask at once, and some of what others do
@@ -14,9 +17,14 @@ use tokio::sync::mpsc;
 const QUEUE_MAX_MESSAGES: usize = 1_024;
 /// What may wait for one client before another message is put behind it, in bytes.
 const QUEUE_MAX_BYTES: usize = 2 << 20;
-/// What may wait for all clients together before each is left its share only, in bytes.
+/// What may wait for all who came by one invitation before each of their links is left its share only, in bytes.
+const GROUP_MAX_BYTES: usize = 8 << 20;
+/// What may wait for all clients together, in bytes; then the links are left their share of those for whom more waits than
+/// [`GROUP_SPARED_BYTES`].
 const ALL_MAX_BYTES: usize = 24 << 20;
-/// The share, in bytes.
+/// What may always wait for all who came by one invitation, in bytes.
+const GROUP_SPARED_BYTES: usize = 512 << 10;
+/// The share of a link, in bytes.
 const SHARE_BYTES: usize = 48 << 10;
 /// Welcomes and opened behaviours that may wait for one client: who opens again and again reads what comes of it.
 const WHOLES_MAX: usize = 4;
@@ -50,6 +58,8 @@ pub(crate) enum Out {
 pub(crate) struct Outbox {
     /// The number of the link, never used twice.
     pub(crate) session: u64,
+    /// Whose link it is.
+    pub(crate) person: Arc<Identity>,
     /// Ends the link.
     pub(crate) close: CloseSignal,
     queue: mpsc::Sender<Out>,
@@ -62,25 +72,70 @@ pub(crate) struct Waiting(Arc<Counts>);
 
 /// How many bytes wait for all clients together. A clone counts the same.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct AllWaiting(Arc<AtomicUsize>);
+pub(crate) struct AllWaiting(Arc<AllCounts>);
+
+#[derive(Debug, Default)]
+struct AllCounts {
+    bytes: AtomicUsize,
+    groups: Mutex<HashMap<Group, Weak<AtomicUsize>>>,
+}
+
+/// How many bytes wait for a group, and for all.
+#[derive(Clone, Debug)]
+struct Together {
+    is_host: bool,
+    group: Arc<AtomicUsize>,
+    all: AllWaiting,
+}
 
 #[derive(Debug)]
 struct Counts {
     bytes: AtomicUsize,
     wholes: AtomicUsize,
-    all: AllWaiting,
+    together: Together,
+}
+
+impl AllWaiting {
+    /// The counts that a person has together with others.
+    fn together(&self, person: &Identity) -> Together {
+        let (mut groups, group) = (lock(&self.0.groups), person.group());
+        groups.retain(|_, count| count.strong_count() > 0);
+        let is_host = group == Group::Host;
+        let known = groups.get(&group).and_then(Weak::upgrade);
+        let count = known.unwrap_or_else(|| {
+            let count = Arc::new(AtomicUsize::new(0));
+            groups.insert(group, Arc::downgrade(&count));
+            count
+        });
+        Together { is_host, group: count, all: self.clone() }
+    }
+}
+
+impl Together {
+    /// So much more waits; how much may wait for one link then.
+    fn add(&self, bytes: usize) -> usize {
+        let group = self.group.fetch_add(bytes, Ordering::Relaxed);
+        let all = self.all.0.bytes.fetch_add(bytes, Ordering::Relaxed);
+        let is_much = (group > GROUP_MAX_BYTES && !self.is_host) || (all > ALL_MAX_BYTES && group > GROUP_SPARED_BYTES);
+        if is_much { SHARE_BYTES } else { QUEUE_MAX_BYTES }
+    }
+
+    fn sub(&self, bytes: usize) {
+        self.group.fetch_sub(bytes, Ordering::Relaxed);
+        self.all.0.bytes.fetch_sub(bytes, Ordering::Relaxed);
+    }
 }
 
 /// Bytes that are being written: they wait no more for their client, but still take memory.
 #[derive(Debug)]
 pub(crate) struct Writing {
     bytes: usize,
-    all: AllWaiting,
+    together: Together,
 }
 
 impl Waiting {
-    fn of(all: AllWaiting) -> Self {
-        Self(Arc::new(Counts { bytes: AtomicUsize::new(0), wholes: AtomicUsize::new(0), all }))
+    fn of(together: Together) -> Self {
+        Self(Arc::new(Counts { bytes: AtomicUsize::new(0), wholes: AtomicUsize::new(0), together }))
     }
 
     /// Something is put into the queue; false if what waited before was too much.
@@ -88,8 +143,7 @@ impl Waiting {
         match out {
             Out::Text(text) => {
                 let own = self.0.bytes.fetch_add(text.len(), Ordering::Relaxed);
-                let all = self.0.all.0.fetch_add(text.len(), Ordering::Relaxed);
-                own <= if all > ALL_MAX_BYTES { SHARE_BYTES } else { QUEUE_MAX_BYTES }
+                own <= self.0.together.add(text.len())
             }
             Out::Whole(..) => self.0.wholes.fetch_add(1, Ordering::Relaxed) < WHOLES_MAX,
             Out::Want(_) | Out::Follow(_) | Out::Unfollow(_) | Out::Watch { .. } => true,
@@ -103,29 +157,34 @@ impl Waiting {
         if let Out::Whole(..) = out {
             self.0.wholes.fetch_sub(1, Ordering::Relaxed);
         }
-        Writing { bytes, all: self.0.all.clone() }
+        Writing { bytes, together: self.0.together.clone() }
     }
 }
 
 impl Drop for Counts {
     /// What was never taken waits no more.
     fn drop(&mut self) {
-        self.all.0.fetch_sub(*self.bytes.get_mut(), Ordering::Relaxed);
+        self.together.sub(*self.bytes.get_mut());
     }
 }
 
 impl Drop for Writing {
     fn drop(&mut self) {
-        self.all.0.fetch_sub(self.bytes, Ordering::Relaxed);
+        self.together.sub(self.bytes);
     }
 }
 
 impl Outbox {
     /// A way, its other end, and what waits between them.
-    pub(crate) fn new(session: u64, all: AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
+    pub(crate) fn new(session: u64, person: Arc<Identity>, all: &AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
         let (queue, inbox) = mpsc::channel(QUEUE_MAX_MESSAGES);
-        let waiting = Waiting::of(all);
-        (Self { session, close: CloseSignal::new(), queue, waiting: waiting.clone() }, inbox, waiting)
+        let waiting = Waiting::of(all.together(&person));
+        (Self { session, person, close: CloseSignal::new(), queue, waiting: waiting.clone() }, inbox, waiting)
+    }
+
+    /// For whom what this link asks is done.
+    pub(crate) fn sender(&self) -> Sender {
+        self.person.asks(self.session)
     }
 
     /// Says something, as the answer to `ask` if there is one.
@@ -159,6 +218,10 @@ impl Recipient for Outbox {
         self.session
     }
 
+    fn person(&self) -> &Identity {
+        &self.person
+    }
+
     fn is_gone(&self) -> bool {
         Outbox::is_gone(self)
     }
@@ -182,18 +245,23 @@ impl Recipient for Outbox {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL_MAX_BYTES, AllWaiting, Out, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES, WHOLES_MAX};
+    use super::{
+        ALL_MAX_BYTES, AllWaiting, GROUP_MAX_BYTES, GROUP_SPARED_BYTES, Out, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES,
+        WHOLES_MAX,
+    };
     use crate::connection::close_signal::CloseReason;
     use crate::rooms::member::Whole;
     use crate::rooms::shown::AllShown;
+    use crate::support::identity::tests::guest;
+    use crate::support::identity::{Group, Identity};
     use behaviour::{Behaviour, Room};
     use protocol::{Refused, Reply};
     use std::sync::atomic::Ordering;
     use std::sync::{Arc, Weak};
 
     /// How many large replies are queued for a client that reads nothing before its link is cut.
-    async fn queued(all: &AllWaiting) -> (usize, Outbox) {
-        let (outbox, _inbox, _) = Outbox::new(1, all.clone());
+    async fn queued(all: &AllWaiting, person: Identity) -> (usize, Outbox) {
+        let (outbox, _inbox, _) = Outbox::new(1, Arc::new(person), all);
         let no = Reply::No { no: Refused::Unreadable("x".repeat(32 << 10)) };
         for count in 0.. {
             tokio::select! {
@@ -208,21 +276,22 @@ mod tests {
     #[tokio::test]
     async fn who_reads_nothing_is_cut_off_and_gives_everything_back() {
         let all = AllWaiting::default();
-        let (count, outbox) = queued(&all).await;
+        let (count, outbox) = queued(&all, Identity::Host).await;
         assert!((QUEUE_MAX_BYTES >> 15..=(QUEUE_MAX_BYTES >> 15) + 2).contains(&count), "{count}");
         drop(outbox);
-        assert_eq!(all.0.load(Ordering::Relaxed), 0);
+        assert_eq!(all.0.bytes.load(Ordering::Relaxed), 0);
     }
 
     /// An opened behaviour without records.
     fn opened() -> Out {
-        let shown = AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new());
+        let shown =
+            AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new(), &Group::Host);
         Out::Whole(1, Box::new(Whole { reply: Reply::Done, shown }))
     }
 
     #[tokio::test]
     async fn who_opens_again_and_again_without_reading_is_cut_off() {
-        let (outbox, mut inbox, waiting) = Outbox::new(1, AllWaiting::default());
+        let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(Identity::Host), &AllWaiting::default());
         for _ in 0..3 * WHOLES_MAX {
             outbox.put(opened());
             waiting.taken(&inbox.recv().await.unwrap());
@@ -239,20 +308,34 @@ mod tests {
     #[tokio::test]
     async fn what_is_being_written_still_counts_for_all() {
         let all = AllWaiting::default();
-        let (outbox, mut inbox, waiting) = Outbox::new(1, all.clone());
+        let (outbox, mut inbox, waiting) = Outbox::new(1, Arc::new(Identity::Host), &all);
         outbox.say(None, Reply::Done);
-        let before = all.0.load(Ordering::Relaxed);
+        let before = all.0.bytes.load(Ordering::Relaxed);
         let writing = waiting.taken(&inbox.recv().await.unwrap());
-        assert_eq!((before > 0, all.0.load(Ordering::Relaxed)), (true, before));
+        assert_eq!((before > 0, all.0.bytes.load(Ordering::Relaxed)), (true, before));
         drop(writing);
-        assert_eq!(all.0.load(Ordering::Relaxed), 0);
+        assert_eq!(all.0.bytes.load(Ordering::Relaxed), 0);
     }
 
     #[tokio::test]
-    async fn when_much_waits_for_all_each_has_a_share() {
+    async fn when_much_waits_for_all_who_has_much_is_left_a_share() {
         let all = AllWaiting::default();
-        all.0.store(ALL_MAX_BYTES, Ordering::Relaxed);
-        let (count, _) = queued(&all).await;
-        assert!(count <= (SHARE_BYTES >> 15) + 2, "{count}");
+        all.0.bytes.store(ALL_MAX_BYTES, Ordering::Relaxed);
+        let spared = queued(&all, guest("a", "ben")).await.0;
+        assert!((GROUP_SPARED_BYTES >> 15..=(GROUP_SPARED_BYTES >> 15) + 2).contains(&spared), "{spared}");
+    }
+
+    /// Those who came by one link and read nothing are cut off before anybody else notices.
+    #[tokio::test]
+    async fn an_invitation_that_reads_nothing_leaves_the_others_theirs() {
+        let (all, mut held) = (AllWaiting::default(), Vec::new());
+        for cookie in 0..100 {
+            held.push(queued(&all, guest("many", &cookie.to_string())).await);
+        }
+        assert!(held[0].0 >= QUEUE_MAX_BYTES >> 15 && held[99].0 <= (SHARE_BYTES >> 15) + 2);
+        assert!(all.0.bytes.load(Ordering::Relaxed) <= GROUP_MAX_BYTES + 100 * (SHARE_BYTES + (64 << 10)));
+        for person in [Identity::Host, guest("other", "one")] {
+            assert!(queued(&all, person).await.0 >= QUEUE_MAX_BYTES >> 15);
+        }
     }
 }

@@ -1,23 +1,28 @@
-//! How often a client may ask: so many at once, then so many a second.
+//! How often something may be asked: so many at once, then so many a second.
 
 use std::time::Instant;
 
-/// Requests per second.
-const PER_SECOND: f64 = 50.0;
-/// Requests at once.
-const AT_ONCE: f64 = 200.0;
+/// How often.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pace {
+    /// How many a second.
+    pub(super) per_second: f64,
+    /// How many at once.
+    pub(super) at_once: f64,
+}
 
 /// Permissions to ask, which come back by themselves.
 #[derive(Debug)]
 pub(super) struct RateLimit {
+    pace: Pace,
     left: f64,
     at: Instant,
 }
 
 impl RateLimit {
     /// None is taken yet.
-    pub(super) fn full() -> Self {
-        Self { left: AT_ONCE, at: Instant::now() }
+    pub(super) fn full(pace: Pace) -> Self {
+        Self { pace, left: pace.at_once, at: Instant::now() }
     }
 
     /// Takes one permission, if there is one.
@@ -25,10 +30,18 @@ impl RateLimit {
         self.take_at(Instant::now())
     }
 
-    fn take_at(&mut self, now: Instant) -> bool {
+    /// Whether all have come back.
+    pub(super) fn is_full(&self) -> bool {
+        self.left_at(Instant::now()) >= self.pace.at_once
+    }
+
+    fn left_at(&self, now: Instant) -> f64 {
         let since = now.saturating_duration_since(self.at).as_secs_f64();
-        self.left = (self.left + since * PER_SECOND).min(AT_ONCE);
-        self.at = now;
+        (self.left + since * self.pace.per_second).min(self.pace.at_once)
+    }
+
+    fn take_at(&mut self, now: Instant) -> bool {
+        (self.left, self.at) = (self.left_at(now), now);
         let may = self.left >= 1.0;
         self.left -= f64::from(u8::from(may));
         may
@@ -37,12 +50,12 @@ impl RateLimit {
 
 #[cfg(test)]
 mod tests {
-    use super::RateLimit;
+    use super::{Pace, RateLimit};
     use std::time::Duration;
 
     #[test]
-    fn two_hundred_at_once_then_fifty_a_second() {
-        let mut rate = RateLimit::full();
+    fn so_many_at_once_then_so_many_a_second() {
+        let mut rate = RateLimit::full(Pace { per_second: 50.0, at_once: 200.0 });
         let start = rate.at;
         let takes = |rate: &mut RateLimit, ms: u64| {
             let now = start + Duration::from_millis(ms);

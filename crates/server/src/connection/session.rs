@@ -5,18 +5,18 @@ mod inviting;
 mod past;
 mod requests;
 
+use super::budgets::{Budget, Weight};
 use super::hear::{Heard, hear, read};
-use super::inbox::{Asked, Inbox, Weight, inbox};
-use super::rate_limit::RateLimit;
-use crate::connection::Connections;
+use super::inbox::{Asked, Inbox, inbox};
 use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
+use crate::connection::{Connections, Seat};
 use crate::invitations::{Entry, Here};
 use crate::rooms::member::Member;
 use crate::rooms::{Entering, Note, Parting};
+use crate::support::identity::Sender;
 use crate::support::tasks::boxed;
-use crate::support::workers::Sender;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
@@ -24,7 +24,7 @@ use protocol::{ALIVE_MS, Ask, Person, Refused, Reply, Request, VERSION};
 use std::sync::Arc;
 use std::time::Duration;
 use tokio::runtime::Handle;
-use tokio::sync::{Semaphore, mpsc};
+use tokio::sync::mpsc;
 
 /// How long the greeting may take.
 const GREETING_MS: u64 = 2_000;
@@ -32,29 +32,21 @@ const GREETING_MS: u64 = 2_000;
 const SILENT_MS: u64 = 2 * ALIVE_MS;
 /// How long who is told to go may take to hear it, after the second in which it is written.
 const LINGER_MS: u64 = super::writer::CLOSE_MS + 500;
-/// Requests of one client that may be under way.
-const UNDER_WAY_MAX: usize = 8;
 
 /// Serves one socket of somebody who is in.
-pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry) {
+pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry, seat: Seat) {
     let (sink, mut stream) = socket.split();
-    let (outbox, told, waiting) = Outbox::new(connections.number(), connections.waiting.clone());
-    let writes = super::writer::write(
-        Arc::clone(&connections),
-        outbox.session,
-        sink,
-        told,
-        (waiting, entry.role()),
-        outbox.close.clone(),
-    );
+    let (outbox, told, waiting) = Outbox::new(connections.number(), Arc::clone(&seat.person), &connections.waiting);
+    let writes = super::writer::write(Arc::clone(&connections), outbox.clone(), sink, told, (waiting, entry.role()));
     let writing = connections.state.tasks.spawn_on(boxed(writes), &Handle::current());
     let greeted = tokio::select! {
         () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
         () = entry.until_over() => Err(CloseReason::Revoked),
+        () = seat.place.until_lost() => Err(CloseReason::GaveWay),
         greeted = half_open(&connections, &outbox, &mut stream) => greeted,
     };
     match greeted {
-        Ok((entered, ask)) => serve(connections, outbox, entered, (ask, entry), &mut stream).await,
+        Ok((entered, ask)) => serve(connections, outbox, entered, (ask, entry, seat), &mut stream).await,
         Err(why) => outbox.close.with(why),
     }
     let _ = writing.await;
@@ -66,7 +58,7 @@ async fn half_open(
     outbox: &Outbox,
     stream: &mut SplitStream<WebSocket>,
 ) -> Result<(Entered, u32), CloseReason> {
-    let place = connections.half_open.take();
+    let Some(place) = connections.half_open.take(&outbox.person) else { return Err(CloseReason::Unwelcome) };
     let greeted = tokio::time::timeout(Duration::from_millis(GREETING_MS), greet(connections, outbox, stream));
     place.hold(greeted).await.and_then(Result::ok).unwrap_or(Err(CloseReason::Unwelcome))
 }
@@ -110,7 +102,7 @@ async fn serve(
     connections: Arc<Connections>,
     outbox: Outbox,
     entered: Entered,
-    (ask, entry): (u32, Entry),
+    (ask, entry, seat): (u32, Entry, Seat),
     stream: &mut SplitStream<WebSocket>,
 ) {
     let Entered { person: me, secret } = entered;
@@ -122,13 +114,15 @@ async fn serve(
         Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(Entering { secret, role })),
     );
     let (asking, asked) = inbox();
-    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), entry.clone());
+    let session =
+        Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), (entry.clone(), Arc::clone(&seat.budget)));
     let working = connections.state.tasks.spawn(session.work(asked));
-    let mut reader =
-        Reader { connections: &connections, outbox: &outbox, by: me.name.clone(), rate: RateLimit::full(), asking };
+    let (by, budget) = (me.name.clone(), &*seat.budget);
+    let mut reader = Reader { connections: &connections, outbox: &outbox, by, budget, asking };
     let why = tokio::select! {
         why = reader.read(stream) => why,
         () = entry.until_over() => CloseReason::Revoked,
+        () = seat.place.until_lost() => CloseReason::GaveWay,
     };
     drop(reader);
     outbox.close.with(why);
@@ -175,7 +169,7 @@ struct Reader<'a> {
     connections: &'a Connections,
     outbox: &'a Outbox,
     by: String,
-    rate: RateLimit,
+    budget: &'a Budget,
     asking: Inbox,
 }
 
@@ -192,7 +186,7 @@ impl Reader<'_> {
             let Ok(message) = message else { return CloseReason::Left };
             match hear(message) {
                 Heard::Ask(ask) => self.hear(*ask),
-                Heard::Large(text) if self.rate.take() => self.large(text),
+                Heard::Large(text) if self.budget.may_ask() => self.large(text),
                 Heard::Large(_) => self.too_fast(None),
                 Heard::Nonsense(ask, reason) => self.outbox.say(ask, Reply::No { no: Refused::Unreadable(reason) }),
                 Heard::Nothing => {}
@@ -212,13 +206,13 @@ impl Reader<'_> {
             self.by = tidy_name(name);
         }
         let matters = !matches!(request, Request::Present { .. } | Request::Scene { .. } | Request::Typing { .. });
-        if (!self.rate.take() || !self.asking.ask(Ask { ask, request })) && matters {
+        if (!self.budget.may_ask() || !self.asking.ask(Ask { ask, request })) && matters {
             self.too_fast(Some(ask));
         }
     }
 
     fn large(&mut self, text: Utf8Bytes) {
-        if !self.asking.large(text, &self.connections.weights) {
+        if !self.asking.large(text, self.budget) {
             self.too_fast(None);
         }
     }
@@ -237,15 +231,19 @@ struct Session {
     entry: Entry,
     /// The behaviour that is open.
     open: Option<behaviour::Id>,
-    under_way: Arc<Semaphore>,
+    budget: Arc<Budget>,
     /// The room that the request at hand takes, if it is a large one.
     weight: Option<Weight>,
 }
 
 impl Session {
-    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person, entry: Entry) -> Self {
-        let under_way = Arc::new(Semaphore::new(UNDER_WAY_MAX));
-        Self { connections, outbox, me, entry, open: None, under_way, weight: None }
+    fn new(connections: Arc<Connections>, outbox: Outbox, me: Person, (entry, budget): (Entry, Arc<Budget>)) -> Self {
+        Self { connections, outbox, me, entry, open: None, budget, weight: None }
+    }
+
+    /// For whom what this link asks is done.
+    fn sender(&self) -> Sender {
+        self.outbox.sender()
     }
 
     fn member(&self) -> Member {
@@ -265,7 +263,7 @@ impl Session {
 
     /// Reads a large message among the other work, then does what it asks.
     async fn large(&mut self, text: Utf8Bytes, weight: Weight) {
-        let sender = Sender::Link(self.outbox.session);
+        let sender = self.sender();
         match self.connections.state.workers.run(sender, move |_| read(&text)).await {
             Ok(Heard::Ask(ask)) => {
                 self.weight = Some(weight);

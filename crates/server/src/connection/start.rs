@@ -3,7 +3,7 @@
 use crate::robots::{NoRun, Start};
 use crate::rooms::Look;
 use crate::state::ServerState;
-use crate::support::workers::Sender;
+use crate::support::identity::Sender;
 use behaviour::{BehaviourFile, Id, Problem};
 use protocol::{Refused, Reply};
 use std::sync::Arc;
@@ -14,14 +14,14 @@ pub(crate) async fn start(
     behaviour: Id,
     robot: Option<Id>,
     record: bool,
-    by: String,
+    (by, sender): (String, Sender),
 ) -> Result<Reply, Refused> {
     let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
     let announced = host.announce(&behaviour).map_err(NoRun::cannot_start)?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
-    let file = ready(state, &behaviour, look).await?;
+    let file = ready(state, sender, look).await?;
     if announced.is_cancelled() || state.tasks.ends() {
         return Err(NoRun::StopPressed.cannot_start());
     }
@@ -36,11 +36,16 @@ pub(crate) async fn start(
 }
 
 /// Lets the running behaviour go on with the revision that is saved. If it is refused, what runs goes on as it is.
-pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>, by: String) -> Result<Reply, Refused> {
+pub(crate) async fn apply(
+    state: &ServerState,
+    behaviour: Id,
+    robot: Option<Id>,
+    (by, sender): (String, Sender),
+) -> Result<Reply, Refused> {
     let hosts = state.robots.running(&behaviour, robot.as_ref())?;
     let look = state.rooms.look(&behaviour).await?;
     let revision = look.revision();
-    let file = ready(state, &behaviour, look).await.map_err(|no| match no {
+    let file = ready(state, sender, look).await.map_err(|no| match no {
         Refused::Problems(problems) => {
             let first = problems.first().map(ToString::to_string).unwrap_or_default();
             Refused::NotApplied(first.trim_end_matches('.').to_owned())
@@ -57,7 +62,7 @@ pub(crate) async fn apply(state: &ServerState, behaviour: Id, robot: Option<Id>,
 }
 
 /// The file to run, if no problem stops it.
-async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<BehaviourFile, Refused> {
+async fn ready(state: &ServerState, sender: Sender, look: Look) -> Result<BehaviourFile, Refused> {
     let (snapshot, knowing) = (state.rooms.snapshot(), Arc::clone(&state.knowing));
     let judge = move || {
         let helpers = snapshot.helpers();
@@ -65,5 +70,5 @@ async fn ready(state: &ServerState, behaviour: &Id, look: Look) -> Result<Behavi
         problems.retain(|problem: &Problem| problem.blocks);
         if problems.is_empty() { Ok(BehaviourFile::of(look.behaviour(), &helpers)) } else { Err(problems) }
     };
-    state.workers.run(Sender::Room(behaviour.clone()), move |_| judge()).await?.map_err(Refused::Problems)
+    state.workers.run(sender, move |_| judge()).await?.map_err(Refused::Problems)
 }

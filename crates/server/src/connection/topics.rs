@@ -46,8 +46,11 @@ impl Topics {
     }
 
     /// Keeps the topics new until the server ends.
-    pub(crate) fn keep(&self, robots: &Robots, news: &ListNews, invitations: &Invitations, tasks: &Tasks) {
-        follow(tasks, invitations.told(), self.invitations.clone(), |all| invitations_text(all));
+    pub(crate) fn keep(&self, robots: &Robots, news: &ListNews, invitations: &Arc<Invitations>, tasks: &Tasks) {
+        follow(tasks, invitations.told(), self.invitations.clone(), {
+            let invitations = Arc::clone(invitations);
+            move |()| invitations_text(invitations.list())
+        });
         follow(tasks, robots.states(), self.robots.clone(), |robots| robots_text(robots));
         follow(tasks, robots.runs(), self.runs.clone(), |runs| runs_text(runs));
         tasks.spawn(keep_pictures(robots.clone(), tasks.clone()));
@@ -59,8 +62,8 @@ fn robots_text(newest: &[RobotState]) -> Utf8Bytes {
     encode(None, Reply::Robots { robots: newest.to_vec() })
 }
 
-fn invitations_text(newest: &[Invitation]) -> Utf8Bytes {
-    encode(None, Reply::Invitations { invitations: newest.to_vec() })
+fn invitations_text(invitations: Vec<Invitation>) -> Utf8Bytes {
+    encode(None, Reply::Invitations { invitations })
 }
 
 fn runs_text(newest: &[RunState]) -> Utf8Bytes {

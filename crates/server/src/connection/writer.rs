@@ -3,14 +3,14 @@
 
 use super::values::Watching;
 use crate::connection::Connections;
-use crate::connection::close_signal::{CloseReason, CloseSignal};
-use crate::connection::outbox::{Out, Waiting};
+use crate::connection::close_signal::CloseReason;
+use crate::connection::outbox::{Out, Outbox, Waiting};
 use crate::connection::topics::BEAT_MS;
 use crate::rooms::member::Feed;
 use crate::rooms::shown::GaveWay;
+use crate::support::identity::Sender;
 use crate::support::message::encode;
 use crate::support::tasks::Made;
-use crate::support::workers::Sender;
 use axum::body::Bytes;
 use axum::extract::ws::{CloseFrame, Message, Utf8Bytes, WebSocket};
 use behaviour::Id;
@@ -32,8 +32,8 @@ pub(super) const CLOSE_MS: u64 = 1_000;
 
 struct Writer {
     connections: Arc<Connections>,
-    /// The number of the link.
-    session: u64,
+    /// For whom what is told here is made.
+    sender: Sender,
     sink: SplitSink<WebSocket, Message>,
     /// What is in the queue.
     waiting: Waiting,
@@ -57,12 +57,14 @@ struct Writer {
 /// Writes until the link is closed.
 pub(super) async fn write(
     connections: Arc<Connections>,
-    session: u64,
+    link: Outbox,
     sink: SplitSink<WebSocket, Message>,
     inbox: mpsc::Receiver<Out>,
     (waiting, role): (Waiting, Option<Role>),
-    close: CloseSignal,
 ) {
+    let (sender, close) = (link.person.told(link.session), link.close.clone());
+    // The queue ends when all who put something into it went.
+    drop(link);
     let mut topics = [
         connections.topics.runs.subscribe(),
         connections.topics.robots.subscribe(),
@@ -74,7 +76,7 @@ pub(super) async fn write(
     let invitations = (role == Some(Role::Host)).then(|| connections.topics.invitations.subscribe());
     let mut writer = Writer {
         connections,
-        session,
+        sender,
         sink,
         waiting,
         topics,
@@ -205,7 +207,7 @@ impl Writer {
                 let text = texts.next();
                 (text, texts)
             };
-            let made = self.connections.state.workers.run(Sender::Writer(self.session), make).await;
+            let made = self.connections.state.workers.run(self.sender.clone(), make).await;
             let (text, rest) = made.map_err(|_| CloseReason::Resync)?;
             let Some(text) = text.transpose().map_err(|GaveWay| CloseReason::Resync)? else { return Ok(()) };
             self.write([Message::Text(text), Message::Ping(Bytes::new())]).await?;

@@ -8,10 +8,12 @@ pub(super) use words::Language;
 
 use super::door::{Came, LetsIn};
 use crate::invitations::{Entry, HostAccess, Invitations, NotIn, Source};
-use crate::support::tasks::blocking;
+use crate::support::identity::Identity;
+use crate::support::workers::Workers;
 use axum::extract::{Form, FromRequest, Request};
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Redirect, Response};
+use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
 
@@ -58,13 +60,13 @@ pub(super) fn script() -> Response {
 }
 
 /// Exchanges the token that was sent for a cookie: always a new one, whatever cookie came along.
-pub(super) async fn come_in(came: Came, entry: &Entry, request: Request) -> Response {
+pub(super) async fn come_in(came: Came, entry: &Entry, files: &Workers, request: Request) -> Response {
     let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
     let sent = Form::<Sent>::from_request(request, &()).await;
     let token = sent.map(|Form(Sent { token })| token).unwrap_or_default();
     let exchanged = match came.door.lets_in() {
         LetsIn::Host(host) => as_host(host, &token),
-        LetsIn::Guests(invitations) => as_guest(Arc::clone(invitations), token, source).await,
+        LetsIn::Guests(invitations) => as_guest(Arc::clone(invitations), files, token, source).await,
     };
     match exchanged {
         Ok(secret) => {
@@ -86,9 +88,15 @@ fn as_host(host: &HostAccess, token: &str) -> Result<String, NotIn> {
     host.come_in(token).ok_or(NotIn::Unknown)
 }
 
-async fn as_guest(invitations: Arc<Invitations>, token: String, source: Source) -> Result<String, NotIn> {
-    let exchanged = blocking(move || invitations.come_in(&token, source)).await;
-    exchanged.unwrap_or_else(|error| Err(NotIn::NotKept(error.to_string())))
+async fn as_guest(
+    invitations: Arc<Invitations>,
+    files: &Workers,
+    token: String,
+    source: Source,
+) -> Result<String, NotIn> {
+    let sender = Identity::Stranger.asks(source.number());
+    let exchanged = files.run(sender, move |_| invitations.come_in(&token, source)).await;
+    exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).to_string())))
 }
 
 fn no(why: &NotIn, language: Language) -> Response {

@@ -2,7 +2,8 @@
 //! invitation.
 
 use super::origin::{NotAllowed, OriginGuard};
-use crate::invitations::{Asked, Digest, Entry, Guest, HostAccess, Invitations, Route, Source};
+use crate::invitations::{Asked, Entry, Guest, HostAccess, Invitations, Route, Source};
+use crate::support::digest::Digest;
 use axum::extract::Request;
 use axum::http::{HeaderMap, HeaderName, header};
 use std::net::IpAddr;

@@ -2,7 +2,8 @@
 //! tickets that a connection of theirs left with. It is kept in the data folder, so that they are known after a restart,
 //! and written later: nobody waits for that, a Stop least of all.
 
-use crate::invitations::{Digest, Invitations};
+use crate::invitations::Invitations;
+use crate::support::digest::Digest;
 use crate::support::tasks::blocking;
 use crate::support::{atomic_file, lock};
 use serde::{Deserialize, Serialize};

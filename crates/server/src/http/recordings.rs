@@ -1,7 +1,8 @@
 //! Recordings over HTTP: the list, and a file as it is so far.
 
 use crate::recordings::Recordings;
-use crate::support::tasks::blocking;
+use crate::support::identity::Sender;
+use crate::support::workers::Workers;
 use axum::Json;
 use axum::body::{Body, Bytes};
 use axum::http::{StatusCode, header};
@@ -14,18 +15,18 @@ use std::io::Read;
 const PIECE_BYTES: usize = 64 << 10;
 
 /// All recordings, newest first.
-pub(crate) async fn list(recordings: Recordings) -> Response {
-    match blocking(move || recordings.list()).await {
+pub(crate) async fn list(recordings: Recordings, (files, sender): (&Workers, Sender)) -> Response {
+    match files.run(sender, move |_| recordings.list()).await {
         Ok(list) => Json(list).into_response(),
-        Err(error) => (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
+        Err(why) => (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::from(why))).into_response(),
     }
 }
 
 /// One recording, read piece by piece as it is taken.
-pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
+pub(crate) async fn download(recordings: Recordings, files: (Workers, Sender), name: String) -> Response {
     let wanted = name.clone();
-    let open = move || recordings.find(&wanted).map(File::open);
-    let file = match blocking(open).await {
+    let open = move |_: &_| recordings.find(&wanted).map(File::open);
+    let file = match files.0.run(files.1.clone(), open).await {
         Ok(Some(Ok(file))) => file,
         Ok(Some(Err(error))) => return (StatusCode::INTERNAL_SERVER_ERROR, format!("{error}\n")).into_response(),
         _ => return (StatusCode::NOT_FOUND, format!("{}\n", Refused::NoRecording)).into_response(),
@@ -34,16 +35,20 @@ pub(crate) async fn download(recordings: Recordings, name: String) -> Response {
         (header::CONTENT_TYPE, "application/jsonl".to_owned()),
         (header::CONTENT_DISPOSITION, format!("attachment; filename=\"{name}\"")),
     ];
-    (headers, Body::from_stream(futures_util::stream::try_unfold(file, next_piece))).into_response()
+    (headers, Body::from_stream(futures_util::stream::try_unfold((file, files), next_piece))).into_response()
 }
 
 /// The next piece of a file. Nothing waits for the reader: it is read only when it is wanted.
-async fn next_piece(file: File) -> std::io::Result<Option<(Bytes, File)>> {
-    let read = blocking(move || {
+async fn next_piece((file, files): Reading) -> std::io::Result<Option<(Bytes, Reading)>> {
+    let read = files.0.run(files.1.clone(), move |_| {
         let mut piece = Vec::with_capacity(PIECE_BYTES);
         (&file).take(PIECE_BYTES as u64).read_to_end(&mut piece)?;
         Ok::<_, std::io::Error>((Bytes::from(piece), file))
     });
-    let (piece, file) = read.await.map_err(std::io::Error::other)??;
-    Ok((!piece.is_empty()).then_some((piece, file)))
+    let failed = |why| std::io::Error::other(Refused::from(why).to_string());
+    let (piece, file) = read.await.map_err(failed)??;
+    Ok((!piece.is_empty()).then_some((piece, (file, files))))
 }
+
+/// A file that is read, and by which threads for whom.
+type Reading = (File, (Workers, Sender));

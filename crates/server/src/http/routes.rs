@@ -5,14 +5,14 @@ use super::door::Came;
 use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::page::Page;
+use super::readiness::Readiness;
 use super::{catalogue, come_in, cut, page, recordings, stop, transfer, upload};
-use crate::connection::{Connections, session};
+use crate::connection::{Connections, NoPlace, session};
 use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
-use crate::support::places::Places;
-use crate::support::store_call::bounded;
+use crate::support::identity::Sender;
+use crate::support::shares::{Limits, SharedPlaces};
 use crate::support::tasks::boxed;
-use crate::support::workers::Sender;
 use axum::Router;
 use axum::extract::{DefaultBodyLimit, Path, Query, Request, State, WebSocketUpgrade};
 use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, Uri};
@@ -37,10 +37,13 @@ const READ_BYTES: usize = 8 << 10;
 
 /// How long a request may take to be answered; a download may take longer once it began.
 const REQUEST_MS: u64 = 60_000;
-/// Files that may be on their way to us; the oldest gives way.
-const UPLOADS_MAX: usize = 8;
+/// Files that may be on their way to us.
+const UPLOADS: Limits = Limits { all: 8, guest: 2, host: 8, reserved: 2, still_ms: 0 };
 /// The longest form with a token, in bytes.
 const TOKEN_MAX_BYTES: usize = 1 << 10;
+/// What who gets no place for a socket is told.
+const TOO_MANY_PAGES: &str = "Too many pages are open. Close some.\n";
+const TOO_OFTEN: &str = "You opened too many pages just now. Wait a moment.\n";
 /// How long the next piece of a request may take to come.
 const PIECE_MS: u64 = 5_000;
 
@@ -55,7 +58,9 @@ struct AppState {
     /// Places for what people download.
     downloads: Downloads,
     /// Files that are being sent to us.
-    uploads: Arc<Places>,
+    uploads: Arc<SharedPlaces>,
+    /// Whether the store can save, as it was found lately.
+    readiness: Readiness,
     /// The threads that carry messages.
     messages: Handle,
     page: Page,
@@ -64,6 +69,11 @@ struct AppState {
 }
 
 impl AppState {
+    /// For whom a request is done.
+    fn sender(&self, entry: &Entry) -> Sender {
+        entry.identity().asks(self.connections.number())
+    }
+
     fn state(&self) -> &Arc<ServerState> {
         &self.connections.state
     }
@@ -71,8 +81,9 @@ impl AppState {
 
 /// All routes; sockets are served on `messages`.
 pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page, address: SocketAddr) -> Router {
-    let (downloads, uploads) = (Downloads::default(), Places::of(UPLOADS_MAX));
-    let app = AppState { connections, downloads, uploads, messages, page, address };
+    let (downloads, uploads) = (Downloads::default(), SharedPlaces::within(UPLOADS));
+    let readiness = Readiness::default();
+    let app = AppState { connections, downloads, uploads, readiness, messages, page, address };
     let add = |router: Router<AppState>, route: Route| {
         let handler = match route {
             // It asks itself, as on the accepting thread.
@@ -172,8 +183,13 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
     }
 }
 
-async fn enter(Extension(came): Extension<Came>, Extension(entry): Extension<Entry>, request: Request) -> Response {
-    come_in::come_in(came, &entry, request).await
+async fn enter(
+    State(app): State<AppState>,
+    Extension(came): Extension<Came>,
+    Extension(entry): Extension<Entry>,
+    request: Request,
+) -> Response {
+    come_in::come_in(came, &entry, &app.state().files, request).await
 }
 
 async fn socket(
@@ -181,15 +197,16 @@ async fn socket(
     Extension(entry): Extension<Entry>,
     upgrade: WebSocketUpgrade,
 ) -> Response {
-    let Some(place) = app.connections.place() else {
-        return (StatusCode::SERVICE_UNAVAILABLE, "Too many pages are open. Close some.\n").into_response();
+    let seat = match app.connections.place(&entry.identity()) {
+        Ok(seat) => seat,
+        Err(NoPlace::TooMany) => return (StatusCode::SERVICE_UNAVAILABLE, TOO_MANY_PAGES).into_response(),
+        Err(NoPlace::TooOften) => return (StatusCode::TOO_MANY_REQUESTS, TOO_OFTEN).into_response(),
     };
     let upgrade = upgrade.max_message_size(MESSAGE_MAX_BYTES).max_frame_size(MESSAGE_MAX_BYTES);
     let upgrade = upgrade.read_buffer_size(READ_BYTES).write_buffer_size(0).max_write_buffer_size(WRITE_MAX_BYTES);
     upgrade.on_upgrade(move |socket| async move {
         let tasks = app.connections.state.tasks.clone();
-        let _ = tasks.spawn_on(boxed(session::run(app.connections, socket, entry)), &app.messages).await;
-        drop(place);
+        let _ = tasks.spawn_on(boxed(session::run(app.connections, socket, entry, seat)), &app.messages).await;
     })
 }
 
@@ -207,30 +224,39 @@ async fn stop(State(app): State<AppState>, Extension(came): Extension<Came>, uri
 }
 
 async fn readyz(State(app): State<AppState>) -> Response {
-    match bounded(app.state().store.healthy()).await {
+    match app.readiness.ask(&*app.state().store).await {
         Ok(()) => "ready\n".into_response(),
         Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
     }
 }
 
-async fn list(State(app): State<AppState>) -> Response {
-    transfer::list(&*app.state().store).await
+async fn list(State(app): State<AppState>, Extension(entry): Extension<Entry>) -> Response {
+    transfer::list(app.state(), &app.sender(&entry)).await
 }
 
-async fn backup(State(app): State<AppState>) -> Response {
-    transfer::backup(app.state())
+async fn backup(State(app): State<AppState>, Extension(entry): Extension<Entry>) -> Response {
+    transfer::backup(app.state(), app.sender(&entry))
 }
 
-async fn list_recordings(State(app): State<AppState>) -> Response {
-    recordings::list(app.state().recordings.clone()).await
+async fn list_recordings(State(app): State<AppState>, Extension(entry): Extension<Entry>) -> Response {
+    recordings::list(app.state().recordings.clone(), (&app.state().files, app.sender(&entry))).await
 }
 
-async fn recording(State(app): State<AppState>, Path(file): Path<String>) -> Response {
-    recordings::download(app.state().recordings.clone(), file).await
+async fn recording(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Path(file): Path<String>,
+) -> Response {
+    let files = (app.state().files.clone(), app.sender(&entry));
+    recordings::download(app.state().recordings.clone(), files, file).await
 }
 
-async fn download(State(app): State<AppState>, Path(file): Path<String>) -> Response {
-    transfer::download(&app.state().rooms, &file).await
+async fn download(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Path(file): Path<String>,
+) -> Response {
+    transfer::download(app.state(), app.sender(&entry), &file).await
 }
 
 async fn import(
@@ -239,13 +265,15 @@ async fn import(
     Query(how): Query<upload::How>,
     request: Request,
 ) -> Response {
-    let sender = Sender::Request(app.connections.number());
     let how = match &entry {
         // Whatever they say: a guest is who they are here.
         Entry::Guest(guest) => upload::How { by: app.state().invitations.name_of(guest), ..how },
         Entry::Local | Entry::Unproven | Entry::Stranger => how,
     };
-    upload::upload(&app.state().library, &app.uploads, sender, how, request).await
+    let Some(place) = app.uploads.take(&entry.identity()) else {
+        return (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::TooFast)).into_response();
+    };
+    upload::upload(&app.state().library, &place, app.sender(&entry), how, request).await
 }
 
 async fn files(State(app): State<AppState>, method: Method, uri: Uri, asked: HeaderMap) -> Response {

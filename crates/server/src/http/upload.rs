@@ -2,8 +2,8 @@
 
 use crate::library::Library;
 use crate::library::import::{NotImported, import};
-use crate::support::places::Places;
-use crate::support::workers::Sender;
+use crate::support::identity::Sender;
+use crate::support::shares::SharedPlace;
 use axum::Json;
 use axum::body::Bytes;
 use axum::extract::{FromRequest, Request};
@@ -36,15 +36,14 @@ pub(super) enum Wanted {
     Restore,
 }
 
-/// Takes a file in one of these places, imports it for this sender and says what became of it.
+/// Takes a file in this place, imports it for this sender and says what became of it.
 pub(super) async fn upload(
     library: &Arc<Library>,
-    places: &Arc<Places>,
+    place: &SharedPlace,
     sender: Sender,
     how: How,
     request: Request,
 ) -> Response {
-    let place = places.take();
     let taken = tokio::time::timeout(Duration::from_millis(UPLOAD_MS), Bytes::from_request(request, &()));
     match place.hold(taken).await {
         Some(Ok(Ok(body))) => answer(bring(library, sender, how, body).await),

@@ -1,7 +1,7 @@
 //! The invitations as they are kept: plain data and its rules, with the time handed in.
 
 use super::Terms;
-use super::secret::Digest;
+use crate::support::digest::Digest;
 use behaviour::Id;
 use protocol::{CAME_MAX, Came, DAY_MS, INVITATIONS_MAX, Invitation, Lasts, Refused, Role};
 use serde::{Deserialize, Serialize};
@@ -9,6 +9,9 @@ use std::collections::HashMap;
 
 /// Devices that may have come by one invitation; the one that came first gives way.
 const PASSES_MAX: usize = 256;
+
+/// What guests are called, by their cookies, and since when, in milliseconds since 1970.
+pub(super) type Names = HashMap<Digest, (String, u64)>;
 
 /// All invitations, oldest first.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
@@ -56,7 +59,9 @@ impl Book {
         let Terms { role, lasts, label, made_by } = terms;
         let ends_ms = (lasts != Lasts::UntilRevoked).then_some(now_ms.saturating_add(DAY_MS));
         let (came, revoked) = (Vec::new(), false);
-        let invitation = Invitation { id, role, lasts, label, made_by, made_ms: now_ms, ends_ms, came, revoked };
+        let unwritten = false;
+        let invitation =
+            Invitation { id, role, lasts, label, made_by, made_ms: now_ms, ends_ms, came, revoked, unwritten };
         self.kept.push(Kept { invitation: invitation.clone(), link: Some(link), passes: Vec::new() });
         Ok(invitation)
     }
@@ -89,9 +94,9 @@ impl Book {
         true
     }
 
-    pub(super) fn is_named(&self, cookie: &Digest, name: &str) -> bool {
-        let mut passes = self.kept.iter().flat_map(|kept| &kept.passes);
-        passes.any(|pass| pass.cookie == *cookie && pass.name == name)
+    /// Whether this one is revoked, or not there any more.
+    pub(super) fn has_revoked(&self, invitation: &Id) -> bool {
+        self.kept.iter().all(|kept| kept.invitation.id != *invitation || kept.invitation.revoked)
     }
 
     /// What who has this cookie is called; empty if they never said so.
@@ -100,21 +105,34 @@ impl Book {
         passes.find(|pass| pass.cookie == *cookie).map_or("", |pass| &pass.name)
     }
 
-    /// Who has this cookie says what they are called.
-    pub(super) fn name(&mut self, cookie: &Digest, name: &str, now_ms: u64) {
-        let mut passes = self.kept.iter_mut().flat_map(|kept| &mut kept.passes);
-        if let Some(pass) = passes.find(|pass| pass.cookie == *cookie) {
-            name.clone_into(&mut pass.name);
-            pass.at_ms = now_ms;
+    /// Those of another book that are revoked there and not here.
+    pub(super) fn revoked(&self, there: &Self) -> Vec<Id> {
+        let revoked = there.kept.iter().filter(|kept| kept.invitation.revoked).map(|kept| &kept.invitation.id);
+        revoked.filter(|id| !self.has_revoked(id)).cloned().collect()
+    }
+
+    pub(super) fn is_named(&self, invitation: &Id, cookie: &Digest, name: &str) -> bool {
+        let kept = self.kept.iter().filter(|kept| kept.invitation.id == *invitation);
+        kept.flat_map(|kept| &kept.passes).any(|pass| pass.cookie == *cookie && pass.name == name)
+    }
+
+    /// Puts down what guests are called.
+    pub(super) fn name(&mut self, names: &Names) {
+        for pass in self.kept.iter_mut().flat_map(|kept| &mut kept.passes) {
+            if let Some((name, at_ms)) = names.get(&pass.cookie) {
+                name.clone_into(&mut pass.name);
+                pass.at_ms = *at_ms;
+            }
         }
     }
 
-    /// What may be told, newest first.
-    pub(super) fn list(&self, is_here: impl Fn(&Digest) -> bool) -> Vec<Invitation> {
+    /// What may be told, newest first, with what is known of names besides.
+    pub(super) fn list(&self, names: &Names, is_here: impl Fn(&Digest) -> bool) -> Vec<Invitation> {
         let told = |kept: &Kept| {
-            let came = kept.passes.iter().rev().take(CAME_MAX);
-            let came =
-                came.map(|pass| Came { name: pass.name.clone(), at_ms: pass.at_ms, here: is_here(&pass.cookie) });
+            let came = kept.passes.iter().rev().take(CAME_MAX).map(|pass| {
+                let (name, at_ms) = names.get(&pass.cookie).cloned().unwrap_or_else(|| (pass.name.clone(), pass.at_ms));
+                Came { name, at_ms, here: is_here(&pass.cookie) }
+            });
             Invitation { came: came.collect(), ..kept.invitation.clone() }
         };
         self.kept.iter().rev().map(told).collect()
@@ -159,7 +177,7 @@ impl Indexed {
 
 #[cfg(test)]
 mod tests {
-    use super::{Book, DAY_MS, Digest, Indexed, Made, PASSES_MAX, Terms};
+    use super::{Book, DAY_MS, Digest, Indexed, Made, Names, PASSES_MAX, Terms};
     use behaviour::Id;
     use protocol::{INVITATIONS_MAX, Lasts, Refused, Role};
 
@@ -199,13 +217,13 @@ mod tests {
         let mut book = Book::default();
         made(&mut book, "link-secret", Lasts::UntilRevoked, 0).unwrap();
         book.come(&Digest::of("link-secret"), Digest::of("cookie-secret"), 1);
-        book.name(&Digest::of("cookie-secret"), "Ben", 2);
+        book.name(&[(Digest::of("cookie-secret"), ("Ben".to_owned(), 2))].into());
         let text = serde_json::to_string(&book).unwrap().replace("\"id\":\"link-secret\"", "");
         assert!(!text.contains("link-secret") && !text.contains("cookie-secret"), "{text}");
         let read: Book = serde_json::from_str(&serde_json::to_string(&book).unwrap()).unwrap();
         assert!(is_in(&read, "cookie-secret", 5));
-        assert_eq!(read.list(|_| true), book.list(|_| true));
-        assert_eq!(read.list(|_| true)[0].came[0].name, "Ben");
+        assert_eq!(read.list(&Names::new(), |_| true), book.list(&Names::new(), |_| true));
+        assert_eq!(read.list(&Names::new(), |_| true)[0].came[0].name, "Ben");
     }
 
     #[test]
@@ -217,7 +235,7 @@ mod tests {
         assert_eq!(made(&mut book, "more", Lasts::Day, 1), Err(Refused::TooManyInvitations));
         assert!(book.revoke(&Id::new("i5").unwrap()));
         made(&mut book, "more", Lasts::Day, 1).unwrap();
-        assert_eq!(book.list(|_| false).len(), INVITATIONS_MAX);
+        assert_eq!(book.list(&Names::new(), |_| false).len(), INVITATIONS_MAX);
         for number in 0..=PASSES_MAX {
             book.come(&Digest::of("more"), Digest::of(&number.to_string()), 2).unwrap();
         }

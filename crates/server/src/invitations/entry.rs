@@ -2,6 +2,7 @@
 
 use super::guest::Guest;
 use super::may::{Asked, Route, least};
+use crate::support::identity::Identity;
 use protocol::{Refused, Request, Role};
 
 /// The least that somebody must be.
@@ -33,6 +34,15 @@ impl Entry {
             Self::Local => Some(Role::Host),
             Self::Guest(guest) => Some(guest.role),
             Self::Unproven | Self::Stranger => None,
+        }
+    }
+
+    /// Whose share of the server they take: the only way to an identity.
+    pub(crate) fn identity(&self) -> Identity {
+        match self {
+            Self::Local => Identity::Host,
+            Self::Guest(guest) => Identity::Guest { invitation: guest.invitation.clone(), pass: guest.pass },
+            Self::Unproven | Self::Stranger => Identity::Stranger,
         }
     }
 

@@ -2,6 +2,7 @@
 //! a link that works.
 
 use std::collections::{BTreeSet, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::net::{IpAddr, Ipv6Addr};
 
 /// Links that do not work which a place may try at once.
@@ -16,6 +17,13 @@ const PLACES_MAX: usize = 4_096;
 pub(crate) struct Source(IpAddr);
 
 impl Source {
+    /// A number by which places are told apart when they take turns.
+    pub(crate) fn number(self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.hash(&mut hasher);
+        hasher.finish()
+    }
+
     /// The place of this address.
     pub(crate) fn of(address: IpAddr) -> Self {
         match address.to_canonical() {
@@ -65,6 +73,7 @@ impl Guesses {
 #[cfg(test)]
 mod tests {
     use super::{AGAIN_MS, Guesses, PLACES_MAX, Source, TRIES_MAX};
+    use std::hash::{DefaultHasher, Hash, Hasher};
     use std::net::{IpAddr, Ipv4Addr};
 
     #[test]

@@ -14,6 +14,8 @@ use tokio_util::sync::CancellationToken;
 pub(crate) struct Guest {
     /// What they may do.
     pub(crate) role: Role,
+    /// By which they came.
+    pub(super) invitation: Id,
     pub(super) pass: Digest,
     pub(super) ends_ms: Option<u64>,
     pub(super) over: CancellationToken,

@@ -1,7 +1,8 @@
 //! Who is host: not who comes from this computer, but who shows a secret of it. A program of the user who runs the server
 //! shows the key of this start; a browser shows a cookie, which it was given for a link that works once.
 
-use super::secret::{self, Digest};
+use super::secret;
+use crate::support::digest::Digest;
 use crate::support::{atomic_file, lock};
 use base64::Engine;
 use base64::engine::general_purpose::URL_SAFE_NO_PAD;

@@ -36,7 +36,7 @@ fn a_restart_forgets_nobody_and_the_disk_gives_nothing_away() {
     assert!(again.come_in(&token, here()).is_ok_and(|another| another != cookie), "always a new cookie");
     all.revoke(&invited.invitation.id).unwrap();
     let again = opened(Some(folder.path()));
-    assert!(again.guest(&cookie).is_none() && again.told().borrow()[0].revoked);
+    assert!(again.guest(&cookie).is_none() && again.list()[0].revoked);
     assert_eq!(again.come_in(&token, here()), Err(NotIn::Unknown));
 }
 
@@ -105,13 +105,13 @@ async fn who_is_revoked_is_told_at_once_and_may_only_stop() {
     let guest = all.guest(&all.come_in(&token, here()).unwrap()).unwrap();
     let (entry, here) = (Entry::Guest(guest.clone()), all.arrive(&guest, "Ben"));
     assert_eq!(entry.may(Asked::Socket(&Request::Runs)), Ok(()));
-    assert!(all.told().borrow()[0].came[0].here);
+    assert!(all.list()[0].came[0].here);
     all.revoke(&invited.invitation.id).unwrap();
     entry.until_over().await;
     assert_eq!(entry.may(Asked::Socket(&Request::Runs)), Err(Refused::NotInvited));
     assert_eq!(entry.may(Asked::Socket(&Request::Stop { behaviour: None, robot: None })), Ok(()));
     drop(here);
-    assert!(!all.told().borrow()[0].came[0].here);
+    assert!(!all.list()[0].came[0].here);
 }
 
 #[test]
@@ -123,7 +123,7 @@ fn what_was_printed_at_a_start_and_not_used_is_void_after_the_next() {
     let cookie = all.come_in(&token(&second), here()).unwrap();
     all.make_at_start().unwrap();
     assert!(all.guest(&cookie).is_some(), "who came by it stays");
-    assert_eq!(all.told().borrow().len(), 2);
+    assert_eq!(all.list().len(), 2);
 }
 
 #[test]

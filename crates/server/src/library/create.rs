@@ -5,8 +5,8 @@ use super::exercises::exercise;
 use super::import::{TRIES, is_overtaken, judge, shelve};
 use super::list::free_name;
 use super::templates::{Template, templates};
+use crate::support::identity::Sender;
 use crate::support::store_call::{bounded, reason, store_no};
-use crate::support::workers::Sender;
 use behaviour::{
     Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
 };
@@ -26,6 +26,8 @@ pub(crate) struct Wish {
     pub(crate) template: Option<String>,
     /// Who wants it.
     pub(crate) by: String,
+    /// For whom it is made.
+    pub(crate) sender: Sender,
 }
 
 /// Makes the behaviour; asked twice with the same id, it makes one.
@@ -109,7 +111,7 @@ pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: 
 
 /// The records of a template under new ids, its helpers in the library.
 async fn from_template(library: &Arc<Library>, template: &Template, wish: &Wish) -> Result<Behaviour, Refused> {
-    let (file, sender) = (Arc::new(template.file()), Sender::Room(wish.behaviour.clone()));
+    let (file, sender) = (Arc::new(template.file()), wish.sender.clone());
     let mut last = Refused::TooFast;
     for _ in 0..TRIES {
         let brought = judge(library, &sender, &file, Mode::Copy, &wish.by).await?;

@@ -1,7 +1,9 @@
 //! Small pictures of graphs for lists, made from what is saved and kept for a while.
 
+use crate::support::identity::Sender;
 use crate::support::lock;
 use crate::support::store_call::bounded;
+use crate::support::workers::Workers;
 use behaviour::{Behaviour, Graph, Id};
 use futures_util::StreamExt;
 use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Refused, Reply};
@@ -46,21 +48,35 @@ impl Thumbnails {
     }
 }
 
+/// What drawing for somebody takes.
+pub(crate) struct Drawing<'a> {
+    /// Where behaviours are kept.
+    pub(crate) store: &'a dyn Store,
+    /// The pictures made lately.
+    pub(crate) made: &'a Thumbnails,
+    /// The threads that draw.
+    pub(crate) workers: &'a Workers,
+    /// For whom.
+    pub(crate) sender: Sender,
+}
+
 /// The pictures of these behaviours, as far as they are there.
-pub(crate) async fn pictures(store: &dyn Store, made: &Thumbnails, of: Vec<PictureOf>) -> Result<Reply, Refused> {
-    let wanted = of.into_iter().take(PICTURES_MAX).map(|of| one(store, made, of));
+pub(crate) async fn pictures(drawing: Drawing<'_>, of: Vec<PictureOf>) -> Result<Reply, Refused> {
+    let wanted = of.into_iter().take(PICTURES_MAX).map(|of| one(&drawing, of));
     let drawn = futures_util::stream::iter(wanted).buffered(AT_ONCE).collect::<Vec<_>>().await;
     let pictures = drawn.into_iter().flatten().map(|(id, picture)| (id, (*picture).clone())).collect();
     Ok(Reply::Pictures { pictures })
 }
 
-async fn one(store: &dyn Store, made: &Thumbnails, of: PictureOf) -> Option<(Id, Arc<Picture>)> {
+async fn one(drawing: &Drawing<'_>, of: PictureOf) -> Option<(Id, Arc<Picture>)> {
+    let Drawing { store, made, workers, sender } = drawing;
     if let Some(picture) = made.get(&of) {
         return Some((of.behaviour, picture));
     }
     let loaded = bounded(store.load(&of.behaviour)).await.ok()??;
-    let picture = Arc::new(picture_of(&loaded.behaviour));
-    made.keep(of.behaviour.clone(), loaded.revision, &picture);
+    let (revision, behaviour) = (loaded.revision, loaded.behaviour);
+    let picture = workers.run(sender.clone(), move |_| Arc::new(picture_of(&behaviour))).await.ok()?;
+    made.keep(of.behaviour.clone(), revision, &picture);
     Some((of.behaviour, picture))
 }
 

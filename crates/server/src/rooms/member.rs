@@ -1,6 +1,7 @@
 //! Who is in a room and who waits for its answers, as far as a room has to know.
 
 use super::shown::{GaveWay, Shown};
+use crate::support::identity::{Group, Identity, Sender};
 use crate::support::message::encode;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::Id;
@@ -12,6 +13,8 @@ use tokio::sync::{oneshot, watch};
 pub(crate) trait Recipient: Send + Sync {
     /// The number of the link, never used twice.
     fn session(&self) -> u64;
+    /// Whose link it is.
+    fn person(&self) -> &Identity;
     /// Whether the link ended, so that nobody hears what is sent.
     fn is_gone(&self) -> bool;
     /// Sends a message.
@@ -127,6 +130,19 @@ impl Answer {
     /// Says why not.
     pub(crate) fn no(self, no: Refused) {
         self.give(Reply::No { no });
+    }
+
+    /// For whom what was asked is done.
+    pub(crate) fn sender(&self) -> Sender {
+        match self {
+            Self::Client { to, .. } => to.person().asks(to.session()),
+            Self::Server(_) => Sender::Server,
+        }
+    }
+
+    /// The group of who asked.
+    pub(crate) fn group(&self) -> Group {
+        self.sender().group()
     }
 
     /// The link that asked.

@@ -1,8 +1,8 @@
 //! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
 
+use crate::support::lookups::Turn;
 use behaviour::{Behaviour, Id, Token};
 use protocol::Person;
-use tokio::sync::OwnedSemaphorePermit;
 
 /// What somebody wants of the past of a behaviour.
 pub(crate) enum Past {
@@ -49,7 +49,7 @@ pub(crate) struct Was {
     /// What going back there is called.
     pub(crate) label: String,
     /// The turn in which it was found: few are kept at once.
-    pub(crate) _turn: Option<OwnedSemaphorePermit>,
+    pub(crate) _turn: Option<Turn>,
 }
 
 /// What becomes of a name.

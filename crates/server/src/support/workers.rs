@@ -1,40 +1,27 @@
 //! Work on what people send, away from the threads that carry messages: reading large messages, checking procedures,
 //! looking for problems, imports. A few threads of low priority; whoever sends much waits behind nobody but themselves.
 
+use crate::support::identity::Sender;
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
 use crate::support::tasks::Made;
-use behaviour::Id;
+use crate::support::turns::{Bounds, Turns};
 use protocol::Refused;
-use std::collections::{HashMap, HashSet, VecDeque};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use tokio::sync::oneshot;
 use tokio_util::sync::CancellationToken;
 
-/// Threads that work.
-const THREADS: usize = 2;
-/// Stack of each in bytes; procedures nest on it, and debug builds need the most.
+/// Stack of each thread in bytes; procedures nest on it, and debug builds need the most.
 const STACK_BYTES: usize = 16 << 20;
-/// Tasks of one sender that may wait.
-const WAITING_PER_SENDER_MAX: usize = 16;
-/// Tasks that may wait altogether.
-const WAITING_MAX: usize = 1_024;
-
-/// For whom something is worked on. Of one sender one task is under way at a time, and senders take turns.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(crate) enum Sender {
-    /// What a link asks, by its number.
-    Link(u64),
-    /// What is told on a link, by its number.
-    Writer(u64),
-    /// An HTTP request, by its number.
-    Request(u64),
-    /// What is done for everyone in an open behaviour.
-    Room(Id),
-    /// The server itself.
-    Server,
-}
+/// Threads that work on what people send. One invitation has one of them at a time, and all rooms together have, so that
+/// what somebody else sends finds the other one.
+const THREADS: usize = 2;
+/// Threads that read and write files, which wait for the disk more than they work.
+const FILE_THREADS: usize = 4;
+/// What may wait for threads, and who has how many of them: with 16 tasks of a guest or of a link of the host.
+const BOUNDS: Bounds =
+    Bounds { host: usize::MAX, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 };
 
 /// Why something was not worked on to its end.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,7 +47,6 @@ pub(crate) struct Workers(Arc<Pool>);
 
 struct Pool(Arc<Shared>);
 
-#[derive(Default)]
 struct Shared {
     queue: Mutex<Queue>,
     bell: Condvar,
@@ -71,28 +57,36 @@ type Work = Box<dyn FnOnce(&CancellationToken) + Send>;
 /// Work with what it is told by.
 type Task = Box<dyn FnOnce() + Send>;
 
-#[derive(Default)]
 struct Queue {
-    waiting: HashMap<Sender, VecDeque<Task>>,
-    /// Senders of whom something waits and nothing is under way, next first.
-    turns: VecDeque<Sender>,
-    under_way: HashSet<Sender>,
-    count: usize,
+    turns: Turns<Task>,
     ended: bool,
 }
 
 impl Workers {
-    /// Starts the threads.
+    /// Starts the threads for what people send, which give way to those that carry messages.
     ///
     /// # Errors
     /// If a thread cannot be made.
     pub(crate) fn start() -> std::io::Result<Self> {
-        let shared = Arc::new(Shared::default());
+        Self::of(THREADS, "worker", Some(Priority::Work))
+    }
+
+    /// Starts the threads for files.
+    ///
+    /// # Errors
+    /// If a thread cannot be made.
+    pub(crate) fn for_files() -> std::io::Result<Self> {
+        Self::of(FILE_THREADS, "files", None)
+    }
+
+    fn of(threads: usize, name: &str, priority: Option<Priority>) -> std::io::Result<Self> {
+        let queue = Mutex::new(Queue { turns: Turns::within(BOUNDS), ended: false });
+        let shared = Arc::new(Shared { queue, bell: Condvar::new() });
         let pool = Self(Arc::new(Pool(Arc::clone(&shared))));
-        for number in 1..=THREADS {
+        for number in 1..=threads {
             let shared = Arc::clone(&shared);
-            let thread = std::thread::Builder::new().name(format!("worker-{number}")).stack_size(STACK_BYTES);
-            thread.spawn(move || shared.work())?;
+            let thread = std::thread::Builder::new().name(format!("{name}-{number}")).stack_size(STACK_BYTES);
+            thread.spawn(move || shared.work(priority))?;
         }
         Ok(pool)
     }
@@ -129,7 +123,7 @@ impl Workers {
                 let _ = done.send(worked.map_err(|_| NotDone::Failed));
             }
         };
-        if !lock(&self.0.0.queue).put(sender, Box::new(task)) {
+        if !lock(&self.0.0.queue).put(&sender, Box::new(task)) {
             return Err(NotDone::TooMuch);
         }
         self.0.0.bell.notify_one();
@@ -145,13 +139,13 @@ impl Drop for Pool {
 }
 
 impl Shared {
-    fn work(&self) {
-        priority::of_this_thread(Priority::Work);
+    fn work(&self, priority: Option<Priority>) {
+        priority.into_iter().for_each(priority::of_this_thread);
         while let Some((sender, task)) = self.next() {
             task();
-            if lock(&self.queue).done(sender) {
-                self.bell.notify_one();
-            }
+            lock(&self.queue).turns.done(&sender);
+            // What waited for the end of this one may begin now, besides what this thread takes next.
+            self.bell.notify_one();
         }
     }
 
@@ -162,7 +156,7 @@ impl Shared {
             if queue.ended {
                 return None;
             }
-            if let Some(next) = queue.take() {
+            if let Some(next) = queue.turns.take() {
                 return Some(next);
             }
             queue = self.bell.wait(queue).unwrap_or_else(PoisonError::into_inner);
@@ -172,70 +166,17 @@ impl Shared {
 
 impl Queue {
     /// Adds a task; false if there is no room.
-    fn put(&mut self, sender: Sender, task: Task) -> bool {
-        let mine = self.waiting.get(&sender).map_or(0, VecDeque::len);
-        if self.ended || self.count >= WAITING_MAX || mine >= WAITING_PER_SENDER_MAX {
-            return false;
-        }
-        if mine == 0 && !self.under_way.contains(&sender) {
-            self.turns.push_back(sender.clone());
-        }
-        self.waiting.entry(sender).or_default().push_back(task);
-        self.count += 1;
-        true
-    }
-
-    fn take(&mut self) -> Option<(Sender, Task)> {
-        let sender = self.turns.pop_front()?;
-        let tasks = self.waiting.get_mut(&sender)?;
-        let task = tasks.pop_front()?;
-        if tasks.is_empty() {
-            self.waiting.remove(&sender);
-        }
-        self.count -= 1;
-        self.under_way.insert(sender.clone());
-        Some((sender, task))
-    }
-
-    /// A task ended; true if its sender has another one, which waits for its turn now.
-    fn done(&mut self, sender: Sender) -> bool {
-        self.under_way.remove(&sender);
-        let has_more = self.waiting.contains_key(&sender);
-        if has_more {
-            self.turns.push_back(sender);
-        }
-        has_more
+    fn put(&mut self, sender: &Sender, task: Task) -> bool {
+        !self.ended && self.turns.put(sender, task)
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{NotDone, Queue, Sender, WAITING_PER_SENDER_MAX, Workers};
+    use super::{NotDone, Workers};
+    use crate::support::identity::tests::guest;
+    use crate::support::identity::{Identity, Sender};
     use std::sync::mpsc::channel;
-
-    fn put(queue: &mut Queue, link: u64) -> bool {
-        queue.put(Sender::Link(link), Box::new(|| {}))
-    }
-
-    #[test]
-    fn senders_take_turns_and_none_has_two_under_way() {
-        let mut queue = Queue::default();
-        for link in [1, 1, 1, 2, 3] {
-            assert!(put(&mut queue, link));
-        }
-        let mut next = || queue.take().map(|(sender, _)| sender);
-        assert_eq!([next(), next(), next(), next()], [1, 2, 3, 0].map(|n| (n > 0).then_some(Sender::Link(n))));
-        assert!(!queue.done(Sender::Link(2)));
-        assert!(queue.done(Sender::Link(1)));
-        assert_eq!(queue.take().map(|(sender, _)| sender), Some(Sender::Link(1)));
-    }
-
-    #[test]
-    fn a_busy_sender_is_refused_and_others_are_not() {
-        let mut queue = Queue::default();
-        let taken = (0..100).filter(|_| put(&mut queue, 1)).count();
-        assert_eq!((taken, put(&mut queue, 2)), (WAITING_PER_SENDER_MAX, true));
-    }
 
     #[tokio::test]
     async fn what_panics_is_told_and_the_next_is_worked_on() {
@@ -251,7 +192,7 @@ mod tests {
     async fn who_leaves_is_told_to_the_work() {
         let workers = Workers::start().unwrap();
         let ((begin, began), (end, ended)) = (channel(), channel());
-        let work = workers.run(Sender::Link(1), move |cancel| {
+        let work = workers.run(Identity::Host.asks(1), move |cancel| {
             begin.send(()).unwrap();
             while !cancel.is_cancelled() {
                 std::thread::yield_now();
@@ -264,5 +205,30 @@ mod tests {
             left = leaving => left.unwrap(),
         }
         tokio::task::spawn_blocking(move || ended.recv().unwrap()).await.unwrap();
+    }
+
+    /// All that one invitation sends, by however many cookies and links, has one of the threads.
+    #[tokio::test]
+    async fn an_invitation_that_works_without_end_leaves_a_thread_to_others() {
+        let workers = Workers::start().unwrap();
+        let all: Vec<_> = (0..8)
+            .map(|cookie| {
+                let (workers, sender) = (workers.clone(), guest("many", &cookie.to_string()).asks(1));
+                tokio::spawn(async move {
+                    workers
+                        .run(sender, |cancel| {
+                            while !cancel.is_cancelled() {
+                                std::thread::yield_now()
+                            }
+                        })
+                        .await
+                })
+            })
+            .collect();
+        for turn in 0..50 {
+            assert_eq!(workers.run(guest("other", "one").asks(1), move |_| turn).await, Ok(turn));
+            assert_eq!(workers.run(Identity::Host.asks(1), move |_| turn).await, Ok(turn));
+        }
+        all.iter().for_each(tokio::task::JoinHandle::abort);
     }
 }

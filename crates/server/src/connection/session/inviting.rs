@@ -2,7 +2,6 @@
 
 use super::Session;
 use crate::invitations::{Invited, Terms};
-use crate::support::tasks::blocking;
 use protocol::{Refused, Reply, Request};
 use std::sync::Arc;
 
@@ -17,9 +16,8 @@ impl Session {
             }
             Request::Revoke { invitation } => all.revoke(&invitation).map(|()| Reply::Done),
             _ if !all.lets_in() => Err(Refused::NobodyComes),
-            _ => Ok(Reply::Invitations { invitations: all.told().borrow().to_vec() }),
+            _ => Ok(Reply::Invitations { invitations: all.list() }),
         };
-        let failed = |error: tokio::task::JoinError| Err(Refused::InvitationsNotKept(error.to_string()));
-        self.later(ask, async move { blocking(work).await.unwrap_or_else(failed) });
+        self.on_files(ask, work);
     }
 }

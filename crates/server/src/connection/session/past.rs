@@ -48,7 +48,7 @@ impl Session {
 
     /// An answer that takes so many places until it is given; none if they are taken.
     fn placed(&self, ask: u32, places: u32) -> Option<Answer> {
-        let place = Arc::clone(&self.under_way).try_acquire_many_owned(places).ok()?;
+        let place = self.budget.begin(places)?;
         Some(Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) })
     }
 }

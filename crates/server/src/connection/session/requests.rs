@@ -7,14 +7,13 @@ use crate::connection::outbox::Out;
 use crate::connection::start;
 use crate::invitations::{Asked, Entry};
 use crate::library::create::{self, Wish};
+use crate::library::thumbnails::{self, Drawing};
 use crate::library::trial::{self, Trial, helpers_of};
-use crate::library::{bin, insight, list, rename, thumbnails};
+use crate::library::{bin, insight, list, rename};
 use crate::robots::real;
 use crate::rooms::member::Answer;
 use crate::rooms::{Locking, Note, Parting, Remover, Whereabouts};
 use crate::state::ServerState;
-use crate::support::tasks::blocking;
-use crate::support::workers::Sender;
 use behaviour::{Change, Helper, Id, Token, Value};
 use futures_util::future::BoxFuture;
 use protocol::{Refused, Reply, Request};
@@ -78,11 +77,11 @@ impl Session {
             }
             Request::CallMe { name } => self.call_me(ask, &name),
             Request::Start { behaviour, robot, record } => {
-                let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+                let (state, by) = (Arc::clone(self.state()), (self.me.name.clone(), self.sender()));
                 self.later(ask, async move { start::start(&state, behaviour, robot, record, by).await });
             }
             Request::Apply { behaviour, robot } => {
-                let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
+                let (state, by) = (Arc::clone(self.state()), (self.me.name.clone(), self.sender()));
                 self.later(ask, async move { start::apply(&state, behaviour, robot, by).await });
             }
             // Who reads the socket did it already, unless it was hidden in a large message.
@@ -121,9 +120,7 @@ impl Session {
 
     /// Answers with what changed since a revision, one answer of a connection at a time.
     fn since(&self, ask: u32, behaviour: &Id, revision: u64) {
-        let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
-            return self.outbox.no(ask, Refused::TooFast);
-        };
+        let Some(place) = self.budget.begin(1) else { return self.outbox.no(ask, Refused::TooFast) };
         let answer = Answer::Client { to: Arc::new(self.outbox.clone()), ask, held: Some(Box::new(place)) };
         self.state().rooms.tell(behaviour, Note::Since(revision, answer));
     }
@@ -148,9 +145,7 @@ impl Session {
     }
 
     fn later_boxed(&self, ask: u32, work: BoxFuture<'static, Result<Reply, Refused>>) {
-        let Ok(place) = Arc::clone(&self.under_way).try_acquire_owned() else {
-            return self.outbox.no(ask, Refused::TooFast);
-        };
+        let Some(place) = self.budget.begin(1) else { return self.outbox.no(ask, Refused::TooFast) };
         let outbox = self.outbox.clone();
         self.state().tasks.spawn(async move {
             let reply = work.await.unwrap_or_else(|no| Reply::No { no });
@@ -159,17 +154,26 @@ impl Session {
         });
     }
 
+    /// What reads or writes files is done by the threads for that.
+    pub(super) fn on_files(&self, ask: u32, work: impl FnOnce() -> Result<Reply, Refused> + Send + 'static) {
+        let (files, sender) = (self.state().files.clone(), self.sender());
+        self.later(ask, async move { files.run(sender, |_| work()).await? });
+    }
+
     /// What the store knows of all behaviours.
     fn look_up(&self, ask: u32, request: Request) {
         let (state, outbox) = (Arc::clone(self.state()), self.outbox.clone());
         self.later(ask, async move {
-            let _turn = state.lookups.turn().await;
+            let Some(_turn) = state.lookups.turn(&outbox.sender()).await else { return Err(Refused::TooFast) };
             if outbox.is_gone() {
                 return Ok(Reply::Done);
             }
             match request {
                 Request::List { query } => list::list(&*state.store, query).await,
-                Request::Pictures { of } => thumbnails::pictures(&*state.store, &state.thumbnails, of).await,
+                Request::Pictures { of } => {
+                    let (store, made, workers) = (&*state.store, &state.thumbnails, &state.workers);
+                    thumbnails::pictures(Drawing { store, made, workers, sender: outbox.sender() }, of).await
+                }
                 Request::WhereUsed { helper } => insight::where_used(&*state.store, &helper).await,
                 Request::Drivers { actuator } => insight::drivers(&*state.store, &actuator).await,
                 Request::Similar { behaviour } => insight::similar(&*state.store, &behaviour).await,
@@ -206,8 +210,7 @@ impl Session {
             }
             _ => Ok(()),
         };
-        let failed = |error: tokio::task::JoinError| Err(Refused::NotKept(error.to_string()));
-        self.later(ask, async move { blocking(work).await.unwrap_or_else(failed).map(|()| Reply::Done) });
+        self.on_files(ask, move || work().map(|()| Reply::Done));
     }
 
     /// The folder of the recordings, which may take its time.
@@ -217,14 +220,13 @@ impl Session {
             Request::RemoveRecording { file } => recordings.remove(&file).map(|()| Reply::Done),
             _ => Ok(Reply::Recordings { recordings: recordings.list() }),
         };
-        let failed = |error: tokio::task::JoinError| Err(Refused::CannotRecord(error.to_string()));
-        self.later(ask, async move { blocking(work).await.unwrap_or_else(failed) });
+        self.on_files(ask, work);
     }
 
     /// Tries a procedure, among the other work.
     fn check(&self, ask: u32, arguments: Vec<String>, body: String, inputs: Vec<Vec<Value>>) {
         let (snapshot, workers) = (self.state().rooms.snapshot(), self.state().workers.clone());
-        let sender = Sender::Link(self.outbox.session);
+        let sender = self.sender();
         let check = move |_: &CancellationToken| {
             let all = snapshot.helpers();
             let known = all.iter().map(|helper| helper.name.clone()).collect();
@@ -236,7 +238,7 @@ impl Session {
 
     /// What mends a problem, what streams carry, or whether a goal is reached: among the other work.
     fn hints(&self, ask: u32, request: Request) {
-        let (state, sender) = (Arc::clone(self.state()), Sender::Link(self.outbox.session));
+        let (state, sender) = (Arc::clone(self.state()), self.sender());
         self.later(ask, async move {
             match request {
                 Request::Fixes { behaviour, problem, seen } => {
@@ -253,13 +255,13 @@ impl Session {
 
     fn create(&self, ask: u32, behaviour: Id, name: String, template: Option<String>) {
         let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
-        let wish = Wish { behaviour, name, template, by };
+        let wish = Wish { behaviour, name, template, by, sender: self.sender() };
         self.later(ask, async move { create::create(&state.library, wish).await });
     }
 
     fn rename_helper(&self, ask: u32, helper: Id, seen: Helper, after: Helper) {
         let (state, by) = (Arc::clone(self.state()), self.me.name.clone());
-        let wish = rename::Wish { helper, seen, after, by, sender: Sender::Link(self.outbox.session) };
+        let wish = rename::Wish { helper, seen, after, by, sender: self.sender() };
         self.later(ask, async move { rename::rename(&state.library, wish).await });
     }
 
@@ -289,12 +291,10 @@ impl Session {
     fn call_me(&mut self, ask: u32, name: &str) {
         self.me.name = tidy_name(name);
         self.tell_open(Note::Rename(self.outbox.session, self.me.name.clone()));
-        let Entry::Guest(guest) = &self.entry else { return self.outbox.say(Some(ask), Reply::Done) };
-        let (all, guest, name) = (Arc::clone(&self.state().invitations), guest.clone(), self.me.name.clone());
-        self.later(ask, async move {
-            let _kept_or_logged = blocking(move || all.call(&guest, &name)).await;
-            Ok(Reply::Done)
-        });
+        if let Entry::Guest(guest) = &self.entry {
+            self.state().invitations.call(guest, &self.me.name);
+        }
+        self.outbox.say(Some(ask), Reply::Done);
     }
 
     /// The author is who sends it, whatever the change says.

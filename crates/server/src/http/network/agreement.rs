@@ -2,7 +2,7 @@
 
 use super::certificate::Certificate;
 use super::tickets::{Holder, Tickets};
-use crate::invitations::Digest;
+use crate::support::digest::Digest;
 use crate::support::lock;
 use rustls::server::{ClientHello, ProducesTickets, ResolvesServerCert};
 use rustls::sign::{CertifiedKey, Signer, SigningKey};

@@ -3,7 +3,7 @@
 //! cookie, or of a connection on which that may be shown later. Who has the key can open nothing that was said on
 //! connections, as each agrees on a secret of its own besides; the certificate's key lies beside it.
 
-use crate::invitations::Digest;
+use crate::support::digest::Digest;
 use crate::support::{atomic_file, lock, now_ms};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -44,7 +44,7 @@ impl RoomTask {
     pub(super) fn wait(&mut self, job: Job) {
         if self.stay == Stay::Gone {
             job.no(Refused::NoBehaviour);
-        } else if self.waiting.has_room(job.sender()) {
+        } else if self.waiting.has_room(&job.sender()) {
             self.waiting.put(job);
         } else {
             job.no(Refused::TooFast);

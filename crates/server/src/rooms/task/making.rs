@@ -6,7 +6,7 @@ use super::saving::{Saved, known};
 use crate::rooms::Surroundings;
 use crate::rooms::member::Answer;
 use crate::rooms::past::{Wanted, Was, Wish};
-use crate::support::workers::Sender;
+use crate::support::identity::Sender;
 use behaviour::{Accepted, Change, Id, NAME_MAX_CHARS, Refusal, Room, Token, UndoLog, what_went};
 use protocol::{Person, Refused};
 use std::sync::Arc;
@@ -38,7 +38,7 @@ pub(super) async fn make(around: Arc<Surroundings>, id: Id, room: Arc<Room>, wis
 
 async fn new(around: &Surroundings, id: &Id, room: Arc<Room>, wish: Wish, from: &Answer) -> Result<Made, Refused> {
     let Wish { op, who, tokens, what } = wish;
-    let (sender, mine) = (from.session().map_or(Sender::Server, Sender::Link), who.clone());
+    let (sender, mine) = (from.sender(), who.clone());
     let change = match what {
         Wanted::Undo | Wanted::Redo => {
             undo(around, id, room, (op, mine.client, matches!(what, Wanted::Redo)), sender).await
@@ -67,7 +67,7 @@ async fn undo(
     (op, by, again): (Id, Id, bool),
     sender: Sender,
 ) -> Result<Change, Refused> {
-    let _turn = around.lookups.turn().await;
+    let Some(_turn) = around.lookups.turn(&sender).await else { return Err(Refused::TooFast) };
     let log = newest(around, id, room.revision(), UNDO_MAX_CHANGES, UNDO_MAX_BYTES).await?;
     let find = move |_: &_| {
         let log = UndoLog::of(&log);
@@ -105,7 +105,8 @@ async fn bring_back(
     if !(1..=room.revision()).contains(&revision) {
         return Err(Refused::NoVersion);
     }
-    let (turn, knowing) = (around.lookups.turn().await, Arc::clone(&around.knowing));
+    let Some(turn) = around.lookups.turn(&sender).await else { return Err(Refused::TooFast) };
+    let knowing = Arc::clone(&around.knowing);
     let removal = one(around, id, revision).await?.change;
     drop(turn);
     let find = move |_: &_| {

@@ -5,6 +5,7 @@ use super::{RoomTask, Stay};
 use crate::rooms::member::{Answer, Member, Whole};
 use crate::rooms::shown::Shown;
 use crate::rooms::{Entering, Parting, Whereabouts};
+use crate::support::identity::Group;
 use crate::support::message::encode;
 use crate::support::store_call::{bounded, store_no};
 use behaviour::{Accepted, Id};
@@ -23,20 +24,21 @@ impl RoomTask {
             return member.link.send(encode(Some(ask), Reply::No { no: Refused::NoBehaviour }));
         }
         if let Some(entering) = entering {
-            member.link.send_whole(ask, self.welcome(&member.person, entering));
+            let to = member.link.person().group();
+            member.link.send_whole(ask, self.welcome(&member.person, entering, &to));
         }
         let (session, link) = (member.link.session(), Arc::clone(&member.link));
         let client = member.person.client.clone();
         self.members.insert(session, member);
         if !self.is_library() {
-            link.send_whole(ask, self.opened());
+            link.send_whole(ask, self.opened(&link.person().group()));
             self.tell_people();
             link.follow(Box::new(self.feed()));
             self.locks.came(&client, session, link.as_ref());
         }
     }
 
-    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering) -> Whole {
+    fn welcome(&mut self, you: &Person, Entering { secret, role }: Entering, to: &Group) -> Whole {
         let reply = Reply::Welcome {
             version: protocol::VERSION,
             epoch: self.around.epoch,
@@ -49,17 +51,17 @@ impl RoomTask {
             templates: self.around.templates.clone(),
             exercises: self.around.exercises.clone(),
         };
-        Whole { reply, shown: self.shown() }
+        Whole { reply, shown: self.shown(to) }
     }
 
     /// The room as it is now, for who opens it.
-    fn shown(&mut self) -> Arc<Shown> {
-        let shown = self.around.shown.show(&self.room, &self.shown);
+    fn shown(&mut self, to: &Group) -> Arc<Shown> {
+        let shown = self.around.shown.show(&self.room, &self.shown, to);
         self.shown = Arc::downgrade(&shown);
         shown
     }
 
-    fn opened(&mut self) -> Whole {
+    fn opened(&mut self, to: &Group) -> Whole {
         let reply = Reply::Opened {
             behaviour: self.id.clone(),
             revision: self.room.revision(),
@@ -69,7 +71,7 @@ impl RoomTask {
             fingerprint: self.found.fingerprint,
             people: self.people(),
         };
-        Whole { reply, shown: self.shown() }
+        Whole { reply, shown: self.shown(to) }
     }
 
     pub(super) fn leave(&mut self, session: u64, parting: Parting) {
@@ -119,7 +121,8 @@ impl RoomTask {
         let here = self.room.revision();
         let wanted = here.saturating_sub(revision);
         if wanted > MISSED_MAX_CHANGES && !self.is_library() {
-            return answer.show(self.opened());
+            let whole = self.opened(&answer.group());
+            return answer.show(whole);
         }
         let (store, id) = (Arc::clone(&self.around.store), self.id.clone());
         let at_hand = if wanted == 0 { Some(Vec::new()) } else { self.log.since(revision) };
@@ -128,7 +131,7 @@ impl RoomTask {
         }
         let around = Arc::clone(&self.around);
         self.around.tasks.spawn(async move {
-            let _turn = around.lookups.turn().await;
+            let Some(_turn) = around.lookups.turn(&answer.sender()).await else { return answer.no(Refused::TooFast) };
             // Who was cut off and came again asks again: nothing is looked up for who they were.
             if answer.is_unwanted() {
                 return;

@@ -7,7 +7,6 @@ use super::{RoomTask, Stay};
 use crate::rooms::member::{Answer, Whole};
 use crate::rooms::past::{Past, Wanted, Was, Wish};
 use crate::rooms::{Note, Surroundings};
-use crate::support::workers::Sender;
 use behaviour::{Committed, Id, Kind, Room, without_unseen};
 use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply};
 use std::sync::{Arc, Weak};
@@ -38,7 +37,7 @@ impl RoomTask {
         let (around, id, now) = (Arc::clone(&self.around), self.id.clone(), self.room.revision());
         let to = before.map_or(now, |before| now.min(before.saturating_sub(1)));
         self.around.tasks.spawn(async move {
-            let _turn = around.lookups.turn().await;
+            let Some(_turn) = around.lookups.turn(&answer.sender()).await else { return answer.no(Refused::TooFast) };
             if answer.is_unwanted() {
                 return;
             }
@@ -53,7 +52,7 @@ impl RoomTask {
     fn at(&self, revision: u64, answer: Answer) {
         let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
         self.around.tasks.spawn(async move {
-            let _turn = around.replays.turn().await;
+            let Some(_turn) = around.replays.turn(&answer.sender()).await else { return answer.no(Refused::TooFast) };
             if answer.is_unwanted() {
                 return;
             }
@@ -75,10 +74,10 @@ impl RoomTask {
         let (around, id, room) = (Arc::clone(&self.around), self.id.clone(), Arc::clone(&self.room));
         let rooms = self.rooms.clone();
         self.around.tasks.spawn(async move {
-            let turn = around.replays.turn().await;
-            match replay(&around, &id, room, revision, &sender(&answer), || answer.is_unwanted()).await {
+            let Some(turn) = around.replays.turn(&answer.sender()).await else { return answer.no(Refused::TooFast) };
+            match replay(&around, &id, room, revision, &answer.sender(), || answer.is_unwanted()).await {
                 Ok(behaviour) => {
-                    let was = Box::new(Was { behaviour, label, _turn: turn });
+                    let was = Box::new(Was { behaviour, label, _turn: Some(turn) });
                     rooms.tell(&id, Note::Past(Past::Wish(wish(was)), answer));
                 }
                 Err(no) => answer.no(no),
@@ -98,16 +97,12 @@ impl RoomTask {
     }
 }
 
-fn sender(answer: &Answer) -> Sender {
-    answer.session().map_or(Sender::Server, Sender::Link)
-}
-
 async fn at(around: &Surroundings, id: &Id, room: Arc<Room>, revision: u64, answer: &Answer) -> Result<Whole, Refused> {
-    let sender = sender(answer);
+    let sender = answer.sender();
     let was = replay(around, id, room, revision, &sender, || answer.is_unwanted()).await?;
     let room = around.workers.run(sender, move |_| Arc::new(Room::open(was, revision))).await?;
     let reply = Reply::At { behaviour: id.clone(), revision, records: Box::default(), more: false };
-    Ok(Whole { reply, shown: around.past_shown.show(&room, &Weak::new()) })
+    Ok(Whole { reply, shown: around.past_shown.show(&room, &Weak::new(), &answer.group()) })
 }
 
 /// A page of lines up to a revision, newest first, and whether there are older ones.

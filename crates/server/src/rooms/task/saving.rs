@@ -4,7 +4,7 @@ use super::making::Made;
 use crate::rooms::Surroundings;
 use crate::rooms::member::Answer;
 use crate::support::store_call::{bounded, reason, store_no};
-use crate::support::workers::{NotDone, Sender};
+use crate::support::workers::NotDone;
 use behaviour::{
     Accepted, Behaviour, Change, Checkpoints, Committed, Decision, Id, Knowledge, Record, Refusal, Room, Token,
 };
@@ -181,7 +181,7 @@ fn decided(
     room: &Arc<Room>,
     proposal: &Proposal,
 ) -> impl Future<Output = Result<Decided, NotDone>> + use<> {
-    let sender = proposal.from.session().map_or(Sender::Server, Sender::Link);
+    let sender = proposal.from.sender();
     let (room, change, workers) = (Arc::clone(room), proposal.change.clone(), around.workers.clone());
     let (knowing, now_ms) = (Arc::clone(&around.knowing), crate::support::now_ms());
     async move { workers.run(sender, move |_| judge(&room, change, &knowing.within_budget(), now_ms)).await }

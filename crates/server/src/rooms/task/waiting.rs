@@ -4,14 +4,17 @@ use super::saving::Proposal;
 use crate::rooms::Remover;
 use crate::rooms::member::Answer;
 use crate::rooms::past::{Naming, Wish};
+use crate::support::identity::{Group, Sender};
 use behaviour::{Change, Edit, Kind};
 use protocol::Refused;
 use std::collections::{HashMap, VecDeque};
 
 /// Jobs that may wait in one room.
 const WAITING_MAX_JOBS: usize = 1_024;
-/// Jobs of one sender among them.
+/// Jobs among them of a guest, by all their links, or of one link of the host.
 const WAITING_PER_SENDER_MAX_JOBS: usize = 256;
+/// Jobs among them of all who came by one invitation.
+const WAITING_PER_GROUP_MAX_JOBS: usize = 512;
 
 /// The largest of them, in bytes.
 const SMALL_MAX_BYTES: usize = 4 << 10;
@@ -29,11 +32,11 @@ pub(super) enum Job {
 }
 
 impl Job {
-    /// The link of who wants it; none is the server.
-    pub(super) fn sender(&self) -> Option<u64> {
+    /// For whom it is done.
+    pub(super) fn sender(&self) -> Sender {
         match self {
             Self::Save(Proposal { from, .. }) | Self::Make(_, from) | Self::Name(_, from) | Self::Remove(_, from) => {
-                from.session()
+                from.sender()
             }
         }
     }
@@ -56,22 +59,26 @@ pub(super) fn is_small(change: &Change) -> bool {
 /// Jobs that wait: each sender's in order, and the senders take turns.
 #[derive(Default)]
 pub(super) struct Waiting {
-    of: HashMap<Option<u64>, VecDeque<Job>>,
+    of: HashMap<Sender, VecDeque<Job>>,
     /// Who is next.
-    turns: VecDeque<Option<u64>>,
+    turns: VecDeque<Sender>,
     count: usize,
 }
 
 impl Waiting {
     /// Whether one more job of this sender finds room.
-    pub(super) fn has_room(&self, sender: Option<u64>) -> bool {
-        let mine = self.of.get(&sender).map_or(0, VecDeque::len);
-        self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS
+    pub(super) fn has_room(&self, sender: &Sender) -> bool {
+        let mine = self.of.get(sender).map_or(0, VecDeque::len);
+        let group = sender.group();
+        let ours =
+            || self.of.iter().filter(|(other, _)| other.group() == group).map(|(_, jobs)| jobs.len()).sum::<usize>();
+        let is_few = matches!(group, Group::Host | Group::Server) || ours() < WAITING_PER_GROUP_MAX_JOBS;
+        self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS && is_few
     }
 
     pub(super) fn put(&mut self, job: Job) {
         let sender = job.sender();
-        let mine = self.of.entry(sender).or_default();
+        let mine = self.of.entry(sender.clone()).or_default();
         if mine.is_empty() {
             self.turns.push_back(sender);
         }
@@ -102,7 +109,7 @@ impl Waiting {
     /// Puts back what was taken last.
     pub(super) fn put_back(&mut self, job: Job) {
         let sender = job.sender();
-        let mine = self.of.entry(sender).or_default();
+        let mine = self.of.entry(sender.clone()).or_default();
         if mine.is_empty() {
             self.turns.push_front(sender);
         }
@@ -121,19 +128,25 @@ impl Waiting {
 
 #[cfg(test)]
 mod tests {
-    use super::{Job, Proposal, WAITING_PER_SENDER_MAX_JOBS, Waiting};
+    use super::{Job, Proposal, WAITING_PER_GROUP_MAX_JOBS, WAITING_PER_SENDER_MAX_JOBS, Waiting};
     use crate::rooms::Remover;
     use crate::rooms::member::{Answer, Feed, Recipient, Whole};
+    use crate::support::identity::Identity;
+    use crate::support::identity::tests::guest;
     use axum::extract::ws::Utf8Bytes;
     use behaviour::{Change, Edit, Id, Kind, RecordId};
     use std::sync::Arc;
 
     /// A link that nobody reads.
-    struct Silent(u64);
+    struct Silent(u64, Identity);
 
     impl Recipient for Silent {
         fn session(&self) -> u64 {
             self.0
+        }
+
+        fn person(&self) -> &Identity {
+            &self.1
         }
 
         fn is_gone(&self) -> bool {
@@ -150,7 +163,7 @@ mod tests {
     }
 
     fn answer(session: u64) -> Answer {
-        Answer::Client { to: Arc::new(Silent(session)), ask: 1, held: None }
+        Answer::Client { to: Arc::new(Silent(session, guest("a", &session.to_string()))), ask: 1, held: None }
     }
 
     fn change(waiting: &mut Waiting, session: u64, op: &str, edited: Kind) {
@@ -174,12 +187,12 @@ mod tests {
             }
         }
         assert_eq!(ops, ["move", "note"], "then it is the turn of a connector");
-        let rest: Vec<_> = waiting.take_all().iter().map(|job| job.sender().unwrap()).collect();
-        assert_eq!((rest, waiting.is_empty()), (vec![1, 2, 2], true));
+        let rest: Vec<_> = waiting.take_all().iter().map(Job::sender).collect();
+        assert_eq!((rest, waiting.is_empty()), ([1, 2, 2].map(|session| answer(session).sender()).to_vec(), true));
     }
 
     fn put(waiting: &mut Waiting, session: u64, by: &str) -> bool {
-        let has_room = waiting.has_room(Some(session));
+        let has_room = waiting.has_room(&answer(session).sender());
         if has_room {
             let by = Remover { client: Id::new("client").unwrap(), name: by.to_owned() };
             waiting.put(Job::Remove(by, answer(session)));
@@ -192,7 +205,9 @@ mod tests {
         let mut waiting = Waiting::default();
         let mine = (0..2 * WAITING_PER_SENDER_MAX_JOBS).filter(|_| put(&mut waiting, 1, "Ben")).count();
         assert!(mine == WAITING_PER_SENDER_MAX_JOBS && put(&mut waiting, 2, "Aiko"));
-        let mut next = || waiting.take().and_then(|job| job.sender());
-        assert_eq!([next(), next(), next()], [Some(1), Some(2), Some(1)]);
+        let mut next = || waiting.take().map(|job| job.sender());
+        assert_eq!([next(), next(), next()], [1, 2, 1].map(|session| Some(answer(session).sender())));
+        let others = (3..9).map(|session| (0..500).filter(|_| put(&mut waiting, session, "Ben")).count());
+        assert!(others.sum::<usize>() <= WAITING_PER_GROUP_MAX_JOBS, "of one invitation");
     }
 }
