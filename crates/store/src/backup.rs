@@ -7,12 +7,10 @@ mod restore;
 mod robots;
 #[cfg(test)]
 mod tests;
-mod unfinished;
 
 pub use copy::{Difference, compare, migrate};
 pub use restore::{Backup, read, restore, verify};
 pub use robots::{Reached, Robot};
-pub use unfinished::{Unfinished, check_finished};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
 use behaviour::{Checkpoint, Id, Refusal};

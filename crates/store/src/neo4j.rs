@@ -7,6 +7,7 @@ mod bin;
 mod checkpoints;
 mod delta;
 mod fault;
+mod filling;
 mod insight;
 mod link;
 mod list;
@@ -19,7 +20,7 @@ mod schema;
 mod tests;
 mod thesis;
 
-use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Used, json};
+use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, json};
 use address::Address;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
@@ -140,8 +141,21 @@ impl Store for Neo4jStore {
         bin::raise_epoch(&self.link, least).await
     }
 
+    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+        filling::mark(&self.link).await
+    }
+
+    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+        filling::begin(&self.link, source).await
+    }
+
+    async fn end_filling(&self) -> Result<(), StoreError> {
+        filling::end(&self.link).await
+    }
+
     async fn reachable(&self) -> Result<(), StoreError> {
-        bin::look(&self.link).await
+        // Also a server that was here before somebody fills it from elsewhere learns of that.
+        crate::check_whole(self).await
     }
 
     async fn healthy(&self) -> Result<(), StoreError> {
@@ -149,6 +163,6 @@ impl Store for Neo4jStore {
         if self.link.was_away() {
             self.warm_up();
         }
-        Ok(())
+        crate::check_whole(self).await
     }
 }

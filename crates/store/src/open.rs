@@ -1,16 +1,27 @@
 //! A store by its address.
 
-use crate::{FolderStore, Store, StoreError};
+use crate::{FolderStore, Store, StoreError, check_whole};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
+/// Opens a store by its address, to serve it or to read all of it; one that is filled only in part is refused. Addresses are
+/// those of [`open_url_to_fill`].
+///
+/// # Errors
+/// [`StoreError::Unfinished`], and those of [`open_url_to_fill`].
+pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    let store = open_url_to_fill(url).await?;
+    check_whole(&*store).await?;
+    Ok(store)
+}
+
+/// Opens a store by its address, also one that is filled only in part: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
 /// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see `open_neo4j`; without the feature
 /// `neo4j` it is refused).
 ///
 /// # Errors
 /// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
-pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+pub async fn open_url_to_fill(url: &str) -> Result<Arc<dyn Store>, StoreError> {
     if is_neo4j(url) {
         #[cfg(feature = "neo4j")]
         return Ok(Arc::new(crate::open_neo4j(url).await?));

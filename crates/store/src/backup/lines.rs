@@ -95,6 +95,8 @@ pub(super) struct Whole {
     pub(super) robots: Vec<Robot>,
     /// How much it holds.
     pub(super) counted: Counted,
+    /// The sum over all of it.
+    pub(super) sum: String,
 }
 
 /// Reads a whole backup and tells the listener; answers with all the rest. An error may come after much was told: who
@@ -132,7 +134,7 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
                 if (Counted { behaviours, changes }) != done || sum != format!("{:016x}", sum_before.0) {
                     return reading.broken(Flaw::Changed);
                 }
-                return reading.nothing_more().map(|()| Whole { epoch, robots, counted: done });
+                return reading.nothing_more().map(|()| Whole { epoch, robots, counted: done, sum });
             }
             _ => return reading.broken(Flaw::Order),
         }
