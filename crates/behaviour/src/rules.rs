@@ -112,6 +112,8 @@ pub enum Refusal {
     Edits(usize),
     /// A record under an id of another kind, or one twice.
     Malformed(String),
+    /// Another change has this op id already.
+    Reused,
     /// A name is empty.
     Name(String),
     /// A name has characters that nobody sees; without them.

@@ -13,6 +13,7 @@ mod link;
 mod listening;
 mod load;
 mod log;
+mod patience;
 mod replay;
 mod robot;
 mod serve;

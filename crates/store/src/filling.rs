@@ -84,7 +84,7 @@ impl Filling {
 ///
 /// # Errors
 /// [`StoreError::Unfinished`] if it is being filled from elsewhere.
-pub async fn check(store: &dyn Store, source: &Source) -> Result<bool, StoreError> {
+pub(crate) async fn check(store: &dyn Store, source: &Source) -> Result<bool, StoreError> {
     match store.filling().await? {
         None => Ok(false),
         Some(mark) if source.fits(&mark) => Ok(true),

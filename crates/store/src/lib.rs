@@ -38,7 +38,7 @@ pub use folder_lock::{FolderLock, lock_folder};
 pub use memory::MemoryStore;
 #[cfg(feature = "neo4j")]
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
-pub use open::{folder_of, is_same_folder, open_url, open_url_to_fill};
+pub use open::{folder_of, is_same_folder, open_url, open_url_to_fill, open_url_to_work, shown_url, source_of};
 pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
 #[cfg(not(feature = "neo4j"))]
@@ -184,8 +184,7 @@ pub enum Append {
 impl Append {
     /// The answer to a change whose op id was saved before, with these edits.
     pub(crate) fn again(wanted: &Change, saved: &Change, revision: u64) -> Self {
-        let is_same = wanted.edits == saved.edits && wanted.undoes == saved.undoes;
-        if is_same { Self::Duplicate { revision } } else { Self::Reused { revision } }
+        if wanted.does_as(saved) { Self::Duplicate { revision } } else { Self::Reused { revision } }
     }
 }
 

@@ -46,20 +46,20 @@ const ANSWER_MAX: Duration = Duration::from_secs(3);
 /// [`StoreError::Address`] for an address that cannot be understood, [`StoreError::Newer`] or
 /// [`StoreError::Unavailable`] if the database there cannot be used.
 pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
-    open_neo4j_within(url, ANSWER_MAX).await
+    let store = open_neo4j_within(url, ANSWER_MAX).await?;
+    store.warm_up();
+    Ok(store)
 }
 
-/// Opens a Neo4j database of which every call answers within `answer_max`: for work on much data, where nobody waits.
+/// Opens a Neo4j database of which every call answers within `answer_max`: for work on much data, where nobody waits. What
+/// people need at first is not planned beforehand.
 ///
 /// # Errors
 /// As [`open_neo4j`].
 pub async fn open_neo4j_within(url: &str, answer_max: Duration) -> Result<Neo4jStore, StoreError> {
     let address = Address::read(url, &|name| std::env::var(name).ok())?;
     schema::migrate(&address).await?;
-    let link = Arc::new(Link::new(&address, answer_max)?);
-    let store = Neo4jStore { link };
-    store.warm_up();
-    Ok(store)
+    Ok(Neo4jStore { link: Arc::new(Link::new(&address, answer_max)?) })
 }
 
 impl Neo4jStore {

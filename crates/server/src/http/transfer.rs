@@ -3,6 +3,7 @@
 use crate::library::list::names;
 use crate::rooms::Rooms;
 use crate::state::ServerState;
+use crate::support::store_call::bounded;
 use crate::support::tasks::blocking;
 use axum::Json;
 use axum::body::Body;
@@ -41,7 +42,7 @@ pub(crate) async fn download(rooms: &Rooms, file: &str) -> Response {
 /// Id and name of every behaviour that is not in the bin, by name.
 pub(crate) async fn list(store: &dyn Store) -> Response {
     let line = |(id, name): &(Id, String)| serde_json::json!({"id": id, "name": name});
-    match names(store).await {
+    match bounded(names(store)).await {
         Ok(names) => Json(names.iter().map(line).collect::<Vec<_>>()).into_response(),
         Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
     }
