@@ -73,6 +73,12 @@ pub enum Flaw {
     /// Its change does not fit what a record, which people call so, was before.
     #[error("It does not fit what {0} was before.")]
     Stale(String),
+    /// Nobody can have put it into the bin like that.
+    #[error("It cannot have gone to the bin so: {0}")]
+    Binned(Refusal),
+    /// It was made later than any time that is kept.
+    #[error("Its time is too far in the future.")]
+    Time,
     /// A revision cannot have got this name.
     #[error("Nobody can have named a version so: {0}")]
     Named(Refusal),

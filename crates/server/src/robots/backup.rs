@@ -3,7 +3,7 @@
 use super::order::{ORDER_MAX, Order};
 use super::refusal::BackupMisfit;
 use super::register::{Known, Register, check_real};
-use behaviour::Id;
+use behaviour::{Id, has_unseen};
 use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, RealRobot};
 use std::collections::HashSet;
 use std::path::Path;
@@ -49,7 +49,9 @@ fn real(reached: &Reached) -> RealRobot {
 /// Why not.
 pub fn check_robots(data: &Path, robots: &[Robot], goes_on: bool) -> Result<(), BackupMisfit> {
     let ids: HashSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
-    let is_named = |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count());
+    let is_named = |robot: &Robot| {
+        (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count()) && !has_unseen(&robot.name)
+    };
     let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(|reached| check_real(&real(reached)).is_ok());
     let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {
@@ -132,8 +134,9 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let twice = [robot("one", &[]), robot("one", &[])];
         let long = [Robot { name: "x".repeat(41), ..robot("one", &[]) }];
+        let unseen = [Robot { name: "a\0b".to_owned(), ..robot("one", &[]) }];
         let many: Vec<_> = (0..100).map(|number| robot(&format!("r{number}"), &[])).collect();
-        for robots in [&twice[..], &long, &many] {
+        for robots in [&twice[..], &long, &unseen, &many] {
             assert!(check_robots(folder.path(), robots, false).is_err());
         }
     }

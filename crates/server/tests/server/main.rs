@@ -19,3 +19,4 @@ mod renaming;
 mod roles;
 mod runs;
 mod slow;
+mod two_servers;

@@ -3,8 +3,8 @@
 use super::copy::{Copying, Heads, finished, heads};
 use super::lines::{self, Listener, Whole};
 use super::{BackupError, Counted, Flaw, Progress, Robot, Shelf};
-use crate::{Filling, Source, Store, StoreError, filling};
-use behaviour::{Checkpoint, Committed, History, Id, Refusal};
+use crate::{Filling, LIBRARY, Source, Store, StoreError, filling};
+use behaviour::{Checkpoint, Committed, History, Id, Refusal, check_person};
 use std::collections::BTreeSet;
 use std::io::{BufRead, Seek};
 use tokio::sync::mpsc;
@@ -120,7 +120,7 @@ struct Look {
     /// What the store has otherwise.
     other: Option<Id>,
     seen: BTreeSet<Id>,
-    now: Option<Id>,
+    now: Option<Shelf>,
     history: History,
 }
 
@@ -141,13 +141,24 @@ impl Listener for Look {
         if !self.seen.insert(shelf.id.clone()) {
             return Err(broken(Flaw::Twice));
         }
-        (self.now, self.history) = (Some(shelf.id), History::default());
+        let is_library = shelf.id.as_str() == LIBRARY;
+        if let Some((at_ms, by)) = &shelf.removed {
+            let no = check_person(by).err().or_else(|| is_library.then_some(Refusal::Gone));
+            no.map_or(Ok(()), |no| Err(broken(Flaw::Binned(no))))?;
+            check_time(*at_ms)?;
+        }
+        self.history = if is_library { History::of_the_library() } else { History::default() };
+        self.now = Some(shelf);
         Ok(())
     }
 
     fn change(&mut self, change: Committed) -> Result<(), BackupError> {
-        let Some(id) = &self.now else { return Ok(()) };
-        let taken = self.history.take(&change.change);
+        let Some(Shelf { id, revision, .. }) = &self.now else { return Ok(()) };
+        check_time(change.change.at_ms)?;
+        let mut taken = self.history.take(&change.change);
+        if change.revision == *revision {
+            taken = taken.and_then(|()| self.history.check_end());
+        }
         taken.map_err(|refusal| broken(unruly(refusal)))?;
         if let Some(last) = self.heads.get(id).filter(|last| last.revision == change.revision) {
             self.missing.remove(id);
@@ -159,6 +170,10 @@ impl Listener for Look {
     }
 
     fn named(&mut self, _: Checkpoint) {}
+}
+
+fn check_time(at_ms: u64) -> Result<(), BackupError> {
+    crate::json::check_time(at_ms).map_err(|_| broken(Flaw::Time))
 }
 
 fn unruly(refusal: Refusal) -> Flaw {

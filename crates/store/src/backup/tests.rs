@@ -216,6 +216,17 @@ async fn what_no_server_can_have_written_is_refused_though_its_sum_is_right() {
         (with("\"b-7\"", "\"note/n7\"", "\"stream/n7\""), "No room would have made"),
         (with("\"id\":\"a\"", "\"revision\":1", "\"revision\":0"), "does not follow"),
     ];
+    let (long, nul) = ("x".repeat(1 << 20), "a\\u0000b");
+    let cases = cases.into_iter().chain([
+        (with("\"name\":\"d\"", "\"name\":\"d\"", &format!("\"name\":\"{long}\"")), "too large"),
+        (with("\"name\":\"d\"", "\"name\":\"d\"", &format!("\"name\":\"{nul}\"")), "nobody sees"),
+        (with("\"b-7\"", "\"author\":\"Aiko\"", &format!("\"author\":\"{long}\"")), "too long"),
+        (with("\"b-7\"", "\"label\":\"Edit\"", &format!("\"label\":\"{nul}\"")), "nobody sees"),
+        (with("\"b-7\"", "\"at_ms\":7", "\"at_ms\":18446744073709551615"), "in the future"),
+        (with("\"by\":\"Ben\"", "\"by\":\"Ben\"", &format!("\"by\":\"{nul}\"")), "gone to the bin so"),
+        (with("\"by\":\"Ben\"", "\"atMs\":77", "\"atMs\":18446744073709551615"), "in the future"),
+        (with("First try", "\"by\":\"Aiko\"", &format!("\"by\":\"{long}\"")), "named a version so"),
+    ]);
     for (text, why) in cases {
         let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
         let refused = given(&text, &to).await.expect_err("this is refused");
