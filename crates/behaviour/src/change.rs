@@ -73,6 +73,13 @@ impl Change {
         self
     }
 
+    /// Whether it does the same as another one; when it was made, by whom and what it is called is not asked, as the server
+    /// says some of that.
+    #[must_use]
+    pub fn does_as(&self, other: &Self) -> bool {
+        self.edits == other.edits && self.undoes == other.undoes
+    }
+
     /// The change that undoes this one, under a new name.
     #[must_use]
     pub fn swapped(&self, op: Id, label: &str) -> Self {

@@ -1,22 +1,45 @@
-//! Whether a history that comes from elsewhere, such as a backup, hangs together.
+//! Whether a history that comes from elsewhere, such as a backup, is one that rooms can have made.
 
-use crate::rules::{check_graph, check_groups, check_helper_names, check_names};
+use crate::room::check_whole;
+use crate::rules;
+use crate::size::Size;
 use crate::{
-    Behaviour, Change, Edit, Engine, Id, Kind, LookupSet, RATE_MS, Record, RecordId, Refusal, Stream, StreamKind,
+    Behaviour, Change, Id, Kind, Knowledge, LookupSet, NAME_MAX_CHARS, Params, RecordId, Refusal, StreamKind,
+    without_unseen,
 };
 
-/// A behaviour as its changes make it from nothing, one after the other.
+/// A behaviour as its changes make it from nothing, one after the other, each decided about as a room would have.
 ///
-/// Each must fit what was there, and leave a graph that rooms and robots can rely on. How large things may be, what a
-/// procedure may say and which devices there are is not asked: that was decided when the change was made, and may have
+/// Which devices there are and what a procedure may say is not asked: that was decided when the change was made, and may have
 /// been decided otherwise since. What is wrong there is shown as a problem, to be mended.
 #[derive(Clone, Debug, Default)]
 pub struct History {
     behaviour: Behaviour,
+    size: Size,
     seen: LookupSet<Id>,
+    is_library: bool,
+}
+
+/// Every device and every procedure.
+struct Everything;
+
+impl Knowledge for Everything {
+    fn device(&self, _: StreamKind, _: &str, _: &Params) -> Result<(), String> {
+        Ok(())
+    }
+
+    fn body(&self, _: &[String], _: &str) -> Result<(), String> {
+        Ok(())
+    }
 }
 
 impl History {
+    /// That of the helper library, in which nothing else is.
+    #[must_use]
+    pub fn of_the_library() -> Self {
+        Self { is_library: true, ..Self::default() }
+    }
+
     /// Makes the next change.
     ///
     /// # Errors
@@ -25,20 +48,22 @@ impl History {
         if !self.seen.insert(change.op.clone()) {
             return Err(Refusal::Malformed(format!("the change {} twice", change.op)));
         }
+        check_whole(change)?;
+        check_said(change)?;
         self.check_fits(change)?;
         self.behaviour.apply(change);
-        for record in change.edits.iter().filter_map(|edit| edit.after.as_ref()) {
-            check_record(record)?;
-        }
-        let touches = |kind: Kind| change.edits.iter().any(|edit| edit.id.kind == kind);
-        if touches(Kind::Stream) || touches(Kind::Connector) {
-            check_names(&self.behaviour)?;
-            check_graph(&self.behaviour)?;
-        }
-        if touches(Kind::Group) {
-            check_groups(&self.behaviour)?;
-        }
-        if touches(Kind::Helper) { check_helper_names(&self.behaviour) } else { Ok(()) }
+        rules::check(&self.behaviour, change, &self.size, &Everything)?;
+        self.size = self.size.after(change);
+        Ok(())
+    }
+
+    /// Looks whether it can be found in a list, once all of it was taken.
+    ///
+    /// # Errors
+    /// If it has no name.
+    pub fn check_end(&self) -> Result<(), Refusal> {
+        let is_named = self.is_library || self.behaviour.settings().is_some();
+        if is_named { Ok(()) } else { Err(Refusal::Name(String::new())) }
     }
 
     /// The behaviour so far.
@@ -48,12 +73,8 @@ impl History {
     }
 
     fn check_fits(&self, change: &Change) -> Result<(), Refusal> {
-        if change.edits.is_empty() {
-            return Err(Refusal::Edits(0));
-        }
-        let mut touched = LookupSet::new();
         change.edits.iter().try_for_each(|edit| {
-            if !touched.insert(&edit.id) || !is_of_one_kind(edit) {
+            if (edit.id.kind == Kind::Helper) != self.is_library {
                 return Err(Refusal::Malformed(edit.id.to_string()));
             }
             if edit.id == RecordId::settings() && edit.after.is_none() {
@@ -65,38 +86,24 @@ impl History {
     }
 }
 
-fn is_of_one_kind(edit: &Edit) -> bool {
-    [&edit.before, &edit.after].into_iter().flatten().all(|record| record.kind() == edit.id.kind)
+/// Who made a change and what it is called: rooms leave out what is not seen there, so that a text with control characters
+/// comes from elsewhere.
+fn check_said(change: &Change) -> Result<(), Refusal> {
+    [&change.label, &change.author].into_iter().try_for_each(|text| check_person(text))
 }
 
-/// What would stop or mislead an engine, whatever the sizes are.
-fn check_record(record: &Record) -> Result<(), Refusal> {
-    match record {
-        Record::Settings(settings) => match settings.engine {
-            Engine::Frame { frame_ms: 0 } => Err(Refusal::Rate(0)),
-            Engine::Frame { .. } | Engine::Event => Ok(()),
-        },
-        Record::Stream(stream) => check_stream(stream),
-        Record::Connector(connector) => match connector.operation.period_ms() {
-            Some(period_ms) if !RATE_MS.contains(&period_ms) => Err(Refusal::Rate(period_ms)),
-            Some(_) | None => Ok(()),
-        },
-        Record::Helper(helper) => {
-            let names = std::iter::once(&helper.name).chain(&helper.params);
-            let bad = names.into_iter().find(|name| !crate::is_identifier(name));
-            bad.map_or(Ok(()), |bad| Err(Refusal::Identifier(bad.clone())))
-        }
-        Record::Place(_) | Record::Note(_) | Record::Group(_) => Ok(()),
+/// Whether somebody can be called so.
+///
+/// # Errors
+/// What is wrong with the name.
+pub fn check_person(name: &str) -> Result<(), Refusal> {
+    if name.chars().count() > NAME_MAX_CHARS {
+        return Err(Refusal::TooLong("This name".into(), NAME_MAX_CHARS));
     }
-}
-
-fn check_stream(stream: &Stream) -> Result<(), Refusal> {
-    let has_device = stream.device.is_some();
-    match stream.kind {
-        StreamKind::Ordinary if has_device => Err(Refusal::OrdinaryDevice),
-        StreamKind::Sensor | StreamKind::Actuator if !has_device => Err(Refusal::NoDevice(stream.name.clone())),
-        StreamKind::Ordinary | StreamKind::Sensor | StreamKind::Actuator => Ok(()),
+    if name.chars().any(char::is_control) {
+        return Err(Refusal::Unseen(without_unseen(name).chars().take(40).collect()));
     }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -150,11 +157,55 @@ mod tests {
     }
 
     #[test]
-    fn what_was_right_and_is_too_large_or_unknown_today_is_taken() {
-        let long = connectors::map::SPEC.with(Procedure::body(&"no_such_function(value) + ".repeat(10_000)));
-        let helper = Helper { name: "near".into(), params: vec![], body: "?".into(), ..Helper::default() };
+    fn what_was_right_and_is_unknown_today_is_taken() {
+        let unknown = connectors::map::SPEC.with(Procedure::body("no_such_function(value)"));
+        let (at, sense) = stream("s");
+        let Record::Stream(sense) = sense else { panic!("it is one") };
+        let sense = Stream { kind: StreamKind::Sensor, device: Some("NoSuchSense".into()), ..sense };
+        assert_eq!(with(vec![connector("a", "b", unknown), (at, Record::Stream(sense))]), Ok(()));
+    }
+
+    #[test]
+    fn what_no_room_would_have_let_in_is_refused() {
+        let long = connectors::map::SPEC.with(Procedure::body(&"value + ".repeat(2_000)));
+        assert!(matches!(with(vec![connector("a", "b", long)]), Err(Refusal::TooLong(..))));
+        let called = |name: &str| match stream("c") {
+            (at, Record::Stream(stream)) => with(vec![(at, Record::Stream(Stream { name: name.into(), ..stream }))]),
+            _ => panic!("it is a stream"),
+        };
+        assert!(matches!(called(&"x".repeat(1 << 20)), Err(Refusal::TooLarge(_))));
+        assert_eq!(called("a\0b"), Err(Refusal::Unseen("ab".into())));
+        let many = (0..10_000).map(|at| stream(&format!("s{at}")));
+        assert_eq!(with(many.collect()), Err(Refusal::TooMany("streams".into(), crate::STREAMS_MAX)));
+        let (at, _) = stream("n");
+        let note = Record::Note(crate::Note::new("n".repeat(5_000)));
+        assert!(with(vec![(RecordId::new(Kind::Note, &at.id), note)]).is_err());
+    }
+
+    #[test]
+    fn who_made_a_change_and_what_it_is_called_is_looked_at_too() {
+        let (at, record) = stream("a");
+        let made = change("one").put(&Behaviour::default(), at, record);
+        for bad in ["a\0b".to_owned(), "x".repeat(1 << 20)] {
+            for bad in [Change { label: bad.clone(), ..made.clone() }, Change { author: bad, ..made.clone() }] {
+                assert!(History::default().take(&bad).is_err());
+            }
+        }
+        assert_eq!(History::default().take(&made), Ok(()));
+    }
+
+    #[test]
+    fn helpers_are_in_the_library_and_nothing_else_is() {
+        let helper = Helper { name: "near".into(), body: "1".into(), ..Helper::default() };
         let helper = (RecordId::new(Kind::Helper, &id("h")), Record::Helper(helper));
-        assert_eq!(with(vec![connector("a", "b", long), helper, stream(&"x".repeat(60))]), Ok(()));
+        let put = |(at, record): (RecordId, Record)| change("one").put(&Behaviour::default(), at, record);
+        let mut library = History::of_the_library();
+        assert_eq!((library.take(&put(helper.clone())), library.check_end()), (Ok(()), Ok(())));
+        assert!(History::default().take(&put(helper)).is_err());
+        assert!(History::of_the_library().take(&put(stream("a"))).is_err());
+        let mut unnamed = History::default();
+        assert_eq!(unnamed.take(&put(stream("a"))), Ok(()));
+        assert!(unnamed.check_end().is_err(), "nobody would find it in a list");
     }
 
     #[test]

@@ -45,7 +45,7 @@ pub use fields::{Fields, Names};
 pub use file::{BehaviourFile, FORMAT, FileConnector, FileGroup, FileHelper, FileNote, FileStream, Flaw, FlawKind};
 pub use filled::Filled;
 pub use graph::Graph;
-pub use history::History;
+pub use history::{History, check_person};
 pub use ids::{BadId, Id, Kind, LIBRARY, RecordId};
 pub use lasting::Lasting;
 pub use locks::{

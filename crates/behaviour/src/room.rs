@@ -224,7 +224,7 @@ impl Room {
     }
 }
 
-fn check_whole(change: &Change) -> Result<(), Refusal> {
+pub(crate) fn check_whole(change: &Change) -> Result<(), Refusal> {
     if change.edits.is_empty() || change.edits.len() > EDITS_MAX {
         return Err(Refusal::Edits(change.edits.len()));
     }

@@ -112,6 +112,8 @@ pub enum Refusal {
     Edits(usize),
     /// A record under an id of another kind, or one twice.
     Malformed(String),
+    /// Another change has this op id already.
+    Reused,
     /// A name is empty.
     Name(String),
     /// A name has characters that nobody sees; without them.
@@ -270,7 +272,7 @@ fn check_group(group: &Group) -> Result<(), Refusal> {
 }
 
 /// A stream is in one group at most, whether it is there or gone.
-pub(crate) fn check_groups(after: &Behaviour) -> Result<(), Refusal> {
+fn check_groups(after: &Behaviour) -> Result<(), Refusal> {
     let mut seen: Lookup<&Id, &Group> = Lookup::new();
     for (_, group) in after.groups() {
         for id in &group.streams {
@@ -376,11 +378,11 @@ fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusa
     knowledge.body(&helper.params, &helper.body).map_err(Refusal::Body)
 }
 
-pub(crate) fn check_names(after: &Behaviour) -> Result<(), Refusal> {
+fn check_names(after: &Behaviour) -> Result<(), Refusal> {
     unique(after.streams().map(|(_, stream)| stream.name.trim()))
 }
 
-pub(crate) fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
+fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
     unique(after.helpers().map(|(_, helper)| helper.name.as_str()))
 }
 
@@ -394,7 +396,7 @@ fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {
     Ok(())
 }
 
-pub(crate) fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
+fn check_graph(after: &Behaviour) -> Result<(), Refusal> {
     let streams: Lookup<&Id, &Stream> = after.streams().filled();
     for (_, connector) in after.connectors_in_order() {
         check_ends(&streams, connector)?;

@@ -192,7 +192,7 @@ async fn save(store: &dyn Store, brought: &Import) -> Result<(), Failure> {
 async fn append(store: &dyn Store, id: &Id, made: &Committed, after: &Behaviour) -> Result<(), Failure> {
     match store.append(id, made, after).await? {
         Append::Applied | Append::Duplicate { .. } => Ok(()),
-        Append::Conflict { .. } => Err(Failure::Overtaken),
+        Append::Reused { .. } | Append::Conflict { .. } => Err(Failure::Overtaken),
     }
 }
 

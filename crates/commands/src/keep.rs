@@ -2,15 +2,16 @@
 
 use crate::failure::Failure;
 use crate::link::Link;
-use crate::store_at::{StoreArgs, Way, open, run};
+use crate::patience;
+use crate::store_at::{StoreArgs, Way, open, open_to_fill, run};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::fs::File;
 use std::io::{BufReader, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, PoisonError};
-use store::backup::{BackupError, Counted, Robot, Unfinished};
-use store::{FolderLock, Store};
+use std::sync::{Mutex, PoisonError};
+use store::backup::{BackupError, Counted, Robot};
+use store::{Filling, FolderLock, Store};
 
 /// How often the bar is drawn, in times a second.
 const DRAWN_HZ: u8 = 10;
@@ -45,7 +46,7 @@ pub(crate) struct RestoreArgs {
 /// Copies a whole store into another one that is empty, then compares both.
 ///
 /// Revision, records, history and bin of every behaviour are compared at the end. Ended early, the same command goes on
-/// where it was; the first store stays as it is. Exit codes: 0 both hold the same; 1 not.
+/// where it was, and until then no server serves the second store; the first one stays as it is. Exit codes: 0 both hold the same; 1 not.
 #[derive(Debug, Args)]
 #[command(after_help = "Example: rrp migrate --from sqlite:/srv/rrp --to files:/srv/rrp-files")]
 pub(crate) struct MigrateArgs {
@@ -123,16 +124,19 @@ pub(crate) fn restore(args: &RestoreArgs) -> Result<(), Failure> {
     let unopened = |error| Failure::Unopened(args.file.clone(), error);
     let (file, bar) = (BufReader::new(File::open(&args.file).map_err(unopened)?), Bar::new());
     let done = run(async {
-        let store = args.at.open().await?;
-        let backup = store::backup::read(file, &*store).await?;
-        let robots = backup.robots().to_vec();
+        let (store, url) = (args.at.open_to_fill().await?, args.at.url()?);
+        let backup = patience::told(&url, store::backup::read(file, &*store)).await?;
+        let (robots, source) = (backup.robots().to_vec(), backup.source(&again(&args.file, &url)));
         let _beside = if robots.is_empty() { None } else { lock_beside(&args.at)? };
-        let (url, folder) = (args.at.url()?, folder_for(&args.at, &robots)?);
-        let marked = store::folder_of(&url).or(folder.as_deref());
-        let begun = marked.map(Unfinished::begin).transpose().map_err(Failure::DataFolder)?;
-        let done = store::backup::restore(backup, &store, &|done, of| bar.at(done, of)).await?;
-        folder.map_or(Ok(()), |folder| server::put_robots(&folder, &robots)).map_err(Failure::DataFolder)?;
-        begun.map_or(Ok(()), Unfinished::end).map_err(Failure::DataFolder)?;
+        let goes_on = store.filling().await?.is_some();
+        let folder = folder_for(&args.at, &robots, goes_on)?;
+        let filling = Filling::begin(&store, &source).await?;
+        let done = store::backup::restore(backup, &filling, &|done, of| bar.at(done, of)).await?;
+        if let Some(folder) = folder {
+            let kept = server::put_robots(&folder, &robots).and_then(|()| store::end_in_folder(&folder));
+            kept.map_err(Failure::DataFolder)?;
+        }
+        filling.end().await?;
         Ok(done)
     })?;
     say(&format!("{} from {}.", counted(done), args.file.display()))
@@ -145,15 +149,27 @@ fn lock_beside(at: &StoreArgs) -> Result<Option<FolderLock>, Failure> {
     Ok(folder.map(|folder| store::lock_folder(&folder)).transpose()?)
 }
 
-/// Where the robots go.
-fn folder_for(at: &StoreArgs, robots: &[Robot]) -> Result<Option<PathBuf>, Failure> {
-    let folder = at.folder();
+/// Where the robots go, when the restore goes on or is new.
+fn folder_for(at: &StoreArgs, robots: &[Robot], goes_on: bool) -> Result<Option<PathBuf>, Failure> {
+    let folder = at.folder().filter(|folder| folder.is_dir() || !robots.is_empty());
     match &folder {
-        Some(folder) => server::check_robots(folder, robots).map_err(Failure::Robots)?,
+        Some(folder) => server::check_robots(folder, robots, goes_on).map_err(Failure::Robots)?,
         None if robots.is_empty() => {}
         None => return Err(Failure::NoRobotsFolder),
     }
     Ok(folder)
+}
+
+/// The command that goes on with a restore.
+fn again(file: &Path, url: &str) -> String {
+    let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+    format!("rrp restore {} --store {}", word(&file.display().to_string()), word(&store::shown_url(url)))
+}
+
+/// A word of a command, as a shell reads it.
+fn word(text: &str) -> String {
+    let is_plain = |letter: char| letter.is_alphanumeric() || "/._-:@+=%".contains(letter);
+    if text.chars().all(is_plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', "'\\''")) }
 }
 
 /// Copies, or says why not.
@@ -163,8 +179,10 @@ pub(crate) fn migrate(args: &MigrateArgs) -> Result<(), Failure> {
         if args.from == args.to {
             return Err(BackupError::Same.into());
         }
-        let (from, to): (Arc<dyn Store>, _) = (open(&args.from).await?, open(&args.to).await?);
-        Ok(store::backup::migrate(&from, &to, &|done, of| bar.at(done, of)).await?)
+        let (from, to) = (open(&args.from).await?, open_to_fill(&args.to).await?);
+        let [shown, filled] = [&args.from, &args.to].map(|url| word(&store::shown_url(url)));
+        let source = store::source_of(&args.from, &format!("rrp migrate --from {shown} --to {filled}"));
+        Ok(store::backup::migrate(&from, &to, &source, &|done, of| bar.at(done, of)).await?)
     })?;
     if !differences.is_empty() {
         return Err(Failure::Differences(differences));

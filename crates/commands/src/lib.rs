@@ -15,6 +15,7 @@ mod link;
 mod listening;
 mod load;
 mod log;
+mod patience;
 mod replay;
 mod robot;
 mod serve;

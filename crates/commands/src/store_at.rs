@@ -3,11 +3,12 @@
 use crate::data_folder::data_folder;
 use crate::failure::Failure;
 use crate::link::Link;
+use crate::patience;
 use crate::serve::{store_url, usual_data};
 use behaviour::Id;
 use clap::Args;
 use std::future::Future;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::pin::Pin;
 use std::sync::Arc;
 use store::{LIBRARY, Store, StoreError};
@@ -35,8 +36,11 @@ pub(crate) enum Way {
 impl StoreArgs {
     /// Opens it, or finds the running server that uses it.
     pub(crate) async fn way(&self) -> Result<Way, Failure> {
-        let url = self.finished()?;
-        match store::open_url(&url).await {
+        let url = self.url()?;
+        if let Some(folder) = self.folder() {
+            store::check_folder(&folder)?;
+        }
+        match patience::opened(&url, || store::open_url_to_work(&url)).await {
             Ok(store) => Ok(Way::Store(store)),
             Err(StoreError::Busy(folder)) => match server::address_in(&folder) {
                 Some(address) => Ok(Way::Server(Link { address })),
@@ -46,9 +50,9 @@ impl StoreArgs {
         }
     }
 
-    /// Opens it; a store that a server uses is not touched.
-    pub(crate) async fn open(&self) -> Result<Arc<dyn Store>, Failure> {
-        open(&self.url()?).await
+    /// Opens it to be filled; a store that a server uses is not touched.
+    pub(crate) async fn open_to_fill(&self) -> Result<Arc<dyn Store>, Failure> {
+        open_to_fill(&self.url()?).await
     }
 
     /// Its address.
@@ -60,23 +64,23 @@ impl StoreArgs {
     pub(crate) fn folder(&self) -> Option<PathBuf> {
         data_folder(self.store.as_deref(), self.data.as_deref(), usual_data().as_deref())
     }
-
-    /// Its address, if no restore into it is left half done.
-    fn finished(&self) -> Result<String, Failure> {
-        let url = self.url()?;
-        for folder in store::folder_of(&url).map(Path::to_owned).into_iter().chain(self.folder()) {
-            store::backup::check_finished(&folder)?;
-        }
-        Ok(url)
-    }
 }
 
-/// Opens a store by its address; one that a server uses is not touched.
+/// Opens a whole store by its address; one that a server uses is not touched.
 pub(crate) async fn open(url: &str) -> Result<Arc<dyn Store>, Failure> {
-    store::open_url(url).await.map_err(|error| match error {
+    patience::opened(url, || store::open_url_to_work(url)).await.map_err(unopened)
+}
+
+/// Opens a store by its address to be filled; one that a server uses is not touched.
+pub(crate) async fn open_to_fill(url: &str) -> Result<Arc<dyn Store>, Failure> {
+    patience::opened(url, || store::open_url_to_fill(url)).await.map_err(unopened)
+}
+
+fn unopened(error: StoreError) -> Failure {
+    match error {
         StoreError::Busy(folder) => Failure::Busy(folder),
         other => Failure::Store(other),
-    })
+    }
 }
 
 /// A behaviour.

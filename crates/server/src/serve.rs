@@ -222,6 +222,7 @@ async fn open(
 ) -> Result<Arc<ServerState>, ServeError> {
     let url = &config.store;
     let library = Id::new(protocol::LIBRARY).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
+    retry(url, || Box::pin(bounded(store::check_whole(&*store)))).await?;
     let health = StoreHealth::good();
     let epoch = match retry(url, || Box::pin(bounded(store.next_epoch()))).await {
         // Everything can be looked at and stopped; nothing can be saved, which everyone is told.

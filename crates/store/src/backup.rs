@@ -7,12 +7,10 @@ mod restore;
 mod robots;
 #[cfg(test)]
 mod tests;
-mod unfinished;
 
 pub use copy::{Difference, compare, migrate};
 pub use restore::{Backup, read, restore, verify};
 pub use robots::{Reached, Robot};
-pub use unfinished::{Unfinished, check_finished};
 
 use crate::{LIBRARY, Place, Query, Store, StoreError};
 use behaviour::{Checkpoint, Id, Refusal};
@@ -75,6 +73,12 @@ pub enum Flaw {
     /// Its change does not fit what a record, which people call so, was before.
     #[error("It does not fit what {0} was before.")]
     Stale(String),
+    /// Nobody can have put it into the bin like that.
+    #[error("It cannot have gone to the bin so: {0}")]
+    Binned(Refusal),
+    /// It was made later than any time that is kept.
+    #[error("Its time is too far in the future.")]
+    Time,
     /// A revision cannot have got this name.
     #[error("Nobody can have named a version so: {0}")]
     Named(Refusal),

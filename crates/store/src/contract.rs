@@ -4,6 +4,7 @@ mod bin;
 mod changes;
 mod checkpoints;
 mod crowd;
+mod filling;
 mod insight;
 mod large;
 mod lists;
@@ -29,6 +30,7 @@ where
     changes::check(&make).await;
     bin::check(&make).await;
     checkpoints::check(&make).await;
+    filling::check(&make).await;
     usage::check(&make).await;
     lists::check(&make).await;
     insight::check(&make).await;

@@ -10,13 +10,12 @@ pub enum StoreError {
     /// Another server uses the data directory.
     #[error("Another rrp server already uses {}. Stop it, or start this one with another data directory.", .0.display())]
     Busy(PathBuf),
-    /// A restore into this folder did not come to its end.
+    /// It was being filled and that did not come to its end; with the command that goes on.
     #[error(
-        "A restore into {} did not come to its end, so it holds only a part. Do the same rrp restore again to finish \
-         it, or choose an empty folder.",
-        .0.display()
+        "Only a part of the data is here, as filling this store did not come to its end. Finish it by the same command, \
+         {0}, or choose an empty store."
     )]
-    HalfRestored(PathBuf),
+    Unfinished(String),
     /// The disk is full; nothing was saved, everything can still be read.
     #[error("The disk is full. Nothing was lost; free some space and try again.")]
     Full,
@@ -96,7 +95,7 @@ impl StoreError {
         match self {
             Self::Timeout | Self::Unavailable(_) => true,
             Self::Busy(_)
-            | Self::HalfRestored(_)
+            | Self::Unfinished(_)
             | Self::Full
             | Self::Damaged(_)
             | Self::Newer { .. }

@@ -6,8 +6,8 @@ mod log;
 mod tests;
 
 use crate::{
-    Append, Contested, Driver, FolderLock, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Store, StoreError,
-    Used, checkpoints, json, lock_folder,
+    Append, Contested, Driver, FolderLock, LIBRARY, Listing, Loaded, MemoryStore, Query, Similar, Source, Store,
+    StoreError, Used, checkpoints, filling, json, lock_folder,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
@@ -60,7 +60,9 @@ fn take(kept: &MemoryStore, behaviour: &Id, line: Line) -> Result<(), Strange> {
     match line {
         Line::Change(committed) => match kept.judge(behaviour, &committed)? {
             Append::Applied => kept.put(behaviour, &committed),
-            Append::Duplicate { .. } | Append::Conflict { .. } => return Err(Strange::Order(committed.revision)),
+            Append::Duplicate { .. } | Append::Reused { .. } | Append::Conflict { .. } => {
+                return Err(Strange::Order(committed.revision));
+            }
         },
         Line::Removed { at_ms, by } => drop(kept.removed(behaviour, at_ms, &by)),
         Line::Restored => drop(kept.restored(behaviour)),
@@ -207,6 +209,19 @@ impl Store for FolderStore {
             Ok(())
         })
         .await
+    }
+
+    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+        self.write(|_, logs| filling::in_folder(logs.folder())).await
+    }
+
+    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+        let source = source.clone();
+        self.write(move |_, logs| filling::begin_in_folder(logs.folder(), &source)).await
+    }
+
+    async fn end_filling(&self) -> Result<(), StoreError> {
+        self.write(|_, logs| filling::end_of_folder(logs.folder())).await
     }
 
     async fn reachable(&self) -> Result<(), StoreError> {

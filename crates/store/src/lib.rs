@@ -2,7 +2,7 @@
 //! the contract that all keep.
 //!
 //! The contract in short. A change is saved under the next revision of its behaviour or not at all; it is durable
-//! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once. After an error the
+//! when [`Store::append`] answers; the same op id sent to the same behaviour twice is saved once, and never with other edits. After an error the
 //! outcome may be open ([`StoreError::is_open`]): send the same change again, and the op id settles it.
 #![warn(missing_docs)]
 
@@ -13,6 +13,7 @@ pub mod contract;
 pub mod disk;
 mod error;
 pub mod files;
+mod filling;
 mod folder;
 mod folder_lock;
 mod insight;
@@ -31,19 +32,20 @@ mod without_neo4j;
 pub use behaviour::LIBRARY;
 pub use behaviour::library::{Contested, Cursor, Driver, Place, Similar, Sort, Tagged, Used};
 pub use error::{StoreError, Unkept};
+pub use filling::{Filling, Source, check_folder, check_whole, end_in_folder};
 pub use folder::FolderStore;
 pub use folder_lock::{FolderLock, lock_folder};
 pub use memory::MemoryStore;
 #[cfg(feature = "neo4j")]
 pub use neo4j::{Neo4jStore, open_neo4j, open_neo4j_within, read_thesis};
-pub use open::{folder_of, is_same_folder, open_url};
+pub use open::{folder_of, is_same_folder, open_url, open_url_to_fill, open_url_to_work, shown_url, source_of};
 pub use query::{Listing, PAGE_MAX_LINES, Query, search_text};
 pub use sqlite::{SqliteStore, open};
 #[cfg(not(feature = "neo4j"))]
 pub use without_neo4j::read_thesis;
 
 use async_trait::async_trait;
-use behaviour::{Behaviour, Checkpoint, Committed, Id};
+use behaviour::{Behaviour, Change, Checkpoint, Committed, Id};
 
 /// A place that keeps behaviours with their whole history.
 #[async_trait]
@@ -138,6 +140,16 @@ pub trait Store: Send + Sync {
     /// The number of the last server start is at least this from now on; durable when it answers.
     async fn raise_epoch(&self, least: u64) -> Result<(), StoreError>;
 
+    /// Where it is being filled from, if that has begun and not ended: then only a part is in it.
+    async fn filling(&self) -> Result<Option<Source>, StoreError>;
+
+    /// Marks it as being filled from there, unless it is marked already; gives the mark that it has then, and is durable when
+    /// it answers. [`Filling`] is the door to this.
+    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError>;
+
+    /// Takes the mark away, if there is one; durable when it answers.
+    async fn end_filling(&self) -> Result<(), StoreError>;
+
     /// Whether the store answers; cheap enough to be asked every second.
     async fn reachable(&self) -> Result<(), StoreError> {
         self.healthy().await
@@ -157,11 +169,23 @@ pub enum Append {
         /// The revision it made then.
         revision: u64,
     },
+    /// It is not saved: its op id was saved with other edits, as this revision.
+    Reused {
+        /// The revision that the other change made.
+        revision: u64,
+    },
     /// It is not saved: its revision is not the next one. Somebody else wrote; load again.
     Conflict {
         /// The last saved revision; 0 if there is no such behaviour.
         head: u64,
     },
+}
+
+impl Append {
+    /// The answer to a change whose op id was saved before, with these edits.
+    pub(crate) fn again(wanted: &Change, saved: &Change, revision: u64) -> Self {
+        if wanted.does_as(saved) { Self::Duplicate { revision } } else { Self::Reused { revision } }
+    }
 }
 
 /// A behaviour as the store has it.

@@ -6,8 +6,8 @@ use crate::insight::{devices_of, sensors_of};
 use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Store, StoreError, Used,
-    json, search_text,
+    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Source, Store,
+    StoreError, Used, json, search_text,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};
@@ -25,6 +25,7 @@ pub struct MemoryStore {
 struct Kept {
     behaviours: BTreeMap<Id, Shelf>,
     epoch: u64,
+    filling: Option<Source>,
 }
 
 #[derive(Debug, Default)]
@@ -195,6 +196,19 @@ impl Store for MemoryStore {
         Ok(kept.epoch)
     }
 
+    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+        Ok(self.kept().filling.clone())
+    }
+
+    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+        Ok(self.kept().filling.get_or_insert_with(|| source.clone()).clone())
+    }
+
+    async fn end_filling(&self) -> Result<(), StoreError> {
+        self.kept().filling = None;
+        Ok(())
+    }
+
     async fn healthy(&self) -> Result<(), StoreError> {
         Ok(())
     }
@@ -205,8 +219,8 @@ impl Kept {
         let Some(shelf) = self.behaviours.get(id) else {
             return Ok(if committed.revision == 1 { Append::Applied } else { Append::Conflict { head: 0 } });
         };
-        if let Some(revision) = shelf.ops.get(&committed.change.op) {
-            return Ok(Append::Duplicate { revision: *revision });
+        if let Some(saved) = shelf.made_by(&committed.change.op) {
+            return Ok(Append::again(&committed.change, &saved.change, saved.revision));
         }
         if shelf.removed.is_some() {
             return Err(StoreError::Gone);
@@ -283,6 +297,12 @@ impl Kept {
 impl Shelf {
     fn head(&self) -> u64 {
         self.history.last().map_or(0, |last| last.revision)
+    }
+
+    /// The change that has this op id.
+    fn made_by(&self, op: &Id) -> Option<&Committed> {
+        let revision = self.ops.get(op)?;
+        self.history.get(usize::try_from(revision - 1).ok()?)
     }
 
     fn removed_before(&self, at_ms: u64) -> bool {

@@ -7,6 +7,7 @@ mod bin;
 mod checkpoints;
 mod delta;
 mod fault;
+mod filling;
 mod insight;
 mod link;
 mod list;
@@ -19,7 +20,9 @@ mod schema;
 mod tests;
 mod thesis;
 
-use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Store, StoreError, Used, json};
+use crate::{
+    Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, json,
+};
 use address::Address;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
@@ -45,20 +48,20 @@ const ANSWER_MAX: Duration = Duration::from_secs(3);
 /// [`StoreError::Address`] for an address that cannot be understood, [`StoreError::Newer`] or
 /// [`StoreError::Unavailable`] if the database there cannot be used.
 pub async fn open_neo4j(url: &str) -> Result<Neo4jStore, StoreError> {
-    open_neo4j_within(url, ANSWER_MAX).await
+    let store = open_neo4j_within(url, ANSWER_MAX).await?;
+    store.warm_up();
+    Ok(store)
 }
 
-/// Opens a Neo4j database of which every call answers within `answer_max`: for work on much data, where nobody waits.
+/// Opens a Neo4j database of which every call answers within `answer_max`: for work on much data, where nobody waits. What
+/// people need at first is not planned beforehand.
 ///
 /// # Errors
 /// As [`open_neo4j`].
 pub async fn open_neo4j_within(url: &str, answer_max: Duration) -> Result<Neo4jStore, StoreError> {
     let address = Address::read(url, &|name| std::env::var(name).ok())?;
     schema::migrate(&address).await?;
-    let link = Arc::new(Link::new(&address, answer_max)?);
-    let store = Neo4jStore { link };
-    store.warm_up();
-    Ok(store)
+    Ok(Neo4jStore { link: Arc::new(Link::new(&address, answer_max)?) })
 }
 
 impl Neo4jStore {
@@ -140,8 +143,21 @@ impl Store for Neo4jStore {
         bin::raise_epoch(&self.link, least).await
     }
 
+    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+        filling::mark(&self.link).await
+    }
+
+    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+        filling::begin(&self.link, source).await
+    }
+
+    async fn end_filling(&self) -> Result<(), StoreError> {
+        filling::end(&self.link).await
+    }
+
     async fn reachable(&self) -> Result<(), StoreError> {
-        bin::look(&self.link).await
+        // Also a server that was here before somebody fills it from elsewhere learns of that.
+        crate::check_whole(self).await
     }
 
     async fn healthy(&self) -> Result<(), StoreError> {
@@ -149,6 +165,6 @@ impl Store for Neo4jStore {
         if self.link.was_away() {
             self.warm_up();
         }
-        Ok(())
+        crate::check_whole(self).await
     }
 }

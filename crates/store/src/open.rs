@@ -1,21 +1,49 @@
 //! A store by its address.
 
-use crate::{FolderStore, Store, StoreError};
+use crate::{FolderStore, Source, Store, StoreError, check_whole};
 use std::path::Path;
 use std::sync::Arc;
+use std::time::Duration;
 
-/// Opens a store by its address: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for one
-/// file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see `open_neo4j`; without the feature
-/// `neo4j` it is refused).
+/// How long a store elsewhere may take for one answer where nobody waits in a page: as long as one that has just started needs.
+const WORK_MAX: Duration = Duration::from_secs(60);
+
+/// Opens a store by its address, to serve it: `sqlite:FOLDER`, or the folder alone, for the embedded one; `files:FOLDER` for
+/// one file of changes a behaviour; `bolt://USER@HOST:PORT` or `neo4j://...` for a Neo4j (see `open_neo4j`; without the
+/// feature `neo4j` it is refused).
 ///
 /// # Errors
-/// [`StoreError::Address`] for an address of another kind, and what opening that store may fail with.
+/// [`StoreError::Unfinished`] for one that is filled only in part, [`StoreError::Address`] for an address of another kind,
+/// and what opening that store may fail with.
 pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    whole(opened(url, None).await?).await
+}
+
+/// Opens a store by its address, for a command: its answers are waited for longer than people in a page would.
+///
+/// # Errors
+/// Those of [`open_url`].
+pub async fn open_url_to_work(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    whole(opened(url, Some(WORK_MAX)).await?).await
+}
+
+/// Opens a store by its address as [`open_url_to_work`] does, also one that is filled only in part. What is done to it goes
+/// through [`crate::Filling`].
+///
+/// # Errors
+/// Those of [`open_url`], without the first.
+pub async fn open_url_to_fill(url: &str) -> Result<Arc<dyn Store>, StoreError> {
+    opened(url, Some(WORK_MAX)).await
+}
+
+async fn whole(store: Arc<dyn Store>) -> Result<Arc<dyn Store>, StoreError> {
+    check_whole(&*store).await?;
+    Ok(store)
+}
+
+async fn opened(url: &str, answer_max: Option<Duration>) -> Result<Arc<dyn Store>, StoreError> {
     if is_neo4j(url) {
-        #[cfg(feature = "neo4j")]
-        return Ok(Arc::new(crate::open_neo4j(url).await?));
-        #[cfg(not(feature = "neo4j"))]
-        return Err(StoreError::WithoutNeo4j);
+        return neo4j(url, answer_max).await;
     }
     if let Some(folder) = url.strip_prefix("files:").filter(|folder| !folder.is_empty()) {
         return Ok(Arc::new(FolderStore::open(Path::new(folder)).await?));
@@ -26,6 +54,49 @@ pub async fn open_url(url: &str) -> Result<Arc<dyn Store>, StoreError> {
         return Err(StoreError::Address(known.to_owned()));
     }
     Ok(Arc::new(crate::open(Path::new(folder)).await?))
+}
+
+#[cfg(feature = "neo4j")]
+async fn neo4j(url: &str, answer_max: Option<Duration>) -> Result<Arc<dyn Store>, StoreError> {
+    Ok(match answer_max {
+        Some(answer_max) => Arc::new(crate::open_neo4j_within(url, answer_max).await?),
+        None => Arc::new(crate::open_neo4j(url).await?),
+    })
+}
+
+#[cfg(not(feature = "neo4j"))]
+async fn neo4j(_url: &str, _answer_max: Option<Duration>) -> Result<Arc<dyn Store>, StoreError> {
+    Err(StoreError::WithoutNeo4j)
+}
+
+/// What a store is marked with that is filled from the one with this address, `again` being the command for that. The address
+/// may be written in another way the next time.
+#[must_use]
+pub fn source_of(url: &str, again: &str) -> Source {
+    let place = url.split_once("://").map(|(_, rest)| rest.rsplit_once('@').map_or(rest, |(_, place)| place));
+    let key = match (folder_of(url), place) {
+        (Some(folder), _) => {
+            let kind = if url.starts_with("files:") { "files" } else { "sqlite" };
+            let folder = folder.canonicalize().or_else(|_| std::path::absolute(folder)).unwrap_or(folder.to_owned());
+            format!("{kind} {}", folder.display())
+        }
+        (None, place) => format!("database {}", place.unwrap_or(url)),
+    };
+    Source { key, again: again.to_owned() }
+}
+
+/// An address as others may see it: without a password, its folder from the root.
+#[must_use]
+pub fn shown_url(url: &str) -> String {
+    if let Some(folder) = folder_of(url) {
+        let kind =
+            url.split_once(':').filter(|(kind, _)| ["files", "sqlite"].contains(kind)).map_or("sqlite", |it| it.0);
+        let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
+        return format!("{kind}:{}", folder.display());
+    }
+    let Some((scheme, rest)) = url.split_once("://") else { return url.to_owned() };
+    let Some((who, place)) = rest.rsplit_once('@') else { return url.to_owned() };
+    format!("{scheme}://{}@{place}", who.split(':').next().unwrap_or_default())
 }
 
 /// True for an address of a Neo4j.
@@ -50,8 +121,21 @@ pub fn is_same_folder(one: &Path, other: &Path) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::folder_of;
+    use super::{folder_of, shown_url, source_of};
     use std::path::Path;
+
+    #[test]
+    fn a_source_is_the_same_however_its_address_is_written_and_no_password_is_shown() {
+        let key = |url: &str| source_of(url, "").key;
+        assert_eq!(key("bolt://neo4j:secret@host:7687/lab"), key("neo4j://aiko@host:7687/lab"));
+        assert_ne!(key("bolt://host:7687/lab"), key("bolt://host:7687"));
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().display().to_string();
+        assert_eq!(key(&path), key(&format!("sqlite:{path}/.")));
+        assert_ne!(key(&path), key(&format!("files:{path}")));
+        assert_eq!(shown_url("bolt://neo4j:sec@ret@host"), "bolt://neo4j@host");
+        assert_eq!([shown_url("/srv/rrp"), shown_url("files:/srv/rrp")], ["sqlite:/srv/rrp", "files:/srv/rrp"]);
+    }
 
     #[test]
     fn a_folder_is_known_by_its_address() {

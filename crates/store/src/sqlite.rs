@@ -3,6 +3,7 @@
 mod checkpoints;
 mod connect;
 mod fault;
+mod filling;
 mod insight;
 mod list;
 mod read;
@@ -14,7 +15,8 @@ mod write;
 mod writer;
 
 use crate::{
-    Append, Contested, Driver, FolderLock, Listing, Loaded, Query, Similar, Store, StoreError, Used, disk, lock_folder,
+    Append, Contested, Driver, FolderLock, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, disk,
+    lock_folder,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
@@ -225,6 +227,25 @@ impl Store for SqliteStore {
 
     async fn raise_epoch(&self, least: u64) -> Result<(), StoreError> {
         self.write(0, move |at| write::raise_epoch(at, least)).await
+    }
+
+    async fn filling(&self) -> Result<Option<Source>, StoreError> {
+        let mark = self.readers.ask(filling::mark).await?;
+        Ok(mark.or_else(|| self.file.parent().and_then(crate::filling::of_older)))
+    }
+
+    async fn begin_filling(&self, source: &Source) -> Result<Source, StoreError> {
+        let source = source.clone();
+        self.write(0, move |at| filling::begin(at, &source)).await
+    }
+
+    async fn end_filling(&self) -> Result<(), StoreError> {
+        let file = self.file.clone();
+        self.write(0, filling::end).await?;
+        // What an older rrp left counts as long as it is there, so it goes last.
+        let gone = tokio::task::spawn_blocking(move || file.parent().map_or(Ok(()), crate::end_in_folder)).await;
+        let gone = gone.map_err(|error| StoreError::Unavailable(format!("the end stopped: {error}")))?;
+        gone.map_err(|error| disk::told(&self.file, &error))
     }
 
     async fn reachable(&self) -> Result<(), StoreError> {

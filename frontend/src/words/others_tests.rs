@@ -5,11 +5,9 @@ use super::language::{speak, translated};
 use std::collections::BTreeSet;
 
 /// Sentences that only who starts a server, reads a drawing or the documentation sees.
-const NOT_SHOWN: [&str; 9] = [
+const NOT_SHOWN: [&str; 8] = [
     "A connector of a run, by its place in the file.",
     "A certificate could not be made ({reason}). Use one of your own with --cert.",
-    "A restore into {} did not come to its end, so it holds only a part. Do the same rrp restore again to finish it, or \
-     choose an empty folder.",
     "A robot program with {streams} and {connectors}. Values flow from top to bottom.",
     "A stream of a run, by its place in the file.",
     "The certificate cannot be used ({reason}). See that --cert is the certificate as PEM, and --key its key.",

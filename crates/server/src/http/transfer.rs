@@ -3,6 +3,7 @@
 use crate::library::list::names;
 use crate::state::ServerState;
 use crate::support::identity::Sender;
+use crate::support::store_call::bounded;
 use axum::Json;
 use axum::body::Body;
 use axum::http::{StatusCode, header};
@@ -54,7 +55,7 @@ pub(crate) async fn list(state: &ServerState, sender: &Sender) -> Response {
     let Some(_turn) = state.lookups.turn(sender).await else {
         return (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::TooFast)).into_response();
     };
-    match names(&*state.store).await {
+    match bounded(names(&*state.store)).await {
         Ok(names) => Json(names.iter().map(line).collect::<Vec<_>>()).into_response(),
         Err(error) => (StatusCode::SERVICE_UNAVAILABLE, format!("{error}\n")).into_response(),
     }

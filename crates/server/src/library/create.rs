@@ -6,7 +6,7 @@ use super::import::{TRIES, is_overtaken, judge, shelve};
 use super::list::free_name;
 use super::templates::{Template, templates};
 use crate::support::identity::Sender;
-use crate::support::store_call::{bounded, reason, store_no};
+use crate::support::store_call::{answer_by, bounded, by, reason, store_no};
 use behaviour::{
     Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
 };
@@ -32,6 +32,10 @@ pub(crate) struct Wish {
 
 /// Makes the behaviour; asked twice with the same id, it makes one.
 pub(crate) async fn create(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
+    by(answer_by(), made(library, wish)).await
+}
+
+async fn made(library: &Arc<Library>, wish: Wish) -> Result<Reply, Refused> {
     let template = wish.template.as_deref().map(find).transpose()?;
     if wish.behaviour == *library.rooms.library() {
         return Err(Refused::NoBehaviour);
@@ -77,7 +81,7 @@ pub(crate) fn check_name(name: &str) -> Result<(), Refused> {
 }
 
 async fn save(library: &Arc<Library>, wish: &Wish, mut records: Behaviour) -> Result<(), Refused> {
-    let name = free_name(&*library.store, wish.name.trim()).await.map_err(|error| store_no(&error))?;
+    let name = bounded(free_name(&*library.store, wish.name.trim())).await.map_err(|error| store_no(&error))?;
     let settings = records.settings().cloned().unwrap_or_else(|| Settings::named(""));
     let settings = Settings { name: name.clone(), ..settings };
     records.records.insert(RecordId::settings(), Record::Settings(settings));
@@ -101,6 +105,7 @@ pub(crate) async fn append(library: &Library, id: &Id, made: &Committed, after: 
     }
     match answer {
         Ok(Append::Applied | Append::Duplicate { .. }) => Ok(()),
+        Ok(Append::Reused { .. }) => Err(Refused::Change(Refusal::Reused)),
         Ok(Append::Conflict { .. }) => Err(Refused::Change(Refusal::Stale("this program".to_owned()))),
         Err(error) => {
             library.health.failed(&error);

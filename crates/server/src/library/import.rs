@@ -149,7 +149,7 @@ async fn finish(
     if mode == Mode::Restore {
         check_absent(&library, &file).await?;
     }
-    let name = free_name(&*library.store, file.name.trim()).await.map_err(|error| store_no(&error))?;
+    let name = bounded(free_name(&*library.store, file.name.trim())).await.map_err(|error| store_no(&error))?;
     let brought = brought.named(&name);
     save(&library, &brought).await?;
     Ok(brought)

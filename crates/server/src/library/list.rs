@@ -25,7 +25,7 @@ pub(crate) async fn tags(store: &dyn Store) -> Result<Reply, Refused> {
 pub async fn names(store: &dyn Store) -> Result<Vec<(Id, String)>, StoreError> {
     let (mut names, mut query) = (Vec::new(), Query { sort: store::Sort::Name, ..Query::default() });
     loop {
-        let page = bounded(store.list(&query)).await?;
+        let page = store.list(&query).await?;
         names.extend(page.lines.into_iter().map(|line| (line.id, line.name)));
         query.after = page.next;
         if query.after.is_none() {
@@ -79,7 +79,7 @@ async fn names_from(store: &dyn Store, wanted: &str) -> Result<BTreeSet<String>,
     let mut query = Query { sort: store::Sort::Name, after: Some(just_before), ..Query::default() };
     let mut names = BTreeSet::new();
     while query.after.is_some() {
-        let page = bounded(store.list(&query)).await?;
+        let page = store.list(&query).await?;
         let all = page.lines.len();
         names.extend(
             page.lines.into_iter().map(|line| line.name).take_while(|name| name.to_lowercase().starts_with(&key)),

@@ -3,7 +3,7 @@
 use super::order::{ORDER_MAX, Order};
 use super::refusal::BackupMisfit;
 use super::register::{Known, Register, check_real};
-use behaviour::Id;
+use behaviour::{Id, has_unseen};
 use protocol::{ROBOT_NAME_MAX_CHARS, ROBOTS_MAX, RealRobot};
 use std::collections::HashSet;
 use std::path::Path;
@@ -42,19 +42,21 @@ fn real(reached: &Reached) -> RealRobot {
     RealRobot { address, user, password: None, fingerprint }
 }
 
-/// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early.
+/// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early and
+/// goes on.
 ///
 /// # Errors
 /// Why not.
-pub fn check_robots(data: &Path, robots: &[Robot]) -> Result<(), BackupMisfit> {
+pub fn check_robots(data: &Path, robots: &[Robot], goes_on: bool) -> Result<(), BackupMisfit> {
     let ids: HashSet<&Id> = robots.iter().map(|robot| &robot.id).collect();
-    let is_named = |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count());
+    let is_named =
+        |robot: &Robot| (1..=ROBOT_NAME_MAX_CHARS).contains(&robot.name.chars().count()) && !has_unseen(&robot.name);
     let is_reached = |robot: &Robot| robot.real.as_ref().is_none_or(|reached| check_real(&real(reached)).is_ok());
     let fits = |robot: &Robot| is_named(robot) && is_reached(robot) && robot.order.len() <= ORDER_MAX;
     if ids.len() < robots.len() || robots.len() > ROBOTS_MAX || !robots.iter().all(fits) {
         return Err(BackupMisfit::Malformed);
     }
-    let goes_on = store::backup::check_finished(data).is_err();
+    let goes_on = goes_on || store::check_folder(data).is_err();
     let here = robots_in(data);
     if goes_on || robots.is_empty() || here.is_empty() || here == robots {
         return Ok(());
@@ -117,12 +119,12 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         assert_eq!(robots_in(folder.path()), [], "nothing was ever kept");
         let robots = [robot("first", &["a", "b"]), robot("second", &[])];
-        assert_eq!(check_robots(folder.path(), &robots), Ok(()));
+        assert_eq!(check_robots(folder.path(), &robots, false), Ok(()));
         put_robots(folder.path(), &robots).unwrap();
         assert_eq!(robots_in(folder.path()), robots);
-        assert_eq!(check_robots(folder.path(), &robots), Ok(()), "once more is fine");
-        assert_eq!(check_robots(folder.path(), &[]), Ok(()), "a backup of an older rrp has none");
-        let refused = check_robots(folder.path(), &robots[..1]).unwrap_err();
+        assert_eq!(check_robots(folder.path(), &robots, false), Ok(()), "once more is fine");
+        assert_eq!(check_robots(folder.path(), &[], false), Ok(()), "a backup of an older rrp has none");
+        let refused = check_robots(folder.path(), &robots[..1], false).unwrap_err();
         assert!(refused.to_string().contains("Choose an empty folder"), "{refused}");
     }
 
@@ -131,9 +133,10 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let twice = [robot("one", &[]), robot("one", &[])];
         let long = [Robot { name: "x".repeat(41), ..robot("one", &[]) }];
+        let unseen = [Robot { name: "a\0b".to_owned(), ..robot("one", &[]) }];
         let many: Vec<_> = (0..100).map(|number| robot(&format!("r{number}"), &[])).collect();
-        for robots in [&twice[..], &long, &many] {
-            assert!(check_robots(folder.path(), robots).is_err());
+        for robots in [&twice[..], &long, &unseen, &many] {
+            assert!(check_robots(folder.path(), robots, false).is_err());
         }
     }
 }

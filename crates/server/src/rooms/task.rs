@@ -19,7 +19,7 @@ use super::shown::Shown;
 use super::snapshot::LibrarySnapshot;
 use super::{Look, Note, Rooms, Surroundings};
 use crate::support::message::encode;
-use crate::support::store_call::{bounded, store_no};
+use crate::support::store_call::{answer_by, bounded, by, store_no};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{Accepted, Change, Checkpoints, Id, Room};
 use change_log::ChangeLog;
@@ -32,6 +32,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, Weak};
 use store::StoreError;
 use tokio::sync::{mpsc, oneshot, watch};
+use tokio::time::Instant;
 use waiting::{Job, Waiting};
 
 /// Whether a behaviour is there.
@@ -59,6 +60,8 @@ struct RoomTask {
     /// What waits for saving.
     waiting: Waiting,
     saving: Saving,
+    /// When what it saves just now is to be answered.
+    answer_by: Option<Instant>,
     stay: Stay,
     log: ChangeLog,
     snapshot: watch::Receiver<Arc<LibrarySnapshot>>,
@@ -76,7 +79,7 @@ struct RoomTask {
 
 /// Runs a room until nobody needs it.
 pub(super) async fn run(rooms: Rooms, id: Id, mut inbox: mpsc::Receiver<Note>) {
-    let no = match load(&rooms.around, &id).await {
+    let no = match by(answer_by(), load(&rooms.around, &id)).await {
         Ok(Some((room, versions))) => {
             let mut task = RoomTask::new(rooms, id.clone(), room, versions);
             task.find_problems_at_first().await;
@@ -116,6 +119,7 @@ impl RoomTask {
             members: BTreeMap::new(),
             waiting: Waiting::default(),
             saving: Saving::Idle,
+            answer_by: None,
             stay: Stay::Here,
             log: ChangeLog::default(),
             snapshot,

@@ -7,13 +7,11 @@ use store::{FolderLock, StoreError};
 /// store, which is in the same folder, keeps them out already.
 ///
 /// # Errors
-/// [`StoreError::Busy`] if another server uses it, [`StoreError::HalfRestored`] if a restore into it did not end.
+/// [`StoreError::Busy`] if another server uses it, [`StoreError::Unfinished`] if a restore of an older rrp into it did not end.
 pub(crate) fn take(store: &str, data: Option<&Path>) -> Result<Option<FolderLock>, StoreError> {
     let own = store::folder_of(store);
-    for folder in own.into_iter().chain(data) {
-        store::backup::check_finished(folder)?;
-    }
     let Some(data) = data else { return Ok(None) };
+    store::check_folder(data)?;
     if own.is_some_and(|own| store::is_same_folder(own, data)) {
         return Ok(None);
     }

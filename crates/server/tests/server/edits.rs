@@ -88,6 +88,37 @@ async fn a_change_sent_twice_is_made_once_and_answered_the_same_also_after_a_res
 }
 
 #[tokio::test]
+async fn an_op_id_stands_for_one_change_for_ever_also_after_a_restart() {
+    let folder = tempfile::tempdir().unwrap();
+    let house = House::at(folder.path()).await;
+    let (aiko, play) = house.maker("Aiko").await;
+    let change = aiko.change("Add", &aiko.open().unwrap().records, vec![(stream_id("a"), Some(plain("One")))]);
+    let other = aiko.change("Add", &aiko.open().unwrap().records, vec![(stream_id("b"), Some(plain("Two")))]);
+    let bad = behaviour::Change { edits: vec![change.edits[0].clone(), change.edits[0].clone()], ..change.clone() };
+    let other = behaviour::Change { op: change.op.clone(), ..other };
+    let undo = crate::history::take_back(&play, change.op.as_str(), false);
+    let propose = |change: &behaviour::Change| Request::Propose {
+        behaviour: play.clone(),
+        change: change.clone(),
+        tokens: Vec::new(),
+    };
+    let first = aiko.ask(propose(&change)).await.unwrap();
+    let reused = Err(Trouble::No(Refused::Change(Refusal::Reused)));
+    for ask in [propose(&other), propose(&bad), undo.clone()] {
+        assert_eq!(aiko.ask(ask).await, reused);
+    }
+    house.close().await;
+    let house = House::at(folder.path()).await;
+    let aiko = house.person("Aiko").await;
+    for ask in [propose(&other), propose(&bad), undo] {
+        assert_eq!(aiko.ask(ask).await, reused);
+    }
+    assert_eq!(aiko.ask(propose(&change)).await.unwrap(), first);
+    assert_eq!(aiko.load(&play).await.unwrap().revision, 2);
+    house.close().await;
+}
+
+#[tokio::test]
 async fn every_bad_change_is_refused_with_a_sentence_and_changes_nothing() {
     let house = House::open().await;
     let (aiko, _) = house.maker("Aiko").await;

@@ -252,7 +252,9 @@ async fn the_largest_that_is_allowed_is_exported_imported_and_restored() {
     let empty: Arc<dyn Store> = Arc::new(MemoryStore::default());
     let text = std::io::Cursor::new(lines.into_inner().unwrap());
     let backup = store::backup::read(text, &*empty).await.unwrap();
-    store::backup::restore(backup, &empty, &|_, _| {}).await.unwrap();
+    let filling = store::Filling::begin(&empty, &backup.source("rrp restore")).await.unwrap();
+    store::backup::restore(backup, &filling, &|_, _| {}).await.unwrap();
+    filling.end().await.unwrap();
     let restored = empty.load(&id("play")).await.unwrap().unwrap();
     assert_eq!(restored.behaviour, play.records);
     for house in [house, other] {

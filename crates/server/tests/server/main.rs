@@ -20,3 +20,4 @@ mod renaming;
 mod roles;
 mod runs;
 mod slow;
+mod two_servers;

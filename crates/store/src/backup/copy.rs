@@ -1,7 +1,7 @@
 //! Behaviour by behaviour into another store, several at a time, and the proof that both hold the same.
 
 use super::{BackupError, Counted, Progress, Shelf, named, page, shelves};
-use crate::{Append, Store, StoreError};
+use crate::{Append, Filling, Source, Store, StoreError, filling};
 use behaviour::{Behaviour, Checkpoint, Committed, Id};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -10,8 +10,8 @@ use tokio::task::JoinSet;
 /// Behaviours that are written at the same time: enough for a store to gather many changes into one sync.
 const AT_ONCE: usize = 16;
 
-/// What a store has of each behaviour: the revision and the op id of its last change.
-pub(super) type Heads = BTreeMap<Id, (u64, Id)>;
+/// What a store has of each behaviour: its last change.
+pub(super) type Heads = BTreeMap<Id, Committed>;
 
 /// Where two stores differ.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -22,23 +22,27 @@ pub struct Difference {
     pub what: &'static str,
 }
 
-/// Copies everything into a store that is empty or holds a part of the same; then compares both.
+/// Copies everything into a store that is empty or holds a part of the same; then compares both. The second store is a part,
+/// which nobody serves, until both hold the same; `source` says what the first one is.
 ///
 /// # Errors
-/// What the stores fail with, [`BackupError::NotEmpty`]. Done again, it goes on where it ended.
+/// What the stores fail with, [`BackupError::NotEmpty`], [`StoreError::Unfinished`]. Done again, it goes on where it ended.
 pub async fn migrate(
     from: &Arc<dyn Store>,
     to: &Arc<dyn Store>,
+    source: &Source,
     progress: Progress<'_>,
 ) -> Result<(Counted, Vec<Difference>), BackupError> {
+    filling::check(&**to, source).await?;
     let (shelves, heads) = (shelves(&**from).await?, heads(&**to).await?);
     check_heads(&**from, &shelves, &heads).await?;
+    let filling = Filling::begin(to, source).await?;
     let (many, mut done, mut copying) = (shelves.len() as u64, Counted::default(), JoinSet::new());
     for shelf in shelves {
         if copying.len() >= AT_ONCE || done.behaviours + copying.len() as u64 == 1 {
             finished(&mut copying, &mut done, many, progress).await?;
         }
-        copying.spawn(copy(Arc::clone(from), Arc::clone(to), shelf));
+        copying.spawn(copy(Arc::clone(from), filling.clone(), shelf));
     }
     while !copying.is_empty() {
         finished(&mut copying, &mut done, many, progress).await?;
@@ -47,6 +51,11 @@ pub async fn migrate(
     let epoch = from.next_epoch().await?;
     to.raise_epoch(epoch).await?;
     let differences = compare(&**from, &**to).await?;
+    // What was served before has all of the first one now, and more of its own.
+    let was_whole = !filling.goes_on() && !heads.is_empty();
+    if differences.is_empty() || was_whole {
+        filling.end().await?;
+    }
     Ok((done, differences))
 }
 
@@ -66,21 +75,22 @@ pub(super) async fn finished(
     Ok(())
 }
 
-async fn copy(from: Arc<dyn Store>, to: Arc<dyn Store>, shelf: Shelf) -> Result<u64, BackupError> {
-    let mut filling = Filling::of(&*to, &shelf).await?;
+async fn copy(from: Arc<dyn Store>, to: Filling, shelf: Shelf) -> Result<u64, BackupError> {
+    let mut copying = Copying::of(&to, &shelf).await?;
     let mut since = 0;
     while since < shelf.revision {
         for change in page(&*from, &shelf, since).await? {
             since = change.revision;
-            filling.put(&change).await?;
+            copying.put(&change).await?;
         }
     }
-    filling.end(&named(&*from, &shelf).await?).await
+    copying.end(&named(&*from, &shelf).await?).await
 }
 
 /// One behaviour on its way into a store.
-pub(super) struct Filling<'s> {
+pub(super) struct Copying<'s> {
     to: &'s dyn Store,
+    goes_on: bool,
     shelf: &'s Shelf,
     /// What is there already.
     head: u64,
@@ -88,10 +98,16 @@ pub(super) struct Filling<'s> {
     changes: u64,
 }
 
-impl<'s> Filling<'s> {
-    pub(super) async fn of(to: &'s dyn Store, shelf: &'s Shelf) -> Result<Self, BackupError> {
-        let head = to.load(&shelf.id).await?.map_or(0, |loaded| loaded.revision);
-        Ok(Self { to, shelf, head, after: Behaviour::default(), changes: 0 })
+impl<'s> Copying<'s> {
+    pub(super) async fn of(filling: &'s Filling, shelf: &'s Shelf) -> Result<Self, BackupError> {
+        let (to, goes_on) = (&**filling.store(), filling.goes_on());
+        let there = to.load(&shelf.id).await?;
+        let head = there.as_ref().map_or(0, |loaded| loaded.revision);
+        if goes_on && head < shelf.revision && there.is_some_and(|loaded| loaded.removed_ms.is_some()) {
+            // It came back from the bin after it was copied, and was changed since.
+            to.restore(&shelf.id).await?;
+        }
+        Ok(Self { to, goes_on, shelf, head, after: Behaviour::default(), changes: 0 })
     }
 
     pub(super) async fn put(&mut self, change: &Committed) -> Result<(), BackupError> {
@@ -107,12 +123,19 @@ impl<'s> Filling<'s> {
         match answer? {
             Append::Applied => Ok(()),
             Append::Duplicate { revision } if revision == change.revision => Ok(()),
-            Append::Duplicate { .. } | Append::Conflict { .. } => Err(BackupError::NotEmpty(self.shelf.id.clone())),
+            Append::Duplicate { .. } | Append::Reused { .. } | Append::Conflict { .. } => {
+                Err(BackupError::NotEmpty(self.shelf.id.clone()))
+            }
         }
     }
 
     /// Its named versions, and into the bin, if it belongs there; answers with the number of changes.
     pub(super) async fn end(self, named: &[Checkpoint]) -> Result<u64, BackupError> {
+        if self.goes_on {
+            for old in self.to.checkpoints(&self.shelf.id).await?.iter().filter(|old| !named.contains(old)) {
+                self.to.drop_checkpoint(&self.shelf.id, &old.name).await?;
+            }
+        }
         for checkpoint in named {
             let mut kept = self.to.keep_checkpoint(&self.shelf.id, checkpoint).await;
             if kept.as_ref().is_err_and(StoreError::is_open) {
@@ -135,7 +158,7 @@ pub(super) async fn heads(store: &dyn Store) -> Result<Heads, BackupError> {
     for shelf in shelves(store).await? {
         let last = store.history(&shelf.id, shelf.revision.saturating_sub(1), 1).await?;
         if let Some(last) = last.into_iter().next() {
-            heads.insert(shelf.id, (last.revision, last.change.op));
+            heads.insert(shelf.id, last);
         }
     }
     Ok(heads)
@@ -143,10 +166,10 @@ pub(super) async fn heads(store: &dyn Store) -> Result<Heads, BackupError> {
 
 /// What is there already must be the beginning of what comes.
 async fn check_heads(from: &dyn Store, shelves: &[Shelf], heads: &Heads) -> Result<(), BackupError> {
-    for (id, (revision, op)) in heads {
+    for (id, last) in heads {
         let known = shelves.iter().any(|shelf| shelf.id == *id);
-        let same = if known { from.history(id, revision.saturating_sub(1), 1).await? } else { Vec::new() };
-        if same.first().is_none_or(|change| change.revision != *revision || change.change.op != *op) {
+        let same = if known { from.history(id, last.revision.saturating_sub(1), 1).await? } else { Vec::new() };
+        if same.first() != Some(last) {
             return Err(BackupError::NotEmpty(id.clone()));
         }
     }

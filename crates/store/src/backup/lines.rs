@@ -1,7 +1,7 @@
 //! The lines of a backup, and the sum at its end that tells whether it is whole.
 
 use super::{BACKUP_FORMAT, BackupError, Counted, Flaw, Robot, Shelf};
-use behaviour::{Checkpoint, Checkpoints, Committed, Id, Refusal};
+use behaviour::{Checkpoint, Checkpoints, Committed, Id, Refusal, check_person};
 use serde::{Deserialize, Serialize};
 use std::io::BufRead;
 
@@ -95,6 +95,8 @@ pub(super) struct Whole {
     pub(super) robots: Vec<Robot>,
     /// How much it holds.
     pub(super) counted: Counted,
+    /// The sum over all of it.
+    pub(super) sum: String,
 }
 
 /// Reads a whole backup and tells the listener; answers with all the rest. An error may come after much was told: who
@@ -132,7 +134,7 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
                 if (Counted { behaviours, changes }) != done || sum != format!("{:016x}", sum_before.0) {
                     return reading.broken(Flaw::Changed);
                 }
-                return reading.nothing_more().map(|()| Whole { epoch, robots, counted: done });
+                return reading.nothing_more().map(|()| Whole { epoch, robots, counted: done, sum });
             }
             _ => return reading.broken(Flaw::Order),
         }
@@ -142,6 +144,8 @@ pub(super) fn read(from: &mut dyn BufRead, to: &mut dyn Listener) -> Result<Whol
 /// A version is named as a room would have named it.
 fn check_name(names: &mut Checkpoints, newest: u64, checkpoint: &Checkpoint) -> Result<(), BackupError> {
     let broken = |refusal| BackupError::Broken(0, Flaw::Named(refusal));
+    check_person(&checkpoint.by).map_err(broken)?;
+    crate::json::check_time(checkpoint.at_ms).map_err(|_| BackupError::Broken(0, Flaw::Time))?;
     match names.add(newest, checkpoint.clone()) {
         Ok(made) if made == *checkpoint && made.revision > 0 => Ok(()),
         Ok(made) => Err(broken(Refusal::Name(made.name))),

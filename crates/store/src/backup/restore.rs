@@ -1,13 +1,12 @@
 //! From a backup into a store: first the whole file is read, then the first change is made.
 
-use super::copy::{Filling, Heads, finished, heads};
+use super::copy::{Copying, Heads, finished, heads};
 use super::lines::{self, Listener, Whole};
 use super::{BackupError, Counted, Flaw, Progress, Robot, Shelf};
-use crate::{Store, StoreError};
-use behaviour::{Checkpoint, Committed, History, Id, Refusal};
+use crate::{Filling, LIBRARY, Source, Store, StoreError, filling};
+use behaviour::{Checkpoint, Committed, History, Id, Refusal, check_person};
 use std::collections::BTreeSet;
 use std::io::{BufRead, Seek};
-use std::sync::Arc;
 use tokio::sync::mpsc;
 use tokio::task::JoinSet;
 
@@ -30,33 +29,43 @@ impl<R> Backup<R> {
     pub fn robots(&self) -> &[Robot] {
         &self.whole.robots
     }
+
+    /// What a store is marked with that is filled from it, `again` being the command for that. The same backup under another
+    /// name is the same source.
+    #[must_use]
+    pub fn source(&self, again: &str) -> Source {
+        let Counted { behaviours, changes } = self.whole.counted;
+        Source { key: format!("backup {} {behaviours} {changes}", self.whole.sum), again: again.to_owned() }
+    }
 }
 
 /// Reads a whole backup for a store that is empty or holds a part of the same backup. Changes nothing.
 ///
 /// # Errors
-/// [`BackupError::Broken`] for a file that is not whole or whose behaviours do not keep the rules, and
-/// [`BackupError::NotEmpty`].
+/// [`BackupError::Broken`] for a file that is not whole or whose behaviours do not keep the rules,
+/// [`BackupError::NotEmpty`], and [`StoreError::Unfinished`] for a store that is being filled from elsewhere.
 pub async fn read<R>(mut from: R, to: &dyn Store) -> Result<Backup<R>, BackupError>
 where
     R: BufRead + Seek + Send + 'static,
 {
     let heads = heads(to).await?;
-    let looking = tokio::task::spawn_blocking(move || {
+    let looking = tokio::task::spawn_blocking(move || -> Result<_, BackupError> {
         let mut look = Look::at(heads);
         let whole = lines::read(&mut from, &mut look)?;
-        look.all_found()?;
         from.rewind()?;
-        Ok(Backup { from, whole })
+        Ok((Backup { from, whole }, look.all_found()))
     });
-    looking.await.map_err(|error| stopped(&error))?
+    let (backup, fits) = looking.await.map_err(|error| stopped(&error))??;
+    filling::check(to, &backup.source("")).await?;
+    fits.map(|()| backup)
 }
 
-/// Restores a backup into the store that it was read for.
+/// Restores a backup into the store that it was read for, which is marked with [`Backup::source`]. The caller ends the
+/// filling, once what belongs beside the store is there too.
 ///
 /// # Errors
 /// What the store fails with. Done again, it goes on where it ended.
-pub async fn restore<R>(backup: Backup<R>, to: &Arc<dyn Store>, progress: Progress<'_>) -> Result<Counted, BackupError>
+pub async fn restore<R>(backup: Backup<R>, to: &Filling, progress: Progress<'_>) -> Result<Counted, BackupError>
 where
     R: BufRead + Seek + Send + 'static,
 {
@@ -72,14 +81,14 @@ where
         if filling.len() >= AT_ONCE {
             finished(&mut filling, &mut done, whole.counted.behaviours, progress).await?;
         }
-        filling.spawn(fill(Arc::clone(to), filled));
+        filling.spawn(fill(to.clone(), filled));
     }
     while !filling.is_empty() {
         finished(&mut filling, &mut done, whole.counted.behaviours, progress).await?;
     }
     reading.await.map_err(|error| stopped(&error))??;
     // Locks of the time before the backup must stay void.
-    to.raise_epoch(whole.epoch).await?;
+    to.store().raise_epoch(whole.epoch).await?;
     Ok(done)
 }
 
@@ -95,32 +104,35 @@ fn stopped(error: &tokio::task::JoinError) -> StoreError {
     StoreError::Unavailable(format!("restoring stopped: {error}"))
 }
 
-async fn fill(to: Arc<dyn Store>, (shelf, changes, named): Filled) -> Result<u64, BackupError> {
-    let mut filling = Filling::of(&*to, &shelf).await?;
+async fn fill(to: Filling, (shelf, changes, named): Filled) -> Result<u64, BackupError> {
+    let mut copying = Copying::of(&to, &shelf).await?;
     for change in &changes {
-        filling.put(change).await?;
+        copying.put(change).await?;
     }
-    filling.end(&named).await
+    copying.end(&named).await
 }
 
 /// Looks whether what the store has is the beginning of what the backup has, and whether that keeps the rules.
 struct Look {
     heads: Heads,
     /// What was not found yet.
-    missing: Heads,
+    missing: BTreeSet<Id>,
+    /// What the store has otherwise.
+    other: Option<Id>,
     seen: BTreeSet<Id>,
-    now: Option<Id>,
+    now: Option<Shelf>,
     history: History,
 }
 
 impl Look {
     fn at(heads: Heads) -> Self {
-        let (missing, history) = (heads.clone(), History::default());
-        Self { heads, missing, seen: BTreeSet::new(), now: None, history }
+        let (missing, history) = (heads.keys().cloned().collect(), History::default());
+        Self { heads, missing, other: None, seen: BTreeSet::new(), now: None, history }
     }
 
     fn all_found(&self) -> Result<(), BackupError> {
-        self.missing.keys().next().map_or(Ok(()), |id| Err(BackupError::NotEmpty(id.clone())))
+        let strange = self.other.as_ref().or_else(|| self.missing.first());
+        strange.map_or(Ok(()), |id| Err(BackupError::NotEmpty(id.clone())))
     }
 }
 
@@ -129,27 +141,39 @@ impl Listener for Look {
         if !self.seen.insert(shelf.id.clone()) {
             return Err(broken(Flaw::Twice));
         }
-        (self.now, self.history) = (Some(shelf.id), History::default());
+        let is_library = shelf.id.as_str() == LIBRARY;
+        if let Some((at_ms, by)) = &shelf.removed {
+            let no = check_person(by).err().or_else(|| is_library.then_some(Refusal::Gone));
+            no.map_or(Ok(()), |no| Err(broken(Flaw::Binned(no))))?;
+            check_time(*at_ms)?;
+        }
+        self.history = if is_library { History::of_the_library() } else { History::default() };
+        self.now = Some(shelf);
         Ok(())
     }
 
     fn change(&mut self, change: Committed) -> Result<(), BackupError> {
-        let Some(id) = &self.now else { return Ok(()) };
-        let taken = self.history.take(&change.change);
+        let Some(Shelf { id, revision, .. }) = &self.now else { return Ok(()) };
+        check_time(change.change.at_ms)?;
+        let mut taken = self.history.take(&change.change);
+        if change.revision == *revision {
+            taken = taken.and_then(|()| self.history.check_end());
+        }
         taken.map_err(|refusal| broken(unruly(refusal)))?;
-        match self.heads.get(id) {
-            Some((revision, op)) if *revision == change.revision => {
-                if *op != change.change.op {
-                    return Err(BackupError::NotEmpty(id.clone()));
-                }
-                self.missing.remove(id);
+        if let Some(last) = self.heads.get(id).filter(|last| last.revision == change.revision) {
+            self.missing.remove(id);
+            if *last != change {
+                self.other.get_or_insert_with(|| id.clone());
             }
-            _ => {}
         }
         Ok(())
     }
 
     fn named(&mut self, _: Checkpoint) {}
+}
+
+fn check_time(at_ms: u64) -> Result<(), BackupError> {
+    crate::json::check_time(at_ms).map_err(|_| broken(Flaw::Time))
 }
 
 fn unruly(refusal: Refusal) -> Flaw {

@@ -1,7 +1,7 @@
 //! Backups there and back, cut off, changed, and taken up again.
 
-use super::{BackupError, Counted, Robot, Unfinished, backup, check_finished, compare, migrate, read, restore};
-use crate::{FolderStore, LIBRARY, MemoryStore, Store, StoreError};
+use super::{BackupError, Counted, Robot, backup, compare, migrate, read, restore};
+use crate::{Filling, FolderStore, LIBRARY, MemoryStore, Source, Store, StoreError, check_whole};
 use behaviour::{Behaviour, Change, Checkpoint, Committed, Helper, Id, Kind, Note, Record, RecordId, Settings};
 use std::io::Cursor;
 use std::sync::{Arc, Mutex};
@@ -76,7 +76,14 @@ async fn taken(store: &dyn Store) -> String {
 async fn given(text: &str, to: &Arc<dyn Store>) -> Result<Counted, BackupError> {
     let read = read(Cursor::new(text.to_owned().into_bytes()), &**to).await?;
     assert_eq!(read.robots(), robots());
-    restore(read, to, &|_, _| {}).await
+    let filling = Filling::begin(to, &read.source("rrp restore it")).await?;
+    let done = restore(read, &filling, &|_, _| {}).await?;
+    filling.end().await?;
+    Ok(done)
+}
+
+fn other_store() -> Source {
+    Source { key: "another store".to_owned(), again: "rrp migrate --from it".to_owned() }
 }
 
 #[tokio::test]
@@ -154,7 +161,7 @@ async fn a_migration_copies_everything_goes_on_and_says_how_far_it_is() {
     change(&*to, "a").await;
     let told = Mutex::new(Vec::new());
     let tell = |done: Counted, of: u64| told.lock().expect("nobody panicked").push((done.behaviours, of));
-    let (done, differences) = migrate(&from, &to, &tell).await.expect("copied");
+    let (done, differences) = migrate(&from, &to, &other_store(), &tell).await.expect("copied");
     assert_eq!((done, differences), (Counted { behaviours: 5, changes: 311 }, vec![]));
     assert_eq!(told.into_inner().expect("nobody panicked"), [(1, 5), (2, 5), (3, 5), (4, 5), (5, 5)]);
     change(&*to, "a").await;
@@ -162,7 +169,9 @@ async fn a_migration_copies_everything_goes_on_and_says_how_far_it_is() {
     let differences = compare(&*from, &*to).await.expect("an answer");
     let differences: Vec<_> = differences.iter().map(|d| (d.behaviour.as_str(), d.what)).collect();
     assert_eq!(differences, [("a", "its revision"), ("e", "it is in one store only")]);
-    assert!(matches!(migrate(&from, &to, &|_, _| {}).await, Err(BackupError::NotEmpty(id)) if id.as_str() == "a"));
+    assert!(
+        matches!(migrate(&from, &to, &other_store(), &|_, _| {}).await, Err(BackupError::NotEmpty(id)) if id.as_str() == "a")
+    );
 }
 
 /// A backup with another line in the place of one, and with the sum that belongs to it.
@@ -188,7 +197,8 @@ async fn a_backup_of_an_older_rrp_has_no_robots_and_is_restored() {
     let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
     let read = read(Cursor::new(older.into_bytes()), &*to).await.expect("it is whole");
     assert_eq!(read.robots(), []);
-    assert_eq!(restore(read, &to, &|_, _| {}).await.expect("restored").changes, 311);
+    let filling = Filling::begin(&to, &read.source("again")).await.expect("begun");
+    assert_eq!(restore(read, &filling, &|_, _| {}).await.expect("restored").changes, 311);
 }
 
 #[tokio::test]
@@ -208,6 +218,17 @@ async fn what_no_server_can_have_written_is_refused_though_its_sum_is_right() {
         (with("\"b-7\"", "\"note/n7\"", "\"stream/n7\""), "No room would have made"),
         (with("\"id\":\"a\"", "\"revision\":1", "\"revision\":0"), "does not follow"),
     ];
+    let (long, nul) = ("x".repeat(1 << 20), "a\\u0000b");
+    let cases = cases.into_iter().chain([
+        (with("\"name\":\"d\"", "\"name\":\"d\"", &format!("\"name\":\"{long}\"")), "too large"),
+        (with("\"name\":\"d\"", "\"name\":\"d\"", &format!("\"name\":\"{nul}\"")), "nobody sees"),
+        (with("\"b-7\"", "\"author\":\"Aiko\"", &format!("\"author\":\"{long}\"")), "too long"),
+        (with("\"b-7\"", "\"label\":\"Edit\"", &format!("\"label\":\"{nul}\"")), "nobody sees"),
+        (with("\"b-7\"", "\"at_ms\":7", "\"at_ms\":18446744073709551615"), "in the future"),
+        (with("\"by\":\"Ben\"", "\"by\":\"Ben\"", &format!("\"by\":\"{nul}\"")), "gone to the bin so"),
+        (with("\"by\":\"Ben\"", "\"atMs\":77", "\"atMs\":18446744073709551615"), "in the future"),
+        (with("First try", "\"by\":\"Aiko\"", &format!("\"by\":\"{long}\"")), "named a version so"),
+    ]);
     for (text, why) in cases {
         let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
         let refused = given(&text, &to).await.expect_err("this is refused");
@@ -263,12 +284,60 @@ fn whatever_is_cut_or_flipped_is_noticed() {
     }
 }
 
-#[test]
-fn a_folder_says_that_a_restore_into_it_did_not_end() {
+#[tokio::test]
+async fn a_store_that_is_filled_is_a_part_until_all_is_there_and_only_its_source_goes_on() {
+    let (from, to) = (filled().await, Arc::new(MemoryStore::new()) as Arc<dyn Store>);
+    let text = taken(&*from).await;
+    let first = read(Cursor::new(text.clone().into_bytes()), &*to).await.expect("it is whole");
+    drop(Filling::begin(&to, &first.source("rrp restore monday")).await.expect("begun, and then killed"));
+    change(&*to, "d").await;
+    let part = StoreError::Unfinished("rrp restore monday".to_owned());
+    assert_eq!(check_whole(&*to).await, Err(part.clone()));
+    let refused = migrate(&from, &to, &other_store(), &|_, _| {}).await.expect_err("it is filled from elsewhere");
+    assert!(matches!(refused, BackupError::Store(error) if error == part));
+    change(&*from, "e").await;
+    let other = text.replacen("\"epoch\":5", "\"epoch\":6", 1);
+    let other = resigned(&other, 0, other.lines().next().expect("a first line"));
+    assert!(matches!(given(&other, &to).await, Err(BackupError::Store(error)) if error == part), "another backup");
+    given(&text, &to).await.expect("the same backup goes on");
+    assert_eq!(check_whole(&*to).await, Ok(()));
+    assert_eq!(taken(&*to).await, text);
+}
+
+#[tokio::test]
+async fn what_changed_in_the_first_store_while_a_migration_was_dead_is_brought_too() {
+    let (from, to) = (filled().await, Arc::new(MemoryStore::new()) as Arc<dyn Store>);
+    migrate(&from, &to, &other_store(), &|_, _| {}).await.expect("copied");
+    drop(Filling::begin(&to, &other_store()).await.expect("killed just before its end"));
+    assert!(from.restore(&id("c")).await.expect("an answer"));
+    change(&*from, "c").await;
+    from.drop_checkpoint(&id("b"), "Works").await.expect("an answer");
+    let (_, differences) = migrate(&from, &to, &other_store(), &|_, _| {}).await.expect("copied");
+    assert_eq!((differences, check_whole(&*to).await), (vec![], Ok(())));
+}
+
+#[tokio::test]
+async fn a_whole_store_with_more_of_its_own_stays_one_when_it_is_filled_again() {
+    let (from, to) = (filled().await, Arc::new(MemoryStore::new()) as Arc<dyn Store>);
+    migrate(&from, &to, &other_store(), &|_, _| {}).await.expect("copied");
+    name_version(&*to, "a", 1, "Mine").await;
+    let (_, differences) = migrate(&from, &to, &other_store(), &|_, _| {}).await.expect("copied");
+    assert_eq!((differences.len(), check_whole(&*to).await), (1, Ok(())));
+}
+
+#[tokio::test]
+async fn a_folder_in_which_an_older_rrp_did_not_end_is_filled_by_any_backup() {
     let folder = tempfile::tempdir().expect("a folder");
-    assert_eq!(check_finished(folder.path()), Ok(()));
-    let begun = Unfinished::begin(folder.path()).expect("to mark it");
-    assert_eq!(check_finished(folder.path()), Err(StoreError::HalfRestored(folder.path().to_owned())));
-    begun.end().expect("to take the mark away");
-    assert_eq!(check_finished(folder.path()), Ok(()));
+    let (mark, text) = (folder.path().join("rrp.restoring"), taken(&*filled().await).await);
+    for kind in ["files:", "sqlite:"] {
+        std::fs::write(&mark, "").expect("a file");
+        let url = format!("{kind}{}", folder.path().display());
+        assert!(matches!(crate::open_url(&url).await, Err(StoreError::Unfinished(_))));
+        assert!(crate::check_folder(folder.path()).is_err());
+        let to = crate::open_url_to_fill(&url).await.expect("it can be filled");
+        given(&text, &to).await.expect("restored");
+        drop(to);
+        crate::open_url(&url).await.expect("it is whole");
+        assert!(!mark.exists());
+    }
 }

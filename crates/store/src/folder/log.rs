@@ -92,6 +92,11 @@ impl Logs {
         Ok(logs)
     }
 
+    /// Where they are.
+    pub(super) fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     fn files(&self) -> Result<Vec<(Id, PathBuf)>, StoreError> {
         let unreadable = |error: io::Error| told(&self.folder, &error);
         let mut files = Vec::new();

@@ -4,7 +4,7 @@ use super::delta::Delta;
 use super::link::{Broken, Link, Params};
 use super::nodes::relationships;
 use crate::{Append, LIBRARY, StoreError};
-use behaviour::{Behaviour, Committed, Id};
+use behaviour::{Behaviour, Change, Committed, Id};
 use serde::Deserialize;
 use serde_json::{Value, json};
 use std::time::Duration;
@@ -185,7 +185,7 @@ const COMMIT: &str = "
   FOREACH (_ IN CASE WHEN p.name_key IS NULL THEN [1] ELSE [] END | REMOVE p:Listed)
   RETURN count(*) AS applied
 }
-RETURN head, binned, applied, done.revision AS duplicate";
+RETURN head, binned, applied, done.revision AS duplicate, done.change AS saved";
 
 /// How long the plans of the usual statements may take when we start.
 const WARM_UP_MAX: Duration = Duration::from_secs(60);
@@ -196,6 +196,8 @@ struct Outcome {
     binned: bool,
     applied: u64,
     duplicate: Option<u64>,
+    /// The change that was saved under the op id before.
+    saved: Option<String>,
 }
 
 /// The statement with the parts that these lists need.
@@ -223,18 +225,27 @@ pub(super) async fn append(
     let text = statement(|list| delta.has(list));
     let found = link.ask(&text, params_of(id, committed, json, delta), Broken::Again).await?;
     let Some(outcome) = found.rows.into_iter().next() else { return Ok(Append::Conflict { head: 0 }) };
-    outcome_of(&outcome, committed.revision, found.open_before)
+    outcome_of(&outcome, committed, found.open_before)
 }
 
-fn outcome_of(outcome: &Outcome, revision: u64, open_before: bool) -> Result<Append, StoreError> {
+fn outcome_of(outcome: &Outcome, committed: &Committed, open_before: bool) -> Result<Append, StoreError> {
     match outcome.duplicate {
-        // Saved by an attempt of this very call, whose answer was lost.
-        Some(saved) if open_before && saved == revision => Ok(Append::Applied),
-        Some(saved) => Ok(Append::Duplicate { revision: saved }),
+        Some(revision) => match again(outcome, committed, revision)? {
+            // Saved by an attempt of this very call, whose answer was lost.
+            Append::Duplicate { revision } if open_before && revision == committed.revision => Ok(Append::Applied),
+            answer => Ok(answer),
+        },
         None if outcome.applied > 0 => Ok(Append::Applied),
         None if outcome.binned => Err(StoreError::Gone),
         None => Ok(Append::Conflict { head: outcome.head }),
     }
+}
+
+fn again(outcome: &Outcome, committed: &Committed, revision: u64) -> Result<Append, StoreError> {
+    let damaged = |why: String| StoreError::Damaged(format!("the Neo4j database: change {revision}: {why}"));
+    let text = outcome.saved.as_deref().ok_or_else(|| damaged("it has lost what it does".to_owned()))?;
+    let saved: Change = crate::json::decode(text).map_err(|error| damaged(error.to_string()))?;
+    Ok(Append::again(&committed.change, &saved, revision))
 }
 
 fn params_of(id: &Id, committed: &Committed, json: String, delta: Delta) -> Params {

@@ -50,8 +50,6 @@ RETURN n.value AS many";
 
 const PROBE: &str = "MATCH (n:Shared {name: 'epoch'}) SET n.probed_ms = timestamp() RETURN n.value AS many";
 
-const LOOK: &str = "MATCH (n:Shared {name: 'epoch'}) RETURN n.value AS many";
-
 #[derive(Deserialize)]
 struct Count {
     many: u64,
@@ -110,9 +108,4 @@ pub(super) async fn raise_epoch(link: &Link, least: u64) -> Result<(), StoreErro
 /// Writes something that nobody reads, to see whether that works.
 pub(super) async fn probe(link: &Link) -> Result<(), StoreError> {
     count(link, PROBE, &[]).await.map(|_| ())
-}
-
-/// Reads something small, to see whether that works.
-pub(super) async fn look(link: &Link) -> Result<(), StoreError> {
-    count(link, LOOK, &[]).await.map(|_| ())
 }

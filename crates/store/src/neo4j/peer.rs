@@ -29,6 +29,7 @@ pub(super) enum Value {
     Null,
     Truth(bool),
     Small(u8),
+    Text(&'static str),
 }
 
 /// How far a connection gets.
@@ -179,11 +180,12 @@ async fn begin(stream: &mut TcpStream, answer: &Answer) -> std::io::Result<bool>
 
 async fn give(stream: &mut TcpStream, row: &[(&str, Value)]) -> std::io::Result<()> {
     let mut record = vec![0xB1, RECORD, 0x90 + u8::try_from(row.len()).expect("few values")];
-    record.extend(row.iter().map(|(_, value)| match value {
-        Value::Null => 0xC0,
-        Value::Truth(false) => 0xC2,
-        Value::Truth(true) => 0xC3,
-        Value::Small(number) => *number,
+    record.extend(row.iter().flat_map(|(_, value)| match value {
+        Value::Null => vec![0xC0],
+        Value::Truth(false) => vec![0xC2],
+        Value::Truth(true) => vec![0xC3],
+        Value::Small(number) => vec![*number],
+        Value::Text(words) => text(words),
     }));
     say(stream, &record).await?;
     say(stream, &map(SUCCESS, &[("type", text("rw"))])).await

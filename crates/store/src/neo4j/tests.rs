@@ -11,6 +11,8 @@ use std::time::Duration;
 
 const BUSY: &str = "Neo.TransientError.Transaction.DeadlockDetected";
 const ZERO: &str = "Neo.ClientError.Statement.ArithmeticError";
+/// The change of [`save`] as the database has it.
+const SAVED: &str = r#"{"op":"op","author":"Aiko","label":"Edit","at_ms":0,"edits":[]}"#;
 const SOON: Duration = Duration::from_millis(300);
 const LONG: Duration = Duration::from_secs(30);
 /// A guard: no call may take so long, however busy the machine is.
@@ -41,6 +43,7 @@ fn outcome(head: u8, applied: u8, duplicate: Value) -> Vec<(&'static str, Value)
         ("binned", Value::Truth(false)),
         ("applied", Value::Small(applied)),
         ("duplicate", duplicate),
+        ("saved", Value::Text(SAVED)),
     ]
 }
 

@@ -7,11 +7,12 @@ use rusqlite::{Connection, TransactionBehavior};
 
 /// Every migration, oldest first; its place, counted from 1, is the schema version it makes. Never edit one that
 /// was released: add the next.
-const MIGRATIONS: [&str; 4] = [
+const MIGRATIONS: [&str; 5] = [
     include_str!("../../../../migrations/sqlite/0001-start.sql"),
     include_str!("../../../../migrations/sqlite/0002-library-page.sql"),
     include_str!("../../../../migrations/sqlite/0003-checkpoints.sql"),
     include_str!("../../../../migrations/sqlite/0004-tags.sql"),
+    include_str!("../../../../migrations/sqlite/0005-filling.sql"),
 ];
 
 /// The newest version that changed what is derived from the records.

@@ -4,7 +4,7 @@ use super::fault::Fault;
 use crate::query::name_key;
 use crate::usage::words;
 use crate::{Append, LIBRARY, StoreError, json, search_text};
-use behaviour::{Behaviour, Committed, Edit, Id, Kind, StreamKind};
+use behaviour::{Behaviour, Change, Committed, Edit, Id, Kind, StreamKind};
 use rusqlite::{Connection, OptionalExtension, params};
 
 /// A change made ready to be saved: everything that needs no database is done.
@@ -55,8 +55,8 @@ pub(super) fn append(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, 
 /// Keeps a change, but not yet what lists show.
 fn put(at: &Connection, id: &Id, ready: &Ready) -> Result<Append, Fault> {
     let committed = &ready.committed;
-    if let Some(revision) = revision_of(at, id, &committed.change.op)? {
-        return Ok(Append::Duplicate { revision });
+    if let Some((revision, saved)) = made_by(at, id, &committed.change.op)? {
+        return Ok(Append::again(&committed.change, &saved, revision));
     }
     let (head, in_bin) = head(at, id)?;
     if in_bin {
@@ -92,9 +92,13 @@ pub(super) fn append_all(at: &Connection, id: &Id, all: &[Ready]) -> Result<Vec<
     Ok(answers)
 }
 
-fn revision_of(at: &Connection, id: &Id, op: &Id) -> Result<Option<u64>, Fault> {
-    let mut query = at.prepare_cached("SELECT revision FROM op WHERE behaviour = ?1 AND op_id = ?2")?;
-    Ok(query.query_row([id.as_str(), op.as_str()], |row| row.get(0)).optional()?.map(read))
+/// The change that has this op id, and its revision.
+fn made_by(at: &Connection, id: &Id, op: &Id) -> Result<Option<(u64, Change)>, Fault> {
+    let mut query = at.prepare_cached("SELECT revision, json FROM op WHERE behaviour = ?1 AND op_id = ?2")?;
+    let found = query.query_row([id.as_str(), op.as_str()], |row| Ok((row.get(0)?, row.get::<_, String>(1)?)));
+    let Some((revision, text)) = found.optional()? else { return Ok(None) };
+    let change = json::decode(&text).map_err(|error| Fault::Content(format!("change {revision} of {id}: {error}")))?;
+    Ok(Some((read(revision), change)))
 }
 
 pub(super) fn head(at: &Connection, id: &Id) -> Result<(u64, bool), Fault> {

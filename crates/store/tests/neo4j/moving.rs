@@ -7,7 +7,7 @@ use std::io::Cursor;
 use std::sync::{Arc, Mutex};
 use store::backup::{self, backup, compare, migrate, restore};
 use store::files::{Mode, import, read};
-use store::{LIBRARY, MemoryStore, Store};
+use store::{Filling, LIBRARY, MemoryStore, Source, Store};
 
 /// Every template, imported into a store in memory; one is changed some times, one goes to the bin.
 async fn filled() -> Arc<dyn Store> {
@@ -55,8 +55,9 @@ async fn put(store: &MemoryStore, to: &Id, change: behaviour::Change) {
 async fn everything_moves_into_neo4j_and_back() {
     let Some(neo4j) = shared::alone("moving a store into Neo4j and back").await else { return };
     let (from, to) = (filled().await, Arc::new(neo4j.empty_store().await) as Arc<dyn Store>);
+    let source = Source { key: "memory".to_owned(), again: "rrp migrate".to_owned() };
     for _ in 0..2 {
-        let (done, differences) = migrate(&from, &to, &|_, _| {}).await.expect("copied");
+        let (done, differences) = migrate(&from, &to, &source, &|_, _| {}).await.expect("copied");
         assert_eq!((done.behaviours >= 9, differences), (true, vec![]));
     }
     let lines = Mutex::new(Vec::new());
@@ -67,6 +68,8 @@ async fn everything_moves_into_neo4j_and_back() {
     backup(&*to, 1, &[], put, &|_, _| {}).await.expect("a backup");
     let back: Arc<dyn Store> = Arc::new(MemoryStore::new());
     let file = Cursor::new(lines.into_inner().expect("nobody panicked"));
-    restore(backup::read(file, &*back).await.expect("a whole backup"), &back, &|_, _| {}).await.expect("restored");
+    let whole = backup::read(file, &*back).await.expect("a whole backup");
+    let filling = Filling::begin(&back, &whole.source("rrp restore")).await.expect("begun");
+    restore(whole, &filling, &|_, _| {}).await.expect("restored");
     assert_eq!(compare(&*from, &*back).await.expect("an answer"), []);
 }

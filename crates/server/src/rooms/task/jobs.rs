@@ -5,10 +5,13 @@ use super::saving::{self, Proposal, SaveOutcome, Saved};
 use super::waiting::{Job, is_small};
 use super::{RoomTask, Stay, naming};
 use crate::rooms::member::Answer;
+use crate::support::store_call;
 use behaviour::{Change, Kind, Presented, Refusal};
 use futures_util::future::BoxFuture;
 use protocol::{Refused, Reply};
+use std::future::Future;
 use std::sync::Arc;
+use tokio::time::Instant;
 
 /// Small changes that are saved together.
 const TOGETHER_MAX_CHANGES: usize = 32;
@@ -26,6 +29,11 @@ pub(super) enum Saving {
 }
 
 impl Saving {
+    /// Work of the store that is to be answered by then.
+    fn work(by: Instant, work: impl Future<Output = Saved> + Send + 'static) -> Self {
+        Self::UnderWay(Box::pin(store_call::by(by, work)))
+    }
+
     /// Whether the store works on something.
     pub(super) fn is_under_way(&self) -> bool {
         matches!(self, Self::UnderWay(_))
@@ -51,10 +59,18 @@ impl RoomTask {
         }
     }
 
+    /// When what is begun now is to be answered: one time for all that a job needs.
+    fn answer_by(&mut self) -> Instant {
+        *self.answer_by.get_or_insert_with(store_call::answer_by)
+    }
+
     /// Begins the next job: one at a time.
     pub(super) fn start_saving(&mut self) {
         while !self.saving.is_under_way() && !self.waiting.is_empty() {
             self.start_next();
+        }
+        if !self.saving.is_under_way() {
+            self.answer_by = None;
         }
     }
 
@@ -62,9 +78,9 @@ impl RoomTask {
         if let Some(no) = self.around.health.away() {
             return self.waiting.take_all().into_iter().for_each(|job| job.no(no.clone()));
         }
-        let (around, id) = (Arc::clone(&self.around), self.id.clone());
+        let (around, id, by) = (Arc::clone(&self.around), self.id.clone(), self.answer_by());
         if let Saving::Uncertain = self.saving {
-            self.saving = Saving::UnderWay(Box::pin(saving::catch_up(around, id, self.room.revision())));
+            self.saving = Saving::work(by, saving::catch_up(around, id, self.room.revision()));
             return;
         }
         match self.waiting.take() {
@@ -72,16 +88,16 @@ impl RoomTask {
             Some(Job::Save(proposal)) => self.start_change(proposal),
             Some(Job::Make(wish, from)) => {
                 let room = Arc::clone(&self.room);
-                self.saving = Saving::UnderWay(Box::pin(making::make(around, id, room, wish, from)));
+                self.saving = Saving::work(by, making::make(around, id, room, wish, from));
             }
             Some(Job::Name(what, from)) => {
-                self.saving = Saving::UnderWay(Box::pin(naming::name(around, id, self.room.revision(), what, from)));
+                self.saving = Saving::work(by, naming::name(around, id, self.room.revision(), what, from));
             }
-            Some(Job::Remove(by, from)) => match self.locks.edited_by_others(&by.client, &self.room) {
+            Some(Job::Remove(who, from)) => match self.locks.edited_by_others(&who.client, &self.room) {
                 Some(locked) => from.no(Refused::Change(locked)),
                 None => {
                     self.stay = Stay::Leaving;
-                    self.saving = Saving::UnderWay(Box::pin(saving::remove(around, id, by.name, from)));
+                    self.saving = Saving::work(by, saving::remove(around, id, who.name, from));
                 }
             },
             None => {}
@@ -91,14 +107,15 @@ impl RoomTask {
     /// Others get no lock of what it touches until it is saved.
     fn start_change(&mut self, proposal: Proposal) {
         if let Some(stranger) = self.stranger(&proposal.change) {
+            self.answer_by = None;
             return proposal.from.no(Refused::Change(Refusal::Malformed(stranger)));
         }
-        let (around, id) = (Arc::clone(&self.around), self.id.clone());
+        let (around, id, by) = (Arc::clone(&self.around), self.id.clone(), self.answer_by());
         self.saving = match self.let_in(&proposal) {
-            Ok(()) => Saving::UnderWay(Box::pin(saving::decide(around, id, Arc::clone(&self.room), proposal))),
+            Ok(()) => Saving::work(by, saving::decide(around, id, Arc::clone(&self.room), proposal)),
             Err(locked) => {
                 let Proposal { change, from, .. } = proposal;
-                Saving::UnderWay(Box::pin(saving::refuse(around, id, change, locked, from)))
+                Saving::work(by, saving::refuse(around, id, change, locked, from))
             }
         };
     }
@@ -119,8 +136,8 @@ impl RoomTask {
             }
             all.push(proposal);
         }
-        let (around, id) = (Arc::clone(&self.around), self.id.clone());
-        self.saving = Saving::UnderWay(Box::pin(saving::decide_together(around, id, Arc::clone(&self.room), all)));
+        let (around, id, by) = (Arc::clone(&self.around), self.id.clone(), self.answer_by());
+        self.saving = Saving::work(by, saving::decide_together(around, id, Arc::clone(&self.room), all));
     }
 
     /// Whether a change belongs here and the locks let it in; then it is to be decided about.
@@ -145,6 +162,7 @@ impl RoomTask {
 
     /// The store answered.
     pub(super) fn saved(&mut self, saved: Saved) {
+        let by = self.answer_by.take();
         match saved {
             Saved::Change { op, outcome, from } => {
                 if outcome.is_uncertain {
@@ -155,7 +173,10 @@ impl RoomTask {
                 self.tell_locks();
             }
             Saved::Made { outcome, from } => match *outcome {
-                Ok(Made::New(change, tokens)) => self.start_change(Proposal { change, tokens, from }),
+                Ok(Made::New(change, tokens)) => {
+                    self.answer_by = by;
+                    self.start_change(Proposal { change, tokens, from });
+                }
                 Ok(Made::Known(accepted)) => from.give(Reply::Accepted { behaviour: self.id.clone(), accepted }),
                 Err(no) => from.no(no),
             },
@@ -174,7 +195,10 @@ impl RoomTask {
                 }
                 self.tell_locks();
             }
-            Saved::CaughtUp(Ok(news)) => news.iter().for_each(|news| self.commit(news, None, None)),
+            Saved::CaughtUp(Ok(news)) => {
+                self.answer_by = by;
+                news.iter().for_each(|news| self.commit(news, None, None));
+            }
             Saved::CaughtUp(Err(no)) => {
                 self.saving = Saving::Uncertain;
                 if let Some(job) = self.waiting.take() {

@@ -30,10 +30,16 @@ pub(super) enum Made {
 pub(super) async fn make(around: Arc<Surroundings>, id: Id, room: Arc<Room>, wish: Wish, from: Answer) -> Saved {
     let outcome = match known(&around, &id, &room, &wish.op).await {
         Ok(None) => new(&around, &id, room, wish, &from).await,
-        Ok(Some(accepted)) => Ok(Made::Known(accepted)),
+        Ok(Some(accepted)) if is_answer(&wish, &accepted.change) => Ok(Made::Known(accepted)),
+        Ok(Some(_)) => Err(Refused::Change(Refusal::Reused)),
         Err(no) => Err(no),
     };
     Saved::Made { outcome: Box::new(outcome), from }
+}
+
+/// Whether a change that has the op id of a wish can have come of it.
+fn is_answer(wish: &Wish, made: &Change) -> bool {
+    matches!(wish.what, Wanted::Undo | Wanted::Redo) == made.undoes.is_some()
 }
 
 async fn new(around: &Surroundings, id: &Id, room: Arc<Room>, wish: Wish, from: &Answer) -> Result<Made, Refused> {

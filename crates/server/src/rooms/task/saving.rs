@@ -15,6 +15,8 @@ use store::{Append, StoreError};
 
 /// Changes fetched at once when another server wrote.
 const MISSED_MAX_CHANGES: u32 = 10_000;
+/// How often a change is decided about while other servers are quicker.
+const TRIES: usize = 8;
 
 /// What came of a job.
 pub(super) enum Saved {
@@ -92,6 +94,12 @@ impl SaveOutcome {
         Self { news: Vec::new(), after: None, answer, is_uncertain: false }
     }
 
+    /// The same after changes that the room did not know either.
+    fn following(self, mut missed: Vec<Committed>) -> Self {
+        missed.extend(self.news);
+        Self { news: missed, ..self }
+    }
+
     /// Nobody knows whether something changed.
     fn uncertain(answer: Result<Accepted, Refused>) -> Self {
         Self { is_uncertain: true, ..Self::nothing(answer) }
@@ -116,28 +124,78 @@ enum Decided {
     Refuse(Change, Refusal),
 }
 
+/// What the store made of a change.
+enum Kept {
+    /// It came to an end.
+    Settled(SaveOutcome),
+    /// Another server wrote first; with what it wrote.
+    Overtaken(Vec<Committed>),
+}
+
 /// Decides about a change among the other work, then keeps it.
 pub(super) async fn decide(around: Arc<Surroundings>, id: Id, room: Arc<Room>, proposal: Proposal) -> Saved {
     let op = proposal.change.op.clone();
-    let decided = decided(&around, &room, &proposal).await;
-    let outcome = outcome(&around, &id, decided).await;
+    let first = decided(&around, &room, &proposal).await;
+    let outcome = outcome(&around, &id, (room, first), &proposal).await;
     Saved::Change { op, outcome, from: proposal.from }
 }
 
-/// What comes of what was decided.
-async fn outcome(around: &Surroundings, id: &Id, decided: Result<Decided, NotDone>) -> SaveOutcome {
-    match decided {
-        Ok(Decided::Save(keep)) => save(around, id, *keep).await,
-        Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(one(around, id, revision).await),
+/// What comes of what a room decided about a change. Where another server was quicker, it is decided about again after what
+/// that one made: only what touches the same records is stale.
+async fn outcome(
+    around: &Surroundings,
+    id: &Id,
+    (mut room, mut decided_so): (Arc<Room>, Result<Decided, NotDone>),
+    proposal: &Proposal,
+) -> SaveOutcome {
+    let mut missed = Vec::new();
+    for _ in 0..TRIES {
+        let more = match kept(around, id, decided_so, &proposal.change).await {
+            Kept::Settled(outcome) => return outcome.following(missed),
+            Kept::Overtaken(more) => more,
+        };
+        missed.extend(more.iter().cloned());
+        room = match after(around, room, more, proposal).await {
+            Ok(room) => room,
+            Err(why) => return SaveOutcome::nothing(Err(why.into())).following(missed),
+        };
+        decided_so = decided(around, &room, proposal).await;
+    }
+    SaveOutcome::nothing(Err(stale())).following(missed)
+}
+
+async fn kept(around: &Surroundings, id: &Id, decided: Result<Decided, NotDone>, change: &Change) -> Kept {
+    Kept::Settled(match decided {
+        Ok(Decided::Save(keep)) => return save(around, id, *keep).await,
+        Ok(Decided::Duplicate(revision)) => SaveOutcome::nothing(made_before(around, id, revision, change).await),
         Ok(Decided::Refuse(change, refusal)) => SaveOutcome::nothing(settle(around, id, change, refusal).await),
         Err(why) => SaveOutcome::nothing(Err(why.into())),
-    }
+    })
+}
+
+/// The room after what another server made.
+async fn after(
+    around: &Surroundings,
+    room: Arc<Room>,
+    missed: Vec<Committed>,
+    proposal: &Proposal,
+) -> Result<Arc<Room>, NotDone> {
+    let follow = move |_: &_| {
+        let mut room = Arc::unwrap_or_clone(room);
+        missed.iter().for_each(|one| room.commit(one));
+        Arc::new(room)
+    };
+    around.workers.run(proposal.from.sender(), follow).await
+}
+
+fn stale() -> Refused {
+    Refused::Change(Refusal::Stale("this program".to_owned()))
 }
 
 /// Decides about small changes one after another, each as if those before it were saved, then keeps them together. The
 /// first that cannot be kept like that is settled alone once those before it are saved; those after it wait again.
 pub(super) async fn decide_together(around: Arc<Surroundings>, id: Id, room: Arc<Room>, all: Vec<Proposal>) -> Saved {
-    let (mut room, mut all) = (room, VecDeque::from(all));
+    let (mut before, mut room, mut all) = (Arc::clone(&room), room, VecDeque::from(all));
     let (mut keeps, mut kept, mut done) = (Vec::new(), Vec::new(), Vec::new());
     while let Some(proposal) = all.pop_front() {
         match decided(&around, &room, &proposal).await {
@@ -147,7 +205,7 @@ pub(super) async fn decide_together(around: Arc<Surroundings>, id: Id, room: Arc
                 kept.push(proposal);
             }
             other if kept.is_empty() => {
-                let outcome = outcome(&around, &id, other).await;
+                let outcome = outcome(&around, &id, (room, other), &proposal).await;
                 return Saved::Together { done: vec![(proposal, outcome)], left: all.into() };
             }
             _ => {
@@ -157,19 +215,23 @@ pub(super) async fn decide_together(around: Arc<Surroundings>, id: Id, room: Arc
         }
     }
     if keeps.len() == 1
-        && let Some(keep) = keeps.pop()
+        && let Some((proposal, keep)) = kept.pop().zip(keeps.pop())
     {
-        let outcome = save(&around, &id, keep).await;
-        return Saved::Together { done: kept.into_iter().zip([outcome]).collect(), left: all.into() };
+        let outcome = outcome(&around, &id, (before, Ok(Decided::Save(Box::new(keep)))), &proposal).await;
+        return Saved::Together { done: vec![(proposal, outcome)], left: all.into() };
     }
     let follow: Vec<_> = keeps.iter().map(|keep| (keep.committed.clone(), keep.after.behaviour().clone())).collect();
     let answers = bounded(around.store.append_all(&id, &follow)).await.unwrap_or_default();
     let applied = answers.iter().take_while(|answer| **answer == Append::Applied).count();
     let mut kept = kept.into_iter().zip(keeps);
-    done.extend(kept.by_ref().take(applied).map(|(proposal, keep)| (proposal, SaveOutcome::applied(keep))));
+    for (proposal, keep) in kept.by_ref().take(applied) {
+        before = Arc::clone(&keep.after);
+        done.push((proposal, SaveOutcome::applied(keep)));
+    }
     if let Some((proposal, keep)) = kept.next() {
         // The store keeps an op once, so asking again is safe whatever came of it.
-        done.push((proposal, save(&around, &id, keep).await));
+        let outcome = outcome(&around, &id, (before, Ok(Decided::Save(Box::new(keep)))), &proposal).await;
+        done.push((proposal, outcome));
     }
     let left = kept.map(|(proposal, _)| proposal).chain(all).collect();
     Saved::Together { done, left }
@@ -217,27 +279,31 @@ fn helpers_let_go(change: &Change) -> Vec<String> {
 }
 
 /// Keeps a change.
-async fn save(around: &Surroundings, id: &Id, keep: Keep) -> SaveOutcome {
+async fn save(around: &Surroundings, id: &Id, keep: Keep) -> Kept {
     let Keep { committed, after, helpers } = keep;
     let before = committed.revision.saturating_sub(1);
     if let Err(used) = unused(around, helpers).await {
-        return SaveOutcome::nothing(Err(used));
+        return Kept::Settled(SaveOutcome::nothing(Err(used)));
     }
-    match append(around, id, &committed, after.behaviour()).await {
+    Kept::Settled(match append(around, id, &committed, after.behaviour()).await {
         Ok(Append::Applied) => SaveOutcome::applied(Keep { committed, after, helpers: Vec::new() }),
         Ok(Append::Duplicate { revision }) => {
             let answer = one(around, id, revision).await;
             with_news(around, id, before, answer).await
         }
+        Ok(Append::Reused { .. }) => SaveOutcome::nothing(Err(Refused::Change(Refusal::Reused))),
         Ok(Append::Conflict { .. }) => {
-            let no = Refused::Change(Refusal::Stale("this program".to_owned()));
-            with_news(around, id, before, Err(no)).await
+            let outcome = with_news(around, id, before, Err(stale())).await;
+            if !outcome.news.is_empty() {
+                return Kept::Overtaken(outcome.news);
+            }
+            outcome
         }
         Err(StoreError::Gone) => SaveOutcome::nothing(Err(Refused::Change(Refusal::Gone))),
         Err(error) if error.is_open() => SaveOutcome::uncertain(Err(store_no(&error))),
         Err(error @ StoreError::Full) => SaveOutcome::nothing(Err(store_no(&error))),
         Err(error) => SaveOutcome::nothing(Err(Refused::Change(Refusal::NotSaved(reason(&error))))),
-    }
+    })
 }
 
 /// Once more if the outcome is open: the store keeps an op once.
@@ -271,11 +337,18 @@ async fn one(around: &Surroundings, id: &Id, revision: u64) -> Result<Accepted, 
     found.map_err(|error| store_no(&error))?.pop().ok_or(Refused::NoBehaviour)
 }
 
+/// The change that made a revision, if it does what this one would; else the op id was used for another one.
+async fn made_before(around: &Surroundings, id: &Id, revision: u64, change: &Change) -> Result<Accepted, Refused> {
+    let made = one(around, id, revision).await?;
+    if made.change.does_as(change) { Ok(made) } else { Err(Refused::Change(Refusal::Reused)) }
+}
+
 /// A change that the rules refuse may be one that was made long ago and is sent again: the store knows every op. Asked
 /// under revision 0, which is never the next one, it keeps nothing.
 async fn settle(around: &Surroundings, id: &Id, change: Change, refusal: Refusal) -> Result<Accepted, Refused> {
     match probe(around, id, change).await {
         Ok(Append::Duplicate { revision }) => one(around, id, revision).await,
+        Ok(Append::Reused { .. }) => Err(Refused::Change(Refusal::Reused)),
         _ => Err(Refused::Change(refusal)),
     }
 }
@@ -293,7 +366,7 @@ pub(super) async fn known(around: &Surroundings, id: &Id, room: &Room, op: &Id) 
         Some(Decision::Save(_)) | None => {}
     }
     match probe(around, id, Change::of(op.clone(), "", "")).await {
-        Ok(Append::Duplicate { revision }) => one(around, id, revision).await.map(Some),
+        Ok(Append::Duplicate { revision } | Append::Reused { revision }) => one(around, id, revision).await.map(Some),
         Ok(Append::Applied | Append::Conflict { .. }) => Ok(None),
         Err(StoreError::Gone) => Err(Refused::Change(Refusal::Gone)),
         Err(error) => {
@@ -306,7 +379,7 @@ pub(super) async fn known(around: &Surroundings, id: &Id, room: &Room, op: &Id) 
 /// Asks for what the room does not know.
 pub(super) async fn catch_up(around: Arc<Surroundings>, id: Id, revision: u64) -> Saved {
     let news = bounded(around.store.history(&id, revision, MISSED_MAX_CHANGES)).await;
-    Saved::CaughtUp(news.map_err(|error| store_no(&error)))
+    Saved::CaughtUp(news.inspect_err(|error| around.health.failed(error)).map_err(|error| store_no(&error)))
 }
 
 /// Moves the behaviour to the bin.
