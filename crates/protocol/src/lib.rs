@@ -35,6 +35,8 @@ pub const VERSION: u32 = 12;
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.
 pub const STOP_PATH: &str = "/stop";
+/// Who stopped, where nobody said who they are: who is at the robot's computer presses the button of the page.
+pub const STOP_BUTTON: &str = "the Stop button";
 /// The code with which the server closes the socket of who came by an invitation that ended.
 pub const CLOSE_REVOKED: u16 = 4001;
 /// The code with which the server closes the socket of a page whose place another page of the same person took. A page that

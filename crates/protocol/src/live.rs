@@ -67,6 +67,9 @@ pub struct RunState {
     pub fingerprint: u32,
     /// Who pressed Start.
     pub by: String,
+    /// Whether the invitation by which they came was revoked since.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub revoked: bool,
     /// Whether it runs.
     pub phase: RunPhase,
     /// Its place in the order on its robot: how many behaviours stand above it. If they disagree, the upper one wins.
@@ -100,7 +103,7 @@ pub struct HeldPart {
 pub enum RunPhase {
     /// It runs.
     Running,
-    /// It was stopped; by whom.
+    /// It was stopped; by whom, or by [`crate::STOP_BUTTON`] where nobody said who they are.
     Stopped(String),
     /// It ended by itself, its actuators safe; with the reason.
     Faulted(String),

@@ -279,9 +279,11 @@ impl Invitations {
         }
     }
 
-    /// What a guest is called; empty until they said so.
+    /// What a guest is called; empty until they said so. Waits for nobody, so that a Stop can ask it: while another name is
+    /// being put down, what was put down before counts.
     pub(crate) fn name_of(&self, guest: &Guest) -> String {
-        let new = lock(&self.names).get(&guest.pass).map(|(name, _)| name.clone());
+        let names = self.names.try_lock().ok();
+        let new = names.and_then(|names| names.get(&guest.pass).map(|(name, _)| name.clone()));
         new.unwrap_or_else(|| self.book.borrow().book.name_of(&guest.pass).to_owned())
     }
 

@@ -227,6 +227,12 @@ impl Robots {
         hosts.iter().try_for_each(|host| host.end_recording(behaviour))
     }
 
+    /// Shows of what runs that the invitation of who started it was revoked. It runs on until somebody stops it: what it
+    /// does beside a child, the one who is there decides.
+    pub(crate) fn revoked(&self, invitation: &Id) {
+        self.hosts().iter().for_each(|host| host.revoked(invitation));
+    }
+
     /// Moves something in a robot's room.
     pub(crate) fn edit_scene(&self, robot: Option<&Id>, edit: SceneEdit) {
         if let Ok(host) = self.meant(robot) {

@@ -11,7 +11,7 @@ use crate::icons::Icon;
 use crate::words;
 use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
-use protocol::{Role, RunPhase, RunState};
+use protocol::{Role, RunPhase, RunState, STOP_BUTTON};
 use robot::Health;
 
 /// The robot box.
@@ -162,6 +162,7 @@ fn Line() -> impl IntoView {
         (Some(_), None) => words::runs_this().to_owned(),
         (None, _) => blocked.get().or_else(|| last_words(desk)).unwrap_or_else(|| starts(desk)),
     };
+    let revoked = Memo::new(move |_| run.get().filter(|run| run.revoked).map(|run| (run.behaviour, run.by)));
     let unheard = move || desk.desk().unheard.get();
     let heard = Memo::new(move |_| unheard().is_none());
     let may_move = move || if running.get().is_some() { words::may_still_move().to_owned() } else { text() };
@@ -180,11 +181,24 @@ fn Line() -> impl IntoView {
             <b aria-hidden="true">{move || unheard().map(words::last_heard)}</b>
             " "
             {move || if heard.get() { text() } else { may_move() }}
+            {move || revoked.get().map(revoked_starter)}
             <Show when=can_apply>
                 " · "
                 <button class="link" type="button" on:click=move |_| desk.desk().robots.apply()>{words::apply()}</button>
             </Show>
         </p>
+    }
+}
+
+/// That who pressed Start may not be here any more, and what ends what they began.
+fn revoked_starter((behaviour, by): (Id, String)) -> impl IntoView {
+    let desk = hold();
+    let stop = move |_| desk.desk().robots.stop_one(&behaviour);
+    view! {
+        " · "
+        {words::started_by_revoked(&by)}
+        " "
+        <button class="link" type="button" on:click=stop>{words::stop_it()}</button>
     }
 }
 
@@ -203,11 +217,17 @@ fn last_words(desk: Hold) -> Option<String> {
     match last_phase(desk) {
         Some(RunPhase::Paused(why)) => return Some(words::paused(why.trim_end_matches('.'))),
         Some(RunPhase::Faulted(why)) => return Some(words::ended(why.trim_end_matches('.'))),
+        Some(RunPhase::Stopped(by)) if is_somebody_else(desk, &by) => return Some(words::stopped_by(&by)),
         Some(RunPhase::Running | RunPhase::Stopped(_)) | None => {}
     }
     let runs = desk.desk().robots.runs_here();
     let other = runs.into_iter().rfind(|run| run.phase == RunPhase::Running);
     other.map(|run| words::other_runs(&run.name))
+}
+
+/// Whether somebody who said who they are, and is not oneself, pressed Stop. Reactive.
+fn is_somebody_else(desk: Hold, by: &str) -> bool {
+    by != STOP_BUTTON && desk.desk().me.with(|me| me.as_ref().is_none_or(|me| me.name != by))
 }
 
 /// How the last run of this program is, or ended. Reactive.

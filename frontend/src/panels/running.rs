@@ -152,7 +152,8 @@ fn said(all: &[RunState], run: &RunState) -> impl IntoView + use<> {
     let theirs = all.iter().flat_map(|other| {
         other.held.iter().filter(|held| held.by == run.behaviour).map(|held| words::holds(&held.part, &other.name))
     });
-    let mut sentences: Vec<_> = mine.chain(theirs).collect();
+    let revoked = run.revoked.then(|| words::started_by_revoked(&run.by));
+    let mut sentences: Vec<_> = revoked.into_iter().chain(mine).chain(theirs).collect();
     // Several streams may want the same part.
     sentences.dedup();
     sentences.into_iter().map(|sentence| view! { <p class="held">{sentence}</p> }).collect_view()

@@ -146,6 +146,7 @@ sentences! {
     only_watches: "Nothing leads to an action yet: the robot only watches.";
     starts_when_online: "Start works again as soon as this page is connected.";
     runs_this: "The robot runs this version";
+    stop_it: "Stop it";
     robot_ready: "ready";
     robot_safe: "stopped, holding safely";
     health_connecting: "connecting";

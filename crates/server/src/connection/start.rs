@@ -1,5 +1,6 @@
 //! Starting a behaviour: its problems first, then the robot gets the file of the revision that is saved.
 
+use crate::invitations::Entry;
 use crate::robots::{NoRun, Start};
 use crate::rooms::Look;
 use crate::state::ServerState;
@@ -8,13 +9,23 @@ use behaviour::{BehaviourFile, Id, Problem};
 use protocol::{Refused, Reply};
 use std::sync::Arc;
 
+/// Who starts something.
+pub(crate) struct Starter {
+    /// What they are called.
+    pub(crate) name: String,
+    /// Whose turn it is meanwhile.
+    pub(crate) sender: Sender,
+    /// As whom they are in.
+    pub(crate) entry: Entry,
+}
+
 /// Runs a behaviour on a robot, on the first one if none is named. A Stop of it that comes meanwhile wins.
 pub(crate) async fn start(
     state: &ServerState,
     behaviour: Id,
     robot: Option<Id>,
     record: bool,
-    (by, sender): (String, Sender),
+    Starter { name: by, sender, entry }: Starter,
 ) -> Result<Reply, Refused> {
     let host = state.robots.meant(robot.as_ref())?;
     // Before anything is looked at, so that neither a Stop nor a removal can come between.
@@ -23,14 +34,19 @@ pub(crate) async fn start(
     let revision = look.revision();
     let file = ready(state, sender, look).await?;
     if announced.is_cancelled() || state.tasks.ends() {
-        return Err(NoRun::StopPressed.cannot_start());
+        return Err(NoRun::StopPressed(announced.stopped_by()).cannot_start());
     }
-    let start = Start { behaviour: behaviour.clone(), revision, file: file.into(), record, by: by.clone() };
+    let (id, file, invitation) = (behaviour.clone(), file.into(), entry.invitation().cloned());
+    let start = Start { behaviour: id, revision, file, record, by: by.clone(), invitation };
     let begun = host.start_announced(&announced, start).await;
     if announced.is_cancelled() {
-        return Err(begun.err().unwrap_or(NoRun::StopPressed).cannot_start());
+        return Err(begun.err().unwrap_or(NoRun::StopPressed(announced.stopped_by())).cannot_start());
     }
     begun.map_err(NoRun::cannot_start)?;
+    // Revoked while it began, when it was not there to be told.
+    if let (true, Some(invitation)) = (entry.is_over(), entry.invitation()) {
+        state.robots.revoked(invitation);
+    }
     tracing::info!(%behaviour, robot = %host.id(), revision, by, "a behaviour starts");
     Ok(Reply::Done)
 }
@@ -40,7 +56,7 @@ pub(crate) async fn apply(
     state: &ServerState,
     behaviour: Id,
     robot: Option<Id>,
-    (by, sender): (String, Sender),
+    Starter { name: by, sender, .. }: Starter,
 ) -> Result<Reply, Refused> {
     let hosts = state.robots.running(&behaviour, robot.as_ref())?;
     let look = state.rooms.look(&behaviour).await?;
@@ -55,7 +71,9 @@ pub(crate) async fn apply(
     let file = Arc::new(file);
     for host in hosts {
         let (behaviour, file, by) = (behaviour.clone(), file.clone(), by.clone());
-        host.apply(Start { behaviour, revision, file, record: false, by }).await.map_err(NoRun::not_applied)?;
+        host.apply(Start { behaviour, revision, file, record: false, by, invitation: None })
+            .await
+            .map_err(NoRun::not_applied)?;
     }
     tracing::info!(%behaviour, revision, by, "an edited behaviour goes on");
     Ok(Reply::Done)

@@ -20,6 +20,9 @@ const COOKIE_SECONDS: u64 = 400 * 24 * 60 * 60;
 /// Cookies of our name in one request that are looked at: browsers send one.
 const COOKIES_MAX: usize = 4;
 
+/// Who stops, if they never said what they are called.
+const SOMEBODY: &str = "Somebody";
+
 /// A way in.
 #[derive(Clone)]
 pub(crate) struct Door {
@@ -143,17 +146,30 @@ impl Door {
         if self.is_passed_on(request.headers()) { Err(NotAllowed::Forwarded) } else { Ok(()) }
     }
 
-    /// Whether a Stop is taken from there: from everybody who is in, and from everybody at this computer.
+    /// Whether a Stop is taken from there: from everybody who is in, and from everybody at this computer; and who stops, as
+    /// people are told.
     ///
     /// # Errors
     /// Why not.
-    pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<(), NotAllowed> {
+    pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<String, NotAllowed> {
         self.guard.may_stop(headers)?;
         let entry = self.entry(headers);
         if self.is_passed_on(headers) && !matches!(entry, Entry::Local) {
             return Err(NotAllowed::Forwarded);
         }
-        entry.may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)
+        entry.may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)?;
+        Ok(self.name_of(&entry))
+    }
+
+    /// What who stops by HTTP is called: a guest as they said on their links.
+    fn name_of(&self, entry: &Entry) -> String {
+        match (entry, &self.shown) {
+            (Entry::Guest(guest), Shown::Guests(guests)) => {
+                let name = guests.invitations.name_of(guest);
+                if name.is_empty() { SOMEBODY.to_owned() } else { name }
+            }
+            _ => protocol::STOP_BUTTON.to_owned(),
+        }
     }
 
     /// Whether an undeclared proxy sends this to the door of this computer, for somebody else.
@@ -229,8 +245,8 @@ mod tests {
             let through = headers(&[own, (said, "203.0.113.9")]);
             assert_eq!(door.may_stop(&through), Err(NotAllowed::Forwarded), "{said}");
             let of_host = headers(&[own, (said, "203.0.113.9"), (host_key::HEADER, &key)]);
-            assert_eq!(door.may_stop(&of_host), Ok(()), "{said}");
+            assert_eq!(door.may_stop(&of_host).as_deref(), Ok(protocol::STOP_BUTTON), "{said}");
         }
-        assert_eq!(door.may_stop(&headers(&[own])), Ok(()), "at this computer everybody may");
+        assert!(door.may_stop(&headers(&[own])).is_ok(), "at this computer everybody may");
     }
 }

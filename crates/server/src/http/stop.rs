@@ -37,11 +37,13 @@ struct StopTarget {
 
 /// Does a Stop unless somebody asks who may not, in whatever way it came in; answers with what is to be said.
 pub(super) fn press(door: &Door, robots: &Robots, uri: &Uri, asked: &HeaderMap) -> Said {
-    let which = door.may_stop(asked).map(|()| Query::try_from_uri(uri).map(|Query(which)| which).unwrap_or_default());
-    if let Ok(StopTarget { behaviour, robot }) = &which {
-        robots.stop_now(behaviour.as_ref(), robot.as_ref(), "the Stop button");
+    let who = door.may_stop(asked);
+    if let Ok(by) = &who {
+        let which = Query::try_from_uri(uri).map(|Query(which)| which);
+        let StopTarget { behaviour, robot } = which.unwrap_or_default();
+        robots.stop_now(behaviour.as_ref(), robot.as_ref(), by);
     }
-    Said::of(&which.map(drop), uri, asked)
+    Said::of(&who.map(drop), uri, asked)
 }
 
 /// Reads the Stop, does it and answers; the connection ends with that.

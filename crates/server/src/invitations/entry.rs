@@ -3,6 +3,7 @@
 use super::guest::Guest;
 use super::may::{Asked, Route, least};
 use crate::support::identity::Identity;
+use behaviour::Id;
 use protocol::{Refused, Request, Role};
 
 /// The least that somebody must be.
@@ -46,6 +47,19 @@ impl Entry {
         }
     }
 
+    /// By which invitation they came.
+    pub(crate) fn invitation(&self) -> Option<&Id> {
+        match self {
+            Self::Guest(guest) => Some(&guest.invitation),
+            Self::Local | Self::Unproven | Self::Stranger => None,
+        }
+    }
+
+    /// Whether the invitation that let them in has ended.
+    pub(crate) fn is_over(&self) -> bool {
+        matches!(self, Self::Guest(guest) if guest.is_over())
+    }
+
     /// Whether they may ask this: the one place where a role is asked, whatever way the request came.
     ///
     /// # Errors
@@ -56,9 +70,8 @@ impl Entry {
         if matches!((self, asked), (Self::Unproven, Asked::Http(Route::Stop))) {
             return Ok(());
         }
-        let is_over = matches!(self, Self::Guest(guest) if guest.is_over());
         // Who is told to go may press Stop until the socket is closed.
-        if is_over && !matches!(asked, Asked::Socket(Request::Stop { .. })) {
+        if self.is_over() && !matches!(asked, Asked::Socket(Request::Stop { .. })) {
             return Err(Refused::NotInvited);
         }
         match self.role() {

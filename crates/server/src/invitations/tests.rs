@@ -92,7 +92,7 @@ fn a_link_that_ended_is_a_guess_like_any_other() {
     let (invited, token) = invite(&all, Role::Viewer, Lasts::Once);
     all.come_in(&token, here()).unwrap();
     let (_, revoked) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
-    all.revoke(&all.told().borrow()[0].id.clone()).unwrap();
+    all.revoke(&all.list()[0].id.clone()).unwrap();
     let tries = (0..40).map(|_| [all.come_in(&token, here()), all.come_in(&revoked, here())]);
     let told = tries.flatten().filter(|tried| *tried == Err(NotIn::Unknown)).count();
     assert!(told < 20, "{told} for {}", invited.link);

@@ -19,7 +19,7 @@ use crate::support::priority::{self, Priority};
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
-use protocol::{Refused, RobotState, RunState};
+use protocol::{Refused, RobotState, RunState, STOP_BUTTON};
 use robot::{Control, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
@@ -56,6 +56,8 @@ pub(crate) struct Start {
     pub(crate) record: bool,
     /// Who starts it.
     pub(crate) by: String,
+    /// By which invitation they came; none if they are the host.
+    pub(crate) invitation: Option<Id>,
 }
 
 /// A run that is about to be; forgotten with its end if it did not come to be.
@@ -69,6 +71,11 @@ impl Announced {
     /// Whether somebody pressed Stop meanwhile.
     pub(crate) fn is_cancelled(&self) -> bool {
         self.cancel.is_cancelled()
+    }
+
+    /// Who pressed Stop meanwhile, if they said who they are.
+    pub(crate) fn stopped_by(&self) -> Option<String> {
+        self.cancel.stopped_by().filter(|by| *by != STOP_BUTTON).map(str::to_owned)
     }
 }
 
@@ -293,6 +300,11 @@ impl Host {
             Ok(Err(_)) => Err(Refused::TooFast),
             Err(_) => Err(Refused::RobotCannot(NoRun::Silent.to_string())),
         }
+    }
+
+    /// Shows of what runs that the invitation of who started it was revoked.
+    pub(super) fn revoked(&self, invitation: &Id) {
+        self.shared().revoked(invitation);
     }
 
     /// Moves something in the room.

@@ -33,7 +33,7 @@ pub(crate) enum NoRun {
     /// It cannot be recorded, and should be.
     NotRecorded(NotRecorded),
     /// Stop was pressed before anything was prepared.
-    StopPressed,
+    StopPressed(Option<String>),
     /// Stop was pressed while it was prepared.
     StoppedBefore,
     /// What it should follow was stopped.

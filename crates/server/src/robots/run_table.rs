@@ -89,6 +89,8 @@ pub(super) struct Entry {
     pub(super) applying: Applying,
     /// Whether it can move the robot.
     pub(super) acts: bool,
+    /// By which invitation came who started it.
+    pub(super) invitation: Option<Id>,
 }
 
 impl RunTable {

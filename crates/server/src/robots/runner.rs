@@ -119,7 +119,7 @@ fn prepare(job: &Job) -> Result<(Runner<'_>, RunState), NoRun> {
 }
 
 fn recorder(job: &Job) -> Result<Option<Recorder>, NotRecorded> {
-    let Start { behaviour, revision, file, record, by } = &job.start;
+    let Start { behaviour, revision, file, record, by, .. } = &job.start;
     let robot = &job.shared.feed.name(&job.shared.robot);
     let about = About { run: job.run, robot, behaviour, revision: *revision, by, file };
     record.then(|| job.recordings.begin(&about)).transpose()
@@ -183,6 +183,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
             revision: start.revision,
             fingerprint: start.file.fingerprint(),
             by: start.by.clone(),
+            revoked: false,
             phase: RunPhase::Running,
             recording: None,
             place: 0,
@@ -195,6 +196,7 @@ fn entry(job: &Job, run: &Run, mailbox: &Arc<Mailbox>, devices: &[Wanted]) -> En
         senses: senses(run, devices),
         file: start.file.clone(),
         applying: Applying::default(),
+        invitation: start.invitation.clone(),
     }
 }
 

@@ -141,6 +141,15 @@ impl RobotShared {
         }
     }
 
+    /// Notes that the invitation of who started something was revoked.
+    pub(super) fn revoked(&self, invitation: &Id) {
+        let mut table = lock(&self.table);
+        for entry in table.entries_mut().filter(|entry| entry.invitation.as_ref() == Some(invitation)) {
+            entry.state.revoked = true;
+        }
+        self.show(&table);
+    }
+
     /// How many threads of runs still live.
     pub(super) fn threads(&self) -> usize {
         self.threads.load(Ordering::SeqCst)

@@ -81,7 +81,14 @@ fn filtered(name: &str, body: &str) -> Start {
         order: std::collections::BTreeMap::new(),
         layout: std::collections::BTreeMap::new(),
     };
-    Start { behaviour: id(name), revision: 1, file: file.into(), record: false, by: "Aiko".to_owned() }
+    Start {
+        behaviour: id(name),
+        revision: 1,
+        file: file.into(),
+        record: false,
+        by: "Aiko".to_owned(),
+        invitation: None,
+    }
 }
 
 fn phase(robots: &Host, run: &RunState) -> RunPhase {

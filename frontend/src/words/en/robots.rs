@@ -106,6 +106,16 @@ pub(crate) fn paused(why: &str) -> String {
     say!("Interrupted: {why}. “Continue” goes on where it was; Stop ends it.", why = translated(why))
 }
 
+/// How the last run of this program ended.
+pub(crate) fn stopped_by(name: &str) -> String {
+    say!("{name} pressed Stop. Start runs it again.", name)
+}
+
+/// Why somebody should look at what runs.
+pub(crate) fn started_by_revoked(name: &str) -> String {
+    say!("{name} started this and may not be here any more.", name)
+}
+
 /// What was asked, for a sentence that it was done.
 pub(crate) fn control_done(robot: &str, control: Control) -> String {
     match control {

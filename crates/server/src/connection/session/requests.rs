@@ -4,7 +4,7 @@ use super::Session;
 use crate::connection::clients::tidy_name;
 use crate::connection::hints;
 use crate::connection::outbox::Out;
-use crate::connection::start;
+use crate::connection::start::{self, Starter};
 use crate::invitations::{Asked, Entry};
 use crate::library::create::{self, Wish};
 use crate::library::thumbnails::{self, Drawing};
@@ -77,12 +77,12 @@ impl Session {
             }
             Request::CallMe { name } => self.call_me(ask, &name),
             Request::Start { behaviour, robot, record } => {
-                let (state, by) = (Arc::clone(self.state()), (self.me.name.clone(), self.sender()));
-                self.later(ask, async move { start::start(&state, behaviour, robot, record, by).await });
+                let (state, who) = (Arc::clone(self.state()), self.starter());
+                self.later(ask, async move { start::start(&state, behaviour, robot, record, who).await });
             }
             Request::Apply { behaviour, robot } => {
-                let (state, by) = (Arc::clone(self.state()), (self.me.name.clone(), self.sender()));
-                self.later(ask, async move { start::apply(&state, behaviour, robot, by).await });
+                let (state, who) = (Arc::clone(self.state()), self.starter());
+                self.later(ask, async move { start::apply(&state, behaviour, robot, who).await });
             }
             // Who reads the socket did it already, unless it was hidden in a large message.
             Request::Stop { behaviour, robot } => {
@@ -127,6 +127,10 @@ impl Session {
 
     pub(super) fn state(&self) -> &Arc<ServerState> {
         &self.connections.state
+    }
+
+    fn starter(&self) -> Starter {
+        Starter { name: self.me.name.clone(), sender: self.sender(), entry: self.entry.clone() }
     }
 
     /// Answers what was done at once, or not.
