@@ -1,6 +1,7 @@
 //! The whole server over real sockets: people who edit together, bad changes, restarts, and strangers at the door.
 #![expect(clippy::unwrap_used, reason = "a test ends where something is not as it should be")]
 
+mod answerable;
 mod browser;
 mod console;
 mod edits;
