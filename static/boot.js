@@ -13,10 +13,11 @@ const words = form.dataset;
 const ESCAPES_WITHIN_MS = 600;
 
 let first = null;
-window.addEventListener("keydown", (event) => {
+// The window hears a key before the document does, and stop.js hears it at the window.
+document.addEventListener("keydown", (event) => {
   if (event.key !== "Escape" || event.repeat || event.isComposing) return;
   const isSecond = first && event.timeStamp - first.timeStamp < ESCAPES_WITHIN_MS && !first.defaultPrevented;
-  if (isSecond && !window.rrpHears) form.submit();
+  if (isSecond && window.rrpHeard !== event) form.submit();
   first = isSecond ? null : event;
 }, { capture: true });
 

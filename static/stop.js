@@ -139,14 +139,12 @@
     }
   }
 
-  // Whoever hears Escape after this, as boot.js does, takes over where this fails.
+  // boot.js hears every Escape after this, and takes over where it was not heard to the end here.
   window.addEventListener("keydown", function (event) {
-    try {
-      hear(event);
-    } catch (error) {
-      window.rrpHears = false;
-    }
+    hear(event);
+    window.rrpHeard = event;
   }, true);
+  window.rrpHeard = null;
 
   // ---- A page that does not open ----------------------------------------------------------------------------------------
 
@@ -156,6 +154,4 @@
     document.getElementById("unopened").hidden = false;
     document.getElementById("loading").hidden = true;
   });
-
-  window.rrpHears = true;
 })();

@@ -64,7 +64,7 @@ const OLD: [&str; 46] = [
     "value",
 ];
 /// What it uses where it is there: in a `try` of its own, or left by us.
-const TRIED: [&str; 6] = ["fetch", "ok", "then", "rrpBegan", "rrpHears", "window"];
+const TRIED: [&str; 6] = ["fetch", "ok", "then", "rrpBegan", "rrpHeard", "window"];
 
 /// What boot.js uses that some browser got since 2015, and since when. Everything else it uses is listed as old.
 const SINCE: [(&str, Versions); 11] = [
@@ -131,7 +131,7 @@ const USUAL: [&str; 65] = [
     "remove",
     "repeat",
     "rrpBegan",
-    "rrpHears",
+    "rrpHeard",
     "rrpPanic",
     "rrpWords",
     "sessionStorage",

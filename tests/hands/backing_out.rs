@@ -7,9 +7,9 @@ use serde_json::json;
 const BALLS: Option<&str> = Some("Track far and close balls");
 const CHIP: &str = "filter (distance < 0.5), connector from Distance to Close ball";
 /// What the page says of the newest press of Stop, at once.
-const STATE: &str = "document.getElementById('stop-form').getAttribute('data-state') || 'none'";
-/// So many presses of Escape in a row end in Stop wherever somebody is: what is open closes, and two are left.
-const ENOUGH: usize = 5;
+const STATE: &str = "(document.getElementById('stop-form').getAttribute('data-state') || 'none')";
+/// So often Escape is pressed twice, wherever somebody is: what is open closes, and two are left.
+const TWICE_MAX: usize = 4;
 
 /// Where people press Escape to get out of something: what it is called, and how they get in there.
 #[derive(Clone, Copy, Debug)]
@@ -55,6 +55,7 @@ impl Place {
             }
             Place::Library => {
                 page.press("button", "Load program").await?;
+                page.press("menuitem", "All programs and templates …").await?;
                 page.find("dialog", "Load program").await?;
                 is_typed(page).await?;
                 page.type_text("balls").await
@@ -68,7 +69,7 @@ impl Place {
                 page.type_text("9").await
             }
             Place::SentenceNumber => {
-                page.press("button", "50*").await?;
+                page.press("button", "Change: 0.5 m").await?;
                 page.until("!!document.activeElement.closest('.inline.open')", "the number has the keyboard").await?;
                 page.type_text("7").await
             }
@@ -109,11 +110,20 @@ async fn is_typed(page: &Page) -> Outcome<()> {
     page.until("document.activeElement.tagName === 'INPUT'", "a field has the keyboard").await.map(drop)
 }
 
-async fn escapes(page: &Page, times: usize) -> Outcome<()> {
-    for _ in 0..times {
-        page.key("Escape").await?;
+async fn escape_twice(page: &Page) -> Outcome<()> {
+    let (one, two) = tokio::join!(page.key("Escape"), page.key("Escape"));
+    one.and(two)
+}
+
+/// Presses Escape until the robot stops.
+async fn stops(page: &Page) -> Outcome<()> {
+    for _ in 0..TWICE_MAX {
+        escape_twice(page).await?;
+        if page.eval(STATE).await? != "none" {
+            break;
+        }
     }
-    Ok(())
+    page.until(&format!("{STATE} === 'stopped'"), "Escape pressed again and again stops it").await.map(drop)
 }
 
 async fn starts(page: &Page) -> Outcome<()> {
@@ -131,11 +141,10 @@ async fn backing_out_of_anything_stops_nothing() -> Outcome<()> {
         aiko.press("button", "Distance, stream").await?;
         starts(&aiko).await?;
         place.enter(&aiko).await?;
-        escapes(&aiko, 2).await?;
+        escape_twice(&aiko).await?;
         assert_eq!(aiko.eval(STATE).await?, "none", "{place:?}");
         aiko.find("button", "Running").await?;
-        escapes(&aiko, ENOUGH - 2).await?;
-        aiko.until(&format!("{STATE} === 'stopped'"), "what is left of them stops it").await?;
+        stops(&aiko).await?;
         aiko.find("button", "Start").await?;
         aiko.no_errors()?;
         aiko.close().await?;
@@ -151,8 +160,7 @@ async fn two_escapes_stop_where_there_is_nothing_to_back_out_of() -> Outcome<()>
     for place in ["document.body", "document.querySelector('[data-node]')", "document.querySelector('#find')"] {
         starts(&aiko).await?;
         aiko.eval(&format!("document.activeElement.blur(); {place}.focus()")).await?;
-        escapes(&aiko, 2).await?;
-        aiko.until(&format!("{STATE} === 'stopped'"), &format!("it stops from {place}")).await?;
+        stops(&aiko).await?;
         aiko.find("button", "Start").await?;
         aiko.until(&format!("{STATE} === 'none'"), "which is said for a moment").await?;
     }

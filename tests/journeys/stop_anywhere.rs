@@ -24,7 +24,11 @@ const PRESSES: [Press; 3] = [Press::Click, Press::Finger, Press::Escapes];
 /// What a Stop leaves in the log of the server, whatever it finds to stop.
 const HEARD: &str = "Stop over HTTP";
 /// How long a press may take to be heard.
-const HEARD_WITHIN: Duration = Duration::from_secs(10);
+const HEARD_WITHIN: Duration = Duration::from_secs(5);
+/// How often Escape is pressed twice.
+const PRESSES_MAX: usize = 3;
+/// How often a page is opened again.
+const OPENED_MAX: usize = 5;
 /// Between two looks at the log.
 const LOOK: Duration = Duration::from_millis(10);
 /// The program and its looks, which Stop needs nothing of.
@@ -66,18 +70,37 @@ impl Scene {
         self.stage.server.log().matches(HEARD).count()
     }
 
+    /// Opens the page, however a press before went on.
+    async fn open(&self, page: &Page) -> Outcome<()> {
+        let url = self.stage.server.url();
+        for _ in 0..OPENED_MAX {
+            // A form that is still on its way takes the place of what is opened.
+            match page.goto(&url).await {
+                Err(trouble) if trouble.0.contains("ERR_ABORTED") => {}
+                opened => return opened,
+            }
+        }
+        page.goto(&url).await
+    }
+
     /// Presses Stop on the page that is open; whether the server hears one Stop more.
     async fn hears(&self, page: &Page, how: Press) -> Outcome<bool> {
         let before = self.heard();
-        press(page, how).await?;
-        let began = Instant::now();
-        while self.heard() == before {
-            if began.elapsed() > HEARD_WITHIN {
-                return Ok(false);
+        // On a busy computer a second Escape may come too late to be one.
+        for _ in 0..PRESSES_MAX {
+            press(page, how).await?;
+            let began = Instant::now();
+            while began.elapsed() < HEARD_WITHIN {
+                if self.heard() > before {
+                    return Ok(true);
+                }
+                tokio::time::sleep(LOOK).await;
             }
-            tokio::time::sleep(LOOK).await;
+            if how != Press::Escapes {
+                break;
+            }
         }
-        Ok(true)
+        Ok(false)
     }
 }
 
@@ -105,7 +128,7 @@ async fn a_press_stops_without_any_script() -> Outcome<()> {
         says(&page, "Stop works without it.").await?;
         scene.start().await?;
         press(&page, how).await?;
-        page.find("status", "Stopped").await?;
+        says(&page, "The robot holds still.").await?;
         scene.runs(0).await?;
         // The page after it has Stop as well.
         scene.start().await?;
@@ -135,7 +158,7 @@ async fn a_press_stops_while_the_page_is_still_opening() -> Outcome<()> {
             }
             page.call("Network.setBlockedURLs", json!({ "urls": PROGRAM })).await?;
             page.call("Page.navigate", json!({ "url": scene.stage.server.url() })).await?;
-            let came = if held.contains(&"boot.js") { "window.rrpHears" } else { "window.rrpBegan" };
+            let came = if held.contains(&"boot.js") { "window.rrpHeard === null" } else { "window.rrpBegan" };
             let came = if held.len() == 2 { "document.getElementById('stop-said')" } else { came };
             page.until(came, "all but what is held back is here").await?;
             scene.start().await?;
@@ -213,7 +236,7 @@ async fn a_press_stops_in_browsers_that_lack_something() -> Outcome<()> {
         page.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source })).await?;
         page.call("Network.setBlockedURLs", json!({ "urls": PROGRAM })).await?;
         for how in PRESSES {
-            page.goto(&scene.stage.server.url()).await?;
+            scene.open(&page).await?;
             if !scene.hears(&page, how).await? {
                 writeln!(wrong, "without {name}: {how:?}")?;
             }
@@ -289,7 +312,7 @@ async fn a_press_stops_whichever_line_of_the_scripts_is_broken() -> Outcome<()> 
             page.instead(file, if file == mutant.file { &mutant.text } else { &whole }).await?;
         }
         for how in PRESSES.into_iter().filter(|how| mutant.must_hear(*how)) {
-            page.goto(&scene.stage.server.url()).await?;
+            scene.open(&page).await?;
             if !scene.hears(&page, how).await? {
                 let how_broken = if mutant.is_left_out { "left out" } else { "throws" };
                 writeln!(wrong, "{}, line {} {how_broken}: {how:?}", mutant.file, mutant.line)?;
