@@ -18,6 +18,8 @@ pub(crate) const TOLD: &str = "RRP_FLOOD";
 pub(crate) const BEGUN: &str = "the flood has begun";
 /// Strangers who connect at once.
 const AT_ONCE: usize = 64;
+/// One of so many says all of a Stop and waits for the answer; the others lose no time.
+const ASKS: usize = 8;
 /// Connections that they hold on to; the oldest are let go of.
 const HELD_MAX: usize = 2_000;
 /// So many connections are a flood.
@@ -27,7 +29,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 /// How long one rests who got nothing.
 const REST: Duration = Duration::from_millis(2);
 
-/// What is flooded, and from where.
+/// A flood: of this address, from these.
 #[derive(Clone, Debug)]
 pub(crate) struct Flood {
     pub(crate) target: SocketAddr,
@@ -56,7 +58,7 @@ struct Strangers {
     flood: Flood,
     /// Who agrees on TLS, if that is spoken there.
     browser: Option<Browser>,
-    /// How a connection begins.
+    /// The begin of a connection.
     hello: Vec<u8>,
     held: Mutex<VecDeque<TcpStream>>,
     connected: AtomicUsize,
@@ -94,7 +96,8 @@ impl Strangers {
     async fn press(&self, number: usize) {
         for turn in number.. {
             let from = self.flood.from[turn % self.flood.from.len()];
-            let done = tokio::time::timeout(PATIENCE, self.once(turn / self.flood.from.len(), from)).await;
+            let way = if number % ASKS == 0 { None } else { Some(turn / self.flood.from.len()) };
+            let done = tokio::time::timeout(PATIENCE, self.once(way, from)).await;
             if !matches!(done, Ok(Ok(()))) {
                 self.refused.fetch_add(1, Ordering::Relaxed);
                 tokio::time::sleep(REST).await;
@@ -102,14 +105,14 @@ impl Strangers {
         }
     }
 
-    async fn once(&self, turn: usize, from: IpAddr) -> Outcome<()> {
+    async fn once(&self, way: Option<usize>, from: IpAddr) -> Outcome<()> {
         let mut stream = self.connect(from).await?;
         self.connected.fetch_add(1, Ordering::Relaxed);
-        match turn % 4 {
-            0 => {}
-            1 => stream.write_all(&self.hello[..self.hello.len() / 2]).await?,
-            2 => stream.write_all(&self.hello).await?,
-            _ => return self.ask(stream).await,
+        match way.map(|way| way % 4) {
+            None => return self.ask(stream).await,
+            Some(0) => {}
+            Some(1) => stream.write_all(&self.hello[..self.hello.len() / 2]).await?,
+            Some(_) => stream.write_all(&self.hello).await?,
         }
         self.hold(stream);
         Ok(())

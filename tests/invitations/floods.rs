@@ -68,7 +68,7 @@ impl Case {
     }
 }
 
-/// How often Stop is pressed, what 99 of 100 may take, and the rest between two.
+/// A number of Stops, the longest that 99 of 100 may take, and the rest between two.
 #[derive(Clone, Copy)]
 pub(crate) struct Bar {
     pub(crate) stops: usize,
@@ -218,7 +218,7 @@ fn head(path: &str, more: &str, length: usize) -> String {
     )
 }
 
-/// What the proxy hears for what it hands on.
+/// The answer that the proxy hears for what it hands on.
 async fn handed_on(to: SocketAddr, head: &str, body: &str) -> std::io::Result<String> {
     let socket = TcpSocket::new_v4()?;
     socket.bind((THERE, 0).into())?;
@@ -229,7 +229,7 @@ async fn handed_on(to: SocketAddr, head: &str, body: &str) -> std::io::Result<St
     Ok(String::from_utf8_lossy(&answer).into_owned())
 }
 
-/// How long Stops took, and how many were lost.
+/// Times of Stops, and how many were lost.
 struct Pressed {
     taken: Vec<Duration>,
     lost: usize,

@@ -25,7 +25,7 @@ const DEVICES_MAX: usize = 1_024;
 /// How long what is new is gathered before it is written, in milliseconds.
 const LATER_MS: u64 = 500;
 
-/// By what somebody is known.
+/// Something that somebody is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum Mark {
@@ -124,7 +124,7 @@ impl Known {
         }
     }
 
-    /// What is to be kept: of those who are still in.
+    /// Those who are still in, as they are kept.
     fn kept(&self) -> Vec<Kept> {
         let marks = lock(&self.marks);
         let devices = marks.devices.iter().filter(|(pass, _)| self.holds(pass));

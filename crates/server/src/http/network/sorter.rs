@@ -30,7 +30,7 @@ const HEAD_MAX_BYTES: usize = 8 << 10;
 /// Header lines in it.
 const LINES_MAX: usize = 64;
 
-/// Who comes, as far as that can be told: those of one share.
+/// Somebody who comes, as far as that can be told: those of one share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Who {
     /// A device that proves that it is in, by the digest of its cookie.
@@ -48,7 +48,7 @@ pub(super) struct Arrival {
     pub(super) proof: Option<Proof>,
 }
 
-/// What tells who comes, and the lanes for each kind.
+/// Tells who comes, and knows the lane of each kind.
 pub(super) struct Sorter {
     door: Door,
     known: Arc<Known>,
@@ -59,7 +59,7 @@ pub(super) struct Sorter {
     lanes: Lanes,
 }
 
-/// Where those of each kind wait for their lane.
+/// The queues in which each kind waits for its lane.
 pub(super) struct Lanes {
     pub(super) proven: Arc<Arrivals>,
     pub(super) known: Arc<Arrivals>,
@@ -94,9 +94,10 @@ impl Sorter {
 
     async fn admit(self: Arc<Self>, stream: TcpStream, peer: IpAddr) {
         let is_known = self.known.pass(Mark::Address(peer)).is_some();
-        let (from, places) = match is_known {
-            true => (Who::Known(peer.to_canonical()), &self.may_be_known),
-            false => (Who::Stranger(Source::of(peer)), &self.unknown),
+        let (from, places) = if is_known {
+            (Who::Known(peer.to_canonical()), &self.may_be_known)
+        } else {
+            (Who::Stranger(Source::of(peer)), &self.unknown)
         };
         let place = places.take(from);
         let read = tokio::time::timeout(Duration::from_millis(SILENT_MS), self.read(Socket::new(stream)));
@@ -162,7 +163,7 @@ impl Sorter {
     }
 }
 
-/// What proves who somebody is.
+/// A proof of who somebody is.
 enum Shown {
     Ticket(Proof),
     /// The digest of a cookie that holds.
