@@ -11,6 +11,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpSocket, TcpStream};
+use tokio_rustls::rustls::ClientConnection;
+use tokio_rustls::rustls::pki_types::ServerName;
 
 /// Says to a process what to flood; for a test that does nothing else.
 pub(crate) const TOLD: &str = "RRP_FLOOD";
@@ -73,7 +75,10 @@ pub(crate) async fn flood(told: &str) -> Outcome<()> {
         "POST /stop HTTP/1.1\r\nHost: {}\r\nCookie: __Host-rrp=guess\r\nContent-Length: 0\r\n\r\n",
         flood.target
     );
-    let hello = browser.as_ref().map_or(stop.into_bytes(), Browser::hello);
+    let hello = match &browser {
+        Some(browser) => hello(browser)?,
+        None => stop.into_bytes(),
+    };
     let (connected, refused, held) = (AtomicUsize::new(0), AtomicUsize::new(0), Mutex::default());
     let all = Arc::new(Strangers { flood, browser, hello, held, connected, refused });
     for number in 0..AT_ONCE {
@@ -89,6 +94,15 @@ pub(crate) async fn flood(told: &str) -> Outcome<()> {
     let count = |of: &AtomicUsize| of.load(Ordering::Relaxed);
     println!("{} connections, {} refused", count(&all.connected), count(&all.refused));
     Ok(())
+}
+
+/// The first thing that a browser says.
+fn hello(browser: &Browser) -> Outcome<Vec<u8>> {
+    let name = ServerName::from(browser.address.ip());
+    let connection = ClientConnection::new(Arc::new(browser.tls.clone()), name);
+    let mut hello = Vec::new();
+    connection.map_err(|error| Trouble(error.to_string()))?.write_tls(&mut hello)?;
+    Ok(hello)
 }
 
 impl Strangers {

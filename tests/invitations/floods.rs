@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 use tokio::io::{AsyncBufReadExt, AsyncReadExt, AsyncWriteExt, BufReader, Lines};
 use tokio::net::TcpSocket;
 use tokio::process::{Child, ChildStdout};
+use tokio_rustls::rustls::client::Resumption;
 
 /// Where the server is reached; nobody else listens in this network.
 const PORT: u16 = 7140;
@@ -132,7 +133,10 @@ async fn guests(network: &Network, server: &Server, data: &Path, case: Case) -> 
         } else {
             let mut browser = Browser::new(data, &link);
             browser.from = Some(case.there());
-            Presser::Browser(if name == WITH { browser } else { browser.without_tickets() })
+            if name == WITHOUT {
+                browser.tls.resumption = Resumption::disabled();
+            }
+            Presser::Browser(browser)
         };
         let came = network.do_there(async move {
             presser.comes_in(&link).await?;

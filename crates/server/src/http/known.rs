@@ -187,7 +187,7 @@ impl Marks {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::{DEVICES_MAX, Digest, Invitations, Known, MARKS_MAX, Mark, lock};
     use crate::invitations::{Source, Terms, Way};
     use protocol::{Lasts, Role};
@@ -200,16 +200,21 @@ mod tests {
         Mark::Address(text.parse().unwrap())
     }
 
-    /// Invitations, one of them with the digest of a cookie that came by it.
-    fn came(data: &Path) -> (Arc<Invitations>, behaviour::Id, Digest) {
+    /// Invitations, one of them with a cookie that came by it.
+    pub(in crate::http) fn invited(data: &Path) -> (Arc<Invitations>, behaviour::Id, String) {
         let invitations = Invitations::within(Some(data));
         invitations.open(Way { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
         let terms = Terms { role: Role::Viewer, lasts: Lasts::Once, label: String::new(), made_by: "Aiko".into() };
         let invited = invitations.make(terms).unwrap();
         let token = invited.link.split_once('#').unwrap().1;
         let cookie = invitations.come_in(token, Source::of("10.0.0.2".parse().unwrap())).unwrap();
-        let pass = invitations.guest(&cookie).unwrap().pass();
-        (invitations, invited.invitation.id, pass)
+        (invitations, invited.invitation.id, cookie)
+    }
+
+    /// As `invited`, with the digest of the cookie.
+    fn came(data: &Path) -> (Arc<Invitations>, behaviour::Id, Digest) {
+        let (invitations, invitation, cookie) = invited(data);
+        (invitations, invitation, Digest::of(&cookie))
     }
 
     #[tokio::test]
