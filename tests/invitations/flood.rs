@@ -11,6 +11,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::{TcpSocket, TcpStream};
+use tokio_rustls::rustls::ClientConnection;
+use tokio_rustls::rustls::pki_types::ServerName;
 
 /// Says to a process what to flood; for a test that does nothing else.
 pub(crate) const TOLD: &str = "RRP_FLOOD";
@@ -18,6 +20,8 @@ pub(crate) const TOLD: &str = "RRP_FLOOD";
 pub(crate) const BEGUN: &str = "the flood has begun";
 /// Strangers who connect at once.
 const AT_ONCE: usize = 64;
+/// One of so many says all of a Stop and waits for the answer; the others lose no time.
+const ASKS: usize = 8;
 /// Connections that they hold on to; the oldest are let go of.
 const HELD_MAX: usize = 2_000;
 /// So many connections are a flood.
@@ -27,7 +31,7 @@ const PATIENCE: Duration = Duration::from_secs(2);
 /// How long one rests who got nothing.
 const REST: Duration = Duration::from_millis(2);
 
-/// What is flooded, and from where.
+/// A flood: of this address, from these.
 #[derive(Clone, Debug)]
 pub(crate) struct Flood {
     pub(crate) target: SocketAddr,
@@ -56,7 +60,7 @@ struct Strangers {
     flood: Flood,
     /// Who agrees on TLS, if that is spoken there.
     browser: Option<Browser>,
-    /// How a connection begins.
+    /// The begin of a connection.
     hello: Vec<u8>,
     held: Mutex<VecDeque<TcpStream>>,
     connected: AtomicUsize,
@@ -71,7 +75,10 @@ pub(crate) async fn flood(told: &str) -> Outcome<()> {
         "POST /stop HTTP/1.1\r\nHost: {}\r\nCookie: __Host-rrp=guess\r\nContent-Length: 0\r\n\r\n",
         flood.target
     );
-    let hello = browser.as_ref().map_or(stop.into_bytes(), Browser::hello);
+    let hello = match &browser {
+        Some(browser) => hello(browser)?,
+        None => stop.into_bytes(),
+    };
     let (connected, refused, held) = (AtomicUsize::new(0), AtomicUsize::new(0), Mutex::default());
     let all = Arc::new(Strangers { flood, browser, hello, held, connected, refused });
     for number in 0..AT_ONCE {
@@ -89,12 +96,22 @@ pub(crate) async fn flood(told: &str) -> Outcome<()> {
     Ok(())
 }
 
+/// The first thing that a browser says.
+fn hello(browser: &Browser) -> Outcome<Vec<u8>> {
+    let name = ServerName::from(browser.address.ip());
+    let connection = ClientConnection::new(Arc::new(browser.tls.clone()), name);
+    let mut hello = Vec::new();
+    connection.map_err(|error| Trouble(error.to_string()))?.write_tls(&mut hello)?;
+    Ok(hello)
+}
+
 impl Strangers {
     /// One connection after the other, in each of the ways.
     async fn press(&self, number: usize) {
         for turn in number.. {
             let from = self.flood.from[turn % self.flood.from.len()];
-            let done = tokio::time::timeout(PATIENCE, self.once(turn / self.flood.from.len(), from)).await;
+            let way = if number % ASKS == 0 { None } else { Some(turn / self.flood.from.len()) };
+            let done = tokio::time::timeout(PATIENCE, self.once(way, from)).await;
             if !matches!(done, Ok(Ok(()))) {
                 self.refused.fetch_add(1, Ordering::Relaxed);
                 tokio::time::sleep(REST).await;
@@ -102,14 +119,14 @@ impl Strangers {
         }
     }
 
-    async fn once(&self, turn: usize, from: IpAddr) -> Outcome<()> {
+    async fn once(&self, way: Option<usize>, from: IpAddr) -> Outcome<()> {
         let mut stream = self.connect(from).await?;
         self.connected.fetch_add(1, Ordering::Relaxed);
-        match turn % 4 {
-            0 => {}
-            1 => stream.write_all(&self.hello[..self.hello.len() / 2]).await?,
-            2 => stream.write_all(&self.hello).await?,
-            _ => return self.ask(stream).await,
+        match way.map(|way| way % 4) {
+            None => return self.ask(stream).await,
+            Some(0) => {}
+            Some(1) => stream.write_all(&self.hello[..self.hello.len() / 2]).await?,
+            Some(_) => stream.write_all(&self.hello).await?,
         }
         self.hold(stream);
         Ok(())

@@ -32,7 +32,7 @@ pub(crate) fn strangers() -> impl Iterator<Item = IpAddr> {
     (3..3 + STRANGERS).map(|last| Ipv4Addr::new(10, 77, 0, last).into())
 }
 
-/// The same in IPv6: of one network of 64 bits with the first one.
+/// As `strangers`, in IPv6: of one network of 64 bits with the first address.
 pub(crate) fn strangers_v6() -> impl Iterator<Item = IpAddr> {
     (3..3 + u16::from(STRANGERS)).map(|last| Ipv6Addr::new(0xfd77, 0, 0, 0, 0, 0, 0, last).into())
 }

@@ -15,8 +15,8 @@ const RXPY: &str = "reactivex==6.1.0";
 /// What measures the threads.
 const MEASURE_THREADS: &str = "robots::tests::threads::hand_overs";
 
-/// Measures rooms with many people, bad networks, kills and guessed links on the optimised server, which is built before; fails if a bar
-/// is missed or anything is lost. `words` pick a figure.
+/// Measures rooms with many people, bad networks, kills, guessed links and floods of strangers on the optimised server, which is
+/// built before; fails if a bar is missed or anything is lost. `words` pick a figure.
 pub(crate) fn rooms(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     tools::run(&mut workspace.cargo(&["build", "--release", "--package", "rrp"]), "Building the optimised server")?;
     let figures = words.first().map_or("figure_".to_owned(), |word| format!("figure_{word}"));

@@ -26,7 +26,7 @@ const DEVICES_MAX: usize = 1_024;
 /// How long what is new is gathered before it is written, in milliseconds.
 const LATER_MS: u64 = 500;
 
-/// By what somebody is known.
+/// Something that somebody is known by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub(crate) enum Mark {
@@ -125,7 +125,7 @@ impl Known {
         }
     }
 
-    /// What is to be kept: of those who are still in.
+    /// Those who are still in, as they are kept.
     fn kept(&self) -> Vec<Kept> {
         let marks = lock(&self.marks);
         let devices = marks.devices.iter().filter(|(pass, _)| self.holds(pass));
@@ -188,7 +188,7 @@ impl Marks {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::{DEVICES_MAX, Digest, Invitations, Known, MARKS_MAX, Mark, lock};
     use crate::invitations::{Source, Terms, Way};
     use protocol::{Lasts, Role};
@@ -201,16 +201,21 @@ mod tests {
         Mark::Address(text.parse().unwrap())
     }
 
-    /// Invitations, one of them with the digest of a cookie that came by it.
-    fn came(data: &Path) -> (Arc<Invitations>, behaviour::Id, Digest) {
+    /// Invitations, one of them with a cookie that came by it.
+    pub(in crate::http) fn invited(data: &Path) -> (Arc<Invitations>, behaviour::Id, String) {
         let invitations = Invitations::within(Some(data));
         invitations.open(Way { origin: "https://10.0.0.1:7130".into(), fingerprint: None });
         let terms = Terms { role: Role::Viewer, lasts: Lasts::Once, label: String::new(), made_by: "Aiko".into() };
         let invited = invitations.make(terms).unwrap();
         let token = invited.link.split_once('#').unwrap().1;
         let cookie = invitations.come_in(token, Source::of("10.0.0.2".parse().unwrap())).unwrap();
-        let pass = invitations.guest(&cookie).unwrap().pass();
-        (invitations, invited.invitation.id, pass)
+        (invitations, invited.invitation.id, cookie)
+    }
+
+    /// As `invited`, with the digest of the cookie.
+    fn came(data: &Path) -> (Arc<Invitations>, behaviour::Id, Digest) {
+        let (invitations, invitation, cookie) = invited(data);
+        (invitations, invitation, Digest::of(&cookie))
     }
 
     #[tokio::test]

@@ -15,7 +15,7 @@ use tokio_rustls::client::TlsStream;
 use tokio_rustls::rustls::client::Resumption;
 use tokio_rustls::rustls::crypto::ring;
 use tokio_rustls::rustls::pki_types::{CertificateDer, ServerName};
-use tokio_rustls::rustls::{ClientConfig, ClientConnection, RootCertStore};
+use tokio_rustls::rustls::{ClientConfig, RootCertStore};
 use tokio_tungstenite::WebSocketStream;
 use tokio_tungstenite::tungstenite::client::IntoClientRequest;
 use tokio_tungstenite::tungstenite::protocol::CloseFrame;
@@ -30,7 +30,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 #[derive(Clone)]
 pub(crate) struct Browser {
     /// Keeps tickets, and shows each once.
-    tls: ClientConfig,
+    pub(crate) tls: ClientConfig,
     /// From which of its addresses it connects; none if it does not matter.
     pub(crate) from: Option<IpAddr>,
     /// Where the server is.
@@ -61,12 +61,6 @@ impl Browser {
         stranger
     }
 
-    /// This as a program that keeps no tickets.
-    pub(crate) fn without_tickets(mut self) -> Self {
-        self.tls.resumption = Resumption::disabled();
-        self
-    }
-
     async fn connect(&self) -> std::io::Result<TlsStream<TcpStream>> {
         let socket = if self.address.is_ipv4() { TcpSocket::new_v4()? } else { TcpSocket::new_v6()? };
         if let Some(from) = self.from {
@@ -79,15 +73,6 @@ impl Browser {
     pub(crate) async fn agree(&self, stream: TcpStream) -> std::io::Result<TlsStream<TcpStream>> {
         let tls = TlsConnector::from(Arc::new(self.tls.clone()));
         tls.connect(ServerName::from(self.address.ip()), stream).await
-    }
-
-    /// The first thing that it says.
-    pub(crate) fn hello(&self) -> Vec<u8> {
-        let name = ServerName::from(self.address.ip());
-        let mut connection = ClientConnection::new(Arc::new(self.tls.clone()), name).unwrap();
-        let mut hello = Vec::new();
-        connection.write_tls(&mut hello).unwrap();
-        hello
     }
 
     /// Sends a request as it is and answers with everything that came back.

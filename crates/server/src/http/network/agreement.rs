@@ -16,7 +16,7 @@ use uuid::Uuid;
 /// How long browsers may keep a ticket, in seconds: as long as TLS allows.
 const GOOD_SECONDS: u32 = 7 * 24 * 60 * 60;
 
-/// Whose ticket somebody showed, and who that is.
+/// A ticket that somebody showed, and who that is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Proof {
     pub(super) holder: Holder,
@@ -24,7 +24,7 @@ pub(super) struct Proof {
     pub(super) pass: Digest,
 }
 
-/// What every connection agrees on TLS by.
+/// The certificate and the keys by which every connection agrees on TLS.
 #[derive(Clone)]
 pub(super) struct Agreement {
     config: Arc<ServerConfig>,
@@ -38,7 +38,7 @@ impl Agreement {
         Self { config: Arc::new(config), key, tickets: Arc::new(tickets) }
     }
 
-    /// How TLS is agreed on with somebody who proved this of themselves, and what is to be known of that later.
+    /// Prepares TLS with somebody who proved this of themselves; their tickets can be asked for afterwards.
     pub(super) fn with(&self, proof: Option<Proof>) -> (TlsAcceptor, Arc<Agreeing>) {
         let (id, opened, signed, gave) = (Uuid::new_v4(), Mutex::default(), Arc::default(), AtomicBool::default());
         let (tickets, key) = (Arc::clone(&self.tickets), Arc::clone(&self.key));
@@ -66,8 +66,7 @@ pub(super) struct Agreeing {
 }
 
 impl Agreeing {
-    /// By which name the tickets that this connection left with are known, if there are any and they do not say themselves
-    /// whose they are.
+    /// The name of this connection, if it left with tickets that do not say themselves whose they are.
     pub(super) fn unproven(&self) -> Option<Uuid> {
         self.gave.load(Ordering::Acquire).then_some(self.id)
     }

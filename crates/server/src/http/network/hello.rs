@@ -10,7 +10,7 @@ const CLIENT_HELLO: u8 = 1;
 /// An extension: tickets of earlier connections.
 const PRE_SHARED_KEY: u16 = 41;
 
-/// What a hello says of earlier connections.
+/// A hello, as far as it tells of earlier connections.
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Hello {
     /// Not all of it is there yet.
@@ -32,7 +32,7 @@ impl Hello {
     }
 }
 
-/// Why there is no message.
+/// A reason why there is no message.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Missing {
     /// More has to come.

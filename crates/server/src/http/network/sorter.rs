@@ -31,7 +31,7 @@ const HEAD_MAX_BYTES: usize = 8 << 10;
 /// Header lines in it.
 const LINES_MAX: usize = 64;
 
-/// Who comes, as far as that can be told: those of one share.
+/// Somebody who comes, as far as that can be told: those of one share.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Who {
     /// A device that proves that it is in, by the digest of its cookie.
@@ -49,7 +49,7 @@ pub(super) struct Arrival {
     pub(super) proof: Option<Proof>,
 }
 
-/// What tells who comes, and the lanes for each kind.
+/// Tells who comes, and knows the lane of each kind.
 pub(super) struct Sorter {
     door: Door,
     known: Arc<Known>,
@@ -60,7 +60,7 @@ pub(super) struct Sorter {
     lanes: Lanes,
 }
 
-/// Where those of each kind wait for their lane.
+/// The queues in which each kind waits for its lane.
 pub(super) struct Lanes {
     pub(super) proven: Arc<Arrivals>,
     pub(super) known: Arc<Arrivals>,
@@ -95,9 +95,10 @@ impl Sorter {
 
     async fn admit(self: Arc<Self>, stream: TcpStream, peer: IpAddr) {
         let is_known = self.known.pass(Mark::Address(peer)).is_some();
-        let (from, places) = match is_known {
-            true => (Who::Known(peer.to_canonical()), &self.may_be_known),
-            false => (Who::Stranger(Source::of(peer)), &self.unknown),
+        let (from, places) = if is_known {
+            (Who::Known(peer.to_canonical()), &self.may_be_known)
+        } else {
+            (Who::Stranger(Source::of(peer)), &self.unknown)
         };
         let place = places.take(from);
         let read = tokio::time::timeout(Duration::from_millis(SILENT_MS), self.read(Socket::new(stream)));
@@ -163,7 +164,7 @@ impl Sorter {
     }
 }
 
-/// What proves who somebody is.
+/// A proof of who somebody is.
 enum Shown {
     Ticket(Proof),
     /// The digest of a cookie that holds.
@@ -177,5 +178,48 @@ impl Lanes {
             Who::Known(_) => &self.known,
             Who::Stranger(_) => &self.strangers,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Arrivals, Digest, Door, Holder, Known, Lanes, Mark, Proof, Shown, Sorter, Tickets};
+    use crate::http::known::tests::invited;
+    use std::sync::Arc;
+    use uuid::Uuid;
+
+    #[test]
+    fn a_ticket_or_a_cookie_that_holds_proves_who_comes_and_nothing_else_does() {
+        let folder = tempfile::tempdir().unwrap();
+        let (invitations, invitation, cookie) = invited(folder.path());
+        let (pass, door) = (Digest::of(&cookie), Door::proxied("https://rrp.example", Arc::clone(&invitations)));
+        let known = Known::within(None, Arc::clone(&invitations));
+        let lanes = Lanes { proven: Arrivals::new(), known: Arrivals::new(), strangers: Arrivals::new() };
+        let (sorter, tickets) = (Sorter::new(door, Arc::clone(&known), None, lanes), Tickets::within(None).unwrap());
+        let proof = |holder| sorter.proof(&tickets, &tickets.seal(holder, b"said").unwrap());
+        let [of_device, of_connection] = [Holder::Device(pass), Holder::Connection(Uuid::from_u128(7))];
+        assert_eq!(proof(of_device), Some(Proof { holder: of_device, pass }));
+        assert_eq!(proof(of_connection), None, "nobody showed a cookie on it");
+        known.note(Mark::Tickets(Uuid::from_u128(7)), pass);
+        assert_eq!(proof(of_connection), Some(Proof { holder: of_connection, pass }));
+        assert_eq!(proof(Holder::Device(Digest::of("a guess"))), None);
+        let copied = tickets.seal(of_device, b"said").unwrap();
+        let proven = (0..50).filter(|_| sorter.proof(&tickets, &copied).is_some()).count();
+        assert!((1..10).contains(&proven), "a copy that is shown again and again: {proven}");
+
+        let head =
+            |cookie: &str| format!("POST /stop HTTP/1.1\r\nCookie: a=b; __Host-rrp={cookie}\r\n\r\n").into_bytes();
+        let shown =
+            |head: &[u8]| sorter.cookie(head).map(|shown| matches!(shown, Some(Shown::Cookie(of)) if of == pass));
+        assert_eq!(shown(&head(&cookie)), Some(true));
+        for cut in [0, 10, head(&cookie).len() - 1] {
+            assert_eq!(shown(&head(&cookie)[..cut]), None, "more may come");
+        }
+        let long = [&b"POST /stop HTTP/1.1\r\na: "[..], &[b'a'; 9_000]].concat();
+        for other in [head("guess"), b"\x16\x03\x01 what is this".to_vec(), long] {
+            assert_eq!(shown(&other), Some(false));
+        }
+        invitations.revoke(&invitation).unwrap();
+        assert_eq!((proof(of_device), proof(of_connection), shown(&head(&cookie))), (None, None, Some(false)));
     }
 }

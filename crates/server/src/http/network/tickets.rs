@@ -17,13 +17,13 @@ use uuid::Uuid;
 
 /// The file of the keys.
 const FILE: &str = "rrp.tickets.json";
-/// How old a key is when a start of the server makes another one, in milliseconds. What it sealed is opened until the next.
+/// A start of the server makes another key when the last one is so old, in milliseconds. What it sealed is opened until the next.
 const ANEW_MS: u64 = 30 * 24 * 60 * 60 * 1_000;
 /// Keys that open: the one that seals, and the one before.
 const KEYS_MAX: usize = 2;
 const KEY_BYTES: usize = 32;
 const TAG_BYTES: usize = 16;
-/// How often one ticket chooses where somebody is heard. Browsers show each once; who listens on the way could show it
+/// So often one ticket chooses where somebody is heard. Browsers show each once; who listens on the way could show it
 /// again and again.
 const USES_MAX: u8 = 4;
 /// Tickets of which it is remembered how often they were shown; the one that was shown first is forgotten.
@@ -31,7 +31,7 @@ const USED_MAX: usize = 4_096;
 /// What is sealed with a ticket besides, so that nothing else is taken for one.
 const KIND: &[u8] = b"rrp ticket 1";
 
-/// Whose a ticket is.
+/// The holder of a ticket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Holder {
     /// Of a device that showed the cookie of this digest.
@@ -92,7 +92,7 @@ impl Tickets {
         Some(ticket)
     }
 
-    /// Whose a ticket is, and what the library put into it; none if it was not made here.
+    /// Opens a ticket: its holder, and what the library put into it; none if it was not made here.
     pub(super) fn open(&self, ticket: &[u8]) -> Option<(Holder, Vec<u8>)> {
         let (nonce, sealed) = ticket.split_first_chunk()?;
         self.keys.iter().find_map(|key| {
