@@ -72,8 +72,7 @@ impl Guesses {
 #[cfg(test)]
 mod tests {
     use super::{AGAIN_MS, Guesses, PLACES_MAX, Source, TRIES_MAX};
-    use std::hash::{DefaultHasher, Hash, Hasher};
-use std::net::{IpAddr, Ipv4Addr};
+    use std::net::{IpAddr, Ipv4Addr};
 
     #[test]
     fn a_place_tries_a_few_at_once_and_then_one_now_and_then() {

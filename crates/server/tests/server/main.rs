@@ -18,4 +18,5 @@ mod proxied;
 mod renaming;
 mod roles;
 mod runs;
+mod shares;
 mod slow;
