@@ -69,11 +69,9 @@ fn App() -> impl IntoView {
     provide_context(later);
     provide_context(desk);
     let phone = is_phone();
-    move || {
-        match ended.get() {
-            Some(end) => view! { <panels::Ended end /> }.into_any(),
-            None => view! { <Page phone=phone.clone() /> }.into_any(),
-        }
+    move || match ended.get() {
+        Some(end) => view! { <panels::Ended end /> }.into_any(),
+        None => view! { <Page phone=phone.clone() /> }.into_any(),
     }
 }
 

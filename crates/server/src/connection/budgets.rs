@@ -159,7 +159,11 @@ mod tests {
         assert!(budgets.of(&guest("b", "aiko")).may_ask(), "somebody else has their own");
         let many = (0..100).map(|cookie| taken(&budgets, &guest("c", &cookie.to_string()), super::Budget::may_ask));
         assert!(many.sum::<usize>() < 2 * ASKING_OF_ALL.at_once as usize, "cookies of one link share what it has");
-        assert_eq!(taken(&budgets, &Identity::Host, super::Budget::may_ask), 1_000, "each link of the host has its own");
+        assert_eq!(
+            taken(&budgets, &Identity::Host, super::Budget::may_ask),
+            1_000,
+            "each link of the host has its own"
+        );
     }
 
     #[test]
@@ -173,7 +177,10 @@ mod tests {
         assert!(held.iter().map(Vec::len).sum::<usize>() * 201 <= GROUP_MAX_KIB);
         let more: Vec<_> = (0..100).map(|invitation| large(&guest(&format!("i{invitation}"), "x"))).collect();
         assert!(!more[0].is_empty() && more[99].is_empty());
-        assert!(large(&Identity::Host).len() > OWN_MAX_KIB / 201, "what guests cannot have is left for the links of the host");
+        assert!(
+            large(&Identity::Host).len() > OWN_MAX_KIB / 201,
+            "what guests cannot have is left for the links of the host"
+        );
         drop((held, more));
         assert_eq!(large(&guest("i99", "x")).len(), OWN_MAX_KIB / 201);
     }

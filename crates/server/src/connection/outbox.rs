@@ -176,11 +176,7 @@ impl Drop for Writing {
 
 impl Outbox {
     /// A way, its other end, and what waits between them.
-    pub(crate) fn new(
-        session: u64,
-        person: Arc<Identity>,
-        all: &AllWaiting,
-    ) -> (Self, mpsc::Receiver<Out>, Waiting) {
+    pub(crate) fn new(session: u64, person: Arc<Identity>, all: &AllWaiting) -> (Self, mpsc::Receiver<Out>, Waiting) {
         let (queue, inbox) = mpsc::channel(QUEUE_MAX_MESSAGES);
         let waiting = Waiting::of(all.together(&person));
         (Self { session, person, close: CloseSignal::new(), queue, waiting: waiting.clone() }, inbox, waiting)
@@ -249,7 +245,10 @@ impl Recipient for Outbox {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALL_MAX_BYTES, AllWaiting, GROUP_MAX_BYTES, GROUP_SPARED_BYTES, Out, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES, WHOLES_MAX};
+    use super::{
+        ALL_MAX_BYTES, AllWaiting, GROUP_MAX_BYTES, GROUP_SPARED_BYTES, Out, Outbox, QUEUE_MAX_BYTES, SHARE_BYTES,
+        WHOLES_MAX,
+    };
     use crate::connection::close_signal::CloseReason;
     use crate::rooms::member::Whole;
     use crate::rooms::shown::AllShown;
@@ -285,7 +284,8 @@ mod tests {
 
     /// An opened behaviour without records.
     fn opened() -> Out {
-        let shown = AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new(), &Group::Host);
+        let shown =
+            AllShown::default().show(&Arc::new(Room::open(Behaviour::default(), 0)), &Weak::new(), &Group::Host);
         Out::Whole(1, Box::new(Whole { reply: Reply::Done, shown }))
     }
 

@@ -5,18 +5,18 @@ mod inviting;
 mod past;
 mod requests;
 
-use super::hear::{Heard, hear, read};
 use super::budgets::{Budget, Weight};
+use super::hear::{Heard, hear, read};
 use super::inbox::{Asked, Inbox, inbox};
-use crate::connection::{Connections, Seat};
 use crate::connection::clients::{Entered, tidy_name};
 use crate::connection::close_signal::CloseReason;
 use crate::connection::outbox::Outbox;
+use crate::connection::{Connections, Seat};
 use crate::invitations::{Entry, Here};
 use crate::rooms::member::Member;
 use crate::rooms::{Entering, Note, Parting};
-use crate::support::tasks::boxed;
 use crate::support::identity::Sender;
+use crate::support::tasks::boxed;
 use axum::extract::ws::{Utf8Bytes, WebSocket};
 use futures_util::StreamExt;
 use futures_util::stream::SplitStream;
@@ -37,13 +37,7 @@ const LINGER_MS: u64 = super::writer::CLOSE_MS + 500;
 pub(crate) async fn run(connections: Arc<Connections>, socket: WebSocket, entry: Entry, seat: Seat) {
     let (sink, mut stream) = socket.split();
     let (outbox, told, waiting) = Outbox::new(connections.number(), Arc::clone(&seat.person), &connections.waiting);
-    let writes = super::writer::write(
-        Arc::clone(&connections),
-        outbox.clone(),
-        sink,
-        told,
-        (waiting, entry.role()),
-    );
+    let writes = super::writer::write(Arc::clone(&connections), outbox.clone(), sink, told, (waiting, entry.role()));
     let writing = connections.state.tasks.spawn_on(boxed(writes), &Handle::current());
     let greeted = tokio::select! {
         () = connections.state.tasks.stopping.cancelled() => Err(CloseReason::Restart),
@@ -120,7 +114,8 @@ async fn serve(
         Note::Join(Member { person: me.clone(), link: Arc::new(outbox.clone()) }, ask, Some(Entering { secret, role })),
     );
     let (asking, asked) = inbox();
-    let session = Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), (entry.clone(), Arc::clone(&seat.budget)));
+    let session =
+        Session::new(Arc::clone(&connections), outbox.clone(), me.clone(), (entry.clone(), Arc::clone(&seat.budget)));
     let working = connections.state.tasks.spawn(session.work(asked));
     let (by, budget) = (me.name.clone(), &*seat.budget);
     let mut reader = Reader { connections: &connections, outbox: &outbox, by, budget, asking };

@@ -31,7 +31,9 @@ pub(crate) async fn download(state: &ServerState, sender: Sender, file: &str) ->
         file.id = Some(id.to_string());
         write(&file, &format)
     });
-    written.await.unwrap_or_else(|why| (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::from(why))).into_response())
+    written
+        .await
+        .unwrap_or_else(|why| (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::from(why))).into_response())
 }
 
 /// A behaviour as a file of this format.

@@ -69,7 +69,9 @@ impl Reserve {
     /// The book on the disk has these: slots that are not needed any more are free again.
     pub(super) fn kept(&mut self, is_kept: impl Fn(&Id) -> bool) {
         self.unwritten.retain(|invitation| !is_kept(invitation));
-        if !self.noted.is_empty() && self.noted.iter().all(&is_kept) && self.write_over(0, &blank(self.noted.len())).is_ok()
+        if !self.noted.is_empty()
+            && self.noted.iter().all(&is_kept)
+            && self.write_over(0, &blank(self.noted.len())).is_ok()
         {
             self.noted.clear();
         }

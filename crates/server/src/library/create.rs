@@ -5,8 +5,8 @@ use super::exercises::exercise;
 use super::import::{TRIES, is_overtaken, judge, shelve};
 use super::list::free_name;
 use super::templates::{Template, templates};
-use crate::support::store_call::{bounded, reason, store_no};
 use crate::support::identity::Sender;
+use crate::support::store_call::{bounded, reason, store_no};
 use behaviour::{
     Accepted, Behaviour, Change, Committed, Id, Kind, Record, RecordId, Refusal, Settings, has_unseen, without_unseen,
 };

@@ -5,8 +5,8 @@ use super::Library;
 use super::create::{append, check_name};
 use super::list::free_name;
 use crate::rooms::knowledge::{Knowing, Unchecked};
-use crate::support::store_call::{bounded, store_no};
 use crate::support::identity::Sender;
+use crate::support::store_call::{bounded, store_no};
 use axum::body::Bytes;
 use behaviour::{
     Behaviour, BehaviourFile, Change, Committed, Id, Knowledge, NAME_MAX_CHARS, Params, Refusal, Room, StreamKind,

@@ -5,8 +5,8 @@
 
 use super::Library;
 use crate::rooms::Note;
-use crate::support::store_call::{bounded, store_no};
 use crate::support::identity::Sender;
+use crate::support::store_call::{bounded, store_no};
 use behaviour::{
     Behaviour, Change, Helper, Id, Kind, NAME_MAX_CHARS, Procedure, Record, RecordId, Refusal, rename_helpers,
 };

@@ -1,8 +1,8 @@
 //! What people want of the past of a behaviour: to read it, to take things back, to give versions names.
 
+use crate::support::lookups::Turn;
 use behaviour::{Behaviour, Id, Token};
 use protocol::Person;
-use crate::support::lookups::Turn;
 
 /// What somebody wants of the past of a behaviour.
 pub(crate) enum Past {

@@ -104,11 +104,14 @@ mod tests {
     #[tokio::test]
     async fn whoever_asks_much_waits_behind_themselves() {
         for (lookups, most) in [(Lookups::default(), LOOKUPS.1.group), (Lookups::of_replays(), 1)] {
-            let mut many: Vec<_> =
-                (0..100).map(|cookie| Box::pin({
-                    let (lookups, sender) = (lookups.clone(), guest("many", &cookie.to_string()).asks(1));
-                    async move { lookups.turn(&sender).await }
-                })).collect();
+            let mut many: Vec<_> = (0..100)
+                .map(|cookie| {
+                    Box::pin({
+                        let (lookups, sender) = (lookups.clone(), guest("many", &cookie.to_string()).asks(1));
+                        async move { lookups.turn(&sender).await }
+                    })
+                })
+                .collect();
             let begun: Vec<_> = many.iter_mut().filter_map(|one| one.as_mut().now_or_never()).flatten().collect();
             assert_eq!(begun.len(), most);
             let other = lookups.turn(&guest("other", "one").asks(1)).now_or_never().flatten();

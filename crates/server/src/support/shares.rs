@@ -43,7 +43,7 @@ struct Held {
 /// A place that somebody gets.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Taken {
-    /// Its number.
+    /// The number of the place.
     pub(crate) number: u64,
     /// The one that gave way for it.
     pub(crate) instead_of: Option<u64>,
@@ -226,7 +226,10 @@ mod tests {
     fn ones_own_oldest_gives_way() {
         let (mut shares, ben) = (Shares::within(LIMITS), guest("a", "ben"));
         let taken: Vec<Taken> = (0..6).filter_map(|_| shares.take(&ben, 0)).collect();
-        assert_eq!(taken.iter().map(|taken| taken.instead_of).collect::<Vec<_>>(), [None, None, None, None, Some(1), Some(2)]);
+        assert_eq!(
+            taken.iter().map(|taken| taken.instead_of).collect::<Vec<_>>(),
+            [None, None, None, None, Some(1), Some(2)]
+        );
         shares.moved(3, 0);
         assert_eq!(shares.take(&ben, 0).and_then(|taken| taken.instead_of), Some(4), "of the third something came");
     }
@@ -283,7 +286,8 @@ mod tests {
             let before = ours(&shares);
             if shares.take(&by, 0).is_none() {
                 let guests = (1..8).map(|group| guest(&group.to_string(), "").group());
-                let most = guests.map(|group| shares.held.values().filter(|held| held.by.group() == group).count()).max();
+                let most =
+                    guests.map(|group| shares.held.values().filter(|held| held.by.group() == group).count()).max();
                 assert!(most <= Some(before + 1) && (by != Identity::Host || before >= LIMITS.reserved));
             }
             if random(4) == 0 {

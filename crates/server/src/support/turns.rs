@@ -15,7 +15,7 @@ pub(crate) struct Bounds {
     pub(crate) sender: usize,
     /// Waiting of one sender.
     pub(crate) sender_waiting: usize,
-    /// Waiting of one group other than the host's.
+    /// Waiting of all who came by one invitation.
     pub(crate) group_waiting: usize,
     /// Waiting of all together.
     pub(crate) waiting: usize,
@@ -90,7 +90,8 @@ impl<T> Turns<T> {
         let members = self.groups.get(group);
         let mine = members.and_then(|members| members.senders.get(sender)).map_or(0, |share| share.waiting.len());
         let ours = members.map_or(0, |members| members.waiting);
-        let is_few = matches!(group, Group::Host | Group::Server) || ours < group_waiting;
+        // Each open behaviour is one sender, of which there are so many at most.
+        let is_few = matches!(group, Group::Host | Group::Server | Group::Rooms) || ours < group_waiting;
         self.waiting < waiting && mine < sender_waiting && is_few
     }
 
@@ -135,7 +136,8 @@ impl<T> Members<T> {
 
     /// The next of somebody of whom less than this is under way.
     fn take(&mut self, most: usize) -> Option<(Sender, T)> {
-        let at = self.next.iter().position(|sender| self.senders.get(sender).is_some_and(|one| one.under_way < most))?;
+        let at =
+            self.next.iter().position(|sender| self.senders.get(sender).is_some_and(|one| one.under_way < most))?;
         let sender = self.next.remove(at)?;
         let share = self.senders.get_mut(&sender)?;
         let one = share.waiting.pop_front()?;
@@ -161,11 +163,10 @@ impl<T> Members<T> {
 #[cfg(test)]
 mod tests {
     use super::{Bounds, Turns};
-    use crate::support::identity::{Identity, Sender};
     use crate::support::identity::tests::guest;
+    use crate::support::identity::{Identity, Sender};
 
-    const BOUNDS: Bounds =
-        Bounds { host: 2, group: 1, sender: 1, sender_waiting: 4, group_waiting: 10, waiting: 20 };
+    const BOUNDS: Bounds = Bounds { host: 2, group: 1, sender: 1, sender_waiting: 4, group_waiting: 10, waiting: 20 };
 
     fn asks(invitation: &str, cookie: &str) -> Sender {
         guest(invitation, cookie).asks(7)

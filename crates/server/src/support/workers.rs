@@ -215,7 +215,13 @@ mod tests {
             .map(|cookie| {
                 let (workers, sender) = (workers.clone(), guest("many", &cookie.to_string()).asks(1));
                 tokio::spawn(async move {
-                    workers.run(sender, |cancel| while !cancel.is_cancelled() { std::thread::yield_now() }).await
+                    workers
+                        .run(sender, |cancel| {
+                            while !cancel.is_cancelled() {
+                                std::thread::yield_now()
+                            }
+                        })
+                        .await
                 })
             })
             .collect();

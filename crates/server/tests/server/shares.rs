@@ -58,7 +58,7 @@ async fn who_opens_pages_again_and_again_locks_out_neither_host_nor_colleague() 
 /// What bounds what a viewer may ask, besides what everything passes: eight links, and the requests that a person and those
 /// of one invitation have in a time (`connection/budgets.rs`).
 const BOUNDS: [(&str, &str); 23] = [
-    ("hello", "answered at once; the greeting is one of the four half open places of a person"),
+    ("hello", "answered at once; the greeting has one of the eight half open places of a person"),
     ("list", "eight under way of a person; two lookups at once of an invitation"),
     ("pictures", "as a list; so many of one request; drawn by the workers, one at a time of an invitation"),
     ("whereUsed", "as a list; the longest that is told"),

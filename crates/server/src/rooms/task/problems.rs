@@ -2,8 +2,8 @@
 //! messages, and told when they differ.
 
 use super::RoomTask;
-use crate::support::message::encode;
 use crate::support::identity::Sender;
+use crate::support::message::encode;
 use crate::support::workers::NotDone;
 use behaviour::{BehaviourFile, Problem};
 use futures_util::future::BoxFuture;

@@ -1,8 +1,8 @@
 //! Reading the log of a behaviour backwards and forwards, a few changes at a time, and what follows from it.
 
 use crate::rooms::Surroundings;
-use crate::support::store_call::{bounded, store_no};
 use crate::support::identity::Sender;
+use crate::support::store_call::{bounded, store_no};
 use behaviour::{Behaviour, Committed, Id, Room};
 use protocol::Refused;
 use std::collections::VecDeque;

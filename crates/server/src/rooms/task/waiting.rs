@@ -69,7 +69,8 @@ impl Waiting {
     pub(super) fn has_room(&self, sender: &Sender) -> bool {
         let mine = self.of.get(sender).map_or(0, VecDeque::len);
         let group = sender.group();
-        let ours = || self.of.iter().filter(|(other, _)| other.group() == group).map(|(_, jobs)| jobs.len()).sum::<usize>();
+        let ours =
+            || self.of.iter().filter(|(other, _)| other.group() == group).map(|(_, jobs)| jobs.len()).sum::<usize>();
         let is_few = matches!(group, Group::Host | Group::Server) || ours() < WAITING_PER_GROUP_MAX_JOBS;
         self.count < WAITING_MAX_JOBS && mine < WAITING_PER_SENDER_MAX_JOBS && is_few
     }
