@@ -22,7 +22,7 @@ pub(crate) use document::{
 };
 pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, ProgramPage, Settle, file_address, first_file};
-pub(crate) use tab::{Choice, Dialog, LinkState, settled};
+pub(crate) use tab::{Choice, Dialog, LinkEnd, LinkState, settled};
 
 use document::{Document, DocumentEvent};
 use leptos::prelude::*;
@@ -128,9 +128,9 @@ impl Desk {
         self.document.link_lost();
     }
 
-    /// The invitation ended by which this person came.
-    pub(crate) fn end(&self) {
-        self.revoked.set(true);
+    /// There will be no link again.
+    pub(crate) fn end(&self, end: LinkEnd) {
+        self.ended.set(Some(end));
     }
 
     /// Nothing was heard for so long; 0 with every word.

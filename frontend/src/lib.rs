@@ -64,18 +64,15 @@ fn App() -> impl IntoView {
     commands::keys(&desk);
     title(&desk);
     paper(&desk);
-    let over = desk.revoked.clone();
+    let ended = desk.ended.clone();
     let later = later::SecondPiece::new();
     later.serve(&desk);
     provide_context(later);
     provide_context(desk);
     let phone = is_phone();
-    move || {
-        if over.get() {
-            view! { <panels::Revoked /> }.into_any()
-        } else {
-            view! { <Page phone=phone.clone() /> }.into_any()
-        }
+    move || match ended.get() {
+        Some(end) => view! { <panels::Ended end /> }.into_any(),
+        None => view! { <Page phone=phone.clone() /> }.into_any(),
     }
 }
 

@@ -3,7 +3,7 @@
 mod socket;
 
 use crate::browser;
-use crate::desk::Desk;
+use crate::desk::{Desk, LinkEnd};
 use protocol::{Ask, Assembly, Message, Refused, Reply, Request};
 use socket::Socket;
 use std::cell::RefCell;
@@ -42,7 +42,7 @@ struct Link {
     tries: i32,
     asked: u32,
     answers: BTreeMap<u32, Answer>,
-    /// The invitation ended: there will be no link again.
+    /// There will be no link again: the invitation ended, or another page has the place of this one.
     is_over: bool,
     /// What comes in parts.
     assembly: Assembly,
@@ -188,11 +188,15 @@ fn hear(generation: u32, text: &str) {
 
 /// The server closed the socket, or it broke.
 fn closed(generation: u32, code: u16) {
-    if code == protocol::CLOSE_REVOKED
-        && let Some(desk) = with(|link| link.desk.clone().filter(|_| link.generation == generation))
-    {
+    let end = match code {
+        protocol::CLOSE_REVOKED => Some(LinkEnd::Revoked),
+        // Coming back by itself, it would take the place back, again and again.
+        protocol::CLOSE_GAVE_WAY => Some(LinkEnd::GaveWay),
+        _ => None,
+    };
+    if let (Some(end), Some(desk)) = (end, with(|link| link.desk.clone().filter(|_| link.generation == generation))) {
         with(|link| link.is_over = true);
-        desk.end();
+        desk.end(end);
     }
     lose(generation);
 }

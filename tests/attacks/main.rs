@@ -6,9 +6,11 @@
 
 mod connections;
 mod downloads;
+mod full_disk;
 mod log;
 mod messages;
 mod robots;
+mod shares;
 mod stops;
 mod target;
 

@@ -46,6 +46,11 @@ impl Target {
         Ok(most)
     }
 
+    /// How many threads the server has.
+    pub(crate) fn threads(&self) -> Outcome<u64> {
+        self.status("Threads:")
+    }
+
     fn status(&self, name: &str) -> Outcome<u64> {
         let status = std::fs::read_to_string(self.process.join("status"))?;
         let line = status.lines().find_map(|line| line.strip_prefix(name)).ok_or("The process does not tell.")?;

@@ -1,6 +1,7 @@
 // A disk that is full while the file named by RRP_FULL exists: whoever is started with this library before all others
 // (LD_PRELOAD) cannot write to any other file of that folder then. Standard streams and sockets go on. If that file has a
-// number in it, so many bytes of each file still find room: a disk that is full fills what it has before it says so.
+// number in it, so many bytes of each file still find room: a disk that is full fills what it has before it says so. What
+// stands in a file that ends with .reserve can be written over, as its blocks are there.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -29,6 +30,8 @@ static int full(int file, off64_t end) {
     size_t folder = strrchr(mark, '/') - mark + 1;
     if (length < 0) return 0;
     path[length] = 0;
+    struct stat about;
+    if (length > 8 && strcmp(path + length - 8, ".reserve") == 0 && fstat(file, &about) == 0 && end <= about.st_size) return 0;
     return strncmp(path, mark, folder) == 0;
 }
 

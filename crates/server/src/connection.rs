@@ -30,7 +30,7 @@ use topics::Topics;
 /// programs that the host runs speak for many, yet only what is kept for the host is sure.
 const SOCKETS: Limits = Limits { all: 512, guest: 8, host: 512, reserved: 64, still_ms: 0 };
 /// WebSockets among them that have not greeted yet.
-const HALF_OPEN: Limits = Limits { all: 128, guest: 4, host: 64, reserved: 64, still_ms: 0 };
+const HALF_OPEN: Limits = Limits { all: 128, guest: 8, host: 64, reserved: 64, still_ms: 0 };
 
 /// Everyone who is connected, and the server behind them.
 pub(crate) struct Connections {

@@ -22,6 +22,15 @@ pub(crate) enum LinkState {
     Offline,
 }
 
+/// Why there will be no link again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum LinkEnd {
+    /// The invitation ended by which this person came.
+    Revoked,
+    /// Another page of this person has the place of this one.
+    GaveWay,
+}
+
 /// Something of the graph to choose from a list, where the graph is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Choice {
@@ -123,8 +132,8 @@ pub(crate) struct Fields {
     pub(crate) role: ArcRwSignal<Option<Role>>,
     /// The invitations, newest first; only who may invite hears of them.
     pub(crate) invitations: ArcRwSignal<Vec<Invitation>>,
-    /// Whether the invitation ended by which this person came.
-    pub(crate) revoked: ArcRwSignal<bool>,
+    /// Why there will be no link again, once that is so.
+    pub(crate) ended: ArcRwSignal<Option<LinkEnd>>,
     /// Whether this person has not said yet what the others shall see as their name.
     pub(crate) name_wanted: ArcRwSignal<bool>,
     pub(crate) dialog: ArcRwSignal<Option<Dialog>>,

@@ -177,7 +177,10 @@ mod tests {
         assert!(held.iter().map(Vec::len).sum::<usize>() * 201 <= GROUP_MAX_KIB);
         let more: Vec<_> = (0..100).map(|invitation| large(&guest(&format!("i{invitation}"), "x"))).collect();
         assert!(!more[0].is_empty() && more[99].is_empty());
-        assert_eq!(large(&Identity::Host).len(), OWN_MAX_KIB / 201, "what guests cannot have is left for the host");
+        assert!(
+            large(&Identity::Host).len() > OWN_MAX_KIB / 201,
+            "what guests cannot have is left for the links of the host"
+        );
         drop((held, more));
         assert_eq!(large(&guest("i99", "x")).len(), OWN_MAX_KIB / 201);
     }

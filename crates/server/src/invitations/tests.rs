@@ -50,17 +50,81 @@ fn only_its_user_reads_the_file() {
     assert_eq!(mode & 0o777, 0o600);
 }
 
+/// Puts a folder where a file is to be written, which then cannot be: what is there already can be written over.
+fn fill(folder: &Path, file: &str) -> std::path::PathBuf {
+    let path = folder.join(file);
+    drop(std::fs::remove_file(&path));
+    std::fs::create_dir(&path).unwrap();
+    path
+}
+
 #[test]
-fn a_disk_that_keeps_nothing_lets_nobody_in_and_still_throws_out() {
+fn a_disk_that_takes_nothing_new_lets_nobody_in_and_a_restart_lets_in_nobody_who_was_thrown_out() {
     let folder = tempfile::tempdir().unwrap();
     let all = opened(Some(folder.path()));
     let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
     let cookie = all.come_in(&token, here()).unwrap();
-    // What should be written first cannot be, as a folder is in its place.
-    std::fs::create_dir(folder.path().join("rrp.invitations.new")).unwrap();
+    let full = fill(folder.path(), "rrp.invitations.new");
     assert!(matches!(all.come_in(&token, here()), Err(NotIn::NotKept(_))));
+    assert_eq!(all.revoke(&invited.invitation.id), Ok(()), "in the space that is kept for that");
+    assert!(all.guest(&cookie).is_none() && !all.list()[0].unwritten);
+    all.write_due();
+    let again = opened(Some(folder.path()));
+    assert!(again.guest(&cookie).is_none() && again.list()[0].revoked);
+    assert_eq!(again.come_in(&token, here()), Err(NotIn::Unknown));
+    std::fs::remove_dir(full).unwrap();
+    again.write_due();
+    std::fs::remove_file(folder.path().join("rrp.revoked.reserve")).unwrap();
+    assert!(opened(Some(folder.path())).guest(&cookie).is_none(), "the book has it now");
+}
+
+#[test]
+fn what_stands_nowhere_is_told_and_tried_again_until_it_is_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let all = opened(Some(folder.path()));
+    let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
+    let cookie = all.come_in(&token, here()).unwrap();
+    let full = ["rrp.invitations.new", "rrp.revoked.reserve"].map(|file| fill(folder.path(), file));
     assert!(matches!(all.revoke(&invited.invitation.id), Err(Refused::InvitationsNotKept(_))));
-    assert!(all.guest(&cookie).is_none());
+    assert!(all.guest(&cookie).is_none() && all.list()[0].unwritten);
+    all.write_due();
+    assert!(all.list()[0].unwritten && *all.due.borrow(), "it goes on being tried");
+    full.iter().for_each(|path| std::fs::remove_dir(path).unwrap());
+    all.write_due();
+    assert!(!all.list()[0].unwritten && !*all.due.borrow());
+    assert!(opened(Some(folder.path())).guest(&cookie).is_none());
+}
+
+#[test]
+fn revoking_waits_for_nobody_who_writes_and_is_not_lost_by_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let all = opened(Some(folder.path()));
+    let (invited, token) = invite(&all, Role::Editor, Lasts::UntilRevoked);
+    let cookie = all.come_in(&token, here()).unwrap();
+    // As if somebody wrote the book on a disk that takes very long.
+    let written = all.change(|_| Ok(all.revoke(&invited.invitation.id)));
+    assert_eq!(written, Ok(Ok(())));
+    assert!(all.guest(&cookie).is_none() && all.list()[0].revoked, "what was being written says less");
+    assert!(opened(Some(folder.path())).guest(&cookie).is_none(), "nor is it lost on the disk");
+}
+
+#[test]
+fn a_name_is_known_at_once_and_written_later_with_others() {
+    let folder = tempfile::tempdir().unwrap();
+    let all = opened(Some(folder.path()));
+    let (_, token) = invite(&all, Role::Viewer, Lasts::UntilRevoked);
+    let guests = [(); 2].map(|()| all.guest(&all.come_in(&token, here()).unwrap()).unwrap());
+    let kept = || std::fs::read_to_string(folder.path().join("rrp.invitations.json")).unwrap();
+    let before = kept();
+    let _here = all.arrive(&guests[0], "Ben");
+    for turn in 0..1_000 {
+        all.call(&guests[1], &format!("Chie {turn}"));
+    }
+    let names = |all: &Invitations| all.list()[0].came.iter().map(|came| came.name.clone()).collect::<Vec<_>>();
+    assert_eq!((names(&all), kept()), (vec!["Chie 999".to_owned(), "Ben".to_owned()], before));
+    all.write_due();
+    assert_eq!(names(&opened(Some(folder.path()))), ["Chie 999", "Ben"]);
+    assert!(all.names.lock().unwrap().is_empty() && names(&all) == ["Chie 999", "Ben"]);
 }
 
 #[test]

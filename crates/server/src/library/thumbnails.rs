@@ -9,7 +9,7 @@ use futures_util::StreamExt;
 use protocol::{PICTURES_MAX, Picture, PictureOf, PictureStream, Refused, Reply};
 use std::collections::{HashMap, VecDeque};
 use std::sync::{Arc, Mutex};
-use store::Store;
+use store::{Loaded, Store};
 
 /// Pictures that are kept.
 const KEPT_MAX: usize = 1_000;
@@ -60,24 +60,43 @@ pub(crate) struct Drawing<'a> {
     pub(crate) sender: Sender,
 }
 
-/// The pictures of these behaviours, as far as they are there.
+/// The pictures of these behaviours, as far as they are there: some are read at once, and drawn one after the other.
 pub(crate) async fn pictures(drawing: Drawing<'_>, of: Vec<PictureOf>) -> Result<Reply, Refused> {
-    let wanted = of.into_iter().take(PICTURES_MAX).map(|of| one(&drawing, of));
-    let drawn = futures_util::stream::iter(wanted).buffered(AT_ONCE).collect::<Vec<_>>().await;
-    let pictures = drawn.into_iter().flatten().map(|(id, picture)| (id, (*picture).clone())).collect();
+    let wanted = of.into_iter().take(PICTURES_MAX).map(|of| find(&drawing, of));
+    let mut found = std::pin::pin!(futures_util::stream::iter(wanted).buffered(AT_ONCE));
+    let mut pictures = Vec::new();
+    while let Some(one) = found.next().await {
+        let Some((id, found)) = one else { continue };
+        let picture = match found {
+            Found::Made(picture) => picture,
+            Found::Read(loaded) => draw(&drawing, &id, *loaded).await?,
+        };
+        pictures.push((id, (*picture).clone()));
+    }
     Ok(Reply::Pictures { pictures })
 }
 
-async fn one(drawing: &Drawing<'_>, of: PictureOf) -> Option<(Id, Arc<Picture>)> {
-    let Drawing { store, made, workers, sender } = drawing;
-    if let Some(picture) = made.get(&of) {
-        return Some((of.behaviour, picture));
+/// What there is of a behaviour to show.
+enum Found {
+    /// A picture that was made lately.
+    Made(Arc<Picture>),
+    /// The behaviour, to be drawn.
+    Read(Box<Loaded>),
+}
+
+async fn find(drawing: &Drawing<'_>, of: PictureOf) -> Option<(Id, Found)> {
+    if let Some(picture) = drawing.made.get(&of) {
+        return Some((of.behaviour, Found::Made(picture)));
     }
-    let loaded = bounded(store.load(&of.behaviour)).await.ok()??;
-    let (revision, behaviour) = (loaded.revision, loaded.behaviour);
-    let picture = workers.run(sender.clone(), move |_| Arc::new(picture_of(&behaviour))).await.ok()?;
-    made.keep(of.behaviour.clone(), revision, &picture);
-    Some((of.behaviour, picture))
+    let loaded = bounded(drawing.store.load(&of.behaviour)).await.ok()??;
+    Some((of.behaviour, Found::Read(Box::new(loaded))))
+}
+
+async fn draw(drawing: &Drawing<'_>, id: &Id, loaded: Loaded) -> Result<Arc<Picture>, Refused> {
+    let Loaded { revision, behaviour, .. } = loaded;
+    let picture = drawing.workers.run(drawing.sender.clone(), move |_| Arc::new(picture_of(&behaviour))).await?;
+    drawing.made.keep(id.clone(), revision, &picture);
+    Ok(picture)
 }
 
 /// What a graph looks like: streams where people placed them, the others in rows by their way from the senses.

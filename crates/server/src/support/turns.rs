@@ -15,7 +15,7 @@ pub(crate) struct Bounds {
     pub(crate) sender: usize,
     /// Waiting of one sender.
     pub(crate) sender_waiting: usize,
-    /// Waiting of one group other than the host's.
+    /// Waiting of all who came by one invitation.
     pub(crate) group_waiting: usize,
     /// Waiting of all together.
     pub(crate) waiting: usize,
@@ -90,7 +90,8 @@ impl<T> Turns<T> {
         let members = self.groups.get(group);
         let mine = members.and_then(|members| members.senders.get(sender)).map_or(0, |share| share.waiting.len());
         let ours = members.map_or(0, |members| members.waiting);
-        let is_few = matches!(group, Group::Host | Group::Server) || ours < group_waiting;
+        // Each open behaviour is one sender, of which there are so many at most.
+        let is_few = matches!(group, Group::Host | Group::Server | Group::Rooms) || ours < group_waiting;
         self.waiting < waiting && mine < sender_waiting && is_few
     }
 

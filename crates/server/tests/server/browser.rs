@@ -75,6 +75,13 @@ impl Browser {
         tls.connect(ServerName::from(self.address.ip()), stream).await
     }
 
+    /// Sends a request as it is, and reads nothing.
+    pub(crate) async fn begin(&self, request: &str) -> TlsStream<TcpStream> {
+        let mut stream = self.connect().await.unwrap();
+        stream.write_all(request.as_bytes()).await.unwrap();
+        stream
+    }
+
     /// Sends a request as it is and answers with everything that came back.
     pub(crate) async fn raw(&self, request: &str) -> String {
         self.try_raw(request).await.unwrap()

@@ -20,5 +20,6 @@ mod proxied;
 mod renaming;
 mod roles;
 mod runs;
+mod shares;
 mod slow;
 mod two_servers;

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use std::collections::BTreeSet;
 
 /// An example of every request and the least that somebody must be for it.
-fn requests() -> Vec<(Value, Role)> {
+pub(crate) fn requests() -> Vec<(Value, Role)> {
     use Role::{Editor, Host, Operator, Viewer};
     let token = json!({"epoch": 1, "counter": 1});
     let change = json!({"op": "o1", "label": "x", "author": "x", "at_ms": 0, "edits": []});

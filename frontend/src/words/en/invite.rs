@@ -41,6 +41,10 @@ sentences! {
     leave_it: "Leave it";
     revoked_title: "Your invitation has ended";
     revoked_says: "You are no longer connected. What you saved stays. If you still want to take part, ask the person who invited you for a new link.";
+    gave_way_title: "Open in other pages";
+    gave_way_says: "Too many pages of yours are open: each person has eight at once. This one is no longer connected, and what you saved stays. Close some of the others, then go on here.";
+    go_on_here: "Go on here";
+    is_revoked_unwritten: "Revoked, but not written on the disk yet. Do not restart the server before that: free some space, and it is written by itself.";
 }
 
 /// What somebody may do, for who chooses it.

@@ -49,7 +49,11 @@ fn One(invitation: Invitation, asked: RwSignal<Option<behaviour::Id>>) -> impl I
 /// Whether it lets nobody in any more, in a word.
 fn ended(invitation: &Invitation) -> Option<&'static str> {
     let is_over = invitation.ends_ms.is_some_and(|ends_ms| (ends_ms as f64) <= browser::today_ms());
-    if invitation.revoked { Some(words::is_revoked()) } else { is_over.then(words::is_over) }
+    match invitation {
+        Invitation { unwritten: true, .. } => Some(words::is_revoked_unwritten()),
+        Invitation { revoked: true, .. } => Some(words::is_revoked()),
+        _ => is_over.then(words::is_over),
+    }
 }
 
 #[component]
