@@ -17,7 +17,9 @@ impl fmt::Display for Refusal {
             Self::Edits(0) => to.write_str("There was nothing to change."),
             Self::Edits(many) => write!(to, "{many} edits at once are too many. Do it in smaller steps."),
             Self::Malformed(what) => write!(to, "This change is damaged ({what}). Reload the page and try again."),
-            Self::Reused => to.write_str("Another change was made under this id before. Reload the page and try again."),
+            Self::Reused => {
+                to.write_str("Another change was made under this id before. Reload the page and try again.")
+            }
             Self::Name(name) if name.is_empty() => to.write_str("A name is missing. Type at least one letter."),
             Self::Name(name) => write!(to, "“{name}” cannot be a name. Use letters, digits and spaces."),
             Self::Unseen(name) => {

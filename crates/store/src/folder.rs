@@ -60,7 +60,9 @@ fn take(kept: &MemoryStore, behaviour: &Id, line: Line) -> Result<(), Strange> {
     match line {
         Line::Change(committed) => match kept.judge(behaviour, &committed)? {
             Append::Applied => kept.put(behaviour, &committed),
-            Append::Duplicate { .. } | Append::Reused { .. } | Append::Conflict { .. } => return Err(Strange::Order(committed.revision)),
+            Append::Duplicate { .. } | Append::Reused { .. } | Append::Conflict { .. } => {
+                return Err(Strange::Order(committed.revision));
+            }
         },
         Line::Removed { at_ms, by } => drop(kept.removed(behaviour, at_ms, &by)),
         Line::Restored => drop(kept.restored(behaviour)),

@@ -6,8 +6,8 @@ use crate::insight::{devices_of, sensors_of};
 use crate::query::name_key;
 use crate::usage::{in_order, usage, uses};
 use crate::{
-    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Source, Store, StoreError,
-    Used, json, search_text,
+    Append, Contested, Driver, LIBRARY, Listed, Listing, Loaded, Place, Query, Similar, Sort, Source, Store,
+    StoreError, Used, json, search_text,
 };
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id, StreamKind};

@@ -20,7 +20,9 @@ mod schema;
 mod tests;
 mod thesis;
 
-use crate::{Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, json};
+use crate::{
+    Append, Contested, Driver, LIBRARY, Listing, Loaded, Query, Similar, Source, Store, StoreError, Used, json,
+};
 use address::Address;
 use async_trait::async_trait;
 use behaviour::{Behaviour, Checkpoint, Committed, Id};

@@ -89,7 +89,8 @@ pub fn source_of(url: &str, again: &str) -> Source {
 #[must_use]
 pub fn shown_url(url: &str) -> String {
     if let Some(folder) = folder_of(url) {
-        let kind = url.split_once(':').filter(|(kind, _)| ["files", "sqlite"].contains(kind)).map_or("sqlite", |it| it.0);
+        let kind =
+            url.split_once(':').filter(|(kind, _)| ["files", "sqlite"].contains(kind)).map_or("sqlite", |it| it.0);
         let folder = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
         return format!("{kind}:{}", folder.display());
     }

@@ -97,8 +97,10 @@ async fn an_op_id_stands_for_one_change_for_ever_also_after_a_restart() {
     let bad = behaviour::Change { edits: vec![change.edits[0].clone(), change.edits[0].clone()], ..change.clone() };
     let other = behaviour::Change { op: change.op.clone(), ..other };
     let undo = crate::history::take_back(&play, change.op.as_str(), false);
-    let propose = |change: &behaviour::Change| {
-        Request::Propose { behaviour: play.clone(), change: change.clone(), tokens: Vec::new() }
+    let propose = |change: &behaviour::Change| Request::Propose {
+        behaviour: play.clone(),
+        change: change.clone(),
+        tokens: Vec::new(),
     };
     let first = aiko.ask(propose(&change)).await.unwrap();
     let reused = Err(Trouble::No(Refused::Change(Refusal::Reused)));

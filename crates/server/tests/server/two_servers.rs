@@ -1,6 +1,6 @@
 //! Two servers on one store: what one of them made is no reason to refuse what has nothing to do with it.
 
-use crate::house::{House, id, map, connector_id, plain, stream_id};
+use crate::house::{House, connector_id, id, map, plain, stream_id};
 use behaviour::{Kind, Note, Place, Record, RecordId, Refusal};
 use protocol::{Refused, Reply, Request};
 use shell::{Client, Trouble};
@@ -70,9 +70,9 @@ async fn write(client: Arc<Client>, name: &'static str) {
         let moved = Record::Place(Place { x: at as f64, y: 0.0 });
         let change = client.change("Note", &start, vec![(key, note(name)), (place, Some(moved))]);
         let (client, behaviour) = (Arc::clone(&client), play.clone());
-        asks.push(tokio::spawn(async move {
-            client.ask(Request::Propose { behaviour, change, tokens: Vec::new() }).await
-        }));
+        asks.push(tokio::spawn(
+            async move { client.ask(Request::Propose { behaviour, change, tokens: Vec::new() }).await },
+        ));
     }
     for ask in asks {
         let answer = ask.await.unwrap();

@@ -40,12 +40,20 @@ async fn a_change_sent_twice_is_saved_once(store: &dyn Store) {
         assert_eq!(append(store, "b", revision, first.clone()).await, Append::Duplicate { revision: 1 });
     }
     let again = Change { author: "Ben".to_owned(), ..change("op2", 6, vec![(key(Kind::Note, "n"), note("two"))]) };
-    assert_eq!(append(store, "b", 3, again.clone()).await, Append::Duplicate { revision: 2 }, "who and when is not asked");
+    assert_eq!(
+        append(store, "b", 3, again.clone()).await,
+        Append::Duplicate { revision: 2 },
+        "who and when is not asked"
+    );
     let other = change("op2", 6, vec![(RecordId::settings(), settings("Other"))]);
     let undo = Change { undoes: Some(id("op1")), ..again };
     for other in [other, undo, change("op2", 6, vec![])] {
         for revision in [0, 2, 3] {
-            assert_eq!(append(store, "b", revision, other.clone()).await, Append::Reused { revision: 2 }, "another change");
+            assert_eq!(
+                append(store, "b", revision, other.clone()).await,
+                Append::Reused { revision: 2 },
+                "another change"
+            );
         }
     }
     assert_eq!(store.load(&id("b")).await, before);

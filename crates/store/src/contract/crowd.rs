@@ -44,7 +44,9 @@ async fn append_some(store: Arc<dyn Store>, who: u64) {
             match append(store.as_ref(), "b", head + 1, made.clone()).await {
                 Append::Applied => break,
                 Append::Conflict { head: now } => assert!(now > head, "a conflict has a reason"),
-                Append::Reused { revision } | Append::Duplicate { revision } => panic!("{name} was never sent before, but saved as {revision}"),
+                Append::Reused { revision } | Append::Duplicate { revision } => {
+                    panic!("{name} was never sent before, but saved as {revision}")
+                }
             }
         }
     }
