@@ -5,6 +5,7 @@
 
 mod chaos;
 mod figures;
+mod filling;
 mod kills;
 mod neo4j;
 mod process;

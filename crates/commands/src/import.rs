@@ -1,8 +1,12 @@
 //! `rrp import`: files into a store, each as a new behaviour or as itself.
 
+mod batch;
+
 use crate::failure::Failure;
 use crate::link::Link;
-use crate::store_at::{self, StoreArgs, Way, run};
+use crate::patience;
+use crate::store_at::{self, Named, StoreArgs, Way, run};
+use batch::{Batch, Goes};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
 use server::{Knowing, free_name};
@@ -16,7 +20,8 @@ use store::{Append, LIBRARY, Store};
 /// Brings files into a store: the behaviours, and the helpers that its library does not have yet.
 ///
 /// A helper whose name means something else there comes under a free name, and the behaviour uses that. Nothing is
-/// ever started. Exit codes: 0 all are imported; 1 one could not be, those before it are; every reason is printed.
+/// ever started. Cut short, the same command goes on: what it brought is not brought twice. Exit codes: 0 all are imported;
+/// 1 one could not be, those before it are; every reason is printed.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   rrp import tracking.json greeting.xml
@@ -39,17 +44,38 @@ pub(crate) struct ImportArgs {
 /// Imports, and answers with the exit code.
 pub(crate) fn import(args: &ImportArgs) -> ExitCode {
     let done = run(async {
-        let way = args.at.way().await?;
-        for (file, bytes) in given(args).await? {
-            let brought = match &way {
-                Way::Store(store) => import_one(&**store, &file, &bytes, args.restore).await?.into(),
-                Way::Server(link) => through(link, &file, bytes, args.restore).await?,
-            };
-            tell(&file, &brought);
+        let (way, files) = (args.at.way().await?, given(args).await?);
+        match way {
+            Way::Store(store) => patience::told(&args.at.url()?, into_store(&*store, &files, args.restore)).await,
+            Way::Server(link) => through_server(&link, files, args.restore).await,
         }
-        Ok(())
     });
     crate::ended(done)
+}
+
+async fn into_store(store: &dyn Store, files: &[(PathBuf, Vec<u8>)], restore: bool) -> Result<(), Failure> {
+    let batch = Batch::in_store(store, files).await?;
+    for (at, (file, bytes)) in files.iter().enumerate() {
+        let goes = if restore { None } else { Some(batch.goes(store, at, bytes, now_ms()).await?) };
+        match goes {
+            Some(Goes::IsHere(id, name)) => tell_is_here(file, &name, &id),
+            Some(Goes::Under(id)) => tell(file, &import_one(store, file, bytes, Some(id)).await?.into()),
+            None => tell(file, &import_one(store, file, bytes, None).await?.into()),
+        }
+    }
+    Ok(())
+}
+
+async fn through_server(link: &Link, files: Vec<(PathBuf, Vec<u8>)>, restore: bool) -> Result<(), Failure> {
+    let listed = link.get("/api/behaviours").await?.text().await?;
+    let listed: Vec<Named> = serde_json::from_str(&listed).map_err(Failure::StrangeList)?;
+    let batch = Batch::among(&listed.into_iter().map(|named| named.id).collect(), &files);
+    for (at, (file, bytes)) in files.into_iter().enumerate() {
+        let id = (!restore).then(|| batch.id(at, 0));
+        let brought = through(link, &file, bytes, id).await?;
+        if brought.was_here { tell_is_here(&file, &brought.name, &brought.id) } else { tell(&file, &brought) }
+    }
+    Ok(())
 }
 
 /// What to import: its name and its bytes.
@@ -69,21 +95,24 @@ struct Brought {
     id: Id,
     name: String,
     renamed_helpers: Vec<(String, String)>,
+    /// Whether it was brought before.
+    #[serde(default)]
+    was_here: bool,
 }
 
 impl From<Import> for Brought {
     fn from(import: Import) -> Self {
-        Self { id: import.behaviour, name: import.name, renamed_helpers: import.renamed }
+        Self { id: import.behaviour, name: import.name, renamed_helpers: import.renamed, was_here: false }
     }
 }
 
-/// Imports a file through the server that has the store.
-async fn through(link: &Link, path: &Path, bytes: Vec<u8>, restore: bool) -> Result<Brought, Failure> {
+/// Imports a file through the server that has the store, as a copy of this id or as itself.
+async fn through(link: &Link, path: &Path, bytes: Vec<u8>, copy: Option<Id>) -> Result<Brought, Failure> {
     #[derive(serde::Deserialize)]
     struct No {
         error: String,
     }
-    let mode = if restore { "restore" } else { "copy" };
+    let mode = copy.map_or_else(|| "restore".to_owned(), |id| format!("copy&behaviour={id}"));
     if bytes.len() > FILE_MAX_BYTES {
         return Err(Failure::TooLarge(path.to_owned()));
     }
@@ -105,6 +134,10 @@ fn tell(file: &Path, brought: &Brought) {
     }
 }
 
+fn tell_is_here(file: &Path, name: &str, id: &Id) {
+    let _ = writeln!(std::io::stdout().lock(), "{}: “{name}” is here already, as {id}.", file.display());
+}
+
 /// The bytes of a file, or of standard input for `-`, one more than fit at most.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     let named = |error: std::io::Error| Failure::Unopened(path.to_owned(), error);
@@ -118,17 +151,19 @@ pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
     Ok(bytes)
 }
 
-async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], restore: bool) -> Result<Import, Failure> {
+/// Imports a file, as a copy of this id or as itself.
+async fn import_one(store: &dyn Store, path: &Path, bytes: &[u8], copy: Option<Id>) -> Result<Import, Failure> {
     let mut looked = store::files::look(bytes);
     let named = |faults: Vec<FileFault>| Failure::Faults(path.to_owned(), faults);
     let Some(mut file) = looked.file.take() else { return Err(named(looked.faults)) };
-    let mode = if restore { Mode::Restore } else { Mode::Copy };
-    if restore {
+    let mode = if copy.is_some() { Mode::Copy } else { Mode::Restore };
+    if mode == Mode::Restore {
         check_absent(store, &file).await?;
     }
     file.name = free_name(store, file.name.trim()).await?;
     let library = library(store).await?;
     let brought = judged(&file, mode, library.behaviour(), &looked).map_err(named)?;
+    let brought = Import { behaviour: copy.unwrap_or(brought.behaviour), ..brought };
     save_library(store, library, &brought).await?;
     save(store, &brought).await?;
     Ok(brought)

@@ -26,6 +26,8 @@ pub(super) struct How {
     /// What the host wants to be called as who imports it.
     #[serde(default)]
     pub(super) by: String,
+    /// The id that a copy gets; sent twice, there is one.
+    pub(super) behaviour: Option<Id>,
 }
 
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
@@ -57,14 +59,18 @@ async fn bring(library: &Arc<Library>, sender: Sender, how: How, body: Bytes) ->
         Wanted::Copy => Mode::Copy,
         Wanted::Restore => Mode::Restore,
     };
-    import(library, sender, mode, &how.by, body).await
+    import(library, sender, (mode, how.behaviour), &how.by, body).await
 }
 
 fn answer(imported: Result<Import, NotImported>) -> Response {
     match imported {
-        Ok(Import { behaviour, name, renamed, .. }) => {
+        Ok(Import { behaviour, name, renamed, changes, .. }) => {
             tracing::info!(%behaviour, "a behaviour was imported");
-            Json(serde_json::json!({"id": behaviour, "name": name, "renamedHelpers": renamed})).into_response()
+            let was_here = changes.is_empty();
+            let told = serde_json::json!(
+                {"id": behaviour, "name": name, "renamedHelpers": renamed, "wasHere": was_here}
+            );
+            Json(told).into_response()
         }
         Err(why) => (status(&why), Json(serde_json::json!({ "error": why.to_string() }))).into_response(),
     }

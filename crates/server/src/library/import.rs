@@ -57,11 +57,11 @@ impl From<FileFault> for NotImported {
     }
 }
 
-/// Imports a file in somebody's name.
+/// Imports a file in somebody's name. A copy may have an id that is wanted; if that is here already, there is nothing to change.
 pub(crate) async fn import(
     library: &Arc<Library>,
     sender: Sender,
-    mode: Mode,
+    (mode, wanted): (Mode, Option<Id>),
     by: &str,
     body: Bytes,
 ) -> Result<Import, NotImported> {
@@ -70,9 +70,14 @@ pub(crate) async fn import(
     if mode == Mode::Restore {
         check_absent(library, &file).await?;
     }
+    let wanted = wanted.filter(|id| mode == Mode::Copy && id != library.rooms.library());
     let mut last = NotImported::Refused(Refused::TooFast);
     for _ in 0..TRIES {
+        if let Some(there) = was_here(library, wanted.as_ref()).await? {
+            return Ok(there);
+        }
         let brought = judge(library, &sender, &file, mode, &by).await?;
+        let brought = Import { behaviour: wanted.clone().unwrap_or(brought.behaviour), ..brought };
         let finishing = finish(Arc::clone(library), Arc::clone(&file), mode, brought);
         match library.tasks.make(finishing).await.map_err(|error| Refused::Unreadable(error.to_string()))? {
             Err(no) if no.is_overtaken() => last = no,
@@ -107,6 +112,19 @@ async fn check_absent(library: &Arc<Library>, file: &BehaviourFile) -> Result<()
         return Ok(());
     }
     Err(NotImported::Present)
+}
+
+/// What was imported under this id before, as an import that changes nothing.
+async fn was_here(library: &Library, wanted: Option<&Id>) -> Result<Option<Import>, NotImported> {
+    let Some(id) = wanted else { return Ok(None) };
+    let there = bounded(library.store.load(id)).await.map_err(|error| store_no(&error))?;
+    Ok(there.map(|there| Import {
+        behaviour: id.clone(),
+        name: there.behaviour.name().to_owned(),
+        library: None,
+        changes: Vec::new(),
+        renamed: Vec::new(),
+    }))
 }
 
 /// What an import changes, if that keeps the rules. Nothing is saved.

@@ -341,3 +341,29 @@ async fn a_folder_in_which_an_older_rrp_did_not_end_is_filled_by_any_backup() {
         assert!(!mark.exists());
     }
 }
+
+/// The templates, edits of several people, an undo, named versions, the library and a program in the bin, as the rrp of
+/// November 2026 wrote them.
+#[tokio::test]
+async fn a_real_backup_of_before_is_restored_as_it_is() {
+    let text = include_str!("samples/november.rrpbackup");
+    let to: Arc<dyn Store> = Arc::new(MemoryStore::new());
+    let read = read(Cursor::new(text.as_bytes().to_vec()), &*to).await.expect("it is whole");
+    let filling = Filling::begin(&to, &read.source("rrp restore")).await.expect("begun");
+    let done = restore(read, &filling, &|_, _| {}).await.expect("restored");
+    filling.end().await.expect("ended");
+    assert_eq!(done, Counted { behaviours: 14, changes: 78 });
+    let again = Mutex::new(String::new());
+    let put = |line: String| {
+        again.lock().expect("nobody panicked").push_str(&line);
+        std::future::ready(Ok(()))
+    };
+    backup(&*to, 1, &[], put, &|_, _| {}).await.expect("a backup");
+    let middle = |text: &str| {
+        text.lines()
+            .filter(|line| !line.contains("\"start\"") && !line.contains("\"sum\""))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(middle(&again.into_inner().expect("nobody panicked")), middle(text));
+}
