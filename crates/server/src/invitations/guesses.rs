@@ -2,7 +2,6 @@
 //! a link that works.
 
 use std::collections::{BTreeSet, HashMap};
-use std::hash::{DefaultHasher, Hash, Hasher};
 use std::net::{IpAddr, Ipv6Addr};
 
 /// Links that do not work which a place may try at once.
@@ -73,7 +72,6 @@ impl Guesses {
 #[cfg(test)]
 mod tests {
     use super::{AGAIN_MS, Guesses, PLACES_MAX, Source, TRIES_MAX};
-    use std::hash::{DefaultHasher, Hash, Hasher};
     use std::net::{IpAddr, Ipv4Addr};
 
     #[test]

@@ -13,7 +13,16 @@ async fn a_green_ball_makes_the_eyes_green() {
     let nao = robots.meant(None).unwrap();
     let file = templates()[0].file();
     let behaviour = Id::new("reflect").unwrap();
-    nao.start(Start { behaviour, revision: 3, file: file.into(), record: false, by: "Aiko".to_owned() }).await.unwrap();
+    nao.start(Start {
+        behaviour,
+        revision: 3,
+        file: file.into(),
+        record: false,
+        by: "Aiko".to_owned(),
+        invitation: None,
+    })
+    .await
+    .unwrap();
     for (ball, at) in [("red", [-1.0, 0.5, 0.1]), ("blue", [-1.0, -0.5, 0.1]), ("green", [0.6, 0.0, 0.45])] {
         robots.edit_scene(None, SceneEdit::MoveBall { id: ball.to_owned(), at });
     }
