@@ -2,6 +2,7 @@
 //! a link that works.
 
 use std::collections::{BTreeSet, HashMap};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::net::{IpAddr, Ipv6Addr};
 
 /// Links that do not work which a place may try at once.
