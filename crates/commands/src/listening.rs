@@ -1,4 +1,4 @@
-//! Where `rrp serve` listens: for this computer, where nothing is asked, and for others, who come by invitation.
+//! Where `rrp serve` listens: for its host at this computer, and for others, who come by invitation.
 
 use crate::failure::Failure;
 use clap::Args;

@@ -54,7 +54,7 @@ const ENDING_MS: u64 = 3_000;
 /// What a server needs to know.
 #[derive(Clone, Debug)]
 pub struct Config {
-    /// Where it listens for this computer, where nothing is asked: only this computer's own addresses, port 0 takes a free
+    /// Where it listens for its host at this computer: only this computer's own addresses, port 0 takes a free
     /// one.
     pub listen: SocketAddr,
     /// Where it listens for others, who come by invitation; none if nobody else comes.
