@@ -110,7 +110,7 @@ impl Strangers {
     async fn press(&self, number: usize) {
         for turn in number.. {
             let from = self.flood.from[turn % self.flood.from.len()];
-            let way = if number % ASKS == 0 { None } else { Some(turn / self.flood.from.len()) };
+            let way = if number.is_multiple_of(ASKS) { None } else { Some(turn / self.flood.from.len()) };
             let done = tokio::time::timeout(PATIENCE, self.once(way, from)).await;
             if !matches!(done, Ok(Ok(()))) {
                 self.refused.fetch_add(1, Ordering::Relaxed);

@@ -139,7 +139,7 @@ async fn guests(network: &Network, server: &Server, data: &Path, case: Case) -> 
             if name == WITHOUT {
                 browser.tls.resumption = Resumption::disabled();
             }
-            Presser::Browser(browser)
+            Presser::Browser(Box::new(browser))
         };
         let came = network.do_there(async move {
             presser.comes_in(&link).await?;
@@ -167,7 +167,7 @@ async fn kept(data: &Path, devices: usize) -> Outcome<()> {
 /// Somebody who presses Stop.
 enum Presser {
     /// In a browser.
-    Browser(Browser),
+    Browser(Box<Browser>),
     /// Through a proxy, which speaks plain HTTP.
     Proxied { to: SocketAddr, cookie: String },
 }

@@ -75,7 +75,7 @@ impl Network {
     /// Makes the other computer and lays the wire.
     pub(crate) async fn lay() -> Outcome<Self> {
         let mut holder = Command::new("unshare");
-        holder.args(["--net", "sleep", "600"]).stdin(Stdio::null()).kill_on_drop(true);
+        holder.args(["--net", "sleep", "3600"]).stdin(Stdio::null()).kill_on_drop(true);
         let this = Self(holder.spawn()?);
         let began = Instant::now();
         while std::fs::read_link(this.space())? == std::fs::read_link("/proc/self/ns/net")? {
