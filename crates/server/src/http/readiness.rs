@@ -9,9 +9,12 @@ use tokio::sync::Mutex;
 /// How long an answer holds.
 const HOLDS: Duration = Duration::from_secs(1);
 
-/// What was found last, and when. A clone is the same.
+/// What was found, and when.
+type Found = (Instant, Result<(), StoreError>);
+
+/// What was found last. A clone is the same.
 #[derive(Clone, Default)]
-pub(super) struct Readiness(Arc<Mutex<Option<(Instant, Result<(), StoreError>)>>>);
+pub(super) struct Readiness(Arc<Mutex<Option<Found>>>);
 
 impl Readiness {
     /// Whether the store can save.

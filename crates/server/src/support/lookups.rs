@@ -7,9 +7,10 @@ use super::turns::{Bounds, Turns};
 use std::sync::{Arc, Mutex};
 use tokio::sync::oneshot;
 
-/// Lookups at once, and how many of them one invitation has: a store reads for four at once, so that two are left.
+/// Lookups at once, of which an invitation has one at a time: a page of history takes a processor for some 50 ms, and who edits needs
+/// another one.
 const LOOKUPS: (usize, Bounds) =
-    (16, Bounds { host: 12, group: 2, sender: 8, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });
+    (16, Bounds { host: 12, group: 1, sender: 8, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });
 /// Behaviours as they were that are found out at once; each takes memory of its own.
 const REPLAYS: (usize, Bounds) =
     (2, Bounds { host: 2, group: 1, sender: 1, sender_waiting: 16, group_waiting: 256, waiting: 4_096 });

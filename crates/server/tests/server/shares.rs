@@ -59,7 +59,7 @@ async fn who_opens_pages_again_and_again_locks_out_neither_host_nor_colleague() 
 /// of one invitation have in a time (`connection/budgets.rs`).
 const BOUNDS: [(&str, &str); 23] = [
     ("hello", "answered at once; the greeting has one of the eight half open places of a person"),
-    ("list", "eight under way of a person; two lookups at once of an invitation"),
+    ("list", "eight under way of a person; one lookup at a time of an invitation"),
     ("pictures", "as a list; so many of one request; drawn by the workers, one at a time of an invitation"),
     ("whereUsed", "as a list; the longest that is told"),
     ("drivers", "as a list; the longest that is told"),
@@ -68,8 +68,8 @@ const BOUNDS: [(&str, &str); 23] = [
     ("tags", "as a list"),
     ("open", "four wholes that wait for a link; what is kept for an invitation gives way first; made part by part"),
     ("leave", "answered at once"),
-    ("since", "eight under way of a person; two lookups at once of an invitation; a page at a time"),
-    ("history", "eight under way of a person; two lookups at once of an invitation; a page at a time"),
+    ("since", "eight under way of a person; one lookup at a time of an invitation; a page at a time"),
+    ("history", "eight under way of a person; one lookup at a time of an invitation; a page at a time"),
     ("at", "two under way of a person; one replay at a time of an invitation"),
     ("check", "eight under way of a person; the workers, one at a time of an invitation; each call in time and steps"),
     ("fixes", "eight under way of a person; the workers, one at a time of an invitation"),
