@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use crate::steps::*;
 
-/// How a person presses Stop.
+/// A way to press Stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Press {
     Click,
@@ -21,7 +21,7 @@ enum Press {
 }
 
 const PRESSES: [Press; 3] = [Press::Click, Press::Finger, Press::Escapes];
-/// What a Stop leaves in the log of the server, whatever it finds to stop.
+/// Every Stop leaves this in the log of the server, whatever it finds to stop.
 const HEARD: &str = "Stop over HTTP";
 /// How long a press may take to be heard.
 const HEARD_WITHIN: Duration = Duration::from_secs(5);

@@ -1,4 +1,4 @@
-//! What asks a server to end: a signal, or the end of the terminal that it was started in.
+//! Ends of a server: signals, and the end of the terminal that it was started in.
 
 use std::io;
 use std::task::Poll;
