@@ -2,6 +2,9 @@
 
 use web_sys::KeyboardEvent;
 
+/// The code of keys that become a letter together; Safari says it of the Escape that ends that, too.
+const COMPOSING: u32 = 229;
+
 /// Takes something back where this is Escape; whether it was.
 pub(crate) fn ends(event: &KeyboardEvent, take_back: impl FnOnce()) -> bool {
     may_end(event, || {
@@ -21,6 +24,3 @@ pub(crate) fn may_end(event: &KeyboardEvent, take_back: impl FnOnce() -> bool) -
     }
     is_used
 }
-
-/// The code of keys that become a letter together; Safari says it of the Escape that ends that, too.
-const COMPOSING: u32 = 229;

@@ -6,7 +6,7 @@ use serde_json::json;
 
 const BALLS: Option<&str> = Some("Track far and close balls");
 const CHIP: &str = "filter (distance < 0.5), connector from Distance to Close ball";
-/// What the page says of the newest press of Stop, at once.
+/// The state of the newest press of Stop, which the page shows at once.
 const STATE: &str = "(document.getElementById('stop-form').getAttribute('data-state') || 'none')";
 /// So often Escape is pressed twice, wherever somebody is: what is open closes, and two are left.
 const TWICE_MAX: usize = 4;

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use crate::steps::*;
 
-/// How a person presses Stop.
+/// A way to press Stop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Press {
     Click,
@@ -21,7 +21,7 @@ enum Press {
 }
 
 const PRESSES: [Press; 3] = [Press::Click, Press::Finger, Press::Escapes];
-/// What a Stop leaves in the log of the server, whatever it finds to stop.
+/// Every Stop leaves this in the log of the server, whatever it finds to stop.
 const HEARD: &str = "Stop over HTTP";
 /// How long a press may take to be heard.
 const HEARD_WITHIN: Duration = Duration::from_secs(5);
@@ -158,11 +158,14 @@ async fn a_press_stops_while_the_page_is_still_opening() -> Outcome<()> {
             }
             page.call("Network.setBlockedURLs", json!({ "urls": PROGRAM })).await?;
             page.call("Page.navigate", json!({ "url": scene.stage.server.url() })).await?;
-            let came = if held.contains(&"boot.js") { "window.rrpHeard === null" } else { "window.rrpBegan" };
-            let came = if held.len() == 2 { "document.getElementById('stop-said')" } else { came };
+            let came = match held {
+                ["boot.js"] => "window.rrpHeard === null",
+                ["stop.js"] => "window.rrpBegan",
+                _ => "document.getElementById('stop-said')",
+            };
             page.until(came, "all but what is held back is here").await?;
             scene.start().await?;
-            press(&page, how).await?;
+            assert!(scene.hears(&page, how).await?, "{held:?} is held back: {how:?}");
             scene.runs(0).await?;
             assert!(held.iter().all(|file| page.waits_for(file)), "{held:?} is held back: {how:?}");
         }
@@ -185,7 +188,15 @@ async fn a_page_that_this_browser_cannot_read_says_so_and_stops() -> Outcome<()>
     for how in PRESSES {
         assert!(scene.hears(&page, how).await?, "{how:?}");
     }
-    says(&page, "Stopped. The robot holds still.").await
+    says(&page, "Stopped. The robot holds still.").await?;
+
+    let page = scene.stage.nobody("chika").await?;
+    page.call("Page.enable", json!({})).await?;
+    let source = "delete window.WebAssembly";
+    page.call("Page.addScriptToEvaluateOnNewDocument", json!({ "source": source })).await?;
+    page.goto(&scene.stage.server.url()).await?;
+    says(&page, "The page does not open.").await?;
+    silent(&page, "Opening …").await
 }
 
 /// What browsers have not had for long, or may be kept from having, and what takes it away.

@@ -1,4 +1,4 @@
-//! What a page asks for, held back or answered with something else.
+//! Files that a page asks for, held back or answered with something else.
 
 use base64::Engine;
 use serde_json::{Value, json};

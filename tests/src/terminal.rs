@@ -19,7 +19,7 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// What the server prints once it accepts connections.
 const READY: &str = "rrp is ready: ";
 
-/// How the terminal belongs to the server.
+/// A way in which a terminal belongs to the server.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Terminal {
     /// It is told when that is closed, by SIGHUP.

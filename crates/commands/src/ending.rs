@@ -1,4 +1,4 @@
-//! What asks a server to end: a signal, or the end of the terminal that it was started in.
+//! Ends of a server: signals, and the end of the terminal that it was started in.
 
 use std::io;
 use std::task::Poll;
@@ -80,7 +80,7 @@ fn terminal_gone() -> Option<oneshot::Receiver<()>> {
         let error = io::stderr();
         // Nothing is asked for, so that only a terminal that has gone is told; a signal may come in between.
         while poll(&mut [PollFd::new(&error, PollFlags::empty())], None) == Err(rustix::io::Errno::INTR) {}
-        let _nobody_waits_any_more = tell.send(());
+        let _ = tell.send(());
     };
     std::thread::Builder::new().name("terminal".into()).spawn(wait).ok()?;
     Some(gone)

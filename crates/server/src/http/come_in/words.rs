@@ -18,7 +18,7 @@ impl Language {
         if first == "ja" || first.starts_with("ja-") { Self::Japanese } else { Self::English }
     }
 
-    /// Its tag.
+    /// The tag of this language, as HTML has it.
     pub(in crate::http) fn code(self) -> &'static str {
         self.said("en", "ja")
     }

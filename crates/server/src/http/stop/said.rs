@@ -1,4 +1,4 @@
-//! What is said to somebody who pressed Stop: a page to who sends a form, a line to everybody else.
+//! The answer to a press of Stop: a page to who sends a form, a line to everybody else.
 
 use crate::http::come_in::Language;
 use crate::http::origin::NotAllowed;
@@ -6,7 +6,7 @@ use axum::http::{HeaderMap, HeaderName, StatusCode, Uri, header};
 use axum::response::{IntoResponse, Response};
 
 const PAGE: &str = include_str!("page.html");
-/// What the form of Stop itself names besides its path is no longer than two ids, in bytes.
+/// The longest query that the page has its form send again, in bytes: that of our own form is no longer than two ids.
 const QUERY_MAX_BYTES: usize = 512;
 
 /// An answer, before it is written.
@@ -17,7 +17,7 @@ pub(in crate::http) struct Said {
 }
 
 impl Said {
-    /// What became of a Stop for this address.
+    /// Says what became of a Stop that was sent to this address.
     pub(super) fn of(became: &Result<(), NotAllowed>, uri: &Uri, asked: &HeaderMap) -> Self {
         let status = if became.is_ok() { StatusCode::OK } else { StatusCode::FORBIDDEN };
         let (kind, body) = match became {
@@ -28,7 +28,7 @@ impl Said {
         Self { status, kind, body }
     }
 
-    /// Its headers, besides those of every answer.
+    /// The headers of this answer, besides those of every one.
     pub(super) fn headers(&self) -> [(HeaderName, &'static str); 3] {
         [
             (header::CONTENT_TYPE, self.kind),

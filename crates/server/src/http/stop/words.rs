@@ -1,4 +1,4 @@
-//! What the page after a Stop says, in English and in Japanese: it comes where rrp's own page cannot say it.
+//! Words of the page after a Stop, in English and in Japanese: it comes where rrp's own page cannot say it.
 
 use crate::http::come_in::Language;
 use crate::http::origin::NotAllowed;
