@@ -9,6 +9,7 @@ use axum::body::Bytes;
 use axum::extract::{FromRequest, Request};
 use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
+use behaviour::Id;
 use protocol::Refused;
 use serde::Deserialize;
 use std::sync::Arc;
