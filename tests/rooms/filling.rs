@@ -3,12 +3,15 @@
 
 use crate::neo4j;
 use behaviour::{Behaviour, Change, Committed, Helper, Id, Kind, Note, Record, RecordId, Settings};
-use house::{Outcome, skip};
+use house::skip;
 use std::future::Future;
+use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 use store::{LIBRARY, Query, Store, backup::compare};
+
+type Outcome<T> = Result<T, Box<dyn std::error::Error + Send + Sync>>;
 
 /// Behaviours in the first store, and changes of each.
 const BEHAVIOURS: usize = 60;
@@ -223,5 +226,45 @@ async fn a_second_server_on_a_neo4j_sees_that_it_is_only_filled_in_part() -> Out
     same(&first, &url).await?;
     to.reachable().await?;
     assert!(halves > 0, "no kill was in time");
+    Ok(())
+}
+
+/// Each file is a program of its own: those that were brought are whole and stay, and the same command brings the others only.
+#[tokio::test]
+async fn a_killed_import_of_many_goes_on_and_brings_nothing_twice() -> Outcome<()> {
+    if !skip::served("rooms: kills of an import") {
+        return Ok(());
+    }
+    let room = house::folder()?;
+    let names = ["greeter", "goodbye", "hello_once", "say_ball_color", "track_nearest_arm", "count_my_touches"];
+    let files: Vec<String> = names.iter().map(|name| template(name)).chain([template("greeter")]).collect();
+    let listed = async |folder: &Path| -> Outcome<Vec<String>> {
+        let store = store::open_url(&folder.display().to_string()).await?;
+        let mut names: Vec<_> = store.list(&Query::default()).await?.lines.into_iter().map(|line| line.name).collect();
+        names.sort();
+        Ok(names)
+    };
+    let args = |folder: &Path| [owned(&["import", "--data", &folder.display().to_string()]), files.clone()].concat();
+    let whole = room.path().join("whole");
+    fine(&texts(&args(&whole)))?;
+    let (all, mut halves) = (listed(&whole).await?, 0);
+    assert_eq!(all.len(), files.len(), "{all:?}");
+    for brought in 1..files.len() {
+        let folder = room.path().join(format!("k{brought}"));
+        let mut child = rrp(&texts(&args(&folder))).stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
+        let mut told = BufReader::new(child.stdout.take().ok_or("no output")?).lines();
+        let told = told.by_ref().take(brought).count();
+        child.kill()?;
+        child.wait()?;
+        assert_eq!(told, brought);
+        halves += usize::from((brought..all.len()).contains(&listed(&folder).await?.len()));
+        let said = fine(&texts(&args(&folder)))?;
+        assert_eq!(listed(&folder).await?, all, "{said}");
+        assert!(said.matches("is here already").count() >= brought, "{said}");
+    }
+    println!("{halves} of {} kills left some of the programs", files.len() - 1);
+    assert!(halves > 0, "no kill was in the middle");
+    fine(&texts(&args(&whole)))?;
+    assert_eq!(listed(&whole).await?.len(), 2 * all.len(), "whoever wants copies gets them");
     Ok(())
 }

@@ -14,8 +14,10 @@ type Opening<'a> = Pin<Box<dyn Future<Output = Result<Arc<dyn Store>, StoreError
 const COMES_MAX: Duration = Duration::from_secs(60);
 /// Between two attempts.
 const PAUSE: Duration = Duration::from_secs(1);
-/// How long a command may be silent before that is said, and between two such lines.
+/// How long a command may be silent before that is said.
 const SILENT: Duration = Duration::from_secs(2);
+/// Between two such lines.
+const AGAIN: Duration = Duration::from_secs(10);
 
 /// Opens a store; one that is elsewhere is waited for.
 pub(crate) async fn opened<'a, F>(url: &str, attempt: impl Fn() -> F) -> Result<Arc<dyn Store>, StoreError>
@@ -50,14 +52,15 @@ pub(crate) async fn told<T>(url: &str, work: impl Future<Output = T>) -> T {
     if !is_elsewhere(url) {
         return work.await;
     }
-    let begun = Instant::now();
+    let (begun, mut silent) = (Instant::now(), SILENT);
     loop {
-        match tokio::time::timeout(SILENT, &mut work).await {
+        match tokio::time::timeout(silent, &mut work).await {
             Ok(done) => return done,
-            Err(_) => say(&format!(
-                "Waiting for the database, {} s so far; one that has just started needs a while.",
-                begun.elapsed().as_secs()
-            )),
+            Err(_) => {
+                silent = AGAIN;
+                let so_far = begun.elapsed().as_secs();
+                say(&format!("Waiting for the database, {so_far} s so far; one that has just started needs a while."));
+            }
         }
     }
 }

@@ -296,7 +296,7 @@ fn a_backup_brings_robots_and_orders_back_and_half_of_one_is_not_served() {
         std::fs::write(again.join("rrp.restoring"), "").expect("as a restore that was killed leaves it");
         for args in [&["serve", "--listen", "127.0.0.1:0"][..], &["backup", &text(&room.path().join("x"))]] {
             let no = refused(&[args, &["--data", &text(&again)]].concat());
-            assert!(no.contains("did not come to its end") && no.contains("rrp restore again"), "{no}");
+            assert!(no.contains("did not come to its end") && no.contains("rrp restore, with the same backup"), "{no}");
         }
         fine(&["restore", backup, "--data", &text(&again)]);
         assert_eq!(kept(&again), kept(&data));

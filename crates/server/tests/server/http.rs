@@ -169,6 +169,16 @@ async fn an_exported_file_comes_back_as_a_copy_or_as_itself() {
         let (status, taken) = asked(&house, &post(&house, "/api/import?mode=restore", &file)).await;
         assert!(status == "409" && taken.contains("here already"), "{taken}");
     }
+    let file = exported(&house, &made, "json").await;
+    let mut copies = Vec::new();
+    for _ in 0..2 {
+        let (status, copy) = asked(&house, &post(&house, "/api/import?behaviour=wanted", &file)).await;
+        let copy: serde_json::Value = serde_json::from_str(&copy).unwrap();
+        assert_eq!((status.as_str(), &copy["id"]), ("200", &serde_json::json!("wanted")));
+        copies.push((copy["name"].clone(), copy["wasHere"].clone()));
+    }
+    assert_eq!(copies[0].0, copies[1].0, "sent twice, it is there once");
+    assert_eq!([&copies[0].1, &copies[1].1], [false, true]);
     let (status, restored) =
         asked(&other, &post(&other, "/api/import?mode=restore", &exported(&house, &made, "xml").await)).await;
     assert_eq!((status.as_str(), restored.contains(&made)), ("200", true), "{restored}");

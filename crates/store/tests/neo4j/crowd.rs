@@ -29,7 +29,9 @@ async fn insist(store: &Neo4jStore, to: &str, op: &str) {
         match store.append(&id(to), &committed, &Behaviour::default()).await.expect("an answer") {
             Append::Applied => return,
             Append::Conflict { head: now } => head = now,
-            Append::Duplicate { revision } => panic!("{op} was never saved, but is revision {revision}"),
+            Append::Duplicate { revision } | Append::Reused { revision } => {
+                panic!("{op} was never saved, but is revision {revision}")
+            }
         }
     }
 }

@@ -12,4 +12,5 @@ mod samples;
 #[path = "../../../../tests/neo4j/server.rs"]
 mod server;
 mod shared;
+mod started;
 mod thesis;

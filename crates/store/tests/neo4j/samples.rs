@@ -73,7 +73,7 @@ pub(crate) fn change(op: &str, now: &Behaviour, edits: Vec<(RecordId, Record)>) 
 }
 
 /// Hands over a change as the next one; says what became of it.
-pub(crate) async fn next(store: &impl Store, to: &str, change: Change) -> Result<Append, StoreError> {
+pub(crate) async fn next(store: &(impl Store + ?Sized), to: &str, change: Change) -> Result<Append, StoreError> {
     let loaded = store.load(&id(to)).await?;
     let revision = loaded.as_ref().map_or(0, |loaded| loaded.revision) + 1;
     let mut after = loaded.map(|loaded| loaded.behaviour).unwrap_or_default();
@@ -82,14 +82,14 @@ pub(crate) async fn next(store: &impl Store, to: &str, change: Change) -> Result
 }
 
 /// Saves records as the next change.
-pub(crate) async fn save(store: &impl Store, to: &str, op: &str, edits: Vec<(RecordId, Record)>) {
+pub(crate) async fn save(store: &(impl Store + ?Sized), to: &str, op: &str, edits: Vec<(RecordId, Record)>) {
     let made = change(op, &now(store, to).await, edits);
     assert_eq!(next(store, to, made).await, Ok(Append::Applied), "{to} {op}");
 }
 
 /// Takes records away as the next change.
 pub(crate) async fn take(
-    store: &impl Store,
+    store: &(impl Store + ?Sized),
     from: &str,
     op: &str,
     keys: &[(Kind, &str)],
@@ -101,6 +101,6 @@ pub(crate) async fn take(
 }
 
 /// A behaviour as it is.
-pub(crate) async fn now(store: &impl Store, of: &str) -> Behaviour {
+pub(crate) async fn now(store: &(impl Store + ?Sized), of: &str) -> Behaviour {
     store.load(&id(of)).await.expect("an answer").map(|loaded| loaded.behaviour).unwrap_or_default()
 }

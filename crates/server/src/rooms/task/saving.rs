@@ -94,7 +94,7 @@ impl SaveOutcome {
         Self { news: Vec::new(), after: None, answer, is_uncertain: false }
     }
 
-    /// The same after changes that the room did not know either.
+    /// This, after changes that the room did not know either.
     fn following(self, mut missed: Vec<Committed>) -> Self {
         missed.extend(self.news);
         Self { news: missed, ..self }
