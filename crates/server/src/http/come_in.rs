@@ -76,7 +76,7 @@ pub(super) async fn come_in(came: Came, entry: &Entry, files: &Workers, request:
             response
         }
         // Who is the host already and presses an old link again.
-        Err(_) if matches!(entry, Entry::Local) => Redirect::to("/").into_response(),
+        Err(_) if matches!(entry, Entry::Host) => Redirect::to("/").into_response(),
         Err(NotIn::Unknown) if matches!(entry, Entry::Unproven) => {
             show(StatusCode::FORBIDDEN, language, language.old_link(), Shows { come_in: None, stop: true })
         }

@@ -14,7 +14,7 @@ pub(super) fn until_over(body: Body, entry: Entry) -> Body {
             let over = Box::pin(async move { entry.until_over().await });
             Body::new(Cut { body, over })
         }
-        Entry::Local | Entry::Guest(_) | Entry::Unproven | Entry::Stranger => body,
+        Entry::Host | Entry::Guest(_) | Entry::Unproven | Entry::Stranger => body,
     }
 }
 

@@ -118,7 +118,7 @@ impl Door {
                 let key = headers.get(host_key::HEADER).and_then(|value| host_key::shown(value.to_str().ok()?));
                 let is_host =
                     key.is_some_and(|key| host.knows_key(key)) || cookies.any(|cookie| host.knows_cookie(cookie));
-                if is_host { Entry::Local } else { Entry::Unproven }
+                if is_host { Entry::Host } else { Entry::Unproven }
             }
             Shown::Guests(guests) => guests.guest(cookies).map_or(Entry::Stranger, Entry::Guest),
         }
@@ -154,7 +154,7 @@ impl Door {
     pub(crate) fn may_stop(&self, headers: &HeaderMap) -> Result<String, NotAllowed> {
         self.guard.may_stop(headers)?;
         let entry = self.entry(headers);
-        if self.is_passed_on(headers) && !matches!(entry, Entry::Local) {
+        if self.is_passed_on(headers) && !matches!(entry, Entry::Host) {
             return Err(NotAllowed::Forwarded);
         }
         entry.may(Asked::Http(Route::Stop)).map_err(|_| NotAllowed::NotInvited)?;

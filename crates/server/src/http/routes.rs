@@ -179,7 +179,7 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
         (Entry::Unproven, Route::Page) => come_in::ask_for_link(language),
         (Entry::Unproven, _) => (StatusCode::UNAUTHORIZED, NOT_THE_HOST).into_response(),
         (Entry::Stranger, _) => (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response(),
-        (Entry::Local | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
+        (Entry::Host | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),
     }
 }
 
@@ -268,7 +268,7 @@ async fn import(
     let how = match &entry {
         // Whatever they say: a guest is who they are here.
         Entry::Guest(guest) => upload::How { by: app.state().invitations.name_of(guest), ..how },
-        Entry::Local | Entry::Unproven | Entry::Stranger => how,
+        Entry::Host | Entry::Unproven | Entry::Stranger => how,
     };
     let Some(place) = app.uploads.take(&entry.identity()) else {
         return (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::TooFast)).into_response();

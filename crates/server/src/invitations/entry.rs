@@ -19,7 +19,7 @@ pub(crate) enum Least {
 #[derive(Clone, Debug)]
 pub(crate) enum Entry {
     /// The host: who showed a secret of this computer.
-    Local,
+    Host,
     /// By an invitation.
     Guest(Guest),
     /// At this computer, but nothing shows that they are its host.
@@ -32,7 +32,7 @@ impl Entry {
     /// What they may do.
     pub(crate) fn role(&self) -> Option<Role> {
         match self {
-            Self::Local => Some(Role::Host),
+            Self::Host => Some(Role::Host),
             Self::Guest(guest) => Some(guest.role),
             Self::Unproven | Self::Stranger => None,
         }
@@ -41,7 +41,7 @@ impl Entry {
     /// Whose share of the server they take: the only way to an identity.
     pub(crate) fn identity(&self) -> Identity {
         match self {
-            Self::Local => Identity::Host,
+            Self::Host => Identity::Host,
             Self::Guest(guest) => Identity::Guest { invitation: guest.invitation.clone(), pass: guest.pass },
             Self::Unproven | Self::Stranger => Identity::Stranger,
         }
@@ -51,7 +51,7 @@ impl Entry {
     pub(crate) fn invitation(&self) -> Option<&Id> {
         match self {
             Self::Guest(guest) => Some(&guest.invitation),
-            Self::Local | Self::Unproven | Self::Stranger => None,
+            Self::Host | Self::Unproven | Self::Stranger => None,
         }
     }
 
@@ -85,7 +85,7 @@ impl Entry {
     pub(crate) async fn until_over(&self) {
         match self {
             Self::Guest(guest) => guest.until_over().await,
-            Self::Local | Self::Unproven | Self::Stranger => std::future::pending().await,
+            Self::Host | Self::Unproven | Self::Stranger => std::future::pending().await,
         }
     }
 }
