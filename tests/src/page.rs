@@ -101,8 +101,8 @@ impl Page {
         self.until("document.readyState === 'complete'", &format!("{url} is loaded")).await.map(drop)
     }
 
-    /// Has the browser shown as the host's, where a server of ours is and that was not done before.
-    async fn come_in(&self, url: &str) -> Outcome<()> {
+    /// Has the browser shown as the host's, where a server of ours is and that was not done before. `goto` does it by itself.
+    pub async fn come_in(&self, url: &str) -> Outcome<()> {
         let origin = url.splitn(4, '/').take(3).collect::<Vec<_>>().join("/");
         if self.in_already.lock().unwrap_or_else(PoisonError::into_inner).contains(&origin) {
             return Ok(());
