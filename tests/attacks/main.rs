@@ -17,6 +17,7 @@ mod target;
 use futures_util::future::BoxFuture;
 use house::{Outcome, Server, skip};
 use std::fmt::Write as _;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use stops::Stops;
 use target::{Attackers, Target};
@@ -53,11 +54,18 @@ const ATTACKS: [(&str, Attack); 11] = [
     ("robots that lie", |target| Box::pin(robots::lying(target))),
 ];
 
+/// Held by a test that measures: one attacks at a time, or each would measure the others too.
+fn alone() -> MutexGuard<'static, ()> {
+    static ONE: Mutex<()> = Mutex::new(());
+    ONE.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 #[test]
 fn stop_is_heard_and_memory_stays_under_every_attack() -> Outcome<()> {
     if !skip::optimised("attacks on the optimised server") {
         return Ok(());
     }
+    let _alone = alone();
     let runtime = tokio::runtime::Builder::new_current_thread().enable_all().build()?;
     runtime.block_on(async {
         let folder = house::folder()?;
@@ -80,6 +88,7 @@ fn a_log_that_nobody_reads_stops_nothing() -> Outcome<()> {
     if !skip::optimised("a log that nobody reads") {
         return Ok(());
     }
+    let _alone = alone();
     tokio::runtime::Builder::new_current_thread().enable_all().build()?.block_on(log::unread())
 }
 
