@@ -26,6 +26,7 @@ cargo xtask COMMAND
   page [--dev]              build the page into target/page (--dev: quicker to build, not compressed)
   serve [--dev] [-- ARGS]   build the page and the server, then run `rrp serve ARGS` in the foreground (--dev: quicker
                             to build after an edit, slower to use)
+  rrp ARGS                  run rrp as it was built last, such as `cargo xtask rrp open`
   neo4j                     make the Neo4j that tests start, and say how to name it to `cargo test`
   qi                        make the Python with libqi that tests use, and say how to name it to `cargo test`
   robot [PORT]              start a NAO that is not one on the real libqi, at port 9559 unless you name one, for trying things
@@ -34,7 +35,7 @@ cargo xtask COMMAND
                             robot's and the run's thread to an action; or stalls, how long runaway procedures hold it
   bench nao [PART]          measure a robot over the link against the stand-in, beside the Python client of libqi; PART is
                             calls, reactions or stops
-  bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 7
+  bench rooms [FIGURE]      measure many people, bad networks, kills and guessed links on the optimised server; FIGURE is 1 to 8
   bench stores              measure SQLite and a real Neo4j with ten thousand behaviours
   test [FILTER]             run every check of the house; with FILTER only the tests whose name contains it
   help                      show these lines";
@@ -57,6 +58,7 @@ fn obey(words: &[String]) -> Outcome<()> {
         ["page"] => page::build(&Workspace::here()?, page::Mode::Small),
         ["page", "--dev"] => page::build(&Workspace::here()?, page::Mode::Quick),
         ["serve", rest @ ..] => serve::run(&Workspace::here()?, rest),
+        ["rrp", rest @ ..] => serve::program(&Workspace::here()?, rest),
         ["neo4j"] => {
             println!("RRP_NEO4J={}", neo4j::ensure(&Workspace::here()?)?.display());
             Ok(())

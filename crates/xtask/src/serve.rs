@@ -28,6 +28,13 @@ pub(crate) fn run(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
     become_server(Command::new(server).arg("serve").args(arguments))
 }
 
+/// Becomes rrp as it was built last, as people run it or else for development, with these words.
+pub(crate) fn program(workspace: &Workspace, words: &[&str]) -> Outcome<()> {
+    let built = [workspace.served(), workspace.server()].into_iter().find(|program| program.is_file());
+    let program = built.ok_or("rrp is not built yet. Run `cargo xtask serve` first.")?;
+    become_server(Command::new(program).args(words))
+}
+
 /// Builds what is quick to build, for trying an edit.
 fn develop(workspace: &Workspace) -> Outcome<PathBuf> {
     page::build(workspace, Mode::Quick)?;

@@ -67,7 +67,7 @@ impl Language {
         [
             self.said("This browser is not known here yet", "このブラウザーはまだ登録されていません"),
             self.said(
-                "In a terminal of this computer, run `rrp open` and open the link that it prints. Stop works without it.",
+                "In a terminal of this computer, run “rrp open” and open the link that it prints. Stop works without it.",
                 "このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
             ),
         ]
@@ -78,7 +78,7 @@ impl Language {
         [
             self.said("This link was used already", "このリンクは使用済みです"),
             self.said(
-                "Each link works once, until rrp ends. Run `rrp open` in a terminal of this computer and open the link \
+                "Each link works once, until rrp ends. Run “rrp open” in a terminal of this computer and open the link \
                  that it prints. Stop works without it.",
                 "リンクは rrp が終わるまでに一度だけ使えます。このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
             ),
