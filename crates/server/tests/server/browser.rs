@@ -76,10 +76,10 @@ impl Browser {
     }
 
     /// Sends a request as it is, and reads nothing.
-    pub(crate) async fn begin(&self, request: &str) -> TlsStream<TcpStream> {
-        let mut stream = self.connect().await.unwrap();
-        stream.write_all(request.as_bytes()).await.unwrap();
-        stream
+    pub(crate) async fn begin(&self, request: &str) -> std::io::Result<TlsStream<TcpStream>> {
+        let mut stream = self.connect().await?;
+        stream.write_all(request.as_bytes()).await?;
+        Ok(stream)
     }
 
     /// Sends a request as it is and answers with everything that came back.
@@ -89,8 +89,7 @@ impl Browser {
 
     /// The same, also where the server wants no connection.
     pub(crate) async fn try_raw(&self, request: &str) -> std::io::Result<String> {
-        let mut stream = self.connect().await?;
-        stream.write_all(request.as_bytes()).await?;
+        let mut stream = self.begin(request).await?;
         let mut answer = Vec::new();
         let _ = tokio::time::timeout(PATIENCE, stream.read_to_end(&mut answer)).await?;
         Ok(String::from_utf8_lossy(&answer).into_owned())

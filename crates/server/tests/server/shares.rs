@@ -141,7 +141,7 @@ async fn downloads_that_a_guest_does_not_read_refuse_nobody_else() {
     let mut held = Vec::new();
     for _ in 0..12 {
         let request = browser.request("GET", &format!("/api/recordings/{recording}"), "", "");
-        let mut stream = browser.begin(&request).await;
+        let mut stream = browser.begin(&request).await.unwrap();
         let mut begun = [0; 12];
         stream.read_exact(&mut begun).await.unwrap();
         held.push((String::from_utf8_lossy(&begun).into_owned(), stream));
