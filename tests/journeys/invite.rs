@@ -136,6 +136,33 @@ async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
 }
 
 #[tokio::test]
+async fn who_stopped_is_said_and_what_a_revoked_person_started_can_be_stopped() -> Outcome<()> {
+    if !skip::ready("journey: who stopped, who started") {
+        return Ok(());
+    }
+    let (stage, aiko) = open_house().await?;
+    let link = invite(&aiko, "start and stop", "until you revoke it", "Ben").await?;
+    let ben = come_in(&stage, "ben", &link, &aiko).await?;
+    ben.within("form", "Your name").fill("textbox", "Others see you as", "Ben").await?;
+    ben.within("form", "Your name").press("button", "Save").await?;
+    says(&aiko, "Ben, here now").await?;
+    start(&ben).await?;
+    stop(&ben).await?;
+    says(&aiko, "Ben pressed Stop. Start runs it again.").await?;
+
+    start(&ben).await?;
+    aiko.press("button", "Revoke: Ben").await?;
+    aiko.within("group", "Revoke: Ben").press("button", "Revoke").await?;
+    says(&ben, "Your invitation has ended").await?;
+    aiko.key("Escape").await?;
+    aiko.gone("dialog", "Invite somebody").await?;
+    says(&aiko, "Ben started this and may not be here any more.").await?;
+    aiko.press("button", "Stop it").await?;
+    at_rest(&aiko).await?;
+    calm(&aiko)
+}
+
+#[tokio::test]
 async fn an_editor_who_says_a_name_is_listed_by_it() -> Outcome<()> {
     if !skip::ready("journey: an invited editor") {
         return Ok(());
