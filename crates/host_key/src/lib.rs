@@ -46,8 +46,7 @@ pub fn publish(key: &HostKey, data: Option<&Path>) -> Published {
     Published::in_files(key, files::of(key.address, data))
 }
 
-/// The key of the server at this address, if this user runs one there. A server that listens at all addresses of this
-/// computer under one port counts for each of them.
+/// The key of the server at this very address, if this user runs one there.
 #[must_use]
 pub fn of_server(address: SocketAddr) -> Option<String> {
     let kept = files::read(&servers()?.join(files::name(address)))?;

@@ -35,6 +35,8 @@ use uuid::Uuid;
 
 /// The file of the invitations in the data folder.
 const FILE: &str = "rrp.invitations.json";
+/// Stands for the name of who never said one.
+pub(crate) const SOMEBODY: &str = "Somebody";
 /// Who makes the invitation that is printed at each start.
 const AT_START: &str = "rrp serve";
 /// What else there is to say if there is no disk to keep it on.
@@ -279,12 +281,13 @@ impl Invitations {
         }
     }
 
-    /// What a guest is called; empty until they said so. Waits for nobody, so that a Stop can ask it: while another name is
+    /// What a guest is called, [`SOMEBODY`] until they said so. Waits for nobody, so that a Stop can ask it: while another name is
     /// being put down, what was put down before counts.
     pub(crate) fn name_of(&self, guest: &Guest) -> String {
         let names = self.names.try_lock().ok();
         let new = names.and_then(|names| names.get(&guest.pass).map(|(name, _)| name.clone()));
-        new.unwrap_or_else(|| self.book.borrow().book.name_of(&guest.pass).to_owned())
+        let name = new.unwrap_or_else(|| self.book.borrow().book.name_of(&guest.pass).to_owned());
+        if name.is_empty() { SOMEBODY.to_owned() } else { name }
     }
 
     fn leave(&self, pass: &Digest) {

@@ -2,6 +2,7 @@
 
 use crate::connection::close_signal::{CloseReason, CloseSignal};
 use crate::connection::secrets::Secrets;
+use crate::invitations::SOMEBODY;
 use crate::support::lock;
 use behaviour::{Id, without_unseen};
 use protocol::{Credential, Person};
@@ -83,7 +84,7 @@ fn free_color(here: &HashMap<Id, Link>) -> u8 {
 /// A name that fits: nothing in it that is not seen, at most forty characters, never empty.
 pub(super) fn tidy_name(name: &str) -> String {
     let short: String = without_unseen(name).trim().chars().take(NAME_MAX_CHARS).collect();
-    if short.is_empty() { "Somebody".to_owned() } else { short }
+    if short.is_empty() { SOMEBODY.to_owned() } else { short }
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use std::io;
 use std::pin::Pin;
 use std::task::{Context, Poll};
 
-/// The rest of a body, for who is in like this: at this computer as it is, for a guest until their invitation ends.
+/// The rest of a body, for who is in like this: for the host as it is, for a guest until their invitation ends.
 pub(super) fn until_over(body: Body, entry: Entry) -> Body {
     match entry {
         Entry::Guest(_) if !body.is_end_stream() => {

@@ -20,9 +20,6 @@ const COOKIE_SECONDS: u64 = 400 * 24 * 60 * 60;
 /// Cookies of our name in one request that are looked at: browsers send one.
 const COOKIES_MAX: usize = 4;
 
-/// Who stops, if they never said what they are called.
-const SOMEBODY: &str = "Somebody";
-
 /// A way in.
 #[derive(Clone)]
 pub(crate) struct Door {
@@ -164,10 +161,7 @@ impl Door {
     /// What who stops by HTTP is called: a guest as they said on their links.
     fn name_of(&self, entry: &Entry) -> String {
         match (entry, &self.shown) {
-            (Entry::Guest(guest), Shown::Guests(guests)) => {
-                let name = guests.invitations.name_of(guest);
-                if name.is_empty() { SOMEBODY.to_owned() } else { name }
-            }
+            (Entry::Guest(guest), Shown::Guests(guests)) => guests.invitations.name_of(guest),
             _ => protocol::STOP_BUTTON.to_owned(),
         }
     }

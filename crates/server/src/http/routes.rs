@@ -47,7 +47,7 @@ const TOO_OFTEN: &str = "You opened too many pages just now. Wait a moment.\n";
 /// How long the next piece of a request may take to come.
 const PIECE_MS: u64 = 5_000;
 
-/// Said to a program at this computer that shows no secret of it.
+/// Tells a program at this computer that it shows no secret of it.
 const NOT_THE_HOST: &str = "Only the host may do this. Run rrp as the user who runs the server, or open the link that \
                             `rrp open` prints in this browser.\n";
 
@@ -87,8 +87,8 @@ pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page
     let add = |router: Router<AppState>, route: Route| {
         let handler = match route {
             // It asks itself, as on the accepting thread.
-            Route::Stop => post(stop),
-            route => handler(route, &app).layer(middleware::from_fn_with_state(route, ask_role)),
+            Route::Stop => handler(route, &app),
+            _ => handler(route, &app).layer(middleware::from_fn_with_state(route, ask_role)),
         };
         match route.path() {
             Some(path) => router.route(&path, handler),
@@ -127,7 +127,8 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::Recordings => get(list_recordings).layer(few_at_once),
         Route::Recording => get(recording).layer(few_at_once),
         Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
-        Route::Stop => post(stop),
+        // Nothing more is added to the way of Stop.
+        Route::Stop => return post(stop),
         Route::HostLink => post(host_link),
     };
     // What fails says so itself, in its own words.

@@ -11,7 +11,7 @@ use protocol::{Refused, Request, Role};
 pub(crate) enum Least {
     /// Nobody in particular.
     Anyone,
-    /// Invited, or at this computer, and may do at least as much.
+    /// Invited, or the host, and may do at least as much.
     In(Role),
 }
 

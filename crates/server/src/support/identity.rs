@@ -8,7 +8,7 @@ use behaviour::Id;
 /// As whom somebody asks. Made by `Entry::identity` only, so that nobody takes a share as somebody else.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Identity {
-    /// Who is at this computer, by all their links and pages.
+    /// The host, by all their links and pages.
     Host,
     /// Who has this cookie of an invitation.
     Guest {
@@ -24,7 +24,7 @@ pub(crate) enum Identity {
 /// People, or work, among whom the server is shared out first.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Group {
-    /// Who is at this computer.
+    /// The host.
     Host,
     /// Who came by an invitation.
     Invitation(Id),
