@@ -38,7 +38,7 @@ const FILE: &str = "rrp.invitations.json";
 /// Stands for the name of who never said one.
 pub(crate) const SOMEBODY: &str = "Somebody";
 /// Who makes the invitation that is printed at each start.
-const AT_START: &str = "rrp serve";
+pub(crate) const AT_START: &str = "rrp serve";
 /// What else there is to say if there is no disk to keep it on.
 const NO_RANDOM: &str = "this computer gives no random numbers";
 
@@ -232,6 +232,15 @@ impl Invitations {
             Err(Refused::InvitationsNotKept(why)) => Err(NotIn::NotKept(why)),
             Err(_) => Err(NotIn::Unknown),
         }
+    }
+
+    /// Who invites by a link and as what, without using it.
+    ///
+    /// # Errors
+    /// As [`Self::come_in`], but for the disk.
+    pub(crate) fn promise(&self, token: &str, from: Source) -> Result<(String, Role), NotIn> {
+        let promise = self.book.borrow().promise(&Digest::of(token), now_ms());
+        promise.ok_or_else(|| self.guessed(from))
     }
 
     /// Somebody tried a link that does not work.

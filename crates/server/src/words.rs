@@ -74,7 +74,7 @@ impl fmt::Display for NotAllowed {
         to.write_str(match self {
             Self::Unreadable => "the request cannot be read",
             Self::NoHost => "the request does not say for which host it is",
-            Self::OtherHost => "this server answers under localhost only",
+            Self::OtherHost => "here only this computer itself may ask, by localhost, 127.0.0.1 or [::1]. Open it by one of these",
             Self::NoOrigin => "the request does not say from which page it is",
             Self::OtherPage => "another page may not use this server",
             Self::NotInvited => "only who was invited may come in here",

@@ -44,9 +44,31 @@ pub(super) fn ask_for_one(language: Language) -> Response {
     show(StatusCode::UNAUTHORIZED, language, language.by_invitation(), Shows::default())
 }
 
-/// For who is at this computer and shows no secret of it.
-pub(super) fn ask_for_link(language: Language) -> Response {
-    show(StatusCode::UNAUTHORIZED, language, language.by_link(), Shows { come_in: None, stop: true })
+/// For who is at this computer, or comes through a tunnel with this port, and shows no secret of it.
+pub(super) fn ask_for_link(language: Language, tunnel: Option<u16>) -> Response {
+    let [title, text] = language.by_link();
+    let text = tunnel.map_or_else(|| text.to_owned(), |port| language.by_link_through(port));
+    show(StatusCode::UNAUTHORIZED, language, [title, &text], Shows { come_in: None, stop: true })
+}
+
+/// Says who invites by the link of this token and what for, before it is used; or why it lets nobody in.
+pub(super) async fn invitation(came: Came, request: Request) -> Response {
+    let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
+    let token = token(request).await;
+    let (status, says) = match came.door.lets_in() {
+        LetsIn::Host(_) => (StatusCode::OK, language.opening()[1].to_owned()),
+        LetsIn::Guests(invitations) => match invitations.promise(&token, source) {
+            Ok((by, role)) => (StatusCode::OK, language.invites(&by, role)),
+            Err(why) => (status_of(&why), language.why(&why)),
+        },
+    };
+    let headers = [(header::CONTENT_TYPE, "text/plain; charset=utf-8"), (header::CACHE_CONTROL, "no-store")];
+    (status, headers, says).into_response()
+}
+
+async fn token(request: Request) -> String {
+    let sent = Form::<Sent>::from_request(request, &()).await;
+    sent.map(|Form(Sent { token })| token).unwrap_or_default()
 }
 
 /// How it looks.
@@ -62,8 +84,7 @@ pub(super) fn script() -> Response {
 /// Exchanges the token that was sent for a cookie: always a new one, whatever cookie came along.
 pub(super) async fn come_in(came: Came, entry: &Entry, files: &Workers, request: Request) -> Response {
     let (source, language) = (came.source(request.headers()), Language::of(request.headers()));
-    let sent = Form::<Sent>::from_request(request, &()).await;
-    let token = sent.map(|Form(Sent { token })| token).unwrap_or_default();
+    let token = token(request).await;
     let exchanged = match came.door.lets_in() {
         LetsIn::Host(host) => as_host(host, &token),
         LetsIn::Guests(invitations) => as_guest(Arc::clone(invitations), files, token, source).await,
@@ -99,13 +120,16 @@ async fn as_guest(
     exchanged.unwrap_or_else(|why| Err(NotIn::NotKept(Refused::from(why).to_string())))
 }
 
-fn no(why: &NotIn, language: Language) -> Response {
-    let status = match why {
+fn status_of(why: &NotIn) -> StatusCode {
+    match why {
         NotIn::Unknown => StatusCode::FORBIDDEN,
         NotIn::TooMany(_) => StatusCode::TOO_MANY_REQUESTS,
         NotIn::NotKept(_) => StatusCode::SERVICE_UNAVAILABLE,
-    };
-    let mut response = show(status, language, [language.not_in(), &language.why(why)], Shows::default());
+    }
+}
+
+fn no(why: &NotIn, language: Language) -> Response {
+    let mut response = show(status_of(why), language, [language.not_in(), &language.why(why)], Shows::default());
     if let NotIn::TooMany(seconds) = why {
         response.headers_mut().insert(header::RETRY_AFTER, HeaderValue::from(*seconds));
     }

@@ -34,8 +34,8 @@ pub(crate) struct Door {
 /// Whose secrets count at a door.
 #[derive(Clone)]
 enum Shown {
-    /// Those of this computer.
-    Host(Arc<HostAccess>),
+    /// Those of this computer, on this port.
+    Host(Arc<HostAccess>, u16),
     /// Those of invitations.
     Guests(Guests),
 }
@@ -73,7 +73,7 @@ pub(crate) enum LetsIn<'a> {
 impl Door {
     /// That of this computer, on this port.
     pub(crate) fn local(port: u16, host: Arc<HostAccess>) -> Self {
-        Self { guard: OriginGuard::Local(port), cookie: format!("rrp-host-{port}").into(), shown: Shown::Host(host) }
+        Self { guard: OriginGuard::Local, cookie: format!("rrp-host-{port}").into(), shown: Shown::Host(host, port) }
     }
 
     /// That of others, by TLS on this port. With this prefix browsers take the cookie by TLS only, and from nobody but this
@@ -101,7 +101,7 @@ impl Door {
     /// What lets people in here.
     pub(crate) fn lets_in(&self) -> LetsIn<'_> {
         match &self.shown {
-            Shown::Host(host) => LetsIn::Host(host),
+            Shown::Host(host, _) => LetsIn::Host(host),
             Shown::Guests(guests) => LetsIn::Guests(&guests.invitations),
         }
     }
@@ -111,7 +111,7 @@ impl Door {
         let lines = headers.get_all(header::COOKIE).iter().filter_map(|line| line.to_str().ok());
         let mut cookies = self.cookies(lines);
         match &self.shown {
-            Shown::Host(host) => {
+            Shown::Host(host, _) => {
                 let key = headers.get(host_key::HEADER).and_then(|value| host_key::shown(value.to_str().ok()?));
                 let is_host =
                     key.is_some_and(|key| host.knows_key(key)) || cookies.any(|cookie| host.knows_cookie(cookie));
@@ -168,7 +168,13 @@ impl Door {
 
     /// Whether an undeclared proxy sends this to the door of this computer, for somebody else.
     fn is_passed_on(&self, headers: &HeaderMap) -> bool {
-        matches!(self.shown, Shown::Host(_)) && is_forwarded(headers)
+        matches!(self.shown, Shown::Host(..)) && is_forwarded(headers)
+    }
+
+    /// The port that a browser speaks to, where it is another than that of this computer's door: that of a tunnel.
+    pub(crate) fn tunnel(&self, headers: &HeaderMap) -> Option<u16> {
+        let Shown::Host(_, own) = &self.shown else { return None };
+        super::origin::port(headers.get(header::HOST)?.to_str().ok()?).filter(|port| port != own)
     }
 
     /// The header that gives somebody the cookie of this secret. From now on a guest is known.
@@ -177,7 +183,7 @@ impl Door {
             guests.invitations.guest(secret).iter().for_each(|guest| guests.note(guest));
         }
         // Where this computer is spoken to without TLS, browsers would not keep a cookie for TLS only.
-        let secure = if matches!(self.shown, Shown::Host(_)) { "" } else { " Secure;" };
+        let secure = if matches!(self.shown, Shown::Host(..)) { "" } else { " Secure;" };
         format!("{}={secret}; Path=/; Max-Age={COOKIE_SECONDS}; HttpOnly;{secure} SameSite=Strict", self.cookie)
     }
 }

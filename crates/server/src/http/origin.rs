@@ -18,7 +18,7 @@ pub(crate) enum NotAllowed {
     Unreadable,
     /// It does not say for which host it is.
     NoHost,
-    /// It is for another host than this computer.
+    /// It is for another name than those of this computer.
     OtherHost,
     /// It does not say from which page it is.
     NoOrigin,
@@ -33,8 +33,9 @@ pub(crate) enum NotAllowed {
 /// Tells whose pages may ask.
 #[derive(Clone, Debug)]
 pub(crate) enum OriginGuard {
-    /// Those of this computer, on this port. Nothing else is asked there, so the Host has to be one of its own.
-    Local(u16),
+    /// Those of this computer. Nothing else is asked there, so the Host has to be one of its own names. Its port may be any:
+    /// a tunnel from another computer has one of its own, and a page of another port never says this Host and this Origin.
+    Local,
     /// Those that came by TLS. The Host may be any name of ours: under a name that was bent the browser has neither our
     /// certificate nor a cookie.
     Tls,
@@ -73,7 +74,7 @@ impl OriginGuard {
 impl OriginGuard {
     fn check(&self, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
         match self {
-            Self::Local(port) => check(*port, host, origin, need),
+            Self::Local => check(host, origin, need),
             Self::Tls => {
                 let host = host.ok_or(NotAllowed::NoHost)?;
                 fits(origin, need, |origin| origin.strip_prefix("https://") == Some(host))
@@ -102,10 +103,10 @@ enum Origin {
     Required,
 }
 
-/// Whether the Host is this computer and this port, and the Origin the same.
-fn check(port: u16, host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
+/// Whether the Host is this computer, and the Origin the same with its port.
+fn check(host: Option<&str>, origin: Option<&str>, need: Origin) -> Result<(), NotAllowed> {
     let host = host.ok_or(NotAllowed::NoHost)?;
-    if !is_here(host, port) {
+    if !is_here(host) {
         return Err(NotAllowed::OtherHost);
     }
     fits(origin, need, |origin| origin.strip_prefix("http://") == Some(host))
@@ -121,11 +122,16 @@ fn fits(origin: Option<&str>, need: Origin, is_own: impl Fn(&str) -> bool) -> Re
     }
 }
 
-/// A loopback name or address with our port, or without one.
-fn is_here(host: &str, port: u16) -> bool {
-    let (name, said) = split_port(host);
-    let fits = said.is_none_or(|said| said.parse() == Ok(port) && said.bytes().all(|byte| byte.is_ascii_digit()));
-    fits && is_loopback(name)
+/// A loopback name or address with a port, or without one.
+fn is_here(host: &str) -> bool {
+    let (name, port) = split_port(host);
+    let is_port = |said: &str| said.parse::<u16>().is_ok() && said.bytes().all(|byte| byte.is_ascii_digit());
+    port.is_none_or(is_port) && is_loopback(name)
+}
+
+/// The port in a Host, which leaves out that of HTTP.
+pub(super) fn port(host: &str) -> Option<u16> {
+    split_port(host).1.map_or(Some(80), |port| port.parse().ok())
 }
 
 /// `[::1]:80` and `localhost:80` into name and port.
@@ -170,7 +176,7 @@ mod tests {
                 request = request.header(*name, *value);
             }
             let request = request.body(Body::empty()).unwrap();
-            assert_eq!(OriginGuard::Local(7130).may_enter(&request).is_ok(), may, "{path} {headers:?}");
+            assert_eq!(OriginGuard::Local.may_enter(&request).is_ok(), may, "{path} {headers:?}");
         }
     }
 
@@ -198,7 +204,7 @@ mod tests {
             let sent = sent.iter().chain([&("host", "localhost:7130")]);
             let headers: HeaderMap =
                 sent.map(|(name, value)| (name.parse().unwrap(), value.parse().unwrap())).collect();
-            assert_eq!(OriginGuard::Local(7130).may_stop(&headers).is_ok(), may, "{headers:?}");
+            assert_eq!(OriginGuard::Local.may_stop(&headers).is_ok(), may, "{headers:?}");
         }
     }
 
@@ -215,7 +221,13 @@ mod tests {
             (Some("localhost:7130"), None, true),
             (None, None, false),
             (None, Some("http://localhost:7130"), false),
-            (Some("localhost:7131"), Some("http://localhost:7131"), false),
+            (Some("localhost:8080"), Some("http://localhost:8080"), true),
+            (Some("127.0.0.1:8080"), Some("http://127.0.0.1:8080"), true),
+            (Some("localhost:8080"), None, true),
+            (Some("localhost:8080"), Some("http://localhost:7130"), false),
+            (Some("localhost:8080"), Some("http://localhost"), false),
+            (Some("localhost:"), None, false),
+            (Some("localhost:65536"), None, false),
             (Some("localhost:07130x"), None, false),
             (Some("localhost:+7130"), None, false),
             (Some("localhost:7130"), Some("https://localhost:7130"), false),
@@ -233,9 +245,9 @@ mod tests {
             (Some("user@localhost:7130"), None, false),
         ];
         for (host, origin, may) in table {
-            let answer = check(7130, host, origin, Origin::Optional);
+            let answer = check(host, origin, Origin::Optional);
             assert_eq!(answer.is_ok(), may, "{host:?} {origin:?}: {answer:?}");
         }
-        assert!(check(7130, Some("localhost:7130"), None, Origin::Required).is_err());
+        assert!(check(Some("localhost:7130"), None, Origin::Required).is_err());
     }
 }

@@ -116,6 +116,11 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         .layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES)),
         Route::ComeInStyle => get(|| async { come_in::style() }),
         Route::ComeInScript => get(|| async { come_in::script() }),
+        Route::Invitation => {
+            let ask =
+                async |Extension(came): Extension<Came>, request: Request| come_in::invitation(came, request).await;
+            post(ask).layer(DefaultBodyLimit::max(TOKEN_MAX_BYTES))
+        }
         Route::Socket => any(socket),
         Route::Catalogue => get(|| async { catalogue::page() }),
         Route::CatalogueStyle => get(|| async { catalogue::style() }),
@@ -163,6 +168,7 @@ async fn guard_all(Extension(came): Extension<Came>, mut request: Request, next:
 
 /// Lets in who may ask for a route; whose invitation ends meanwhile is cut off.
 async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> Response {
+    let tunnel = request.extensions().get::<Came>().and_then(|came| came.door.tunnel(request.headers()));
     let entry = request.extensions().get::<Entry>().cloned().unwrap_or(Entry::Stranger);
     let language = Language::of(request.headers());
     let no = match entry.may(Asked::Http(route)) {
@@ -177,7 +183,7 @@ async fn ask_role(State(route): State<Route>, request: Request, next: Next) -> R
     };
     match (entry, route) {
         (Entry::Stranger, Route::Page) => come_in::ask_for_one(language),
-        (Entry::Unproven, Route::Page) => come_in::ask_for_link(language),
+        (Entry::Unproven, Route::Page) => come_in::ask_for_link(language, tunnel),
         (Entry::Unproven, _) => (StatusCode::UNAUTHORIZED, NOT_THE_HOST).into_response(),
         (Entry::Stranger, _) => (StatusCode::UNAUTHORIZED, "Only who was invited may come in here.\n").into_response(),
         (Entry::Host | Entry::Guest(_), _) => (StatusCode::FORBIDDEN, format!("{no}\n")).into_response(),

@@ -164,7 +164,17 @@ impl Indexed {
 
     /// Whether somebody can come in by this link.
     pub(super) fn is_open(&self, link: &Digest, now_ms: u64) -> bool {
-        self.links.get(link).is_some_and(|at| !self.book.kept[*at].is_over(now_ms))
+        self.open(link, now_ms).is_some()
+    }
+
+    /// Who made an open link, and what for.
+    pub(super) fn promise(&self, link: &Digest, now_ms: u64) -> Option<(String, Role)> {
+        self.open(link, now_ms).map(|invitation| (invitation.made_by.clone(), invitation.role))
+    }
+
+    fn open(&self, link: &Digest, now_ms: u64) -> Option<&Invitation> {
+        let kept = &self.book.kept[*self.links.get(link)?];
+        (!kept.is_over(now_ms)).then_some(&kept.invitation)
     }
 
     /// By which invitation somebody with this cookie is in, as what, and until when.

@@ -28,6 +28,8 @@ pub(crate) enum Route {
     ComeInStyle,
     /// What that page does.
     ComeInScript,
+    /// Who invites by a link, and what for.
+    Invitation,
     /// Opening a socket.
     Socket,
     /// Whether the server is there.
@@ -58,11 +60,12 @@ pub(crate) enum Route {
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 17] = [
+    pub(crate) const ALL: [Self; 18] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
         Self::ComeInScript,
+        Self::Invitation,
         Self::Socket,
         Self::Health,
         Self::Ready,
@@ -85,6 +88,7 @@ impl Route {
             Self::ComeIn => COME_IN_PATH,
             Self::ComeInStyle => "/come-in.css",
             Self::ComeInScript => "/come-in.js",
+            Self::Invitation => "/come-in/invitation",
             Self::Socket => PATH,
             Self::Health => "/healthz",
             Self::Ready => "/readyz",
@@ -115,7 +119,7 @@ pub(crate) fn least(asked: &Asked) -> Least {
 
 fn of_route(route: Route) -> Least {
     match route {
-        Route::ComeIn | Route::ComeInStyle | Route::ComeInScript | Route::Health => Least::Anyone,
+        Route::ComeIn | Route::ComeInStyle | Route::ComeInScript | Route::Invitation | Route::Health => Least::Anyone,
         Route::Page
         | Route::Socket
         | Route::Ready

@@ -21,6 +21,12 @@ async fn comes_in(house: &House, link: &str) -> String {
     unproven(house, &asked(house, "POST", "/come-in", FORM, &format!("token={}", token(link)))).await
 }
 
+/// A link for one more browser of the host.
+async fn next_link(house: &House) -> String {
+    let answer = raw(house, &asked(house, "POST", "/api/host-link", "", "")).await;
+    answer.split('"').find(|part| part.starts_with("http://")).unwrap().to_owned()
+}
+
 /// The cookie that an answer gives, as a line of later requests.
 fn cookie(answer: &str) -> String {
     let given = answer.lines().find_map(|line| line.strip_prefix("set-cookie: ")).unwrap();
@@ -64,8 +70,7 @@ async fn a_link_makes_one_browser_the_hosts_and_another_one_the_next() {
     let held = unproven(&house, &asked(&house, "POST", "/come-in", &format!("{own}{FORM}"), "token=x")).await;
     assert_eq!(status(&held), 303, "who is in already goes to the page");
 
-    let next = raw(&house, &asked(&house, "POST", "/api/host-link", "", "")).await;
-    let next = next.split('"').find(|part| part.starts_with("http://")).unwrap().to_owned();
+    let next = next_link(&house).await;
     assert_eq!(status(&comes_in(&house, &next).await), 303);
     house.close().await;
 
@@ -96,6 +101,36 @@ async fn a_proxy_that_nobody_declared_makes_nobody_host() {
     // As nginx does unless it is told more: nothing says that it speaks for somebody else.
     let plain = format!("GET /api/backup HTTP/1.0\r\nHost: {}\r\nConnection: close\r\n\r\n", house.address);
     assert_eq!(status(&unproven(&house, &plain).await), 401);
+    house.close().await;
+}
+
+/// The case `behind-a-tunnel`.
+#[tokio::test]
+async fn through_a_tunnel_at_another_port_the_host_comes_in_and_a_page_of_another_port_does_not() {
+    let house = House::open().await;
+    let through = |method: &str, path: &str, host: &str, origin: &str, more: &str, body: &str| {
+        let head = format!("Host: {host}\r\nOrigin: http://{origin}\r\nConnection: close\r\n{more}");
+        format!("{method} {path} HTTP/1.1\r\n{head}Content-Length: {}\r\n\r\n{body}", body.len())
+    };
+    for tunnel in ["localhost:8080", "127.0.0.1:8080", "[::1]:8080", "localhost"] {
+        let page = unproven(&house, &through("GET", "/", tunnel, tunnel, "", "")).await;
+        let port = tunnel.rsplit_once(':').map_or("80", |(_, port)| port);
+        let says = format!("with {port} in the place of its port");
+        assert!(status(&page) == 401 && page.contains(&says), "{tunnel}: {page}");
+        assert_eq!(status(&unproven(&house, &through("POST", "/stop", tunnel, tunnel, "", "")).await), 200, "{tunnel}");
+        let link = next_link(&house).await;
+        let token = format!("token={}", token(&link));
+        let came = unproven(&house, &through("POST", "/come-in", tunnel, tunnel, FORM, &token)).await;
+        assert_eq!(status(&came), 303, "{tunnel}: {came}");
+        let backup = through("GET", "/api/backup", tunnel, tunnel, &cookie(&came), "");
+        assert_eq!(status(&unproven(&house, &backup).await), 200, "{tunnel}");
+        for origin in ["localhost:3000", "evil.example:8080", &house.address.to_string()] {
+            let other = through("POST", "/stop", tunnel, origin, &cookie(&came), "");
+            assert_eq!(status(&unproven(&house, &other).await), 403, "{origin} to {tunnel}");
+        }
+    }
+    let named = unproven(&house, &through("GET", "/", "rrp.example:8080", "rrp.example:8080", "", "")).await;
+    assert!(status(&named) == 403 && named.contains("by localhost, 127.0.0.1 or [::1]"), "{named}");
     house.close().await;
 }
 

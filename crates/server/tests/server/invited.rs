@@ -107,6 +107,34 @@ async fn a_link_becomes_a_cookie_that_only_the_browser_sees() {
 }
 
 #[tokio::test]
+async fn the_page_of_a_link_says_who_invites_and_what_for_and_does_not_use_it_up() {
+    let scene = Scene::open().await;
+    let mut browser = scene.browser();
+    let table =
+        [(Role::Viewer, "watch what a robot does"), (Role::Operator, "run a robot"), (Role::Editor, "build robot")];
+    for (role, what_for) in table {
+        let (invitation, link) = scene.invite(role, Lasts::Once).await;
+        let says = browser.asks(&link).await;
+        assert!(status(&says) == 200 && says.contains("Aiko invites you to ") && says.contains(what_for), "{says}");
+        assert!(!says.contains("Yuki") && !says.contains("Ben"), "nothing else is told: {says}");
+        assert_eq!(status(&browser.come_in(&link).await), 303, "it was not used up");
+        let used = browser.asks(&link).await;
+        assert!(status(&used) == 403 && used.contains("Ask for another invitation"), "{used}");
+        scene.aiko.ask(Request::Revoke { invitation: invitation.id }).await.unwrap();
+    }
+    let first = browser.asks(&scene.link).await;
+    assert!(first.contains("The person at the robot’s computer invites you"), "{first}");
+    // Guessing here is slowed as it is where links are used.
+    let mut answers = Vec::new();
+    for guess in 0..12 {
+        answers.push(status(&browser.asks(&format!("{}{guess}", scene.link)).await));
+    }
+    assert!(answers.contains(&429) && !answers.contains(&200), "{answers:?}");
+    assert_eq!(status(&browser.asks(&scene.link).await), 200, "whatever was guessed, a link that works is answered");
+    scene.house.close().await;
+}
+
+#[tokio::test]
 async fn a_link_for_one_person_is_not_used_up_by_looking_and_works_once() {
     let scene = Scene::open().await;
     let (mut first, mut second) = (scene.browser(), scene.browser());

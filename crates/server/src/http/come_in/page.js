@@ -7,6 +7,16 @@ if (!form.hidden) {
   document.querySelector("#broken").hidden = token !== "";
   // What was used does not stay in the history.
   form.addEventListener("submit", () => history.replaceState(null, "", location.pathname));
+  // Who invites, and what for; or that the link lets nobody in, before it is pressed.
+  const says = document.querySelector("#says");
+  const why = async (answer) => {
+    if (!answer.ok && answer.status !== 403 && answer.status !== 429) return;
+    says.textContent = await answer.text();
+    form.hidden = !answer.ok;
+  };
+  if (token !== "" && !("atOnce" in form.dataset)) {
+    fetch("/come-in/invitation", { method: "POST", body: new URLSearchParams({ token }) }).then(why).catch(() => {});
+  }
   // The link of a terminal is opened by nobody but its reader: opening it is the press.
   if ("atOnce" in form.dataset && token !== "") form.requestSubmit();
 } else {

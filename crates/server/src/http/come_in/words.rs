@@ -1,7 +1,8 @@
 //! What the pages of invitations say, in English and in Japanese: they come before the page, which knows its language.
 
-use crate::invitations::NotIn;
+use crate::invitations::{AT_START, NotIn};
 use axum::http::{HeaderMap, header};
+use protocol::Role;
 
 /// In which language a browser is answered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,11 +35,47 @@ impl Language {
     pub(super) fn invited(self) -> [&'static str; 2] {
         [
             self.said("You are invited", "招待されています"),
-            self.said(
-                "Somebody invites you to build robot programs together, or to watch what a robot does.",
-                "ロボットのプログラムをいっしょに作ること、またはロボットの動きを見ることに招待されています。",
-            ),
+            self.said("Somebody who has a robot invites you.", "ロボットを使っている人から招待されています。"),
         ]
+    }
+
+    /// Who invites, and what for.
+    pub(super) fn invites(self, by: &str, role: Role) -> String {
+        let by = match by {
+            "" | AT_START => self.said("The person at the robot’s computer", "ロボットのコンピューターを使っている人"),
+            by => by,
+        };
+        match self {
+            Self::English => {
+                let may = match role {
+                    Role::Viewer => {
+                        "to watch what a robot does. You see the programs and can press Stop; you change nothing."
+                    }
+                    Role::Operator => "to run a robot. You start and stop programs; you do not edit them.",
+                    Role::Editor | Role::Host => {
+                        "to build robot programs together. You edit them, and start and stop the robot."
+                    }
+                };
+                format!("{by} invites you {may}")
+            }
+            Self::Japanese => {
+                let may = match role {
+                    Role::Viewer => {
+                        "ロボットの動きを見ることができます。プログラムの表示と停止はできますが、変更はできません。"
+                    }
+                    Role::Operator => "ロボットを動かせます。プログラムの開始と停止はできますが、編集はできません。",
+                    Role::Editor | Role::Host => {
+                        "ロボットのプログラムをいっしょに作れます。編集と、ロボットの開始と停止ができます。"
+                    }
+                };
+                let by = if matches!(by, "ロボットのコンピューターを使っている人") {
+                    by.to_owned()
+                } else {
+                    format!("{by} さん")
+                };
+                format!("{by}からの招待です。{may}")
+            }
+        }
     }
 
     pub(super) fn by_invitation(self) -> [&'static str; 2] {
@@ -71,6 +108,19 @@ impl Language {
                 "このコンピューターの端末で「rrp open」を実行し、表示されたリンクを開いてください。停止は今すぐ使えます。",
             ),
         ]
+    }
+
+    /// For who comes through a tunnel with this port and is not known.
+    pub(super) fn by_link_through(self, port: u16) -> String {
+        match self {
+            Self::English => format!(
+                "In a terminal of the computer that runs rrp, run “rrp open”. Open the link that it prints here, with {port} \
+                 in the place of its port. Stop works without it."
+            ),
+            Self::Japanese => format!(
+                "rrp を動かしているコンピューターの端末で「rrp open」を実行し、表示されたリンクのポート番号を {port} に変えて、ここで開いてください。停止は今すぐ使えます。"
+            ),
+        }
     }
 
     /// For who opens the link of the host a second time.
