@@ -1,12 +1,14 @@
 //! Where things stand: sizes of streams, the free spot for a new one, and tidying everything.
 
 mod aside;
+mod changed;
 mod label;
 mod spot;
 mod tidy;
 mod was;
 
 pub(crate) use aside::{BOX, box_place, note_size};
+pub(crate) use changed::done;
 pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is};
 pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
 pub(crate) use tidy::tidy;

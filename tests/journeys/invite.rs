@@ -33,6 +33,7 @@ async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<
     let page = stage.nobody(name).await?;
     page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
     page.goto(link).await?;
+    says(&page, "Aiko invites you to").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
     let hash = aiko.eval("location.hash").await?;
@@ -77,7 +78,19 @@ async fn a_viewer_comes_by_a_link_looks_and_is_out_when_it_is_revoked() -> Outco
     let link = invite(&aiko, "look", "until you revoke it", "Ben, tablet").await?;
     assert!(link.starts_with("https://") && link.contains("/come-in#"), "{link}");
     aiko.find("image", "The link as a QR code*").await?;
-    says(&aiko, "It is this one if it shows the SHA-256 fingerprint").await?;
+    says(&aiko, "SHA-256 fingerprint:").await?;
+    let steps = [
+        ("iPad, iPhone", "visit this website"),
+        ("Android", "Proceed to"),
+        ("Windows", "Continue to"),
+        ("Mac", "In Safari"),
+    ];
+    for (device, step) in steps {
+        aiko.press("radio", device).await?;
+        says(&aiko, step).await?;
+    }
+    aiko.press("button", "Copy the link with these steps").await?;
+    says(&aiko, "Copied").await?;
     says(&aiko, "Nobody came yet").await?;
     let ben = come_in(&stage, "ben", &link, &aiko).await?;
     assert!(!ben.address().await?.contains(link.rsplit('#').next().unwrap_or("#")), "the token left the address bar");
@@ -133,6 +146,43 @@ async fn an_operator_starts_and_stops_and_edits_nothing() -> Outcome<()> {
     at_rest(&ben).await?;
     calm_but_uninvited(&ben)?;
     calm(&aiko)
+}
+
+/// The gallery of who may not make programs is that of what they may run.
+#[tokio::test]
+async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first() -> Outcome<()> {
+    if !skip::ready("journey: an operator lands") {
+        return Ok(());
+    }
+    let (stage, aiko) = open_house().await?;
+    let link = invite(&aiko, "start and stop", "for a day", "").await?;
+    aiko.key("Escape").await?;
+    let page = stage.nobody("ben").await?;
+    page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
+    page.goto(&link).await?;
+    says(&page, "Aiko invites you to run a robot. You start and stop programs; you do not edit them.").await?;
+    page.press("button", "Come in").await?;
+    usable(&page).await?;
+    says(&page, "Which program shall run?").await?;
+    for words in ["Templates", "Start with an empty program", "What shall the robot do?"] {
+        silent(&page, words).await?;
+    }
+    start(&aiko).await?;
+    says(&page, "runs now").await?;
+    page.eval("document.querySelector('.gallery button').click(), 0").await?;
+    page.find("button", "Red ball, sensor stream").await?;
+    stop(&page).await?;
+    at_rest(&aiko).await?;
+    page.goto(&link).await?;
+    says(&page, "Aiko invites you to").await?;
+    aiko.press("button", "Invite").await?;
+    aiko.press("button", "Revoke: Without a note").await?;
+    aiko.within("group", "Revoke: Without a note").press("button", "Revoke").await?;
+    let other = stage.nobody("chika").await?;
+    other.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
+    other.goto(&link).await?;
+    says(&other, "This link does not work, or not any more. Ask for another invitation.").await?;
+    other.gone("button", "Come in").await
 }
 
 #[tokio::test]

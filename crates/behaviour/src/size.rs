@@ -201,18 +201,23 @@ fn value_entries(value: &Value) -> usize {
     }
 }
 
+impl Edit {
+    /// What the edit takes at most in a message, in bytes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        let records = [&self.before, &self.after].into_iter().flatten();
+        ITEM_BYTES + records.map(|record| record_bytes(&self.id, record)).sum::<usize>()
+    }
+}
+
 impl Change {
     /// What the change takes at most in a message, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        let edit = |edit: &Edit| {
-            let records = [&edit.before, &edit.after].into_iter().flatten();
-            ITEM_BYTES + records.map(|record| record_bytes(&edit.id, record)).sum::<usize>()
-        };
         let names = [Some(&self.op), self.by.as_ref(), self.undoes.as_ref()].into_iter().flatten();
         let names = names.map(|name| ITEM_BYTES + name.as_str().len()).sum::<usize>();
         let texts = text_bytes(&self.author) + text_bytes(&self.label) + names;
-        STREAM_BYTES + texts + self.edits.iter().map(edit).sum::<usize>()
+        STREAM_BYTES + texts + self.edits.iter().map(Edit::bytes).sum::<usize>()
     }
 }
 

@@ -107,7 +107,11 @@ pub(crate) fn tell_invitation(out: &mut (impl Write + IsTerminal), invited: &Inv
     if let Some(fingerprint) = &invited.fingerprint {
         writeln!(
             out,
-            "Their browser warns of a certificate it does not know. It is this one if its SHA-256 fingerprint is\n{fingerprint}"
+            "Their browser warns once, because this server made its certificate itself. They look at the certificate and\n\
+             compare its SHA-256 fingerprint, which must be all of\n{fingerprint}\n\
+             - iPad, iPhone, Mac: Show Details, view the certificate; if it is this one, visit this website.\n\
+             - Android, Windows: the sign left of the address, then the certificate; if it is this one, Advanced, Proceed or\n  \
+             Continue. The dialog “Invite” in the page has these steps to copy for each of them."
         )?;
     }
     writeln!(out, "The page and `rrp invite` make more invitations, for others and for those who only watch.")

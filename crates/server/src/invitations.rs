@@ -38,7 +38,7 @@ const FILE: &str = "rrp.invitations.json";
 /// Stands for the name of who never said one.
 pub(crate) const SOMEBODY: &str = "Somebody";
 /// Who makes the invitation that is printed at each start.
-pub(crate) const AT_START: &str = "rrp serve";
+const AT_START: &str = "rrp serve";
 /// What else there is to say if there is no disk to keep it on.
 const NO_RANDOM: &str = "this computer gives no random numbers";
 

@@ -82,7 +82,7 @@ fn connector_was(was: &Behaviour, old: &Connector, new: &Connector) -> String {
     }
 }
 
-fn sources(behaviour: &Behaviour, connector: &Connector) -> String {
+pub(super) fn sources(behaviour: &Behaviour, connector: &Connector) -> String {
     words::sources(&connector.inputs.iter().map(|id| name(behaviour, id)).collect::<Vec<_>>())
 }
 

@@ -3,7 +3,7 @@
 mod sketch;
 
 use super::focus;
-use super::hold::hold;
+use super::hold::{Hold, hold};
 use super::language::OtherLanguage;
 use super::may::{MayNot, may_edit};
 use super::teaching::take_tour;
@@ -13,7 +13,7 @@ use crate::icons::Icon;
 use crate::words;
 use behaviour::Params;
 use leptos::prelude::*;
-use protocol::Summary;
+use protocol::{RunPhase, Summary};
 use sketch::Sketch;
 use std::cell::Cell;
 
@@ -47,27 +47,33 @@ pub(crate) fn EmptyStage() -> impl IntoView {
 fn Library() -> impl IntoView {
     let desk = hold();
     let programs = move || {
-        desk.desk().library.programs.get().into_iter().map(|summary| view! { <Program summary /> }).collect_view()
+        let mut programs = desk.desk().library.programs.get();
+        // Who opens the page beside a robot looks for what runs there.
+        programs.sort_by_key(|summary| !runs_now(desk, &summary.id));
+        programs.into_iter().map(|summary| view! { <Program summary /> }).collect_view()
     };
     let templates = move || {
         desk.desk().library.templates.get().into_iter().map(|summary| view! { <TemplateCard summary /> }).collect_view()
     };
+    let role = move || desk.desk().role.get();
     let none = move || desk.desk().library.programs.read().is_empty();
     let has_more = move || desk.desk().library.programs_total.get() > desk.desk().library.programs.read().len() as u64;
     view! {
         <div class="library" data-library="">
-            <h1>{words::library_title()}</h1>
-            <p class="second">{words::library_says()}</p>
+            <h1>{move || words::library_title(role())}</h1>
+            <p class="second">{move || words::library_says(role())}</p>
             <p class="library-begin">
-                <button class="button primary" type="button" disabled=move || !may_edit(desk)
-                    on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddProgram))>
-                    <Icon name="plus" />
-                    {words::begin_empty()}
-                </button>
-                <TourButton />
+                <Show when=move || may_edit(desk)>
+                    <button class="button primary" type="button"
+                        on:click=move |_| desk.desk().dialog.set(Some(Dialog::AddProgram))>
+                        <Icon name="plus" />
+                        {words::begin_empty()}
+                    </button>
+                    <TourButton />
+                </Show>
                 <OtherLanguage in_bar=false />
             </p>
-            <MayNot />
+            <Show when=move || none() && !may_edit(desk)><p>{words::no_programs_yet()}</p></Show>
             <Show when=move || !none()>
                 <h2>{words::behaviours()}</h2>
                 <ul class="gallery">{programs}</ul>
@@ -80,11 +86,20 @@ fn Library() -> impl IntoView {
                     </p>
                 </Show>
             </Show>
-            <h2>{words::templates()}</h2>
-            <ul class="gallery">{templates}</ul>
-            <Exercises />
+            // What makes a program is for who may make one.
+            <Show when=move || may_edit(desk)>
+                <h2>{words::templates()}</h2>
+                <ul class="gallery">{templates}</ul>
+                <Exercises />
+            </Show>
         </div>
     }
+}
+
+/// Whether a program runs on any robot. Reactive.
+fn runs_now(desk: Hold, id: &str) -> bool {
+    let is_it = |run: &protocol::RunState| run.phase == RunPhase::Running && run.behaviour.as_str() == id;
+    desk.desk().robots.runs.read().iter().any(is_it)
 }
 
 /// Programs to learn with, each with a goal.
@@ -106,13 +121,14 @@ fn Program(summary: Summary) -> impl IntoView {
     let desk = hold();
     let note = words::streams(summary.streams);
     let by = (!summary.by.is_empty()).then(|| words::changed_by(&summary.by));
-    let (name, id) = (summary.name.clone(), summary.id.clone());
+    let (name, id, shown) = (summary.name.clone(), summary.id.clone(), summary.id.clone());
     view! {
         <li>
             <button class="template" type="button" title=name
                 on:click=move |_| open_program(&desk.desk(), &id)>
                 <ProgramPicture id=summary.id.clone() revision=summary.revision />
                 <b class="cut">{summary.name}</b>
+                <Show when=move || runs_now(desk, &shown)><span class="runs-now">{words::runs_now()}</span></Show>
                 <span class="second">{note}{by.map(|by| format!(" · {by}"))}</span>
             </button>
         </li>

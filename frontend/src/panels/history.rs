@@ -12,13 +12,15 @@ use crate::browser;
 use crate::desk::{LinkState, Version};
 use crate::escape;
 use crate::icons::Icon;
+use crate::layout::done;
 use crate::words;
 use foot::Foot;
 use leptos::html;
 use leptos::prelude::*;
 use naming::Naming;
+use protocol::HistoryLine;
 use rows::{EditingNow, Row};
-use sittings::{Entry, Here, entries};
+use sittings::{Entry, Here, Known, entries};
 use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
@@ -90,7 +92,12 @@ fn lines(desk: Hold, unfolded: &BTreeSet<u64>) -> Vec<Entry> {
     };
     let versions = desk.document.versions.get();
     let lines: Vec<_> = desk.document.history.with(|history| history.newest_first().cloned().collect());
-    entries(&lines, &versions, unfolded, &here)
+    // Names and units are those of now: a later change may have given others, and comes with a line of its own.
+    let behaviour = untrack(|| desk.document.behaviour());
+    let done = |line: &HistoryLine| done(&behaviour, line, &|id| untrack(|| desk.document.unit(id)));
+    let people = desk.document.people.get();
+    let names = people.iter().map(|person| (person.client.clone(), person.name.clone())).collect();
+    entries(&lines, &versions, unfolded, &here, Known { names, done: &done })
 }
 
 /// What comes after the last line: older changes on demand, or that there are none.

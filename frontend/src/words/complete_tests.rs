@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 /// The most Latin letters in a row that need no reason.
 const LATIN_MAX: usize = 3;
 /// Words that are the same in Japanese: keys, names, and words of procedures.
-const LATIN: [&str; 33] = [
+const LATIN: [&str; 39] = [
     "Ctrl",
     "DOCTYPE",
     "English",
@@ -49,6 +49,12 @@ const LATIN: [&str; 33] = [
     "soFar",
     "true",
     "value",
+    "Android",
+    "Chrome",
+    "Safari",
+    "Windows",
+    "iPad",
+    "iPhone",
 ];
 
 /// What is made of parts where it is said: the words of a refusal, of a unit, of a kind of value, of where a fault is.

@@ -12,6 +12,7 @@ mod names;
 mod people;
 mod robots;
 mod teaching;
+mod warning;
 
 pub(crate) use chip::*;
 pub(crate) use conflicts::*;
@@ -25,6 +26,7 @@ pub(crate) use names::*;
 pub(crate) use people::*;
 pub(crate) use robots::*;
 pub(crate) use teaching::*;
+pub(crate) use warning::*;
 
 use super::language::{fill, said, translated};
 use crate::desk::{Joining, NotBrought};
@@ -352,8 +354,8 @@ sentences! {
     help_pan_says: "move and zoom the graph";
 
     // Empty states
-    library_title: "What shall the robot do?";
-    library_says: "Open a program, begin with a template, or start with an empty program.";
+    runs_now: "runs now";
+    no_programs_yet: "There is no program yet. As soon as somebody makes one, it is here.";
     begin_empty: "Start with an empty program";
     begin_with_sense: "Add a sense to begin";
     begin_says: "What should the robot notice? Everything else follows from it.";

@@ -1,13 +1,13 @@
 //! What this page knows of the history of the open behaviour: its newest changes, and older ones as far as they were read.
 
-use behaviour::{Accepted, Id, Kind};
+use behaviour::{Accepted, Id};
 use protocol::HistoryLine;
 use std::collections::BTreeMap;
 
 /// So many changes are kept; the oldest ones are asked for again.
 const LINES_MAX: usize = 5_000;
 
-/// Changes without what they changed, the newest of them up to some older one without gaps.
+/// Changes as the history tells them, the newest of them up to some older one without gaps.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct History {
     lines: BTreeMap<u64, HistoryLine>,
@@ -50,7 +50,7 @@ impl History {
 
     /// A change was made just now.
     pub(super) fn made(&mut self, accepted: &Accepted) {
-        let line = line_of(accepted);
+        let line = HistoryLine::of(accepted.clone());
         self.lines.insert(line.revision, line);
         if self.lines.len() > LINES_MAX {
             self.lines.pop_first();
@@ -72,21 +72,6 @@ impl History {
     }
 }
 
-fn line_of(accepted: &Accepted) -> HistoryLine {
-    let Accepted { revision, change } = accepted;
-    let is_thing = |id: Kind| matches!(id, Kind::Stream | Kind::Connector | Kind::Helper);
-    HistoryLine {
-        revision: *revision,
-        op: change.op.clone(),
-        author: change.author.clone(),
-        by: change.by.clone(),
-        label: change.label.clone(),
-        at_ms: change.at_ms,
-        undoes: change.undoes.clone(),
-        removes: change.edits.iter().any(|edit| edit.after.is_none() && is_thing(edit.id.kind)),
-    }
-}
-
 /// Whether a change is one's own.
 pub(super) fn is_mine(line: &HistoryLine, me: &Id) -> bool {
     line.by.as_ref() == Some(me)
@@ -94,11 +79,16 @@ pub(super) fn is_mine(line: &HistoryLine, me: &Id) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{History, LINES_MAX, line_of};
+    use super::{History, LINES_MAX};
     use behaviour::{Accepted, Behaviour, Change, Id, Note, Record, RecordId};
+    use protocol::HistoryLine;
 
     fn made(revision: u64, author: &str) -> Accepted {
         Accepted { revision, change: Change::of(Id::new(&format!("op{revision}")).unwrap(), author, "Edit") }
+    }
+
+    fn line_of(accepted: &Accepted) -> HistoryLine {
+        HistoryLine::of(accepted.clone())
     }
 
     fn removal(revision: u64, author: &str) -> Accepted {

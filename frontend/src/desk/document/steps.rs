@@ -116,6 +116,7 @@ mod tests {
             at_ms: 0,
             undoes: Id::new(undoes).ok(),
             removes: false,
+            edits: Vec::new(),
         };
         let lines: Vec<HistoryLine> = (1..).zip(lines).map(line).collect();
         history.read(&lines, false);

@@ -3,6 +3,7 @@
 mod list;
 mod made;
 mod making;
+mod warning;
 
 use super::frame::{Frame, close};
 use crate::desk::Invited;

@@ -58,9 +58,8 @@ fn tab_index(desk: Hold, revision: u64) -> &'static str {
 #[component]
 fn GestureRow(gesture: Gesture) -> impl IntoView {
     let desk = hold();
-    let Gesture { revision, author, by, mine, label, at, removes } = gesture;
+    let Gesture { revision, author, by, mine, deed, at, removes } = gesture;
     let cannot = move || !may_change(desk);
-    let deed = words::deed(&label);
     let who = words::who_did(&author, mine);
     let bring_back = move |_| desk.desk().document.bring_back_removed(revision);
     view! {

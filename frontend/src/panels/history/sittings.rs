@@ -1,9 +1,9 @@
 //! A history as people tell it: sittings, each with its time and its people, older ones folded into a line.
 
-use crate::words;
+use crate::words::{self, Deed};
 use behaviour::{Checkpoint, Id};
 use protocol::HistoryLine;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A pause of so many milliseconds ends a sitting.
 const PAUSE_MS: u64 = 30 * 60_000;
@@ -30,7 +30,7 @@ pub(super) struct Gesture {
     pub(super) author: String,
     pub(super) by: Option<Id>,
     pub(super) mine: bool,
-    pub(super) label: String,
+    pub(super) deed: Deed,
     pub(super) at: String,
     pub(super) removes: bool,
 }
@@ -44,6 +44,21 @@ pub(super) struct Here<'a> {
     pub(super) ahead_ms: fn(f64) -> f64,
     /// A day that is neither today nor yesterday, in words.
     pub(super) date: fn(f64) -> String,
+}
+
+/// What a history speaks of.
+pub(super) struct Known<'a> {
+    /// The people who are here, as they are called now.
+    pub(super) names: BTreeMap<Id, String>,
+    /// What somebody did with a line.
+    pub(super) done: &'a dyn Fn(&HistoryLine) -> Deed,
+}
+
+impl Known<'_> {
+    /// Who made a change, as they were called last: whoever renamed themselves is one person.
+    fn author(&self, line: &HistoryLine) -> String {
+        line.by.as_ref().and_then(|by| self.names.get(by)).unwrap_or(&line.author).clone()
+    }
 }
 
 impl Here<'_> {
@@ -84,37 +99,45 @@ pub(super) fn entries(
     versions: &[Checkpoint],
     unfolded: &BTreeSet<u64>,
     here: &Here,
+    mut known: Known,
 ) -> Vec<Entry> {
+    for line in lines {
+        if let Some(by) = &line.by {
+            known.names.entry(by.clone()).or_insert_with(|| line.author.clone());
+        }
+    }
+    let known = &known;
     let mut made = Vec::new();
     let sittings = lines.chunk_by(|newer, older| newer.at_ms.saturating_sub(older.at_ms) <= PAUSE_MS);
     for (at, sitting) in sittings.enumerate() {
-        made.push(head(sitting, at == 0, here));
+        made.push(head(sitting, at == 0, here, known));
         let open = at == 0 || unfolded.contains(&sitting[0].revision);
         if at > 0 && sitting.len() > 1 {
-            made.push(fold(sitting, open));
+            made.push(fold(sitting, open, known));
         }
         for line in sitting {
             made.extend(
                 versions.iter().filter(|named| named.revision == line.revision).map(|it| named(it, Some(line), here)),
             );
             if open || sitting.len() == 1 {
-                made.push(Entry::Gesture(gesture(line, here)));
+                made.push(Entry::Gesture(gesture(line, here, known)));
             }
         }
     }
-    let known = |revision: u64| lines.iter().any(|line| line.revision == revision);
-    made.extend(versions.iter().rev().filter(|version| !known(version.revision)).map(|it| named(it, None, here)));
+    let is_known = |revision: u64| lines.iter().any(|line| line.revision == revision);
+    made.extend(versions.iter().rev().filter(|version| !is_known(version.revision)).map(|it| named(it, None, here)));
     made
 }
 
-fn head(sitting: &[HistoryLine], newest: bool, here: &Here) -> Entry {
+fn head(sitting: &[HistoryLine], newest: bool, here: &Here, known: &Known) -> Entry {
     let (last, first) = (sitting[0].at_ms, sitting[sitting.len() - 1].at_ms);
     let lasts = newest && here.now_ms - (last as f64) <= PAUSE_MS as f64;
     let to = if lasts { words::now_version().to_owned() } else { here.clock(last) };
     let mut others: Vec<String> = Vec::new();
     for line in sitting.iter().rev().filter(|line| !here.is_mine(line)) {
-        if !others.contains(&line.author) {
-            others.push(line.author.clone());
+        let author = known.author(line);
+        if !others.contains(&author) {
+            others.push(author);
         }
     }
     let you = sitting.iter().any(|line| here.is_mine(line));
@@ -124,10 +147,10 @@ fn head(sitting: &[HistoryLine], newest: bool, here: &Here) -> Entry {
     }
 }
 
-fn fold(sitting: &[HistoryLine], open: bool) -> Entry {
+fn fold(sitting: &[HistoryLine], open: bool, known: &Known) -> Entry {
     let mut deeds: Vec<String> = Vec::new();
     for line in sitting.iter().rev() {
-        let deed = words::deed(&line.label).whole();
+        let deed = (known.done)(line).whole();
         if !deeds.contains(&deed) {
             deeds.push(deed);
         }
@@ -136,7 +159,7 @@ fn fold(sitting: &[HistoryLine], open: bool) -> Entry {
     deeds.truncate(DEEDS_MAX);
     let says = words::folded(sitting.len(), &format!("{}{more}", words::listed(deeds)));
     let newest = &sitting[0];
-    Entry::Folded { revision: newest.revision, author: newest.author.clone(), by: newest.by.clone(), says, open }
+    Entry::Folded { revision: newest.revision, author: known.author(newest), by: newest.by.clone(), says, open }
 }
 
 fn named(version: &Checkpoint, line: Option<&HistoryLine>, here: &Here) -> Entry {
@@ -145,13 +168,13 @@ fn named(version: &Checkpoint, line: Option<&HistoryLine>, here: &Here) -> Entry
     Entry::Named { revision: version.revision, name: version.name.clone(), about }
 }
 
-fn gesture(line: &HistoryLine, here: &Here) -> Gesture {
+fn gesture(line: &HistoryLine, here: &Here, known: &Known) -> Gesture {
     Gesture {
         revision: line.revision,
-        author: line.author.clone(),
+        author: known.author(line),
         by: line.by.clone(),
         mine: here.is_mine(line),
-        label: line.label.clone(),
+        deed: (known.done)(line),
         at: here.clock(line.at_ms),
         removes: line.removes,
     }
@@ -159,10 +182,11 @@ fn gesture(line: &HistoryLine, here: &Here) -> Gesture {
 
 #[cfg(test)]
 mod tests {
-    use super::{Entry, Here, entries};
+    use super::{Entry, Here, Known, entries};
+    use crate::words;
     use behaviour::{Checkpoint, Id};
     use protocol::HistoryLine;
-    use std::collections::BTreeSet;
+    use std::collections::{BTreeMap, BTreeSet};
 
     const MINUTE: u64 = 60_000;
     const DAY: u64 = 24 * 60 * MINUTE;
@@ -172,7 +196,7 @@ mod tests {
     fn line(revision: u64, by: &str, label: &str, at_ms: u64) -> HistoryLine {
         let (op, id) = (Id::new(&format!("op{revision}")).unwrap(), Id::new(by).ok());
         let (author, label) = (by.to_owned(), label.to_owned());
-        HistoryLine { revision, op, author, by: id, label, at_ms, undoes: None, removes: false }
+        HistoryLine { revision, op, author, by: id, label, at_ms, undoes: None, removes: false, edits: Vec::new() }
     }
 
     fn said(lines: &[HistoryLine], versions: &[Checkpoint], unfolded: &[u64]) -> Vec<String> {
@@ -187,11 +211,12 @@ mod tests {
         let unfolded: BTreeSet<u64> = unfolded.iter().copied().collect();
         let say = |entry| match entry {
             Entry::Head { when, who } => format!("{when} | {who}"),
-            Entry::Gesture(gesture) => format!("{} {}", gesture.at, gesture.label),
+            Entry::Gesture(gesture) => format!("{} {}", gesture.at, gesture.deed.whole()),
             Entry::Named { name, about, .. } => format!("{name}: {about}"),
             Entry::Folded { says, open, .. } => format!("{} {says}", if open { "-" } else { "+" }),
         };
-        entries(lines, versions, &unfolded, &here).into_iter().map(say).collect()
+        let known = Known { names: BTreeMap::new(), done: &|line| words::deed(&line.label) };
+        entries(lines, versions, &unfolded, &here, known).into_iter().map(say).collect()
     }
 
     #[test]
@@ -203,13 +228,21 @@ mod tests {
             line(2, "Aiko", "Add Far ball", NOON - DAY - 30 * MINUTE),
             line(1, "Aiko", "Add Ours", NOON - 4 * DAY),
         ];
-        let first = ["Today, 11:29 to now | Yuki and you", "11:59 Move", "11:29 Add Eyes"];
+        let first = ["Today, 11:29 to now | Yuki and you", "11:59 moved something", "11:29 added Eyes"];
         let second = "Yesterday, 11:30 to 12:00 | you";
-        let third = ["18 November, 12:00 | you", "12:00 Add Ours"];
+        let third = ["18 November, 12:00 | you", "12:00 added Ours"];
         let folded = [second, "+ 2 changes: added Far ball, tidied up"];
         assert_eq!(said(&lines, &[], &[]), [&first[..], &folded, &third].concat());
-        let open = [second, "- 2 changes: added Far ball, tidied up", "12:00 Tidy", "11:30 Add Far ball"];
+        let open = [second, "- 2 changes: added Far ball, tidied up", "12:00 tidied up", "11:30 added Far ball"];
         assert_eq!(said(&lines, &[], &[3]), [&first[..], &open, &third].concat());
+    }
+
+    #[test]
+    fn who_renamed_themselves_is_one_person() {
+        let by =
+            |revision, name: &str| HistoryLine { author: name.into(), ..line(revision, "yuki", "Tidy", NOON - MINUTE) };
+        let shown = said(&[by(3, "Dr Yuki"), line(2, "Aiko", "Move", NOON - MINUTE), by(1, "Yuki")], &[], &[]);
+        assert_eq!(shown[0], "Today, 11:59 to now | Dr Yuki and you");
     }
 
     #[test]
@@ -220,9 +253,9 @@ mod tests {
         let shown = said(&lines, &[version(2, "Old", "Yuki"), version(8, "Before group B", "Aiko")], &[]);
         let right = [
             "Today, 11:59 to now | you",
-            "12:00 Move",
+            "12:00 moved something",
             "Before group B: Today, 11:59 · named by you",
-            "11:59 Tidy",
+            "11:59 tidied up",
             "Old: Today, 12:00 · named by Yuki",
         ];
         assert_eq!(shown, right);

@@ -62,11 +62,14 @@ pub(crate) fn from_to(day: &str, from: &str, to: Option<&str>) -> String {
     }
 }
 
+/// So many characters of what something was and is are told.
+const TOLD_MAX_CHARS: usize = 60;
+
 /// Stands in a sentence for what is shown in another way than the words around it.
 pub(super) const HOLE: &str = "\u{1}";
 
 /// What somebody did: the words before what it was done to, that, and the words after.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Deed {
     pub(crate) before: String,
     pub(crate) of: String,
@@ -86,13 +89,65 @@ impl Deed {
     }
 }
 
+/// Whether the label of a change says that it takes something back (false), or does it again (true).
+pub(crate) fn taken_back(label: &str) -> Option<bool> {
+    let again = label.starts_with("Redo: ");
+    (again || label.starts_with("Undo: ")).then_some(again)
+}
+
+/// Taking back what is told like this, or doing it again.
+pub(crate) fn taken_back_deed(again: bool, told: &str) -> Deed {
+    let told = saying(told);
+    if again {
+        Deed::around(say!("did {of} again", of = HOLE), told)
+    } else {
+        Deed::around(say!("took back {of}", of = HOLE), told)
+    }
+}
+
+/// `changed Close ball`
+pub(crate) fn changed(of: &str) -> Deed {
+    Deed::around(say!("changed {of}", of = HOLE), of.to_owned())
+}
+
+/// `changed Close ball: 40 → 60 cm`
+pub(crate) fn changed_from_to(of: &str, before: &str, after: &str) -> Deed {
+    let (before, after) = (cut(before), cut(after));
+    Deed::around(say!("changed {of}: {before} → {after}", of = HOLE, before, after), of.to_owned())
+}
+
+/// `renamed Near ball to Close ball`
+pub(crate) fn renamed(before: &str, after: &str) -> Deed {
+    Deed::around(say!("renamed {of} to {new}", of = HOLE, new = after), before.to_owned())
+}
+
+/// `added Tracker for Close ball`
+pub(crate) fn added_for(of: &str, from: &str) -> Deed {
+    Deed::around(say!("added {of} for {from}", of = HOLE, from), of.to_owned())
+}
+
+/// `added Distance from Red ball`
+pub(crate) fn added_from(of: &str, from: &str) -> Deed {
+    Deed::around(say!("added {of} from {from}", of = HOLE, from), of.to_owned())
+}
+
+/// `led Close ball to Tracker`
+pub(crate) fn led(from: &str, to: &str) -> Deed {
+    Deed::around(say!("led {of} to {to}", of = HOLE, to), from.to_owned())
+}
+
+/// A long text with its end left out.
+fn cut(text: &str) -> String {
+    let one_line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let mut letters = one_line.chars();
+    let begin: String = letters.by_ref().take(TOLD_MAX_CHARS).collect();
+    if letters.next().is_some() { format!("{begin}…") } else { begin }
+}
+
 /// What somebody did, of the label of a change.
 pub(crate) fn deed(label: &str) -> Deed {
-    if let Some(of) = label.strip_prefix("Undo: ") {
-        return Deed::around(say!("took back {of}", of = HOLE), saying(&label_said(of)));
-    }
-    if let Some(of) = label.strip_prefix("Redo: ") {
-        return Deed::around(say!("did {of} again", of = HOLE), saying(&label_said(of)));
+    if let Some(again) = taken_back(label) {
+        return taken_back_deed(again, &label_said(label.split_once(": ").map_or(label, |(_, of)| of)));
     }
     match label {
         "Move" => Deed::around(say!("moved something"), String::new()),

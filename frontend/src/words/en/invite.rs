@@ -18,7 +18,6 @@ sentences! {
     copy_link: "Copy";
     qr_name: "The link as a QR code. A phone’s camera opens it.";
     shown_once: "It is shown only now. Copy it, or let a camera see it.";
-    fingerprint: "Their browser warns once of a certificate it does not know. It is this one if it shows the SHA-256 fingerprint";
     invitations: "Invitations";
     no_invitations: "Nobody is invited yet.";
     invitation_unnamed: "Without a note";
@@ -82,6 +81,28 @@ pub(crate) fn may_not(role: Role) -> &'static str {
         Role::Viewer => said("You may look. Ask the person who invited you for more."),
         Role::Operator => said("You may start and stop, not edit. Ask the person who invited you for more."),
         Role::Editor | Role::Host => said("Only the person at the robot’s computer may do this. Ask them."),
+    }
+}
+
+/// Over the library. Who may not make programs comes to run or to watch one.
+pub(crate) fn library_title(role: Option<Role>) -> &'static str {
+    match role {
+        Some(Role::Viewer) => said("What do you want to watch?"),
+        Some(Role::Operator) => said("Which program shall run?"),
+        Some(Role::Editor | Role::Host) | None => said("What shall the robot do?"),
+    }
+}
+
+/// What to do there.
+pub(crate) fn library_says(role: Option<Role>) -> &'static str {
+    match role {
+        Some(Role::Viewer) => {
+            said("Open a program to see what it does. You change nothing, and Stop works for you too.")
+        }
+        Some(Role::Operator) => said("Open a program, then press Start. You change nothing in it."),
+        Some(Role::Editor | Role::Host) | None => {
+            said("Open a program, begin with a template, or start with an empty program.")
+        }
     }
 }
 

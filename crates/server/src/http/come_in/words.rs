@@ -1,6 +1,6 @@
 //! What the pages of invitations say, in English and in Japanese: they come before the page, which knows its language.
 
-use crate::invitations::{AT_START, NotIn};
+use crate::invitations::NotIn;
 use axum::http::{HeaderMap, header};
 use protocol::Role;
 
@@ -41,9 +41,12 @@ impl Language {
 
     /// Who invites, and what for.
     pub(super) fn invites(self, by: &str, role: Role) -> String {
-        let by = match by {
-            "" | AT_START => self.said("The person at the robot’s computer", "ロボットのコンピューターを使っている人"),
-            by => by,
+        // A terminal makes invitations in the name of its program.
+        let is_named = !by.is_empty() && !by.starts_with("rrp ");
+        let by = if is_named {
+            by
+        } else {
+            self.said("The person at the robot’s computer", "ロボットのコンピューターを使っている人")
         };
         match self {
             Self::English => {

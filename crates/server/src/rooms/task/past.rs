@@ -7,12 +7,12 @@ use super::{RoomTask, Stay};
 use crate::rooms::member::{Answer, Whole};
 use crate::rooms::past::{Past, Wanted, Was, Wish};
 use crate::rooms::{Note, Surroundings};
-use behaviour::{Committed, Id, Kind, Room, without_unseen};
+use behaviour::{Id, Room, without_unseen};
 use protocol::{HISTORY_MAX_LINES, HistoryLine, Refused, Reply};
 use std::sync::{Arc, Weak};
 
-/// The lines of one page of a history, in bytes of their texts; a longer one is alone.
-const LINES_MAX_BYTES: usize = 64 << 10;
+/// The lines of one page of a history, in bytes; a longer one is alone.
+const LINES_MAX_BYTES: usize = 128 << 10;
 
 impl RoomTask {
     /// Does what somebody wants of the past.
@@ -110,29 +110,14 @@ async fn lines(around: &Surroundings, id: &Id, mut to: u64) -> Result<(Vec<Histo
     let (mut lines, mut bytes) = (Vec::new(), 0);
     while to > 0 {
         for made in page(around, id, to.saturating_sub(PAGE_MAX_CHANGES), to).await?.into_iter().rev() {
-            bytes += made.change.label.len() + made.change.author.len();
+            let line = HistoryLine::of(made);
+            bytes += line.bytes();
             if lines.len() >= HISTORY_MAX_LINES || (bytes > LINES_MAX_BYTES && !lines.is_empty()) {
                 return Ok((lines, true));
             }
-            lines.push(line(made));
+            lines.push(line);
         }
         to = to.saturating_sub(PAGE_MAX_CHANGES);
     }
     Ok((lines, false))
-}
-
-fn line(made: Committed) -> HistoryLine {
-    let Committed { revision, change } = made;
-    let is_thing = |kind| matches!(kind, Kind::Stream | Kind::Connector | Kind::Helper);
-    let removes = change.edits.iter().any(|edit| edit.after.is_none() && is_thing(edit.id.kind));
-    HistoryLine {
-        revision,
-        op: change.op,
-        author: change.author,
-        by: change.by,
-        label: change.label,
-        at_ms: change.at_ms,
-        undoes: change.undoes,
-        removes,
-    }
 }

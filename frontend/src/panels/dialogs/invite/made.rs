@@ -1,5 +1,6 @@
-//! A link that was just made: to copy, as a picture for a camera, and how to know the certificate.
+//! A link that was just made: to copy, and as a picture for a camera.
 
+use super::warning::Warning;
 use crate::browser;
 use crate::desk::Invited;
 use crate::panels::focus;
@@ -24,7 +25,7 @@ pub(super) fn Made(invited: Invited, made: RwSignal<Option<Invited>>) -> impl In
     view! {
         <p role="status">{said}</p>
         <div class="copy-line">
-            <input class="input mono" id=LINK_ID type="text" readonly=true aria-label=words::link() value=link
+            <input class="input mono" id=LINK_ID type="text" readonly=true aria-label=words::link() value=link.clone()
                 on:focus=select_all />
             <button class="button primary" type="button" on:click=copy>
                 {move || if copied.get() { words::link_copied() } else { words::copy_link() }}
@@ -33,9 +34,7 @@ pub(super) fn Made(invited: Invited, made: RwSignal<Option<Invited>>) -> impl In
         <p class="second">{words::shown_once()}</p>
         <div class="made-beside">
             <Qr rows=qr />
-            {fingerprint.map(|fingerprint| view! {
-                <p class="second fingerprint">{words::fingerprint()}" "<code>{fingerprint}</code>"."</p>
-            })}
+            {fingerprint.map(|fingerprint| view! { <Warning link=link fingerprint /> })}
         </div>
         <div class="row">
             <button class="button" type="button" on:click=move |_| made.set(None)>{words::another_link()}</button>

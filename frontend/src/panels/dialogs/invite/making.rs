@@ -57,14 +57,14 @@ pub(super) fn Making(made: RwSignal<Option<Invited>>) -> impl IntoView {
     }
 }
 
-/// One out of three side by side, with what follows from it.
+/// One out of few side by side, with what follows from it.
 #[component]
-fn OneOf<T: Copy + PartialEq + Send + Sync + 'static>(
+pub(super) fn OneOf<T: Copy + PartialEq + Send + Sync + 'static, const N: usize>(
     label: &'static str,
     name: &'static str,
-    options: [(T, &'static str); 3],
+    options: [(T, &'static str); N],
     value: RwSignal<T>,
-    says: Signal<&'static str>,
+    #[prop(optional)] says: Option<Signal<&'static str>>,
 ) -> impl IntoView {
     let option = move |(this, words): (T, &'static str)| {
         view! {
@@ -78,7 +78,7 @@ fn OneOf<T: Copy + PartialEq + Send + Sync + 'static>(
         <fieldset class="field">
             <legend class="label">{label}</legend>
             <div class="segments">{options.map(option).collect_view()}</div>
-            <p class="second">{move || says.get()}</p>
+            {says.map(|says| view! { <p class="second">{move || says.get()}</p> })}
         </fieldset>
     }
 }
