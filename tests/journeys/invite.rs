@@ -155,7 +155,7 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
         return Ok(());
     }
     let (stage, aiko) = open_house().await?;
-    let link = invite(&aiko, "start and stop", "for a day", "").await?;
+    let link = invite(&aiko, "start and stop", "for a day", "Ben").await?;
     aiko.key("Escape").await?;
     let page = stage.nobody("ben").await?;
     page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
@@ -176,8 +176,8 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
     page.goto(&link).await?;
     says(&page, "Aiko invites you to").await?;
     aiko.press("button", "Invite").await?;
-    aiko.press("button", "Revoke: Without a note").await?;
-    aiko.within("group", "Revoke: Without a note").press("button", "Revoke").await?;
+    aiko.press("button", "Revoke: Ben").await?;
+    aiko.within("group", "Revoke: Ben").press("button", "Revoke").await?;
     let other = stage.nobody("chika").await?;
     other.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
     other.goto(&link).await?;

@@ -1,6 +1,6 @@
 //! How it looks to let others in, to be one who may only look, and to be out.
 
-use crate::look::look;
+use crate::look::{colours, look};
 use crate::screens::{Stage, nothing, run_template, usable};
 use crate::words::Words;
 use house::{Browser, Outcome, Page, Server, skip};
@@ -27,7 +27,7 @@ async fn axe_finds_nothing_about_inviting_and_who_may_only_look() -> Outcome<()>
     found.extend(look(&aiko, "inviting").await?);
     dialog.press("button", "Make a link").await?;
     let link = dialog.text("textbox", "Link").await?;
-    let ben = come_in(&browser, &link, &aiko).await?;
+    let ben = come_in(&browser, &link, &aiko, &mut found).await?;
     aiko.until("document.body.innerText.includes('here now')", "Ben is there").await?;
     found.extend(look(&aiko, "invited").await?);
 
@@ -58,14 +58,20 @@ async fn axe_finds_nothing_where_nobody_else_reaches_the_server() -> Outcome<()>
     nothing("findings about inviting nobody", &look(&stage.page, "invite-alone").await?)
 }
 
-/// Somebody who comes by a link and opens what is open.
-async fn come_in(browser: &Browser, link: &str, aiko: &Page) -> Outcome<Page> {
+/// Somebody who comes by a link and opens what is open, looking at what they meet on the way.
+async fn come_in(browser: &Browser, link: &str, aiko: &Page, found: &mut Vec<String>) -> Outcome<Page> {
     let page = browser.person("ben").await?;
     page.size(1440, 900, false).await?;
     page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
     page.goto(link).await?;
+    page.until("document.body.innerText.includes('invites you to watch')", "who invites").await?;
+    // Who is not in yet has no Stop, which the other rules ask for.
+    found.extend(colours(&page, "come-in").await?);
+    page.theme(false).await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
+    page.until("document.body.innerText.includes('What do you want to watch?')", "what there is to watch").await?;
+    found.extend(look(&page, "lands").await?);
     let hash = aiko.eval("location.hash").await?;
     page.eval(&format!("location.hash = {hash}; 0")).await?;
     page.find("button", "Distance, *").await?;
