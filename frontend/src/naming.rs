@@ -84,11 +84,7 @@ fn by_body(body: &str, arguments: &[String], names: &[String]) -> Option<String>
     {
         return None;
     }
-    let apart = |at: usize| format!("rrp_name_{at}");
-    let marked = arguments.iter().enumerate();
-    let marked = marked.fold(body.to_owned(), |body, (at, name)| behaviour::rename_identifier(&body, name, &apart(at)));
-    let named = names.iter().enumerate().rev();
-    let named = named.fold(marked, |body, (at, name)| behaviour::rename_identifier(&body, &apart(at), name));
+    let named = behaviour::rename_identifiers(body, arguments, names);
     Some(first_upper(&named.split_whitespace().collect::<Vec<_>>().join(" ")))
 }
 

@@ -55,7 +55,7 @@ pub use locks::{
 pub use lookup::{Lookup, LookupSet};
 pub use names::{
     argument_names, arguments_of, called_names, calls_helper, in_names_of_today, is_identifier, is_name_letter,
-    rename_helpers, rename_identifier, shown_spellings,
+    rename_helpers, rename_identifier, rename_identifiers, rename_unknown, shown_spellings,
 };
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};

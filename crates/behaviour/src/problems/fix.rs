@@ -7,7 +7,7 @@ use super::{Problem, ProblemKind, ways};
 use crate::connectors::{to_choose, to_leave_out_the_same, to_new_value, to_slow_down, to_tell_the_time};
 use crate::{
     Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure, Seen, Unit,
-    ValueType, rename_identifier,
+    ValueType, rename_identifiers, rename_unknown,
 };
 use draft::Draft;
 use serde::{Deserialize, Serialize};
@@ -197,7 +197,7 @@ impl<'a> Fixer<'a, '_> {
 
     fn name(&mut self, from: &str, to: &str) -> Option<Fix> {
         let Some(Procedure::Body { body, args }) = self.connector()?.operation.procedure() else { return None };
-        let renamed = crate::names::rename_field(&rename_identifier(body, from, to), from, to);
+        let renamed = rename_unknown(body, &self.around.behaviour.arguments(self.connector()?), from, to);
         let (at, args) = (self.at, args.clone());
         let mut draft = self.draft();
         draft.set_procedure(at, Procedure::Body { body: renamed, args });
@@ -307,8 +307,8 @@ impl<'a> Fixer<'a, '_> {
         if connector.inputs.len() != 2 || arguments.len() != 2 {
             return None;
         }
-        let with_value = |body: String, name: &String| rename_identifier(&body, name, &format!("{name}.v"));
-        let valued = arguments.iter().fold(body.clone(), with_value);
+        let values: Vec<String> = arguments.iter().map(|name| format!("{name}.v")).collect();
+        let valued = rename_identifiers(body, &arguments, &values);
         let body = format!("#{{v: {valued}, t: {}.t - {}.t}}", arguments[new], arguments[old]);
         let (at, around, to) = (self.at, self.around, &connector.output);
         let output = around.name(to);

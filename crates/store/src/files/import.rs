@@ -237,6 +237,17 @@ mod tests {
     }
 
     #[test]
+    fn what_a_robot_says_keeps_the_name_of_a_helper_that_gets_another() {
+        let (said, called) = ("`You are near (about ${near} m)`", "`near (${`near ${near(near)}`})`");
+        let maps = [Procedure::body(said), Procedure::body(called)];
+        let there = library(&[("near", "x < 1")]);
+        let made = import(&file(vec![helper("near", "x < 2")], &maps), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        assert_eq!(made.renamed, [("near".to_owned(), "near2".to_owned())]);
+        let wanted = [Procedure::body(said), Procedure::body("`near (${`near ${near2(near)}`})`")];
+        assert_eq!(procedures(&made), wanted);
+    }
+
+    #[test]
     fn a_helper_whose_own_helper_differs_means_something_else() {
         let helpers = vec![helper("close", "near(x)"), helper("near", "x < 1")];
         let there = library(&[("near", "x < 2"), ("close", "near(x)")]);

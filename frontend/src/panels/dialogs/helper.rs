@@ -64,7 +64,7 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                 <div class="field">
                     <span class="label">{words::body()}</span>
                     <CodeField label=words::body() value=fields.body arguments unknown=wrong described_by="helper-said" />
-                    <Meant body=fields.body unknown=Signal::from(unknown) />
+                    <Meant body=fields.body arguments unknown=Signal::from(unknown) />
                     <div role="status" id="helper-said">
                         {move || error.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
                     </div>

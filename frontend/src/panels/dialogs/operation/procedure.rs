@@ -67,7 +67,7 @@ fn Body(form: Form, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
         <div class="field">
             <span class="label">{words::parameters()}" "<code>{move || arguments.get().join(", ")}</code></span>
             <CodeField label=words::body() value=form.body arguments unknown=wrong described_by="body-said" one_line=true />
-            <Meant body=form.body unknown />
+            <Meant body=form.body arguments unknown />
             <Spellings form arguments />
             <FieldNames form />
         </div>
@@ -76,13 +76,17 @@ fn Body(form: Form, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
 
 /// The name that is probably meant in place of one that means nothing, with one tap.
 #[component]
-pub(in crate::panels::dialogs) fn Meant(body: RwSignal<String>, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
+pub(in crate::panels::dialogs) fn Meant(
+    body: RwSignal<String>,
+    arguments: Signal<Vec<String>>,
+    unknown: Signal<Option<UnknownName>>,
+) -> impl IntoView {
     let offer = move || {
         let UnknownName { name, near } = unknown.get()?;
         let near = near?;
         let label = words::use_name(&near);
         let mend = move |event: web_sys::MouseEvent| {
-            body.update(|body| *body = behaviour::rename_identifier(body, &name, &near));
+            body.update(|body| *body = behaviour::rename_unknown(body, &arguments.read_untracked(), &name, &near));
             focus::back_to_field(&event);
         };
         Some(
