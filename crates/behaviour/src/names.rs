@@ -4,12 +4,14 @@
 //! until 2026 only ASCII did. A body of before still means what it meant: [`arguments_of`].
 
 mod composed;
+pub(crate) mod look_alikes;
 mod scopes;
 mod tokens;
 
 use crate::{Filled, Lookup, LookupSet};
 use composed::composed;
 use scopes::{Meaning, Read, read};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use unicode_xid::UnicodeXID;
@@ -120,6 +122,20 @@ fn argument_name(stream_name: &str, stays: fn(char) -> bool) -> String {
     let plain: String = composed(&joined).chars().map(|c| if stays(c) { c } else { '_' }).collect();
     let allowed = if is_keyword(&plain) { format!("_{plain}") } else { plain };
     if begins_with_letter(&allowed) { allowed } else { format!("x{allowed}") }
+}
+
+/// A name as it looks, by which names are compared: without blanks around it, and with every letter and its marks as one
+/// character (NFC), however it was written.
+#[must_use]
+pub fn as_looks(name: &str) -> Cow<'_, str> {
+    let name = name.trim();
+    if name.is_ascii() { Cow::Borrowed(name) } else { Cow::Owned(composed(name)) }
+}
+
+/// Whether two names look the same.
+#[must_use]
+pub fn look_same(one: &str, other: &str) -> bool {
+    as_looks(one) == as_looks(other)
 }
 
 /// Whether the letter may stand in a name of a procedure: `_`, and letters and digits of every script.
@@ -478,6 +494,12 @@ mod tests {
         let wanted =
             "near2(x) && near22 (x) || near < 1 && [x].map(Fn(\"near2\")) && \"near(x)\" == x.near(1) // near(x)";
         assert_eq!(super::rename_helpers(body, &names), wanted);
+    }
+
+    #[test]
+    fn names_are_compared_as_they_look() {
+        assert!(super::look_same("B\u{e9}l", " Be\u{301}l ") && super::look_same("ハ\u{309a}", "パ"));
+        assert!(!super::look_same("Bel", "B\u{e9}l") && !super::look_same("Ball", "ball"));
     }
 
     #[test]

@@ -125,3 +125,21 @@ fn a_procedure_gives_under_other_names_what_it_gave() {
     }
     assert!(gave > ROUNDS / 4, "only {gave} gave anything");
 }
+
+#[test]
+fn what_only_looks_right_is_told_with_what_it_means() {
+    let arguments = ["distance".to_owned()];
+    let said = |body: &str| engine::check_body(&arguments, body).unwrap_err().to_string();
+    let cases = [
+        ("distance\u{3000}< 0.5", "a blank in it is not a plain one; write it as a blank"),
+        ("distance ≤ 0.5", "“≤” means <= here; write it so"),
+        ("“near”", "““near”” means \"near\" here; write it so"),
+        ("distance < 0,5", "“0,5” means 0.5 here; write it so"),
+        ("distance < 1,000", "“1,000” may be 1000 or 1.0; write the one that is meant"),
+    ];
+    for (body, wanted) in cases {
+        assert_eq!(said(body), wanted);
+        let meant = behaviour::as_meant(body, &arguments);
+        assert!(meant.iter().all(|meant| engine::check_body(&arguments, &meant.body).is_ok()), "{body}");
+    }
+}

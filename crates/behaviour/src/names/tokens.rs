@@ -1,7 +1,7 @@
 //! A procedure cut into its words, texts and signs, as Rhai cuts it: code is also what stands in the holes `${…}` of a text,
 //! to any depth, and nothing else of a text or a comment is.
 
-use super::{after_word, is_name_start};
+use super::{after_word, is_name_start, look_alikes};
 use std::ops::Range;
 
 /// Signs of several characters, the longest first.
@@ -87,8 +87,10 @@ impl Cutter<'_> {
         let first = rest.chars().next().unwrap_or(' ');
         if is_name_start(first) {
             self.put(Kind::Word, after_word(self.body, start));
-        } else if first.is_whitespace() {
+        } else if first.is_ascii_whitespace() {
             self.at += first.len_utf8();
+        } else if let Some(length) = look_alikes::quoted(rest) {
+            self.put(Kind::Text, start + length);
         } else {
             let sign = SIGNS.iter().find(|sign| rest.starts_with(**sign));
             self.put(Kind::Sign, start + sign.map_or(first.len_utf8(), |sign| sign.len()));

@@ -6,8 +6,8 @@ use super::around::Around;
 use super::{Problem, ProblemKind, ways};
 use crate::connectors::{to_choose, to_leave_out_the_same, to_new_value, to_slow_down, to_tell_the_time};
 use crate::{
-    Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure, Seen, Unit,
-    ValueType, rename_identifiers, rename_unknown,
+    AsMeant, Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure,
+    Seen, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
 };
 use draft::Draft;
 use serde::{Deserialize, Serialize};
@@ -99,6 +99,7 @@ pub fn fixes_seeing(
         (ProblemKind::WrongUnit { wants, gets }, Kind::Connector) => fixer.unit(*gets, *wants),
         (ProblemKind::WrongType { .. }, Kind::Connector) => fixer.kind(),
         (ProblemKind::UnknownName { name, near }, Kind::Connector) => fixer.name(name, near).into_iter().collect(),
+        (ProblemKind::Body(_), Kind::Connector) => fixer.as_meant(),
         (ProblemKind::ObjectAsNumber { .. }, Kind::Connector) => fixer.parts(),
         (ProblemKind::StaleCombine { .. }, Kind::Connector) => fixer.stale().into_iter().collect(),
         (ProblemKind::FightingActions { with, .. }, Kind::Stream) => fixer.fighting(with),
@@ -202,6 +203,20 @@ impl<'a> Fixer<'a, '_> {
         let mut draft = self.draft();
         draft.set_procedure(at, Procedure::Body { body: renamed, args });
         Some(draft.fix(FixKind::Rename { from: from.to_owned(), to: to.to_owned() }))
+    }
+
+    /// The procedure with signs in the place of those that only look right.
+    fn as_meant(&mut self) -> Vec<Fix> {
+        let procedure = self.connector().and_then(|connector| Some((connector, connector.operation.procedure()?)));
+        let Some((connector, Procedure::Body { body, args })) = procedure else { return Vec::new() };
+        let arguments = self.around.behaviour.arguments(connector);
+        let write = |meant: AsMeant| {
+            let (at, args) = (self.at, args.clone());
+            let mut draft = self.draft();
+            draft.set_procedure(at, Procedure::Body { body: meant.body.clone(), args });
+            draft.fix(FixKind::Rename { from: body.clone(), to: meant.body })
+        };
+        as_meant(body, &arguments).into_iter().map(write).collect()
     }
 
     /// A part of an object in its place, or a number that a helper makes of it; nothing where it also stands for itself.

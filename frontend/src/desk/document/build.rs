@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 /// The first free name: "Tracker", then "Tracker 2".
 pub(super) fn free_name(behaviour: &Behaviour, base: &str) -> String {
     let base = base.trim();
-    let taken = |name: &str| behaviour.streams().any(|(_, stream)| stream.name.trim() == name);
+    let taken = |name: &str| behaviour.streams().any(|(_, stream)| behaviour::look_same(&stream.name, name));
     numbered(base, " ").find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
 }
 
