@@ -24,6 +24,7 @@ pub mod marbles;
 mod names;
 mod numbered;
 mod operation;
+mod otherwise;
 mod problems;
 mod record;
 mod room;
@@ -61,6 +62,7 @@ pub use names::{
 };
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
+pub use otherwise::{OTHERWISE, follows_test, is_otherwise, opposite, with_otherwise};
 pub use problems::{Fix, FixKind, Problem, ProblemKind, fixes, fixes_seeing, near, problems, problems_seeing};
 pub use record::{
     Behaviour, Connector, Engine, Group, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,

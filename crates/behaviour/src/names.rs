@@ -5,8 +5,9 @@
 
 mod composed;
 pub(crate) mod look_alikes;
+pub(crate) mod mistakes;
 mod scopes;
-mod tokens;
+pub(crate) mod tokens;
 
 use crate::{Filled, Lookup, LookupSet};
 use composed::composed;

@@ -5,12 +5,14 @@ use super::{after_word, is_name_start, look_alikes};
 use std::ops::Range;
 
 /// Signs of several characters, the longest first.
-const SIGNS: [&str; 16] =
-    ["...", "..=", "..", "?.", "::", "=>", "==", "!=", "<=", ">=", "&&", "||", "|=", "**", "+=", "-="];
+const SIGNS: [&str; 23] = [
+    "...", "..=", "**=", "<<=", ">>=", "..", "?.", "::", "=>", "==", "!=", "<=", ">=", "&&", "||", "|=", "**", "+=",
+    "-=", "*=", "/=", "%=", "&=",
+];
 
 /// What a piece of a procedure is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
+pub(crate) enum Kind {
     Word,
     Number,
     /// A text, or what stands in one before, between or behind its holes.
@@ -22,7 +24,7 @@ pub(super) enum Kind {
 
 /// What brackets hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Bracket {
+pub(crate) enum Bracket {
     Round,
     Square,
     Block,
@@ -34,13 +36,13 @@ pub(super) enum Bracket {
 
 /// A piece and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Token {
-    pub(super) kind: Kind,
-    pub(super) place: Range<usize>,
+pub(crate) struct Token {
+    pub(crate) kind: Kind,
+    pub(crate) place: Range<usize>,
 }
 
 /// The pieces of a procedure, in order. One that is not finished has them as far as it goes.
-pub(super) fn tokens(body: &str) -> Vec<Token> {
+pub(crate) fn tokens(body: &str) -> Vec<Token> {
     let mut cutter = Cutter { body, at: 0, braces: Vec::new(), found: Vec::new() };
     while cutter.at < body.len() {
         cutter.next();

@@ -5,6 +5,7 @@ mod draft;
 use super::around::Around;
 use super::{Problem, ProblemKind, ways};
 use crate::connectors::{to_choose, to_leave_out_the_same, to_new_value, to_slow_down, to_tell_the_time};
+use crate::otherwise;
 use crate::{
     AsMeant, Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure,
     Seen, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
@@ -100,6 +101,10 @@ pub fn fixes_seeing(
         (ProblemKind::WrongType { .. }, Kind::Connector) => fixer.kind(),
         (ProblemKind::UnknownName { name, near }, Kind::Connector) => fixer.name(name, near).into_iter().collect(),
         (ProblemKind::Body(_), Kind::Connector) => fixer.as_meant(),
+        (ProblemKind::OtherwiseDiffers { .. }, Kind::Connector) => fixer.following().into_iter().collect(),
+        (ProblemKind::Stores | ProblemKind::WholeDivision { .. }, Kind::Connector) => {
+            fixer.without_slip().into_iter().collect()
+        }
         (ProblemKind::ObjectAsNumber { .. }, Kind::Connector) => fixer.parts(),
         (ProblemKind::StaleCombine { .. }, Kind::Connector) => fixer.stale().into_iter().collect(),
         (ProblemKind::FightingActions { with, .. }, Kind::Stream) => fixer.fighting(with),
@@ -203,6 +208,35 @@ impl<'a> Fixer<'a, '_> {
         let mut draft = self.draft();
         draft.set_procedure(at, Procedure::Body { body: renamed, args });
         Some(draft.fix(FixKind::Rename { from: from.to_owned(), to: to.to_owned() }))
+    }
+
+    /// The other side of the test again.
+    fn following(&mut self) -> Option<Fix> {
+        let connector = self.connector()?;
+        let test = otherwise::test_of(self.around.behaviour, connector)?;
+        let body = otherwise::other_side(self.around.behaviour, test, connector)?;
+        let args = match connector.operation.procedure()? {
+            Procedure::Body { args, .. } => args.clone(),
+            Procedure::Helper(_) => None,
+        };
+        let (at, to) = (self.at, body.clone());
+        let mut draft = self.draft();
+        draft.set_procedure(at, Procedure::Body { body, args });
+        Some(draft.fix(FixKind::Rename { from: to.clone(), to }))
+    }
+
+    /// The procedure as it is meant in which `=` stands for `==`, or whole numbers lose what is left over.
+    fn without_slip(&mut self) -> Option<Fix> {
+        let connector = self.connector()?;
+        let Some(Procedure::Body { body, args }) = connector.operation.procedure() else { return None };
+        let (body, to) = match super::stores(self.around, connector) {
+            Some(asks) => (asks.clone(), asks),
+            None => crate::names::mistakes::divided(body).map(|divided| (divided.body, divided.meant))?,
+        };
+        let (at, from, args) = (self.at, to.clone(), args.clone());
+        let mut draft = self.draft();
+        draft.set_procedure(at, Procedure::Body { body, args });
+        Some(draft.fix(FixKind::Rename { from, to }))
     }
 
     /// The procedure with signs in the place of those that only look right.
