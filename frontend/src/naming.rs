@@ -57,6 +57,11 @@ fn called_after(naming: Naming, behaviour: &Behaviour, connector: &Connector) ->
 /// The name of a stream after its connector has become another, in the language of the name that it has; none if a person
 /// typed that, or it stays.
 pub(crate) fn followed(behaviour: &Behaviour, name: &str, seen: &Connector, edited: &Connector) -> Option<String> {
+    if behaviour::is_otherwise(name) && seen.operation != edited.operation {
+        // A person made it one of its own.
+        let own = called_after(Naming::Page, behaviour, edited);
+        return Some(own).filter(|own| !own.is_empty() && !behaviour::follows_test(behaviour, edited));
+    }
     let by_connector = |naming: &Naming| {
         let before = called_after(*naming, behaviour, seen);
         !before.is_empty() && is_given(name, &before)
@@ -84,11 +89,7 @@ fn by_body(body: &str, arguments: &[String], names: &[String]) -> Option<String>
     {
         return None;
     }
-    let apart = |at: usize| format!("rrp_name_{at}");
-    let marked = arguments.iter().enumerate();
-    let marked = marked.fold(body.to_owned(), |body, (at, name)| behaviour::rename_identifier(&body, name, &apart(at)));
-    let named = names.iter().enumerate().rev();
-    let named = named.fold(marked, |body, (at, name)| behaviour::rename_identifier(&body, &apart(at), name));
+    let named = behaviour::rename_identifiers(body, arguments, names);
     Some(first_upper(&named.split_whitespace().collect::<Vec<_>>().join(" ")))
 }
 
@@ -176,6 +177,26 @@ mod tests {
         }
         assert_eq!(called("filter", "distance < 40"), "Distance < 40");
         assert_eq!(called("merge", ""), "Distance or RedBall");
+    }
+
+    #[test]
+    fn an_otherwise_that_becomes_one_of_its_own_is_named_anew() {
+        let [english, japanese] = behaviour::OTHERWISE;
+        assert!(include_str!("../../static/ja.txt").contains(&format!("\n{english}\n{japanese}\n")));
+        let file = r#"{"format":"rrp-behaviour/1","name":"Test","helpers":[],"streams":[
+            {"id":"d","kind":"ordinary","name":"Distance"},{"id":"n","kind":"ordinary","name":"Near"},
+            {"id":"o","kind":"ordinary","name":"Otherwise"}],"connectors":[
+            {"id":"t","type":"filter","inputs":["d"],"output":"n","body":"distance < 40"},
+            {"id":"f","type":"filter","inputs":["d"],"output":"o","body":"distance >= 40"}]}"#;
+        let file: behaviour::BehaviourFile = serde_json::from_str(file).unwrap();
+        let made = file.records(|_| None).unwrap();
+        let seen = made.connector(&behaviour::Id::new("f").unwrap()).unwrap().clone();
+        let called = |body: &str| {
+            let operation = connectors::spec("filter").unwrap().with(behaviour::Procedure::body(body));
+            super::followed(&made, "Otherwise", &seen, &behaviour::Connector { operation, ..seen.clone() })
+        };
+        assert_eq!(called("distance >= 60").as_deref(), Some("Distance >= 60"));
+        assert_eq!((called("distance >= 40"), called("!(distance < 40)")), (None, None));
     }
 
     #[test]

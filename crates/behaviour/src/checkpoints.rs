@@ -76,7 +76,7 @@ impl Checkpoints {
         if has_unseen(name) {
             return Err(Refusal::Unseen(without_unseen(name)));
         }
-        let is_taken = self.0.iter().any(|one| one.name == name);
+        let is_taken = self.0.iter().any(|one| crate::look_same(&one.name, name));
         if is_taken { Err(Refusal::NameTaken(name.to_owned())) } else { Ok(name.to_owned()) }
     }
 }

@@ -6,7 +6,7 @@ mod records;
 
 pub use records::{Flaw, FlawKind};
 
-use crate::{Declared, Engine, Params, Place, StreamKind, Value};
+use crate::{Declared, Engine, Filled, Lookup, Params, Place, StreamKind, Value, argument_names, as_meant};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -54,6 +54,32 @@ pub struct BehaviourFile {
     /// Where things stand, by id.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub layout: BTreeMap<String, Place>,
+}
+
+impl BehaviourFile {
+    /// Reads procedures as they are meant in which signs only look right, as word processors and wide keyboards write them;
+    /// those in which a number may be read in two ways stay.
+    pub fn read_as_meant(&mut self) {
+        let looks_right = |body: &str| !body.is_ascii() || body.contains(',');
+        for helper in self.helpers.iter_mut().filter(|helper| looks_right(&helper.body)) {
+            mean(&mut helper.body, &helper.params);
+        }
+        let names: Lookup<&str, &str> = self.streams.iter().map(|stream| (&*stream.id, &*stream.name)).filled();
+        for connector in &mut self.connectors {
+            if !connector.body.as_deref().is_some_and(looks_right) {
+                continue;
+            }
+            let inputs = connector.inputs.iter().map(|id| names.get(&**id).copied().unwrap_or_default());
+            let arguments = connector.args.clone().unwrap_or_else(|| argument_names(inputs));
+            connector.body.iter_mut().for_each(|body| mean(body, &arguments));
+        }
+    }
+}
+
+fn mean(body: &mut String, arguments: &[String]) {
+    if let [meant] = &as_meant(body, arguments)[..] {
+        body.clone_from(&meant.body);
+    }
 }
 
 /// A helper in a file.

@@ -24,12 +24,14 @@ pub mod marbles;
 mod names;
 mod numbered;
 mod operation;
+mod otherwise;
 mod problems;
 mod record;
 mod room;
 mod rules;
 mod size;
 mod spec;
+mod typed_number;
 mod types;
 mod undo;
 mod unseen;
@@ -53,12 +55,14 @@ pub use locks::{
     Presented, Token, Why,
 };
 pub use lookup::{Lookup, LookupSet};
+pub use names::look_alikes::{AsMeant, as_meant};
 pub use names::{
-    argument_names, arguments_of, called_names, calls_helper, in_names_of_today, is_identifier, is_name_letter,
-    rename_helpers, rename_identifier, shown_spellings,
+    argument_names, arguments_of, as_looks, called_names, calls_helper, in_names_of_today, is_identifier,
+    is_name_letter, look_same, rename_helpers, rename_identifier, rename_identifiers, rename_unknown, shown_spellings,
 };
 pub use numbered::numbered;
 pub use operation::{Operation, Parameters};
+pub use otherwise::{OTHERWISE, follows_test, is_otherwise, opposite, with_otherwise};
 pub use problems::{Fix, FixKind, Problem, ProblemKind, fixes, fixes_seeing, near, problems, problems_seeing};
 pub use record::{
     Behaviour, Connector, Engine, Group, Helper, Note, Params, Place, Procedure, Record, Settings, Stream, StreamKind,
@@ -71,6 +75,7 @@ pub use rules::{
 pub use size::{
     BEHAVIOUR_MAX_BYTES, ENTRIES_MAX, GROUPS_MAX, HELPERS_MAX, LIBRARY_MAX_BYTES, NOTES_MAX, PLACES_MAX, record_bytes,
 };
+pub use typed_number::{TypedNumber, number_at, typed_number};
 pub use types::{
     Claims, Declared, DeviceType, Fit, Inference, Pace, Quantity, Seen, Signature, TYPE_MAX_DEPTH, TYPE_MAX_FIELDS,
     TYPE_MAX_PARTS, Unit, ValueType, infer, infer_seeing,

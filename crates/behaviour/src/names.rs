@@ -4,9 +4,15 @@
 //! until 2026 only ASCII did. A body of before still means what it meant: [`arguments_of`].
 
 mod composed;
+pub(crate) mod look_alikes;
+pub(crate) mod mistakes;
+mod scopes;
+pub(crate) mod tokens;
 
 use crate::{Filled, Lookup, LookupSet};
 use composed::composed;
+use scopes::{Meaning, Read, read};
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use unicode_xid::UnicodeXID;
@@ -76,9 +82,6 @@ const RHAI_KEYWORDS: &[&str] = &[
     "yield",
 ];
 
-/// How a body begins to point to a helper.
-const POINTER: &str = "Fn(\"";
-
 /// The argument names of a procedure from the names of its input streams, in order: `Red ball` becomes `redBall`, `距離`
 /// stays.
 pub fn argument_names<'a>(stream_names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
@@ -100,7 +103,7 @@ pub fn arguments_of(body: &str, stream_names: &[&str]) -> Vec<String> {
     if stream_names.iter().all(|name| name.is_ascii()) {
         return today;
     }
-    let used: LookupSet<&str> = variables(body).into_iter().map(|place| &body[place]).collect();
+    let used: LookupSet<&str> = outer(body).into_iter().map(|place| &body[place]).collect();
     let before = ascii_argument_names(stream_names.iter().copied());
     let known = |(today, before): (String, String)| {
         let is_old = today != before && used.contains(before.as_str()) && !used.contains(today.as_str());
@@ -112,8 +115,7 @@ pub fn arguments_of(body: &str, stream_names: &[&str]) -> Vec<String> {
 /// The body with the argument names of today, if it was written with those of before.
 #[must_use]
 pub fn in_names_of_today(body: &str, stream_names: &[&str]) -> String {
-    let pairs = arguments_of(body, stream_names).into_iter().zip(argument_names(stream_names.iter().copied()));
-    pairs.fold(body.to_owned(), |body, (old, new)| if old == new { body } else { rename_identifier(&body, &old, &new) })
+    rename_identifiers(body, &arguments_of(body, stream_names), &argument_names(stream_names.iter().copied()))
 }
 
 fn argument_name(stream_name: &str, stays: fn(char) -> bool) -> String {
@@ -121,6 +123,20 @@ fn argument_name(stream_name: &str, stays: fn(char) -> bool) -> String {
     let plain: String = composed(&joined).chars().map(|c| if stays(c) { c } else { '_' }).collect();
     let allowed = if is_keyword(&plain) { format!("_{plain}") } else { plain };
     if begins_with_letter(&allowed) { allowed } else { format!("x{allowed}") }
+}
+
+/// A name as it looks, by which names are compared: without blanks around it, and with every letter and its marks as one
+/// character (NFC), however it was written.
+#[must_use]
+pub fn as_looks(name: &str) -> Cow<'_, str> {
+    let name = name.trim();
+    if name.is_ascii() { Cow::Borrowed(name) } else { Cow::Owned(composed(name)) }
+}
+
+/// Whether two names look the same.
+#[must_use]
+pub fn look_same(one: &str, other: &str) -> bool {
+    as_looks(one) == as_looks(other)
 }
 
 /// Whether the letter may stand in a name of a procedure: `_`, and letters and digits of every script.
@@ -193,49 +209,95 @@ pub fn is_identifier(name: &str) -> bool {
     name.chars().all(is_word) && begins_with_letter(name) && !is_keyword(name)
 }
 
-/// The body with every use of the variable `old` replaced by `new`. Texts, comments, fields (`ball.x`) and keys
-/// (`#{x: 1}`) keep their spelling.
+/// The body with every use of the value `old` from outside replaced by `new`. What texts, comments, fields (`ball.x`) and
+/// keys (`#{x: 1}`) say stays, and so do values of its own with that name; one that would take the place of `new` gets
+/// another name.
 #[must_use]
 pub fn rename_identifier(body: &str, old: &str, new: &str) -> String {
-    replaced(body, variables(body).into_iter().filter(|place| &body[place.clone()] == old), new)
+    rename_identifiers(body, &[old], &[new])
 }
 
-/// The body with `new` in these places.
-fn replaced(body: &str, places: impl Iterator<Item = Range<usize>>, new: &str) -> String {
+/// The body with all values from outside under their new names at once, so that two may also be exchanged.
+#[must_use]
+pub fn rename_identifiers<S: AsRef<str>>(body: &str, old: &[S], new: &[S]) -> String {
+    let names = old.iter().map(AsRef::as_ref).zip(new.iter().map(AsRef::as_ref));
+    let names: Lookup<&str, &str> = names.filter(|(old, new)| old != new).filled();
+    if names.is_empty() {
+        return body.to_owned();
+    }
+    let read = read(body);
+    let apart = apart(body, &read, &names);
+    let word = |word: &scopes::Word| {
+        let new = match word.meaning {
+            Meaning::Outer => (*names.get(&body[word.place.clone()])?).to_owned(),
+            Meaning::Local(local) => apart.get(&local)?.clone(),
+            Meaning::Function | Meaning::Part => return None,
+        };
+        Some((word.place.clone(), new))
+    };
+    replaced(body, read.words.iter().filter_map(word))
+}
+
+/// Names for the values of its own that would take the place of a value from outside under its new name.
+fn apart(body: &str, read: &Read, names: &Lookup<&str, &str>) -> Lookup<usize, String> {
+    let mut apart = Lookup::new();
+    let mut taken: LookupSet<String> = read.words.iter().map(|word| body[word.place.clone()].to_owned()).filled();
+    for word in read.words.iter().filter(|word| word.meaning == Meaning::Outer) {
+        let Some(new) = names.get(&body[word.place.clone()]) else { continue };
+        for local in read.known_at(word).iter().filter(|local| read.locals[**local] == *new) {
+            if !apart.contains_key(local) {
+                let free = crate::numbered(new, "").skip(1).find(|name| taken.insert(name.clone()));
+                apart.insert(*local, free.unwrap_or_default());
+            }
+        }
+    }
+    apart
+}
+
+/// The body with another name in the place of one that means nothing there: a value, a function or a part of an object.
+#[must_use]
+pub fn rename_unknown(body: &str, arguments: &[String], old: &str, new: &str) -> String {
+    let is_value = arguments.iter().any(|name| name == old);
+    let means = |word: &&scopes::Word| match word.meaning {
+        Meaning::Outer => !is_value,
+        Meaning::Function | Meaning::Part => true,
+        Meaning::Local(_) => false,
+    };
+    let words = read(body).words;
+    let places = words.iter().filter(means).filter(|word| &body[word.place.clone()] == old);
+    replaced(body, places.map(|word| (word.place.clone(), new.to_owned())))
+}
+
+/// The body with these texts in these places, which come in order.
+fn replaced(body: &str, places: impl Iterator<Item = (Range<usize>, String)>) -> String {
     let mut made = String::with_capacity(body.len());
     let mut done = 0;
-    for place in places {
+    for (place, new) in places {
         made.push_str(&body[done..place.start]);
-        made.push_str(new);
+        made.push_str(&new);
         done = place.end;
     }
     made.push_str(&body[done..]);
     made
 }
 
-/// The body with `new` where the variable `old` stands as a whole, without a part of it: `old < 1`, not `old.x < 1`. None
-/// if it does so another number of `times`.
+/// The body with `new` where the value `old` from outside stands as a whole, without a part of it: `old < 1`, not
+/// `old.x < 1`. None if it does so another number of `times`.
 pub(crate) fn replace_whole(body: &str, old: &str, new: &str, times: usize) -> Option<String> {
     let is_whole = |place: &Range<usize>| {
         let rest = body[place.end..].trim_start();
         &body[place.clone()] == old && !rest.starts_with(['.', '[', '(', '?'])
     };
-    let places: Vec<_> = variables(body).into_iter().filter(is_whole).collect();
-    (places.len() == times).then(|| replaced(body, places.into_iter(), new))
-}
-
-/// The body with every field `old` (`ball.old`) under its new name. Variables, texts, comments and keys keep theirs.
-#[must_use]
-pub(crate) fn rename_field(body: &str, old: &str, new: &str) -> String {
-    let fields = words(body).into_iter().filter(|place| is_field(body.as_bytes(), place.start));
-    replaced(body, fields.filter(|place| &body[place.clone()] == old), new)
+    let places: Vec<_> = outer(body).into_iter().filter(is_whole).collect();
+    let new = |place| (place, new.to_owned());
+    (places.len() == times).then(|| replaced(body, places.into_iter().map(new)))
 }
 
 /// Where `body` spells an argument another way (`redball` for `redBall`), as `(as written, as it should be)`.
 #[must_use]
 pub fn shown_spellings(body: &str, arguments: &[String]) -> Vec<(String, String)> {
     let mut found = Vec::new();
-    for place in variables(body) {
+    for place in outer(body) {
         let written = &body[place];
         let right = arguments.iter().find(|argument| is_same_but_case(argument, written) && *argument != written);
         if let Some(right) = right.filter(|_| !arguments.iter().any(|argument| argument == written)) {
@@ -266,114 +328,31 @@ pub fn called_names(body: &str) -> Vec<&str> {
 /// The body with every helper that it uses under its new name, all at once. Arguments, fields and texts keep theirs.
 #[must_use]
 pub fn rename_helpers(body: &str, names: &BTreeMap<String, String>) -> String {
-    let mut places = uses(body);
-    places.sort_unstable_by_key(|place| place.start);
-    let mut renamed = String::with_capacity(body.len());
-    let mut done = 0;
-    for place in places {
-        let new = names.get(&body[place.clone()]).filter(|_| place.start >= done);
-        if let Some(new) = new {
-            renamed.push_str(&body[done..place.start]);
-            renamed.push_str(new);
-            done = place.end;
-        }
-    }
-    renamed.push_str(&body[done..]);
-    renamed
+    let new = |place: Range<usize>| Some((place.clone(), names.get(&body[place])?.clone()));
+    replaced(body, uses(body).into_iter().filter_map(new))
 }
 
 /// Where `body` calls something, `distance(ball)`, or points to it, `Fn("distance")`.
 fn uses(body: &str) -> Vec<Range<usize>> {
-    let opens = |place: &Range<usize>| body[place.end..].trim_start().starts_with('(');
-    let mut found: Vec<_> = variables(body).into_iter().filter(opens).collect();
-    for (at, before) in body.match_indices(POINTER) {
-        let start = at + before.len();
-        let end = after_word(body, start);
-        if body[end..].starts_with("\")") {
-            found.push(start..end);
-        }
-    }
-    found
+    places(body, Meaning::Function)
 }
 
-/// Where variables and function names stand in a Rhai text.
-fn variables(body: &str) -> Vec<Range<usize>> {
-    let bytes = body.as_bytes();
-    let is_variable = |place: &Range<usize>| !is_field(bytes, place.start) && !is_key(bytes, place.end);
-    words(body).into_iter().filter(is_variable).collect()
+/// Where values from outside stand.
+fn outer(body: &str) -> Vec<Range<usize>> {
+    places(body, Meaning::Outer)
 }
 
-/// Where words stand in a Rhai text, outside of texts and comments.
-fn words(body: &str) -> Vec<Range<usize>> {
-    let bytes = body.as_bytes();
-    let mut found = Vec::new();
-    let mut at = 0;
-    while at < bytes.len() {
-        at = match bytes[at] {
-            b'"' => after_quoted(bytes, at, b'"'),
-            b'\'' => after_quoted(bytes, at, b'\''),
-            b'/' if bytes.get(at + 1) == Some(&b'/') => after_line(bytes, at),
-            b'/' if bytes.get(at + 1) == Some(&b'*') => after_comment(bytes, at),
-            byte if byte.is_ascii_digit() => after_word(body, at),
-            _ => match body[at..].chars().next() {
-                Some(c) if c == '_' || c.is_xid_start() => {
-                    let end = after_word(body, at);
-                    found.push(at..end);
-                    end
-                }
-                other => at + other.map_or(1, char::len_utf8),
-            },
-        };
-    }
-    found
-}
-
-fn after_quoted(bytes: &[u8], start: usize, quote: u8) -> usize {
-    let mut at = start + 1;
-    while at < bytes.len() && bytes[at] != quote {
-        at += if bytes[at] == b'\\' { 2 } else { 1 };
-    }
-    (at + 1).min(bytes.len())
-}
-
-fn after_line(bytes: &[u8], start: usize) -> usize {
-    bytes[start..].iter().position(|byte| *byte == b'\n').map_or(bytes.len(), |length| start + length)
-}
-
-fn after_comment(bytes: &[u8], start: usize) -> usize {
-    let mut depth = 0_usize;
-    let mut at = start;
-    while at < bytes.len() {
-        let pair = (bytes[at], bytes.get(at + 1).copied().unwrap_or(b' '));
-        match pair {
-            (b'/', b'*') => depth += 1,
-            (b'*', b'/') => depth -= 1,
-            _ => {
-                at += 1;
-                continue;
-            }
-        }
-        at += 2;
-        if depth == 0 {
-            break;
-        }
-    }
-    at.min(bytes.len())
+fn places(body: &str, meaning: Meaning) -> Vec<Range<usize>> {
+    read(body).words.into_iter().filter(|word| word.meaning == meaning).map(|word| word.place).collect()
 }
 
 fn after_word(body: &str, start: usize) -> usize {
     body[start..].find(|c| !is_word(c)).map_or(body.len(), |length| start + length)
 }
 
-fn is_field(bytes: &[u8], start: usize) -> bool {
-    let before: Vec<u8> =
-        bytes[..start].iter().rev().copied().filter(|byte| !byte.is_ascii_whitespace()).take(2).collect();
-    before.first() == Some(&b'.') && before.get(1) != Some(&b'.')
-}
-
-fn is_key(bytes: &[u8], end: usize) -> bool {
-    let mut after = bytes[end..].iter().copied().filter(|byte| !byte.is_ascii_whitespace());
-    after.next() == Some(b':') && after.next() != Some(b':')
+/// Whether a name may begin with it.
+fn is_name_start(c: char) -> bool {
+    c == '_' || c.is_xid_start()
 }
 
 #[cfg(test)]
@@ -451,7 +430,39 @@ mod tests {
         assert_eq!(rename_identifier(body, "ball", "b"), renamed);
         assert_eq!(rename_identifier("x1 + x + 1x", "x", "y"), "x1 + y + 1x");
         assert_eq!(rename_identifier("0..ball", "ball", "b"), "0..b");
-        assert_eq!(super::rename_field(body, "ball", "b"), body.replace("ball.ball", "ball.b"));
+        assert_eq!(rename_identifier("near(near)", "near", "far"), "near(far)");
+    }
+
+    #[test]
+    fn what_a_text_says_stays_and_what_is_code_in_it_follows() {
+        let cases = [
+            ("`the ball is at ${ball.x}`", "`the ball is at ${kite.x}`"),
+            ("`one ${`ball ${ball.x}`} ball's`", "`one ${`ball ${kite.x}`} ball's`"),
+            ("#\"a ball\"# + ball", "#\"a ball\"# + kite"),
+        ];
+        cases.into_iter().for_each(|(body, wanted)| assert_eq!(rename_identifier(body, "ball", "kite"), wanted));
+    }
+
+    #[test]
+    fn values_of_its_own_keep_their_names_but_where_they_would_be_meant() {
+        let cases = [
+            ("let ball = ball.x; ball > 1", "let ball = kite.x; ball > 1"),
+            ("[1].map(|ball| ball + 1) == ball", "[1].map(|ball| ball + 1) == kite"),
+            ("let kite = 1; kite + ball", "let kite2 = 1; kite2 + kite"),
+            ("[1].map(|kite| kite + ball.x)", "[1].map(|kite2| kite2 + kite.x)"),
+            ("let kite = 1; kite", "let kite = 1; kite"),
+        ];
+        cases.into_iter().for_each(|(body, wanted)| assert_eq!(rename_identifier(body, "ball", "kite"), wanted));
+        assert_eq!(super::rename_identifiers("a - b", &["a", "b"], &["b", "a"]), "b - a");
+    }
+
+    #[test]
+    fn a_name_that_means_nothing_is_mended_wherever_it_is_one() {
+        let mended = |body| super::rename_unknown(body, &["ball".to_owned()], "bal", "ball");
+        assert_eq!(mended("bal.x + `bal ${bal.y}`"), "ball.x + `bal ${ball.y}`");
+        assert_eq!(mended("let bal = ball.x; bal"), "let bal = ball.x; bal");
+        assert_eq!(super::rename_unknown("naer(near)", &["near".to_owned()], "naer", "near"), "near(near)");
+        assert_eq!(super::rename_unknown("siz + ball.siz", &["siz".to_owned()], "siz", "size"), "siz + ball.size");
     }
 
     #[test]
@@ -484,6 +495,12 @@ mod tests {
         let wanted =
             "near2(x) && near22 (x) || near < 1 && [x].map(Fn(\"near2\")) && \"near(x)\" == x.near(1) // near(x)";
         assert_eq!(super::rename_helpers(body, &names), wanted);
+    }
+
+    #[test]
+    fn names_are_compared_as_they_look() {
+        assert!(super::look_same("B\u{e9}l", " Be\u{301}l ") && super::look_same("ハ\u{309a}", "パ"));
+        assert!(!super::look_same("Bel", "B\u{e9}l") && !super::look_same("Ball", "ball"));
     }
 
     #[test]

@@ -11,6 +11,8 @@ pub use fix::{Fix, FixKind, fixes, fixes_seeing};
 pub use near::near;
 
 use crate::flow::{Flow, Gives, HANDED_MAX, Link};
+use crate::names::mistakes::{Divided, compared, divided};
+use crate::otherwise;
 use crate::{
     Behaviour, Connector, Engine, Filled, Fit, Helper, Id, Kind, Knowledge, Lookup, Procedure, RecordId, Seen,
     Settings, StreamKind, Unit, ValueType,
@@ -114,6 +116,29 @@ pub enum ProblemKind {
     ObjectAsNumber {
         /// What the body calls it.
         name: String,
+    },
+    /// A test that stores a value with `=`, where it is to compare.
+    Stores,
+    /// A test that gives neither true nor false.
+    NoAnswer {
+        /// What it gives.
+        gives: ValueType,
+    },
+    /// A test called “Otherwise” that is no more the other side of its test.
+    OtherwiseDiffers {
+        /// The name of its stream.
+        name: String,
+        /// The name of the stream of the test.
+        test: String,
+    },
+    /// A body that divides whole numbers and loses what is left over.
+    WholeDivision {
+        /// As it is written.
+        written: String,
+        /// What it gives.
+        gives: i64,
+        /// What is probably meant.
+        meant: String,
     },
     /// A body that uses a name which means nothing, and is nearly one that does.
     UnknownName {
@@ -222,7 +247,8 @@ fn connector_problem(around: &Around, connector: &Connector) -> Option<(ProblemK
         Procedure::Body { body, .. } if body.trim().is_empty() => Some(ProblemKind::EmptyBody),
         Procedure::Body { body, .. } => {
             let reason = around.knowledge.body(&around.behaviour.arguments(connector), body).err()?;
-            Some(mistyped(around, connector).unwrap_or(ProblemKind::Body(reason)))
+            let stores = stores(around, connector).map(|_| ProblemKind::Stores);
+            Some(stores.or_else(|| mistyped(around, connector)).unwrap_or(ProblemKind::Body(reason)))
         }
         Procedure::Helper(name) => helper_problem(name, spec.argument_count(inputs), around),
     });
@@ -245,7 +271,37 @@ fn hint(around: &Around, connector: &Connector) -> Option<ProblemKind> {
         Some(ProblemKind::StaleCombine { old: name(old), with: name(new) })
     };
     let object = || misused(around, connector).map(|(name, _)| ProblemKind::ObjectAsNumber { name });
-    around.misfit(connector).and_then(unfit).or_else(|| mistyped(around, connector)).or_else(object).or_else(stale)
+    let fits = || around.misfit(connector).and_then(unfit).or_else(|| mistyped(around, connector)).or_else(object);
+    fits().or_else(|| slip(around, connector)).or_else(stale)
+}
+
+/// What runs and cannot be meant: a test without an answer, and whole numbers that lose what is left over.
+fn slip(around: &Around, connector: &Connector) -> Option<ProblemKind> {
+    if stores(around, connector).is_some() {
+        return Some(ProblemKind::Stores);
+    }
+    if connector.operation.spec().is_test() {
+        let gives = around.inference.result(around.behaviour, connector);
+        if !matches!(gives, ValueType::Truth | ValueType::Any) {
+            return Some(ProblemKind::NoAnswer { gives });
+        }
+    }
+    if let Some(test) = otherwise::test_of(around.behaviour, connector)
+        && !otherwise::is_other_side(around.behaviour, test, connector)
+    {
+        let (name, test) = (around.name(&connector.output), around.name(&test.output));
+        return Some(ProblemKind::OtherwiseDiffers { name, test });
+    }
+    let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
+    let Divided { written, gives, meant, .. } = divided(body)?;
+    Some(ProblemKind::WholeDivision { written, gives, meant })
+}
+
+/// The test as it compares, if it stores instead.
+fn stores(around: &Around, connector: &Connector) -> Option<String> {
+    let Some(Procedure::Body { body, .. }) = connector.operation.procedure() else { return None };
+    let asks = compared(body).filter(|_| connector.operation.spec().is_test())?;
+    around.knowledge.body(&around.behaviour.arguments(connector), &asks).is_ok().then_some(asks)
 }
 
 /// An object in a body that stands where a number is wanted, and how often.

@@ -3,9 +3,10 @@
 use crate::size::{RECORD_MAX_BYTES, Size};
 use crate::{
     Behaviour, Change, Connector, DeviceType, Edit, Filled, Graph, Group, Helper, Id, Lookup, LookupSet, Note, Params,
-    Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, has_unseen, record_bytes,
+    Procedure, Record, Settings, Signature, Stream, StreamKind, ValueType, as_looks, has_unseen, record_bytes,
 };
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 
 /// The longest name of a behaviour, stream or helper, in characters.
@@ -196,13 +197,13 @@ pub(crate) fn check(
     let graph_touched =
         change.edits.iter().any(|edit| matches!(edit.id.kind, crate::Kind::Stream | crate::Kind::Connector));
     if graph_touched {
-        check_names(after)?;
+        check_names(after, change)?;
         check_graph(after)?;
     }
     if change.edits.iter().any(|edit| edit.id.kind == crate::Kind::Group) {
         check_groups(after)?;
     }
-    check_helper_names(after)
+    check_helper_names(after, change)
 }
 
 /// Bounds that older versions did not have: what was beyond one of them may stay so, or become smaller.
@@ -307,7 +308,7 @@ fn check_tags(tags: &[String]) -> Result<(), Refusal> {
         }
         check_name(tag)?;
         within("This tag", tag, TAG_MAX_CHARS)?;
-        if seen.insert(tag.to_lowercase()) { Ok(()) } else { Err(Refusal::NameTaken(tag.clone())) }
+        if seen.insert(as_looks(tag).to_lowercase()) { Ok(()) } else { Err(Refusal::NameTaken(tag.clone())) }
     })
 }
 
@@ -364,10 +365,10 @@ fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusa
     if let Some(bad) = names.into_iter().find(|name| !crate::is_identifier(name)) {
         return Err(Refusal::Identifier(shortened(bad)));
     }
-    let mut distinct = helper.params.clone();
+    let mut distinct: Vec<_> = helper.params.iter().map(|name| as_looks(name)).collect();
     distinct.sort_unstable();
     if let Some(pair) = distinct.windows(2).find(|pair| pair[0] == pair[1]) {
-        return Err(Refusal::NameTaken(pair[0].clone()));
+        return Err(Refusal::NameTaken(pair[0].to_string()));
     }
     if helper.takes.len() > helper.params.len() {
         return Err(Refusal::TakesMore(shortened(&helper.name), helper.params.len()));
@@ -378,12 +379,44 @@ fn check_helper(helper: &Helper, knowledge: &dyn Knowledge) -> Result<(), Refusa
     knowledge.body(&helper.params, &helper.body).map_err(Refusal::Body)
 }
 
-fn check_names(after: &Behaviour) -> Result<(), Refusal> {
-    unique(after.streams().map(|(_, stream)| stream.name.trim()))
+fn check_names(after: &Behaviour, change: &Change) -> Result<(), Refusal> {
+    let names = || after.streams().map(|(_, stream)| stream.name.trim());
+    unique(names())?;
+    look_unique(names(), change, |record| match record {
+        Record::Stream(stream) => Some(stream.name.trim()),
+        _ => None,
+    })
 }
 
-fn check_helper_names(after: &Behaviour) -> Result<(), Refusal> {
-    unique(after.helpers().map(|(_, helper)| helper.name.as_str()))
+fn check_helper_names(after: &Behaviour, change: &Change) -> Result<(), Refusal> {
+    let names = || after.helpers().map(|(_, helper)| helper.name.as_str());
+    unique(names())?;
+    look_unique(names(), change, |record| match record {
+        Record::Helper(helper) => Some(&helper.name),
+        _ => None,
+    })
+}
+
+/// Whether no name that the change gives looks like another one. Two that did so before older versions knew stay, until
+/// somebody changes one.
+fn look_unique<'a>(
+    names: impl Iterator<Item = &'a str>,
+    change: &Change,
+    name_of: impl Fn(&Record) -> Option<&str>,
+) -> Result<(), Refusal> {
+    let given = change.edits.iter().filter_map(|edit| {
+        let after = name_of(edit.after.as_ref()?)?;
+        let is_new = edit.before.as_ref().and_then(&name_of) != Some(after);
+        (is_new && !after.is_ascii()).then_some(after)
+    });
+    let given: Vec<&str> = given.collect();
+    if given.is_empty() {
+        return Ok(());
+    }
+    let mut counts: Lookup<Cow<str>, usize> = Lookup::new();
+    names.filter(|name| !name.is_ascii()).for_each(|name| *counts.entry(as_looks(name)).or_insert(0) += 1);
+    let twin = given.into_iter().find(|name| counts.get(&as_looks(name)).is_some_and(|count| *count > 1));
+    twin.map_or(Ok(()), |name| Err(Refusal::NameTaken(as_looks(name).into_owned())))
 }
 
 fn unique<'a>(names: impl Iterator<Item = &'a str>) -> Result<(), Refusal> {

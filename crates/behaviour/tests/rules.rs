@@ -331,3 +331,31 @@ fn who_wrote_a_note_and_when_is_bounded() {
     assert!(matches!(proposed(note(&"x".repeat(201), 0)), Decision::Refuse(Refusal::TooLong(_, 200))));
     assert!(matches!(proposed(note("", u64::MAX)), Decision::Refuse(Refusal::Malformed(_))));
 }
+
+#[test]
+fn two_names_that_look_the_same_are_one() {
+    let (composed, decomposed) = ("B\u{e9}l", "Be\u{301}l");
+    let put = |behaviour: &Behaviour, at: &str, name: &str| {
+        let change = Change::of(id(at), "Aiko", "Add");
+        change.put(behaviour, RecordId::new(Kind::Stream, &id(at)), stream(StreamKind::Sensor, name))
+    };
+    let mut room = Room::open(start(), 1);
+    let first = put(room.behaviour(), "one", composed);
+    let Decision::Save(made) = room.propose(0, first, &Anything) else { panic!("a first one") };
+    room.commit(&made);
+    let twin = put(room.behaviour(), "two", decomposed);
+    let Decision::Refuse(no) = room.propose(0, twin, &Anything) else { panic!("a twin") };
+    assert_eq!(no.to_string(), format!("There is already a “{composed}”. Choose another name."));
+}
+
+#[test]
+fn twins_of_before_stay_until_one_is_changed() {
+    let mut before = start();
+    for (at, name) in [("one", "B\u{e9}l"), ("two", "Be\u{301}l")] {
+        before.records.insert(RecordId::new(Kind::Stream, &id(at)), stream(StreamKind::Sensor, name));
+    }
+    let room = Room::open(before.clone(), 1);
+    let other = Change::of(id("x"), "Aiko", "Rename");
+    let other = other.put(&before, RecordId::new(Kind::Stream, &id("one")), stream(StreamKind::Sensor, "Bell"));
+    assert!(matches!(room.propose(0, other, &Anything), Decision::Save(_)));
+}

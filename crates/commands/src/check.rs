@@ -59,7 +59,12 @@ pub(crate) fn check(args: &CheckArgs) -> ExitCode {
 }
 
 fn found(looked: &Looked) -> Found {
-    let Some(file) = &looked.file else { return Found { refused: looked.faults.clone(), ..Found::default() } };
+    let Some(mut file) = looked.file.clone() else {
+        return Found { refused: looked.faults.clone(), ..Found::default() };
+    };
+    // As an import would.
+    file.read_as_meant();
+    let file = &file;
     let knowing = Knowing::default();
     match graph(file, &knowing) {
         Err(reasons) => Found { refused: looked.place(&reasons), ..Found::default() },

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::link::Link;
 use crate::patience;
 use crate::serve::{store_url, usual_data};
-use behaviour::Id;
+use behaviour::{Id, as_looks, look_same};
 use clap::Args;
 use std::future::Future;
 use std::path::PathBuf;
@@ -114,9 +114,9 @@ pub(crate) fn find(listed: &[Named], wanted: &str) -> Result<Id, Failure> {
     if let Some(line) = listed.iter().find(|line| line.id.as_str() == wanted) {
         return Ok(line.id.clone());
     }
-    let exact: Vec<_> = listed.iter().filter(|line| line.name == wanted).collect();
-    let lower = wanted.to_lowercase();
-    let near: Vec<_> = listed.iter().filter(|line| line.name.to_lowercase() == lower).collect();
+    let exact: Vec<_> = listed.iter().filter(|line| look_same(&line.name, wanted)).collect();
+    let lower = as_looks(wanted).to_lowercase();
+    let near: Vec<_> = listed.iter().filter(|line| as_looks(&line.name).to_lowercase() == lower).collect();
     match (exact.as_slice(), near.as_slice()) {
         ([one], _) | ([], [one]) => Ok(one.id.clone()),
         ([], []) => {

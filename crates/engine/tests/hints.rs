@@ -411,3 +411,81 @@ fn what_is_put_between_makes_room_for_itself() {
     assert_eq!(made([140.0, 280.0, 200.0]), [0.0, 140.0, 280.0, 420.0, 340.0, 0.0]);
     assert_eq!(made([280.0, 420.0, 300.0]), [0.0, 140.0, 280.0, 420.0, 300.0, 0.0], "there is room");
 }
+
+const SHOW: &str = r#"{"id":"show","kind":"actuator","name":"Show","device":"Print"}"#;
+const SONAR: &str = r#"{"id":"sonar","kind":"sensor","name":"Sonar","device":"Sonar"}"#;
+
+/// A filter over the sonar, and what is said of it.
+fn tested(body: &str) -> (Behaviour, Vec<Helper>) {
+    let streams = join(&[SONAR, &ordinary("near", "Near"), EYES]);
+    behaviour(
+        &streams,
+        &join(&[&with_body("test", "filter", "sonar", "near", body), &subscribe("sub", "near", "eyes")]),
+    )
+}
+
+#[test]
+fn a_filter_that_can_never_answer_is_told_before_start() {
+    let about = |body: &str| {
+        let found = said(&tested(body)).into_iter().filter(|problem| problem.at.id == id("test"));
+        found.map(|problem| problem.to_string()).collect::<Vec<_>>()
+    };
+    let cases = [
+        ("sonar = 0.5", "“=” stores a value, and a test compares with “==”. Write “==”."),
+        ("sonar > 0.1 && sonar = 0.5", "“=” stores a value, and a test compares with “==”. Write “==”."),
+        ("\"near\"", "A test must give true or false, and this one gives a text. Compare it with something."),
+        ("sonar * 2.0", "A test must give true or false, and this one gives a number. Compare it with something."),
+        ("sonar < 1/2", "“1/2” is 0: of whole numbers, what is left over is lost. Write “1.0/2”."),
+        ("sonar < 0,5", "The procedure of filter cannot run: “0,5” means 0.5 here; write it so."),
+    ];
+    for (body, wanted) in cases {
+        assert_eq!(about(body), [wanted], "{body}");
+    }
+    for body in ["sonar < 0.5", "let far = 0.5; sonar < far", "sonar == 4/2", "!(sonar < 1.0)"] {
+        assert_eq!(about(body), [""; 0], "{body}");
+    }
+}
+
+/// What each fix of the problem of the filter writes.
+fn written(body: &str) -> Vec<String> {
+    let (behaviour, helpers) = tested(body);
+    let library: Vec<&Helper> = helpers.iter().collect();
+    let all = problems(&behaviour, &library, &Known);
+    let problem = all.iter().find(|problem| problem.at.id == id("test")).unwrap();
+    let offered = fixes(problem, &behaviour, &library, &Known, &mut || id("new"));
+    let after = |fix: Fix| {
+        let mut after = behaviour.clone();
+        after.apply(&fix.change(id("op"), "Aiko"));
+        body_of(&after, "test")
+    };
+    offered.into_iter().map(after).collect()
+}
+
+#[test]
+fn what_is_meant_is_one_press_away() {
+    assert_eq!(written("sonar = 0.5"), ["sonar == 0.5"]);
+    assert_eq!(written("sonar < 1/2"), ["sonar < 1.0/2"]);
+    assert_eq!(written("sonar ≤ 0,5"), ["sonar <= 0.5"]);
+    assert_eq!(written("sonar < 1,000"), ["sonar < 1000", "sonar < 1.0"]);
+    assert_eq!(written("\"near\""), [""; 0]);
+}
+
+#[test]
+fn an_otherwise_that_is_none_any_more_is_told_and_follows_again() {
+    let streams = join(&[SONAR, &ordinary("near", "Near"), &ordinary("far", "Otherwise"), SHOW]);
+    let made = |body: &str| {
+        let tests = [
+            with_body("test", "filter", "sonar", "near", "sonar < 0.45"),
+            with_body("other", "filter", "sonar", "far", body),
+        ];
+        behaviour(&streams, &join(&[&tests[0], &tests[1], &subscribe("s1", "near", "show")]))
+    };
+    assert_eq!(said(&made("sonar >= 0.45")), []);
+    assert_eq!(said(&made("!(sonar < 0.45)")), []);
+    let (told, fixes) = mended(&made("sonar >= 0.4"));
+    assert!(
+        told.starts_with("“Otherwise” is not the other side of “Near”: some values pass both, or neither."),
+        "{told}"
+    );
+    assert_eq!(body_of(&fixes[0].1, "other"), "sonar >= 0.45");
+}

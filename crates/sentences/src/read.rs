@@ -15,7 +15,7 @@ pub use draft::{Doubt, Draft, DraftConnector, DraftStream, Reading, Understood};
 use crate::Language;
 use crate::clauses::CONVERSIONS;
 use crate::token::{Placed, tokens};
-use behaviour::{Behaviour, Helper, Params, StreamKind, connectors};
+use behaviour::{Behaviour, Helper, Params, StreamKind, connectors, look_same};
 use build::{Act, Builder, Source};
 use doubts::Repaired;
 use names::Names;
@@ -94,8 +94,9 @@ pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Opti
         Source::Sense(..) | Source::Existing(_) => false,
     });
     let missing = missing.map(|node| &node.span).chain(builder.acts.iter().filter_map(|act| {
-        let is_there =
-            |name: &String| behaviour.is_some_and(|behaviour| behaviour.streams().any(|(_, s)| s.name == *name));
+        let is_there = |name: &String| {
+            behaviour.is_some_and(|behaviour| behaviour.streams().any(|(_, s)| look_same(&s.name, name)))
+        };
         (act.device.is_none() && !act.name.as_ref().is_some_and(is_there)).then_some(&act.span)
     }));
     doubts.extend(missing.map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new() }));
@@ -183,7 +184,7 @@ fn drafted(builder: &Builder, tokens: &[Placed], mut names: Names, behaviour: Op
 /// The stream of an action.
 fn acting(act: &Act, names: &mut Names, behaviour: Option<&Behaviour>, doubtful: bool) -> DraftStream {
     let name = names.of_act(act);
-    let known = || behaviour?.streams().find(|(_, stream)| stream.name == name).map(|(id, _)| id.clone());
+    let known = || behaviour?.streams().find(|(_, stream)| look_same(&stream.name, &name)).map(|(id, _)| id.clone());
     let existing = if act.device.is_none() { known() } else { None };
     let device = act.device.as_ref();
     DraftStream {

@@ -1,6 +1,7 @@
 //! A text as tokens: words, numbers, signs, quoted texts and procedures, each with its place in the text.
 
 use crate::Language;
+use behaviour::{TypedNumber, number_at};
 use std::ops::Range;
 
 /// One token.
@@ -10,6 +11,8 @@ pub(crate) enum Token {
     Word(String),
     /// A number, with a minus before it.
     Number(f64),
+    /// A number that may be read in two ways: `1,000`.
+    Either(f64, f64),
     /// A text in quotes, without them.
     Quoted(String),
     /// A procedure in backticks, without them.
@@ -31,6 +34,8 @@ pub(crate) struct Placed {
 const ARTICLES: [&str; 3] = ["the", "a", "an"];
 /// What stands for an end of line inside quotes.
 const LINE_END: char = '↵';
+/// The longest number.
+const NUMBER_MAX_CHARS: usize = 60;
 
 /// The tokens of a text, in order. Articles and hyphens are left out.
 pub(crate) fn tokens(text: &str, language: Language) -> Vec<Placed> {
@@ -109,7 +114,7 @@ impl Reader {
         let token = if let Some(close) = closing(c) {
             Some(self.quote(c, close))
         } else if c.is_ascii_digit() || (c == '-' && self.digit(1) && !self.is_after_word()) {
-            Some(Token::Number(self.number()))
+            Some(self.number())
         } else if self.is_letter(0) {
             let word = self.word();
             (!ARTICLES.contains(&word.as_str())).then_some(Token::Word(word))
@@ -153,19 +158,27 @@ impl Reader {
         word
     }
 
-    fn number(&mut self) -> f64 {
+    /// The number that begins here, with both decimal signs.
+    fn number(&mut self) -> Token {
+        let rest: String = self.chars[self.at..].iter().take(NUMBER_MAX_CHARS).map(|(_, c)| *c).collect();
+        let Some((number, length)) = number_at(&rest) else {
+            return self.digits();
+        };
+        self.at += rest[..length].chars().count();
+        match number {
+            TypedNumber::Is(number) => Token::Number(number),
+            TypedNumber::Either(one, other) => Token::Either(one, other),
+        }
+    }
+
+    /// Digits that are no number with what follows them, such as those of a date: each by themselves.
+    fn digits(&mut self) -> Token {
         let mut digits = String::new();
-        let mut has_point = false;
-        while let Some(c) = self.peek(0).map(plain) {
-            let is_point = c == '.' && !has_point && self.digit(1);
-            if !(c.is_ascii_digit() || is_point || (c == '-' && digits.is_empty())) {
-                break;
-            }
-            has_point |= is_point;
+        while let Some(c) = self.peek(0).map(plain).filter(|c| c.is_ascii_digit() || (*c == '-' && digits.is_empty())) {
             digits.push(c);
             self.at += 1;
         }
-        digits.parse().unwrap_or_default()
+        Token::Number(digits.parse().unwrap_or_default())
     }
 
     fn quote(&mut self, open: char, close: char) -> Token {
@@ -207,6 +220,18 @@ mod tests {
         assert_eq!(read_en, [word("ball's"), number(40.0), word("cm"), Token::Sign(','), number(-0.5), quote]);
         let read_ja = read("赤い４０ｃｍ。", Language::Japanese);
         assert_eq!(read_ja, [word("赤"), word("い"), number(40.0), word("cm"), Token::Sign('.')]);
+    }
+
+    #[test]
+    fn numbers_are_read_as_one_with_both_decimal_signs() {
+        let read_en = |text| read(text, Language::English);
+        for text in ["1,5", "1.5", "１，５", "1．5"] {
+            assert_eq!(read_en(text), [Token::Number(1.5)], "{text}");
+        }
+        assert_eq!(read_en("1,000"), [Token::Either(1000.0, 1.0)]);
+        assert_eq!(read_en("5, 6"), [Token::Number(5.0), Token::Sign(','), Token::Number(6.0)]);
+        let ten = Token::Number(1.0);
+        assert_eq!(read_en("1.2.3")[0], ten);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Finding what a person means by a name typed in part, in any case.
 
 use crate::refusal::NotFound;
+use behaviour::as_looks;
 
 /// The one thing meant. Whole names win over beginnings, and these over parts.
 ///
@@ -11,11 +12,11 @@ pub(crate) fn find<T: Clone>(what: &'static str, wanted: &str, all: &[(String, T
     if wanted.is_empty() {
         return Err(NotFound::Nameless { what, names: names(all.iter()) });
     }
-    let lower = wanted.to_lowercase();
+    let lower = as_looks(wanted).to_lowercase();
     let fits: [fn(&str, &str) -> bool; 3] =
         [|name, wanted| name == wanted, |name, wanted| name.starts_with(wanted), |name, wanted| name.contains(wanted)];
     for fit in fits {
-        let found: Vec<_> = all.iter().filter(|(name, _)| fit(&name.to_lowercase(), &lower)).collect();
+        let found: Vec<_> = all.iter().filter(|(name, _)| fit(&as_looks(name).to_lowercase(), &lower)).collect();
         match found.as_slice() {
             [] => {}
             [one] => return Ok((*one).clone()),

@@ -2,7 +2,7 @@
 
 use crate::Listed;
 use behaviour::library::{Cursor, Place, Sort};
-use behaviour::{Behaviour, Procedure, Record};
+use behaviour::{Behaviour, Procedure, Record, as_looks};
 
 /// The most lines of one page.
 pub const PAGE_MAX_LINES: u32 = 1_000;
@@ -46,7 +46,7 @@ impl Query {
     /// The words to look for, in lower case.
     #[must_use]
     pub fn needles(&self) -> Vec<String> {
-        self.words.split_whitespace().map(str::to_lowercase).collect()
+        as_looks(&self.words).split_whitespace().map(str::to_lowercase).collect()
     }
 
     /// True if a line is on this page or a later one.
@@ -90,7 +90,7 @@ impl Listing {
 
 /// A name as names are ordered.
 pub(crate) fn name_key(name: &str) -> String {
-    name.to_lowercase()
+    as_looks(name).to_lowercase()
 }
 
 /// The text in which words are searched, in lower case: the name and the tags, then streams with their devices, notes, and
@@ -109,7 +109,7 @@ pub fn search_text(behaviour: &Behaviour) -> String {
             break;
         }
     }
-    let mut text = text.to_lowercase();
+    let mut text = as_looks(&text).to_lowercase();
     text.truncate(text.floor_char_boundary(SEARCH_MAX_BYTES));
     text
 }

@@ -51,6 +51,7 @@ impl ParamForm {
     /// # Errors
     /// If something does not fit.
     pub(crate) fn read(&self) -> Result<Params, Unfilled> {
+        self.rows.iter().try_for_each(Row::in_two_ways)?;
         let params: Params = self.rows.iter().map(|row| (row.param.name.to_owned(), row.value())).filled();
         self.device.check(&params).map(|()| params).map_err(|reason| Unfilled::Param(reason.to_string()))
     }
@@ -72,6 +73,14 @@ impl Row {
         self.saved.set(saved);
     }
 
+    /// Nobody guesses a number that may be either of two.
+    fn in_two_ways(&self) -> Result<(), Unfilled> {
+        match self.param.kind {
+            ParamKind::Number { .. } => self.text.with_untracked(|text| Unfilled::in_two_ways(text)),
+            ParamKind::Choice(_) | ParamKind::Text { .. } => Ok(()),
+        }
+    }
+
     fn value(&self) -> Value {
         let text = self.text.get_untracked();
         let (given, shown) = self.saved.get_untracked();
@@ -79,7 +88,9 @@ impl Row {
             return given;
         }
         match self.param.kind {
-            ParamKind::Number { .. } => text.trim().parse().map_or(Value::Null, Value::Float),
+            ParamKind::Number { .. } => {
+                behaviour::typed_number(&text).and_then(behaviour::TypedNumber::one).map_or(Value::Null, Value::Float)
+            }
             ParamKind::Choice(_) | ParamKind::Text { .. } => Value::text(text),
         }
     }

@@ -67,7 +67,8 @@ pub(crate) fn TextField(
     }
 }
 
-/// A number as it is typed; whoever reads it checks it.
+/// A number as it is typed; whoever reads it checks it. Not a field of the browser's own for numbers: that would leave
+/// out the comma of 1,5.
 #[component]
 pub(crate) fn NumberField(
     #[prop(into)] label: String,
@@ -77,18 +78,28 @@ pub(crate) fn NumberField(
     max: f64,
     step: f64,
 ) -> impl IntoView {
+    let by_arrows = move |event: web_sys::KeyboardEvent| {
+        let steps = match event.key().as_str() {
+            "ArrowUp" => 1.0,
+            "ArrowDown" => -1.0,
+            _ => return,
+        };
+        event.prevent_default();
+        if let Some(number) = value.with_untracked(|text| behaviour::typed_number(text)?.one()) {
+            let next = ((number / step).round() + steps) * step;
+            value.set(((next * 1e6).round() / 1e6).clamp(min, max).to_string());
+        }
+    };
     view! {
         <label class="field">
             <span class="label">{label}</span>
             <span class="number">
                 <input
                     class="input"
-                    type="number"
+                    type="text"
                     inputmode="decimal"
-                    min=min.to_string()
-                    max=max.to_string()
-                    step="any"
-                    data-step=step.to_string()
+                    autocomplete="off"
+                    on:keydown=by_arrows
                     prop:value=move || value.get()
                     on:input:target=move |event| value.set(event.target().value())
                 />

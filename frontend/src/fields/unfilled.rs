@@ -17,6 +17,18 @@ pub(crate) enum Unfilled {
     Start,
     /// The rate is none that is allowed.
     Rate(u64),
+    /// What was typed may be either of two numbers; with the sentence that asks which.
+    TwoWays(String),
     /// A parameter does not fit; with what the catalogue says.
     Param(String),
+}
+
+impl Unfilled {
+    /// Whether a number that was typed can be read in one way only.
+    ///
+    /// # Errors
+    /// If it may be either of two.
+    pub(crate) fn in_two_ways(typed: &str) -> Result<(), Self> {
+        crate::words::two_ways(typed).map_or(Ok(()), |said| Err(Self::TwoWays(said)))
+    }
 }

@@ -171,7 +171,7 @@ fn otherwise(graph: &Graph, id: &Id) -> Option<Step> {
         .filter(|(_, body)| !body.is_empty())
         .collect();
     let [(spec, only)] = bodies.as_slice() else { return None };
-    (!only.contains([';', '\n', '{'])).then(|| Step::Otherwise(spec, opposite(only), id.clone()))
+    (!only.contains([';', '\n', '{'])).then(|| Step::Otherwise(spec, behaviour::opposite(only), id.clone()))
 }
 
 /// The opposite of the test by which a stream is made, or what leads to it, if there is one test and not its opposite yet.
@@ -186,18 +186,6 @@ fn otherwise_above(graph: &Graph, id: &Id) -> Option<Step> {
     }
     let tested = made.inputs.first().filter(|_| made.operation.spec().is_test())?;
     otherwise(graph, tested)
-}
-
-/// The test that is true when the other is false.
-pub(super) fn opposite(body: &str) -> String {
-    let simple =
-        [(" < ", " >= "), (" > ", " <= "), (" <= ", " > "), (" >= ", " < "), (" == ", " != "), (" != ", " == ")];
-    let plain = !["&&", "||", "!("].iter().any(|sign| body.contains(sign));
-    let found: Vec<_> = simple.iter().filter(|(sign, _)| body.matches(sign).count() == 1).collect();
-    match found.as_slice() {
-        [(sign, other)] if plain => body.replacen(sign, other, 1),
-        _ => format!("!({body})"),
-    }
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What is suggested along the way of the thesis.
 
-use super::{Known, Step, opposite, suggest};
+use super::{Known, Step, suggest};
 use behaviour::{
     Behaviour, Connector, Declared, Helper, Id, Kind, Operation, Params, Procedure, Record, RecordId, Stream,
     StreamKind, Unit, Value, ValueType, connectors,
@@ -183,6 +183,6 @@ fn the_opposite_of_a_test_is_readable() {
         ("near(a)", "!(near(a))"),
     ];
     for (test, other) in cases {
-        assert_eq!(opposite(test), other);
+        assert_eq!(behaviour::opposite(test), other);
     }
 }

@@ -461,6 +461,13 @@ pub(crate) fn with_unit(value: String, unit: &str) -> String {
     if unit.is_empty() { value } else { format!("{value}\u{a0}{unit}") }
 }
 
+/// Asks which number is meant, if what was typed may be either of two.
+pub(crate) fn two_ways(typed: &str) -> Option<String> {
+    let Some(behaviour::TypedNumber::Either(one, other)) = behaviour::typed_number(typed) else { return None };
+    let (text, one, other) = (typed.trim(), &*one.to_string(), &*other.to_string());
+    Some(say!("“{text}” may be {one} or {other}. Type the one that is meant.", text, one, other))
+}
+
 /// A number that somebody else changed while a field was open for it.
 pub(crate) fn changed_meanwhile(now: &str) -> String {
     say!("Somebody changed this number meanwhile: it is {now} now. Yours was not saved.", now)
@@ -490,6 +497,7 @@ pub(crate) fn unfilled(why: &Unfilled) -> String {
         Unfilled::BodyBegun => finish_body().to_owned(),
         Unfilled::Start => start_is_no_value().to_owned(),
         Unfilled::Rate(ms) => told_by(&Refusal::Rate(*ms)),
+        Unfilled::TwoWays(said) => said.clone(),
         Unfilled::Param(reason) => whole_sentence(reason),
     }
 }

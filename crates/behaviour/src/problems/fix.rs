@@ -5,9 +5,10 @@ mod draft;
 use super::around::Around;
 use super::{Problem, ProblemKind, ways};
 use crate::connectors::{to_choose, to_leave_out_the_same, to_new_value, to_slow_down, to_tell_the_time};
+use crate::otherwise;
 use crate::{
-    Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure, Seen, Unit,
-    ValueType, rename_identifier,
+    AsMeant, Behaviour, Change, Connector, Edit, Fit, Helper, Id, Kind, Knowledge, Operation, Parameters, Procedure,
+    Seen, Unit, ValueType, as_meant, rename_identifiers, rename_unknown,
 };
 use draft::Draft;
 use serde::{Deserialize, Serialize};
@@ -99,6 +100,11 @@ pub fn fixes_seeing(
         (ProblemKind::WrongUnit { wants, gets }, Kind::Connector) => fixer.unit(*gets, *wants),
         (ProblemKind::WrongType { .. }, Kind::Connector) => fixer.kind(),
         (ProblemKind::UnknownName { name, near }, Kind::Connector) => fixer.name(name, near).into_iter().collect(),
+        (ProblemKind::Body(_), Kind::Connector) => fixer.as_meant(),
+        (ProblemKind::OtherwiseDiffers { .. }, Kind::Connector) => fixer.following().into_iter().collect(),
+        (ProblemKind::Stores | ProblemKind::WholeDivision { .. }, Kind::Connector) => {
+            fixer.without_slip().into_iter().collect()
+        }
         (ProblemKind::ObjectAsNumber { .. }, Kind::Connector) => fixer.parts(),
         (ProblemKind::StaleCombine { .. }, Kind::Connector) => fixer.stale().into_iter().collect(),
         (ProblemKind::FightingActions { with, .. }, Kind::Stream) => fixer.fighting(with),
@@ -197,11 +203,54 @@ impl<'a> Fixer<'a, '_> {
 
     fn name(&mut self, from: &str, to: &str) -> Option<Fix> {
         let Some(Procedure::Body { body, args }) = self.connector()?.operation.procedure() else { return None };
-        let renamed = crate::names::rename_field(&rename_identifier(body, from, to), from, to);
+        let renamed = rename_unknown(body, &self.around.behaviour.arguments(self.connector()?), from, to);
         let (at, args) = (self.at, args.clone());
         let mut draft = self.draft();
         draft.set_procedure(at, Procedure::Body { body: renamed, args });
         Some(draft.fix(FixKind::Rename { from: from.to_owned(), to: to.to_owned() }))
+    }
+
+    /// The other side of the test again.
+    fn following(&mut self) -> Option<Fix> {
+        let connector = self.connector()?;
+        let test = otherwise::test_of(self.around.behaviour, connector)?;
+        let body = otherwise::other_side(self.around.behaviour, test, connector)?;
+        let args = match connector.operation.procedure()? {
+            Procedure::Body { args, .. } => args.clone(),
+            Procedure::Helper(_) => None,
+        };
+        let (at, to) = (self.at, body.clone());
+        let mut draft = self.draft();
+        draft.set_procedure(at, Procedure::Body { body, args });
+        Some(draft.fix(FixKind::Rename { from: to.clone(), to }))
+    }
+
+    /// The procedure as it is meant in which `=` stands for `==`, or whole numbers lose what is left over.
+    fn without_slip(&mut self) -> Option<Fix> {
+        let connector = self.connector()?;
+        let Some(Procedure::Body { body, args }) = connector.operation.procedure() else { return None };
+        let (body, to) = match super::stores(self.around, connector) {
+            Some(asks) => (asks.clone(), asks),
+            None => crate::names::mistakes::divided(body).map(|divided| (divided.body, divided.meant))?,
+        };
+        let (at, from, args) = (self.at, to.clone(), args.clone());
+        let mut draft = self.draft();
+        draft.set_procedure(at, Procedure::Body { body, args });
+        Some(draft.fix(FixKind::Rename { from, to }))
+    }
+
+    /// The procedure with signs in the place of those that only look right.
+    fn as_meant(&mut self) -> Vec<Fix> {
+        let procedure = self.connector().and_then(|connector| Some((connector, connector.operation.procedure()?)));
+        let Some((connector, Procedure::Body { body, args })) = procedure else { return Vec::new() };
+        let arguments = self.around.behaviour.arguments(connector);
+        let write = |meant: AsMeant| {
+            let (at, args) = (self.at, args.clone());
+            let mut draft = self.draft();
+            draft.set_procedure(at, Procedure::Body { body: meant.body.clone(), args });
+            draft.fix(FixKind::Rename { from: body.clone(), to: meant.body })
+        };
+        as_meant(body, &arguments).into_iter().map(write).collect()
     }
 
     /// A part of an object in its place, or a number that a helper makes of it; nothing where it also stands for itself.
@@ -307,8 +356,8 @@ impl<'a> Fixer<'a, '_> {
         if connector.inputs.len() != 2 || arguments.len() != 2 {
             return None;
         }
-        let with_value = |body: String, name: &String| rename_identifier(&body, name, &format!("{name}.v"));
-        let valued = arguments.iter().fold(body.clone(), with_value);
+        let values: Vec<String> = arguments.iter().map(|name| format!("{name}.v")).collect();
+        let valued = rename_identifiers(body, &arguments, &values);
         let body = format!("#{{v: {valued}, t: {}.t - {}.t}}", arguments[new], arguments[old]);
         let (at, around, to) = (self.at, self.around, &connector.output);
         let output = around.name(to);

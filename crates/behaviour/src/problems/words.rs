@@ -76,6 +76,16 @@ impl fmt::Display for What<'_> {
                 write!(to, "“{name}” is an object, and here a number is wanted.")
             }
             ProblemKind::UnknownName { name, .. } => write!(to, "No “{name}” here."),
+            ProblemKind::Stores => to.write_str("“=” stores a value, and a test compares with “==”."),
+            ProblemKind::NoAnswer { gives } => {
+                write!(to, "A test must give true or false, and this one gives {gives}.")
+            }
+            ProblemKind::OtherwiseDiffers { name, test } => {
+                write!(to, "“{name}” is not the other side of “{test}”: some values pass both, or neither.")
+            }
+            ProblemKind::WholeDivision { written, gives, .. } => {
+                write!(to, "“{written}” is {gives}: of whole numbers, what is left over is lost.")
+            }
         }
     }
 }
@@ -119,6 +129,10 @@ impl fmt::Display for Advice<'_> {
             ProblemKind::FasterThanAction { .. } => to.write_str("Put a sample before it."),
             ProblemKind::ObjectAsNumber { .. } => to.write_str("Use a part of it."),
             ProblemKind::UnknownName { near, .. } => write!(to, "Is “{near}” meant?"),
+            ProblemKind::Stores => to.write_str("Write “==”."),
+            ProblemKind::NoAnswer { .. } => to.write_str("Compare it with something."),
+            ProblemKind::OtherwiseDiffers { .. } => to.write_str("Let it follow, or give it a name of its own."),
+            ProblemKind::WholeDivision { meant, .. } => write!(to, "Write “{meant}”."),
             ProblemKind::Helper { .. }
             | ProblemKind::EmptyHelper(_)
             | ProblemKind::Body(_)
@@ -175,6 +189,10 @@ mod tests {
             ProblemKind::FasterThanAction { sense: text("Ball") },
             ProblemKind::UnknownName { name: text("bal"), near: text("ball") },
             ProblemKind::ObjectAsNumber { name: text("ball") },
+            ProblemKind::Stores,
+            ProblemKind::OtherwiseDiffers { name: text("Otherwise"), test: text("Near") },
+            ProblemKind::NoAnswer { gives: ValueType::Text },
+            ProblemKind::WholeDivision { written: text("1/2"), gives: 0, meant: text("1.0/2") },
         ];
         for kind in all {
             let at = RecordId::new(Kind::Stream, &Id::new("a").unwrap());

@@ -178,7 +178,8 @@ impl<'a> Inference<'a> {
         }
     }
 
-    fn result(&self, behaviour: &Behaviour, connector: &Connector) -> ValueType {
+    /// What the procedure of a connector gives.
+    pub(crate) fn result(&self, behaviour: &Behaviour, connector: &Connector) -> ValueType {
         let Some(procedure) = connector.operation.procedure() else { return ValueType::Any };
         if connector.inputs.len() > ARGUMENTS_MAX {
             return ValueType::Any;

@@ -1,6 +1,7 @@
 //! Why a text is no procedure.
 
 use super::Syntax;
+use behaviour::AsMeant;
 use rhai::Position;
 
 /// Why a text is no procedure. [`std::fmt::Display`] says it in a few English words, with its place if it has one: `at
@@ -21,6 +22,8 @@ pub enum BodyFault {
     Functions,
     /// It cannot be read.
     Syntax(Syntax),
+    /// It cannot be read, as signs in it only look right; with what it means, in one way or two.
+    LooksRight(Vec<AsMeant>),
     /// It does at this place what no procedure may do.
     Misuse(Place, Misuse),
 }

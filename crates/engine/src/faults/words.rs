@@ -2,7 +2,7 @@
 
 use super::{BodyFault, CallFault, Fault, Misuse, Place, Reason, RunFault, TrialFault, ValueFault, ValueKind};
 use behaviour::connectors::Inputs;
-use behaviour::{BODY_MAX_CHARS, Value};
+use behaviour::{AsMeant, BODY_MAX_CHARS, Value, has_unseen};
 use std::fmt::{Display, Formatter, Result};
 
 /// The longest value that a sentence shows, in characters.
@@ -81,8 +81,21 @@ impl Display for BodyFault {
             Self::NameTwice(name) => write!(to, "two arguments have the name “{name}”"),
             Self::Functions => to.write_str("a procedure cannot define functions; add a helper for it"),
             Self::Syntax(syntax) => write!(to, "{syntax}"),
+            Self::LooksRight(meant) => looks_right(meant, to),
             Self::Misuse(at, misuse) => write!(to, "{at}{misuse}"),
         }
+    }
+}
+
+fn looks_right(meant: &[AsMeant], to: &mut Formatter) -> Result {
+    match meant {
+        [one] if has_unseen(&one.from) || one.from.trim().is_empty() => {
+            to.write_str("a blank in it is not a plain one; write it as a blank")
+        }
+        [one, other, ..] => {
+            write!(to, "“{}” may be {} or {}; write the one that is meant", one.from, one.to, other.to)
+        }
+        one => one.iter().try_for_each(|one| write!(to, "“{}” means {} here; write it so", one.from, one.to)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::faults::{BodyFault, Syntax};
 use crate::procedure::walk;
-use behaviour::BODY_MAX_CHARS;
+use behaviour::{BODY_MAX_CHARS, as_meant};
 use rhai::{AST, Dynamic, Engine, Position, Scope, Token};
 
 /// The most blocks of their own in one body.
@@ -20,7 +20,10 @@ pub(crate) fn compile(engine: &Engine, names: &[String], body: &str) -> Result<A
         return Err(BodyFault::Blocks(BLOCKS_MAX));
     }
     let scope = scope_of(names);
-    let ast = engine.compile_with_scope(&scope, body).map_err(|error| BodyFault::Syntax(Syntax::of(error, names)))?;
+    let ast = engine.compile_with_scope(&scope, body).map_err(|error| match as_meant(body, names) {
+        meant if meant.is_empty() => BodyFault::Syntax(Syntax::of(error, names)),
+        meant => BodyFault::LooksRight(meant),
+    })?;
     walk::check_calls(&ast)?;
     Ok(ast)
 }

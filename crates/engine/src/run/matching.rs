@@ -2,7 +2,7 @@
 
 use crate::values::{ConnectorIx, Ix, Pairs, StreamIx};
 use behaviour::{
-    BehaviourFile, FileConnector, FileHelper, FileStream, Operation, Procedure, called_names, rename_identifier,
+    BehaviourFile, FileConnector, FileHelper, FileStream, Operation, Procedure, called_names, rename_identifiers,
 };
 use behaviour::{Lookup, LookupSet};
 
@@ -134,6 +134,6 @@ impl<'f> Reader<'f> {
 
 /// The body with its arguments numbered, in a way that nobody can write.
 fn without_names(names: &[String], body: &str) -> String {
-    let numbered = names.iter().enumerate();
-    numbered.fold(body.trim().to_owned(), |body, (at, name)| rename_identifier(&body, name, &format!("§{at}§")))
+    let numbers: Vec<String> = (0..names.len()).map(|at| format!("§{at}§")).collect();
+    rename_identifiers(body.trim(), names, &numbers)
 }

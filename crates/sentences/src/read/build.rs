@@ -6,7 +6,7 @@ use super::tree::{Action, Bound, Said, Span, Start, Told, Way};
 use crate::carried::{Carried, Measure};
 use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance};
 use crate::does::{Calc, Does};
-use behaviour::{Behaviour, Id, Params, StreamKind, Value};
+use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
 use robot::Device;
 
 /// Where the values of a stream come from.
@@ -153,7 +153,8 @@ impl<'a> Builder<'a> {
 
     fn named(&mut self, said: &Said) -> usize {
         let name = said.text("name").unwrap_or_default();
-        let existing = self.behaviour.and_then(|behaviour| behaviour.streams().find(|(_, stream)| stream.name == name));
+        let existing =
+            self.behaviour.and_then(|behaviour| behaviour.streams().find(|(_, stream)| look_same(&stream.name, name)));
         match existing {
             Some((id, _)) => self.node(Source::Existing(id.clone()), Carried::Other, &said.span),
             None => self.missing(name, &said.span),

@@ -58,9 +58,9 @@ impl Read {
 
 /// Reads a text; where it is not understood, with the best that could stand there.
 pub(super) fn repaired(text: &str, tokens: Vec<Placed>, language: Language) -> Repaired {
-    let mut read = read(text, &tokens, language);
     let mut tokens = tokens;
-    let mut doubts = Vec::new();
+    let mut doubts = in_two_ways(&mut tokens);
+    let mut read = read(text, &tokens, language);
     while !read.is_whole && !tokens.is_empty() && doubts.len() < DOUBTS_MAX {
         let (length, trials) = best_trials(text, &tokens, &read, language);
         let at = read.furthest.min(tokens.len());
@@ -76,6 +76,19 @@ pub(super) fn repaired(text: &str, tokens: Vec<Placed>, language: Language) -> R
         }
     }
     Repaired { told: read.told, tokens, doubts }
+}
+
+/// Asks about every number that may be read in two ways; until somebody says which, the first stands there in doubt.
+fn in_two_ways(tokens: &mut [Placed]) -> Vec<Doubt> {
+    let mut doubts = Vec::new();
+    for placed in tokens {
+        if let Token::Either(one, other) = placed.token {
+            let suggestions = [one, other].map(crate::numbers::written).into();
+            doubts.push(Doubt { range: placed.range.clone(), suggestions });
+            *placed = Placed { token: Token::Number(one), range: placed.range.clone(), is_doubtful: true };
+        }
+    }
+    doubts
 }
 
 /// The bytes of so many tokens, or the place before one.

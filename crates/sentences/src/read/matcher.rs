@@ -288,7 +288,7 @@ impl<'t> Matcher<'t> {
         let is_word = |token: &Token| match token {
             Token::Word(word) => word != PLAIN_TEXT_END,
             Token::Number(_) => true,
-            Token::Quoted(_) | Token::Code(_) | Token::Sign(_) => false,
+            Token::Quoted(_) | Token::Code(_) | Token::Sign(_) | Token::Either(..) => false,
         };
         let rest = self.tokens.get(at..).unwrap_or_default();
         let count = rest.iter().take(PLAIN_TEXT_MAX).take_while(|placed| is_word(&placed.token)).count();
@@ -312,7 +312,7 @@ fn shown(token: &Token) -> String {
     match token {
         Token::Word(word) => word.clone(),
         Token::Number(number) => number.to_string(),
-        Token::Sign(_) | Token::Quoted(_) | Token::Code(_) => String::new(),
+        Token::Sign(_) | Token::Quoted(_) | Token::Code(_) | Token::Either(..) => String::new(),
     }
 }
 

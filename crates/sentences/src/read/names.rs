@@ -9,7 +9,7 @@ use crate::pattern::{Filling, filled, grammar};
 use crate::sentence::{Literal, Piece};
 use crate::test::{Asks, Comparison, Test};
 use crate::words::{device_label, words};
-use behaviour::{Behaviour, Id, argument_names, numbered};
+use behaviour::{Behaviour, Id, argument_names, as_looks, numbered};
 use std::collections::BTreeSet;
 
 /// The longest name that a name is made of, in characters.
@@ -24,7 +24,9 @@ pub(super) struct Names<'a> {
 
 impl<'a> Names<'a> {
     pub(super) fn new(language: Language, behaviour: Option<&'a Behaviour>) -> Self {
-        let used = behaviour.into_iter().flat_map(Behaviour::streams).map(|(_, stream)| stream.name.clone()).collect();
+        let used =
+            behaviour.into_iter().flat_map(Behaviour::streams).map(|(_, stream)| as_looks(&stream.name).into_owned());
+        let used = used.collect();
         Self { language, used, behaviour }
     }
 
@@ -68,8 +70,8 @@ impl<'a> Names<'a> {
 
     /// The name, or with a number if it is taken.
     pub(super) fn free(&mut self, wanted: &str) -> String {
-        let name = numbered(wanted, " ").find(|name| !self.used.contains(name)).unwrap_or_default();
-        self.used.insert(name.clone());
+        let name = numbered(wanted, " ").find(|name| !self.used.contains(&*as_looks(name))).unwrap_or_default();
+        self.used.insert(as_looks(&name).into_owned());
         name
     }
 

@@ -1,6 +1,7 @@
 //! Sentences as people type them.
 
 use crate::support::{draft_behaviour, reading, sentences_of};
+use behaviour::Procedure;
 use sentences::{Language, looks_like_sentence};
 
 /// What somebody may type, and the sentence that is meant.
@@ -147,4 +148,31 @@ fn sentences_look_like_sentences() {
     for text in ["", "when", "Red ball", "Head tou", "赤いボール"] {
         assert!(!looks_like_sentence(text), "{text}");
     }
+}
+
+#[test]
+fn a_decimal_comma_is_one_number_and_a_doubtful_one_is_asked_about() {
+    let said = |text: &str| {
+        let reading = sentences::read(text, Language::English, &[], None);
+        let bodies = reading.draft.connectors.iter().filter_map(|one| one.operation.procedure());
+        let bodies: Vec<String> = bodies
+            .filter_map(|procedure| match procedure {
+                Procedure::Body { body, .. } => Some(body.clone()),
+                Procedure::Helper(_) => None,
+            })
+            .collect();
+        let samples = reading.draft.connectors.iter().any(|one| one.operation.period_ms().is_some());
+        (bodies, samples, reading.doubts)
+    };
+    let sentence = |number: &str| format!("When the red ball is nearer than {number} m, the head follows it.");
+    for (number, body) in [("1,5", "distance < 1.5"), ("0,5", "distance < 0.5"), ("１，５", "distance < 1.5")] {
+        let (bodies, samples, doubts) = said(&sentence(number));
+        assert_eq!((bodies, samples, doubts.len()), (vec![body.to_owned()], false, 0), "{number}");
+    }
+    let (_, samples, doubts) = said(&sentence("1,000"));
+    assert!(!samples);
+    let typed = sentence("1,000");
+    let asked = doubts.into_iter().map(|doubt| (typed[doubt.range].to_owned(), doubt.suggestions));
+    let asked: Vec<_> = asked.collect();
+    assert_eq!(asked, [("1,000".to_owned(), vec!["1000".to_owned(), "1".to_owned()])]);
 }

@@ -1,7 +1,7 @@
 //! The list of behaviours as the store has it, and names that are free in it.
 
 use crate::support::store_call::{bounded, store_no};
-use behaviour::{Id, numbered};
+use behaviour::{Id, as_looks, numbered};
 use protocol::{LIST_MAX_LINES, ListQuery, Refused, Reply, Summary, WORDS_MAX_CHARS};
 use std::collections::BTreeSet;
 use store::{Listed, Listing, Query, Store, StoreError};
@@ -67,13 +67,13 @@ fn summary_of(listed: Listed) -> Summary {
 /// What the store fails with.
 pub async fn free_name(store: &dyn Store, wanted: &str) -> Result<String, StoreError> {
     let taken = names_from(store, wanted).await?;
-    let free = numbered(wanted, " ").find(|name| !taken.contains(name));
+    let free = numbered(wanted, " ").find(|name| !taken.contains(&*as_looks(name)));
     Ok(free.unwrap_or_else(|| wanted.to_owned()))
 }
 
 /// The names that begin like this one in any case: in order of name they stand together.
 async fn names_from(store: &dyn Store, wanted: &str) -> Result<BTreeSet<String>, StoreError> {
-    let key = wanted.to_lowercase();
+    let key = as_looks(wanted).to_lowercase();
     let first = Id::new(FIRST_ID).map_err(|reason| StoreError::Damaged(reason.to_string()))?;
     let just_before = store::Cursor { changed_ms: 0, name_key: key.clone(), id: first };
     let mut query = Query { sort: store::Sort::Name, after: Some(just_before), ..Query::default() };
@@ -82,7 +82,10 @@ async fn names_from(store: &dyn Store, wanted: &str) -> Result<BTreeSet<String>,
         let page = store.list(&query).await?;
         let all = page.lines.len();
         names.extend(
-            page.lines.into_iter().map(|line| line.name).take_while(|name| name.to_lowercase().starts_with(&key)),
+            page.lines
+                .into_iter()
+                .map(|line| as_looks(&line.name).into_owned())
+                .take_while(|name| name.to_lowercase().starts_with(&key)),
         );
         query.after = page.next.filter(|next| all > 0 && next.name_key.starts_with(&key));
     }

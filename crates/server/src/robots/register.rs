@@ -82,7 +82,9 @@ impl Register {
             return Err(RobotsUnchanged::LongName);
         }
         let others = || self.known.iter().filter(|known| known.robot != *robot);
-        Ok(numbered(name, " ").find(|wanted| others().all(|known| known.name != *wanted)).unwrap_or_default())
+        Ok(numbered(name, " ")
+            .find(|wanted| others().all(|known| !behaviour::look_same(&known.name, wanted)))
+            .unwrap_or_default())
     }
 
     /// Another name for one; answers with the name that it got.

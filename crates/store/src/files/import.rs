@@ -75,8 +75,10 @@ pub fn import(
     by: &str,
     mut new_id: impl FnMut() -> Id,
 ) -> Result<Import, Vec<Unfit>> {
-    let Shelved { names, change } = helpers::shelve(file, library, by, &mut new_id).map_err(|reason| vec![reason])?;
-    let file = helpers::renamed(file, &names);
+    let mut file = file.clone();
+    file.read_as_meant();
+    let Shelved { names, change } = helpers::shelve(&file, library, by, &mut new_id).map_err(|reason| vec![reason])?;
+    let file = helpers::renamed(&file, &names);
     let records = match mode {
         Mode::Copy => file.records(|_| Some(new_id())),
         Mode::Restore => file.records(|_| None),
@@ -234,6 +236,42 @@ mod tests {
         assert_eq!(added(made.library.as_ref()), wanted.map(|(name, body)| (name.to_owned(), body.to_owned())));
         let wanted = [Procedure::Helper("near4".into()), Procedure::body("near < 1 || near4(near) || close(near)")];
         assert_eq!(procedures(&made), wanted);
+    }
+
+    #[test]
+    fn what_a_robot_says_keeps_the_name_of_a_helper_that_gets_another() {
+        let (said, called) = ("`You are near (about ${near} m)`", "`near (${`near ${near(near)}`})`");
+        let maps = [Procedure::body(said), Procedure::body(called)];
+        let there = library(&[("near", "x < 1")]);
+        let made = import(&file(vec![helper("near", "x < 2")], &maps), Mode::Copy, &there, "Aiko", ids()).unwrap();
+        assert_eq!(made.renamed, [("near".to_owned(), "near2".to_owned())]);
+        let wanted = [Procedure::body(said), Procedure::body("`near (${`near ${near2(near)}`})`")];
+        assert_eq!(procedures(&made), wanted);
+    }
+
+    #[test]
+    fn a_helper_whose_name_looks_the_same_is_that_one() {
+        let (composed, decomposed) = ("n\u{e9}ar", "ne\u{301}ar");
+        let maps = [Procedure::body(&format!("{decomposed}(near)"))];
+        let file = file(vec![helper(decomposed, "x < 1")], &maps);
+        let same = import(&file, Mode::Copy, &library(&[(composed, "x < 1")]), "Aiko", ids()).unwrap();
+        assert_eq!(procedures(&same), [Procedure::body(&format!("{composed}(near)"))]);
+        assert!(same.library.is_none());
+        let other = import(&file, Mode::Copy, &library(&[(composed, "x < 2")]), "Aiko", ids()).unwrap();
+        assert_eq!(procedures(&other), [Procedure::body(&format!("{composed}2(near)"))]);
+    }
+
+    #[test]
+    fn procedures_are_read_as_they_are_meant() {
+        let mut texts = ["near.size\u{3000}＜ ０．５", "near.size ≤ 0,5 && “é” != `0,5 “×”`", "near.size < 1,000"]
+            .map(Procedure::body);
+        let file = crate::files::write_json(&file(vec![helper("far", "x ≥ 1,5")], &texts));
+        let made =
+            import(&crate::files::read(file.as_bytes()).unwrap(), Mode::Copy, &library(&[]), "Aiko", ids()).unwrap();
+        texts[0] = Procedure::body("near.size < 0.5");
+        texts[1] = Procedure::body("near.size <= 0.5 && \"é\" != `0,5 “×”`");
+        assert_eq!(procedures(&made), texts, "what may be read in two ways stays, to be asked about");
+        assert_eq!(added(made.library.as_ref()), [("far".to_owned(), "x >= 1.5".to_owned())]);
     }
 
     #[test]

@@ -304,11 +304,16 @@ impl Door<'_, '_> {
     }
 }
 
+/// A number as people write it, where only one can be meant: 0,5.
+fn measured(text: &str) -> Option<Value> {
+    behaviour::typed_number(text)?.one().map(Value::Float)
+}
+
 fn read(how: How, text: &str, at: usize) -> Result<Node, NoNumber> {
     let plain = |value| Node { at, what: What::Plain(value) };
     match how {
         How::Text => Ok(Node::text(at, text)),
-        How::Number => number(text).map(plain),
+        How::Number => number(text).or_else(|no| measured(text).ok_or(no)).map(plain),
         How::Millis => match text.strip_suffix("ms").map(number) {
             Some(Ok(value @ Value::Int(_))) => Ok(plain(value)),
             _ => Err(NoNumber::NoMillis),

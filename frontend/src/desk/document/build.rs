@@ -4,14 +4,14 @@ use super::{ConnectPlan, Gap, Output, Spot, rewire};
 use crate::layout;
 use behaviour::{
     Behaviour, Change, Connector, Helper, Id, Kind, Operation, Params, Place, Procedure, Record, RecordId, Settings,
-    Stream, StreamKind, numbered, rename_identifier,
+    Stream, StreamKind, numbered, rename_identifiers,
 };
 use std::collections::BTreeMap;
 
 /// The first free name: "Tracker", then "Tracker 2".
 pub(super) fn free_name(behaviour: &Behaviour, base: &str) -> String {
     let base = base.trim();
-    let taken = |name: &str| behaviour.streams().any(|(_, stream)| stream.name.trim() == name);
+    let taken = |name: &str| behaviour.streams().any(|(_, stream)| behaviour::look_same(&stream.name, name));
     numbered(base, " ").find(|name| !taken(name)).unwrap_or_else(|| base.to_owned())
 }
 
@@ -137,7 +137,7 @@ fn follow_rename(before: &Behaviour, after: &Behaviour, connector: &Connector) -
     let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() else { return None };
     let old = before.arguments(connector);
     let new = after.arguments(connector);
-    let renamed = renamed_all(body, &old, &new);
+    let renamed = rename_identifiers(body, &old, &new);
     if renamed == *body {
         return None;
     }
@@ -146,14 +146,6 @@ fn follow_rename(before: &Behaviour, after: &Behaviour, connector: &Connector) -
         *procedure = Procedure::body(&renamed);
     }
     Some(connector)
-}
-
-/// All arguments at once, by way of names that nobody uses, so that two may also be exchanged.
-pub(super) fn renamed_all(body: &str, old: &[String], new: &[String]) -> String {
-    let pairs: Vec<_> = old.iter().zip(new).filter(|(old, new)| old != new).enumerate().collect();
-    let between = |at: usize| format!("rrp_renamed_{at}");
-    let away = pairs.iter().fold(body.to_owned(), |body, (at, (old, _))| rename_identifier(&body, old, &between(*at)));
-    pairs.iter().fold(away, |body, (at, (_, new))| rename_identifier(&body, &between(*at), new))
 }
 
 /// Without a stream, the connectors at it, and their places.

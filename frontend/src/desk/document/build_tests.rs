@@ -1,9 +1,7 @@
 //! What gestures make of a behaviour.
 
 use super::super::graph_tests::{id, places};
-use super::{
-    connected, connected_twice, connector_edited, free_name, renamed_all, sensor, stream_edited, without_stream,
-};
+use super::{connected, connected_twice, connector_edited, free_name, sensor, stream_edited, without_stream};
 use crate::desk::{ConnectPlan, Gap, Output, Spot};
 use behaviour::{Behaviour, Change, Params, Procedure, Stream, StreamKind, connectors};
 use std::collections::BTreeMap;
@@ -77,6 +75,17 @@ fn renaming_a_stream_rewrites_the_bodies_that_use_it() {
 }
 
 #[test]
+fn what_a_text_says_stays_when_the_stream_of_its_name_is_renamed() {
+    let mut made = track();
+    let said = connectors::filter::SPEC.with(Procedure::body("`the red ball is at ${redBall.x}` == \"redBall\""));
+    made.apply(&connector_edited(&made, start("4"), &id("filter"), (said, vec![id("ball")]), None));
+    let renamed = Stream { name: "Kite".into(), ..made.stream(&id("ball")).unwrap().clone() };
+    made.apply(&stream_edited(&made, start("5"), &id("ball"), renamed));
+    let now = Procedure::body("`the red ball is at ${kite.x}` == \"redBall\"");
+    assert_eq!(made.connector(&id("filter")).unwrap().operation.procedure(), Some(&now));
+}
+
+#[test]
 fn editing_a_connector_may_rename_its_output_in_the_same_change() {
     let made = track();
     let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.2"));
@@ -93,10 +102,4 @@ fn a_removed_stream_takes_its_connectors_along() {
     assert_eq!((made.streams().count(), made.connectors().count()), (2, 0));
     made.apply(&change.swapped(id("5"), "Undo"));
     assert_eq!(made, track());
-}
-
-#[test]
-fn two_names_may_be_exchanged() {
-    let names = |one: &str, two: &str| [one.to_owned(), two.to_owned()];
-    assert_eq!(renamed_all("a - b", &names("a", "b"), &names("b", "a")), "b - a");
 }

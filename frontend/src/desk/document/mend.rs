@@ -23,6 +23,10 @@ impl Document {
                 | ProblemKind::StaleCombine { .. }
                 | ProblemKind::UnknownName { .. }
                 | ProblemKind::ObjectAsNumber { .. }
+                | ProblemKind::Body(_)
+                | ProblemKind::Stores
+                | ProblemKind::OtherwiseDiffers { .. }
+                | ProblemKind::WholeDivision { .. }
         );
         let Some(behaviour) = self.open.get_untracked().filter(|_| may_be_mended) else { return };
         self.tab.look_up(Request::Fixes { behaviour, problem: problem.clone(), seen: self.seen() }, |answer| {

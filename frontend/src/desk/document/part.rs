@@ -1,7 +1,7 @@
 //! A part of a program as a text: copied, and put in elsewhere. Pure.
 
 use super::Selected;
-use super::build::{free_name, renamed_all};
+use super::build::free_name;
 use super::grouping::members;
 use crate::layout::{CHIP_HEIGHT, GAP, STREAM_HEIGHT, VALUE_ROOM, note_size, snapped, stream_width};
 use behaviour::{
@@ -236,7 +236,7 @@ impl Part {
             for (id, stream) in self.records.streams() {
                 both.records.insert(RecordId::new(Kind::Stream, id), Record::Stream(stream.clone()));
             }
-            let body = renamed_all(body, &both.arguments(old), &both.arguments(&new));
+            let body = behaviour::rename_identifiers(body, &both.arguments(old), &both.arguments(&new));
             if let Some(procedure) = new.operation.procedure_mut() {
                 *procedure = Procedure::body(&body);
             }

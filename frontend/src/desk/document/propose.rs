@@ -6,7 +6,7 @@ use super::{Document, DocumentEvent};
 use crate::browser::Keep;
 use crate::desk::tab::set_if_new;
 use crate::link;
-use behaviour::{Change, Id, RecordId, Refusal, Token};
+use behaviour::{Change, Id, Kind, RecordId, Refusal, Token, with_otherwise};
 use leptos::prelude::*;
 use protocol::{LIBRARY, Refused, Reply, Request, Role};
 use std::cell::RefCell;
@@ -40,7 +40,11 @@ impl Document {
     pub(super) fn propose_and(&self, change: Change, on_answer: impl FnOnce(Result<(), Refused>) + 'static) {
         let open = self.open.get_untracked();
         match open {
-            Some(open) => self.propose_to(open, change, on_answer),
+            Some(open) => {
+                let touches = change.edits.iter().any(|edit| edit.id.kind == Kind::Connector);
+                let change = if touches { with_otherwise(&self.behaviour(), change) } else { change };
+                self.propose_to(open, change, on_answer);
+            }
             None => on_answer(Err(Refused::NothingOpen)),
         }
     }

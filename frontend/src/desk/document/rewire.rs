@@ -1,7 +1,7 @@
 //! Other ways through a graph that is there, each as one change: another input, a stream fed again, a connector put into
 //! an edge, a stream taken out of its way. Pure.
 
-use super::build::{connected, free_name, renamed_all};
+use super::build::{connected, free_name};
 use super::{ConnectPlan, Output, Selected, Spot};
 use crate::layout::{LEVEL, snapped};
 use behaviour::{
@@ -150,7 +150,7 @@ pub(super) fn with_inputs(behaviour: &Behaviour, connector: &Connector, inputs: 
     let mut taken = Connector { inputs, ..connector.clone() };
     if let Some(Procedure::Body { body, args: None }) = connector.operation.procedure() {
         let (old, new) = (behaviour.arguments(connector), behaviour.arguments(&taken));
-        let body = renamed_all(body, &old, &new);
+        let body = behaviour::rename_identifiers(body, &old, &new);
         if let Some(procedure) = taken.operation.procedure_mut() {
             *procedure = Procedure::body(&body);
         }

@@ -19,8 +19,10 @@ pub(crate) struct Sign {
 pub(crate) fn signs(people: &[Person]) -> Vec<Sign> {
     let mut signs: Vec<Sign> = Vec::with_capacity(people.len());
     for (at, person) in people.iter().enumerate() {
-        let namesakes = people[..at].iter().filter(|before| before.name == person.name).count();
-        let name = free(names(&person.name, namesakes), |name| signs.iter().any(|sign| sign.name == *name));
+        let namesakes = people[..at].iter().filter(|before| behaviour::look_same(&before.name, &person.name)).count();
+        let name = free(names(&person.name, namesakes), |name| {
+            signs.iter().any(|sign| behaviour::look_same(&sign.name, name))
+        });
         let letters =
             free(letters(&person.name, namesakes > 0), |letters| signs.iter().any(|sign| sign.letters == *letters));
         signs.push(Sign { client: person.client.clone(), name, letters, color: person.color % 8 });

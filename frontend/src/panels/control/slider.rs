@@ -4,7 +4,9 @@ use super::now::{Measured, shown};
 use super::test::Test;
 use crate::escape;
 use crate::icons::Icon;
+use crate::panels::hold::hold;
 use crate::words;
+use behaviour::TypedNumber;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::HtmlInputElement;
@@ -69,15 +71,16 @@ pub(super) fn Stepper(
     unit: Signal<&'static str>,
     reads: Memo<bool>,
 ) -> impl IntoView {
+    let desk = hold();
     let by = move |steps: f64| {
         let step = step.get_untracked();
         let next = ((number.get_untracked() / step).round() + steps) * step;
         set.run(((next * 1e6).round() / 1e6, false));
     };
     let typed = move |text: String| {
-        if let Ok(number) = text.trim().replace(',', ".").parse::<f64>()
-            && number.is_finite()
-        {
+        if let Some(asks) = words::two_ways(&text) {
+            desk.desk().say(&asks, true);
+        } else if let Some(number) = behaviour::typed_number(&text).and_then(TypedNumber::one) {
             set.run((number, true));
         }
     };

@@ -7,7 +7,7 @@ mod values;
 
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{Gone, gone};
-use super::operation::Meant;
+use super::operation::{LooksRight, Meant};
 use super::stream::answered;
 use crate::fields::{CodeField, TextField};
 use crate::panels::hold::{Hold, hold};
@@ -64,7 +64,8 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                 <div class="field">
                     <span class="label">{words::body()}</span>
                     <CodeField label=words::body() value=fields.body arguments unknown=wrong described_by="helper-said" />
-                    <Meant body=fields.body unknown=Signal::from(unknown) />
+                    <Meant body=fields.body arguments unknown=Signal::from(unknown) />
+                    <LooksRight body=fields.body arguments />
                     <div role="status" id="helper-said">
                         {move || error.get().map(|why| view! { <p class="second bad-text">{why}</p> })}
                     </div>

@@ -10,7 +10,7 @@ mod prefill;
 mod procedure;
 mod saving;
 
-pub(super) use procedure::Meant;
+pub(super) use procedure::{LooksRight, Meant};
 
 use super::frame::{Feet, Frame, Refused};
 use super::gone::{self, Back, Gone};

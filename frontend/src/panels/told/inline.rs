@@ -110,6 +110,9 @@ fn NumberField(
         if seen.get_value() != Some(number.value) {
             return desk.desk().say(&words::changed_meanwhile(&number.text), true);
         }
+        if let Some(asks) = words::two_ways(&text) {
+            return desk.desk().say(&asks, true);
+        }
         match parsed(&text).map(|value| value.clamp(number.min, number.max)) {
             Some(value) if value != number.value => put(&desk.desk(), &number.at, New::Number(value * number.scale)),
             _ => {}
@@ -220,7 +223,7 @@ fn stepped(number: &Number, value: f64, steps: f64) -> f64 {
 }
 
 fn parsed(text: &str) -> Option<f64> {
-    text.trim().replace(',', ".").parse().ok().filter(|number: &f64| number.is_finite())
+    behaviour::typed_number(text)?.one()
 }
 
 fn shown(value: f64) -> String {

@@ -3,7 +3,7 @@
 use super::{Fix, FixKind};
 use crate::{
     Behaviour, Connector, Edit, Id, Kind, NAME_MAX_CHARS, Operation, Place, Procedure, Record, RecordId, Stream,
-    StreamKind, argument_names, numbered, rename_identifier,
+    StreamKind, argument_names, look_same, numbered, rename_identifier,
 };
 
 /// How far below a stream the next row of the canvas is: `LEVEL` of the page's layout, which stands on this crate. With
@@ -124,7 +124,7 @@ impl<'a> Draft<'a> {
             _ => None,
         });
         let taken: Vec<&str> = self.behaviour.streams().map(|(_, stream)| stream.name.as_str()).chain(new).collect();
-        let free = numbered(&short, " ").find(|name| !taken.contains(&name.as_str()));
+        let free = numbered(&short, " ").find(|name| !taken.iter().any(|taken| look_same(taken, name)));
         free.unwrap_or_default()
     }
 

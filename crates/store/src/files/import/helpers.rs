@@ -24,13 +24,14 @@ pub(super) fn shelve(
     by: &str,
     new_id: &mut impl FnMut() -> Id,
 ) -> Result<Shelved, Unfit> {
-    let mut there: HashMap<String, Helper> = library.helpers().map(|(_, h)| (h.name.clone(), h.clone())).collect();
+    let as_looks = |name: &str| behaviour::as_looks(name).into_owned();
+    let mut there: HashMap<String, Helper> = library.helpers().map(|(_, h)| (as_looks(&h.name), h.clone())).collect();
     let mut change = Change::of(new_id(), by, "Import helpers");
     let mut names = BTreeMap::new();
     let in_file: HashSet<&str> = file.helpers.iter().map(|helper| helper.name.as_str()).collect();
     for helper in callees_first(&file.helpers)? {
         let mut wanted = Helper {
-            name: helper.name.clone(),
+            name: as_looks(&helper.name),
             params: helper.params.clone(),
             body: rename_helpers(&helper.body, &names),
             says: helper.says.clone(),
@@ -44,7 +45,8 @@ pub(super) fn shelve(
             change = change.put(library, id, Record::Helper(wanted.clone()));
             there.insert(name.clone(), wanted);
         }
-        names.insert(helper.name.clone(), name);
+        let kept = there.get(&name).map_or(name, |helper| helper.name.clone());
+        names.insert(helper.name.clone(), kept);
     }
     Ok(Shelved { names, change })
 }

@@ -192,8 +192,8 @@ fn seconds(ms: u64) -> String {
 
 /// What was typed as a duration, in milliseconds.
 pub(super) fn milliseconds(seconds: &str) -> Option<u64> {
-    let seconds = seconds.trim().replace(',', ".").parse::<f64>().ok()?;
-    (seconds.is_finite() && seconds >= 0.0).then(|| (seconds * 1_000.0).round() as u64)
+    let seconds = behaviour::typed_number(seconds)?.one()?;
+    (seconds >= 0.0).then(|| (seconds * 1_000.0).round() as u64)
 }
 
 /// What stands in the fields of a procedure; a body that knows the argument names of before gets those of today.

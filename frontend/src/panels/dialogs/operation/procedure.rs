@@ -67,7 +67,8 @@ fn Body(form: Form, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
         <div class="field">
             <span class="label">{words::parameters()}" "<code>{move || arguments.get().join(", ")}</code></span>
             <CodeField label=words::body() value=form.body arguments unknown=wrong described_by="body-said" one_line=true />
-            <Meant body=form.body unknown />
+            <Meant body=form.body arguments unknown />
+            <LooksRight body=form.body arguments />
             <Spellings form arguments />
             <FieldNames form />
         </div>
@@ -76,13 +77,17 @@ fn Body(form: Form, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
 
 /// The name that is probably meant in place of one that means nothing, with one tap.
 #[component]
-pub(in crate::panels::dialogs) fn Meant(body: RwSignal<String>, unknown: Signal<Option<UnknownName>>) -> impl IntoView {
+pub(in crate::panels::dialogs) fn Meant(
+    body: RwSignal<String>,
+    arguments: Signal<Vec<String>>,
+    unknown: Signal<Option<UnknownName>>,
+) -> impl IntoView {
     let offer = move || {
         let UnknownName { name, near } = unknown.get()?;
         let near = near?;
         let label = words::use_name(&near);
         let mend = move |event: web_sys::MouseEvent| {
-            body.update(|body| *body = behaviour::rename_identifier(body, &name, &near));
+            body.update(|body| *body = behaviour::rename_unknown(body, &arguments.read_untracked(), &name, &near));
             focus::back_to_field(&event);
         };
         Some(
@@ -90,6 +95,28 @@ pub(in crate::panels::dialogs) fn Meant(body: RwSignal<String>, unknown: Signal<
         )
     };
     view! { {offer} }
+}
+
+/// The procedure with plain signs in the place of those that only look right, with one tap.
+#[component]
+pub(in crate::panels::dialogs) fn LooksRight(body: RwSignal<String>, arguments: Signal<Vec<String>>) -> impl IntoView {
+    let offers = Memo::new(move |_| {
+        let meant = behaviour::as_meant(&body.read(), &arguments.read());
+        meant.into_iter().map(|meant| meant.body).collect::<Vec<_>>()
+    });
+    let offer = move |meant: String| {
+        let label = words::use_name(meant.trim());
+        let mend = move |event: web_sys::MouseEvent| {
+            body.set(meant.clone());
+            focus::back_to_field(&event);
+        };
+        view! { <button class="button small" type="button" on:click=mend>{label}</button> }
+    };
+    view! {
+        <Show when=move || !offers.read().is_empty()>
+            <div class="offers">{move || offers.get().into_iter().map(offer).collect_view()}</div>
+        </Show>
+    }
 }
 
 /// The right spelling of an argument, with one tap.

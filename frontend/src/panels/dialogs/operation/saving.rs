@@ -120,6 +120,7 @@ fn start(typed: &str) -> Result<Value, Unfilled> {
 }
 
 fn period(form: Form) -> Result<u64, Unfilled> {
+    Unfilled::in_two_ways(&form.period.get())?;
     let typed = milliseconds(&form.period.get()).unwrap_or_default();
     if RATE_MS.contains(&typed) { Ok(typed) } else { Err(Unfilled::Rate(typed)) }
 }

@@ -117,13 +117,12 @@ pub(super) fn with_part(value: &Value, field: Option<&str>, part: Value) -> Valu
 
 /// A number as it was written; whole where the one before it was.
 pub(super) fn number(text: &str, before: Option<&Value>) -> Option<Value> {
-    let text = text.trim().replace(',', ".");
     if matches!(before, Some(Value::Int(_)))
-        && let Ok(whole) = text.parse()
+        && let Ok(whole) = text.trim().parse()
     {
         return Some(Value::Int(whole));
     }
-    text.parse::<f64>().ok().filter(|number| number.is_finite()).map(Value::Float)
+    behaviour::typed_number(text)?.one().map(Value::Float)
 }
 
 #[cfg(test)]

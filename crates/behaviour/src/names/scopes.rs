@@ -1,0 +1,359 @@
+//! What each word of a procedure means: a value from outside, one of its own, a function, a part or a key.
+
+use super::is_identifier;
+use super::tokens::{Bracket, Kind, Token, tokens};
+use std::ops::Range;
+
+/// Words that build a procedure and name nothing in it.
+const BUILDING: [&str; 21] = [
+    "let", "const", "for", "in", "if", "else", "while", "loop", "do", "until", "switch", "return", "break", "continue",
+    "throw", "try", "catch", "true", "false", "fn", "_",
+];
+/// Words behind a block that go on with what began before it.
+const GOING_ON: [&str; 4] = ["else", "catch", "while", "until"];
+
+/// What a word is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Meaning {
+    /// A value from outside, such as an argument.
+    Outer,
+    /// A value of the procedure's own; with which of [`Read::locals`].
+    Local(usize),
+    /// A function or a helper, called or pointed to.
+    Function,
+    /// A part of an object.
+    Part,
+}
+
+/// A word of a procedure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Word {
+    pub(super) place: Range<usize>,
+    pub(super) meaning: Meaning,
+    /// The values of its own that are known where a value from outside is used: so many of [`Read::known`].
+    known: Range<usize>,
+}
+
+/// A procedure that is read.
+#[derive(Default)]
+pub(super) struct Read {
+    pub(super) words: Vec<Word>,
+    /// The names of the values of its own, in the order in which they are declared.
+    pub(super) locals: Vec<String>,
+    known: Vec<usize>,
+}
+
+impl Read {
+    /// The values of its own that are known where the word stands.
+    pub(super) fn known_at(&self, word: &Word) -> &[usize] {
+        &self.known[word.known.clone()]
+    }
+}
+
+/// Reads a procedure. One that is not finished is read as far as it goes.
+pub(super) fn read(body: &str) -> Read {
+    let tokens = tokens(body);
+    let mut reader = Reader {
+        body,
+        tokens: &tokens,
+        scope: Vec::new(),
+        levels: vec![Level::of(Inside::Block, 0)],
+        read: Read::default(),
+    };
+    let mut at = 0;
+    while at < tokens.len() {
+        at = reader.next(at);
+    }
+    reader.read
+}
+
+/// Where a word stands.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Inside {
+    Brackets,
+    Block,
+    Map,
+    /// The values of a closure are known; true if it ends with its block.
+    Closure(bool),
+}
+
+struct Level {
+    inside: Inside,
+    /// How many values were known before it.
+    known: usize,
+    /// Declared by a statement that is not over.
+    declared: Vec<usize>,
+    /// Known in the block that follows.
+    for_block: Vec<usize>,
+    /// A key of an object may come.
+    key: bool,
+}
+
+impl Level {
+    fn of(inside: Inside, known: usize) -> Self {
+        Self { inside, known, declared: Vec::new(), for_block: Vec::new(), key: inside == Inside::Map }
+    }
+}
+
+struct Reader<'b> {
+    body: &'b str,
+    tokens: &'b [Token],
+    /// The values of its own that are known here, by number.
+    scope: Vec<usize>,
+    levels: Vec<Level>,
+    read: Read,
+}
+
+impl<'b> Reader<'b> {
+    fn text(&self, at: usize) -> &'b str {
+        self.tokens.get(at).map_or("", |token| &self.body[token.place.clone()])
+    }
+
+    fn is(&self, at: usize, kind: Kind) -> bool {
+        self.tokens.get(at).is_some_and(|token| token.kind == kind)
+    }
+
+    fn level(&mut self) -> &mut Level {
+        if self.levels.is_empty() {
+            self.levels.push(Level::of(Inside::Block, 0));
+        }
+        let last = self.levels.len() - 1;
+        &mut self.levels[last]
+    }
+
+    /// Reads one piece or several that belong together; tells where the next is.
+    fn next(&mut self, at: usize) -> usize {
+        match self.tokens[at].kind {
+            Kind::Word => return self.word(at),
+            Kind::Open(bracket) => self.open(bracket),
+            Kind::Close(bracket) => self.close(bracket, at),
+            Kind::Sign => return self.sign(at),
+            Kind::Number | Kind::Text => {}
+        }
+        at + 1
+    }
+
+    fn open(&mut self, bracket: Bracket) {
+        let known = self.scope.len();
+        let inside = match bracket {
+            Bracket::Round | Bracket::Square => Inside::Brackets,
+            Bracket::Block | Bracket::Hole => Inside::Block,
+            Bracket::Map => Inside::Map,
+        };
+        if bracket == Bracket::Block {
+            let values = std::mem::take(&mut self.level().for_block);
+            self.scope.extend(values);
+        }
+        self.levels.push(Level::of(inside, known));
+    }
+
+    fn close(&mut self, bracket: Bracket, at: usize) {
+        self.end_closures();
+        self.end_level();
+        let goes_on = self.is(at + 1, Kind::Word) && GOING_ON.contains(&self.text(at + 1));
+        if bracket == Bracket::Block && self.level().inside == Inside::Closure(true) && !goes_on {
+            self.end_level();
+        }
+    }
+
+    fn end_closures(&mut self) {
+        while matches!(self.level().inside, Inside::Closure(_)) {
+            self.end_level();
+        }
+    }
+
+    fn end_level(&mut self) {
+        if let Some(level) = self.levels.pop() {
+            self.scope.truncate(level.known);
+        }
+    }
+
+    fn sign(&mut self, at: usize) -> usize {
+        match self.text(at) {
+            ";" => {
+                self.end_closures();
+                let declared = std::mem::take(&mut self.level().declared);
+                self.scope.extend(declared);
+            }
+            "," => {
+                self.end_closures();
+                let level = self.level();
+                level.key = level.inside == Inside::Map;
+            }
+            "|" if !self.is_behind_value(at) => return self.closure(at),
+            "||" if !self.is_behind_value(at) => {
+                self.begin_closure(at + 1, self.scope.len());
+            }
+            _ => {}
+        }
+        at + 1
+    }
+
+    /// Whether a value stands before, so that a `|` takes it.
+    fn is_behind_value(&self, at: usize) -> bool {
+        let Some(before) = at.checked_sub(1) else { return false };
+        match self.tokens[before].kind {
+            Kind::Number | Kind::Text => true,
+            Kind::Close(bracket) => bracket != Bracket::Block,
+            Kind::Word => matches!(self.text(before), "true" | "false") || !BUILDING.contains(&self.text(before)),
+            Kind::Open(_) | Kind::Sign => false,
+        }
+    }
+
+    /// The values of a closure, `|a, b|`, and what is behind them.
+    fn closure(&mut self, at: usize) -> usize {
+        let known = self.scope.len();
+        let mut next = at + 1;
+        while next < self.tokens.len() && self.text(next) != "|" {
+            if self.is(next, Kind::Word) {
+                let local = self.declare(next);
+                self.scope.push(local);
+            }
+            next += 1;
+        }
+        self.begin_closure(next + 1, known);
+        next + 1
+    }
+
+    fn begin_closure(&mut self, body: usize, known: usize) {
+        let is_statement = self.is(body, Kind::Open(Bracket::Block))
+            || matches!(self.text(body), "if" | "switch" | "while" | "loop" | "do" | "for" | "try");
+        self.levels.push(Level::of(Inside::Closure(is_statement), known));
+    }
+
+    fn word(&mut self, at: usize) -> usize {
+        let text = self.text(at);
+        let level = self.level();
+        let is_key = std::mem::take(&mut level.key);
+        if at > 0 && matches!(self.text(at - 1), "." | "?.") && self.is(at - 1, Kind::Sign) {
+            self.put(at, Meaning::Part);
+        } else if is_key && self.text(at + 1) == ":" {
+            return at + 2;
+        } else if text == "let" || text == "const" {
+            if self.is(at + 1, Kind::Word) {
+                let local = self.declare(at + 1);
+                self.level().declared.push(local);
+                return at + 2;
+            }
+        } else if text == "for" || text == "catch" {
+            return self.block_values(at + 1);
+        } else if self.is_called(at) {
+            self.put(at, Meaning::Function);
+            self.named_in_text(at);
+        } else if !BUILDING.contains(&text) {
+            let meaning = self.meaning_of(text);
+            self.put(at, meaning);
+        }
+        at + 1
+    }
+
+    /// The values of a `for` or `catch`, with brackets or without, which are known in the block that follows.
+    fn block_values(&mut self, at: usize) -> usize {
+        if self.is(at, Kind::Word) {
+            let local = self.declare(at);
+            self.level().for_block.push(local);
+            return at + 1;
+        }
+        if !self.is(at, Kind::Open(Bracket::Round)) {
+            return at;
+        }
+        let mut next = at + 1;
+        while next < self.tokens.len() && !self.is(next, Kind::Close(Bracket::Round)) {
+            if self.is(next, Kind::Word) {
+                let local = self.declare(next);
+                self.level().for_block.push(local);
+            }
+            next += 1;
+        }
+        next + 1
+    }
+
+    fn is_called(&self, at: usize) -> bool {
+        let opens = |at: usize| self.is(at, Kind::Open(Bracket::Round));
+        let is_name = !BUILDING.contains(&self.text(at));
+        is_name && (opens(at + 1) || (self.text(at + 1) == "!" && opens(at + 2)))
+    }
+
+    /// What a text names that such a function is given: `Fn("near")`.
+    fn named_in_text(&mut self, at: usize) {
+        let Some(token) = self.tokens.get(at + 2).filter(|token| token.kind == Kind::Text) else { return };
+        let text = &self.body[token.place.clone()];
+        let name = text.get(1..text.len().saturating_sub(1)).filter(|name| is_identifier(name));
+        let place = token.place.start + 1..token.place.end.saturating_sub(1);
+        match (self.text(at), name) {
+            ("Fn" | "is_def_fn", Some(_)) => self.put_at(place, Meaning::Function),
+            ("is_def_var", Some(name)) => self.put_at(place, self.meaning_of(name)),
+            _ => {}
+        }
+    }
+
+    fn meaning_of(&self, name: &str) -> Meaning {
+        let local = self.scope.iter().rev().find(|local| self.read.locals[**local] == name);
+        local.map_or(Meaning::Outer, |local| Meaning::Local(*local))
+    }
+
+    fn declare(&mut self, at: usize) -> usize {
+        let local = self.read.locals.len();
+        self.read.locals.push(self.text(at).to_owned());
+        self.put(at, Meaning::Local(local));
+        local
+    }
+
+    fn put(&mut self, at: usize, meaning: Meaning) {
+        self.put_at(self.tokens[at].place.clone(), meaning);
+    }
+
+    fn put_at(&mut self, place: Range<usize>, meaning: Meaning) {
+        let start = self.read.known.len();
+        if meaning == Meaning::Outer {
+            self.read.known.extend(&self.scope);
+        }
+        self.read.words.push(Word { place, meaning, known: start..self.read.known.len() });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Meaning, read};
+
+    /// The values from outside, in order.
+    fn outer(body: &str) -> Vec<&str> {
+        let words = read(body).words.into_iter();
+        words.filter(|word| word.meaning == Meaning::Outer).map(|word| &body[word.place]).collect()
+    }
+
+    #[test]
+    fn values_of_its_own_are_none_from_outside() {
+        let cases: [(&str, &[&str]); 20] = [
+            ("let a = a + b; a", &["a", "b"]),
+            ("{ let a = 1; a } + a", &["a"]),
+            ("[b].map(|a| a + b) == a", &["b", "b", "a"]),
+            ("[1].map(|a| { a }) + [a]", &["a"]),
+            ("f(|a| if a { 1 } else { a }, a)", &["a"]),
+            ("let f = |a| a; f.call(a)", &["a"]),
+            ("for a in a { a } a", &["a", "a"]),
+            ("for (a, i) in b { a + i } i", &["b", "i"]),
+            ("try { a } catch (e) { e } e", &["a", "e"]),
+            ("#{a: a, b: #{a: b}}.a", &["a", "b"]),
+            ("a.b.c + a?.b", &["a", "a"]),
+            ("a | b", &["a", "b"]),
+            ("`a ${let b = a; b} ${b}`", &["a", "b"]),
+            ("if a { let a = 2; a } else { a }", &["a", "a"]),
+            ("switch a { 1 => |b| b, _ => b }", &["a", "b"]),
+            ("near(near) && Fn(\"near\")", &["near"]),
+            ("let a; let b = || a; b.call() + c", &["c"]),
+            ("is_def_var(\"a\")", &["a"]),
+            ("0..a", &["a"]),
+            ("[|a| a, a]", &["a"]),
+        ];
+        cases.into_iter().for_each(|(body, wanted)| assert_eq!(outer(body), wanted, "{body}"));
+    }
+
+    #[test]
+    fn what_is_not_finished_is_read_as_far_as_it_goes() {
+        for body in ["}", ")", "|", "let", "for", "for (", "catch (a", "#{", "`${", "|a", "a |", "}}} a", "\u{e9}."] {
+            let _ = read(body);
+        }
+        assert_eq!(outer("}} a"), ["a"]);
+    }
+}

@@ -1,0 +1,243 @@
+//! “Otherwise”: a test that passes just what another test of the same stream keeps out, and follows it.
+//!
+//! Nothing else links the two: a test is an otherwise as long as its stream is called so. So the link is in every file and
+//! store, comes back with an undo, and ends when a person gives the stream another name.
+
+use crate::names::tokens::{Kind, tokens};
+use crate::{Behaviour, Change, Connector, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers};
+
+/// What the stream of such a test is called, in English and in Japanese.
+pub const OTHERWISE: [&str; 2] = ["Otherwise", "それ以外"];
+
+/// Signs that compare, each with the one that is true when it is false.
+const OPPOSITES: [(&str, &str); 6] =
+    [(" < ", " >= "), (" > ", " <= "), (" <= ", " > "), (" >= ", " < "), (" == ", " != "), (" != ", " == ")];
+
+/// Whether a stream is called “Otherwise”, perhaps with a number.
+#[must_use]
+pub fn is_otherwise(name: &str) -> bool {
+    let rest = OTHERWISE.iter().find_map(|word| name.trim().strip_prefix(word));
+    rest.is_some_and(|rest| rest.trim().bytes().all(|byte| byte.is_ascii_digit()))
+}
+
+/// The test that is true when this one is false.
+#[must_use]
+pub fn opposite(body: &str) -> String {
+    let plain = !["&&", "||", "!("].iter().any(|sign| body.contains(sign));
+    let found: Vec<_> = OPPOSITES.iter().filter(|(sign, _)| body.matches(sign).count() == 1).collect();
+    if let Some(inside) = body.trim().strip_prefix("!(").and_then(|rest| rest.strip_suffix(')'))
+        && is_one_whole(inside)
+    {
+        return inside.to_owned();
+    }
+    match found.as_slice() {
+        [(sign, other)] if plain => body.replacen(sign, other, 1),
+        _ => format!("!({body})"),
+    }
+}
+
+/// Whether no bracket is closed in it that is not opened in it.
+fn is_one_whole(body: &str) -> bool {
+    let mut open = 0_i64;
+    tokens(body).iter().all(|token| {
+        open += match token.kind {
+            Kind::Open(_) => 1,
+            Kind::Close(_) => -1,
+            _ => 0,
+        };
+        open >= 0
+    })
+}
+
+/// The test that an otherwise is the other side of: the only other one of the same stream.
+pub(crate) fn test_of<'b>(behaviour: &'b Behaviour, otherwise: &Connector) -> Option<&'b Connector> {
+    let is_so_called = |one: &Connector| behaviour.stream(&one.output).is_some_and(|stream| is_otherwise(&stream.name));
+    let spec = otherwise.operation.spec();
+    if !spec.is_test() || !is_so_called(otherwise) {
+        return None;
+    }
+    let is_beside = |one: &&Connector| {
+        one.operation.spec() == spec
+            && one.inputs == otherwise.inputs
+            && one.output != otherwise.output
+            && !is_so_called(one)
+    };
+    let mut tests = behaviour.connectors().map(|(_, connector)| connector).filter(is_beside);
+    tests.next().filter(|_| tests.next().is_none())
+}
+
+/// What an otherwise asks as the other side of a test; none where that is not written yet.
+pub(crate) fn other_side(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> Option<String> {
+    Some(opposite(&asks(behaviour, test, otherwise)?))
+}
+
+/// What a test asks, in the names of an otherwise.
+fn asks(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> Option<String> {
+    let names = behaviour.arguments(otherwise);
+    match test.operation.procedure()? {
+        Procedure::Helper(name) => Some(format!("{name}({})", names.join(", "))),
+        Procedure::Body { body, .. } if body.trim().is_empty() => None,
+        Procedure::Body { body, .. } => Some(rename_identifiers(body.trim(), &behaviour.arguments(test), &names)),
+    }
+}
+
+/// Whether an otherwise passes just what a test keeps out, as far as can be read.
+pub(crate) fn is_other_side(behaviour: &Behaviour, test: &Connector, otherwise: &Connector) -> bool {
+    let Some(asked) = asks(behaviour, test, otherwise) else { return true };
+    match otherwise.operation.procedure() {
+        Some(Procedure::Body { body, .. }) => {
+            plain(&opposite(&asked)) == plain(body) || plain(&asked) == plain(&opposite(body.trim()))
+        }
+        Some(Procedure::Helper(_)) | None => false,
+    }
+}
+
+/// A procedure without what makes no difference: blanks, and brackets around a single name.
+fn plain(body: &str) -> String {
+    let pieces: Vec<&str> = tokens(body).into_iter().map(|token| &body[token.place]).collect();
+    match &pieces[..] {
+        ["!", "(", inside @ .., ")"] if !inside.iter().any(|piece| "()<>=!&|".contains(&piece[..1])) => {
+            format!("! {}", inside.join(" "))
+        }
+        pieces => pieces.join(" "),
+    }
+}
+
+/// Whether this connector, as it is now or is to be, follows a test.
+#[must_use]
+pub fn follows_test(behaviour: &Behaviour, otherwise: &Connector) -> bool {
+    test_of(behaviour, otherwise).is_some_and(|test| is_other_side(behaviour, test, otherwise))
+}
+
+/// The change in which each otherwise of a test that it edits follows that test, so that one undo takes both back. One that
+/// the change edits itself, or that was none any more, stays.
+#[must_use]
+pub fn with_otherwise(behaviour: &Behaviour, change: Change) -> Change {
+    let edited =
+        |edit: &crate::Edit| edit.id.kind == RecordKind::Connector && edit.before.is_some() && edit.after.is_some();
+    if !change.edits.iter().any(edited) {
+        return change;
+    }
+    let mut after = behaviour.clone();
+    after.apply(&change);
+    let is_edited = |id: &RecordId| change.edits.iter().any(|edit| edit.id == *id);
+    let mut following = Vec::new();
+    for (id, otherwise) in behaviour.connectors() {
+        let id = RecordId::new(RecordKind::Connector, id);
+        if is_edited(&id) || !follows_test(behaviour, otherwise) {
+            continue;
+        }
+        let Some(test) = test_of(&after, otherwise).filter(|test| !is_other_side(&after, test, otherwise)) else {
+            continue;
+        };
+        let mut follows = otherwise.clone();
+        if let (Some(body), Some(procedure)) = (other_side(&after, test, otherwise), follows.operation.procedure_mut())
+        {
+            match procedure {
+                Procedure::Body { body: now, .. } => *now = body,
+                Procedure::Helper(_) => *procedure = Procedure::body(&body),
+            }
+            following.push((id, Record::Connector(follows)));
+        }
+    }
+    following.into_iter().fold(change, |change, (id, record)| change.put(behaviour, id, record))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{follows_test, is_otherwise, opposite, with_otherwise};
+    use crate::{
+        Behaviour, Change, Connector, Id, Kind, Params, Procedure, Record, RecordId, Stream, StreamKind, connectors,
+    };
+
+    fn id(text: &str) -> Id {
+        Id::new(text).unwrap()
+    }
+
+    fn key(kind: Kind, text: &str) -> RecordId {
+        RecordId::new(kind, &id(text))
+    }
+
+    fn stream(name: &str) -> Record {
+        let (kind, name, params) = (StreamKind::Ordinary, name.to_owned(), Params::new());
+        let (device, resources, priority, hold_ms) = (None, None, None, None);
+        Record::Stream(Stream { kind, name, device, params, order: 0, resources, priority, hold_ms })
+    }
+
+    fn filter(output: &str, body: &str) -> Record {
+        let operation = connectors::filter::SPEC.with(Procedure::body(body));
+        Record::Connector(Connector { operation, inputs: vec![id("distance")], output: id(output), order: 0 })
+    }
+
+    fn twins(name: &str) -> Behaviour {
+        let mut behaviour = Behaviour::default();
+        for (at, record) in [("distance", "Distance"), ("near", "Near"), ("far", name)] {
+            behaviour.records.insert(key(Kind::Stream, at), stream(record));
+        }
+        for (at, output, body) in [("test", "near", "distance < 40"), ("other", "far", "distance >= 40")] {
+            behaviour.records.insert(key(Kind::Connector, at), filter(output, body));
+        }
+        behaviour
+    }
+
+    fn body(behaviour: &Behaviour, at: &str) -> String {
+        match behaviour.connector(&id(at)).unwrap().operation.procedure() {
+            Some(Procedure::Body { body, .. }) => body.clone(),
+            other => panic!("{other:?}"),
+        }
+    }
+
+    fn edited(behaviour: &Behaviour, at: &str, output: &str, body: &str) -> Change {
+        let change = Change::of(id("op"), "Aiko", "Edit filter");
+        with_otherwise(behaviour, change.put(behaviour, key(Kind::Connector, at), filter(output, body)))
+    }
+
+    #[test]
+    fn an_otherwise_follows_its_test_and_one_undo_takes_both_back() {
+        for name in ["Otherwise", "Otherwise 2", "それ以外"] {
+            let before = twins(name);
+            let mut after = before.clone();
+            let change = edited(&before, "test", "near", "distance < 45");
+            after.apply(&change);
+            assert_eq!(body(&after, "other"), "distance >= 45", "{name}");
+            after.apply(&change.swapped(id("undo"), "Undo"));
+            assert_eq!(after, before);
+        }
+        let mut after = twins("Otherwise");
+        for (test, other) in [
+            ("distance > 10 && distance < 40", "!(distance > 10 && distance < 40)"),
+            ("distance == 3", "distance != 3"),
+            ("close(distance)", "!(close(distance))"),
+        ] {
+            after.apply(&edited(&after, "test", "near", test));
+            assert_eq!(body(&after, "other"), other);
+        }
+    }
+
+    #[test]
+    fn one_of_its_own_stays() {
+        let renamed = twins("Far");
+        assert_eq!(edited(&renamed, "test", "near", "distance < 45").edits.len(), 1, "another name");
+        let before = twins("Otherwise");
+        assert_eq!(edited(&before, "other", "far", "distance >= 60").edits.len(), 1, "itself edited");
+        let mut own = before.clone();
+        own.apply(&edited(&before, "other", "far", "distance >= 60"));
+        assert!(!follows_test(&own, own.connector(&id("other")).unwrap()));
+        assert_eq!(edited(&own, "test", "near", "distance < 45").edits.len(), 1, "none any more");
+        let mut third = before.clone();
+        third.records.insert(key(Kind::Stream, "mid"), stream("Mid"));
+        third.records.insert(key(Kind::Connector, "third"), filter("mid", "distance < 20"));
+        assert_eq!(edited(&third, "test", "near", "distance < 45").edits.len(), 1, "of which of two nobody knows");
+    }
+
+    #[test]
+    fn opposites_take_turns() {
+        for (one, other) in
+            [("a < 1", "a >= 1"), ("a == \"x\"", "a != \"x\""), ("a < 1 && b", "!(a < 1 && b)"), ("a.new", "!(a.new)")]
+        {
+            assert_eq!((opposite(one).as_str(), opposite(other).as_str()), (other, one));
+        }
+        assert_eq!(opposite("!(a) && !(b)"), "!(!(a) && !(b))");
+        assert!(is_otherwise("Otherwise") && !is_otherwise("Otherwise far") && !is_otherwise("Other"));
+    }
+}
