@@ -24,6 +24,8 @@ pub(crate) enum Failure {
     Serve(ServeError),
     /// Nobody said where the data is, and there is no home folder.
     NoHome,
+    /// This variable says no whole path to the data.
+    RelativeFolder(&'static str, PathBuf),
     /// The store could not do it.
     Store(StoreError),
     /// A running server uses the store in this folder.

@@ -24,6 +24,11 @@ impl fmt::Display for Muddle {
                 "A certificate is for those who come from elsewhere. Say with --listen where they come in, or leave out \
                  --cert and --key.",
             ),
+            Self::Address(said) => write!(
+                to,
+                "“{said}” is no address with a port. Write localhost:7130 for this computer, or the number of this computer \
+                 in the network, such as 192.168.1.5:7130."
+            ),
             Self::Origin(said) => {
                 write!(to, "“{said}” is not what browsers reach the proxy by. Write it as https://rrp.example, without a path.")
             }
@@ -39,6 +44,15 @@ impl fmt::Display for Failure {
             Self::Serve(error) => write!(to, "{error}"),
             Self::Listening(muddle) => write!(to, "{muddle}"),
             Self::NoHome => to.write_str("There is no home folder. Say where the data is with --data DIR."),
+            Self::RelativeFolder(name, folder) if folder.as_os_str().is_empty() => {
+                write!(to, "{name} is empty. Say where the data is with --data DIR, or set {name} to your folder.")
+            }
+            Self::RelativeFolder(name, folder) => write!(
+                to,
+                "{name} is “{}”, which is no whole path, as it does not begin with /. Set it to one, or say where the data is with \
+                 --data DIR.",
+                folder.display()
+            ),
             Self::Store(error) => write!(to, "{error}"),
             Self::Busy(folder) => {
                 write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())
@@ -129,10 +143,9 @@ impl fmt::Display for Senseless {
             Self::Time => {
                 to.write_str("t must be a whole number of milliseconds since Start, such as 500, without quotes")
             }
-            Self::Seconds { t, ms } => write!(
-                to,
-                "t is {t}; it counts whole milliseconds since Start. If this is in seconds, write {ms}"
-            ),
+            Self::Seconds { t, ms } => {
+                write!(to, "t is {t}; it counts whole milliseconds since Start. If this is in seconds, write {ms}")
+            }
             Self::Epoch(t) => write!(
                 to,
                 "t is {t}, a time since 1970; it counts milliseconds since Start. Take the first time off every one, so \

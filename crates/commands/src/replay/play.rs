@@ -1,7 +1,7 @@
 //! Several runs side by side in one logical time: at each instant first the readings, then the ticks.
 
-use super::printer::Printer;
 use super::Trace;
+use super::printer::Printer;
 use crate::failure::Failure;
 use crate::trace::Reading;
 use behaviour::{BehaviourFile, Engine};

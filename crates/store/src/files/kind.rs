@@ -277,10 +277,17 @@ mod tests {
 
     #[test]
     fn another_kind_of_file_is_named_before_its_inside_is_judged() {
-        let deep = format!("<ChoregrapheProject xmlns=\"x\">{}{}</ChoregrapheProject>", "<Box>".repeat(20), "</Box>".repeat(20));
+        let deep = format!(
+            "<ChoregrapheProject xmlns=\"x\">{}{}</ChoregrapheProject>",
+            "<Box>".repeat(20),
+            "</Box>".repeat(20)
+        );
         let table: [(&[u8], &str); 27] = [
             (deep.as_bytes(), "a Choregraphe project"),
-            (b"\xef\xbb\xbf<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<ChoregrapheProject/>", "a Choregraphe project"),
+            (
+                b"\xef\xbb\xbf<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<ChoregrapheProject/>",
+                "a Choregraphe project",
+            ),
             (b"<!DOCTYPE html>\n<html><head></head></html>", "a web page"),
             (b"\n <html lang=en><p>no end", "a web page"),
             (b"[{\"id\":\"a1\",\"type\":\"tab\",\"label\":\"Flow\"}]", "a file of Node-RED flows"),
@@ -309,7 +316,10 @@ mod tests {
         ];
         for (bytes, what) in table {
             let said = said(bytes);
-            assert!(said.starts_with(&format!("This is {what}")) && said.contains("no program of rrp"), "{what}: {said}");
+            assert!(
+                said.starts_with(&format!("This is {what}")) && said.contains("no program of rrp"),
+                "{what}: {said}"
+            );
         }
     }
 
@@ -327,7 +337,8 @@ mod tests {
             assert_eq!(Kind::of(text.as_bytes()), None, "{name}");
             assert_eq!(Kind::of(&text.as_bytes()[..text.len() / 2]), None, "{name}, cut off");
         }
-        let others: [&[u8]; 5] = [b"", b"MZ is text, too", b"<behaviour format=\"1\">", b"{\"format\":\"other/1\"}", b"name: x"];
+        let others: [&[u8]; 5] =
+            [b"", b"MZ is text, too", b"<behaviour format=\"1\">", b"{\"format\":\"other/1\"}", b"name: x"];
         assert_eq!(others.map(Kind::of), [None; 5]);
     }
 

@@ -23,7 +23,9 @@ pub fn text_of(bytes: &[u8]) -> Result<&str, FileFault> {
 fn is_utf16(bytes: &[u8]) -> bool {
     match *bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => true,
-        [0, letter, 0, next, ..] | [letter, 0, next, 0, ..] => letter.is_ascii_graphic() && next.is_ascii() && next != 0,
+        [0, letter, 0, next, ..] | [letter, 0, next, 0, ..] => {
+            letter.is_ascii_graphic() && next.is_ascii() && next != 0
+        }
         _ => false,
     }
 }
