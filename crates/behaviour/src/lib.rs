@@ -7,6 +7,7 @@
 mod back;
 mod change;
 mod checkpoints;
+mod cleaned;
 mod compare;
 pub mod connectors;
 mod fields;
@@ -81,5 +82,5 @@ pub use types::{
     TYPE_MAX_PARTS, Unit, ValueType, infer, infer_seeing,
 };
 pub use undo::{UNDO_MAX, UndoLog};
-pub use unseen::{has_unseen, without_unseen};
+pub use unseen::{has_unseen, without_control, without_unseen};
 pub use value::Value;

@@ -99,13 +99,14 @@ impl Room {
         self.revision
     }
 
-    /// Decides about a change that arrived at `now_ms` (since 1970). Checks in order: sent twice, whole, every
+    /// Decides about a change that arrived at `now_ms` (since 1970). Its texts lose their control characters. Checks in order: sent twice, whole, every
     /// touched record as its sender saw it, the rules. Locks are asked by [`Self::propose_by`].
     #[must_use]
     pub fn propose(&self, now_ms: u64, change: Change, knowledge: &dyn Knowledge) -> Decision {
         if let Some(decision) = self.answer(&change.op) {
             return decision;
         }
+        let change = change.cleaned();
         match self.judge(&change, knowledge) {
             Ok(()) => {
                 let (label, author) = (without_unseen(&change.label), without_unseen(&change.author));
@@ -281,6 +282,25 @@ mod tests {
         start.records.insert(key(Kind::Stream, "c"), stream("Close"));
         start.records.insert(key(Kind::Connector, "m"), Record::Connector(map));
         Room::open(start, 0)
+    }
+
+    #[test]
+    fn what_is_pasted_into_a_text_loses_its_control_characters_before_it_is_saved() {
+        let room = room();
+        let body = connectors::map::SPEC.with(Procedure::body("\"a\u{b}b\""));
+        let map = Connector { operation: body, inputs: vec![id("d")], output: id("c"), order: 0 };
+        let note = Record::Note(crate::Note::new("First\u{b}then\u{7}".into()));
+        let change = Change::of(id("op"), "Aiko", "Paste").put(&room.behaviour, key(Kind::Note, "n"), note);
+        let change = change.put(&room.behaviour, key(Kind::Connector, "m"), Record::Connector(map));
+        let Decision::Save(saved) = room.propose(0, change, &Anything) else { panic!("it is saved") };
+        let told = |edit: &crate::Edit| match &edit.after {
+            Some(Record::Note(note)) => note.text.clone(),
+            Some(Record::Connector(map)) => format!("{:?}", map.operation.procedure()),
+            other => panic!("{other:?}"),
+        };
+        let told: Vec<_> = saved.change.edits.iter().map(told).collect();
+        assert_eq!(told[0], "First\nthen");
+        assert!(told[1].contains("a b") && !told[1].contains("\\u{b}"), "{}", told[1]);
     }
 
     fn yukis(records: &[RecordId]) -> (Locks, Presented) {

@@ -1,5 +1,7 @@
 //! Characters that nobody sees: they turn a name around or make two names look the same.
 
+use std::borrow::Cow;
+
 /// True if a text has characters that are not seen where they stand: control characters, those that turn the direction
 /// of writing, blanks without width, fillers. The two joiners may stand where scripts and emoji need them.
 #[must_use]
@@ -11,6 +13,28 @@ pub fn has_unseen(text: &str) -> bool {
 #[must_use]
 pub fn without_unseen(text: &str) -> String {
     seen(text).filter(|(_, is_seen)| *is_seen).map(|(c, _)| c).collect()
+}
+
+/// The text with `line_end` where another program ended a line by a character of its own (word processors a vertical tab
+/// where Shift+Enter was pressed), and without the control characters that no text means and XML cannot hold. Tabs and
+/// line ends stay.
+#[must_use]
+pub fn without_control(text: &str, line_end: char) -> Cow<'_, str> {
+    if !text.contains(|c| is_control(c) || is_line_end(c)) {
+        return Cow::Borrowed(text);
+    }
+    let kept = text.chars().map(|c| if is_line_end(c) { line_end } else { c });
+    Cow::Owned(kept.filter(|c| !is_control(*c)).collect())
+}
+
+/// What ends a line in other programs: vertical tab, form feed, next line, line and paragraph separator.
+fn is_line_end(c: char) -> bool {
+    matches!(c, '\u{b}' | '\u{c}' | '\u{85}' | '\u{2028}' | '\u{2029}')
+}
+
+/// Control characters other than tabs and line ends, and the two characters that are none.
+fn is_control(c: char) -> bool {
+    (c.is_control() && !matches!(c, '\t' | '\n' | '\r')) || matches!(c, '\u{fffe}' | '\u{ffff}')
 }
 
 /// Every character, and whether it is seen or joins what stands on both sides of it.
@@ -45,7 +69,21 @@ fn is_unseen(c: char) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::{has_unseen, without_unseen};
+    use super::{has_unseen, without_control, without_unseen};
+
+    #[test]
+    fn control_characters_end_a_line_or_go() {
+        let table = [
+            ("First\u{b}then", "First\nthen"),
+            ("a\u{c}b\u{85}c\u{2028}d\u{2029}e", "a\nb\nc\nd\ne"),
+            ("\u{0}a\u{7}\u{1b}b\u{7f}\u{9f}\u{ffff}", "ab"),
+            ("a\tb\r\nc\u{a0}d 近い\u{202e}", "a\tb\r\nc\u{a0}d 近い\u{202e}"),
+        ];
+        for (given, kept) in table {
+            assert_eq!(without_control(given, '\n'), kept);
+        }
+        assert_eq!(without_control("a\u{b}b", ' '), "a b");
+    }
 
     #[test]
     fn what_turns_or_hides_a_name_is_not_seen() {

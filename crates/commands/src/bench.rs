@@ -1,7 +1,9 @@
 //! `rrp bench`: how fast one behaviour runs on this machine, as one line of JSON.
 
 use crate::failure::Failure;
-use crate::replay::{BEHAVIOUR_BYTES, Reading, Refused, TRACE_BYTES, parse_trace, read, refused};
+use crate::program::read_program;
+use crate::replay::{Refused, parse_trace, refused};
+use crate::trace::{Reading, read_trace};
 use behaviour::BehaviourFile;
 use clap::Args;
 use engine::{Limits, Run};
@@ -31,10 +33,10 @@ const BUILDS: usize = 9;
 #[derive(Debug, Args)]
 #[command(after_help = "Example: rrp bench --behaviour tracking.json --trace morning.jsonl --repeat 1000")]
 pub(crate) struct BenchArgs {
-    /// The behaviour, an rrp-behaviour/1 file.
+    /// The behaviour, rrp-behaviour/1 as JSON or XML.
     #[arg(long, value_name = "FILE")]
     behaviour: PathBuf,
-    /// The readings, one JSON object a line; - reads standard input.
+    /// The readings, one JSON object a line, or a recording of a run; - reads standard input.
     #[arg(long, value_name = "FILE|-")]
     trace: PathBuf,
     /// How often the trace is played, each time after the last.
@@ -74,11 +76,9 @@ pub(crate) fn bench(args: &BenchArgs) -> ExitCode {
 
 fn prepare(args: &BenchArgs) -> Result<(BehaviourFile, Vec<Reading>), Refused> {
     let behaviour = |failure| Refused::Behaviour(vec![failure]);
-    let text = read(&args.behaviour, BEHAVIOUR_BYTES).map_err(behaviour)?;
-    let file: BehaviourFile =
-        serde_json::from_str(&text).map_err(|error| behaviour(Failure::NoBehaviour(args.behaviour.clone(), error)))?;
+    let file = read_program(&args.behaviour).map_err(behaviour)?;
     let run = build(args, &file)?;
-    let text = read(&args.trace, TRACE_BYTES).map_err(Refused::Trace)?;
+    let text = read_trace(&args.trace).map_err(Refused::Trace)?;
     let readings = parse_trace(&text, &run).map_err(Refused::Trace)?;
     if readings.is_empty() {
         return Err(Refused::Trace(Failure::NoReadings));

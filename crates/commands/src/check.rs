@@ -1,7 +1,7 @@
 //! `rrp check`: everything that is wrong with a file, each with its place.
 
 use crate::failure::Failure;
-use crate::import::read;
+use crate::program::read_bytes;
 use behaviour::{Behaviour, BehaviourFile, Helper, Id, Room};
 use clap::Args;
 use server::Knowing;
@@ -44,7 +44,7 @@ struct Found {
 /// Checks, prints, and answers with the exit code.
 pub(crate) fn check(args: &CheckArgs) -> ExitCode {
     let name = args.file.display().to_string();
-    let bytes = match read(&args.file) {
+    let bytes = match read_bytes(&args.file) {
         Ok(bytes) => bytes,
         Err(failure) => return crate::failed(&[failure], 4),
     };

@@ -1,5 +1,7 @@
 //! Where what is kept beside a store is: recordings, robots and orders.
 
+use crate::failure::Failure;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 /// The folder in the usual one that has a folder for each store elsewhere.
@@ -7,9 +9,45 @@ const STORES: &str = "stores";
 /// The longest readable part of such a folder's name, in letters.
 const NAME_MAX_LETTERS: usize = 60;
 
+/// The folder of what is kept beside a store; none if nobody said one and there is no home.
+///
+/// # Errors
+/// The usual folder is needed, and is said in a way that means another one from every place.
+pub(crate) fn kept_in(store: Option<&str>, data: Option<&Path>) -> Result<Option<PathBuf>, Failure> {
+    match data_folder(store, data, None) {
+        Some(folder) => Ok(Some(folder)),
+        None => Ok(data_folder(store, data, usual_data()?.as_deref())),
+    }
+}
+
+/// The address of the store: the one that was given, or a folder.
+pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<String, Failure> {
+    if let Some(url) = store {
+        return Ok(url);
+    }
+    let folder = data.map_or_else(usual_data, |data| Ok(Some(data)))?;
+    folder.map(|folder| folder.display().to_string()).ok_or(Failure::NoHome)
+}
+
+/// The folder that is taken if none is said.
+fn usual_data() -> Result<Option<PathBuf>, Failure> {
+    usual(std::env::var_os("XDG_DATA_HOME"), std::env::var_os("HOME"))
+}
+
+/// From both variables. A relative path would be another folder from every place from which rrp is started.
+fn usual(xdg: Option<OsString>, home: Option<OsString>) -> Result<Option<PathBuf>, Failure> {
+    let xdg = xdg.filter(|folder| !folder.is_empty()).map(|folder| ("XDG_DATA_HOME", PathBuf::from(folder), "rrp"));
+    let home = || home.map(|folder| ("HOME", PathBuf::from(folder), ".local/share/rrp"));
+    match xdg.or_else(home) {
+        Some((_, folder, below)) if folder.is_absolute() => Ok(Some(folder.join(below))),
+        Some((name, folder, _)) => Err(Failure::RelativeFolder(name, folder)),
+        None => Ok(None),
+    }
+}
+
 /// The folder that was said; else that of the embedded store; else, for a store elsewhere, one of its own in the usual
 /// folder, so that servers of different stores never share one.
-pub(crate) fn data_folder(store: Option<&str>, data: Option<&Path>, usual: Option<&Path>) -> Option<PathBuf> {
+fn data_folder(store: Option<&str>, data: Option<&Path>, usual: Option<&Path>) -> Option<PathBuf> {
     let own = || {
         let Some(url) = store else { return usual.map(Path::to_owned) };
         match store::folder_of(url) {
@@ -39,13 +77,39 @@ fn name_of(url: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::data_folder;
+    use super::{data_folder, usual};
     use std::path::{Path, PathBuf};
 
     const USUAL: &str = "/home/aiko/.local/share/rrp";
 
     fn of(store: Option<&str>, data: Option<&str>) -> PathBuf {
         data_folder(store, data.map(Path::new), Some(Path::new(USUAL))).unwrap()
+    }
+
+    #[test]
+    fn the_usual_folder_is_the_same_from_every_place() {
+        let of = |xdg: Option<&str>, home: Option<&str>| {
+            let folder = usual(xdg.map(Into::into), home.map(Into::into));
+            folder.map(|folder| folder.unwrap_or_default().display().to_string()).map_err(|why| why.to_string())
+        };
+        let table = [
+            (None, Some("/home/aiko"), Ok("/home/aiko/.local/share/rrp")),
+            (Some("/data"), Some("/home/aiko"), Ok("/data/rrp")),
+            (Some(""), Some("/home/aiko"), Ok("/home/aiko/.local/share/rrp")),
+            (None, None, Ok("")),
+            (None, Some(""), Err("HOME is empty. Say where the data is with --data DIR, or set HOME to your folder.")),
+            (
+                Some("share"),
+                Some("/home/aiko"),
+                Err(
+                    "XDG_DATA_HOME is “share”, which is no whole path, as it does not begin with /. Set it to one, or say \
+                     where the data is with --data DIR.",
+                ),
+            ),
+        ];
+        for (xdg, home, folder) in table {
+            assert_eq!(of(xdg, home), folder.map(str::to_owned).map_err(str::to_owned), "{xdg:?} {home:?}");
+        }
     }
 
     #[test]

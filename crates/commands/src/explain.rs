@@ -1,7 +1,7 @@
 //! `rrp explain`: what a behaviour does, a sentence a line.
 
 use crate::failure::Failure;
-use crate::import::read;
+use crate::program::read_bytes;
 use behaviour::{Helper, Id, Unit, ValueType};
 use clap::Args;
 use sentences::Language;
@@ -28,7 +28,7 @@ pub(crate) struct ExplainArgs {
 
 /// Explains, prints, and answers with the exit code.
 pub(crate) fn explain(args: &ExplainArgs) -> ExitCode {
-    let bytes = match read(&args.file) {
+    let bytes = match read_bytes(&args.file) {
         Ok(bytes) => bytes,
         Err(failure) => return crate::failed(&[failure], 4),
     };

@@ -24,6 +24,8 @@ pub(crate) enum Failure {
     Serve(ServeError),
     /// Nobody said where the data is, and there is no home folder.
     NoHome,
+    /// This variable says no whole path to the data.
+    RelativeFolder(&'static str, PathBuf),
     /// The store could not do it.
     Store(StoreError),
     /// A running server uses the store in this folder.
@@ -94,12 +96,10 @@ pub(crate) enum Failure {
     Refused(Refusal),
     /// Somebody else changed the store meanwhile.
     Overtaken,
-    /// This file cannot be read.
-    Unread(PathBuf, io::Error),
     /// This file has more bytes than are read.
     Large(PathBuf, u64),
-    /// This file is no behaviour.
-    NoBehaviour(PathBuf, serde_json::Error),
+    /// This file should have readings, and is something else; with what it is.
+    NoTrace(PathBuf, String),
     /// The engine cannot run it.
     Engine(engine::Fault),
     /// The engine cannot run what a file holds, whose lines are not those of a procedure.
@@ -126,10 +126,23 @@ pub(crate) enum Failure {
 /// Why a line of a trace makes no sense.
 #[derive(Debug)]
 pub(crate) enum Senseless {
-    /// It is no JSON.
-    Json(serde_json::Error),
-    /// Its time is no whole number.
+    /// It is no JSON object.
+    NoReading,
+    /// It has no time.
+    NoTime,
+    /// Its time stands under this name.
+    OtherTime(&'static str),
+    /// Its time is no number.
     Time,
+    /// Its time has a fraction, as seconds have one.
+    Seconds {
+        /// What stands there.
+        t: f64,
+        /// The same in milliseconds, if it is in seconds.
+        ms: f64,
+    },
+    /// Its time is one since 1970.
+    Epoch(String),
     /// Its time is before the start.
     Negative,
     /// It names no stream.
@@ -165,7 +178,7 @@ impl From<BackupError> for Failure {
 }
 
 impl From<serde_json::Error> for Senseless {
-    fn from(error: serde_json::Error) -> Self {
-        Self::Json(error)
+    fn from(_: serde_json::Error) -> Self {
+        Self::NoReading
     }
 }

@@ -5,12 +5,13 @@ mod batch;
 use crate::failure::Failure;
 use crate::link::Link;
 use crate::patience;
+use crate::program::read_bytes;
 use crate::store_at::{self, Named, StoreArgs, Way, run};
 use batch::{Batch, Goes};
 use behaviour::{Behaviour, BehaviourFile, Change, Committed, Decision, Id, Room};
 use clap::Args;
 use server::{Knowing, free_name};
-use std::io::{Read, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -81,7 +82,7 @@ async fn through_server(link: &Link, files: Vec<(PathBuf, Vec<u8>)>, restore: bo
 /// What to import: its name and its bytes.
 async fn given(args: &ImportArgs) -> Result<Vec<(PathBuf, Vec<u8>)>, Failure> {
     let Some(url) = &args.thesis else {
-        return args.files.iter().map(|file| Ok((file.clone(), read(file)?))).collect();
+        return args.files.iter().map(|file| Ok((file.clone(), read_bytes(file)?))).collect();
     };
     let programs = store::read_thesis(url).await?;
     let files = programs.into_iter().map(|file| (PathBuf::from(&file.name), store::files::write_json(&file).into()));
@@ -136,19 +137,6 @@ fn tell(file: &Path, brought: &Brought) {
 
 fn tell_is_here(file: &Path, name: &str, id: &Id) {
     let _ = writeln!(std::io::stdout().lock(), "{}: “{name}” is here already, as {id}.", file.display());
-}
-
-/// The bytes of a file, or of standard input for `-`, one more than fit at most.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>, Failure> {
-    let named = |error: std::io::Error| Failure::Unopened(path.to_owned(), error);
-    let source: Box<dyn Read> = if path == Path::new("-") {
-        Box::new(std::io::stdin().lock())
-    } else {
-        Box::new(std::fs::File::open(path).map_err(named)?)
-    };
-    let mut bytes = Vec::new();
-    source.take(FILE_MAX_BYTES as u64 + 1).read_to_end(&mut bytes).map_err(named)?;
-    Ok(bytes)
 }
 
 /// Imports a file, as a copy of this id or as itself.

@@ -16,10 +16,12 @@ mod listening;
 mod load;
 mod log;
 mod patience;
+mod program;
 mod replay;
 mod robot;
 mod serve;
 mod store_at;
+mod trace;
 mod words;
 
 use clap::{Parser, Subcommand};

@@ -18,8 +18,9 @@ const QUIET: usize = 4;
 pub(crate) struct Listening {
     /// Where to listen; port 0 takes a free one. An address in the network lets others in by invitation, over TLS; this
     /// computer then has 127.0.0.1 with the same port, or with the next one where that is taken by the other. May be said
-    /// twice: once for this computer, once for others. [default: 127.0.0.1:7130]
-    #[arg(long, value_name = "ADDR:PORT")]
+    /// twice: once for this computer, once for others. localhost:PORT and :PORT mean this computer.
+    /// [default: 127.0.0.1:7130]
+    #[arg(long, value_name = "ADDR:PORT", value_parser = address)]
     listen: Vec<SocketAddr>,
     /// The certificate that others see, as a PEM file; without it the server makes one and keeps it in its data folder.
     #[arg(long, value_name = "FILE", requires = "key", conflicts_with = "behind_proxy")]
@@ -44,7 +45,11 @@ pub(crate) enum Muddle {
     NoNetwork,
     /// This is no origin.
     Origin(String),
+    /// This is no address to listen on.
+    Address(String),
 }
+
+impl std::error::Error for Muddle {}
 
 impl Listening {
     /// The address for this computer, and the way in for others if there is one.
@@ -71,6 +76,16 @@ impl Listening {
         let local = own.unwrap_or_else(|| others.map_or(USUAL, beside));
         Ok((local, others.map(|listen| Network { listen, secured })))
     }
+}
+
+/// An address as people write it. Nothing is looked up: what a name means elsewhere may change.
+fn address(said: &str) -> Result<SocketAddr, Muddle> {
+    let own = |port: &str| port.parse().ok().map(|port| SocketAddr::new(Ipv4Addr::LOCALHOST.into(), port));
+    let of_this_computer = |said: &str| match said.rsplit_once(':') {
+        Some((host, port)) if host.is_empty() || host.eq_ignore_ascii_case("localhost") => own(port),
+        _ => None,
+    };
+    said.parse().ok().or_else(|| of_this_computer(said)).ok_or_else(|| Muddle::Address(said.to_owned()))
 }
 
 fn only(addresses: Vec<SocketAddr>) -> Result<Option<SocketAddr>, Muddle> {
@@ -153,7 +168,7 @@ fn picture(rows: &[String]) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{Listening, Muddle, origin_of, picture};
+    use super::{Listening, Muddle, address, origin_of, picture};
     use server::Secured;
 
     fn ways(listen: &[&str], proxy: Option<&str>) -> Result<(String, Option<String>), Muddle> {
@@ -181,6 +196,27 @@ mod tests {
         }
         assert_eq!(ways(&["127.0.0.1:1", "127.0.0.1:2"], None), Err(Muddle::TwoOfAKind));
         assert_eq!(ways(&["10.0.0.1:1", "10.0.0.2:2"], None), Err(Muddle::TwoOfAKind));
+    }
+
+    #[test]
+    fn an_address_may_be_said_as_people_say_it() {
+        let table = [
+            ("localhost:7130", Some("127.0.0.1:7130")),
+            ("LocalHost:0", Some("127.0.0.1:0")),
+            (":7130", Some("127.0.0.1:7130")),
+            ("[::1]:7130", Some("[::1]:7130")),
+            ("10.0.0.1:9", Some("10.0.0.1:9")),
+            ("localhost", None),
+            (":70000", None),
+            ("nao.local:7130", None),
+            ("http://localhost:7130/", None),
+        ];
+        for (said, wanted) in table {
+            let address = address(said).map(|address| address.to_string());
+            assert_eq!(address.ok().as_deref(), wanted, "{said}");
+        }
+        let why = address("nao.local:7130").unwrap_err().to_string();
+        assert!(why.contains("“nao.local:7130”") && why.contains("192.168.1.5:7130"), "{why}");
     }
 
     #[test]

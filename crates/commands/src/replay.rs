@@ -4,21 +4,19 @@ mod play;
 mod printer;
 mod recording;
 
-use crate::failure::{Failure, Senseless};
-use behaviour::{BehaviourFile, Engine, StreamKind, Value};
+use crate::failure::Failure;
+use crate::program::read_program;
+use crate::trace::{Reading, parse_lines, read_trace};
+use behaviour::{BehaviourFile, Engine};
 use clap::{Args, ValueEnum};
-use engine::{Limits, Run, StreamIx};
+use engine::{Limits, Run};
 use play::{Player, play};
 use printer::Printer;
 use robot::Millis;
-use std::io::{BufWriter, Read};
+use std::io::BufWriter;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// The largest behaviour that is read, in bytes.
-pub(crate) const BEHAVIOUR_BYTES: u64 = 16 * 1024 * 1024;
-/// The largest trace that is read, in bytes.
-pub(crate) const TRACE_BYTES: u64 = 512 * 1024 * 1024;
 /// The length of a frame if nobody says one.
 const FRAME_MS: u64 = 50;
 
@@ -31,7 +29,7 @@ const FRAME_MS: u64 = 50;
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct ReplayArgs {
-    /// The behaviour, an rrp-behaviour/1 file; given several times, the upper one first.
+    /// The behaviour, rrp-behaviour/1 as JSON or XML; given several times, the upper one first.
     #[arg(long, value_name = "FILE", required = true)]
     behaviour: Vec<PathBuf>,
     /// The readings, one JSON object a line, or a recording of a run; - reads standard input. One for all behaviours, or
@@ -86,9 +84,6 @@ impl Refused {
     }
 }
 
-/// A reading for a stream by index.
-pub(crate) type Reading = (Millis, StreamIx, Value);
-
 /// What is replayed.
 struct Trace {
     readings: Vec<Reading>,
@@ -130,9 +125,7 @@ fn prepare(args: &ReplayArgs) -> Result<(Vec<BehaviourFile>, Vec<Player>), Refus
 }
 
 fn read_behaviour(args: &ReplayArgs, path: &Path) -> Result<BehaviourFile, Failure> {
-    let text = read(path, BEHAVIOUR_BYTES)?;
-    let file = serde_json::from_str::<BehaviourFile>(&text);
-    let mut file = file.map_err(|error| Failure::NoBehaviour(path.to_owned(), error))?;
+    let mut file = read_program(path)?;
     file.engine = Some(chosen_engine(args, file.engine.unwrap_or_default()));
     Ok(file)
 }
@@ -147,32 +140,16 @@ fn chosen_engine(args: &ReplayArgs, own: Engine) -> Engine {
     }
 }
 
-/// A whole file, or standard input for `-`, up to a bound.
-pub(crate) fn read(path: &Path, bound: u64) -> Result<String, Failure> {
-    let unread = |error| Failure::Unread(path.to_owned(), error);
-    let source: Box<dyn Read> = if path == Path::new("-") {
-        Box::new(std::io::stdin().lock())
-    } else {
-        Box::new(std::fs::File::open(path).map_err(unread)?)
-    };
-    let mut text = String::new();
-    source.take(bound + 1).read_to_string(&mut text).map_err(unread)?;
-    if text.len() as u64 > bound {
-        return Err(Failure::Large(path.to_owned(), bound));
-    }
-    Ok(text)
-}
-
 /// The trace of each behaviour.
 fn traces(args: &ReplayArgs, runs: &[Run]) -> Result<Vec<Trace>, Failure> {
     match &args.trace[..] {
         [shared] => {
-            let text = read(shared, TRACE_BYTES)?;
+            let text = read_trace(shared)?;
             let known: Vec<&Run> = runs.iter().collect();
             runs.iter().map(|run| parse(&text, run, &known)).collect()
         }
         each if each.len() == runs.len() => {
-            let own = |(path, run): (&PathBuf, &Run)| parse(&read(path, TRACE_BYTES)?, run, &[run]);
+            let own = |(path, run): (&PathBuf, &Run)| parse(&read_trace(path)?, run, &[run]);
             each.iter().zip(runs).map(own).collect()
         }
         each => Err(Failure::Traces { traces: each.len(), behaviours: runs.len() }),
@@ -185,44 +162,9 @@ fn parse(text: &str, run: &Run, known: &[&Run]) -> Result<Trace, Failure> {
         .unwrap_or_else(|| parse_lines(text, run, known).map(|readings| Trace { readings, closed: None }))
 }
 
-/// The readings of a trace for the only run that it is for.
+/// The readings of a trace or a recording for the only run that it is for.
 pub(crate) fn parse_trace(text: &str, run: &Run) -> Result<Vec<Reading>, Failure> {
-    parse_lines(text, run, &[run])
-}
-
-fn parse_lines(text: &str, run: &Run, known: &[&Run]) -> Result<Vec<Reading>, Failure> {
-    let mut readings = Vec::new();
-    let mut latest = 0;
-    for (number, line) in (1..).zip(text.lines()).filter(|(_, line)| !line.trim().is_empty()) {
-        let told = |why| Failure::TraceLine(number, why);
-        let (at, stream, value) = parse_line(line, latest).map_err(told)?;
-        latest = at.0;
-        match sensor(run, &stream) {
-            Ok(stream) => readings.push((at, stream, value)),
-            Err(_) if known.iter().any(|run| sensor(run, &stream).is_ok()) => {}
-            Err(reason) => return Err(told(reason)),
-        }
-    }
-    Ok(readings)
-}
-
-fn parse_line(line: &str, latest: u64) -> Result<(Millis, String, Value), Senseless> {
-    let line: Value = serde_json::from_str(line)?;
-    let Some(&Value::Int(t)) = line.field("t") else { return Err(Senseless::Time) };
-    let t = u64::try_from(t).map_err(|_| Senseless::Negative)?;
-    let stream = line.field("stream").and_then(Value::as_text).ok_or(Senseless::Stream)?;
-    let value = line.field("value").cloned().ok_or(Senseless::Value)?;
-    if t < latest {
-        return Err(Senseless::Backwards { from: latest, to: t });
-    }
-    Ok((Millis(t), stream.to_owned(), value))
-}
-
-/// A sensor stream by its id.
-fn sensor(run: &Run, stream: &str) -> Result<StreamIx, Senseless> {
-    let at = run.stream_index(stream).ok_or_else(|| Senseless::Unknown(stream.to_owned()))?;
-    let is_sensor = run.streams()[at].kind == StreamKind::Sensor;
-    if is_sensor { Ok(at) } else { Err(Senseless::NoSensor(stream.to_owned())) }
+    parse(text, run, &[run]).map(|trace| trace.readings)
 }
 
 #[cfg(test)]
@@ -291,15 +233,42 @@ mod tests {
         assert_eq!(printed(&ReplayArgs { until: Some(99), probe: true, ..args() }).len(), 4);
     }
 
+    const READINGS: &str = "trace line 1: this is no reading. Write one JSON object a line, such as \
+        {\"t\":500,\"stream\":\"ball\",\"value\":1}: t in milliseconds since Start, stream the id of a sensor";
+
     #[test]
     fn a_trace_that_makes_no_sense_is_refused_with_its_line() {
         let (_, run) = start();
         let cases = [
-            ("{}", "trace line 1: t must be a whole number"),
+            ("{}", "trace line 1: t is missing; it is the time in whole milliseconds since Start, such as 500"),
+            (
+                r#"{"t":"0","stream":"a","value":1}"#,
+                "trace line 1: t must be a whole number of milliseconds since Start, such as 500, without quotes",
+            ),
+            (
+                r#"{"time":0,"stream":"a","value":1}"#,
+                "trace line 1: t is missing; write t instead of “time”, in whole milliseconds since Start",
+            ),
+            (
+                r#"{"t":0.5,"stream":"a","value":1}"#,
+                "trace line 1: t is 0.5; it counts whole milliseconds since Start. If this is in seconds, write 500",
+            ),
+            (
+                r#"{"t":1732761600000,"stream":"a","value":1}"#,
+                "trace line 1: t is 1732761600000, a time since 1970; it counts milliseconds since Start. Take the first \
+                 time off every one, so that the first t is 0",
+            ),
+            (
+                r#"{"t":1732761600.25,"stream":"a","value":1}"#,
+                "trace line 1: t is 1732761600.25, a time since 1970; it counts milliseconds since Start. Take the first \
+                 time off every one, so that the first t is 0",
+            ),
             (r#"{"t":-1,"stream":"a","value":1}"#, "trace line 1: t must not be negative"),
             (r#"{"t":1,"stream":"z","value":1}"#, "trace line 1: \"z\" is no sensor stream"),
             (r#"{"t":1,"stream":"q","value":1}"#, "trace line 1: there is no stream \"q\""),
             (r#"{"t":1,"stream":"a"}"#, "trace line 1: value is missing"),
+            ("0,a,1", READINGS),
+            (r#"[{"t":1,"stream":"a","value":1}]"#, READINGS),
             (
                 "\n{\"t\":2,\"stream\":\"a\",\"value\":1}\n{\"t\":1,\"stream\":\"a\",\"value\":1}",
                 "trace line 3: time goes back from 2 to 1",

@@ -1,6 +1,6 @@
 //! `rrp serve`: the server in the foreground, until a signal or the end of its terminal.
 
-use crate::data_folder::data_folder;
+use crate::data_folder::{kept_in, store_url};
 use crate::ending;
 use crate::failure::Failure;
 use crate::let_in::tell_host_link;
@@ -78,7 +78,7 @@ fn more_files() {
 fn more_files() {}
 
 fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
-    let data = data_folder(args.store.as_deref(), args.data.as_deref(), usual_data().as_deref());
+    let data = kept_in(args.store.as_deref(), args.data.as_deref())?;
     let store = store_url(args.store, args.data)?;
     let (listen, network) = args.at.ways()?;
     let config = Config { listen, network, store, data, seed: args.seed, page };
@@ -94,19 +94,6 @@ fn run(args: ServeArgs, page: Page, log: &Log) -> Result<(), Failure> {
     });
     runtime.shutdown_timeout(Duration::from_millis(ENDING_MS));
     served
-}
-
-/// The address of the store: the one that was given, or a folder.
-pub(crate) fn store_url(store: Option<String>, data: Option<PathBuf>) -> Result<String, Failure> {
-    let folder = || data.or_else(usual_data).map(|folder| folder.display().to_string());
-    store.or_else(folder).ok_or(Failure::NoHome)
-}
-
-/// The folder that is taken if none is said.
-pub(crate) fn usual_data() -> Option<PathBuf> {
-    let given = std::env::var_os("XDG_DATA_HOME").filter(|folder| !folder.is_empty()).map(PathBuf::from);
-    let home = || std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/share"));
-    given.or_else(home).map(|folder| folder.join("rrp"))
 }
 
 /// What stands on standard output, for people and for programs that wait for its first line. A terminal on hold keeps only

@@ -1,10 +1,9 @@
 //! Which store a command works on, and the way to it.
 
-use crate::data_folder::data_folder;
+use crate::data_folder::{kept_in, store_url};
 use crate::failure::Failure;
 use crate::link::Link;
 use crate::patience;
-use crate::serve::{store_url, usual_data};
 use behaviour::{Id, as_looks, look_same};
 use clap::Args;
 use std::future::Future;
@@ -62,7 +61,7 @@ impl StoreArgs {
 
     /// The folder with what is beside it.
     pub(crate) fn folder(&self) -> Option<PathBuf> {
-        data_folder(self.store.as_deref(), self.data.as_deref(), usual_data().as_deref())
+        kept_in(self.store.as_deref(), self.data.as_deref()).ok().flatten()
     }
 }
 

@@ -8,6 +8,8 @@ use std::path::Path;
 use store::backup::Difference;
 use store::files::{FILE_MAX_BYTES, FileFault};
 
+/// A reading as it is written.
+const READING: &str = "{\"t\":500,\"stream\":\"ball\",\"value\":1}";
 /// Names that are shown to somebody who looks for another one.
 const NAMES_MAX: usize = 10;
 
@@ -21,6 +23,11 @@ impl fmt::Display for Muddle {
             Self::NoNetwork => to.write_str(
                 "A certificate is for those who come from elsewhere. Say with --listen where they come in, or leave out \
                  --cert and --key.",
+            ),
+            Self::Address(said) => write!(
+                to,
+                "“{said}” is no address with a port. Write localhost:7130 for this computer, or the number of this computer \
+                 in the network, such as 192.168.1.5:7130."
             ),
             Self::Origin(said) => {
                 write!(to, "“{said}” is not what browsers reach the proxy by. Write it as https://rrp.example, without a path.")
@@ -37,6 +44,15 @@ impl fmt::Display for Failure {
             Self::Serve(error) => write!(to, "{error}"),
             Self::Listening(muddle) => write!(to, "{muddle}"),
             Self::NoHome => to.write_str("There is no home folder. Say where the data is with --data DIR."),
+            Self::RelativeFolder(name, folder) if folder.as_os_str().is_empty() => {
+                write!(to, "{name} is empty. Say where the data is with --data DIR, or set {name} to your folder.")
+            }
+            Self::RelativeFolder(name, folder) => write!(
+                to,
+                "{name} is “{}”, which is no whole path, as it does not begin with /. Set it to one, or say where the data is with \
+                 --data DIR.",
+                folder.display()
+            ),
             Self::Store(error) => write!(to, "{error}"),
             Self::Busy(folder) => {
                 write!(to, "A running rrp server uses {}. Stop it, then do this again.", folder.display())
@@ -89,9 +105,13 @@ impl fmt::Display for Failure {
             Self::Unfit(why) => write!(to, "{why}"),
             Self::Refused(refusal) => write!(to, "{refusal}"),
             Self::Overtaken => to.write_str("Somebody else changed the store just now. Try again."),
-            Self::Unread(path, error) => write!(to, "{}: {error}", path.display()),
             Self::Large(path, bytes) => write!(to, "{}: it is larger than {bytes} bytes", path.display()),
-            Self::NoBehaviour(path, error) => write!(to, "{}: {error}", path.display()),
+            Self::NoTrace(path, what) => write!(
+                to,
+                "{}: This is {what}, and here should be readings: one JSON object a line, such as {READING}, or a \
+                 recording of a run.",
+                path.display()
+            ),
             Self::Engine(fault) => write!(to, "{fault}"),
             Self::EngineOfFile(fault) => of_file(fault, to),
             Self::EndedOf(name, reason) => write!(to, "{name}: {reason}"),
@@ -111,8 +131,26 @@ impl fmt::Display for Failure {
 impl fmt::Display for Senseless {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
-            Self::Json(error) => write!(to, "{error}"),
-            Self::Time => to.write_str("t must be a whole number"),
+            Self::NoReading => write!(
+                to,
+                "this is no reading. Write one JSON object a line, such as {READING}: t in milliseconds since Start, stream \
+                 the id of a sensor"
+            ),
+            Self::NoTime => to.write_str("t is missing; it is the time in whole milliseconds since Start, such as 500"),
+            Self::OtherTime(name) => {
+                write!(to, "t is missing; write t instead of “{name}”, in whole milliseconds since Start")
+            }
+            Self::Time => {
+                to.write_str("t must be a whole number of milliseconds since Start, such as 500, without quotes")
+            }
+            Self::Seconds { t, ms } => {
+                write!(to, "t is {t}; it counts whole milliseconds since Start. If this is in seconds, write {ms}")
+            }
+            Self::Epoch(t) => write!(
+                to,
+                "t is {t}, a time since 1970; it counts milliseconds since Start. Take the first time off every one, so \
+                 that the first t is 0"
+            ),
             Self::Negative => to.write_str("t must not be negative"),
             Self::Stream => to.write_str("stream must be a text"),
             Self::Value => to.write_str("value is missing"),

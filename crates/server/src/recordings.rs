@@ -5,6 +5,7 @@ mod lines;
 mod recorder;
 mod writer;
 
+use crate::support::file_name::dashed;
 use crate::support::lock;
 use behaviour::{Id, numbered};
 use lines::Header;
@@ -178,9 +179,7 @@ fn taken(folder: &Path) -> (usize, u64) {
 
 /// A new file, named by time and behaviour.
 fn create(folder: &Path, began: &str, behaviour: &str) -> Result<(String, File), NotRecorded> {
-    let plain = |letter: char| if letter.is_ascii_alphanumeric() { letter.to_ascii_lowercase() } else { '-' };
-    let words: String = behaviour.chars().take(40).map(plain).collect();
-    let words = words.split('-').filter(|word| !word.is_empty()).collect::<Vec<_>>().join("-");
+    let words = dashed(behaviour);
     let time = began.replace(':', "-");
     for name in numbered(&format!("{time}-{words}"), "-").take(KEPT_MAX) {
         let name = format!("{name}{ENDING}");

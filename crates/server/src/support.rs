@@ -5,6 +5,7 @@ pub(crate) mod data_folder;
 pub(crate) mod digest;
 pub(crate) mod fair_places;
 pub(crate) mod fair_queue;
+pub(crate) mod file_name;
 pub(crate) mod identity;
 pub(crate) mod lookups;
 pub(crate) mod message;

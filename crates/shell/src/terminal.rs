@@ -88,8 +88,9 @@ fn read(mut lines: Lines) -> (Lines, Option<String>) {
 
 /// Where the history is kept.
 fn history() -> Option<PathBuf> {
-    let given = std::env::var_os("XDG_STATE_HOME").map(PathBuf::from);
-    let folder = given.or_else(|| std::env::var_os("HOME").map(|home| PathBuf::from(home).join(".local/state")))?;
+    // A relative path would be another folder from every place.
+    let said = |name| std::env::var_os(name).map(PathBuf::from).filter(|path| path.is_absolute());
+    let folder = said("XDG_STATE_HOME").or_else(|| said("HOME").map(|home| home.join(".local/state")))?;
     let folder = folder.join("rrp");
     std::fs::create_dir_all(&folder).ok()?;
     Some(folder.join("history"))

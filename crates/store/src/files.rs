@@ -3,9 +3,11 @@
 
 mod import;
 mod json;
+mod kind;
 mod place;
 mod shape;
 mod svg;
+mod text;
 mod tree;
 mod xml;
 
@@ -18,7 +20,9 @@ mod tests;
 
 pub use import::{Import, Mode, Unfit, import};
 pub use json::write::write_json;
+pub use kind::Kind;
 pub use svg::write_svg;
+pub use text::text_of;
 pub use xml::write::{NoXml, write_xml};
 
 use behaviour::{BEHAVIOUR_MAX_BYTES, BehaviourFile, LIBRARY_MAX_BYTES};
@@ -106,28 +110,25 @@ pub fn look(bytes: &[u8]) -> Looked {
 }
 
 fn looked(bytes: &[u8]) -> Result<Looked, FileFault> {
-    let text = text(bytes)?;
-    let lines = Lines::of(text);
-    let start = text.len() - text.trim_start().len();
-    let tree = match text.as_bytes().get(start) {
-        Some(b'{') => json::tree(text, &lines)?,
-        Some(b'<') => xml::tree(text, &lines)?,
-        Some(_) => return Err(lines.fault(start, "This is no program: a file begins with { (JSON) or < (XML).")),
-        None => return Err(lines.fault(start, "The file is empty. Choose another one.")),
-    };
-    Ok(shape::behaviour(&tree, &lines))
-}
-
-/// The text of a file that is not too large.
-fn text(bytes: &[u8]) -> Result<&str, FileFault> {
     let at_start = |reason: String| FileFault { line: 1, column: 1, reason };
     if bytes.len() > FILE_MAX_BYTES {
         let reason = format!("The file has {} bytes, and a program may have {FILE_MAX_BYTES}.", bytes.len());
         return Err(at_start(reason + " Split it into several."));
     }
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let good = String::from_utf8_lossy(&bytes[..error.valid_up_to()]);
-        Lines::of(&good).fault(good.len(), "This is no UTF-8 text. Save the file as UTF-8.")
-    })?;
-    Ok(text.strip_prefix('\u{feff}').unwrap_or(text))
+    if let Some(kind) = Kind::of(bytes) {
+        return Err(at_start(kind.no_program()));
+    }
+    let text = text_of(bytes)?;
+    let lines = Lines::of(text);
+    let start = text.len() - text.trim_start().len();
+    let tree = match text.as_bytes().get(start) {
+        Some(b'{') => json::tree(text, &lines)?,
+        Some(b'<') => {
+            xml::check_root(text, &lines)?;
+            xml::tree(text, &lines)?
+        }
+        Some(_) => return Err(lines.fault(start, "This is no program: a file begins with { (JSON) or < (XML).")),
+        None => return Err(lines.fault(start, "The file is empty. Choose another one.")),
+    };
+    Ok(shape::behaviour(&tree, &lines))
 }

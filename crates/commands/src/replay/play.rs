@@ -1,8 +1,9 @@
 //! Several runs side by side in one logical time: at each instant first the readings, then the ticks.
 
+use super::Trace;
 use super::printer::Printer;
-use super::{Reading, Trace};
 use crate::failure::Failure;
+use crate::trace::Reading;
 use behaviour::{BehaviourFile, Engine};
 use engine::{End, Run};
 use robot::Millis;

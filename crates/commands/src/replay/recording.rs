@@ -1,7 +1,8 @@
 //! Recordings of runs as traces: the readings are replayed, outputs and marks between them are left out.
 
-use super::{Reading, Trace, parse_line};
+use super::Trace;
 use crate::failure::{Failure, Senseless};
+use crate::trace::{Reading, parse_line};
 use behaviour::{StreamKind, Value};
 use engine::Run;
 use robot::Millis;
@@ -46,8 +47,9 @@ impl Reader<'_> {
             let known = self.run.stream_index(stream);
             match known.map(|at| (at, self.run.streams()[at].kind)) {
                 Some((known, StreamKind::Sensor)) => {
+                    // A run may go on for weeks: its times are never those since 1970.
                     let latest = self.readings.last().map_or(0, |(at, ..)| at.0);
-                    let (at, _, value) = parse_line(text, latest)?;
+                    let (at, _, value) = parse_line(text, Some(latest))?;
                     self.readings.push((at, known, value));
                 }
                 Some((_, StreamKind::Ordinary | StreamKind::Actuator)) => {}

@@ -1,6 +1,7 @@
 //! Recordings over HTTP: the list, and a file as it is so far.
 
 use crate::recordings::Recordings;
+use crate::support::file_name::disposition;
 use crate::support::identity::Sender;
 use crate::support::workers::Workers;
 use axum::Json;
@@ -33,7 +34,7 @@ pub(crate) async fn download(recordings: Recordings, files: (Workers, Sender), n
     };
     let headers = [
         (header::CONTENT_TYPE, "application/jsonl".to_owned()),
-        (header::CONTENT_DISPOSITION, format!("attachment; filename=\"{name}\"")),
+        (header::CONTENT_DISPOSITION, disposition(name.trim_end_matches(".jsonl"), "jsonl")),
     ];
     (headers, Body::from_stream(futures_util::stream::try_unfold((file, files), next_piece))).into_response()
 }

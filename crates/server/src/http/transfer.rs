@@ -2,6 +2,7 @@
 
 use crate::library::list::names;
 use crate::state::ServerState;
+use crate::support::file_name::disposition;
 use crate::support::identity::Sender;
 use crate::support::store_call::bounded;
 use axum::Json;
@@ -90,11 +91,8 @@ pub(crate) fn backup(state: &Arc<ServerState>, sender: Sender) -> Response {
     (headers, Body::from_stream(lines)).into_response()
 }
 
-/// As a file to keep, named after the behaviour as far as letters of file names go.
+/// As a file to keep, named after the behaviour.
 fn attached(name: &str, ending: &str, kind: &str, text: String) -> Response {
-    let plain = |c: char| if c.is_ascii_alphanumeric() { c } else { '-' };
-    let name: String = name.chars().take(60).map(plain).collect();
-    let disposition = format!("attachment; filename=\"{name}.{ending}\"");
-    let headers = [(header::CONTENT_TYPE, kind.to_owned()), (header::CONTENT_DISPOSITION, disposition)];
+    let headers = [(header::CONTENT_TYPE, kind.to_owned()), (header::CONTENT_DISPOSITION, disposition(name, ending))];
     (headers, text).into_response()
 }

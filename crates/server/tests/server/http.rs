@@ -191,6 +191,45 @@ async fn an_exported_file_comes_back_as_a_copy_or_as_itself() {
 }
 
 #[tokio::test]
+async fn a_program_keeps_the_script_of_its_name_as_a_file() {
+    let house = House::open().await;
+    let file = r#"{"format":"rrp-behaviour/1","name":"近いボール","helpers":[],
+        "streams":[{"id":"s","kind":"sensor","name":"ボール","device":"RedBall"}],"connectors":[]}"#;
+    let (status, made) = asked(&house, &post(&house, "/api/import", file)).await;
+    let made: serde_json::Value = serde_json::from_str(&made).unwrap();
+    assert_eq!(status, "200", "{made}");
+    for ending in ["json", "xml", "svg"] {
+        let path = format!("/api/behaviours/{}.{ending}", made["id"].as_str().unwrap());
+        let answer = raw(&house, &line("GET", &path, &house, "")).await;
+        let own = "filename*=UTF-8''%E8%BF%91%E3%81%84%E3%83%9C%E3%83%BC%E3%83%AB";
+        let wanted = format!("attachment; filename=\"program.{ending}\"; {own}.{ending}\r\n");
+        assert!(answer.contains(&wanted), "{answer}");
+    }
+}
+
+#[tokio::test]
+async fn a_note_from_a_word_processor_is_exported_as_xml() {
+    let house = House::open().await;
+    let file = r#"{"format":"rrp-behaviour/1","name":"Agenda","helpers":[],"streams":[],"connectors":[],
+        "notes":[{"id":"n","text":"First\u000bthen"}]}"#;
+    let (status, made) = asked(&house, &post(&house, "/api/import", file)).await;
+    let made: serde_json::Value = serde_json::from_str(&made).unwrap();
+    assert_eq!(status, "200", "{made}");
+    let xml = exported(&house, made["id"].as_str().unwrap(), "xml").await;
+    assert!(xml.contains("First\nthen"), "{xml}");
+}
+
+#[tokio::test]
+async fn another_kind_of_file_is_named_to_who_brings_it() {
+    let house = House::open().await;
+    let deep = format!("<ChoregrapheProject>{}{}</ChoregrapheProject>", "<Box>".repeat(9), "</Box>".repeat(9));
+    for (file, what) in [(deep.as_str(), "a Choregraphe project"), ("<!DOCTYPE html>\n<html></html>", "a web page")] {
+        let (status, told) = asked(&house, &post(&house, "/api/import", file)).await;
+        assert!(status == "400" && told.contains(&format!("This is {what}, no program of rrp.")), "{told}");
+    }
+}
+
+#[tokio::test]
 async fn a_helper_that_means_something_else_here_is_told() {
     let house = House::open().await;
     let aiko = house.person("Aiko").await;

@@ -134,6 +134,9 @@ fn syntax(error: &serde_json::Error, lines: &Lines) -> FileFault {
     let said = said.split(" at line ").next().unwrap_or_default();
     let reason = if error.is_eof() {
         "The file ends too early. Copy it again as a whole.".to_owned()
+    } else if said.starts_with("control character") {
+        "A text goes over the end of its line, or has a character that JSON does not allow. Put it into one line."
+            .to_owned()
     } else {
         format!("This is not an rrp program file: {said}. Choose another file, or mend it here or just before.")
     };

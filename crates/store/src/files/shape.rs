@@ -8,7 +8,7 @@ use super::{FileFault, Looked, TEXT_MAX_BYTES};
 use behaviour::{
     BehaviourFile, CONNECTORS_MAX, Declared, Engine, FORMAT, FileConnector, FileGroup, FileHelper, FileNote,
     FileStream, GROUPS_MAX, HELPERS_MAX, Id, NAME_MAX_CHARS, NOTES_MAX, Place, RATE_MS, STREAMS_MAX, StreamKind,
-    TAG_MAX_CHARS, TAGS_MAX, connectors, is_identifier,
+    TAG_MAX_CHARS, TAGS_MAX, connectors, is_identifier, without_control,
 };
 use fields::Fields;
 use std::collections::{BTreeMap, HashMap, HashSet};
@@ -115,7 +115,7 @@ impl Reader<'_, '_> {
     fn entries<T>(&mut self, fields: &Fields, name: &str, read: fn(&mut Self, &Node) -> T) -> BTreeMap<String, T> {
         match fields.get(name).map(|node| (&node.what, node.at)) {
             Some((What::Object(entries), _)) => {
-                entries.iter().map(|(id, node)| (id.clone(), read(self, node))).collect()
+                entries.iter().map(|(id, node)| (without_control(id, ' ').into_owned(), read(self, node))).collect()
             }
             Some((What::Array(_) | What::Plain(_), at)) => {
                 self.fault(at, format!("“{name}” must be an object with an id before each of its values."));

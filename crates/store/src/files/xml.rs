@@ -9,11 +9,14 @@ use super::json::number;
 use super::place::Lines;
 use super::tree::{NoNumber, Node, What};
 use behaviour::{FORMAT, Value};
+pub(super) use element::first_name;
 use element::{Element, root};
 #[cfg(test)]
 pub(super) use escape::reference;
 pub(super) use escape::{cannot_hold, in_element};
 
+/// How much of the name of an unknown element is told, in characters.
+const NAME_SHOWN_CHARS: usize = 40;
 /// The version of the XML form.
 const VERSION: &str = "1";
 
@@ -78,10 +81,24 @@ const AT: &[Known] = &[("ref", "ref", How::Text), ("x", "x", How::Number), ("y",
 /// The tree of an XML text.
 pub(super) fn tree(text: &str, lines: &Lines) -> Result<Node, FileFault> {
     let root = root(text, lines)?;
-    if root.name != "behaviour" {
-        return Err(lines.fault(root.at, format!("This is no program but <{}>. Choose another file.", root.name)));
-    }
+    check_name(&root.name, root.at, lines)?;
     Door { lines }.behaviour(&root)
+}
+
+/// Whether a text may be a program by its first element; nothing inside of it is looked at.
+pub(super) fn check_root(text: &str, lines: &Lines) -> Result<(), FileFault> {
+    match first_name(text) {
+        Some((at, name)) => check_name(&name, at, lines),
+        None => Ok(()),
+    }
+}
+
+fn check_name(name: &str, at: usize, lines: &Lines) -> Result<(), FileFault> {
+    if name == "behaviour" {
+        return Ok(());
+    }
+    let name: String = name.chars().filter(|c| !c.is_control()).take(NAME_SHOWN_CHARS).collect();
+    Err(lines.fault(at, format!("This is no program but <{name}>. Choose another file.")))
 }
 
 type Entry = (String, Node);

@@ -2,7 +2,10 @@
 
 use super::Reader;
 use crate::files::tree::{Node, What};
-use behaviour::{Params, Value};
+use behaviour::{Params, Value, without_control};
+
+/// The fields that people write lines into. In all others a line end would break a name or a procedure.
+const LINES: [&str; 2] = ["text", "says"];
 
 /// The fields of an object.
 pub(super) struct Fields<'n> {
@@ -114,13 +117,13 @@ impl<'n> Fields<'n> {
             to.fault(node.at, "“params” must be an object of names and values.");
             return Params::new();
         };
-        all.iter().map(|(name, node)| (name.clone(), value(to, node))).collect()
+        all.iter().map(|(name, node)| (without_control(name, ' ').into_owned(), value(to, node))).collect()
     }
 }
 
 /// Any value, with texts that are not too long.
 fn value(to: &mut Reader, node: &Node) -> Value {
-    let value = node.value();
+    let value = cleaned(node.value());
     let length = value.to_string().len();
     if length > crate::files::TEXT_MAX_BYTES {
         to.fault(node.at, format!("A parameter has {length} bytes. Shorten it."));
@@ -128,10 +131,25 @@ fn value(to: &mut Reader, node: &Node) -> Value {
     value
 }
 
+/// The value with its texts as they are kept.
+fn cleaned(value: Value) -> Value {
+    match value {
+        Value::Text(text) => Value::text(without_control(&text, '\n')),
+        Value::List(items) => Value::list(items.iter().cloned().map(cleaned)),
+        Value::Map(fields) => {
+            let fields: Vec<_> =
+                fields.iter().map(|(name, value)| (without_control(name, ' '), cleaned(value.clone()))).collect();
+            Value::object(fields.iter().map(|(name, value)| (&**name, value.clone())))
+        }
+        other @ (Value::Null | Value::Bool(_) | Value::Int(_) | Value::Float(_)) => other,
+    }
+}
+
 fn text(to: &mut Reader, node: &Node, name: &str) -> Option<String> {
     if let What::Plain(Value::Text(text)) = &node.what {
         to.check_length(node.at, text);
-        return Some(text.to_string());
+        let line_end = if LINES.contains(&name) { '\n' } else { ' ' };
+        return Some(without_control(text, line_end).into_owned());
     }
     to.fault(node.at, format!("“{name}” must be a text in quotes."));
     None

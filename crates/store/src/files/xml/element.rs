@@ -1,6 +1,6 @@
 //! XML text into elements with their places. quick-xml finds the marks; what it would let pass is refused here.
 
-use super::escape::{cannot_hold, of_attribute, of_element, reference};
+use super::escape::{of_attribute, of_element, reference};
 use crate::files::FileFault;
 use crate::files::place::Lines;
 use crate::files::tree::TOO_MANY;
@@ -45,11 +45,24 @@ impl Element {
     }
 }
 
+/// Place and name of the first element, unless something stands before it that is no XML.
+pub(in crate::files) fn first_name(text: &str) -> Option<(usize, String)> {
+    let mut reader = Reader::from_str(text);
+    loop {
+        let at = position(reader.buffer_position());
+        match reader.read_event().ok()? {
+            Event::Decl(_) | Event::PI(_) | Event::Comment(_) | Event::DocType(_) => {}
+            Event::Text(blank) if blank.iter().all(u8::is_ascii_whitespace) => {}
+            Event::Start(start) | Event::Empty(start) => {
+                return Some((at, String::from_utf8_lossy(start.name().as_ref()).into_owned()));
+            }
+            Event::Text(_) | Event::CData(_) | Event::GeneralRef(_) | Event::End(_) | Event::Eof => return None,
+        }
+    }
+}
+
 /// The one element around all others.
 pub(super) fn root(text: &str, lines: &Lines) -> Result<Element, FileFault> {
-    if let Some((at, _)) = text.char_indices().find(|(_, c)| cannot_hold(*c)) {
-        return Err(lines.fault(at, "There is a control character that XML cannot hold. Take it out."));
-    }
     let mut parser = Parser { lines, reader: Reader::from_str(text), open: Vec::new(), root: None, elements: 0 };
     let config = parser.reader.config_mut();
     config.check_comments = true;

@@ -1,6 +1,6 @@
 //! A behaviour as XML: the same sections in the same order as in JSON, one thing a line.
 
-use super::escape::{cannot_hold, in_attribute, in_element};
+use super::escape::{in_attribute, in_element};
 use crate::files::FileFault;
 use crate::files::json::write::{coordinate, spaced};
 use behaviour::{BehaviourFile, Engine, FileConnector, FileGroup, FileHelper, FileNote, FileStream, StreamKind, Value};
@@ -9,26 +9,20 @@ use thiserror::Error;
 /// Why a behaviour cannot be written as XML.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum NoXml {
-    /// A text has a character that XML cannot hold.
-    #[error("A text has a control character, which XML cannot hold. Export it as JSON.")]
-    ControlCharacter,
     /// It is not a file that could be read again.
     #[error("{}", .0.reason)]
     Unreadable(FileFault),
 }
 
-/// The file as XML. What is read from it is the same file, bit for bit.
+/// The file as XML. What is read from it is the same file, bit for bit, without control characters.
 ///
 /// # Errors
-/// If a text has a control character, which XML cannot hold, or the file is not one that could be read.
+/// If the file is not one that could be read.
 pub fn write_xml(file: &BehaviourFile) -> Result<String, NoXml> {
     let json = super::super::json::write::write_json(file);
     let read = super::super::read(json.as_bytes()).map_err(NoXml::Unreadable)?;
     let mut to = Page { text: "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n".to_owned() };
     to.behaviour(&read);
-    if to.text.chars().any(cannot_hold) {
-        return Err(NoXml::ControlCharacter);
-    }
     Ok(to.text)
 }
 

@@ -106,12 +106,24 @@ fn size_of(svg: &str) -> Option<(f64, f64)> {
     Some((said("width")?, said("height")?))
 }
 
-/// The name of the picture, after the one that the server gives the drawing.
+/// The name of the picture, after the one that the server gives the drawing, in its own script.
 fn name_of(disposition: &str) -> String {
-    let name = disposition.split_once("filename=\"").and_then(|(_, rest)| rest.split_once('"')).map(|(name, _)| name);
-    let name = name.unwrap_or_default();
-    let plain = name.strip_suffix(".svg").unwrap_or(name);
+    let own = disposition.split_once("filename*=UTF-8''").and_then(|(_, rest)| decoded(rest.split(';').next()?.trim()));
+    let plain = || Some(disposition.split_once("filename=\"")?.1.split_once('"')?.0.to_owned());
+    let name = own.or_else(plain).unwrap_or_default();
+    let plain = name.strip_suffix(".svg").unwrap_or(&name);
     if plain.is_empty() { "program.png".to_owned() } else { format!("{plain}.png") }
+}
+
+/// A text whose bytes stand there as `%` and their numbers.
+fn decoded(text: &str) -> Option<String> {
+    let mut parts = text.split('%');
+    let mut bytes = parts.next()?.as_bytes().to_vec();
+    for part in parts {
+        bytes.push(u8::from_str_radix(part.get(..2)?, 16).ok()?);
+        bytes.extend_from_slice(&part.as_bytes()[2..]);
+    }
+    String::from_utf8(bytes).ok()
 }
 
 #[cfg(test)]
@@ -135,6 +147,8 @@ mod tests {
     #[test]
     fn it_is_called_like_the_other_files() {
         assert_eq!(name_of("attachment; filename=\"Track-far.svg\""), "Track-far.png");
+        let japanese = "attachment; filename=\"program.svg\"; filename*=UTF-8''%E8%BF%91%E3%81%84%20a.svg";
+        assert_eq!(name_of(japanese), "近い a.png");
         assert_eq!([name_of(""), name_of("attachment; filename=\".svg\"")], ["program.png"; 2]);
     }
 }

@@ -1,0 +1,350 @@
+//! What a file is, as far as its beginning tells: whoever chose another one is told so before its inside is judged.
+
+use super::text::text_of;
+use super::xml::first_name;
+use serde::de::{DeserializeSeed, Deserializer, MapAccess, Visitor};
+use serde_json::value::RawValue;
+use std::fmt;
+
+/// The most bytes of a text of which the beginning is looked at.
+const LOOKED_AT_BYTES: usize = 64 << 10;
+
+/// A kind of file other than a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Not text at all: a picture, an archive, and others that say by their first bytes what they are.
+    Binary(&'static str),
+    /// What a run did, `rrp-recording`.
+    Recording,
+    /// Readings to replay, one a line.
+    Readings,
+    /// All programs of a server, `rrp-backup`.
+    Backup,
+    /// What was copied on the canvas, `rrp-part`.
+    Part,
+    /// A page of the web, often the one around the file that was meant.
+    WebPage,
+    /// A drawing of a program, or any other.
+    Drawing,
+    /// Of Choregraphe, with the boxes of a robot's behaviour.
+    Choregraphe,
+    /// Flows of Node-RED.
+    NodeRed,
+    /// Blocks of Scratch.
+    Scratch,
+    /// Blocks of Blockly, Open Roberta or Snap!.
+    Blocks,
+    /// A notebook of Jupyter.
+    Notebook,
+    /// Formatted text.
+    RichText,
+    /// Rows and columns.
+    Table,
+    /// A script.
+    Script,
+    /// The place of a file in Git LFS, which was not fetched.
+    LfsPointer,
+    /// JSON that is none of ours.
+    Json,
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
+        to.write_str(match self {
+            Self::Binary(what) => what,
+            Self::Recording => "a recording of a run",
+            Self::Readings => "a list of readings",
+            Self::Backup => "a backup of a whole library",
+            Self::Part => "a part of a program that was copied",
+            Self::WebPage => "a web page",
+            Self::Drawing => "a drawing (SVG)",
+            Self::Choregraphe => "a Choregraphe project",
+            Self::NodeRed => "a file of Node-RED flows",
+            Self::Scratch => "a Scratch project",
+            Self::Blocks => "a file of blocks (Blockly)",
+            Self::Notebook => "a Jupyter notebook",
+            Self::RichText => "a formatted text (RTF)",
+            Self::Table => "a table (CSV)",
+            Self::Script => "a script",
+            Self::LfsPointer => "a pointer of Git LFS",
+            Self::Json => "another kind of JSON",
+        })
+    }
+}
+
+impl Kind {
+    /// That it is no program, and what to do.
+    pub(super) fn no_program(self) -> String {
+        match self {
+            Self::WebPage => {
+                format!("This is {self}, no program of rrp. Save the file itself, not the page that shows it.")
+            }
+            Self::Drawing => format!("This is {self}, no program of rrp. Export the program as JSON or XML."),
+            Self::Part => format!("This is {self}, no program of rrp. Paste it on the canvas."),
+            Self::Backup => format!("This is {self}, no program of rrp. Bring it back with rrp restore."),
+            Self::Binary(ARCHIVE) => {
+                format!("This is {self}, no program of rrp. Unpack it first, or choose another file.")
+            }
+            _ => format!("This is {self}, no program of rrp. Choose another file."),
+        }
+    }
+
+    /// The kind of a file that is no program; none if it may be one, or if nobody knows.
+    #[must_use]
+    pub fn of(bytes: &[u8]) -> Option<Self> {
+        binary(bytes).map(Self::Binary).or_else(|| {
+            let text = text_of(beginning(bytes)).ok()?.trim_start();
+            match text.as_bytes().first()? {
+                b'<' => of_markup(text),
+                b'{' | b'[' => of_json(text),
+                _ => of_text(text),
+            }
+        })
+    }
+}
+
+const ARCHIVE: &str = "a packed file (zip)";
+
+/// First bytes that say what a file is.
+const BINARY: [(&[u8], &str); 22] = [
+    (b"\x89PNG\r\n", "a picture (PNG)"),
+    (b"\xff\xd8\xff", "a picture (JPEG)"),
+    (b"GIF8", "a picture (GIF)"),
+    (b"BM", "a picture (BMP)"),
+    (b"II*\0", "a picture (TIFF)"),
+    (b"MM\0*", "a picture (TIFF)"),
+    (b"%PDF", "a PDF"),
+    (b"PK\x03\x04", ARCHIVE),
+    (b"PK\x05\x06", ARCHIVE),
+    (b"\x1f\x8b", "a packed file (gzip)"),
+    (b"7z\xbc\xaf\x27\x1c", "a packed file (7z)"),
+    (b"Rar!", "a packed file (rar)"),
+    (b"BZh", "a packed file (bzip2)"),
+    (b"\xfd7zXZ", "a packed file (xz)"),
+    (b"SQLite format 3\0", "a database (SQLite)"),
+    (b"\xd0\xcf\x11\xe0", "a document of an older Office"),
+    (b"OggS", "a sound or film"),
+    (b"ID3", "a sound (MP3)"),
+    (b"fLaC", "a sound (FLAC)"),
+    (b"\x1aE\xdf\xa3", "a film (Matroska)"),
+    (b"\x7fELF", "a program for Linux"),
+    (b"MZ", "a program for Windows"),
+];
+
+fn binary(bytes: &[u8]) -> Option<&'static str> {
+    let is_text = |beginning: &[u8]| beginning.is_ascii() && !beginning.contains(&0);
+    // Two or three letters may begin a text as well.
+    let all_text = is_text(beginning(bytes));
+    let known = BINARY.iter().find(|(first, _)| bytes.starts_with(first) && (first.len() > 3 || !all_text));
+    known.map(|(_, what)| *what).or_else(|| match (bytes.get(..4)?, bytes.get(4..12)?) {
+        (b"RIFF", rest) if rest.ends_with(b"WAVE") => Some("a sound (WAV)"),
+        (b"RIFF", rest) if rest.ends_with(b"WEBP") => Some("a picture (WebP)"),
+        (b"RIFF", _) => Some("a sound or film"),
+        (_, rest) if rest.starts_with(b"ftyp") => Some("a sound or film"),
+        _ => None,
+    })
+}
+
+/// The first part of it, which ends between two characters.
+fn beginning(bytes: &[u8]) -> &[u8] {
+    let most = bytes.len().min(LOOKED_AT_BYTES);
+    if most == bytes.len() {
+        return bytes;
+    }
+    let within = |at: &usize| bytes.get(*at).is_none_or(|byte| (byte & 0xC0) != 0x80);
+    let end = (most.saturating_sub(3)..=most).rev().find(within).unwrap_or(most);
+    &bytes[..end]
+}
+
+/// By the first element, or by what is said before it.
+fn of_markup(text: &str) -> Option<Kind> {
+    if text.get(..14).is_some_and(|first| first.eq_ignore_ascii_case("<!doctype html")) {
+        return Some(Kind::WebPage);
+    }
+    let (_, name) = first_name(text)?;
+    of_element(name.rsplit(':').next().unwrap_or_default())
+}
+
+/// Of other elements the name is told by who reads the whole.
+fn of_element(name: &str) -> Option<Kind> {
+    match name.to_ascii_lowercase().as_str() {
+        "html" | "head" | "body" => Some(Kind::WebPage),
+        "svg" => Some(Kind::Drawing),
+        "choregrapheproject" => Some(Kind::Choregraphe),
+        "xml" | "export" | "block" | "block_set" | "blockset" => Some(Kind::Blocks),
+        _ => None,
+    }
+}
+
+/// By the names in the first object of it: a program is never a list, and has some of its own fields.
+fn of_json(text: &str) -> Option<Kind> {
+    if text.starts_with("{\\rtf") {
+        return Some(Kind::RichText);
+    }
+    let is_list = text.starts_with('[');
+    let first = fields(text.trim_start_matches(['[', ' ', '\t', '\r', '\n']));
+    let has = |names: &[&str]| names.iter().all(|name| first.iter().any(|(known, _)| known == name));
+    let format = first.iter().find(|(name, _)| name == "format").map_or("", |(_, format)| format.as_str());
+    match format.split('/').next().unwrap_or_default() {
+        "rrp-recording" => return Some(Kind::Recording),
+        "rrp-part" => return Some(Kind::Part),
+        "rrp-behaviour" if !is_list => return None,
+        _ => {}
+    }
+    match () {
+        () if has(&["start"]) && text.starts_with("{\"start\":{\"format\":\"rrp-backup/") => Some(Kind::Backup),
+        () if has(&["t", "stream"]) => Some(Kind::Readings),
+        () if has(&["targets", "meta"]) || has(&["objName", "children"]) => Some(Kind::Scratch),
+        () if has(&["cells", "nbformat"]) => Some(Kind::Notebook),
+        () if has(&["blocks", "variables"]) => Some(Kind::Blocks),
+        () if has(&["flows", "rev"]) || (is_list && has(&["id", "type"])) => Some(Kind::NodeRed),
+        () if !is_list && OWN.iter().any(|name| has(&[name])) => None,
+        () => Some(Kind::Json),
+    }
+}
+
+/// Fields by which a program is known, however much of it is missing.
+const OWN: [&str; 7] = ["format", "streams", "connectors", "helpers", "layout", "notes", "groups"];
+
+/// The names and texts in the object that a text begins with, as far as it can be read; none if that is no object.
+fn fields(text: &str) -> Vec<(String, String)> {
+    let mut all = Vec::new();
+    if text.starts_with('{') {
+        // What is cut off or broken is judged by who reads the whole.
+        let _ = Names(&mut all).deserialize(&mut serde_json::Deserializer::from_str(text));
+    }
+    all
+}
+
+/// Reads the names of an object, and its values where they are texts.
+struct Names<'a>(&'a mut Vec<(String, String)>);
+
+impl<'t> DeserializeSeed<'t> for Names<'_> {
+    type Value = ();
+
+    fn deserialize<D: Deserializer<'t>>(self, from: D) -> Result<(), D::Error> {
+        from.deserialize_map(self)
+    }
+}
+
+impl<'t> Visitor<'t> for Names<'_> {
+    type Value = ();
+
+    fn expecting(&self, words: &mut fmt::Formatter) -> fmt::Result {
+        words.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'t>>(self, mut map: A) -> Result<(), A::Error> {
+        while let Some(name) = map.next_key::<String>()? {
+            self.0.push((name, String::new()));
+            let value: &RawValue = map.next_value()?;
+            if let (Some((_, text)), Ok(said)) = (self.0.last_mut(), serde_json::from_str(value.get())) {
+                *text = said;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// By the first lines of other text.
+fn of_text(text: &str) -> Option<Kind> {
+    let mut lines = text.lines().filter(|line| !line.trim().is_empty());
+    let first = lines.next()?;
+    if first.starts_with("version https://git-lfs") {
+        return Some(Kind::LfsPointer);
+    }
+    let is_script = first.starts_with("#!") || ["import ", "from ", "def "].iter().any(|word| first.starts_with(word));
+    if is_script {
+        return Some(Kind::Script);
+    }
+    let columns = |line: &str, by: char| line.matches(by).count();
+    let second = lines.next()?;
+    let in_columns = |by: &char| columns(first, *by) > 0 && columns(first, *by) == columns(second, *by);
+    [',', ';', '\t'].iter().any(in_columns).then_some(Kind::Table)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Kind;
+    use crate::files::{look, samples::templates};
+
+    /// What is said of a file, without its place.
+    fn said(bytes: &[u8]) -> String {
+        let looked = look(bytes);
+        assert!(looked.file.is_none());
+        looked.faults.iter().map(|fault| fault.reason.as_str()).collect::<Vec<_>>().join(" ")
+    }
+
+    #[test]
+    fn another_kind_of_file_is_named_before_its_inside_is_judged() {
+        let deep = format!(
+            "<ChoregrapheProject xmlns=\"x\">{}{}</ChoregrapheProject>",
+            "<Box>".repeat(20),
+            "</Box>".repeat(20)
+        );
+        let table: [(&[u8], &str); 27] = [
+            (deep.as_bytes(), "a Choregraphe project"),
+            (
+                b"\xef\xbb\xbf<?xml version=\"1.0\" encoding=\"UTF-8\" ?>\n<ChoregrapheProject/>",
+                "a Choregraphe project",
+            ),
+            (b"<!DOCTYPE html>\n<html><head></head></html>", "a web page"),
+            (b"\n <html lang=en><p>no end", "a web page"),
+            (b"[{\"id\":\"a1\",\"type\":\"tab\",\"label\":\"Flow\"}]", "a file of Node-RED flows"),
+            (b"{\"targets\":[],\"monitors\":[],\"meta\":{}}", "a Scratch project"),
+            (b"<xml xmlns=\"https://developers.google.com/blockly/xml\"><block/></xml>", "a file of blocks"),
+            (b"{\"cells\":[],\"metadata\":{},\"nbformat\":4}", "a Jupyter notebook"),
+            (b"<svg xmlns=\"http://www.w3.org/2000/svg\"></svg>", "a drawing (SVG)"),
+            (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", "a picture (PNG)"),
+            (b"\xff\xd8\xff\xe0\0\x10JFIF", "a picture (JPEG)"),
+            (b"PK\x03\x04\x14\0\0\0", "a packed file (zip)"),
+            (b"\x1f\x8b\x08\0\0\0\0\0", "a packed file (gzip)"),
+            (b"%PDF-1.7\n%\xe2\xe3", "a PDF"),
+            (b"SQLite format 3\0\x10\0", "a database (SQLite)"),
+            (b"RIFF\x24\0\0\0WAVEfmt ", "a sound (WAV)"),
+            (b"{\\rtf1\\ansi Hello}", "a formatted text (RTF)"),
+            (b"{\"format\":\"rrp-recording/1\",\"name\":\"P\"}\n{\"t\":0}\n", "a recording of a run"),
+            (b"{\"t\":0,\"stream\":\"s\",\"value\":1}\n{\"t\":9,\"stream\":\"s\",\"value\":1}", "a list of readings"),
+            (b"{\"start\":{\"format\":\"rrp-backup/1\",\"epoch\":3}}\n", "a backup of a whole library"),
+            (b"{\"format\":\"rrp-part/1\",\"records\":{}}", "a part of a program"),
+            (b"{\"name\":\"x\",\"dependencies\":{}}", "another kind of JSON"),
+            (b"[1, 2, 3]", "another kind of JSON"),
+            (b"t,stream,value\n0,s,1\n", "a table (CSV)"),
+            (b"#!/usr/bin/env python3\nprint(1)\n", "a script"),
+            (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\n", "a pointer of Git LFS"),
+            (b"BM\x36\0\0\0\0\0", "a picture (BMP)"),
+        ];
+        for (bytes, what) in table {
+            let said = said(bytes);
+            assert!(
+                said.starts_with(&format!("This is {what}")) && said.contains("no program of rrp"),
+                "{what}: {said}"
+            );
+        }
+    }
+
+    #[test]
+    fn an_unknown_element_is_named_however_its_inside_is() {
+        let deep = format!("<plan>{}{}</plan>", "<a>".repeat(20), "</a>".repeat(20));
+        for text in [deep, "<plan><a></plan>".to_owned(), "<!DOCTYPE plan><plan/>".to_owned()] {
+            assert_eq!(said(text.as_bytes()), "This is no program but <plan>. Choose another file.");
+        }
+    }
+
+    #[test]
+    fn what_may_be_a_program_is_none_of_them() {
+        for (name, text) in templates() {
+            assert_eq!(Kind::of(text.as_bytes()), None, "{name}");
+            assert_eq!(Kind::of(&text.as_bytes()[..text.len() / 2]), None, "{name}, cut off");
+        }
+        let others: [&[u8]; 5] =
+            [b"", b"MZ is text, too", b"<behaviour format=\"1\">", b"{\"format\":\"other/1\"}", b"name: x"];
+        assert_eq!(others.map(Kind::of), [None; 5]);
+    }
+
+    #[test]
+    fn a_long_file_is_known_by_its_beginning() {
+        let long = format!("<html><p>{}", "あ".repeat(100_000));
+        assert_eq!(Kind::of(long.as_bytes()), Some(Kind::WebPage));
+    }
+}
