@@ -116,7 +116,8 @@ pub(super) fn quoted(rest: &str) -> Option<usize> {
 
 fn in_plain_quotes(written: &str) -> String {
     let mut inside = written.chars();
-    (inside.next(), inside.next_back());
+    inside.next();
+    inside.next_back();
     format!("\"{}\"", inside.as_str().replace('"', "\\\""))
 }
 

@@ -88,14 +88,13 @@ impl Display for BodyFault {
 }
 
 fn looks_right(meant: &[AsMeant], to: &mut Formatter) -> Result {
-    match meant {
-        [one] if has_unseen(&one.from) || one.from.trim().is_empty() => {
-            to.write_str("a blank in it is not a plain one; write it as a blank")
-        }
-        [one, other, ..] => {
-            write!(to, "“{}” may be {} or {}; write the one that is meant", one.from, one.to, other.to)
-        }
-        one => one.iter().try_for_each(|one| write!(to, "“{}” means {} here; write it so", one.from, one.to)),
+    let Some(AsMeant { from, to: means, .. }) = meant.first() else { return Ok(()) };
+    if let Some(AsMeant { to: other, .. }) = meant.get(1) {
+        write!(to, "“{from}” may be {means} or {other}; write the one that is meant")
+    } else if has_unseen(from) || from.trim().is_empty() {
+        to.write_str("a blank in it is not a plain one; write it as a blank")
+    } else {
+        write!(to, "“{from}” means {means} here; write it so")
     }
 }
 
