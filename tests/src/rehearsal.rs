@@ -4,7 +4,8 @@ use behaviour::{BehaviourFile, Id, StreamKind, Value};
 use engine::{Emission, Limits, Run, StreamIx};
 use robot::{Millis, Reading, Robot, Scene, SceneEdit, Use};
 use simulation::{SimulatedNao, Spoken};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use crate::{Outcome, Trouble};
 
@@ -52,6 +53,23 @@ pub struct Told {
 /// # Errors
 /// Why the behaviour cannot run on this robot, or what in the script cannot be done.
 pub fn rehearse(file: &BehaviourFile, seed: u64, script: &Script, until: Millis) -> Outcome<Report> {
+    rehearse_blind(file, seed, script, &[], until)
+}
+
+/// Times in which a robot finds no face, though one may be in view, in milliseconds.
+pub type Blind = [Range<u64>];
+
+/// Runs a behaviour as [`rehearse`] does, with times in which the robot finds no face.
+///
+/// # Errors
+/// Why the behaviour cannot run on this robot, or what in the script cannot be done.
+pub fn rehearse_blind(
+    file: &BehaviourFile,
+    seed: u64,
+    script: &Script,
+    blind: &Blind,
+    until: Millis,
+) -> Outcome<Report> {
     if until.0 > UNTIL_MAX_MS {
         return Err(Trouble(format!("a rehearsal takes at most {UNTIL_MAX_MS} ms")));
     }
@@ -63,7 +81,8 @@ pub fn rehearse(file: &BehaviourFile, seed: u64, script: &Script, until: Millis)
         while let Some((_, edit)) = edits.next_if(|edit| edit.0 <= now) {
             rehearsal.robot.edit(edit).map_err(|fault| Trouble(fault.to_string()))?;
         }
-        rehearsal.step(now);
+        let is_blind = blind.iter().any(|time| time.contains(&now.0));
+        rehearsal.step(now, is_blind);
     }
     Ok(rehearsal.finish())
 }
@@ -73,6 +92,8 @@ struct Rehearsal {
     run: Run,
     /// The actions by their streams.
     actions: BTreeMap<StreamIx, Use>,
+    /// The streams that faces come to.
+    faces: BTreeSet<Id>,
     readings: Vec<Reading>,
     report: Report,
 }
@@ -87,12 +108,17 @@ impl Rehearsal {
         let mut robot = SimulatedNao::new(seed);
         let actions = open(&mut robot, &run, StreamKind::Actuator)?;
         open(&mut robot, &run, StreamKind::Sensor)?;
-        Ok(Self { robot, run, actions, readings: Vec::new(), report: Report::default() })
+        let faces = run.streams().enumerate().filter(|(_, info)| info.device.as_deref() == Some("FaceDetection"));
+        let faces = faces.map(|(_, info)| Id::new(&info.id)).collect::<Result<_, _>>()?;
+        Ok(Self { robot, run, actions, faces, readings: Vec::new(), report: Report::default() })
     }
 
     /// Senses, then the behaviour, then the actions of one step.
-    fn step(&mut self, now: Millis) {
+    fn step(&mut self, now: Millis, is_blind: bool) {
         self.robot.poll(now, &mut self.readings);
+        if is_blind {
+            self.readings.retain(|reading| !self.faces.contains(&reading.to.stream));
+        }
         let (report, actions, mut emitted) = (&mut self.report, &self.actions, Vec::new());
         let mut note = |emission: Emission| match emission {
             Emission::Value { at, stream, value } => {

@@ -131,7 +131,7 @@ pub(crate) enum Senseless {
     /// It has no time.
     NoTime,
     /// Its time stands under this name.
-    OtherTime(&'static str),
+    OtherTime(String),
     /// Its time is no number.
     Time,
     /// Its time has a fraction, as seconds have one.

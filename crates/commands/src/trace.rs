@@ -13,6 +13,9 @@ const TRACE_MAX_BYTES: u64 = 512 * 1024 * 1024;
 /// A time from which on the first reading is one since 1970, not since Start: in milliseconds eleven days, in seconds 2001.
 const EPOCH_MIN: f64 = 1e9;
 
+/// How much is told of such a name, in characters.
+const TIME_SHOWN_CHARS: usize = 40;
+
 /// A reading for a stream by index.
 pub(crate) type Reading = (Millis, StreamIx, Value);
 
@@ -94,10 +97,11 @@ fn time(line: &Value, is_first: bool) -> Result<u64, Senseless> {
     }
 }
 
-/// What other programs call the time of a reading.
-fn other_time(line: &Value) -> Option<&'static str> {
-    let names = ["time", "timestamp", "ts", "ms", "seconds", "at"];
-    names.into_iter().find(|name| line.field(name).is_some())
+/// What another program calls the time of its readings.
+fn other_time(line: &Value) -> Option<String> {
+    let Value::Map(fields) = line else { return None };
+    let is_time = |name: &&str| name.starts_with("time") || ["ts", "ms", "seconds", "at"].contains(name);
+    fields.iter().map(|(name, _)| &**name).find(is_time).map(|name| name.chars().take(TIME_SHOWN_CHARS).collect())
 }
 
 /// A sensor stream by its id.

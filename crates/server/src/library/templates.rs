@@ -100,7 +100,7 @@ const TEMPLATES: &[Template] = &[
     },
     Template {
         name: "Goodbye",
-        says: "Says goodbye when it has seen nobody for five seconds.",
+        says: "Looks at who is there, and says goodbye when it has seen nobody for eight seconds.",
         json: include_str!("../../../../tests/behaviours/goodbye.json"),
     },
     Template {

@@ -118,12 +118,17 @@ pub(crate) fn bright(part: f64) -> Vec<Call> {
 
 /// The robot begins to follow the red ball of 6 cm.
 pub(crate) fn track(mode: &str, effector: &str) -> Vec<Call> {
+    follow("RedBall", 0.06, mode, effector)
+}
+
+/// The robot begins to follow a target of this size in metres.
+pub(crate) fn follow(target: &str, size: f64, mode: &str, effector: &str) -> Vec<Call> {
     vec![
         ("ALTracker.stopTracker", json!([])),
-        ("ALTracker.registerTarget", json!(["RedBall", 0.06])),
+        ("ALTracker.registerTarget", json!([target, size])),
         ("ALTracker.setMode", json!([mode])),
         ("ALTracker.setEffector", json!([effector])),
-        ("ALTracker.track", json!(["RedBall"])),
+        ("ALTracker.track", json!([target])),
     ]
 }
 

@@ -1,7 +1,7 @@
 //! Templates that see people or feel hands.
 
 use super::case::{Case, Phase, Wanted, phase};
-use super::log::say;
+use super::log::{follow, say, untrack};
 use super::world::Change::{Hand, Person};
 use serde_json::json;
 
@@ -45,14 +45,17 @@ async fn hello_is_said_once_to_each() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn goodbye_is_said_when_nobody_is_there_for_long() {
+    let up = || vec![("ALMotion.setAngles", json!([["HeadPitch"], [-0.52], 0.2]))];
+    let looks = || follow("Face", 0.15, "Head", "None");
     let phases = vec![
-        phase(COMES, 2_000, Vec::new()),
-        phase(GOES, 3_000, Vec::new()),
-        phase(COMES, 2_000, Vec::new()),
-        phase(GOES, 6_000, say("Goodbye")),
-        phase(COMES, 1_000, Vec::new()),
+        Phase { changes: COMES, for_ms: 2_000, wanted: Wanted::Together([looks(), up()].concat()) },
+        phase(GOES, 3_000, untrack()),
+        phase(COMES, 2_000, looks()),
+        Phase { changes: GOES, for_ms: 9_000, wanted: Wanted::Together([untrack(), say("Goodbye"), up()].concat()) },
+        phase(COMES, 1_000, looks()),
     ];
-    Case { phases, ..faces("goodbye") }.hold().await;
+    // Where the head of a real robot is while it looks, and so what it sees, is its own.
+    Case { phases, apart: &["face"], ending: untrack(), ..faces("goodbye") }.hold().await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
