@@ -116,7 +116,7 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     let empty = room.put("empty.json", &good.replace("\"body\": \"face.new\"", "\"body\": \"\""));
     let said = rrp(&["check", &empty]);
     assert!(
-        said.code == 1 && said.out.contains("empty.json:17:5: ") && said.out.contains("no procedure yet"),
+        said.code == 1 && said.out.contains("empty.json:18:5: ") && said.out.contains("no procedure yet"),
         "{}",
         said.out
     );
@@ -126,7 +126,7 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     let said = rrp(&["check", &bad]);
     let lines: Vec<&str> = said.out.lines().collect();
     assert_eq!((said.code, lines.len()), (3, 3), "{}", said.out);
-    assert!(lines[0].contains("bad.json:6:") && lines[1].contains("bad.json:16:"), "{}", said.out);
+    assert!(lines[0].contains("bad.json:6:") && lines[1].contains("bad.json:17:"), "{}", said.out);
 
     let cycle = good.replace("\"output\": \"new\"", "\"output\": \"face\"");
     let said = rrp(&["check", &room.put("cycle.json", &cycle)]);
@@ -135,7 +135,7 @@ fn check_tells_everything_with_its_place_and_says_by_its_exit_code_what_it_means
     let body = good.replace("\"body\": \"face.new\"", "\"body\": \"\\n face.\"");
     let said = rrp(&["check", &room.put("body.json", &body)]);
     assert!(
-        said.code == 3 && said.out.contains("body.json:17:5: In its procedure, line 2, character "),
+        said.code == 3 && said.out.contains("body.json:18:5: In its procedure, line 2, character "),
         "{}",
         said.out
     );

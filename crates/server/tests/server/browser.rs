@@ -127,11 +127,6 @@ impl Browser {
         answer
     }
 
-    /// What the page of a link says before its button is pressed.
-    pub(crate) async fn asks(&self, link: &str) -> String {
-        self.post("/come-in/invitation", &format!("token={}", token(link))).await
-    }
-
     /// A socket, if the server lets us have one; else the status of its answer.
     pub(crate) async fn socket(&self, name: &str) -> Result<Socket, u16> {
         let mut request = format!("wss://{}/socket", self.address).into_client_request().unwrap();
