@@ -27,12 +27,23 @@ async fn invite(page: &Page, may: &str, lasts: &str, whom: &str) -> Outcome<Stri
     dialog.text("textbox", "Link").await
 }
 
-/// Somebody at another computer who opens the link, comes in, and opens what Aiko has open. Their browser knows the
-/// certificate, so to speak.
-async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<Page> {
+/// Somebody at another computer who opens the link. Their browser knows the certificate, so to speak.
+async fn follow(stage: &Stage, name: &str, link: &str) -> Outcome<Page> {
     let page = stage.nobody(name).await?;
     page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
     page.goto(link).await?;
+    Ok(page)
+}
+
+/// Ends the invitation for Ben, in the dialog that is open.
+async fn revoke_ben(aiko: &Page) -> Outcome<()> {
+    aiko.press("button", "Revoke: Ben").await?;
+    aiko.within("group", "Revoke: Ben").press("button", "Revoke").await
+}
+
+/// Somebody who opens the link, comes in, and opens what Aiko has open.
+async fn come_in(stage: &Stage, name: &str, link: &str, aiko: &Page) -> Outcome<Page> {
+    let page = follow(stage, name, link).await?;
     says(&page, "Aiko invites you to").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
@@ -157,9 +168,7 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
     let (stage, aiko) = open_house().await?;
     let link = invite(&aiko, "start and stop", "for a day", "Ben").await?;
     aiko.key("Escape").await?;
-    let page = stage.nobody("ben").await?;
-    page.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
-    page.goto(&link).await?;
+    let page = follow(&stage, "ben", &link).await?;
     says(&page, "Aiko invites you to run a robot. You start and stop programs; you do not edit them.").await?;
     page.press("button", "Come in").await?;
     usable(&page).await?;
@@ -176,11 +185,8 @@ async fn an_operator_lands_where_programs_are_opened_and_what_runs_stands_first(
     page.goto(&link).await?;
     says(&page, "Aiko invites you to").await?;
     aiko.press("button", "Invite").await?;
-    aiko.press("button", "Revoke: Ben").await?;
-    aiko.within("group", "Revoke: Ben").press("button", "Revoke").await?;
-    let other = stage.nobody("chika").await?;
-    other.call("Security.setIgnoreCertificateErrors", json!({ "ignore": true })).await?;
-    other.goto(&link).await?;
+    revoke_ben(&aiko).await?;
+    let other = follow(&stage, "chika", &link).await?;
     says(&other, "This link does not work, or not any more. Ask for another invitation.").await?;
     other.gone("button", "Come in").await
 }
@@ -201,8 +207,7 @@ async fn who_stopped_is_said_and_what_a_revoked_person_started_can_be_stopped() 
     says(&aiko, "Ben pressed Stop. Start runs it again.").await?;
 
     start(&ben).await?;
-    aiko.press("button", "Revoke: Ben").await?;
-    aiko.within("group", "Revoke: Ben").press("button", "Revoke").await?;
+    revoke_ben(&aiko).await?;
     says(&ben, "Your invitation has ended").await?;
     aiko.key("Escape").await?;
     aiko.gone("dialog", "Invite somebody").await?;

@@ -14,14 +14,15 @@ use crate::escape;
 use crate::icons::Icon;
 use crate::layout::done;
 use crate::words;
+use behaviour::Id;
 use foot::Foot;
 use leptos::html;
 use leptos::prelude::*;
 use naming::Naming;
-use protocol::HistoryLine;
+use protocol::{HistoryLine, Person};
 use rows::{EditingNow, Row};
 use sittings::{Entry, Here, Known, entries};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use wasm_bindgen::JsCast;
 use web_sys::KeyboardEvent;
 
@@ -36,7 +37,9 @@ fn HistoryPanel() -> impl IntoView {
     let desk = hold();
     let unfolded = RwSignal::new(BTreeSet::new());
     let names: RwSignal<Option<u64>> = RwSignal::new(None);
-    let shown = Memo::new(move |_| lines(desk, &unfolded.read()));
+    // People move far more often than they rename themselves, and the lines are about names only.
+    let called = Memo::new(move |_| called_now(desk));
+    let shown = Memo::new(move |_| lines(desk, &unfolded.read(), called.get()));
     let root = NodeRef::<html::Section>::new();
     Effect::new(move |_| {
         if root.get().is_some() {
@@ -79,8 +82,14 @@ fn may_change(desk: Hold) -> bool {
     may_edit(desk) && desk.desk().online.get() == LinkState::Online
 }
 
+/// What the people who are here are called now. Reactive.
+fn called_now(desk: Hold) -> BTreeMap<Id, String> {
+    let called = |person: &Person| (person.client.clone(), person.name.clone());
+    desk.desk().document.people.with(|people| people.iter().map(called).collect())
+}
+
 /// What the panel shows, newest first. Reactive.
-fn lines(desk: Hold, unfolded: &BTreeSet<u64>) -> Vec<Entry> {
+fn lines(desk: Hold, unfolded: &BTreeSet<u64>, names: BTreeMap<Id, String>) -> Vec<Entry> {
     let desk = desk.desk();
     let me = desk.me.get();
     let here = Here {
@@ -95,8 +104,6 @@ fn lines(desk: Hold, unfolded: &BTreeSet<u64>) -> Vec<Entry> {
     // Names and units are those of now: a later change may have given others, and comes with a line of its own.
     let behaviour = untrack(|| desk.document.behaviour());
     let done = |line: &HistoryLine| done(&behaviour, line, &|id| untrack(|| desk.document.unit(id)));
-    let people = desk.document.people.get();
-    let names = people.iter().map(|person| (person.client.clone(), person.name.clone())).collect();
     entries(&lines, &versions, unfolded, &here, Known { names, done: &done })
 }
 
