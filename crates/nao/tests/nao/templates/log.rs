@@ -90,9 +90,11 @@ impl Noted {
     }
 }
 
-/// Whether two arguments are the same, numbers nearly.
+/// Tells whether two arguments are the same, numbers nearly. A null in the second stands for a number that the body's own
+/// time decides.
 fn near(one: &Json, other: &Json) -> bool {
     match (one, other) {
+        (Json::Number(_), Json::Null) => true,
         (Json::Array(one), Json::Array(other)) => {
             one.len() == other.len() && one.iter().zip(other).all(|(one, other)| near(one, other))
         }
@@ -114,6 +116,11 @@ pub(crate) fn eyes(color: u32) -> Vec<Call> {
 /// The eyes shine so brightly.
 pub(crate) fn bright(part: f64) -> Vec<Call> {
     vec![("ALLeds.setIntensity", json!(["FaceLeds", part]))]
+}
+
+/// The head turns up or down no further, wherever it is on its way.
+pub(crate) fn hold_pitch() -> Vec<Call> {
+    vec![("ALMotion.setAngles", json!([["HeadPitch"], [null], 0.3]))]
 }
 
 /// The robot begins to follow the red ball of 6 cm.

@@ -1,7 +1,7 @@
 //! Templates that see people or feel hands.
 
 use super::case::{Case, Phase, Wanted, phase};
-use super::log::{follow, say, untrack};
+use super::log::{follow, hold_pitch, say, untrack};
 use super::world::Change::{Hand, Person};
 use serde_json::json;
 
@@ -54,8 +54,10 @@ async fn goodbye_is_said_when_nobody_is_there_for_long() {
         Phase { changes: GOES, for_ms: 9_000, wanted: Wanted::Together([untrack(), say("Goodbye"), up()].concat()) },
         phase(COMES, 1_000, looks()),
     ];
-    // Where the head of a real robot is while it looks, and so what it sees, is its own; the clock goes on while it is waited for.
-    Case { phases, apart: &["clock", "face"], ending: untrack(), ..faces("goodbye") }.hold().await;
+    // Where the head of a real robot is while it looks, and so what it sees, is its own. The clock goes on while it is waited
+    // for.
+    let ending = [untrack(), hold_pitch()].concat();
+    Case { phases, apart: &["clock", "face"], ending, ..faces("goodbye") }.hold().await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
