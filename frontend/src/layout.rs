@@ -12,27 +12,24 @@ pub(crate) use changed::done;
 pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is};
 pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
 pub(crate) use tidy::tidy;
-pub(crate) use was::{called, what_it_was, whole};
+pub(crate) use was::{called, subject, what_it_was, whole};
 
+pub(crate) use behaviour::layout::{GAP, LEVEL, STREAM_HEIGHT};
 use behaviour::{Behaviour, Id, Place, Stream};
 use label::name_width;
 use std::collections::BTreeMap;
 
-/// A way to lay out a whole behaviour. The one that there is, `tidy`, comes later (`later.rs`).
-pub(crate) type Tidy = fn(&Behaviour) -> BTreeMap<Id, Place>;
+/// A way to lay out a whole behaviour for a stage of that width and height. The one that there is, `tidy`, comes later (`later.rs`).
+pub(crate) type Tidy = fn(&Behaviour, (f64, f64)) -> BTreeMap<Id, Place>;
 
-/// The height of a stream, in canvas units.
-pub(crate) const STREAM_HEIGHT: f64 = 48.0;
 /// The height of a connector's chip.
 pub(crate) const CHIP_HEIGHT: f64 = 28.0;
 /// The widest a stream or chip becomes; longer texts are cut with an ellipsis.
 pub(crate) const WIDTH_MAX: f64 = 260.0;
-/// From the top of a stream to the top of the next one below.
-pub(crate) const LEVEL: f64 = 140.0;
-/// Between neighbours.
-pub(crate) const GAP: f64 = 24.0;
 /// Kept free at the right of every stream for its live value.
 pub(crate) const VALUE_ROOM: f64 = 180.0;
+/// Where all is tidy there is less: enough for a number with its unit.
+const TIDY_VALUE_ROOM: f64 = 96.0;
 /// The grid things snap to, so that what looks aligned is aligned.
 pub(crate) const GRID: f64 = 10.0;
 

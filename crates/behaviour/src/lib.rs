@@ -18,6 +18,7 @@ mod graph;
 mod history;
 mod ids;
 mod lasting;
+pub mod layout;
 pub mod library;
 mod locks;
 mod lookup;

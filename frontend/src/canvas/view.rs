@@ -82,11 +82,16 @@ impl View {
         Self { x: at.0 - (at.0 - self.x) * real, y: at.1 - (at.1 - self.y) * real, zoom }
     }
 
+    /// What of a stage of that size is filled when everything is fitted into view.
+    pub(super) fn free(size: (f64, f64)) -> (f64, f64) {
+        ((size.0 - 2.0 * FIT_SIDE).max(1.0), (size.1 - 2.0 * FIT_MARGIN).max(1.0))
+    }
+
     /// All of `bounds` in the middle of a stage of that size, never larger than it is. At their right end `spare` is
     /// room for values, which does not count for the middle where there is enough of it.
     pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64)) -> Self {
         let (width, height) = ((bounds.right - bounds.left).max(1.0), (bounds.bottom - bounds.top).max(1.0));
-        let free = (size.0 - 2.0 * FIT_SIDE, size.1 - 2.0 * FIT_MARGIN);
+        let free = Self::free(size);
         let zoom = (free.0 / width).min(free.1 / height).clamp(ZOOM[0], 1.0);
         let middle = size.0 / 2.0 - (bounds.left + bounds.right - spare) / 2.0 * zoom;
         let rightmost = size.0 - FIT_SIDE - bounds.right * zoom;
@@ -123,6 +128,21 @@ impl View {
         least.map_or(self, |(dx, dy)| if far((dx, dy)) > 0.0 { self.panned(dx, dy) } else { self })
     }
 
+    /// As large as things are, around that of `all` which is nearest to the middle: whole where it fits, below what covers
+    /// `above` of the stage.
+    pub(super) fn real_size(self, all: &[Bounds], size: (f64, f64), above: f64) -> Self {
+        let middle = (size.0 / 2.0, (size.1 + above) / 2.0);
+        let to = |bounds: &Bounds| {
+            self.to_stage(Place { x: middle_of(bounds.left, bounds.right), y: middle_of(bounds.top, bounds.bottom) })
+        };
+        let far = |at: (f64, f64)| (at.0 - middle.0).hypot(at.1 - middle.1);
+        let nearest = all.iter().min_by(|one, other| far(to(one)).total_cmp(&far(to(other))));
+        let Some(nearest) = nearest else { return self.zoomed(middle, 1.0 / self.zoom) };
+        let under = (size.0, (size.1 - above).max(1.0));
+        let zoomed = self.zoomed(to(nearest), 1.0 / self.zoom).panned(0.0, -above);
+        zoomed.revealing(*nearest, under, FIT_SIDE).panned(0.0, above)
+    }
+
     /// The part of the canvas that a stage of that size shows.
     pub(super) fn area(self, size: (f64, f64)) -> Area {
         let Place { x, y } = self.to_canvas((0.0, 0.0));
@@ -148,6 +168,10 @@ impl View {
         let (right, bottom) = self.to_stage(Place { x: bounds.right, y: bounds.bottom });
         self.panned(into(left, right, size.0, margin), into(top, bottom, size.1, margin))
     }
+}
+
+fn middle_of(start: f64, end: f64) -> f64 {
+    f64::midpoint(start, end)
 }
 
 /// How far a span must move so that a part of it is inside.
@@ -242,6 +266,21 @@ mod tests {
         assert_eq!(View::fitting(bounds, 200.0, STAGE).x, 350.0);
         let wide = Bounds { right: 740.0, ..bounds };
         assert_eq!(View::fitting(wide, 200.0, STAGE).x, 36.0);
+    }
+
+    #[test]
+    fn real_size_lands_on_what_is_nearest() {
+        let stream = |x: f64| Bounds { left: x, top: 0.0, right: x + 100.0, bottom: 48.0 };
+        let all = [stream(-9_000.0), stream(9_000.0)];
+        let far = View::fitting(Bounds { left: -9_000.0, right: 9_100.0, ..all[0] }, 0.0, STAGE);
+        let view = far.real_size(&all, STAGE, 60.0);
+        let seen = all.iter().any(|bounds| {
+            let (left, top) = view.to_stage(Place { x: bounds.left, y: bounds.top });
+            let (right, bottom) = view.to_stage(Place { x: bounds.right, y: bounds.bottom });
+            left >= 0.0 && top >= 60.0 && right <= STAGE.0 && bottom <= STAGE.1
+        });
+        assert!(seen && view.zoom == 1.0, "{view:?}");
+        assert_eq!(View::default().real_size(&[], STAGE, 0.0), View::default());
     }
 
     #[test]

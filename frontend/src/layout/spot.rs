@@ -1,7 +1,8 @@
 //! A free spot for a new stream: below its sources, beside nothing.
 
 use super::{
-    CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, Tidy, VALUE_ROOM, WIDTH_MAX, chip_width, chip_words, snapped, stream_width,
+    CHIP_HEIGHT, GAP, LEVEL, STREAM_HEIGHT, TIDY_VALUE_ROOM, Tidy, VALUE_ROOM, WIDTH_MAX, chip_width, chip_words,
+    snapped, stream_width,
 };
 use behaviour::{Behaviour, Connector, Filled, Graph, Id, Place, Stream, StreamKind};
 use std::collections::BTreeMap;
@@ -68,10 +69,17 @@ impl Size {
     }
 }
 
-/// How much room a stream needs around its middle, with its live value and the chips that lead to it.
-pub(super) fn whole_width<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> f64 {
-    let size = Size::of(stream, into);
-    f64::max(size.stream + VALUE_ROOM, size.chip)
+/// How far a stream reaches to the left and to the right of its middle when all is tidy: with its live value, and with the
+/// chips that lead to it, which stand beside each other where several lead to an action.
+pub(super) fn reach<'a>(stream: &Stream, into: impl Iterator<Item = &'a Connector>) -> (f64, f64) {
+    let chips: Vec<f64> = into.map(|connector| chip_width(&chip_words(connector))).collect();
+    let chip = if stream.kind == StreamKind::Actuator {
+        chips.iter().map(|width| width + GAP).sum::<f64>() - GAP
+    } else {
+        chips.into_iter().fold(0.0, f64::max)
+    };
+    let (half, half_chip) = (stream_width(stream) / 2.0, chip / 2.0);
+    (half.max(half_chip), (half + TIDY_VALUE_ROOM).max(half_chip))
 }
 
 /// Where a new stream goes that takes from `inputs` through `connector`.
@@ -150,11 +158,11 @@ fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<Room> {
 }
 
 /// Places for streams that nobody placed: a whole layout if nobody placed any, else a free spot for each.
-pub(crate) fn missing_places(behaviour: &Behaviour, tidy: Option<Tidy>) -> BTreeMap<Id, Place> {
+pub(crate) fn missing_places(behaviour: &Behaviour, tidy: Option<Tidy>, stage: (f64, f64)) -> BTreeMap<Id, Place> {
     let mut places: BTreeMap<Id, Place> =
         behaviour.streams().filter_map(|(id, _)| Some((id.clone(), behaviour.place(id)?))).filled();
     if places.is_empty() {
-        return tidy.map_or_else(|| in_rows(behaviour), |tidy| tidy(behaviour));
+        return tidy.map_or_else(|| in_rows(behaviour), |tidy| tidy(behaviour, stage));
     }
     let graph = Graph::of(behaviour);
     let mut missing = BTreeMap::new();
@@ -277,11 +285,11 @@ mod tests {
                 .insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(stream(StreamKind::Sensor, name)));
         }
         for tidy in [None, Some(crate::layout::tidy as Tidy)] {
-            let places = missing_places(&behaviour, tidy);
+            let places = missing_places(&behaviour, tidy, (860.0, 560.0));
             assert!(places.len() == 2 && places[&id("a")] != places[&id("b")]);
         }
         let place = Record::Place(Place { x: 5.0, y: 5.0 });
         behaviour.records.insert(RecordId::new(Kind::Place, &id("a")), place);
-        assert_eq!(missing_places(&behaviour, None).keys().collect::<Vec<_>>(), [&id("b")]);
+        assert_eq!(missing_places(&behaviour, None, (860.0, 560.0)).keys().collect::<Vec<_>>(), [&id("b")]);
     }
 }

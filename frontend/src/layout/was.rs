@@ -19,6 +19,14 @@ pub(crate) fn called(behaviour: &Behaviour, id: &RecordId) -> String {
     }
 }
 
+/// The name by which people know it: a connector is known by the stream it leads to.
+pub(crate) fn subject(behaviour: &Behaviour, id: &RecordId) -> String {
+    match behaviour.records.get(id) {
+        Some(Record::Connector(connector)) => name(behaviour, &connector.output),
+        _ => called(behaviour, id),
+    }
+}
+
 /// All that a thing says of itself.
 pub(crate) fn whole(behaviour: &Behaviour, id: &RecordId) -> String {
     match behaviour.records.get(id) {

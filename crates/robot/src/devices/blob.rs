@@ -8,7 +8,7 @@ pub(crate) const DEVICE: Device = Device {
     name: "Blob",
     kind: StreamKind::Sensor,
     label: "Coloured thing",
-    says: "Sees the largest thing of the chosen color, whatever its form: where it is and how large it looks.",
+    says: "Sees the largest thing of the chosen colour, whatever its form: where it is and how large it looks.",
     icon: "blob",
     params: &[
         Param {

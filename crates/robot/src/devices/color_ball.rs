@@ -8,7 +8,7 @@ pub(crate) const DEVICE: Device = Device {
     name: "ColorBall",
     kind: StreamKind::Sensor,
     label: "Coloured ball",
-    says: "Sees a ball of the chosen color: where it is and how large it looks.",
+    says: "Sees a ball of the chosen colour: where it is and how large it looks.",
     icon: "ball",
     params: &[Param {
         name: "color",

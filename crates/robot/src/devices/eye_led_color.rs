@@ -8,7 +8,7 @@ pub(crate) const DEVICE: Device = Device {
     name: "EyeLedColor",
     kind: StreamKind::Actuator,
     label: "Eye colour",
-    says: "Gives the eyes a color whenever a value comes.",
+    says: "Gives the eyes a colour whenever a value comes.",
     icon: "light",
     params: &[Param {
         name: "color",

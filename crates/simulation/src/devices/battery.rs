@@ -8,14 +8,15 @@ use behaviour::Value;
 
 pub(super) const DRIVER: Driver = Driver { name: "Battery", open: |_| Opened::sense(Battery(None)) };
 
-/// What a full battery holds: standing drains 2 a step, so that it lasts for 90 minutes.
-const FULL: u32 = 90 * 60 * 100 * 2;
-/// What a step takes: resting, standing, and walking, for which it lasts 60 minutes. Our planning values.
-const DRAIN: [u32; 3] = [1, 2, 3];
+/// What a full battery holds: walking drains 30 a step, so that it lasts for 60 minutes.
+const FULL: u32 = 60 * 60 * 100 * 30;
+/// What a step takes: resting, standing and walking. Who stands by while a program is built sees no percentage fall by the
+/// minute: it lasts for 15 and 10 hours then. Our planning values.
+const DRAIN: [u32; 3] = [2, 3, 30];
 /// How much is left at least unless somebody takes it.
 const LEFT_MIN: u32 = FULL / 5;
 /// What a step on the cable gives: full in 90 minutes.
-const CHARGE: u32 = 2;
+const CHARGE: u32 = 20;
 
 /// What it said last.
 #[derive(Debug)]

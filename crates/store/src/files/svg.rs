@@ -137,7 +137,12 @@ mod tests {
             for (at, (one, a)) in drawing.streams.iter().enumerate() {
                 for (other, b) in &drawing.streams[at + 1..] {
                     let apart = (a.0 - b.0).abs() * 2.0 >= super::layout::width(one) + super::layout::width(other);
-                    assert!(apart || (a.1 - b.1).abs() >= super::layout::HEIGHT, "{name}: {} {}", one.name, other.name);
+                    assert!(
+                        apart || (a.1 - b.1).abs() >= behaviour::layout::STREAM_HEIGHT,
+                        "{name}: {} {}",
+                        one.name,
+                        other.name
+                    );
                 }
             }
         }

@@ -1,15 +1,14 @@
 //! Where everything stands in the drawing: as people placed it; what has no place stands in layers, values flowing down.
 
 use super::shapes::{chip_width, one_line, wide};
-use behaviour::{BehaviourFile, FileConnector, FileGroup, FileNote, FileStream, Lasting, Place};
+use behaviour::layout::{LEVEL, STREAM_HEIGHT as HEIGHT, Shape, arranged};
+use behaviour::{BehaviourFile, FileConnector, FileGroup, FileNote, FileStream, Lasting, Place, StreamKind};
 use std::collections::{HashMap, HashSet};
 
-/// The height of a stream, in canvas units.
-pub(super) const HEIGHT: f64 = 48.0;
 /// The height of a connector's label.
 pub(super) const CHIP_HEIGHT: f64 = 28.0;
-/// From one layer to the next.
-const LAYER: f64 = 140.0;
+/// The proportions in which a picture is shown, about as large as a stage.
+const SHOWN: (f64, f64) = (960.0, 600.0);
 /// Between two streams in a layer, and around the whole drawing.
 const GAP: f64 = 40.0;
 /// Between the frame of a group and its streams; above them stands the title.
@@ -50,7 +49,7 @@ impl<'f> Drawing<'f> {
         let streams: Vec<_> = file.streams.iter().map(|stream| (stream, top(&stream.id))).collect();
         let right = streams.iter().map(|(stream, top)| top.0 + width(stream) / 2.0).fold(0.0, f64::max);
         let note = |(at, note): (u16, &'f FileNote)| {
-            let beside = (right + GAP, GAP + f64::from(at) * LAYER);
+            let beside = (right + GAP, GAP + f64::from(at) * LEVEL);
             (note, file.layout.get(&note.id).map_or(beside, |place| near(*place)))
         };
         let (chips, notes) = (chips(file, &tops), (0..).zip(&file.notes).map(note).collect());
@@ -170,11 +169,11 @@ fn chip_middle(connector: &FileConnector, tops: &HashMap<&str, Point>, alone: bo
     let Some((x, y)) = tops.get(connector.output.as_str()) else { return (0.0, 0.0) };
     match inputs.as_slice() {
         [(from_x, from_y)] => (if alone { *x } else { f64::midpoint(*from_x, *x) }, f64::midpoint(from_y + HEIGHT, *y)),
-        _ => (*x, y - (LAYER - HEIGHT) / 2.0),
+        _ => (*x, y - (LEVEL - HEIGHT) / 2.0),
     }
 }
 
-/// The place of every stream. Those without one stand to the right of the others, layer by layer.
+/// The place of every stream. Those without one stand to the right of the others, as Tidy would lay them out.
 fn tops(file: &BehaviourFile) -> HashMap<&str, Point> {
     let mut tops: HashMap<&str, Point> = HashMap::new();
     let mut right = 0.0_f64;
@@ -185,43 +184,22 @@ fn tops(file: &BehaviourFile) -> HashMap<&str, Point> {
             tops.insert(&stream.id, top);
         }
     }
-    let ranks = ranks(file);
-    let mut ends: HashMap<usize, f64> = HashMap::new();
-    for stream in file.streams.iter().filter(|stream| !file.layout.contains_key(&stream.id)) {
-        let rank = ranks.get(stream.id.as_str()).copied().unwrap_or_default();
-        let end = ends.entry(rank).or_insert(right);
-        tops.insert(&stream.id, (*end + width(stream) / 2.0, GAP + rank as f64 * LAYER));
-        *end += width(stream) + GAP;
+    let others: Vec<&FileStream> =
+        file.streams.iter().filter(|stream| !tops.contains_key(stream.id.as_str())).collect();
+    let number: HashMap<&str, usize> = others.iter().enumerate().map(|(at, stream)| (stream.id.as_str(), at)).collect();
+    let (mut edges, mut chips) = (Vec::new(), vec![0.0_f64; others.len()]);
+    for connector in &file.connectors {
+        let Some(to) = number.get(connector.output.as_str()) else { continue };
+        chips[*to] = chips[*to].max(chip_width(&label(connector)));
+        edges.extend(connector.inputs.iter().filter_map(|from| Some((*number.get(from.as_str())?, *to))));
+    }
+    let shape = |(stream, chip): (&&FileStream, &f64)| {
+        let half = width(stream).max(*chip) / 2.0;
+        Shape { left: half, right: half, acts: stream.kind == StreamKind::Actuator, stood: None }
+    };
+    let shapes: Vec<Shape> = others.iter().zip(&chips).map(shape).collect();
+    for (stream, place) in others.iter().zip(arranged(&shapes, &edges, SHOWN)) {
+        tops.insert(&stream.id, (place.x + right, place.y + GAP));
     }
     tops
-}
-
-/// The longest way from a sense to each stream, in connectors; 0 where values flow in a circle.
-fn ranks(file: &BehaviourFile) -> HashMap<&str, usize> {
-    let mut waiting: HashMap<&str, usize> = file.streams.iter().map(|stream| (stream.id.as_str(), 0)).collect();
-    let mut below: HashMap<&str, Vec<&str>> = HashMap::new();
-    for connector in &file.connectors {
-        for input in connector.inputs.iter().filter(|input| waiting.contains_key(input.as_str())) {
-            below.entry(input).or_default().push(&connector.output);
-        }
-    }
-    for output in below.values().flatten() {
-        *waiting.entry(output).or_default() += 1;
-    }
-    let mut ranks = HashMap::new();
-    let is_first = |id: &&str| waiting.get(id).is_some_and(|left| *left == 0);
-    let mut ready: Vec<&str> = file.streams.iter().map(|stream| stream.id.as_str()).filter(is_first).collect();
-    while let Some(id) = ready.pop() {
-        let rank = *ranks.entry(id).or_insert(0_usize);
-        for output in below.get(id).into_iter().flatten() {
-            let least = ranks.entry(output).or_insert(0);
-            *least = (*least).max(rank + 1);
-            let left = waiting.entry(output).or_default();
-            *left = left.saturating_sub(1);
-            if *left == 0 {
-                ready.push(output);
-            }
-        }
-    }
-    ranks
 }

@@ -1,7 +1,8 @@
 //! The shapes of the drawing, in the colours of the light theme.
 
-use super::layout::{Area, CHIP_HEIGHT, HEIGHT, Point, width};
+use super::layout::{Area, CHIP_HEIGHT, Point, width};
 use crate::files::xml::{cannot_hold, in_element};
+use behaviour::layout::STREAM_HEIGHT as HEIGHT;
 use behaviour::{FileGroup, FileNote, FileStream, StreamKind};
 
 /// The ground, and what stands on it; all pairs have the contrast of the page.
