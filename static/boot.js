@@ -15,7 +15,7 @@ const ESCAPES_WITHIN_MS = 600;
 let first = null;
 // The window hears a key before the document does, and stop.js hears it at the window.
 document.addEventListener("keydown", (event) => {
-  if (event.key !== "Escape" || event.repeat || event.isComposing) return;
+  if (event.key !== "Escape" || event.repeat || event.isComposing || event.keyCode === 229) return;
   const isSecond = first && event.timeStamp - first.timeStamp < ESCAPES_WITHIN_MS && !first.defaultPrevented;
   if (isSecond && window.rrpHeard !== event) form.submit();
   first = isSecond ? null : event;

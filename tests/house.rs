@@ -222,6 +222,23 @@ fn the_page_never_turns_text_into_markup() -> Outcome<()> {
     none("ways to turn text into markup", &wrong)
 }
 
+/// Where keys are read: elsewhere the Enter that only ends a word of Japanese would save, and a letter on a Russian or
+/// Greek keyboard would be no letter.
+const KEYS: &str = "frontend/src/keys.rs";
+
+#[test]
+fn keys_are_read_in_one_place_of_the_page() -> Outcome<()> {
+    let raw = [".key()", ".key_code()", ".is_composing()", "event.code()"];
+    let reads = |source: &Source| {
+        let code = source.code();
+        code.contains("KeyboardEvent") && raw.iter().any(|raw| code.contains(raw))
+    };
+    let all: Vec<String> = Source::below("frontend/src")?.into_iter().filter(reads).map(|source| source.path).collect();
+    assert!(all.iter().any(|path| path == KEYS), "they are read there");
+    let elsewhere: Vec<String> = all.into_iter().filter(|path| path != KEYS).collect();
+    none("files of the page that read keys by themselves", &elsewhere)
+}
+
 /// Where Escape is heard: whoever uses it says so there, or the second of two would be Stop.
 const ESCAPE: &str = "frontend/src/escape.rs";
 

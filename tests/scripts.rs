@@ -84,7 +84,7 @@ const SINCE: [(&str, Versions); 11] = [
     ("light-dark", [(123, 0), (120, 0), (17, 5)]),
 ];
 /// What boot.js uses that all browsers have had since 2015.
-const USUAL: [&str; 65] = [
+const USUAL: [&str; 66] = [
     "AbortSignal",
     "CompileError",
     "Map",
@@ -115,6 +115,7 @@ const USUAL: [&str; 65] = [
     "id",
     "isComposing",
     "key",
+    "keyCode",
     "keys",
     "lang",
     "language",

@@ -61,7 +61,7 @@ pub(crate) use strip::strip;
 
 use crate::desk::{Desk, Lit, Selected, use_desk};
 use crate::later::{Later, Rest, second_piece};
-use crate::panels::EmptyStage;
+use crate::panels::{EmptyStage, focus};
 use crate::words;
 use chip::Chip;
 use far::Edges;
@@ -79,6 +79,8 @@ use zoom::Zoom;
 
 /// Below this zoom details are hidden.
 const FAR: f64 = 0.35;
+/// Below these zooms texts are larger: of the usual size they would be smaller than 9 pixels.
+const TEXT_SIZES: [(f64, &str); 3] = [(0.46, "largest"), (0.58, "larger"), (0.75, "large")];
 /// Below this zoom nothing could be read anyway: streams are plain shapes, and what stands on the lines is not drawn.
 const TINY: f64 = 0.12;
 
@@ -94,14 +96,13 @@ pub(crate) fn Canvas() -> impl IntoView {
     stage.follow_selection(&desk);
     stage.tell_view(&desk);
     stage.follow(&desk);
+    keep_keyboard(&desk);
     stage.follow_asked(&desk);
     let (glides, wiring) = (stage.glides.clone(), stage.targets.clone());
-    let compared = desk.document.compared.clone();
-    let compares = ArcMemo::new(move |_| compared.with(Option::is_some));
+    let compares = compares_memo(&desk);
     let offering = stage.offering.clone();
     let offers = ArcMemo::new(move |_| offering.with(Option::is_some));
-    let ids = desk.document.stream_ids.clone();
-    let large = ArcMemo::new(move |_| ids.with(Vec::len) >= minimap::FROM);
+    let large = large_memo(&desk);
     let (many, is_open) = (has_tools(&desk), open_memo(&desk));
     let context = stage.context.clone();
     let asked = ArcMemo::new(move |_| context.with(Option::is_some));
@@ -116,6 +117,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             class:gliding=move || glides.get()
             class:wiring=move || wiring.with(Option::is_some)
             class:far=move || far.is_below(FAR)
+            data-text=text_sizes(&stage)
             class:tiny=move || tiny.is_tiny.get()
             data-paper=move || shape.paper.with(|paper| paper.as_ref().map(Paper::shape))
             id="stage"
@@ -173,6 +175,52 @@ pub(crate) fn Canvas() -> impl IntoView {
             <EmptyStage />
         </main>
     }
+}
+
+/// After something is removed, the keyboard is on the canvas, unless it is elsewhere: what had it may be gone, and what is
+/// pasted or undone next would be heard by nobody.
+fn keep_keyboard(desk: &Desk) {
+    let document = desk.document.clone();
+    let there = ArcMemo::new(move |_| {
+        let asides = document.note_ids.with(Vec::len) + document.group_ids.with(Vec::len);
+        document.stream_ids.with(Vec::len) + document.connector_ids.with(Vec::len) + asides
+    });
+    let desk = desk.clone();
+    Effect::new(move |before: Option<usize>| {
+        let now = there.get();
+        if before.is_some_and(|before| now < before) {
+            let desk = desk.clone();
+            let take = move || {
+                let is_free = focus::is_nowhere() && desk.dialog.with_untracked(Option::is_none);
+                if let Some(stage) = focus::by_id("stage").filter(|_| is_free) {
+                    focus::focus(&stage);
+                }
+            };
+            // Once what is gone is out of the page, and whoever wants the keyboard then has it.
+            let _ = request_animation_frame(move || drop(request_animation_frame(take)));
+        }
+        now
+    });
+}
+
+/// How much larger texts are than usual, so that they can be read from further away; the style says by how much. Reactive.
+fn text_sizes(stage: &Stage) -> impl Fn() -> Option<&'static str> + Send + Sync + Clone + use<> {
+    let view = stage.view.clone();
+    let size = |zoom: f64| TEXT_SIZES.iter().find(|(below, _)| zoom < *below).map(|(_, size)| *size);
+    let sizes = ArcMemo::new(move |_| view.with(|view| size(view.zoom)));
+    move || sizes.get()
+}
+
+/// Whether there is so much that it is shown once more in small.
+fn large_memo(desk: &Desk) -> ArcMemo<bool> {
+    let ids = desk.document.stream_ids.clone();
+    ArcMemo::new(move |_| ids.with(Vec::len) >= minimap::FROM)
+}
+
+/// Whether two versions are compared.
+fn compares_memo(desk: &Desk) -> ArcMemo<bool> {
+    let compared = desk.document.compared.clone();
+    ArcMemo::new(move |_| compared.with(Option::is_some))
 }
 
 /// Whether a program is open.

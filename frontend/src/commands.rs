@@ -1,6 +1,7 @@
 //! Everything that can be done, with its key: what the palette of commands and the help list.
 
 use crate::desk::{Desk, Dialog, LineUp, Selected};
+use crate::keys::Pressed;
 use crate::{panels, words};
 use behaviour::StreamKind;
 use leptos::prelude::*;
@@ -366,7 +367,7 @@ pub(crate) fn keys(desk: &Desk) {
         if !control || desk.dialog.with_untracked(Option::is_some) {
             return;
         }
-        match event.key().as_str() {
+        match event.pressed().as_str() {
             "k" | "K" => desk.dialog.set(Some(Dialog::Help)),
             "f" | "F" => find(&desk),
             _ => return,

@@ -16,12 +16,14 @@ mod tab;
 
 pub(crate) use carried::{Carried, Item, Moved, Phase};
 pub(crate) use document::{
-    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, Editor, Gap, Ghost, GhostConnector, GhostStream,
-    GroupSignals, Joining, LineUp, Lit, Mark, NoteSignals, Output, Own, Part, Put, Reading, Saving, Selected, Sign,
-    Spot, StreamSignals, Version, WireEnd, Writing, bare, draft_key, initials, signs, wire_ends,
+    Asking, Compared, Conflict, ConnectPlan, ConnectorSignals, EditSession, Editor, Gap, Ghost, GhostConnector,
+    GhostStream, GroupSignals, Joining, LineUp, Lit, Mark, NoteSignals, Output, Own, Part, Put, Reading, Saving,
+    Selected, Sign, Spot, StreamSignals, Version, WireEnd, Writing, bare, draft_key, initials, signs, wire_ends,
+    wording,
 };
 pub(crate) use inviting::Invited;
 pub(crate) use library::{NotBrought, ProgramPage, Settle, file_address, first_file};
+pub(crate) use robots::Unused;
 pub(crate) use tab::{Choice, Dialog, LinkEnd, LinkState, settled};
 
 use document::{Document, DocumentEvent};

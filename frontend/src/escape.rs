@@ -1,9 +1,7 @@
 //! Escape, as everything on the page hears it: what uses it says so, as the second of two that nothing used is Stop.
 
+use crate::keys::Pressed;
 use web_sys::KeyboardEvent;
-
-/// The code of keys that become a letter together; Safari says it of the Escape that ends that, too.
-const COMPOSING: u32 = 229;
 
 /// Takes something back where this is Escape; whether it was.
 pub(crate) fn ends(event: &KeyboardEvent, take_back: impl FnOnce()) -> bool {
@@ -17,7 +15,7 @@ pub(crate) fn ends(event: &KeyboardEvent, take_back: impl FnOnce()) -> bool {
 /// Then neither does the browser anything more with it, nor does `static/stop.js` take it for the first of two. While
 /// several keys are one letter, it takes that back.
 pub(crate) fn may_end(event: &KeyboardEvent, take_back: impl FnOnce() -> bool) -> bool {
-    let is_free = event.key() == "Escape" && !event.is_composing() && event.key_code() != COMPOSING;
+    let is_free = event.pressed() == "Escape";
     let is_used = is_free && !event.default_prevented() && take_back();
     if is_used {
         event.prevent_default();

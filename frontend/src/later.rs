@@ -76,6 +76,8 @@ pub(crate) struct Rest {
     pub(crate) carry: fn() -> AnyView,
     /// The whole graph in small.
     pub(crate) minimap: fn() -> AnyView,
+    /// Whose changes the robot does not use yet, and the button that lets it.
+    pub(crate) apply: fn() -> AnyView,
     /// What is known of a selected stream or connector, and what can be done with it.
     pub(crate) selected: fn(Selected) -> AnyView,
 }
@@ -120,6 +122,7 @@ fn rest() -> Result<Rest, NotLoaded> {
         bubble: canvas::bubble,
         carry: canvas::carry,
         minimap: canvas::minimap,
+        apply: panels::apply,
         selected: panels::selected,
     })
 }

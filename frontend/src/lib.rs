@@ -11,6 +11,7 @@ mod few;
 mod fields;
 mod icons;
 mod json;
+mod keys;
 mod later;
 mod layout;
 mod link;
@@ -22,6 +23,7 @@ mod words;
 
 use canvas::{Canvas, ToGraph};
 use desk::{Desk, LinkState, Saving};
+use keys::Pressed;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use wasm_bindgen::prelude::*;
@@ -108,7 +110,7 @@ fn undo_keys(desk: &Desk) {
         if !(event.ctrl_key() || event.meta_key()) || types || desk.dialog.with_untracked(Option::is_some) {
             return;
         }
-        match (event.key().to_lowercase().as_str(), event.shift_key()) {
+        match (event.pressed().to_lowercase().as_str(), event.shift_key()) {
             ("z", false) => desk.undo(),
             ("z", true) | ("y", false) => desk.document.redo(),
             _ => return,

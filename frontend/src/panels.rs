@@ -1,5 +1,6 @@
 //! Everything around the canvas: the bar, the left list, the right column, dialogs, notices and the outline.
 
+mod apply;
 mod buttons;
 mod chosen;
 mod condition;
@@ -33,6 +34,7 @@ mod robots;
 mod room;
 mod running;
 mod teaching;
+mod to_stop;
 mod told;
 mod toolbar;
 mod tools;
@@ -40,6 +42,7 @@ mod trials;
 mod typed;
 mod uses;
 
+pub(crate) use apply::apply;
 pub(crate) use chosen::chosen;
 pub(crate) use control::control;
 pub(crate) use dialogs::{Dialogs, NoPicture, dialog};

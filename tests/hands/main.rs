@@ -10,6 +10,7 @@ mod groups;
 mod hints;
 mod inputs;
 mod keyboard;
+mod keyboards;
 mod library;
 mod many;
 mod map;

@@ -127,6 +127,7 @@ async fn start_moves_nothing_and_what_is_added_comes_into_view() -> Outcome<()> 
     rests(&aiko, "Ball, sensor stream").await?;
     let tops =
         "['.room', '.room-tools', '.panel'].map(part => document.querySelector(part).getBoundingClientRect().top)";
+    aiko.until("!!document.querySelector('.panel')", "the panel is there").await?;
     let before = aiko.eval(tops).await?;
     aiko.press("button", "Start").await?;
     aiko.find("button", "Running").await?;

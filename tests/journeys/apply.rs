@@ -5,6 +5,7 @@ use protocol::{RunPhase, RunState};
 
 use crate::steps::*;
 use crate::stop::running_ball;
+use crate::together::call_myself;
 use crate::visitor::Visitor;
 
 #[tokio::test]
@@ -16,6 +17,7 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
     let aiko = stage.person("aiko").await?;
     running_ball(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
+    call_myself(&ben, "Ben").await?;
     let before = newest_run(&stage).await?;
     says(&aiko, "The robot runs this version").await?;
 
@@ -29,11 +31,14 @@ async fn edits_wait_until_they_are_applied_and_the_run_goes_on() -> Outcome<()> 
     }
     assert_eq!(newest_run(&stage).await?.revision, before.revision, "an edit disturbs nothing");
 
-    aiko.within("region", "Robot").press("button", "Use my changes").await?;
+    // Whose it is is said before anybody lets the robot do it.
+    says(&aiko, "Ben added Tracker").await?;
+    ben.within("region", "Robot").find("button", "Use my changes").await?;
+    aiko.within("region", "Robot").press("button", "Use Ben’s changes").await?;
     says(&aiko, "The robot goes on with version").await?;
     for page in [&aiko, &ben] {
         silent(page, ", editing ").await?;
-        page.gone("button", "Use my changes").await?;
+        page.gone("button", "Use *").await?;
     }
     shows_value(&aiko, "Tracker").await?;
     let after = newest_run(&stage).await?;
@@ -83,4 +88,45 @@ async fn only_what_would_run_differently_is_an_edit() -> Outcome<()> {
 /// What runs, as somebody sees it who comes just now.
 async fn newest_run(stage: &Stage) -> Outcome<RunState> {
     Visitor::enter(&stage.server).await?.newest_run().await
+}
+
+#[tokio::test]
+async fn what_somebody_else_is_still_at_is_not_started_by_a_press() -> Outcome<()> {
+    if !skip::ready("journey: an unfinished change of somebody else") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    running_ball(&aiko).await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    call_myself(&ben, "Ben").await?;
+    let before = newest_run(&stage).await?;
+    select(&ben, "Distance").await?;
+    next(&ben, "Distance", "filter").await?;
+    ben.within("dialog", "Operation").fill("textbox", "Procedure", "distance < 40").await?;
+    save(&ben, "Operation").await?;
+    ben.press("button", "filter (distance < 40), connector*").await?;
+    next(&ben, "filter", "More…").await?;
+    ben.within("dialog", "Operation").find("textbox", "Procedure").await?;
+    says(&aiko, "Ben is still editing Distance < 40").await?;
+    aiko.within("region", "Robot").press("button", "Use Ben’s changes").await?;
+    says(&aiko, "The robot goes on as before").await?;
+    assert_eq!(newest_run(&stage).await?.revision, before.revision, "the robot does what it did");
+    ben.key("Escape").await?;
+    ben.gone("dialog", "Operation").await?;
+    silent(&aiko, "Ben is still editing Distance < 40").await?;
+    aiko.within("region", "Robot").press("button", "Use Ben’s changes").await?;
+    says(&aiko, "The robot goes on with version").await?;
+
+    // A number, from what to what.
+    ben.press("button", "filter (distance < 40), connector*").await?;
+    ben.until("!!document.querySelector('.flyout .stepper input')", "the control is there").await?;
+    ben.eval("document.querySelector('.flyout .stepper input').focus(), document.querySelector('.flyout .stepper input').select(), 0").await?;
+    ben.type_text("60").await?;
+    ben.key("Enter").await?;
+    ben.eval("document.activeElement.blur(), 0").await?;
+    says(&aiko, "Ben changed Distance < 60: 40\u{a0}cm → 60\u{a0}cm").await?;
+    stop(&aiko).await?;
+    calm(&ben)?;
+    calm(&aiko)
 }

@@ -119,15 +119,21 @@ async fn a_dialog_says_who_removed_its_stream() -> Outcome<()> {
         return Ok(());
     }
     let stage = Stage::set().await?;
-    let aiko = stage.person("aiko").await?;
+    let aiko = stage.nobody("aiko").await?;
+    let socket = stage.enter_with_switch(&aiko).await?;
     add_map(&aiko).await?;
     let ben = stage.beside(&aiko, "ben").await?;
     called_alike(&ben, &aiko).await?;
     select(&aiko, "1").await?;
+    // Without a link there is no lock, so that it can be removed meanwhile.
+    socket.cut().await?;
+    says(&aiko, "Offline").await?;
     next(&aiko, "1", "Edit").await?;
     aiko.within("dialog", "Stream settings").fill("textbox", "Name", "Mine").await?;
     select(&ben, "1").await?;
     next(&ben, "1", "Remove").await?;
+    ben.gone("button", "1, stream*").await?;
+    socket.mend().await?;
     says(&aiko, " removed this. What you wrote is still here: copy it, or close.").await?;
     let sentence = aiko.within("dialog", "Stream settings").text("alert", "").await?;
     assert!(sentence.starts_with("Guest "), "it says who: {sentence}");

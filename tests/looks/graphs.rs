@@ -13,6 +13,9 @@ use tokio_tungstenite::{MaybeTlsStream, WebSocketStream};
 /// Streams in a row of the graph.
 const ROW: usize = 6;
 
+/// So many streams are added by one change, whole parts of three.
+const PROPOSED_AT_ONCE: usize = 99;
+
 /// What the streams are called.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Names {
@@ -58,6 +61,37 @@ pub(crate) async fn make(server: &Server, names: Names, count: usize) -> Outcome
         change = change.put(&none, record_id, record);
     }
     line.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
+    Ok(behaviour)
+}
+
+/// Makes a program of parts without a connection that nobody placed, of three streams each, and answers with its id.
+pub(crate) async fn make_parts(server: &Server, count: usize) -> Outcome<Id> {
+    let mut line = Line::open(server).await?;
+    let behaviour = id(&format!("parts-{count}"))?;
+    line.ask(Request::Create { behaviour: behaviour.clone(), name: format!("Parts of {count}"), template: None })
+        .await?;
+    line.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+    let none = Behaviour::default();
+    let numbers: Vec<usize> = (0..count).collect();
+    for some in numbers.chunks(PROPOSED_AT_ONCE) {
+        let mut change = Change::of(id(&format!("parts-{count}-{}", some[0]))?, "looks", "Add streams");
+        for at in some {
+            let (stream, order) = (id(&format!("s{at}"))?, i64::try_from(*at).unwrap_or(i64::MAX) * 2);
+            let is_first = at % 3 == 0;
+            let kind = if is_first { StreamKind::Sensor } else { StreamKind::Ordinary };
+            let (name, device, params) = (format!("Ball {at}"), is_first.then(|| "RedBall".to_owned()), Params::new());
+            let record = Stream { kind, name, device, params, order, resources: None, priority: None, hold_ms: None };
+            change = change.put(&none, RecordId::new(Kind::Stream, &stream), Record::Stream(record));
+            if !is_first {
+                let operation = connectors::filter::SPEC.with(Procedure::body("true"));
+                let inputs = vec![id(&format!("s{}", at - 1))?];
+                let connector = Connector { operation, inputs, output: stream, order: order + 1 };
+                let key = RecordId::new(Kind::Connector, &id(&format!("c{at}"))?);
+                change = change.put(&none, key, Record::Connector(connector));
+            }
+        }
+        line.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await?;
+    }
     Ok(behaviour)
 }
 

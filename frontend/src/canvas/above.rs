@@ -56,7 +56,8 @@ impl Stage {
     pub(super) fn open_view(&self) {
         let view = self.opening();
         self.look(view);
-        self.opened.set(Some(view));
+        // Sentences that come later, with the first action, cover what is free; the graph stays under the hand.
+        self.opened.set((self.above_about() > 0.0).then_some(view));
     }
 
     /// A view of the part of the stage that is free, as one of the whole stage.

@@ -3,13 +3,13 @@
 
 use super::Stage;
 use super::chip::chip_of;
-use super::strip_spot::EDGE;
+use super::strip_spot::{Area, EDGE, HEIGHT as STRIP, ZOOM_BOX};
 use super::view::Bounds;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::icons::Icon;
 use crate::panels::ProblemLine;
 use crate::words;
-use behaviour::{Problem, ProblemKind};
+use behaviour::{Id, Problem, ProblemKind};
 use leptos::prelude::*;
 
 /// Its size about, and its distance from what it is about, in pixels.
@@ -27,16 +27,22 @@ fn Bubble() -> impl IntoView {
     let stage = expect_context::<Stage>();
     let newest = newest(&desk);
     let shown = {
-        let (desk, newest) = (desk.clone(), newest);
-        ArcMemo::new(move |_| shown(&desk, newest.get()))
+        let (desk, newest, asked) = (desk.clone(), newest, stage.asked_about.clone());
+        ArcMemo::new(move |_| asked_about(&desk, asked.get()).or_else(|| shown(&desk, newest.get())))
     };
     let (spot, moves) = (spot_memo(&desk, &stage, &shown), stage.dragged.clone());
     let wire = stage.wire.clone();
+    let asked = stage.asked_about.clone();
     let at = move || spot.get().map(|(x, y)| format!("translate({x:.0}px,{y:.0}px)"));
     move || {
         let problem = shown.get().filter(|_| moves.with(Option::is_none) && wire.with(Option::is_none))?;
-        let close = move |_| newest.set(None);
-        let is_newest = newest.with(|newest| newest.as_ref() == Some(&problem));
+        let asked = asked.clone();
+        let is_asked = asked.with(|asked| asked.as_ref() == Some(&problem.at.id));
+        let close = move |_| {
+            newest.set(None);
+            asked.set(None);
+        };
+        let is_newest = is_asked || newest.with(|newest| newest.as_ref() == Some(&problem));
         Some(view! {
             <div class="trouble" role="note" aria-label=words::problems() style:transform=at.clone()>
                 <ul class="big-list"><ProblemLine problem=problem alone=true /></ul>
@@ -85,6 +91,14 @@ fn newest(desk: &Desk) -> RwSignal<Option<Problem>> {
     newest
 }
 
+/// The problem of what is selected, if its badge was pressed: whatever it is, who presses it wants to know. Reactive.
+fn asked_about(desk: &Desk, asked: Option<Id>) -> Option<Problem> {
+    let asked = asked?;
+    let is_selected = desk.document.selected.with(|selected| selected.as_ref().map(Selected::id) == Some(&asked));
+    let its = |all: &Vec<Problem>| all.iter().find(|problem| problem.at.id == asked).cloned();
+    desk.document.problems.with(its).filter(|_| is_selected)
+}
+
 /// A connector that is selected says it in its control. Reactive.
 fn shown(desk: &Desk, newest: Option<Problem>) -> Option<Problem> {
     let selected = desk.document.selected.get();
@@ -98,7 +112,7 @@ fn shown(desk: &Desk, newest: Option<Problem>) -> Option<Problem> {
     own.or_else(|| newest.filter(|newest| selected.is_none_or(|selected| *selected.id() != newest.at.id)))
 }
 
-/// The left top corner, beside what it is about, where it covers least.
+/// The left top corner, near what it is about, where it covers least: what it is about and the tools never, if that can be.
 fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> ArcMemo<Option<(f64, f64)>> {
     let (desk, stage, shown) = (desk.clone(), stage.clone(), shown.clone());
     ArcMemo::new(move |_| {
@@ -111,20 +125,31 @@ fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> Ar
         }
         let own = own.or_else(|| stage.chip_bounds(&id))?;
         let corner = |x, y| view.to_stage(behaviour::Place { x, y });
-        let ((left, top), (right, _)) = (corner(own.left, own.top), corner(own.right, own.bottom));
-        let covered = |x: f64| {
-            let (from, to) = (view.to_canvas((x, top)), view.to_canvas((x + SIZE.0, top + SIZE.1)));
+        let ((left, top), (right, bottom)) = (corner(own.left, own.top), corner(own.right, own.bottom));
+        let covered = |(x, y): (f64, f64)| {
+            let (from, to) = (view.to_canvas((x, y)), view.to_canvas((x + SIZE.0, y + SIZE.1)));
             let area = Bounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
             let streams = stage.shapes.with(|shapes| shapes.iter().filter(|(_, other)| area.meets(*other)).count());
             let chips = desk.document.connector_ids.with(|ids| {
                 ids.iter().filter_map(|id| stage.chip_bounds(id)).filter(|other| area.meets(*other)).count()
             });
-            let off = x < EDGE || x + SIZE.0 + EDGE > size.0;
-            streams + chips + if off { 10 } else { 0 }
+            let (own_left, own_right) = (left.min(right), left.max(right));
+            let own = x < own_right && x + SIZE.0 > own_left && y < bottom && y + SIZE.1 > top;
+            let tools = x + SIZE.0 > size.0 - ZOOM_BOX.0 && y + SIZE.1 > size.1 - ZOOM_BOX.1;
+            let bubble = Area { left: x, top: y, right: x + SIZE.0, bottom: y + SIZE.1 };
+            let strip = stage.strip.with(|strip| strip.is_some_and(|strip| strip.shared(&bubble) > 0.0));
+            streams * 2 + chips * 2 + (usize::from(own) + usize::from(tools) + usize::from(strip)) * 20
         };
-        let (beside_left, beside_right) = (left - NEAR - SIZE.0, right + NEAR);
-        let x = if covered(beside_left) < covered(beside_right) { beside_left } else { beside_right };
-        let x = x.clamp(EDGE, (size.0 - SIZE.0 - EDGE).max(EDGE));
-        Some((x, top.clamp(EDGE, (size.1 - SIZE.1 - EDGE).max(EDGE))))
+        let above = stage.above.get().unwrap_or_default();
+        let inside = |(x, y): (f64, f64)| {
+            let x = x.clamp(EDGE, (size.0 - SIZE.0 - EDGE).max(EDGE));
+            (x, y.clamp(above + EDGE, (size.1 - SIZE.1 - EDGE).max(above + EDGE)))
+        };
+        let beside = [right + NEAR, left - NEAR - SIZE.0];
+        let levels = [top, top - SIZE.1 / 2.0, bottom - SIZE.1, top - SIZE.1 - NEAR, bottom + NEAR];
+        let over = [(left + right - SIZE.0) / 2.0, left, right - SIZE.0];
+        let sides = beside.into_iter().flat_map(|x| levels.map(|y| (x, y)));
+        let others = over.into_iter().flat_map(|x| [(x, top - SIZE.1 - NEAR), (x, bottom + STRIP + NEAR)]);
+        sides.chain(others).map(inside).min_by_key(|spot| covered(*spot))
     })
 }

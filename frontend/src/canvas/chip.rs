@@ -171,7 +171,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
             <span class="detail" class:plain=move || plain.with(|words| words.plain) aria-hidden="true">{move || underlined(&detail.with(|words| words.detail.clone()), unknown.get().as_deref())}</span>
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
-            <ProblemBadge problem=problem />
+            <ProblemBadge problem=problem at=Selected::Connector(id.clone()) />
             <Differs differs=differs />
             <MarkBadge mark=mark />
             <OthersRing id=id.clone() />

@@ -3,6 +3,7 @@
 use super::Stage;
 use crate::browser;
 use crate::desk::{Desk, Part, Put, Selected};
+use crate::keys::Pressed;
 use crate::words;
 use behaviour::{Helper, Place};
 use leptos::prelude::*;
@@ -92,7 +93,7 @@ impl Stage {
 /// Keys with Control or Command on the graph, or on the list in its place; whether it was one.
 pub(crate) fn chord(event: &KeyboardEvent, desk: &Desk, stage: Option<&Stage>) -> bool {
     let may = untrack(|| desk.may(Role::Editor));
-    match event.key().to_lowercase().as_str() {
+    match event.pressed().to_lowercase().as_str() {
         "a" => desk.document.choose_all(),
         "c" => drop(copy(desk)),
         "x" if may => cut(desk),

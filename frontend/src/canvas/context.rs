@@ -8,6 +8,7 @@ use crate::browser;
 use crate::commands::{ALL, Command, On};
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
+use crate::keys::Pressed;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -120,7 +121,7 @@ fn Items(desk: Desk, stage: Stage, context: Context) -> impl IntoView {
         if escape::ends(&event, close) {
             return event.stop_propagation();
         }
-        match event.key().as_str() {
+        match event.pressed().as_str() {
             "ArrowDown" => step(&event, |at, count| (at + 1) % count),
             "ArrowUp" => step(&event, |at, count| (at + count - 1) % count),
             "Home" => step(&event, |_, _| 0),

@@ -6,12 +6,28 @@ use super::walk::{Way, walk};
 use super::{Stage, flyout};
 use crate::desk::{Desk, Selected};
 use crate::escape;
+use crate::keys::Pressed;
 use crate::panels::focus;
 use behaviour::Id;
 use leptos::prelude::*;
 use std::collections::BTreeSet;
 use wasm_bindgen::JsCast;
 use web_sys::{Element, KeyboardEvent};
+
+/// Keys with Control or Command that the second piece of the page knows, where it is still on its way: what was pressed is done
+/// once it is here; whether it is such a key.
+fn chord_later(event: &KeyboardEvent, desk: &Desk, stage: &Stage) -> bool {
+    let is_known = matches!(event.pressed().to_lowercase().as_str(), "a" | "c" | "x" | "d" | "g");
+    if is_known {
+        let (event, desk, stage) = (event.clone(), desk.clone(), stage.clone());
+        stage.clone().piece.when_here(move |rest| {
+            if let Some(rest) = rest {
+                (rest.chord)(&event, &desk, Some(&stage));
+            }
+        });
+    }
+    is_known
+}
 
 /// Hears a key on the stage or in it.
 pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
@@ -25,12 +41,16 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         return;
     }
     if event.ctrl_key() || event.meta_key() {
-        if stage.piece.now().is_some_and(|rest| (rest.chord)(event, desk, Some(stage))) {
+        let is_used = match stage.piece.now() {
+            Some(rest) => (rest.chord)(event, desk, Some(stage)),
+            None => chord_later(event, desk, stage),
+        };
+        if is_used {
             event.prevent_default();
         }
         return;
     }
-    let ends_following = !matches!(event.key().as_str(), "Shift" | "Tab") && desk.document.unfollow();
+    let ends_following = !matches!(event.pressed().as_str(), "Shift" | "Tab") && desk.document.unfollow();
     if ends_following && escape::ends(event, || ()) {
         return;
     }
@@ -39,7 +59,7 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
         return;
     }
     let plus = target.closest(".plus").ok().flatten();
-    if plus.is_some_and(|plus| stage.plus_key(&plus, &event.key())) {
+    if plus.is_some_and(|plus| stage.plus_key(&plus, &event.pressed())) {
         event.prevent_default();
         return;
     }
@@ -50,7 +70,7 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, stage: &Stage) {
     let go = |here: Option<Selected>, way: Way| {
         if event.shift_key() { extend(desk, stage, here, way) } else { step(desk, stage, here, way) }
     };
-    let done = match event.key().as_str() {
+    let done = match event.pressed().as_str() {
         "c" | "C" => connect(stage, here),
         "n" | "N" => then(|| stage.add_note()),
         "f" | "F" => fold(stage, here),

@@ -4,6 +4,7 @@ use crate::browser;
 use crate::desk::{Dialog, Spot, use_desk};
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::words;
 use behaviour::Id;
 use behaviour::connectors::{self, Spec};
@@ -66,7 +67,7 @@ fn key(event: &KeyboardEvent, open: &ArcRwSignal<bool>, root: NodeRef<leptos::ht
     if escape::ends(event, close) {
         return event.stop_propagation();
     }
-    match event.key().as_str() {
+    match event.pressed().as_str() {
         "ArrowDown" => step(root, |at, count| (at + 1) % count),
         "ArrowUp" => step(root, |at, count| (at + count - 1) % count),
         "Home" => step(root, |_, _| 0),

@@ -4,6 +4,7 @@ use super::Stage;
 use super::hand::Point;
 use super::view::{Bounds, View};
 use crate::desk::use_desk;
+use crate::keys::Pressed;
 use crate::layout::STREAM_HEIGHT;
 use crate::words;
 use behaviour::{Place, StreamKind};
@@ -119,7 +120,7 @@ fn Minimap() -> impl IntoView {
     let keyed = stage.clone();
     let key = move |event: KeyboardEvent| {
         let size = keyed.size.get_untracked();
-        let (dx, dy) = match event.key().as_str() {
+        let (dx, dy) = match event.pressed().as_str() {
             "ArrowLeft" => (PART, 0.0),
             "ArrowRight" => (-PART, 0.0),
             "ArrowUp" => (0.0, PART),

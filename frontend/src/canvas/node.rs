@@ -93,7 +93,7 @@ pub(super) fn StreamNode(id: Id) -> impl IntoView {
             </span>
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
-            <ProblemBadge problem=problem />
+            <ProblemBadge problem=problem at=Selected::Stream(id.clone()) />
             <Differs differs=differs />
             <MarkBadge mark=mark />
             <OthersRing id=id.clone() />
@@ -254,11 +254,26 @@ fn is_left_over(desk: &Desk, id: &Id) -> bool {
 
 /// A sign on what has a problem, with the problem as its title; what has it says it too.
 #[component]
-pub(super) fn ProblemBadge(problem: ArcMemo<Option<(String, bool)>>) -> impl IntoView {
+pub(super) fn ProblemBadge(
+    problem: ArcMemo<Option<(String, bool)>>,
+    #[prop(optional, into)]
+    /// What a press on it tells about; the badge of a folded group tells about none.
+    at: Option<Selected>,
+) -> impl IntoView {
+    let stage = expect_context::<Stage>();
     move || {
+        let (stage, at, is_pressed) = (stage.clone(), at.clone(), at.is_some());
+        // A press is no press on the ground below, which would choose nothing.
+        let press = move |event: web_sys::MouseEvent| {
+            let Some(at) = &at else { return };
+            event.stop_propagation();
+            stage.asked_about.set(Some(at.id().clone()));
+            stage.desk.document.choose([at.clone()].into());
+        };
         problem.get().map(|(sentence, blocks)| {
             view! {
-                <span class="badge" class:blocks=blocks title=sentence aria-hidden="true">
+                <span class="badge" class:blocks=blocks class:pressed=is_pressed title=sentence aria-hidden="true"
+                    on:pointerdown=move |event| if is_pressed { event.stop_propagation() } on:click=press.clone()>
                     <Icon name="warn" />
                 </span>
             }

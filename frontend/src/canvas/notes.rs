@@ -98,12 +98,13 @@ fn NoteNode(id: Id) -> impl IntoView {
         let Some(signals) = desk.document.note_signals(&id) else { return ().into_any() };
         let seen = signals.record.get_untracked();
         let text = seen.text.clone();
+        let of = id.clone();
         let done = Callback::new(move |text: Option<String>| {
             stage.noting.set(None);
-            save(&desk, &id, &seen, text);
-            stage.focus(&id);
+            save(&desk, &of, &seen, text);
+            stage.focus(&of);
         });
-        view! { <div class="note written" style=("--person", color.get_untracked())><NoteField text done /></div> }
+        view! { <div class="note written" style=("--person", color.get_untracked())><NoteField text id=id.clone() done /></div> }
             .into_any()
     };
     view! {
@@ -120,7 +121,7 @@ fn NoteNode(id: Id) -> impl IntoView {
 fn save(desk: &Desk, id: &Id, seen: &behaviour::Note, text: Option<String>) {
     match text.as_deref().map(str::trim_end) {
         Some(text) if text == seen.text => {}
-        Some("") => desk.document.remove(&Selected::Note(id.clone())),
+        Some("") => desk.document.remove_note(id, seen.clone()),
         Some(text) => desk.document.edit_note(id, seen.clone(), text),
         None => {}
     }

@@ -4,7 +4,8 @@ use super::Stage;
 use super::bounds::bounds;
 use super::walk::Way;
 use crate::desk::Selected;
-use behaviour::{Graph, Id, Place};
+use crate::words;
+use behaviour::{Graph, Id, Kind, Place, RecordId};
 use leptos::prelude::*;
 use protocol::Role;
 
@@ -48,7 +49,9 @@ impl Stage {
         match what {
             Selected::Note(id) => {
                 let place = self.desk.document.note_signals(id).map(|signals| signals.place.get_untracked());
-                if let Some(at) = place.filter(|_| untrack(|| self.desk.may(Role::Editor))) {
+                let is_free =
+                    || !self.desk.document.says_busy(&RecordId::new(Kind::Note, id), words::note_of_somebody());
+                if let Some(at) = place.filter(|_| untrack(|| self.desk.may(Role::Editor)) && is_free()) {
                     self.noting.set(Some(Noting { id: Some(id.clone()), at }));
                 }
                 true

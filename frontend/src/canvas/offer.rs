@@ -6,6 +6,7 @@ use crate::browser;
 use crate::desk::{Choice, Desk, Dialog, Gap, Selected, Spot, use_desk};
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::layout::STREAM_HEIGHT;
 use crate::panels::{Finder, focus};
 use crate::steps::{Offer, Step, actions, after, everything, take};
@@ -198,7 +199,7 @@ fn key(event: &KeyboardEvent, stage: &Stage, input: &Id, finds: bool) {
     if escape::ends(event, forget) {
         return event.stop_propagation();
     }
-    match event.key().as_str() {
+    match event.pressed().as_str() {
         "ArrowDown" | "ArrowUp" | "Home" | "End" if finds => return,
         "ArrowDown" => step(event, |at, count| (at + 1) % count),
         "ArrowUp" => step(event, |at, count| (at + count - 1) % count),

@@ -4,9 +4,10 @@ use super::Stage;
 use super::bounds::bounds;
 use crate::desk::{Desk, use_desk};
 use crate::escape;
+use crate::keys::Pressed;
 use crate::layout::{BOX, stream_width, text_width};
 use crate::words;
-use behaviour::{Id, NAME_MAX_CHARS, Place, Stream};
+use behaviour::{Id, Kind, NAME_MAX_CHARS, Place, RecordId, Stream};
 use leptos::prelude::*;
 use protocol::Role;
 use wasm_bindgen::JsCast;
@@ -18,7 +19,13 @@ const ROOM: f64 = 60.0;
 impl Stage {
     /// Begins to rename a stream or group.
     pub(super) fn rename(&self, id: &Id) {
-        if untrack(|| self.desk.may(Role::Editor)) {
+        let document = &self.desk.document;
+        let (kind, what) = match (document.stream(id), document.group(id)) {
+            (Some(stream), _) => (Kind::Stream, stream.record.with_untracked(|stream| stream.name.clone())),
+            (None, Some(group)) => (Kind::Group, group.record.with_untracked(|group| group.title.clone())),
+            (None, None) => return,
+        };
+        if untrack(|| self.desk.may(Role::Editor)) && !document.says_busy(&RecordId::new(kind, id), &what) {
             self.renaming.set(Some(id.clone()));
         }
     }
@@ -41,11 +48,12 @@ fn renamed(desk: &Desk, id: &Id) -> Option<Renamed> {
         let at = ArcMemo::new(move |_| place.get());
         return Some(Renamed { name, width, at, save: Box::new(move |name| save(&saver, &of, &seen, name)) });
     }
-    let name = desk.document.group(id)?.record.with_untracked(|group| group.title.clone());
+    let seen = desk.document.group(id)?.record.get_untracked();
+    let name = seen.title.clone();
     let around = bounds(desk, id)?;
     let width = (text_width(&name, 15) + 2.0 * ROOM).min(BOX.0);
     let at = Place { x: around.left + width / 2.0, y: around.top - 6.0 };
-    let save = Box::new(move |name: &str| saver.document.retitle(&of, name));
+    let save = Box::new(move |name: &str| saver.document.retitle(&of, seen.clone(), name));
     Some(Renamed { name, width, at: ArcMemo::new(move |_| at), save })
 }
 
@@ -61,6 +69,11 @@ fn NameField(id: Id) -> impl IntoView {
     let desk = use_desk();
     let stage = expect_context::<Stage>();
     let Some(Renamed { name, width, at, save }) = renamed(&desk, &id) else { return ().into_any() };
+    let kind = if desk.document.stream(&id).is_some() { Kind::Stream } else { Kind::Group };
+    let session = desk.document.session(RecordId::new(kind, &id));
+    session.begin();
+    let (ended, types) = (session.clone(), session.clone());
+    on_cleanup(move || session.end());
     let field = NodeRef::<leptos::html::Input>::new();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
@@ -81,13 +94,14 @@ fn NameField(id: Id) -> impl IntoView {
         if let Some(name) = name {
             save(&name);
         }
+        ended.end();
         stage.focus(&id);
     });
     let (keys, leave) = (end.clone(), end);
     // What is typed is asked of the event: when the field goes, it is left once more, and nothing of it is here any more.
     let key = move |event: KeyboardEvent| {
         event.stop_propagation();
-        if event.key() == "Enter" && !event.is_composing() {
+        if event.pressed() == "Enter" {
             keys(typed(&event));
         }
         escape::ends(&event, || keys(None));
@@ -96,7 +110,7 @@ fn NameField(id: Id) -> impl IntoView {
         <input class="rename" type="text" node_ref=field maxlength=NAME_MAX_CHARS.to_string() aria-label=words::new_name(&name)
             prop:value=name style:width=format!("{width:.0}px")
             style:transform=move || { let at = at.get(); format!("translate({:.1}px,{:.1}px) translateX(-50%)", at.x, at.y) }
-            on:keydown=key on:blur=move |event| leave(typed(&event)) />
+            on:keydown=key on:input=move |_| types.typing() on:blur=move |event| leave(typed(&event)) />
     }
     .into_any()
 }

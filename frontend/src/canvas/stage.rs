@@ -9,6 +9,7 @@ use super::noting::Noting;
 use super::offer::Offering;
 use super::paper::{Paper, paper_memo};
 use super::room::{self, Side};
+use super::strip_spot::Area;
 use super::view::{Bounds, View};
 use super::wire::{Targets, Wire, targets_memo};
 use crate::browser;
@@ -71,6 +72,8 @@ pub(crate) struct Stage {
     pub(super) targets: ArcMemo<Option<Targets>>,
     /// What is offered where a wire was dropped, or on an edge.
     pub(super) offering: ArcRwSignal<Option<Offering>>,
+    /// What the badge was pressed of: its problem is told.
+    pub(super) asked_about: ArcRwSignal<Option<Id>>,
     /// The menu that is open.
     pub(super) context: ArcRwSignal<Option<Context>>,
     /// The stream and the edge that a pointer is over.
@@ -92,6 +95,8 @@ pub(crate) struct Stage {
     pub(super) pointer: ArcRwSignal<Option<Place>>,
     /// How much the sentences take at the top, once that is known, in pixels.
     pub(super) above: ArcRwSignal<Option<f64>>,
+    /// Where the strip of what is selected stands, while it is there.
+    pub(super) strip: ArcRwSignal<Option<Area>>,
     /// What was shown when the program was opened.
     pub(super) opened: ArcRwSignal<Option<View>>,
     /// What screen readers hear of a wire.
@@ -167,6 +172,7 @@ impl Stage {
             wire,
             offering: ArcRwSignal::default(),
             context: ArcRwSignal::default(),
+            asked_about: ArcRwSignal::default(),
             hovered: ArcRwSignal::default(),
             hovered_edge: ArcRwSignal::default(),
             focused: ArcRwSignal::default(),
@@ -174,6 +180,7 @@ impl Stage {
             lasso: ArcRwSignal::default(),
             pointer: ArcRwSignal::default(),
             above: ArcRwSignal::default(),
+            strip: ArcRwSignal::default(),
             opened: ArcRwSignal::default(),
             said: ArcRwSignal::default(),
             dragged,
@@ -429,6 +436,7 @@ impl Stage {
     fn measured(&self, size: (f64, f64)) {
         if size.0 > 0.0 && size.1 > 0.0 && self.size.get_untracked() != size {
             self.size.set(size);
+            self.desk.document.tell_stage(View::free(size));
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::flyout::Flyout;
 use super::menu::BoltMenu;
-use super::strip_spot::{Area, Around, EDGE, Own, covers_chip, strip_spot};
+use super::strip_spot::{Area, Around, EDGE, HEIGHT, Own, covers_chip, strip_spot};
 use super::view::{Bounds, View};
 use super::{Stage, pointers};
 use crate::desk::{Desk, LinkState, Saving, Selected, Spot, use_desk};
@@ -75,6 +75,7 @@ fn StreamStrip(id: Id) -> impl IntoView {
     };
     let fitting = ArcMemo::new(move |_| as_many_as_fit(offers.get(), shown_size.get().0 - 2.0 * EDGE, buttons));
     let others = others_memo(&stage, &desk, &id);
+    let told = stage.strip.clone();
     let fitted = {
         let (place, record) = (signals.place.clone(), signals.record.clone());
         ArcMemo::new(move |_| {
@@ -89,6 +90,7 @@ fn StreamStrip(id: Id) -> impl IntoView {
         let fitted = fitted.clone();
         ArcMemo::new(move |_| fitted.with(|(_, spot)| *spot))
     };
+    tell_where(told, fitted.clone(), buttons);
     let shown = ArcMemo::new(move |_| fitted.with(|(offers, _)| offers.clone()));
     let is_high = {
         let (spot, size) = (spot.clone(), tall.clone());
@@ -109,6 +111,21 @@ fn StreamStrip(id: Id) -> impl IntoView {
         </div>
     }
     .into_any()
+}
+
+/// Tells what else floats where the strip stands, as long as it does.
+fn tell_where(told: ArcRwSignal<Option<Area>>, fitted: ArcMemo<(Vec<Offer>, (f64, f64))>, buttons: f64) {
+    let is = told.clone();
+    Effect::new(move |_| {
+        let area = fitted.with(|(offers, (left, top))| Area {
+            left: *left,
+            top: *top,
+            right: left + strip_width(offers, buttons),
+            bottom: top + HEIGHT,
+        });
+        is.set(Some(area));
+    });
+    on_cleanup(move || told.set(None));
 }
 
 #[component]

@@ -5,7 +5,7 @@ pub(super) const HEIGHT: f64 = 56.0;
 pub(super) const EDGE: f64 = 8.0;
 const NEAR: f64 = 10.0;
 /// The zoom buttons with their margin, at the bottom right of the stage.
-const ZOOM_BOX: (f64, f64) = (290.0, 64.0);
+pub(super) const ZOOM_BOX: (f64, f64) = (290.0, 64.0);
 /// How bad a pixel of something covered is against a pixel of way; the own value is never covered if that can be.
 const COVERS: f64 = 0.5;
 const COVERS_OWN: f64 = 50.0;
@@ -22,7 +22,8 @@ pub(super) struct Area {
 }
 
 impl Area {
-    fn shared(&self, other: &Area) -> f64 {
+    /// How much of it another one covers.
+    pub(super) fn shared(&self, other: &Area) -> f64 {
         let width = self.right.min(other.right) - self.left.max(other.left);
         let height = self.bottom.min(other.bottom) - self.top.max(other.top);
         width.max(0.0) * height.max(0.0)

@@ -7,6 +7,7 @@ use super::hand::Point;
 use super::offer::Offering;
 use crate::desk::{Carried, Desk, Joining, Selected, WireEnd, use_desk, wire_ends};
 use crate::escape;
+use crate::keys::Pressed;
 use crate::layout::{CHIP_HEIGHT, STREAM_HEIGHT, chip_words};
 use crate::panels::focus;
 use crate::words;
@@ -159,7 +160,7 @@ impl Stage {
         if escape::ends(event, forget) {
             return true;
         }
-        match event.key().as_str() {
+        match event.pressed().as_str() {
             "ArrowDown" | "ArrowRight" => self.turn_wire(1),
             "ArrowUp" | "ArrowLeft" => self.turn_wire(wire.ends.len().saturating_sub(1)),
             "Enter" | " " => match wire.over {

@@ -1,6 +1,8 @@
 //! Smaller, real size, larger, everything, tidy.
 
 use super::Stage;
+use super::bounds::bounds;
+use super::view::Bounds;
 use crate::desk::{Desk, use_desk};
 use crate::icons::Icon;
 use crate::later::{SecondPiece, second_piece};
@@ -48,9 +50,15 @@ pub(super) fn Zoom() -> impl IntoView {
 }
 
 impl Stage {
-    /// As large as things are.
+    /// As large as things are, with what is selected in view, else with what is nearest to the middle.
     pub(super) fn to_real_size(&self) {
-        self.zoom_by(1.0 / self.view.with_untracked(|view| view.zoom));
+        let chosen = self.desk.document.selected.get_untracked();
+        let chosen = chosen.and_then(|selected| bounds(&self.desk, selected.id()));
+        let (view, size) = (self.view.get_untracked(), self.size.get_untracked());
+        self.glide(self.shapes.with_untracked(|shapes| {
+            let all: Vec<Bounds> = chosen.map_or_else(|| shapes.iter().map(|(_, at)| *at).collect(), |at| vec![at]);
+            view.real_size(&all, size, self.above())
+        }));
     }
 }
 

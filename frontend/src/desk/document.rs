@@ -27,6 +27,7 @@ mod reading;
 mod rewire;
 mod save_state;
 mod server;
+mod session;
 mod several;
 mod signals;
 mod signs;
@@ -37,7 +38,7 @@ mod versions;
 
 pub(super) use build::{as_seen, helper_gone, helper_put};
 pub(crate) use choosing::Put;
-pub(crate) use conflict::Conflict;
+pub(crate) use conflict::{Conflict, wording};
 pub(crate) use conflicts::draft_key;
 pub(crate) use editing::{Asking, Editing, Own, Reading, Writing};
 pub(super) use gestures::short;
@@ -49,6 +50,7 @@ pub(crate) use kinds::{
 pub(crate) use locks::Editor;
 pub(crate) use part::Part;
 pub(crate) use rewire::{Gap, Joining, WireEnd, wire_ends};
+pub(crate) use session::EditSession;
 pub(crate) use several::LineUp;
 pub(crate) use signs::{Sign, initials, signs};
 pub(crate) use steps::bare;
@@ -150,6 +152,8 @@ struct State {
     fallback: BTreeMap<Id, Place>,
     /// Lays out a behaviour in which nobody placed anything; comes later.
     tidy: Option<Tidy>,
+    /// The width and height in which all of it shall be seen.
+    stage: (f64, f64),
     queue: queue::Queue,
     saves: save_state::SaveState,
     silence: silence::Silence,

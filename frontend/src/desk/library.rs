@@ -17,6 +17,7 @@ use super::tab::{Gone, Tab};
 use behaviour::{Behaviour, Helper, Id};
 use leptos::prelude::*;
 use protocol::{Exercise, Summary};
+use std::collections::HashMap;
 use std::ops::Deref;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -53,6 +54,8 @@ struct State {
     /// The helpers as the server has them.
     records: Behaviour,
     revision: u64,
+    /// Who last changed a helper since the page was opened, by its id.
+    changed_by: HashMap<Id, String>,
     /// The program that is to be made, until the server has answered.
     making: Option<making::Making>,
     wanted_pictures: pictures::WantedPictures,

@@ -6,8 +6,11 @@ mod order;
 mod recordings;
 mod runs;
 mod starting;
+mod theirs;
 mod unused;
 mod values;
+
+pub(crate) use theirs::Unused;
 
 use super::document::Document;
 use super::library::Library;
@@ -67,6 +70,7 @@ struct State {
     /// The version of the open behaviour that runs, if it runs, and what it has of what was changed since.
     version: Option<unused::Version>,
     before: unused::Before,
+    authors: theirs::Authors,
 }
 
 impl Deref for Robots {

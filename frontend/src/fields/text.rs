@@ -1,5 +1,6 @@
 //! One line of text, and a number with its unit.
 
+use crate::keys::Pressed;
 use leptos::prelude::*;
 use std::sync::atomic::{AtomicU32, Ordering};
 use wasm_bindgen::JsCast;
@@ -79,7 +80,7 @@ pub(crate) fn NumberField(
     step: f64,
 ) -> impl IntoView {
     let by_arrows = move |event: web_sys::KeyboardEvent| {
-        let steps = match event.key().as_str() {
+        let steps = match event.pressed().as_str() {
             "ArrowUp" => 1.0,
             "ArrowDown" => -1.0,
             _ => return,

@@ -77,7 +77,7 @@ fn parts(value: &Value, unit: &dyn Fn(&str) -> &'static str) -> Vec<String> {
 /// A field of an object: two decimals are enough.
 fn short_field(value: &Value) -> String {
     match value {
-        Value::Float(number) if number.abs() < 10.0 => trim_zeros(&format!("{number:.2}")).replace('-', "−"),
+        Value::Float(number) if number.abs() < 10.0 => signed(trim_zeros(&format!("{number:.2}"))),
         other => short_value(other),
     }
 }
@@ -101,7 +101,12 @@ fn short_number(number: f64) -> String {
         6.. | ..=-5 => format!("{number:.2e}"),
         _ => format!("{number:.*}", usize::try_from(2 - digits).unwrap_or(0).min(4)),
     };
-    trim_zeros(&text).replace('-', "−")
+    signed(trim_zeros(&text))
+}
+
+/// With a real minus sign, and none before a nothing: what is rounded to it is neither above nor below.
+fn signed(text: &str) -> String {
+    if text == "-0" { "0".to_owned() } else { text.replace('-', "−") }
 }
 
 fn trim_zeros(text: &str) -> &str {

@@ -2,6 +2,7 @@
 
 use super::hold::hold;
 use super::may::may_operate;
+use crate::keys::Pressed;
 use crate::words;
 use behaviour::{Id, StreamKind, Value};
 use leptos::prelude::*;
@@ -58,7 +59,7 @@ fn number_of(event: &KeyboardEvent) -> Option<usize> {
     let writes = target.is_some_and(|target| target.closest(field).is_ok_and(|field| field.is_some()));
     let plain =
         !(event.ctrl_key() || event.alt_key() || event.meta_key() || event.repeat() || event.default_prevented());
-    let which = event.key().parse::<usize>().ok()?;
+    let which = event.pressed().parse::<usize>().ok()?;
     (plain && !writes && (1..=KEYS).contains(&which)).then_some(which)
 }
 

@@ -9,6 +9,10 @@ use leptos::prelude::*;
 pub(crate) fn Lights() -> impl IntoView {
     let desk = hold();
     let lights = Memo::new(move |_| {
+        // Who is not heard may have fallen over since.
+        if desk.desk().unheard.read().is_some() {
+            return Vec::new();
+        }
         let chosen = desk.desk().robots.chosen.read();
         chosen.as_ref().map(|robot| words::condition(&robot.condition)).unwrap_or_default()
     });

@@ -2,6 +2,7 @@
 
 use super::focus;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::steps::{Offer, Step};
 use crate::words;
 use leptos::prelude::*;
@@ -17,7 +18,7 @@ pub(crate) fn Finder(offers: Vec<Offer>, choose: Callback<Step>) -> impl IntoVie
         offers.with_value(|offers| offers.iter().filter(|offer| has(offer, &wanted)).cloned().collect::<Vec<_>>())
     };
     let key = move |event: KeyboardEvent| {
-        if event.key() == "Enter" && !event.is_composing() {
+        if event.pressed() == "Enter" {
             event.prevent_default();
             if let Some(first) = untrack(found).into_iter().next() {
                 choose.run(first.step);

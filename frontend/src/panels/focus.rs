@@ -1,6 +1,7 @@
 //! Where the keyboard is: walking through a group with arrow keys, and what can be focused in a dialog.
 
 use crate::desk::{Desk, Selected};
+use crate::keys::Pressed;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Document, Element, HtmlElement, HtmlInputElement, KeyboardEvent};
@@ -103,7 +104,7 @@ pub(crate) fn walk(event: &KeyboardEvent, forward: &str, back: &str) {
     let Some(now) = active() else { return };
     let Some(at) = stops.iter().position(|stop| *stop == now) else { return };
     let typing = now.tag_name() == "INPUT";
-    let key = event.key();
+    let key = event.pressed();
     let next = match key.as_str() {
         key if key == forward => (at + 1) % stops.len(),
         key if key == back => (at + stops.len() - 1) % stops.len(),

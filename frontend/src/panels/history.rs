@@ -12,6 +12,7 @@ use crate::browser;
 use crate::desk::{LinkState, Version};
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::layout::done;
 use crate::words;
 use behaviour::Id;
@@ -150,7 +151,8 @@ fn key(event: &KeyboardEvent, desk: Hold, names: RwSignal<Option<u64>>) {
     let target = event.target().and_then(|target| target.dyn_into::<web_sys::Element>().ok());
     let types = target.is_some_and(|target| matches!(target.tag_name().as_str(), "INPUT" | "SELECT"));
     let with_others = event.ctrl_key() || event.meta_key() || event.alt_key();
-    let is_naming = matches!(event.key().as_str(), "n" | "N") && !types && !with_others && untrack(|| may_change(desk));
+    let is_naming =
+        matches!(event.pressed().as_str(), "n" | "N") && !types && !with_others && untrack(|| may_change(desk));
     if is_naming {
         names.set(Some(meant(desk)));
         event.prevent_default();

@@ -3,6 +3,7 @@
 use super::focus;
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlElement, KeyboardEvent, Node};
@@ -147,7 +148,7 @@ fn menu_keys(
     root: NodeRef<leptos::html::Div>,
     button: NodeRef<leptos::html::Button>,
 ) {
-    let key = event.key();
+    let key = event.pressed();
     if !open.get_untracked() {
         if key == "ArrowDown" {
             event.prevent_default();

@@ -1,10 +1,11 @@
 //! The text of a note, and the field in which it is written.
 
 use crate::browser;
-use crate::desk::Desk;
+use crate::desk::{Desk, EditSession, use_desk};
 use crate::escape;
+use crate::keys::Pressed;
 use crate::words;
-use behaviour::Note;
+use behaviour::{Id, Kind, Note, RecordId};
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{HtmlTextAreaElement, KeyboardEvent};
@@ -17,7 +18,16 @@ const LINES_MIN: usize = 2;
 /// The field for the text of a note: Enter begins a line, Control and Enter or leaving saves, Escape takes back. `done` is
 /// told once, with the text or nothing.
 #[component]
-pub(crate) fn NoteField(text: String, done: Callback<Option<String>>) -> impl IntoView {
+pub(crate) fn NoteField(
+    text: String,
+    /// The note that is written in; none for a new one.
+    #[prop(optional)]
+    id: Option<Id>,
+    done: Callback<Option<String>>,
+) -> impl IntoView {
+    let desk = use_desk();
+    let session = id.map(|id| desk.document.session(RecordId::new(Kind::Note, &id)));
+    session.iter().for_each(EditSession::begin);
     let field = NodeRef::<leptos::html::Textarea>::new();
     Effect::new(move |_| {
         if let Some(field) = field.get() {
@@ -30,26 +40,41 @@ pub(crate) fn NoteField(text: String, done: Callback<Option<String>>) -> impl In
         }
     });
     let is_done = StoredValue::new(false);
+    let (own, here) = (session.clone(), session);
     // Leaving follows saving and taking back: only the first of them counts.
     let end = move |text: Option<String>| {
         if is_done.try_get_value() == Some(false) {
             is_done.set_value(true);
-            done.run(text);
+            done.try_run(text);
+            own.iter().for_each(EditSession::end);
         }
     };
+    let (last, was) = (StoredValue::new(text.clone()), text.clone());
+    let late = end.clone();
+    on_cleanup(move || {
+        // Somebody removed the note under who writes in it: what is written is kept.
+        let is_here = here.as_ref().is_none_or(EditSession::is_here);
+        late(last.try_get_value().filter(|text| is_here && *text != was));
+    });
+    let (keyed, left) = (end.clone(), end);
     let key = move |event: KeyboardEvent| {
         let control = event.ctrl_key() || event.meta_key();
-        if event.key() == "Enter" && control && !event.is_composing() {
-            end(typed(&event));
+        if event.pressed() == "Enter" && control {
+            keyed(typed(&event));
         }
-        escape::ends(&event, || end(None));
+        escape::ends(&event, || keyed(None));
     };
     let lines = RwSignal::new(lines_of(&text));
-    let grow = move |event: web_sys::Event| lines.set(typed(&event).as_deref().map_or(LINES_MIN, lines_of));
+    let grow = move |event: web_sys::Event| {
+        let text = typed(&event).unwrap_or_default();
+        lines.set(lines_of(&text));
+        last.set_value(text);
+        desk.document.typing();
+    };
     view! {
         <textarea class="note-field" node_ref=field maxlength=TEXT_MAX_CHARS.to_string() aria-label=words::note_text()
             title=words::note_keys() placeholder=words::note_text() rows=move || lines.get().to_string() prop:value=text on:keydown=key on:input=grow
-            on:blur=move |event| end(typed(&event))></textarea>
+            on:blur=move |event| left(typed(&event))></textarea>
     }
 }
 

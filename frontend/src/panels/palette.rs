@@ -8,6 +8,7 @@ use super::typed::Typing;
 use crate::desk::{Carried, ConnectPlan, Desk, Dialog, Item, Output, Selected, Spot};
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::later::Later;
 use crate::words;
 use behaviour::{Id, Params, Procedure, StreamKind, connectors};
@@ -29,8 +30,11 @@ pub(crate) fn Palette() -> impl IntoView {
     let search = typing.text;
     let may_be_sentence = Memo::new(move |_| is_longer(&search.read()));
     let key = move |event: web_sys::KeyboardEvent| {
-        if event.key() == "Enter" && !event.is_composing() {
-            typing.entered.update(|entered| *entered += 1);
+        if event.pressed() == "Enter" {
+            match untrack(|| goes_to(desk, typing)) {
+                Some(id) => desk.desk().document.choose([Selected::Stream(id)].into()),
+                None => typing.entered.update(|entered| *entered += 1),
+            }
         }
         let clear = || {
             let is_typed = !search.read_untracked().is_empty();
@@ -59,7 +63,7 @@ pub(crate) fn Palette() -> impl IntoView {
                     type="search"
                     data-stop=""
                     tabindex="0"
-                    placeholder=words::find_or_add()
+                    placeholder=words::name_or_sentence()
                     aria-label=words::palette_name()
                     prop:value=move || search.get()
                     on:input:target=move |event| search.set(event.target().value())
@@ -73,11 +77,11 @@ pub(crate) fn Palette() -> impl IntoView {
             </div>
             <MayNot />
             <div class="list" on:touchmove=move |event| keep_list(desk, &event)>
+                <Here typing />
                 <AlsoFound typing />
                 <Senses typing />
                 <Helpers typing />
                 <Actions typing />
-                <Here typing />
             </div>
         </nav>
     }
@@ -224,7 +228,9 @@ pub(super) fn Here(typing: Typing) -> impl IntoView {
         }
         let signals = |id: Id| Some((desk.desk().document.stream(&id)?.record.get(), id));
         let streams = desk.desk().document.stream_ids.get().into_iter().filter_map(signals);
-        let rows: Vec<_> = streams.filter(|(stream, _)| is_found(typing, &[&stream.name])).take(HERE_MAX).collect();
+        let mut rows: Vec<_> = streams.filter(|(stream, _)| is_found(typing, &[&stream.name])).collect();
+        rows.sort_by_key(|(stream, _)| nearness(&typing.text.read(), &stream.name));
+        rows.truncate(HERE_MAX);
         let none = rows.is_empty();
         if none && typing.open.get() {
             return None;
@@ -246,6 +252,30 @@ pub(super) fn Here(typing: Typing) -> impl IntoView {
         })
     };
     view! { {found} }
+}
+
+/// How near a name is to what is typed: the name itself first, then those that begin so.
+fn nearness(typed: &str, name: &str) -> u8 {
+    let (typed, name) = (typed.trim().to_lowercase(), name.to_lowercase());
+    match () {
+        () if name == typed => 0,
+        () if name.starts_with(&typed) => 1,
+        () => 2,
+    }
+}
+
+/// The stream that Enter goes to: the one that is called so, else the first that is found, unless a sentence is typed. Reactive.
+fn goes_to(desk: Hold, typing: Typing) -> Option<Id> {
+    let typed = typing.text.read();
+    if typed.trim().is_empty() {
+        return None;
+    }
+    let document = &desk.desk().document;
+    let named = |id: Id| Some((document.stream(&id)?.record.with(|stream| stream.name.clone()), id));
+    let streams = document.stream_ids.get().into_iter().filter_map(named);
+    let found = streams.filter(|(name, _)| is_found(typing, &[name]));
+    let (near, id) = found.map(|(name, id)| (nearness(&typed, &name), id)).min_by_key(|(near, _)| *near)?;
+    (near == 0 || !typing.open.get()).then_some(id)
 }
 
 /// How many connectors of the open program use a helper. Reactive.
@@ -322,7 +352,14 @@ pub(crate) fn lead_to_action(desk: &Desk, input: Id, device: &'static Device) {
 
 #[cfg(test)]
 mod tests {
-    use super::{is_named_in, matches};
+    use super::{is_named_in, matches, nearness};
+
+    #[test]
+    fn the_exact_name_is_nearest() {
+        let mut names = ["Far ball", "Ball color", "ball", "Red ball"];
+        names.sort_by_key(|name| nearness(" Ball", name));
+        assert_eq!(names[..2], ["ball", "Ball color"]);
+    }
 
     #[test]
     fn a_sentence_finds_what_it_names() {

@@ -21,9 +21,11 @@ pub(crate) fn RightColumn() -> impl IntoView {
         <aside class="right" aria-label=words::right_name()>
             <RobotBox />
             <div class="right-rest" class:beside-history=move || history.get()>
-                <ExercisePlace />
-                <Room />
-                <Inspector />
+                <div class="around">
+                    <ExercisePlace />
+                    <Room />
+                </div>
+                <div class="about"><Inspector /></div>
             </div>
             {move || history.get().then(|| view! { <Later show=|rest| (rest.history)() /> })}
         </aside>

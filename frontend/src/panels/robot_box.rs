@@ -6,8 +6,10 @@ use super::hold::{Hold, hold};
 use super::recordings::{RecordRow, Recordings};
 use super::robots::RobotPicker;
 use super::running::Running;
+use super::to_stop::tab_to_stop;
 use crate::desk::{Dialog, LinkState};
 use crate::icons::Icon;
+use crate::later::Later;
 use crate::words;
 use behaviour::{Id, StreamKind};
 use leptos::prelude::*;
@@ -113,9 +115,12 @@ fn Start() -> impl IntoView {
         Some(run) if untrack(|| desk.desk().robots.runs_older(&run)) => desk.desk().robots.apply(),
         Some(_) => {}
     };
+    let button = NodeRef::new();
+    tab_to_stop(button);
     view! {
         <button
             class="start"
+            node_ref=button
             type="button"
             aria-pressed=move || (runs.get() && !unheard.get()).to_string()
             aria-describedby="robot-line"
@@ -183,8 +188,7 @@ fn Line() -> impl IntoView {
             {move || if heard.get() { text() } else { may_move() }}
             {move || revoked.get().map(revoked_starter)}
             <Show when=can_apply>
-                " · "
-                <button class="link" type="button" on:click=move |_| desk.desk().robots.apply()>{words::apply()}</button>
+                <Later show=|rest| (rest.apply)() />
             </Show>
         </p>
     }

@@ -32,7 +32,7 @@ pub(crate) fn Room() -> impl IntoView {
     let hint =
         move || if desk.desk().robots.is_simulated() { words::room_hint() } else { words::room_of_real() }.to_owned();
     view! {
-        <section class="room" aria-label=words::room()>
+        <section class="room" class:unheard=move || desk.desk().unheard.read().is_some() aria-label=words::room()>
             <p class="room-title">
                 <span>{move || desk.desk().unheard.get().map_or_else(hint, words::room_as_it_was)}</span>
                 <span class="legend">

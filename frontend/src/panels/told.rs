@@ -37,6 +37,25 @@ const FOLDED: &str = "rrp.sentences.folded";
 /// How high the bar is tells the rest of the page by this name.
 const HEIGHT: &str = "--told";
 
+/// How many fields of the bar are open. Until none is, the sentences stay as they are: what somebody else does moves no
+/// field away from who types in it.
+#[derive(Clone, Copy)]
+struct Typing(RwSignal<u32>);
+
+impl Typing {
+    fn begins(self) {
+        self.0.update(|open| *open += 1);
+    }
+
+    fn ends(self) {
+        self.0.try_update(|open| *open = open.saturating_sub(1));
+    }
+
+    fn is_now(self) -> bool {
+        self.0.try_get_untracked().is_some_and(|open| open > 0)
+    }
+}
+
 /// The sentences, as a view.
 pub(crate) fn told() -> AnyView {
     view! { <Told /> }.into_any()
@@ -47,7 +66,9 @@ pub(crate) fn told() -> AnyView {
 fn Told() -> impl IntoView {
     let desk = hold();
     let language = language();
-    let told = told_signal(desk, language);
+    let typing = Typing(RwSignal::new(0));
+    provide_context(typing);
+    let told = told_signal(desk, language, typing);
     let folded = RwSignal::new(Keep::Browser.get(FOLDED).is_some());
     let whole = RwSignal::new(false);
     let printing = Memo::new(move |_| desk.desk().printing.get());
@@ -171,10 +192,16 @@ fn Summary(desk: Hold, shown: Memo<Which>, whole: RwSignal<bool>) -> impl IntoVi
 }
 
 /// What is told, made again soon after each change of the program or of a helper.
-fn told_signal(desk: Hold, language: Language) -> RwSignal<Vec<Sentence>> {
+fn told_signal(desk: Hold, language: Language, typing: Typing) -> RwSignal<Vec<Sentence>> {
     let told = RwSignal::new(Vec::new());
+    let of = StoredValue::new(None::<Id>);
     let make = move || {
         let Some(desk) = desk.if_there() else { return };
+        let open = desk.document.open.get_untracked();
+        if typing.is_now() && of.try_get_value().flatten() == open {
+            return;
+        }
+        of.try_set_value(open);
         let behaviour = desk.document.behaviour();
         let made = desk.library.helpers.with_untracked(|helpers| {
             let helpers: Vec<&Helper> = helpers.iter().map(|(_, helper)| helper).collect();
@@ -194,6 +221,7 @@ fn told_signal(desk: Hold, language: Language) -> RwSignal<Vec<Sentence>> {
         desk.document.open.track();
         desk.library.helpers.track();
         desk.document.types.track();
+        typing.0.track();
         shown.with_value(|soon| soon.within(SOON_MS));
     });
     ask_types(desk);

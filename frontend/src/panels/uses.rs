@@ -1,7 +1,7 @@
 //! While a program runs: whether the robot uses something as it is here, and if not, the way to change that.
 
+use super::apply::Apply;
 use super::hold::hold;
-use super::may::may_operate;
 use crate::words;
 use behaviour::Id;
 use leptos::prelude::*;
@@ -16,21 +16,18 @@ pub(crate) fn Uses(
     let desk = hold();
     let runs = Memo::new(move |_| desk.desk().robots.running().is_some());
     let unused = Memo::new(move |_| desk.desk().robots.unused.read().contains(&id));
-    let apply = move |_| desk.desk().robots.apply();
     let still =
         move || instead().map_or_else(|| words::runs_before().to_owned(), |instead| words::robot_still_uses(&instead));
-    move || {
-        match (runs.get(), unused.get()) {
+    move || match (runs.get(), unused.get()) {
         (false, _) => ().into_any(),
         (true, false) => view! { <p class="faint">{words::robot_runs_this()}</p> }.into_any(),
         (true, true) => view! {
             <p class="second unused-line">
                 <span class="unused" aria-hidden="true"></span>
                 <span>{still}</span>
-                <button class="link" type="button" disabled=move || !may_operate(desk) on:click=apply>{words::apply()}</button>
+                <Apply />
             </p>
         }
         .into_any(),
-    }
     }
 }

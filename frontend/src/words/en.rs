@@ -97,6 +97,7 @@ sentences! {
     // The left list
     palette_name: "Find or add";
     find_or_add: "Find or add…";
+    name_or_sentence: "Name or sentence…";
     senses: "Senses";
     helpers: "Helpers";
     actions: "Actions";
@@ -466,11 +467,6 @@ pub(crate) fn two_ways(typed: &str) -> Option<String> {
     let Some(behaviour::TypedNumber::Either(one, other)) = behaviour::typed_number(typed) else { return None };
     let (text, one, other) = (typed.trim(), &*one.to_string(), &*other.to_string());
     Some(say!("“{text}” may be {one} or {other}. Type the one that is meant.", text, one, other))
-}
-
-/// A number that somebody else changed while a field was open for it.
-pub(crate) fn changed_meanwhile(now: &str) -> String {
-    say!("Somebody changed this number meanwhile: it is {now} now. Yours was not saved.", now)
 }
 
 /// What a sense or an action is called.

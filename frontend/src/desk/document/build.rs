@@ -103,11 +103,12 @@ pub(super) fn connected_twice(
 pub(super) fn connector_edited(
     behaviour: &Behaviour,
     change: Change,
-    id: &Id,
+    (id, seen): (&Id, &Connector),
     (operation, inputs): (Operation, Vec<Id>),
     output_name: Option<&str>,
 ) -> Change {
-    let Some(connector) = behaviour.connector(id) else { return change };
+    // One that is gone is put as its author saw it: the server says that it is gone, and nothing is lost.
+    let connector = behaviour.connector(id).unwrap_or(seen);
     let edited = Connector { operation, inputs, ..connector.clone() };
     let change = change.put(behaviour, key(Kind::Connector, id), Record::Connector(edited));
     match (output_name, behaviour.stream(&connector.output)) {
@@ -180,8 +181,13 @@ pub(in crate::desk) fn helper_put(library: &Behaviour, change: Change, id: &Id, 
 
 /// The change of a record that its author saw as `seen`: if it is not that any more, the server refuses, and nothing that
 /// somebody else saved meanwhile is lost.
-pub(in crate::desk) fn as_seen(mut change: Change, kind: Kind, id: &Id, seen: Record) -> Change {
-    if let Some(edit) = change.edits.iter_mut().find(|edit| edit.id == key(kind, id)) {
+pub(in crate::desk) fn as_seen(change: Change, kind: Kind, id: &Id, seen: Record) -> Change {
+    as_seen_at(change, &key(kind, id), seen)
+}
+
+/// The same, of a record by its key.
+pub(in crate::desk) fn as_seen_at(mut change: Change, id: &RecordId, seen: Record) -> Change {
+    if let Some(edit) = change.edits.iter_mut().find(|edit| edit.id == *id) {
         edit.before = Some(seen);
     }
     change

@@ -78,7 +78,8 @@ fn renaming_a_stream_rewrites_the_bodies_that_use_it() {
 fn what_a_text_says_stays_when_the_stream_of_its_name_is_renamed() {
     let mut made = track();
     let said = connectors::filter::SPEC.with(Procedure::body("`the red ball is at ${redBall.x}` == \"redBall\""));
-    made.apply(&connector_edited(&made, start("4"), &id("filter"), (said, vec![id("ball")]), None));
+    let seen = made.connector(&id("filter")).unwrap().clone();
+    made.apply(&connector_edited(&made, start("4"), (&id("filter"), &seen), (said, vec![id("ball")]), None));
     let renamed = Stream { name: "Kite".into(), ..made.stream(&id("ball")).unwrap().clone() };
     made.apply(&stream_edited(&made, start("5"), &id("ball"), renamed));
     let now = Procedure::body("`the red ball is at ${kite.x}` == \"redBall\"");
@@ -89,7 +90,9 @@ fn what_a_text_says_stays_when_the_stream_of_its_name_is_renamed() {
 fn editing_a_connector_may_rename_its_output_in_the_same_change() {
     let made = track();
     let filter = connectors::filter::SPEC.with(Procedure::body("redBall.size > 0.2"));
-    let change = connector_edited(&made, start("4"), &id("filter"), (filter, vec![id("ball")]), Some("Very close"));
+    let seen = made.connector(&id("filter")).unwrap();
+    let of = (&id("filter"), seen);
+    let change = connector_edited(&made, start("4"), of, (filter, vec![id("ball")]), Some("Very close"));
     assert_eq!(change.edits.len(), 2);
 }
 

@@ -2,7 +2,11 @@
 //! theirs. Pure, with the behaviour handed in.
 
 use super::build;
-use behaviour::{Accepted, Behaviour, Change, Connector, Edit, Filled, Id, Kind, Record, RecordId, Refusal, Stream};
+use crate::naming;
+use behaviour::{
+    Accepted, Behaviour, Change, Connector, Edit, Filled, Group, Id, Kind, Params, Procedure, Record, RecordId,
+    Refusal, Settings, Stream,
+};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -41,15 +45,31 @@ fn yes() -> bool {
     true
 }
 
-/// Whether a refused change is shown beside what others saved: one that makes or edits streams or connectors, and comes
-/// too late. Moves and removals are small enough to be made anew.
+/// Whether a refused change is shown beside what others saved: one that makes or edits streams or connectors, or that words
+/// something anew, and comes too late. Moves and removals are small enough to be made anew.
 pub(super) fn is_shown_beside(change: &Change, no: &Refusal) -> bool {
     let is_late = matches!(no, Refusal::Stale(_) | Refusal::MissingStream);
-    is_late && change.undoes.is_none() && change.edits.iter().any(|edit| is_part(&edit.id) && edit.after.is_some())
+    is_late && change.undoes.is_none() && change.edits.iter().any(|edit| is_about(edit) && edit.after.is_some())
 }
 
 fn is_part(id: &RecordId) -> bool {
     matches!(id.kind, Kind::Stream | Kind::Connector)
+}
+
+/// Whether a change with this edit can be what somebody typed: of a part, or of a text of its own.
+fn is_about(edit: &Edit) -> bool {
+    is_part(&edit.id)
+        || matches!((edit.before.as_ref().map(wording), edit.after.as_ref().map(wording)), (Some(Some(seen)), Some(Some(mine))) if seen != mine)
+}
+
+/// What people wrote in a record that is no part of the graph.
+pub(crate) fn wording(record: &Record) -> Option<&str> {
+    match record {
+        Record::Note(note) => Some(&note.text),
+        Record::Group(group) => Some(&group.title),
+        Record::Settings(settings) => Some(&settings.name),
+        _ => None,
+    }
 }
 
 /// Of what others saved, the changes since the author of a refused one looked: from the one on that changed what the
@@ -86,7 +106,7 @@ fn touched(change: &Change) -> impl Iterator<Item = &RecordId> {
 
 /// What a change is about or rests on: what it edits, and the ends of its connectors.
 fn needed(change: &Change) -> BTreeSet<RecordId> {
-    let edited = touched(change).filter(|id| is_part(id)).cloned();
+    let edited = change.edits.iter().filter(|edit| is_about(edit)).map(|edit| edit.id.clone());
     edited.chain(change.edits.iter().filter_map(|edit| edit.after.as_ref()).flat_map(ends)).filled()
 }
 
@@ -154,7 +174,7 @@ impl Conflict {
         theirs: Vec<Accepted>,
         now: &Behaviour,
     ) -> Option<Self> {
-        let parts = || mine.edits.iter().filter(|edit| is_part(&edit.id));
+        let parts = || mine.edits.iter().filter(|edit| is_about(edit));
         let late = parts().find(|edit| now.records.get(&edit.id) != edit.before.as_ref());
         let about = late.or_else(|| parts().next())?.id.clone();
         Some(Self { behaviour, about, mine, made_ms, offline, theirs, retry: None, again: false, shown: false })
@@ -172,7 +192,7 @@ impl Conflict {
 
     /// Whether another change touches something of this one.
     pub(super) fn meets(&self, change: &Change) -> bool {
-        let mine: BTreeSet<_> = touched(&self.mine).filter(|id| is_part(id)).filled();
+        let mine: BTreeSet<_> = self.mine.edits.iter().filter(|edit| is_about(edit)).map(|edit| &edit.id).filled();
         touched(change).any(|id| mine.contains(id))
     }
 
@@ -251,14 +271,65 @@ impl Conflict {
                 // What only follows a new name follows it anew, in the text that is there now.
                 (Some(Record::Connector(_)), Some(Record::Connector(_))) if renames => {}
                 (Some(Record::Connector(seen)), Some(Record::Connector(mine))) => {
+                    let [seen, mine] = [seen, mine].map(|of| self.with_new_names(&whole, of));
                     if let Some(Record::Connector(theirs)) = whole.records.get_mut(&edit.id) {
-                        *theirs = merged_connector(seen, mine, theirs);
+                        *theirs = merged_connector(&seen, &mine, theirs);
+                    }
+                }
+                (Some(Record::Group(seen)), Some(Record::Group(mine))) => {
+                    if let Some(Record::Group(theirs)) = whole.records.get_mut(&edit.id) {
+                        *theirs = merged_group(seen, mine, theirs);
+                    }
+                }
+                (Some(Record::Settings(seen)), Some(Record::Settings(mine))) => {
+                    if let Some(Record::Settings(theirs)) = whole.records.get_mut(&edit.id) {
+                        *theirs = merged_settings(seen, mine, theirs);
                     }
                 }
                 (_, after) => put(&mut whole, &edit.id, after.clone()),
             }
         }
+        self.name_anew(now, &mut whole);
         between(now, &whole, start)
+    }
+
+    /// A connector whose body names its inputs as they are called by now, after others renamed them.
+    fn with_new_names(&self, now: &Behaviour, connector: &Connector) -> Connector {
+        let mut was = now.clone();
+        for edit in self.theirs.iter().rev().flat_map(|accepted| &accepted.change.edits) {
+            if let (Some(before @ Record::Stream(_)), Some(_)) = (&edit.before, &edit.after) {
+                put(&mut was, &edit.id, Some(before.clone()));
+            }
+        }
+        let (old, new) = (was.arguments(connector), now.arguments(connector));
+        let mut connector = connector.clone();
+        if let Some(Procedure::Body { body, args: None }) = connector.operation.procedure_mut() {
+            *body = behaviour::rename_identifiers(body, &old, &new);
+        }
+        connector
+    }
+
+    /// The streams that nobody named follow their connectors, which may be others now than either of both saw.
+    fn name_anew(&self, now: &Behaviour, whole: &mut Behaviour) {
+        for edit in &self.mine.edits {
+            let (Some(Record::Connector(seen)), Some(Record::Connector(mine))) = (&edit.before, &edit.after) else {
+                continue;
+            };
+            let (Some(theirs), Some(merged)) = (now.connector(&edit.id.id), whole.connector(&edit.id.id).cloned())
+            else {
+                continue;
+            };
+            let Some(stream) = whole.stream(&merged.output).cloned() else { continue };
+            // Whichever of the three its name was made from.
+            let followed =
+                [mine, theirs, seen].into_iter().find_map(|of| naming::followed(whole, &stream.name, of, &merged));
+            if let Some(name) = followed {
+                let name = build::free_name(whole, &name);
+                let step = Change::of(self.mine.op.clone(), "", "");
+                let step = build::stream_edited(whole, step, &merged.output, Stream { name, ..stream });
+                whole.apply(&step);
+            }
+        }
     }
 
     fn put_stream(&self, whole: &mut Behaviour, id: &RecordId, (seen, mine): (&Stream, &Stream)) {
@@ -274,6 +345,22 @@ fn pick<T: PartialEq + Clone>(seen: &T, mine: &T, theirs: &T) -> T {
     if seen == mine { theirs.clone() } else { mine.clone() }
 }
 
+fn merged_group(seen: &Group, mine: &Group, theirs: &Group) -> Group {
+    Group {
+        title: pick(&seen.title, &mine.title, &theirs.title),
+        streams: pick(&seen.streams, &mine.streams, &theirs.streams),
+        folded: pick(&seen.folded, &mine.folded, &theirs.folded),
+    }
+}
+
+fn merged_settings(seen: &Settings, mine: &Settings, theirs: &Settings) -> Settings {
+    Settings {
+        name: pick(&seen.name, &mine.name, &theirs.name),
+        tags: pick(&seen.tags, &mine.tags, &theirs.tags),
+        ..theirs.clone()
+    }
+}
+
 fn merged_connector(seen: &Connector, mine: &Connector, theirs: &Connector) -> Connector {
     Connector {
         operation: pick(&seen.operation, &mine.operation, &theirs.operation),
@@ -283,9 +370,20 @@ fn merged_connector(seen: &Connector, mine: &Connector, theirs: &Connector) -> C
     }
 }
 
+/// Mine beside what somebody else changed meanwhile; none if both changed the same of it.
+pub(super) fn beside(seen: &Stream, mine: &Stream, theirs: &Stream) -> Option<Stream> {
+    let merged = merged_stream(seen, mine, theirs);
+    // Whoever is the first of both: nobody gave way.
+    (merged == merged_stream(seen, theirs, mine)).then_some(merged)
+}
+
 fn merged_stream(seen: &Stream, mine: &Stream, theirs: &Stream) -> Stream {
-    let device = |stream: &Stream| (stream.device.clone(), stream.params.clone());
-    let (device, params) = pick(&device(seen), &device(mine), &device(theirs));
+    let (device, params) = if seen.device == mine.device && seen.device == theirs.device {
+        (seen.device.clone(), merged_params(&seen.params, &mine.params, &theirs.params))
+    } else {
+        let device = |stream: &Stream| (stream.device.clone(), stream.params.clone());
+        pick(&device(seen), &device(mine), &device(theirs))
+    };
     Stream {
         kind: theirs.kind,
         name: pick(&seen.name, &mine.name, &theirs.name),
@@ -296,6 +394,16 @@ fn merged_stream(seen: &Stream, mine: &Stream, theirs: &Stream) -> Stream {
         priority: pick(&seen.priority, &mine.priority, &theirs.priority),
         hold_ms: pick(&seen.hold_ms, &mine.hold_ms, &theirs.hold_ms),
     }
+}
+
+/// Of each setting mine where it was changed, else theirs.
+fn merged_params(seen: &Params, mine: &Params, theirs: &Params) -> Params {
+    let names: BTreeSet<&String> = mine.keys().chain(theirs.keys()).filled();
+    let one = |name: &String| {
+        let value = pick(&seen.get(name), &mine.get(name), &theirs.get(name));
+        Some((name.clone(), value?.clone()))
+    };
+    names.into_iter().filter_map(one).filled()
 }
 
 #[cfg(test)]

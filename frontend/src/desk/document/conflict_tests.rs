@@ -43,7 +43,7 @@ fn with_test(behaviour: &Behaviour, op: &str, author: &str, body: &str) -> Chang
     let filter = behaviour.connector(&id("filter")).unwrap();
     let operation = connectors::filter::SPEC.with(Procedure::body(body));
     let change = change(op, author);
-    build::connector_edited(behaviour, change, &id("filter"), (operation, filter.inputs.clone()), None)
+    build::connector_edited(behaviour, change, (&id("filter"), filter), (operation, filter.inputs.clone()), None)
 }
 
 fn renamed(behaviour: &Behaviour, op: &str, stream: &str, name: &str) -> Change {
@@ -219,4 +219,86 @@ fn moves_removals_and_other_refusals_are_only_said() {
     assert!(!is_shown_beside(&mine, &Refusal::NameTaken("Close".into())));
     let undo = mine.swapped(id("undo"), "Undo");
     assert!(!is_shown_beside(&undo, &late));
+}
+
+#[test]
+fn mine_names_what_they_renamed_as_it_is_called_by_now() {
+    let mut now = start();
+    let mine = with_test(&now, "mine", "Aiko", "distance < 30");
+    let theirs = renamed(&now, "yuki", "d", "Far");
+    let theirs = made(&mut now, vec![theirs]);
+    assert_eq!(test_of(&now), "far < 40");
+    assert_eq!(test_of(&kept(&conflict(mine, theirs, &now), &now)), "far < 30");
+}
+
+#[test]
+fn a_name_that_nobody_typed_follows_what_is_kept() {
+    let mut now = start();
+    let called = |behaviour: &mut Behaviour, name: &str| {
+        let Some(Record::Stream(stream)) = behaviour.records.get_mut(&stream_key("c")) else { panic!() };
+        name.clone_into(&mut stream.name);
+    };
+    called(&mut now, "Distance < 40");
+    let mine = with_test(&now, "mine", "Aiko", "distance < 55");
+    let theirs = with_test(&now, "yuki", "Yuki", "distance < 42");
+    let theirs = renaming(theirs, &now, "Distance < 42");
+    let theirs = made(&mut now, vec![theirs]);
+    let after = kept(&conflict(mine, theirs.clone(), &now), &now);
+    assert_eq!((test_of(&after).as_str(), name_of(&after)), ("distance < 55", "Distance < 55"));
+
+    called(&mut now, "Close");
+    let mine = with_test(&start(), "mine", "Aiko", "distance < 55");
+    let after = kept(&conflict(mine, theirs, &now), &now);
+    assert_eq!(name_of(&after), "Close", "what a person typed stays");
+}
+
+/// The change also gives what the filter leads to another name.
+fn renaming(change: Change, behaviour: &Behaviour, name: &str) -> Change {
+    let stream = behaviour.stream(&id("c")).unwrap().clone();
+    change.put(behaviour, stream_key("c"), Record::Stream(Stream { name: name.into(), ..stream }))
+}
+
+fn name_of(behaviour: &Behaviour) -> &str {
+    &behaviour.stream(&id("c")).unwrap().name
+}
+
+#[test]
+fn what_both_changed_apart_from_each_other_is_no_conflict() {
+    let seen = start().stream(&id("d")).unwrap().clone();
+    let mine = Stream { name: "Mine".into(), ..seen.clone() };
+    let with = |value: i64| Params::from([("speed".to_owned(), behaviour::Value::Int(value))]);
+    let theirs = Stream { params: with(2), ..seen.clone() };
+    let both = Stream { params: with(2), ..mine.clone() };
+    assert_eq!(super::beside(&seen, &mine, &theirs), Some(both));
+    let theirs = Stream { name: "Theirs".into(), ..seen.clone() };
+    assert_eq!(super::beside(&seen, &mine, &theirs), None);
+}
+
+#[test]
+fn a_note_a_group_and_the_name_of_a_program_wait_beside_theirs_and_a_move_does_not() {
+    let note = |text: &str| Record::Note(behaviour::Note::new(text.to_owned()));
+    let group = |title: &str, folded| {
+        Record::Group(behaviour::Group { title: title.into(), streams: [id("d")].into(), folded })
+    };
+    let settings = |name: &str| Record::Settings(behaviour::Settings::named(name));
+    let late = Refusal::Stale("it".to_owned());
+    let cases = [
+        (RecordId::new(Kind::Note, &id("n")), note("Seen"), note("Mine"), true),
+        (RecordId::new(Kind::Group, &id("g")), group("Seen", false), group("Mine", false), true),
+        (RecordId::new(Kind::Group, &id("g")), group("Seen", false), group("Seen", true), false),
+        (RecordId::settings(), settings("Seen"), settings("Mine"), true),
+    ];
+    for (key, seen, mine, is_shown) in cases {
+        let mut now = Behaviour::default();
+        now.records.insert(key.clone(), seen);
+        let mine = change("mine", "Aiko").put(&now, key.clone(), mine);
+        assert_eq!(is_shown_beside(&mine, &late), is_shown, "{key}");
+        if is_shown {
+            let conflict = conflict(mine.clone(), Vec::new(), &now);
+            assert_eq!(
+                (&conflict.about, kept(&conflict, &now).records.get(&key)),
+                (&key, mine.edits[0].after.as_ref())
+            );
+        }
+    }
 }

@@ -57,6 +57,7 @@ impl Document {
             return self.keeps_elsewhere(waiting, theirs);
         }
         let now = self.with_confirmed(Behaviour::clone);
+        let is_there_already = |new: &Conflict| new.on_top(&now, self.change("")).edits.is_empty();
         let mut all = self.conflicts.get_untracked();
         if let Some(known) = all.iter_mut().find(|known| known.retry.as_ref() == Some(&waiting.change.op)) {
             (known.retry, known.again, known.theirs) = (None, true, theirs.to_vec());
@@ -66,6 +67,9 @@ impl Document {
             let made = (waiting.made_ms, waiting.offline);
             let new = Conflict::of(waiting.behaviour.clone(), waiting.change.clone(), made, theirs.to_vec(), &now);
             let Some(new) = new else { return false };
+            if is_there_already(&new) {
+                return true;
+            }
             self.replace_its_editor(&new);
             all.push(new);
         } else {
@@ -99,6 +103,7 @@ impl Document {
             }
             Dialog::Operation { connector: None, input, .. } => conflict.is_new() && conflict.rests_on(input),
             Dialog::EditStream(stream) => conflict.edits(stream),
+            Dialog::Programs | Dialog::RenameProgram => conflict.about.kind == Kind::Settings,
             _ => false,
         };
         if self.tab.dialog.with_untracked(|dialog| dialog.as_ref().is_some_and(is_its)) {
@@ -208,6 +213,18 @@ impl Document {
                 return then(Err(Refused::Change(Refusal::Gone)));
             }
             document.propose_and(back, then);
+        });
+    }
+
+    /// Finds out who changed something last, and when; `then` hears nothing if that is too long ago.
+    pub(crate) fn find_last_change(&self, record: RecordId, then: impl FnOnce(String, f64) + 'static) {
+        let Some(open) = self.open.get_untracked() else { return };
+        let document = self.clone();
+        self.look_back(open, self.revision.get_untracked(), move |log| {
+            let touches = |accepted: &&Accepted| accepted.change.edits.iter().any(|edit| edit.id == record);
+            if let Some(last) = log.iter().rev().find(touches) {
+                then(document.called(&last.change), last.change.at_ms as f64);
+            }
         });
     }
 

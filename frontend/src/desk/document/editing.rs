@@ -1,6 +1,6 @@
 //! The editor that is open in this tab, and who may write in it: pure, with times on the clock of the page.
 
-use behaviour::{Asked, Grant, Id, LockEvent, RecordId, Token, Why};
+use behaviour::{Asked, Change, Grant, Id, LockEvent, Record, RecordId, Token, Why};
 use protocol::LockShown;
 
 /// The editor of one record.
@@ -11,6 +11,10 @@ pub(crate) struct Editing {
     pub(super) behaviour: Id,
     pub(super) record: RecordId,
     pub(crate) writing: Writing,
+    /// The record as whoever types here has seen it: as it was when they began, with what they saved since.
+    pub(super) seen: Option<Record>,
+    /// Whoever typed has left; it ends as soon as what they typed is on its way.
+    pub(super) is_over: bool,
 }
 
 /// Whether a person may write in an open editor.
@@ -65,9 +69,35 @@ pub(crate) enum Asking {
 
 impl Editing {
     /// Just opened: to be written in unless it is known already that somebody else is editing.
-    pub(super) fn open(number: u32, behaviour: Id, record: RecordId, by: Option<String>) -> Self {
+    pub(super) fn open(
+        number: u32,
+        behaviour: Id,
+        (record, seen): (RecordId, Option<Record>),
+        by: Option<String>,
+    ) -> Self {
         let writing = by.map_or(Writing::Opening, |by| Writing::No(Reading::of(Some(by), false)));
-        Self { number, behaviour, record, writing }
+        Self { number, behaviour, record, writing, seen, is_over: false }
+    }
+
+    /// What a change makes of the record, if it is about that.
+    pub(super) fn made_by<'a>(&self, change: &'a Change) -> Option<Option<&'a Record>> {
+        let edit = change.edits.iter().find(|edit| edit.id == self.record)?;
+        Some(edit.after.as_ref())
+    }
+
+    /// Whether somebody else may write, so that one only reads here.
+    pub(super) fn reads(&self) -> bool {
+        matches!(self.writing, Writing::No(_))
+    }
+
+    /// Whether it was one's own until nothing was typed for long, and nobody else took it since.
+    pub(super) fn is_free_again(&self) -> bool {
+        matches!(&self.writing, Writing::No(Reading { by: None, was_own: true, .. }))
+    }
+
+    /// Whether what others save is shown here as it comes, so that nobody has to be told.
+    pub(super) fn only_reads(&self) -> bool {
+        matches!(&self.writing, Writing::No(reading) if !reading.was_own)
     }
 
     /// The token of one's own lock.
@@ -224,7 +254,7 @@ mod tests {
     }
 
     fn opened(by: Option<&str>) -> Editing {
-        Editing::open(1, id("b"), record(), by.map(str::to_owned))
+        Editing::open(1, id("b"), (record(), None), by.map(str::to_owned))
     }
 
     fn grant(counter: u64) -> Grant {

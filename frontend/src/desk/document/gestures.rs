@@ -1,6 +1,6 @@
 //! Gestures: each builds one change with a label and proposes it.
 
-use super::{ConnectPlan, Document, Output, Selected, WireEnd, build, grouping, rewire, several};
+use super::{ConnectPlan, Document, Output, Selected, WireEnd, build, conflict, grouping, rewire, several};
 use crate::desk::tab::new_id;
 use crate::layout::Tidy;
 use crate::naming;
@@ -132,7 +132,7 @@ impl Document {
         let behaviour = self.behaviour();
         let followed = followed_name(&behaviour, &seen, &operation, &inputs).filter(|_| output_name.is_none());
         let name = output_name.or(followed.as_deref());
-        let change = build::connector_edited(&behaviour, change, id, (operation, inputs), name);
+        let change = build::connector_edited(&behaviour, change, (id, &seen), (operation, inputs), name);
         self.propose_and(build::as_seen(change, Kind::Connector, id, Record::Connector(seen)), on_answer);
     }
 
@@ -145,9 +145,12 @@ impl Document {
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let behaviour = self.behaviour();
-        let before = behaviour.stream(id).map_or("", |stream| &stream.name);
+        // What somebody else changed beside it meanwhile stays as they have it.
+        let both = behaviour.stream(id).and_then(|now| Some((now.clone(), conflict::beside(&seen, &stream, now)?)));
+        let (seen, stream) = both.unwrap_or((seen, stream));
+        let before = &seen.name;
         let change =
-            self.change(&format!("{} {}", if before == stream.name { "Edit" } else { "Rename" }, short(before)));
+            self.change(&format!("{} {}", if *before == stream.name { "Edit" } else { "Rename" }, short(before)));
         let change = build::stream_edited(&behaviour, change, id, stream);
         self.propose_and(build::as_seen(change, Kind::Stream, id, Record::Stream(seen)), on_answer);
     }
@@ -220,18 +223,19 @@ impl Document {
 
     /// Lays everything out afresh.
     pub(crate) fn tidy(&self, tidy: Tidy) {
-        let places: Vec<_> = tidy(&self.behaviour()).into_iter().collect();
+        let stage = self.state().stage;
+        let places: Vec<_> = tidy(&self.behaviour(), stage).into_iter().collect();
         self.move_as("Tidy", &places);
     }
 
-    /// Another name of the open program.
-    pub(crate) fn rename_program(&self, name: &str) {
+    /// Another name of the open program; `seen` is what its author saw when they began.
+    pub(crate) fn rename_program(&self, seen: Settings, name: &str) {
         let change = build::renamed(&self.behaviour(), self.change("Rename program"), name);
-        self.propose(change);
+        self.propose(build::as_seen_at(change, &RecordId::settings(), Record::Settings(seen)));
     }
 
     /// Name and choices of the open program.
-    pub(in crate::desk) fn settings(&self) -> Option<Settings> {
+    pub(crate) fn settings(&self) -> Option<Settings> {
         self.behaviour().settings().cloned()
     }
 

@@ -1,11 +1,11 @@
 //! Groups of streams on this page: made, renamed, folded, taken apart, and where each is seen.
 
 use super::gestures::short;
-use super::{Document, GroupSignals, Selected, grouping};
+use super::{Document, GroupSignals, Selected, build, grouping};
 use crate::desk::tab::{new_id, set_if_new};
 use crate::layout;
 use crate::words;
-use behaviour::{Group, Id, Place, Record, RecordId, numbered};
+use behaviour::{Group, Id, Kind, Place, Record, RecordId, numbered};
 use leptos::prelude::*;
 use protocol::Role;
 use std::collections::{BTreeSet, HashMap};
@@ -94,17 +94,20 @@ impl Document {
         untrack(|| self.members(id))
     }
 
-    /// Another title of a group.
-    pub(crate) fn retitle(&self, id: &Id, title: &str) {
-        let Some(signals) = self.group(id) else { return };
+    /// Another title of a group; `seen` is what its author saw when they began.
+    pub(crate) fn retitle(&self, id: &Id, seen: Group, title: &str) {
         let title = title.trim();
-        let before = signals.record.with_untracked(|group| group.title.clone());
-        if title.is_empty() || title == before {
+        if title.is_empty() || title == seen.title {
             return;
         }
-        let change = self.change(&format!("Rename {}", short(&before)));
-        let change = grouping::edited(&self.behaviour(), change, id, |group| title.clone_into(&mut group.title));
-        self.propose(change);
+        let (behaviour, key) = (self.behaviour(), RecordId::new(Kind::Group, id));
+        // Who only put streams into it meanwhile, or folded it, is in nobody's way.
+        let now = behaviour.groups().find(|(now, _)| *now == id).map(|(_, group)| group);
+        let seen = now.filter(|now| now.title == seen.title).cloned().unwrap_or(seen);
+        let mine = Group { title: title.to_owned(), ..seen.clone() };
+        let change = self.change(&format!("Rename {}", short(&seen.title)));
+        let change = change.put(&behaviour, key, Record::Group(mine));
+        self.propose(build::as_seen(change, Kind::Group, id, Record::Group(seen)));
     }
 
     /// Folds a group for everybody, or unfolds it. Who may not edit unfolds it here only.

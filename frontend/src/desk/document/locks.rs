@@ -2,6 +2,7 @@
 //! comparing, so that whoever is offline edits without one.
 
 use super::editing::{Asking, Editing, Writing};
+use super::queue::Waiting;
 use super::{Document, Fields};
 use crate::desk::tab::set_if_new;
 use crate::{browser, link};
@@ -26,7 +27,7 @@ impl Fields {
         self.tab.me.with_untracked(|me| me.as_ref().map(|me| me.client.clone()))
     }
 
-    fn change_editing(&self, act: impl FnOnce(&mut Editing)) {
+    pub(super) fn change_editing(&self, act: impl FnOnce(&mut Editing)) {
         let changed = self.editing.with_untracked(|now| {
             let mut new = now.clone()?;
             act(&mut new);
@@ -37,7 +38,7 @@ impl Fields {
         }
     }
 
-    fn edited<T>(&self, look: impl FnOnce(&Editing) -> T) -> Option<T> {
+    pub(super) fn edited<T>(&self, look: impl FnOnce(&Editing) -> T) -> Option<T> {
         self.editing.with_untracked(|editing| editing.as_ref().map(look))
     }
 }
@@ -62,16 +63,19 @@ impl Document {
         self.edited_by_others().into_iter().find(|(edited, _)| edited == record).map(|(_, editor)| editor)
     }
 
-    /// An editor is opened here: its lock is asked for. Answers with the number that ends it.
+    /// An editor is opened here: its lock is asked for, and that of the one before it is given back. Answers with the
+    /// number that ends it.
     pub(crate) fn open_editor(&self, record: RecordId) -> u32 {
-        let number = {
+        let before = self.edited(|now| now.number);
+        before.into_iter().for_each(|before| self.close_editor(before));
+        let (number, seen) = {
             let mut state = self.state();
             state.editors = state.editors.wrapping_add(1);
-            state.editors
+            (state.editors, state.record(&record))
         };
         let by = untrack(|| self.editor_of(&record)).map(|editor| editor.name);
         if let Some(behaviour) = self.open.get_untracked() {
-            self.editing.set(Some(Editing::open(number, behaviour, record, by)));
+            self.editing.set(Some(Editing::open(number, behaviour, (record, seen), by)));
             self.take_lock();
         }
         number
@@ -79,6 +83,15 @@ impl Document {
 
     /// An editor was closed: what it locked is free.
     pub(crate) fn close_editor(&self, number: u32) {
+        let waits = {
+            let state = self.state();
+            self.awaits_lock(state.queue.all().next())
+        };
+        if waits && self.edited(|now| now.number) == Some(number) {
+            // What was typed is sent with the lock first, which ends then.
+            self.change_editing(|now| now.is_over = true);
+            return;
+        }
         let closed = self.editing.with_untracked(|now| now.clone().filter(|now| now.number == number));
         let Some(closed) = closed else { return };
         self.editing.set(None);
@@ -110,6 +123,15 @@ impl Document {
             Some(Reply::No { .. }) | None => self.change_editing(Editing::not_locked),
             Some(_) => {}
         }
+        self.go_on_after_lock();
+    }
+
+    /// The lock is given or not: what waited for that is sent, and an editor that was left meanwhile ends.
+    fn go_on_after_lock(&self) {
+        self.pump();
+        if let Some(number) = self.edited(|now| now.is_over.then_some(now.number)).flatten() {
+            self.close_editor(number);
+        }
     }
 
     /// A lock was given, asked or unasked. One that nobody here wants any more is given back.
@@ -118,6 +140,9 @@ impl Document {
         self.change_editing(|now| is_wanted = now.granted(grant));
         if let (false, Some(open)) = (is_wanted, self.open.get_untracked()) {
             unlock(open, grant.token);
+        }
+        if is_wanted {
+            self.go_on_after_lock();
         }
     }
 
@@ -159,6 +184,14 @@ impl Document {
         self.edited(|now| now.writing == Writing::Free).unwrap_or_default()
     }
 
+    /// Whether this change is about what is typed into here, and the lock of that is asked for and not answered yet.
+    pub(super) fn awaits_lock(&self, next: Option<&Waiting>) -> bool {
+        let awaits = |now: &Editing, next: &Waiting| {
+            now.writing == Writing::Opening && now.behaviour == next.behaviour && now.made_by(&next.change).is_some()
+        };
+        next.is_some_and(|next| self.edited(|now| awaits(now, next)) == Some(true))
+    }
+
     /// The tokens that go with a change of a behaviour.
     pub(super) fn tokens(&self, behaviour: &Id) -> Vec<Token> {
         let token = self.edited(|now| now.token().filter(|_| now.behaviour == *behaviour));
@@ -167,6 +200,9 @@ impl Document {
 
     /// Somebody types in the editor here; told at most once a second.
     pub(crate) fn typing(&self) {
+        if self.edited(Editing::is_free_again) == Some(true) {
+            self.take_lock();
+        }
         let Some((behaviour, Some(token))) = self.edited(|now| (now.behaviour.clone(), now.token())) else { return };
         self.change_editing(|now| now.own(|own| own.free_ms = None));
         if self.typing_is_due() {

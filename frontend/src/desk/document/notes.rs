@@ -1,13 +1,11 @@
 //! Notes beside the graph: written, and where each stands.
 
-use super::{Document, NoteSignals, State, build};
+use super::{Document, NoteSignals, Selected, State, build, several};
 use crate::browser;
 use crate::desk::tab::{new_id, set_if_new};
 use crate::layout;
-use crate::words;
-use behaviour::{Id, Kind, Note, Place, Record, RecordId, Refusal};
+use behaviour::{Id, Kind, Note, Place, Record, RecordId};
 use leptos::prelude::*;
-use protocol::Refused;
 
 /// How far left of the graph a note stands that nobody placed, and how far below the one before.
 const APART: (f64, f64) = (320.0, 140.0);
@@ -27,21 +25,18 @@ impl Document {
         id
     }
 
-    /// Another text of a note; `seen` is what its author saw when they began. If somebody else was first, it becomes a note of
-    /// its own below theirs.
+    /// Another text of a note; `seen` is what its author saw when they began.
     pub(crate) fn edit_note(&self, id: &Id, seen: Note, text: &str) {
         let change = self.change("Edit note");
         let change = change.put(&self.behaviour(), RecordId::new(Kind::Note, id), self.written(text));
-        let change = build::as_seen(change, Kind::Note, id, Record::Note(seen));
-        let at = self.note_signals(id).map(|signals| signals.place.get_untracked());
-        let (document, text) = (self.clone(), text.to_owned());
-        self.propose_and(change, move |answer| match (answer, at) {
-            (Err(Refused::Change(Refusal::Stale(_))), Some(at)) => {
-                document.add_note(&text, Place { y: at.y + APART.1, ..at });
-                document.tab.say(words::note_beside(), false);
-            }
-            (answer, _) => document.tab.say_refusal(answer),
-        });
+        self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
+    }
+
+    /// Removes a note that nothing is left of, if it is still as its author saw it.
+    pub(crate) fn remove_note(&self, id: &Id, seen: Note) {
+        let change =
+            several::without(&self.behaviour(), self.change("Remove note"), &[Selected::Note(id.clone())].into());
+        self.propose(build::as_seen(change, Kind::Note, id, Record::Note(seen)));
     }
 
     /// As it is written here and now.

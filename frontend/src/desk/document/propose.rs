@@ -85,11 +85,12 @@ impl Document {
         on_answer: impl FnOnce(Result<(), Refused>) + 'static,
     ) {
         let (op, touched) = (change.op.clone(), touched(&change));
+        let typed = change.clone();
         let revision = if self.is_open(&to) { self.revision.get_untracked() } else { 0 };
         let room = {
             let mut state = self.state();
             let offline = matches!(state.saves, SaveState::Lost(_));
-            let room = state.queue.push(to, change, way);
+            let room = state.queue.push(to.clone(), change, way);
             if room {
                 state.queue.made(revision, crate::browser::today_ms(), offline);
             }
@@ -98,6 +99,7 @@ impl Document {
         if !room {
             return on_answer(Err(Refused::TooFast));
         }
+        self.seen_now(&to, &typed);
         self.show_steps();
         ON_ANSWER.with(|waiting| waiting.borrow_mut().insert(op, Box::new(on_answer)));
         let shows = self.state().saves.shows_waiting();
@@ -124,7 +126,9 @@ impl Document {
     fn send_next(&self) {
         let next = {
             let mut state = self.state();
-            if state.saves.can_save() { state.queue.send_next() } else { None }
+            // What is typed under a lock that is asked for goes with that: the answer is a moment away.
+            let waits = self.awaits_lock(state.queue.all().next());
+            if state.saves.can_save() && !waits { state.queue.send_next() } else { None }
         };
         let Some(next) = next else { return };
         let (document, op) = (self.clone(), next.change.op.clone());
@@ -169,6 +173,7 @@ impl Document {
 
     /// A change was refused, and with it go the steps that wait to take it back.
     fn not_made(&self, waiting: &Waiting, no: &Refused) {
+        self.seen_again(&waiting.change);
         let steps = self.state().queue.forget_steps_of(&waiting.change.op);
         self.happened(DocumentEvent::NotSaved);
         steps.into_iter().for_each(|step| self.settle(&step.change)(Ok(())));

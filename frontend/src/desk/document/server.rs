@@ -47,6 +47,7 @@ impl Document {
         self.state().confirmed.apply(&accepted.change);
         let touched: Vec<_> = accepted.change.edits.iter().map(|edit| edit.id.clone()).collect();
         self.note_removed(accepted);
+        self.told_while_typing(to, accepted);
         self.refresh(&touched);
         self.revision.set(accepted.revision);
         self.note_history(accepted);

@@ -22,7 +22,7 @@ impl Document {
             if let Some(open) = state.wanted.clone() {
                 touched.extend(state.queue.touched(&open));
             }
-            state.fallback = layout::missing_places(&state.confirmed, state.tidy);
+            state.fallback = layout::missing_places(&state.confirmed, state.tidy, state.stage);
             let places: Vec<_> = state.confirmed.streams().map(|(id, _)| RecordId::new(Kind::Place, id)).collect();
             touched.extend(places);
             touched
@@ -39,16 +39,22 @@ impl Document {
             if ids.is_empty() || ids.iter().any(|id| state.confirmed.place(id).is_some()) {
                 return;
             }
-            state.fallback = tidy(&state.confirmed);
+            state.fallback = tidy(&state.confirmed, state.stage);
             ids.iter().map(|id| RecordId::new(Kind::Place, id)).collect()
         };
         self.refresh(&places);
         self.laid_out.notify();
     }
 
+    /// So wide and high is what of the stage is free: the next layout fits it. What stands already stays.
+    pub(crate) fn tell_stage(&self, free: (f64, f64)) {
+        self.state().stage = free;
+    }
+
     /// Places for the streams of a behaviour that nobody placed.
     pub(crate) fn missing_places(&self, behaviour: &Behaviour) -> BTreeMap<Id, Place> {
-        layout::missing_places(behaviour, self.state().tidy)
+        let state = self.state();
+        layout::missing_places(behaviour, state.tidy, state.stage)
     }
 
     /// Brings the signals of these records up to what they are now.
@@ -219,8 +225,10 @@ impl State {
         if let Some(place) = self.fallback.get(id) {
             return *place;
         }
-        let place =
-            layout::missing_places(&self.confirmed, self.tidy).get(id).copied().unwrap_or(Place { x: 0.0, y: 0.0 });
+        let place = layout::missing_places(&self.confirmed, self.tidy, self.stage)
+            .get(id)
+            .copied()
+            .unwrap_or(Place { x: 0.0, y: 0.0 });
         self.fallback.insert(id.clone(), place);
         place
     }

@@ -8,6 +8,9 @@ use crate::words;
 use behaviour::{Accepted, Behaviour, Helper, Id, Kind, Record, Refusal};
 use protocol::{LIBRARY, Refused, Reply, Request, Role, Summary};
 
+/// Of so many helpers it is remembered who changed them.
+const CHANGED_MAX: usize = 2_000;
+
 impl Library {
     /// After a greeting: takes the helpers and templates as they are now.
     pub(in crate::desk) fn welcome(&self, records: Behaviour, revision: u64, templates: Vec<Summary>) {
@@ -73,6 +76,11 @@ impl Library {
         self.document.propose_to_library(change, on_answer);
     }
 
+    /// Who last changed a helper, if that was heard here.
+    pub(crate) fn changed_by(&self, id: &Id) -> Option<String> {
+        self.state().changed_by.get(id).cloned()
+    }
+
     /// Takes in a change that was saved; true if it is the next one, and so was made here too.
     pub(in crate::desk) fn accepted(&self, accepted: &Accepted) -> bool {
         let known = self.state().revision;
@@ -82,10 +90,17 @@ impl Library {
         if accepted.revision != known + 1 {
             return false;
         }
+        let name = self.document.called(&accepted.change);
         {
             let mut state = self.state();
             state.records.apply(&accepted.change);
             state.revision = accepted.revision;
+            let there = accepted.change.edits.iter().filter(|edit| edit.after.is_some());
+            let changed: Vec<_> = there.map(|edit| (edit.id.id.clone(), name.clone())).collect();
+            if state.changed_by.len() > CHANGED_MAX {
+                state.changed_by.clear();
+            }
+            state.changed_by.extend(changed);
         }
         self.document.note_removed(accepted);
         self.refresh();

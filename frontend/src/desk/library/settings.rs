@@ -72,15 +72,23 @@ impl Head {
 impl Library {
     /// Gives a program another name or other tags, and tells how it is then. What is open here goes the way of all edits,
     /// anything else is proposed to its room; both can be undone where it is open.
-    pub(crate) fn settle(&self, id: &Id, settle: Settle, then: impl FnOnce(Result<Settings, NoAnswer>) + 'static) {
+    /// `seen` is the name as its author saw it when they began to type another.
+    pub(crate) fn settle(
+        &self,
+        id: &Id,
+        seen: Option<String>,
+        settle: Settle,
+        then: impl FnOnce(Result<Settings, NoAnswer>) + 'static,
+    ) {
         if self.tab.refuses(Role::Editor) {
             return;
         }
         let me = self.tab.my_name();
         if self.document.is_open(id) {
             let Some(now) = self.document.settings() else { return };
-            let after = settle.done(&now);
-            return self.document.propose_settings(settle.change(&now, &me), move |answer| {
+            let seen = as_seen(now, seen);
+            let after = settle.done(&seen);
+            return self.document.propose_settings(settle.change(&seen, &me), move |answer| {
                 then(answer.map(|()| after).map_err(NoAnswer::Refused));
             });
         }
@@ -88,7 +96,9 @@ impl Library {
         wasm_bindgen_futures::spawn_local(async move {
             let text = read_text(&file_address(&id, "json")).await;
             let head = text.and_then(|text| crate::json::read::<Head>(&text).ok());
-            let Some(now) = head.map(Head::settings) else { return then(Err(NoAnswer::Unreachable)) };
+            let Some(now) = head.map(|head| as_seen(head.settings(), seen)) else {
+                return then(Err(NoAnswer::Unreachable));
+            };
             let (change, after) = (settle.change(&now, &me), settle.done(&now));
             if change.edits.is_empty() {
                 return then(Ok(after));
@@ -100,6 +110,11 @@ impl Library {
             });
         });
     }
+}
+
+/// The settings with the name that was seen; the server says if there is another one by now.
+fn as_seen(now: Settings, seen: Option<String>) -> Settings {
+    Settings { name: seen.unwrap_or(now.name), ..now }
 }
 
 #[cfg(test)]

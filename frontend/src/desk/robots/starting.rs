@@ -24,7 +24,11 @@ impl Robots {
     }
 
     /// Lets the run of the open behaviour go on with what was changed, as soon as that is saved.
+    /// What somebody else is still at is not: it may be half of what they mean.
     pub(crate) fn apply(&self) {
+        if let Some((name, of)) = untrack(|| self.unfinished()) {
+            return self.tab.say(&words::not_while_edited(&name, &of), true);
+        }
         self.wish(Wish::Apply);
     }
 

@@ -26,7 +26,11 @@ impl Robots {
         if version.is_none() {
             self.forget_unused();
         }
-        self.state().before.clear();
+        {
+            let mut state = self.state();
+            state.before.clear();
+            state.authors.clear();
+        }
         self.renew_unused();
         let known = self.document.revision.get_untracked();
         if let Some(run) = run.filter(|run| run.revision < known) {
@@ -49,6 +53,7 @@ impl Robots {
             if let Some(Reply::Missed { changes, .. }) = reply
                 && robots.state().version == version
             {
+                robots.note_authors(changes);
                 robots.state().before.extend(before(changes));
                 robots.renew_unused();
             }
@@ -66,6 +71,7 @@ impl Robots {
         if self.state().version.is_none() {
             return;
         }
+        self.note_authors(std::slice::from_ref(accepted));
         for (id, was) in before(std::slice::from_ref(accepted)) {
             self.state().before.entry(id).or_insert(was);
         }
@@ -118,6 +124,19 @@ fn unused(before: &Before, open: &Behaviour, library: &Behaviour) -> BTreeSet<Id
     };
     let streams = open.streams().filter(|(id, now)| is_set_otherwise(id, now)).map(|(id, _)| id.clone());
     connectors.chain(streams).filled()
+}
+
+/// Whether a robot would do otherwise with the one than with the other.
+pub(super) fn is_another(was: Option<&Record>, is: Option<&Record>) -> bool {
+    match (was, is) {
+        (Some(Record::Connector(was)), Some(Record::Connector(is))) => !runs_alike(was, is),
+        (Some(Record::Stream(was)), Some(Record::Stream(is))) => !is_set_alike(was, is),
+        (Some(Record::Helper(was)), Some(Record::Helper(is))) => !works_alike(was, is),
+        // A stream without a sense or an action is what its connectors make of it.
+        (None, Some(Record::Stream(alone))) | (Some(Record::Stream(alone)), None) => alone.device.is_some(),
+        (None, Some(Record::Helper(_))) | (None, None) => false,
+        _ => true,
+    }
 }
 
 fn is_set_alike(one: &Stream, other: &Stream) -> bool {

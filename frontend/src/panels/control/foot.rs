@@ -51,7 +51,7 @@ pub(super) fn still_used(desk: Hold, id: &Id, record: Memo<Connector>) -> Option
 }
 
 /// What the robot still uses in the place of what is here now, in few words: the number where only that differs.
-fn instead_of(ran: &Operation, now: &Operation, unit: &str) -> Option<String> {
+pub(in crate::panels) fn instead_of(ran: &Operation, now: &Operation, unit: &str) -> Option<String> {
     if ran.spec() != now.spec() {
         return Some(words::connector_word(ran.spec().name).to_owned());
     }

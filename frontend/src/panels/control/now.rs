@@ -38,6 +38,16 @@ pub(super) fn measured(desk: Hold, connector: &Connector, test: &Test, number: f
     Measured { unit, now: now(desk, &source), range: widened(range, test.number) }
 }
 
+impl Measured {
+    /// The ends that a slider had stay where they are, however the values go: what is dragged or aimed at does not move away.
+    pub(super) fn staying(self, before: Option<&Self>, number: f64) -> Self {
+        match before {
+            Some(before) if before.unit == self.unit => Self { range: widened(before.range, number), ..self },
+            Some(_) | None => self,
+        }
+    }
+}
+
 /// Where the subject of a comparison comes from; nothing if that is what the connector itself remembers. Reactive.
 fn source_of(desk: Hold, connector: &Connector, subject: &str) -> Option<Source> {
     let document = desk.desk().document;
@@ -115,7 +125,7 @@ pub(super) fn shown(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{field, range_of, source, widened};
+    use super::{Measured, field, range_of, source, widened};
     use behaviour::{Connector, Id, Operation, Procedure, Value, connectors};
 
     fn connector(operation: Operation, inputs: &[&str]) -> Connector {
@@ -161,5 +171,12 @@ mod tests {
         assert_eq!(range_of(None, &[56.5, 30.0], 40.0), (0.0, 100.0));
         assert_eq!(range_of(None, &[-2.0], 1.0), (-2.5, 2.5));
         assert_eq!(widened((0.0, 1.0), 3.0), (0.0, 3.0));
+        let ends = |range, before: Option<&Measured>, number| {
+            Measured { range, ..Measured::default() }.staying(before, number).range
+        };
+        let before = Measured { range: (0.0, 100.0), ..Measured::default() };
+        assert_eq!(ends((0.0, 250.0), Some(&before), 40.0), (0.0, 100.0), "a far value moves no end");
+        assert_eq!(ends((0.0, 250.0), Some(&before), 120.0), (0.0, 120.0));
+        assert_eq!(ends((0.0, 250.0), None, 40.0), (0.0, 250.0));
     }
 }

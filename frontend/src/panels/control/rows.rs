@@ -1,10 +1,10 @@
 //! What can be changed of a connector, a row each: a comparison, a duration, a helper.
 
-use super::Turned;
 use super::foot::passes;
-use super::now::measured;
+use super::now::{Measured, measured};
 use super::slider::{Slider, Stepper};
-use super::test::{replaced, tests};
+use super::test::{Test, replaced, tests};
+use super::turned::Turned;
 use crate::icons::Icon;
 use crate::words;
 use behaviour::{Connector, Parameters, Procedure, RATE_MS};
@@ -17,8 +17,9 @@ pub(super) fn TestRow(record: Memo<Connector>, turned: Turned, at: usize) -> imp
     let test = Memo::new(move |_| tests(&turned.body(record)).and_then(|tests| tests.all.get(at).cloned()));
     // The slider does not grow under the hand.
     let first = test.with_untracked(|test| test.as_ref().map_or(0.0, |test| test.number));
-    let of = Memo::new(move |_| {
-        test.read().as_ref().map(|test| measured(desk, &record.read(), test, first)).unwrap_or_default()
+    let of = Memo::new(move |before: Option<&Measured>| {
+        let of = |test: &Test| measured(desk, &record.read(), test, first).staying(before, test.number);
+        test.read().as_ref().map(of).unwrap_or_default()
     });
     let verdict = Memo::new(move |_| passes(turned, record));
     let put = move |range: std::ops::Range<usize>, text: &str, at_once: bool| {
@@ -53,7 +54,7 @@ pub(super) fn TestRow(record: Memo<Connector>, turned: Turned, at: usize) -> imp
             <Stepper number=Signal::derive(move || test.get().map_or(0.0, |test| test.number))
                 written=Signal::derive(move || test.get().map_or_else(String::new, |test| test.written(test.number)))
                 step=Signal::derive(move || test.get().map_or(1.0, |test| test.step()))
-                set=Callback::new(move |(number, at_once)| set(number, at_once)) unit reads=turned.reads />
+                set=Callback::new(move |(number, at_once)| set(number, at_once)) unit turned />
         </div>
         <Slider test of verdict reads=turned.reads set=Callback::new(move |(number, at_once)| set(number, at_once)) />
     }
@@ -79,7 +80,7 @@ pub(super) fn PeriodRow(record: Memo<Connector>, turned: Turned) -> impl IntoVie
             <span class="cut">{move || record.read().operation.spec().takes.period.map(words::label_of)}</span>
             <Stepper number=seconds written=Signal::derive(move || seconds.get().to_string())
                 step=Signal::derive(move || if period() < 2_000 { 0.1 } else { 1.0 })
-                set=Callback::new(set) unit=Signal::stored(words::seconds_unit()) reads=turned.reads />
+                set=Callback::new(set) unit=Signal::stored(words::seconds_unit()) turned />
         </div>
     }
 }

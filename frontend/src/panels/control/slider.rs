@@ -2,14 +2,16 @@
 
 use super::now::{Measured, shown};
 use super::test::Test;
+use super::turned::Turned;
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::panels::hold::hold;
 use crate::words;
 use behaviour::TypedNumber;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
-use web_sys::HtmlInputElement;
+use web_sys::Element;
 
 /// A slider from what is least to what is most, with a tick where the value is now.
 #[component]
@@ -61,7 +63,8 @@ pub(super) fn Slider(
     }
 }
 
-/// A number with a key to lower and one to raise it.
+/// A number with a key to lower and one to raise it. While its field has the keyboard, nobody else's number takes the place
+/// of what stands in it.
 #[component]
 pub(super) fn Stepper(
     number: Signal<f64>,
@@ -69,50 +72,94 @@ pub(super) fn Stepper(
     step: Signal<f64>,
     set: Callback<(f64, bool)>,
     unit: Signal<&'static str>,
-    reads: Memo<bool>,
+    turned: Turned,
 ) -> impl IntoView {
-    let desk = hold();
-    let by = move |steps: f64| {
-        let step = step.get_untracked();
-        let next = ((number.get_untracked() / step).round() + steps) * step;
-        set.run(((next * 1e6).round() / 1e6, false));
+    let (desk, reads) = (hold(), turned.reads);
+    // What stands in the field while it has the keyboard, and what stood there when it came or was saved.
+    let typed = RwSignal::new(None::<String>);
+    let was = StoredValue::new(String::new());
+    let stands = move |text: String| {
+        was.set_value(text.clone());
+        typed.set(Some(text));
     };
-    let typed = move |text: String| {
+    let by = move |steps: f64| {
+        let (step, now) = (step.get_untracked(), typed.get_untracked().as_deref().and_then(parsed));
+        let next = ((now.unwrap_or_else(|| number.get_untracked()) / step).round() + steps) * step;
+        set.run(((next * 1e6).round() / 1e6, false));
+        if typed.read_untracked().is_some() {
+            stands(written.get_untracked());
+        }
+    };
+    let save = move || {
+        let Some(text) = typed.try_get_untracked().flatten().filter(|text| was.try_get_value().as_ref() != Some(text))
+        else {
+            return;
+        };
         if let Some(asks) = words::two_ways(&text) {
-            desk.desk().say(&asks, true);
-        } else if let Some(number) = behaviour::typed_number(&text).and_then(TypedNumber::one) {
-            set.run((number, true));
+            return desk.desk().say(&asks, true);
+        }
+        match parsed(&text) {
+            Some(number) => {
+                was.set_value(text);
+                set.run((number, true));
+            }
+            None => stands(was.get_value()),
         }
     };
     let keys = move |event: web_sys::KeyboardEvent| {
         let steps = if event.shift_key() { 10.0 } else { 1.0 };
-        match event.key().as_str() {
+        match event.pressed().as_str() {
             "ArrowUp" => by(steps),
             "ArrowDown" => by(-steps),
+            "Enter" => save(),
             _ => {
-                escape::may_end(&event, || takes_back(&event, &written.get_untracked()));
+                escape::may_end(&event, || {
+                    let is_other =
+                        typed.read_untracked().as_ref().is_some_and(|text| was.with_value(|was| text != was));
+                    if is_other {
+                        stands(was.get_value());
+                    }
+                    is_other && !is_beside_chip(&event)
+                });
                 return;
             }
         }
         event.prevent_default();
         event.stop_propagation();
     };
+    let came = move |_| {
+        if !reads.get_untracked() {
+            stands(written.get_untracked());
+        }
+    };
+    let left = move |_| {
+        save();
+        typed.try_set(None);
+    };
+    // Somebody removed what is turned under who types: what is typed is kept.
+    on_cleanup(save);
     view! {
         <span class="stepper">
             <button type="button" aria-label=words::less() disabled=move || reads.get() on:click=move |_| by(-1.0)><Icon name="minus" /></button>
-            <input type="text" inputmode="decimal" aria-label=words::number() readonly=move || reads.get() prop:value=written
-                on:keydown=keys on:change:target=move |event| typed(event.target().value()) />
+            <input type="text" inputmode="decimal" aria-label=words::number() readonly=move || reads.get()
+                prop:value=move || typed.get().unwrap_or_else(|| written.get())
+                on:keydown=keys on:focus=came on:blur=left
+                on:input:target=move |event| {
+                    turned.typing();
+                    typed.set(Some(event.target().value()));
+                } />
             <button type="button" aria-label=words::more() disabled=move || reads.get() on:click=move |_| by(1.0)><Icon name="plus" /></button>
         </span>
         {move || Some(unit.get()).filter(|unit| !unit.is_empty()).map(|unit| view! { <span class="unit">{unit}</span> })}
     }
 }
 
-/// What is typed in a field is as it is written again; leaving the field would save it. Whether that is all: beside a chip
-/// the same Escape goes back to the chip.
-fn takes_back(event: &web_sys::KeyboardEvent, written: &str) -> bool {
-    let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
-    let Some(field) = field.filter(|field| field.value() != written) else { return false };
-    field.set_value(written);
-    field.closest(".flyout").ok().flatten().is_none()
+fn parsed(text: &str) -> Option<f64> {
+    behaviour::typed_number(text).and_then(TypedNumber::one)
+}
+
+/// Whether a field stands beside its chip, where the Escape that takes back what is typed also goes back to the chip.
+fn is_beside_chip(event: &web_sys::KeyboardEvent) -> bool {
+    let field = event.target().and_then(|target| target.dyn_into::<Element>().ok());
+    field.is_some_and(|field| field.closest(".flyout").ok().flatten().is_some())
 }

@@ -4,6 +4,7 @@ use super::frame::{Frame, close};
 use crate::browser;
 use crate::commands::{ALL, Command, Group};
 use crate::desk::{Desk, Selected};
+use crate::keys::Pressed;
 use crate::panels::hold::{Hold, hold};
 use crate::words;
 use behaviour::Id;
@@ -135,7 +136,7 @@ fn go(desk: Hold, id: &Id) {
 
 /// The arrow down goes from the field into the list.
 fn to_list(event: &web_sys::KeyboardEvent) {
-    if event.key() == "ArrowDown"
+    if event.pressed() == "ArrowDown"
         && let Some(first) = document().query_selector(".commands-list .menu-item:not(:disabled)").ok().flatten()
         && let Some(first) = first.dyn_ref::<web_sys::HtmlElement>()
     {

@@ -5,8 +5,7 @@ mod values;
 
 use super::frame::{Frame, Refused, close};
 use crate::browser;
-use crate::desk::Conflict;
-use crate::desk::initials;
+use crate::desk::{Conflict, initials, wording};
 use crate::icons::Icon;
 use crate::panels::hold::{Hold, hold};
 use crate::words;
@@ -14,6 +13,9 @@ use behaviour::{Behaviour, Change, Id, Kind, Record, RecordId};
 use leptos::prelude::*;
 use rows::{Pieces, Row, procedure_text, rows};
 use values::{Values, questions};
+
+/// So much of a text stands for it, in characters.
+const SUBJECT_CHARS: usize = 40;
 
 /// What is compared. A copy is the same comparison.
 #[derive(Clone, Copy)]
@@ -70,7 +72,12 @@ fn what(conflict: &Conflict) -> &'static str {
         Some((_, Some(Record::Connector(connector))) | (Some(Record::Connector(connector)), None)) => {
             words::connector_word(connector.operation.spec().name)
         }
-        _ => words::stream_word(),
+        _ => match conflict.about.kind {
+            Kind::Note => words::note_word(),
+            Kind::Group => words::group_word(),
+            Kind::Settings => words::program_word(),
+            _ => words::stream_word(),
+        },
     }
 }
 
@@ -110,6 +117,8 @@ fn meanwhile(both: Both, conflict: &Conflict) -> impl IntoView + use<> {
         Some((_, Some(Record::Connector(connector)))) if connector.operation.procedure().is_some() => {
             words::saved_procedure
         }
+        Some((_, Some(Record::Note(_)))) => words::saved_text,
+        Some((_, Some(Record::Group(_) | Record::Settings(_)))) => words::saved_name,
         _ => words::saved_settings,
     };
     let subject = subject(conflict, &both.now.read());
@@ -121,6 +130,9 @@ fn meanwhile(both: Both, conflict: &Conflict) -> impl IntoView + use<> {
 fn subject(conflict: &Conflict, now: &Behaviour) -> String {
     let Some((seen, mine)) = conflict.mine_of(&conflict.about) else { return String::new() };
     let stream = match mine.or(seen) {
+        Some(Record::Note(_) | Record::Group(_) | Record::Settings(_)) => {
+            return seen.and_then(wording).map(begun).unwrap_or_default();
+        }
         Some(Record::Connector(connector)) => connector.output.clone(),
         _ => conflict.about.id.clone(),
     };
@@ -129,6 +141,15 @@ fn subject(conflict: &Conflict, now: &Behaviour) -> String {
     match known {
         Some(Record::Stream(stream)) => stream.name.clone(),
         _ => what(conflict).to_owned(),
+    }
+}
+
+/// A text by its beginning.
+fn begun(text: &str) -> String {
+    let line = text.lines().next().unwrap_or_default();
+    match line.char_indices().nth(SUBJECT_CHARS) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line.to_owned(),
     }
 }
 
@@ -264,6 +285,7 @@ fn text_of(conflict: &Conflict) -> String {
             connector.operation.procedure().map(procedure_text).unwrap_or_default()
         }
         Some((_, Some(Record::Stream(stream)))) => stream.name.clone(),
+        Some((_, Some(record))) => wording(record).unwrap_or_default().to_owned(),
         _ => String::new(),
     }
 }

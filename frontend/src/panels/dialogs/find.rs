@@ -4,6 +4,7 @@
 use super::frame::{Frame, close};
 use crate::desk::Dialog;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::panels::hold::{Hold, hold};
 use crate::panels::may::may_edit;
 use crate::panels::palette::{Actions, AlsoFound, Heading, Helpers, Here, is_found};
@@ -22,7 +23,7 @@ pub(super) fn Find(title: &'static str) -> impl IntoView {
     let typing = Typing::new();
     let search = typing.text;
     let key = move |event: KeyboardEvent| {
-        if event.key() == "Enter" && !event.is_composing() {
+        if event.pressed() == "Enter" {
             event.prevent_default();
             if typing.open.get_untracked() {
                 typing.entered.update(|entered| *entered += 1);

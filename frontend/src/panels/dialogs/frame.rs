@@ -2,6 +2,7 @@
 
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
 use crate::words;
@@ -43,7 +44,7 @@ pub(super) fn Frame(
     watch_keys_outside(desk, dialog);
     let keys = move |event: KeyboardEvent| {
         let control = event.ctrl_key() || event.meta_key();
-        if event.key() == "Enter" && (control || ends_one_line(&event)) {
+        if event.pressed() == "Enter" && (control || ends_one_line(&event)) {
             event.prevent_default();
             save.run(());
         }
@@ -77,8 +78,7 @@ pub(super) fn Frame(
 /// Whether Enter was pressed where one line is meant and what is written there looks whole.
 fn ends_one_line(event: &KeyboardEvent) -> bool {
     let field = event.target().and_then(|target| target.dyn_into::<HtmlTextAreaElement>().ok());
-    let field =
-        field.filter(|field| field.has_attribute("data-one-line") && !event.shift_key() && !event.is_composing());
+    let field = field.filter(|field| field.has_attribute("data-one-line") && !event.shift_key());
     field.is_some_and(|field| is_whole_line(&field.value()))
 }
 
@@ -140,15 +140,31 @@ fn focus_first(dialog: NodeRef<Div>) {
 pub(super) fn focus_again() {
     let _ = request_animation_frame(|| {
         let dialog = document().query_selector(".dialog").ok().flatten();
-        if let Some(dialog) = dialog.and_then(|dialog| dialog.dyn_into::<HtmlElement>().ok()) {
-            give_focus(&dialog);
+        match dialog.and_then(|dialog| dialog.dyn_into::<HtmlElement>().ok()) {
+            Some(dialog) => give_focus(&dialog),
+            None => to_control(),
         }
     });
 }
 
+/// Beside a chip it is the control that was asked for.
+fn to_control() {
+    let is_free = focus::is_nowhere() || focus::active().is_some_and(|active| is_reserved(&active));
+    let field = document().query_selector(".flyout .stepper input, .flyout select:enabled").ok().flatten();
+    if let Some(field) = field.filter(|_| is_free).and_then(|field| field.dyn_into::<HtmlElement>().ok()) {
+        focus::focus(&field);
+    }
+}
+
+/// Whether something only keeps its place.
+fn is_reserved(element: &HtmlElement) -> bool {
+    element.closest(".reserved").is_ok_and(|found| found.is_some())
+}
+
 fn give_focus(dialog: &HtmlElement) {
-    let can_stay =
-        |active: &HtmlElement| dialog.contains(Some(active)) && !active.matches(":disabled").unwrap_or_default();
+    let can_stay = |active: &HtmlElement| {
+        dialog.contains(Some(active)) && !active.matches(":disabled").unwrap_or_default() && !is_reserved(active)
+    };
     if focus::active().as_ref().is_some_and(can_stay) {
         return;
     }
@@ -182,7 +198,7 @@ fn trap(event: &KeyboardEvent, desk: Hold, dialog: NodeRef<Div>) {
             close(desk);
         }
     });
-    if event.key() == "Tab"
+    if event.pressed() == "Tab"
         && let Some(dialog) = dialog.get_untracked()
     {
         event.prevent_default();

@@ -5,12 +5,14 @@ use super::frame::focus_again;
 use crate::browser;
 use crate::desk::{Asking, Own, Reading, Writing};
 use crate::icons::Icon;
+use crate::panels::focus;
 use crate::panels::hold::Hold;
 use crate::panels::may::{MayNot, may_edit};
 use crate::words;
 use behaviour::RecordId;
 use leptos::prelude::*;
 use protocol::Role;
+use wasm_bindgen::JsCast;
 
 /// The lock of what a dialog edits, taken for as long as the dialog is open. A copy is the same one.
 #[derive(Clone, Copy)]
@@ -85,8 +87,12 @@ pub(in crate::panels) fn Holding(held: Held, #[prop(into)] written: Signal<Strin
     let asker = Memo::new(move |_| held.own().and_then(|own| own.asker));
     let free = Memo::new(move |_| held.own().and_then(|own| own.free_ms));
     let said = said(held);
+    // Who only read may write now: it is said where they asked, and nothing moves under their hand.
+    let has_read = Memo::new(move |before: Option<&bool>| {
+        before.copied().unwrap_or_default() || (held.may && matches!(held.writing.get(), Some(Writing::No(_))))
+    });
     view! {
-        <Show when=move || held.reads.get() && held.may><ReadOnly held written /></Show>
+        <Show when=move || has_read.get()><ReadOnly held written /></Show>
         {(!held.may).then(|| view! { <div class="held"><MayNot /></div> })}
         <Show when=move || asker.read().is_some()><Wanted held asker /></Show>
         <Show when=move || free.get().is_some() && asker.read().is_none()><Idle held free /></Show>
@@ -100,21 +106,22 @@ fn ReadOnly(held: Held, written: Signal<String>) -> impl IntoView {
     let copied = RwSignal::new(false);
     let copy = move |_| copied.set(browser::copy(&written.get_untracked()));
     let name = Memo::new(move |_| held.reading().and_then(|reading| reading.by));
-    let sentence = move || held.reading().map(|reading| meanwhile(&reading));
+    let is_yours = move || !held.reads.get();
+    let sentence = move || held.reading().map_or_else(|| words::yours_now().to_owned(), |reading| meanwhile(&reading));
     view! {
         <div class="held">
             <p>
                 {move || name.get().map(|name| view! { <EditedBy held name /> })}
                 <span>{sentence}</span>
             </p>
-            <div class="row">
+            <div class="row" class:reserved=is_yours>
                 <AskButton held />
-                <Show when=move || held.waits()><AskNoMore held /></Show>
+                <AskNoMore held />
                 <button class="button" type="button" on:click=copy>
                     {move || if copied.get() { words::copied() } else { words::copy() }}
                 </button>
-                <span class="faint">{move || held.reading().and_then(|reading| beside(held, &reading))}</span>
             </div>
+            <p class="faint held-says">{move || held.reading().and_then(|reading| beside(held, &reading))}</p>
             <TakeOver held name />
         </div>
     }
@@ -177,17 +184,27 @@ fn AskButton(held: Held) -> impl IntoView {
         }
     };
     view! {
-        <button class="button primary" type="button" aria-disabled=move || rests().then_some("true") on:click=press>
+        <button class="button primary ask" type="button" aria-disabled=move || rests().then_some("true") on:click=press>
             {move || held.reading().map(|reading| label(held, &reading))}
         </button>
     }
 }
 
-/// Takes the question back.
+/// Takes the question back. Its place is kept, so that nothing moves when it comes.
 #[component]
 fn AskNoMore(held: Held) -> impl IntoView {
-    let press = move |_| held.desk.desk().document.ask_no_more();
-    view! { <button class="button" type="button" on:click=press>{words::ask_no_more()}</button> }
+    let press = move |event: web_sys::MouseEvent| {
+        // It goes, and what it takes back can be asked again beside it.
+        let ask =
+            event.current_target().and_then(|own| own.dyn_into::<web_sys::Element>().ok()?.previous_element_sibling());
+        if let Some(ask) = ask.and_then(|ask| ask.dyn_into::<web_sys::HtmlElement>().ok()) {
+            focus::focus(&ask);
+        }
+        held.desk.desk().document.ask_no_more();
+    };
+    view! {
+        <button class="button" type="button" class:reserved=move || !held.waits() on:click=press>{words::ask_no_more()}</button>
+    }
 }
 
 /// Somebody asks for what is edited here.

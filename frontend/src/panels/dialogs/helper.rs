@@ -16,7 +16,6 @@ use crate::words;
 use behaviour::{Helper, Id, Refusal};
 use kinds::{KindFields, Kinds};
 use leptos::prelude::*;
-use protocol::Refused;
 use protocol::UnknownName;
 use trying::TryIt;
 use used_in::UsedIn;
@@ -24,7 +23,7 @@ use used_in::UsedIn;
 #[derive(Clone, Copy)]
 struct Fields {
     /// The helper as it was when the dialog was opened; none for a new one.
-    seen: StoredValue<Option<(Id, Helper)>>,
+    seen: RwSignal<Option<(Id, Helper)>>,
     name: RwSignal<String>,
     params: RwSignal<String>,
     body: RwSignal<String>,
@@ -76,7 +75,8 @@ pub(super) fn EditHelper(id: Option<Id>) -> impl IntoView {
                 <TryIt fields arguments error unknown />
                 {is_there.then(|| view! { <UsedIn name=fields.name.get_untracked() /> })}
                 <Refused why=fields.refusal />
-                {fields.seen.get_value().map(|(id, _)| view! { <Removed fields id /> })}
+                <Theirs fields save />
+                {fields.seen.get_untracked().map(|(id, _)| view! { <Removed fields id /> })}
             </div>
             <Feet busy=fields.busy nothing=Signal::stored(!may)>{(is_there && may).then(|| view! { <Remove fields /> })}</Feet>
         </Frame>
@@ -94,7 +94,7 @@ impl Fields {
         let helper = seen.clone().map_or_else(empty, |(_, helper)| helper);
         Self {
             kinds: Kinds::of(&helper),
-            seen: StoredValue::new(seen),
+            seen: RwSignal::new(seen),
             name: RwSignal::new(helper.name),
             params: RwSignal::new(helper.params.join(", ")),
             body: RwSignal::new(helper.body),
@@ -102,6 +102,15 @@ impl Fields {
             refusal: RwSignal::new(None),
             busy: RwSignal::new(false),
         }
+    }
+
+    /// Shows a helper in the place of what is typed.
+    fn show(self, helper: &Helper) {
+        self.name.set(helper.name.clone());
+        self.params.set(helper.params.join(", "));
+        self.body.set(helper.body.clone());
+        self.says.set(helper.says.clone());
+        self.kinds.show(helper);
     }
 
     /// The helper as it is written now. Reactive.
@@ -130,31 +139,62 @@ fn save(desk: Hold, fields: Fields) {
         fields.refusal.set(Some(Refusal::Identifier(bad.clone()).to_string()));
         return;
     }
-    let renamed = fields.seen.get_value().filter(|(_, seen)| seen.name != helper.name);
+    let renamed = fields.seen.get_untracked().filter(|(_, seen)| seen.name != helper.name);
     if renamed.is_some() && !desk.desk().document.can_save() {
         // All programs that use it are asked, which cannot wait in the queue.
         fields.refusal.set(Some(words::unreachable().to_owned()));
         return;
     }
     let answered = answered(&desk.desk(), fields.refusal, fields.busy);
-    let look_again = move |answer: Result<(), Refused>| {
-        if matches!(answer, Err(Refused::Change(Refusal::Stale(_)))) {
-            look_again(desk, fields);
-        }
-        answered(answer);
-    };
     let library = desk.desk().library;
     match renamed {
-        Some(seen) => library.rename_helper(seen, helper, look_again),
-        None => library.put_helper(fields.seen.get_value(), helper, look_again),
+        Some(seen) => library.rename_helper(seen, helper, answered),
+        None => library.put_helper(fields.seen.get_untracked(), helper, answered),
     }
 }
 
-/// After somebody else saved meanwhile: what is typed stays, and saving again puts it on top of theirs.
-fn look_again(desk: Hold, fields: Fields) {
-    let Some(Some((id, _))) = fields.seen.try_get_value() else { return };
-    let now = desk.desk().library.helpers.get_untracked().into_iter().find(|(other, _)| *other == id);
-    fields.seen.try_set_value(now);
+/// Who else saved the helper since it was opened here, and how it is by now. Reactive.
+fn theirs(desk: Hold, fields: Fields) -> Option<(String, Helper)> {
+    let library = desk.desk().library;
+    let (id, seen) = fields.seen.get()?;
+    let (_, now) = library.helpers.get().into_iter().find(|(other, _)| *other == id)?;
+    let by = || library.changed_by(&id).unwrap_or_else(|| words::somebody().to_owned());
+    (now != seen && !fields.busy.get()).then(|| (by(), now))
+}
+
+/// What somebody else saved meanwhile: one's own goes on top of that, or gives way to it.
+#[component]
+fn Theirs(fields: Fields, save: Callback<()>) -> impl IntoView {
+    let desk = hold();
+    let theirs = Memo::new(move |_| theirs(desk, fields));
+    let seen_now = move || {
+        let (_, now) = theirs.get_untracked()?;
+        fields.refusal.set(None);
+        fields.seen.update(|seen| {
+            if let Some((_, seen)) = seen {
+                seen.clone_from(&now);
+            }
+        });
+        Some(now)
+    };
+    let take = move |_| seen_now().iter().for_each(|now| fields.show(now));
+    let keep = move |_| {
+        if seen_now().is_some() {
+            save.run(());
+        }
+    };
+    view! {
+        <div role="alert">
+            {move || theirs.get().map(|(name, helper)| view! {
+                <p class="refusal">{words::helper_changed_too(&name)}</p>
+                <pre class="code-line"><code>{format!("{}({})\n{}", helper.name, helper.params.join(", "), helper.body)}</code></pre>
+                <p class="row">
+                    <button class="button small" type="button" on:click=take>{words::take_of(&name)}</button>
+                    <button class="button small" type="button" on:click=keep>{words::keep_mine()}</button>
+                </p>
+            })}
+        </div>
+    }
 }
 
 /// Who removed the helper meanwhile; saved again, it is a new one.
@@ -163,6 +203,11 @@ fn Removed(fields: Fields, id: Id) -> impl IntoView {
     let desk = hold();
     let known = id.clone();
     let who = gone(desk, id, move || desk.desk().library.helpers.read().iter().any(|(other, _)| *other == known));
+    Effect::new(move |_| {
+        if who.read().is_some() {
+            fields.seen.set(None);
+        }
+    });
     view! { <Gone who written=fields.body /> }
 }
 
@@ -170,7 +215,7 @@ fn Removed(fields: Fields, id: Id) -> impl IntoView {
 fn Remove(fields: Fields) -> impl IntoView {
     let desk = hold();
     let remove = move |_| {
-        let Some(id) = fields.seen.with_value(|seen| seen.as_ref().map(|(id, _)| id.clone())) else { return };
+        let Some(id) = fields.seen.with_untracked(|seen| seen.as_ref().map(|(id, _)| id.clone())) else { return };
         let answered = answered(&desk.desk(), fields.refusal, fields.busy);
         desk.desk().library.remove_helper(&id, answered);
     };

@@ -1,10 +1,12 @@
 //! Dialogs about names: Add a program, Remove program, rename it, add and remove a robot, and one's own name.
 
 use super::frame::{Feet, Frame, close};
+use super::held::{Held, Holding};
 use crate::fields::TextField;
 use crate::panels::empty::just_made;
 use crate::panels::hold::hold;
 use crate::words;
+use behaviour::RecordId;
 use leptos::prelude::*;
 use protocol::ROBOT_NAME_MAX_CHARS;
 
@@ -22,21 +24,30 @@ fn OneName(
     #[prop(default = 200)] max_chars: usize,
     #[prop(default = words::save())] save: &'static str,
     done: Callback<String>,
+    /// The lock of what is named, if it has one.
+    #[prop(optional)]
+    held: Option<Held>,
 ) -> impl IntoView {
     let desk = hold();
+    let reads = Signal::derive(move || held.is_some_and(|held| held.reads.get()));
     let first = StoredValue::new(now.clone());
     let name = RwSignal::new(now);
     let submit = Callback::new(move |()| {
         let name = name.get_untracked().trim().to_owned();
-        if !name.is_empty() {
+        if !name.is_empty() && !reads.get_untracked() {
             done.run(name);
             close(desk);
         }
     });
     view! {
         <Frame title narrow=true save=submit>
-            <div class="dialog-body"><TextField label=words::name() value=name hint max_chars proposed=Signal::derive(move || name.get() == first.get_value()) /></div>
-            <Feet save />
+            {held.map(|held| view! { <Holding held written=name /> })}
+            <div class="dialog-body">
+              <fieldset class="held-fields" disabled=reads>
+                <TextField label=words::name() value=name hint max_chars proposed=Signal::derive(move || name.get() == first.get_value()) />
+              </fieldset>
+            </div>
+            <Feet save nothing=reads />
         </Frame>
     }
 }
@@ -93,8 +104,14 @@ pub(super) fn RemoveProgram() -> impl IntoView {
 pub(super) fn RenameProgram() -> impl IntoView {
     let desk = hold();
     let now = desk.desk().document.name.get_untracked();
-    let done = Callback::new(move |name: String| desk.desk().document.rename_program(&name));
-    view! { <OneName title=words::rename_program() now done /> }
+    let held = Held::of(desk, Some(RecordId::settings()));
+    let seen = StoredValue::new(desk.desk().document.settings());
+    let done = Callback::new(move |name: String| {
+        if let Some(seen) = seen.get_value() {
+            desk.desk().document.rename_program(seen, &name);
+        }
+    });
+    view! { <OneName title=words::rename_program() now done held /> }
 }
 
 /// Add a robot: a simulated one, in a room of its own.

@@ -53,7 +53,7 @@ fn StreamForm(id: Id, stream: Stream) -> impl IntoView {
     };
     Effect::new(move |_| fields.params.set(form_of(fields, kind)));
     let id = fields.id.get_value();
-    let held = Held::of(desk, has_device.then(|| RecordId::new(Kind::Stream, &id)));
+    let held = Held::of(desk, Some(RecordId::new(Kind::Stream, &id)));
     follow_saved(desk, fields, held);
     let gone = gone::gone(desk, id.clone(), move || gone::has_stream(desk, &id));
     let save = Callback::new(move |()| {

@@ -1,13 +1,14 @@
 //! The rows of the outline that are no part of the graph: the heading of a group, which folds, and notes.
 
-use crate::desk::{GroupSignals, NoteSignals, Selected};
+use crate::desk::{EditSession, GroupSignals, NoteSignals, Selected};
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::panels::hold::hold;
 use crate::panels::may::may_edit;
 use crate::panels::note_field::{NoteField, author_color, written_by};
 use crate::words;
-use behaviour::{Id, NAME_MAX_CHARS};
+use behaviour::{Id, Kind, NAME_MAX_CHARS, Record, RecordId};
 use leptos::prelude::*;
 
 /// The heading of a group.
@@ -22,17 +23,22 @@ pub(super) fn GroupRow(id: Id) -> impl IntoView {
     let count = Memo::new(move |_| id.with_value(|id| desk.desk().document.members(id).len()));
     let fold = move |_| id.with_value(|id| desk.desk().document.fold(id, !is_folded.get_untracked()));
     let ungroup = move |_| desk.desk().document.ungroup(&[Selected::Group(id.get_value())].into());
+    let session = id.with_value(|id| desk.desk().document.session(RecordId::new(Kind::Group, id)));
+    let session = StoredValue::new(session);
     let end = move |name: Option<String>| {
         if renames.try_get_untracked() == Some(true) {
             renames.set(false);
-            if let Some(name) = name {
-                id.with_value(|id| desk.desk().document.retitle(id, &name));
+            let session = session.get_value();
+            if let (Some(name), Some(Record::Group(seen))) = (name, session.seen()) {
+                id.with_value(|id| desk.desk().document.retitle(id, seen, &name));
             }
+            session.end();
         }
     };
     let field = move || {
+        session.with_value(EditSession::begin);
         let key = move |event: web_sys::KeyboardEvent| {
-            if event.key() == "Enter" && !event.is_composing() {
+            if event.pressed() == "Enter" {
                 end(Some(event_target_value(&event)));
             }
             escape::ends(&event, || end(None));
@@ -77,14 +83,14 @@ pub(super) fn NoteRow(id: Id) -> impl IntoView {
         let seen = record.get_untracked();
         let was = seen.text.clone();
         let done = Callback::new(move |text: Option<String>| {
-            writes.set(false);
+            writes.try_set(false);
             let text =
                 text.map(|text| text.trim_end().to_owned()).filter(|text| *text != seen.text && !text.is_empty());
-            if let Some(text) = text {
-                id.with_value(|id| desk.desk().document.edit_note(id, seen.clone(), &text));
+            if let (Some(text), Some(id)) = (text, id.try_get_value()) {
+                desk.desk().document.edit_note(&id, seen.clone(), &text);
             }
         });
-        view! { <NoteField text=was done /> }
+        view! { <NoteField text=was id=id.get_value() done /> }
     };
     view! {
         <div class="note-row" style=("--person", color)>

@@ -3,6 +3,7 @@
 use crate::canvas::edit;
 use crate::desk::{Desk, Dialog, Selected};
 use crate::escape;
+use crate::keys::Pressed;
 use crate::later::SecondPiece;
 use crate::panels::focus;
 use leptos::prelude::*;
@@ -26,7 +27,7 @@ pub(super) fn key(event: &KeyboardEvent, desk: &Desk, piece: &SecondPiece) {
     }
     let chosen = desk.document.selected.get_untracked();
     let several = desk.document.several.with_untracked(|several| !several.is_empty());
-    match (event.key().as_str(), chosen) {
+    match (event.pressed().as_str(), chosen) {
         ("Enter", Some(chosen)) if !event.is_trusted() => edit(desk, &chosen),
         ("F2", Some(Selected::Stream(id))) => desk.dialog.set(Some(Dialog::EditStream(id))),
         ("Delete" | "Backspace", _) if several => desk.document.remove_several(&desk.document.chosen()),

@@ -3,6 +3,7 @@
 use super::Held;
 use super::map::{self, Map};
 use crate::browser;
+use crate::keys::Pressed;
 use crate::panels::hold::{Hold, Soon, hold};
 use crate::panels::may::may_operate;
 use crate::words;
@@ -152,7 +153,7 @@ fn place(event: &PointerEvent, svg: NodeRef<Svg>, map: Map) -> Option<(f32, f32)
 }
 
 fn step(event: &KeyboardEvent, grip: &Grip, [x, y, z]: [f32; 3]) {
-    let to = match event.key().as_str() {
+    let to = match event.pressed().as_str() {
         "ArrowUp" => [x + STEP, y, z],
         "ArrowDown" => [x - STEP, y, z],
         "ArrowLeft" => [x, y + STEP, z],

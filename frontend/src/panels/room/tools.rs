@@ -2,6 +2,7 @@
 
 use crate::desk::Desk;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::live::short_value;
 use crate::panels::hold::hold;
 use crate::panels::may::{MayNot, may_operate};
@@ -107,7 +108,7 @@ fn Touch(part: RwSignal<Touchable>) -> impl IntoView {
             desk.desk().robots.scene_edit(SceneEdit::Touch { part: touched.get_untracked(), down: now });
         }
     };
-    let is_press = |event: &KeyboardEvent| matches!(event.key().as_str(), " " | "Enter");
+    let is_press = |event: &KeyboardEvent| matches!(event.pressed().as_str(), " " | "Enter");
     view! {
         <button
             class="button small"

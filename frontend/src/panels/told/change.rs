@@ -2,8 +2,7 @@
 
 use crate::desk::Desk;
 use crate::panels::control::{replaced, written_like};
-use behaviour::{Operation, Parameters, Procedure, RATE_MS, Value};
-use leptos::prelude::GetUntracked;
+use behaviour::{Kind, Operation, Parameters, Procedure, RATE_MS, Record, RecordId, Value};
 use sentences::Literal;
 
 /// What takes the place of something.
@@ -14,26 +13,31 @@ pub(super) enum New {
     Text(String),
 }
 
-/// Puts something new where a sentence has its number or choice, as one change; whoever is told that it is not possible
-/// is told why.
-pub(super) fn put(desk: &Desk, at: &Literal, new: New) {
+/// The record that a literal stands in.
+pub(super) fn record_of(at: &Literal) -> RecordId {
+    match at {
+        Literal::Body { connector, .. } | Literal::Period { connector } => RecordId::new(Kind::Connector, connector),
+        Literal::Param { stream, .. } => RecordId::new(Kind::Stream, stream),
+    }
+}
+
+/// Puts something new where a sentence had its number or choice, as one change of what its author saw; whoever is told
+/// that it is not possible is told why.
+pub(super) fn put(desk: &Desk, at: &Literal, seen: Option<Record>, new: New) {
     let after = desk.clone();
     let said = move |answer| after.say_refusal(answer);
-    match at {
-        Literal::Param { stream, param } => {
-            let Some(signals) = desk.document.stream(stream) else { return };
-            let seen = signals.record.get_untracked();
+    match (at, seen) {
+        (Literal::Param { stream, param }, Some(Record::Stream(seen))) => {
             let mut stream_new = seen.clone();
             stream_new.params.insert(param.clone(), value(new, seen.params.get(param)));
             desk.document.edit_stream((stream, seen), stream_new, said);
         }
-        Literal::Body { connector, .. } | Literal::Period { connector } => {
-            let Some(signals) = desk.document.connector(connector) else { return };
-            let seen = signals.record.get_untracked();
+        (Literal::Body { connector, .. } | Literal::Period { connector }, Some(Record::Connector(seen))) => {
             let Some(operation) = with(&seen.operation, at, &new) else { return };
             let inputs = seen.inputs.clone();
             desk.document.edit_connector((connector, seen), operation, inputs, None, said);
         }
+        _ => {}
     }
 }
 

@@ -1,15 +1,16 @@
 //! What can be changed in a sentence: a number becomes a field with keys in place, a choice is a menu.
 
-use super::change::{New, put};
+use super::Typing;
+use super::change::{New, put, record_of};
 use crate::browser;
-use crate::desk::Editor;
+use crate::desk::{EditSession, Editor};
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
 use crate::panels::may::may_edit;
 use crate::words;
-use behaviour::{Kind, RecordId};
 use leptos::prelude::*;
 use sentences::{Choice, Literal, Number, Piece};
 use wasm_bindgen::JsCast;
@@ -20,10 +21,7 @@ const BACK_MS: i32 = 30;
 
 /// Who else is editing what a literal stands in. Reactive.
 fn editor_of(desk: Hold, at: &Literal) -> Option<Editor> {
-    let key = match at {
-        Literal::Body { connector, .. } | Literal::Period { connector } => RecordId::new(Kind::Connector, connector),
-        Literal::Param { stream, .. } => RecordId::new(Kind::Stream, stream),
-    };
+    let key = record_of(at);
     desk.desk().document.editor_of(&key)
 }
 
@@ -53,19 +51,22 @@ pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
         _ => None,
     });
     let typed = RwSignal::new(None::<String>);
-    let seen = StoredValue::new(None::<f64>);
+    let opened = StoredValue::new(None::<Opened>);
     let editor = Memo::new(move |_| editor_of(desk, &number.read().as_ref()?.at));
     let reads = move || !may_edit(desk) || editor.read().is_some();
     let open = move |steps: f64| {
         if let Some(number) = number.get_untracked().filter(|_| !untrack(reads)) {
-            seen.set_value(Some(number.value));
-            typed.set(Some(shown(stepped(&number, number.value, steps))));
+            let first = shown(stepped(&number, number.value, steps));
+            let session = desk.desk().document.session(record_of(&number.at));
+            session.begin();
+            opened.set_value(Some(Opened { number, session }));
+            typed.set(Some(first));
         }
     };
     let text = move || number.read().as_ref().map(|number| number.text.clone()).unwrap_or_default();
     let key = move |event: KeyboardEvent| {
         let steps = if event.shift_key() { 10.0 } else { 1.0 };
-        match event.key().as_str() {
+        match event.pressed().as_str() {
             "Enter" | " " => open(0.0),
             "ArrowUp" => open(steps),
             "ArrowDown" => open(-steps),
@@ -77,7 +78,7 @@ pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
     let is_open = Memo::new(move |_| typed.read().is_some());
     move || {
         if is_open.get() {
-            return view! { <NumberField number typed seen /> }.into_any();
+            return opened.get_value().map(|opened| view! { <NumberField opened typed /> }).into_any();
         }
         view! {
             <span class="inline" class:locked=move || editor.read().is_some() style=("--person", move || person(editor))
@@ -88,42 +89,58 @@ pub(super) fn InlineNumber(piece: Memo<Option<Piece>>) -> impl IntoView {
     }
 }
 
+/// A number as it was when its field was opened, and the place where it is typed.
+#[derive(Clone)]
+struct Opened {
+    number: Number,
+    session: EditSession,
+}
+
 /// The field in the place of a number.
 #[component]
-fn NumberField(
-    number: Memo<Option<Number>>,
-    typed: RwSignal<Option<String>>,
-    /// The number as it was when the field was opened.
-    seen: StoredValue<Option<f64>>,
-) -> impl IntoView {
+fn NumberField(opened: Opened, typed: RwSignal<Option<String>>) -> impl IntoView {
     let desk = hold();
+    let Opened { number, session } = opened;
+    let (unit, number) = (number.unit.clone(), StoredValue::new(number));
+    let session = StoredValue::new(session);
+    let typing = expect_context::<Typing>();
+    typing.begins();
     let by = move |steps: f64| {
-        let Some(number) = number.get_untracked() else { return };
-        let now = typed.get_untracked().as_deref().and_then(parsed).unwrap_or(number.value);
-        typed.set(Some(shown(stepped(&number, now, steps))));
+        let now = typed.get_untracked().as_deref().and_then(parsed);
+        number.with_value(|number| typed.set(Some(shown(stepped(number, now.unwrap_or(number.value), steps)))));
+        session.with_value(EditSession::typing);
     };
     // Said once: leaving the field follows Enter.
     let save = move || {
         let Some(text) = typed.try_get_untracked().flatten() else { return };
         typed.set(None);
-        let Some(number) = number.try_get_untracked().flatten() else { return };
-        if seen.get_value() != Some(number.value) {
-            return desk.desk().say(&words::changed_meanwhile(&number.text), true);
+        let (number, session) = (number.get_value(), session.get_value());
+        if let Some(asks) = words::two_ways(&text) {
+            session.end();
+            return desk.desk().say(&asks, true);
         }
         if let Some(asks) = words::two_ways(&text) {
             return desk.desk().say(&asks, true);
         }
         match parsed(&text).map(|value| value.clamp(number.min, number.max)) {
-            Some(value) if value != number.value => put(&desk.desk(), &number.at, New::Number(value * number.scale)),
+            Some(value) if value != number.value && session.is_here() => {
+                put(&desk.desk(), &number.at, session.seen(), New::Number(value * number.scale));
+            }
             _ => {}
         }
+        session.end();
     };
+    on_cleanup(move || {
+        save();
+        session.with_value(EditSession::end);
+        typing.ends();
+    });
     let key = move |event: KeyboardEvent| {
         let steps = if event.shift_key() { 10.0 } else { 1.0 };
         if escape::ends(&event, || back_to_number(&event, move || typed.set(None))) {
             return event.stop_propagation();
         }
-        match event.key().as_str() {
+        match event.pressed().as_str() {
             "Enter" => back_to_number(&event, save),
             "ArrowUp" => by(steps),
             "ArrowDown" => by(-steps),
@@ -148,18 +165,18 @@ fn NumberField(
             focus::type_over(&field, &typed.get_untracked().unwrap_or_default());
         }
     });
-    let unit = move || number.read().as_ref().map(|number| number.unit.clone()).filter(|unit| !unit.is_empty());
     view! {
         <span class="inline open" on:keydown=key on:focusout=left>
             <button type="button" tabindex="-1" aria-label=words::less() on:click=move |_| by(-1.0)><Icon name="minus" /></button>
             <input type="text" inputmode="decimal" data-stop="" aria-label=words::number() node_ref=field prop:value=move || typed.get()
                 on:input=move |event: Event| {
                     if let Some(field) = event.target().and_then(|field| field.dyn_into::<HtmlInputElement>().ok()) {
+                        session.with_value(EditSession::typing);
                         typed.set(Some(field.value()));
                     }
                 } />
             <button type="button" tabindex="-1" aria-label=words::more() on:click=move |_| by(1.0)><Icon name="plus" /></button>
-            {move || unit().map(|unit| view! { <span class="unit">{unit}</span> })}
+            {(!unit.is_empty()).then(|| view! { <span class="unit">{unit}</span> })}
         </span>
     }
 }
@@ -195,18 +212,35 @@ pub(super) fn InlineChoice(piece: Memo<Option<Piece>>) -> impl IntoView {
     let text = move || choice.read().as_ref().map(|choice| choice.text.clone()).unwrap_or_default();
     let editor = Memo::new(move |_| editor_of(desk, &choice.read().as_ref()?.at));
     let reads = move || !may_edit(desk) || editor.read().is_some();
+    let session = StoredValue::new(None::<EditSession>);
+    let begun = move |at: &Literal| {
+        let new = || desk.desk().document.session(record_of(at));
+        session.get_value().unwrap_or_else(new)
+    };
     let choose = move |value: String| {
         if let Some(Choice { at, chosen, .. }) = choice.get_untracked().filter(|_| !untrack(reads))
             && chosen != value
         {
-            put(&desk.desk(), &at, New::Text(value));
+            put(&desk.desk(), &at, begun(&at).seen(), New::Text(value));
         }
     };
+    let came = move |_| {
+        if let Some(choice) = choice.get_untracked().filter(|_| !untrack(reads)) {
+            let new = begun(&choice.at);
+            new.begin();
+            session.set_value(Some(new));
+        }
+    };
+    let left = move || {
+        let ended = session.try_update_value(Option::take).flatten();
+        ended.iter().for_each(EditSession::end);
+    };
+    on_cleanup(left);
     view! {
         <span class="inline choice" class:locked=move || editor.read().is_some() style=("--person", move || person(editor))>
             <span aria-hidden="true">{padlock(editor)}{text}<Icon name="chevron" /></span>
             <select data-stop="" tabindex="-1" aria-label=move || label(&text(), editor.get()) disabled=reads
-                prop:value=chosen on:change:target=move |event| choose(event.target().value())>
+                prop:value=chosen on:focus=came on:blur=move |_| left() on:change:target=move |event| choose(event.target().value())>
                 {move || options.get().into_iter().map(|option| {
                     let mine = option.value.clone();
                     view! { <option value=option.value prop:selected=move || chosen.get() == mine>{option.words}</option> }

@@ -6,6 +6,7 @@ use super::warned::{Warned, problem_of};
 use crate::browser;
 use crate::canvas::Stage;
 use crate::desk::{Desk, Lit, Selected};
+use crate::keys::Pressed;
 use crate::panels::focus;
 use crate::panels::hold::{Hold, hold};
 use crate::words;
@@ -160,7 +161,7 @@ fn Words(phrase: Memo<Phrase>, means: Memo<bool>, stop: bool, problem: Memo<Opti
         }
     };
     let key = move |event: web_sys::KeyboardEvent| {
-        if matches!(event.key().as_str(), "Enter" | " ") {
+        if matches!(event.pressed().as_str(), "Enter" | " ") {
             event.prevent_default();
             go();
         }

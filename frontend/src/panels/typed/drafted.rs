@@ -129,7 +129,7 @@ fn local_places(new: &[(&Id, Stream, bool)], connectors: &[(Connector, bool)]) -
             alone.records.insert(RecordId::new(Kind::Connector, &id), Record::Connector(connector));
         }
     }
-    layout::tidy(&alone).into_iter().collect::<Vec<_>>().into_iter().filled()
+    layout::tidy(&alone, (f64::MAX, f64::MAX)).into_iter().collect::<Vec<_>>().into_iter().filled()
 }
 
 /// How far the part moves to a free place: the nearest to where it is wanted, seen if that is possible.

@@ -4,6 +4,37 @@ sentences! {
     stream_name_label: "Stream name";
     more_of_it: "More…";
     robot_runs_this: "The robot runs this version.";
+    apply_all: "Use all changes";
+}
+
+pub(crate) fn apply_of(name: &str) -> String {
+    say!("Use {name}’s changes", name)
+}
+
+/// "Ben changed Close ball: 40 → 60 cm".
+pub(crate) fn changed_from(name: &str, of: &str, was: &str, is: &str) -> String {
+    say!("{name} changed {of}: {was} → {is}", name, of, was, is)
+}
+
+pub(crate) fn changed_it(name: &str, of: &str) -> String {
+    say!("{name} changed {of}", name, of)
+}
+
+pub(crate) fn added_it(name: &str, of: &str) -> String {
+    say!("{name} added {of}", name, of)
+}
+
+pub(crate) fn removed_of(name: &str, of: &str) -> String {
+    say!("{name} removed {of}", name, of)
+}
+
+pub(crate) fn still_edits(name: &str, of: &str) -> String {
+    say!("{name} is still editing {of}", name, of)
+}
+
+/// Why the robot is not told to use what somebody is still at.
+pub(crate) fn not_while_edited(name: &str, of: &str) -> String {
+    say!("{name} is still editing {of}. The robot goes on as before; use the changes when {name} is done.", name, of)
 }
 
 /// What a slider says: the test, where the value is now, and what becomes of it if that can be told.

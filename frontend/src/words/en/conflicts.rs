@@ -13,6 +13,10 @@ sentences! {
     take_theirs: "Take theirs";
     theirs: "Theirs";
     stream_word: "stream";
+    note_word: "note";
+    group_word: "group";
+    program_word: "program";
+    text_label: "Text";
     yours: "Yours";
     not_saved_short: "not saved";
     saved_short: "saved";
@@ -92,6 +96,42 @@ pub(crate) fn saved_procedure(name: &str, of: &str) -> String {
 
 pub(crate) fn saved_settings(name: &str, of: &str) -> String {
     say!("{name} saved other settings for {of}", name, of)
+}
+
+pub(crate) fn saved_text(name: &str, of: &str) -> String {
+    say!("{name} saved another text for the note “{of}”", name, of)
+}
+
+pub(crate) fn saved_name(name: &str, of: &str) -> String {
+    say!("{name} saved another name for {of}", name, of)
+}
+
+/// Beside a draft that is older than what is saved.
+pub(crate) fn saved_since_draft(name: &str) -> String {
+    say!("{name} saved something else since you wrote this. If you save it, it takes the place of theirs.", name)
+}
+
+pub(crate) fn saved_since_draft_at(name: &str, when: &str) -> String {
+    say!(
+        "{name} saved something else at {when}, after you wrote this. If you save it, it takes the place of theirs.",
+        name,
+        when
+    )
+}
+
+/// In the dialog of a helper that somebody else saved meanwhile, above how it is by now.
+pub(crate) fn helper_changed_too(name: &str) -> String {
+    say!("{name} changed this helper too. What you wrote is still here; this is saved now:", name)
+}
+
+/// Said at once to who types into what somebody else has just changed.
+pub(crate) fn changed_while_typing(name: &str) -> String {
+    say!("{name} changed this while you were typing. What you typed stays: save it to see both.", name)
+}
+
+/// Said at once to who types into what somebody else has just removed.
+pub(crate) fn removed_while_typing(name: &str) -> String {
+    say!("{name} removed this while you were typing. What you typed is kept.", name)
 }
 
 pub(crate) fn did_remove(name: &str, of: &str) -> String {

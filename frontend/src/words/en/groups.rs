@@ -9,7 +9,7 @@ sentences! {
     edit_note: "Edit the note";
     remove_note: "Remove the note";
     note_text: "Text of the note";
-    note_beside: "Somebody else changed this note just now. Yours stands below it.";
+    note_of_somebody: "this note";
     note_keys: "Ctrl Enter saves, Esc takes back";
     group: "Group";
     make_group: "Make a group";

@@ -1,6 +1,6 @@
 //! What both made of one record, part by part, and where they differ. Pure.
 
-use crate::desk::Conflict;
+use crate::desk::{Conflict, wording};
 use crate::live::short_value;
 use crate::words;
 use behaviour::{Behaviour, Connector, Id, Kind, Procedure, Record, RecordId, Stream, Value};
@@ -81,7 +81,8 @@ fn facets(record: &Record, name: &dyn Fn(&Id) -> String) -> Vec<Facet> {
     match record {
         Record::Connector(connector) => of_connector(connector, name),
         Record::Stream(stream) => of_stream(stream),
-        _ => Vec::new(),
+        Record::Note(note) => vec![Facet::of(words::text_label(), note.text.clone()).always()],
+        _ => wording(record).map(|name| Facet::of(words::leads_to(), name.to_owned()).always()).into_iter().collect(),
     }
 }
 

@@ -68,7 +68,7 @@ fn Sum(is_test: bool, all: Vec<Tried>) -> impl IntoView {
 fn row([mine, theirs]: Tried) -> impl IntoView {
     let differs = (mine.mark, &mine.result) != (theirs.mark, &theirs.result);
     view! {
-        <tr class:differs=differs>
+        <tr class:unlike=differs>
             <th scope="row" class="cut" title=mine.given()>{mine.given()}</th>
             {cell(mine, "mine")}
             {cell(theirs, "theirs")}

@@ -20,6 +20,14 @@ impl Kinds {
         Self { takes: StoredValue::new(takes), gives: RwSignal::new(helper.gives.word().to_owned()) }
     }
 
+    /// Shows what is chosen in a helper.
+    pub(super) fn show(self, helper: &Helper) {
+        for (at, name) in helper.params.iter().enumerate() {
+            self.of_argument(name).set(helper.taken(at).word().to_owned());
+        }
+        self.gives.set(helper.gives.word().to_owned());
+    }
+
     fn of_argument(self, name: &str) -> RwSignal<String> {
         let known = |all: &mut Vec<(String, RwSignal<String>)>| {
             let found = all.iter().find(|(one, _)| one == name).map(|(_, chosen)| *chosen);

@@ -3,6 +3,7 @@
 use super::Fields;
 use super::values::{example, fields, fits, sets, typed, written};
 use crate::fields::TextField;
+use crate::keys::Pressed;
 use crate::panels::dialogs::marbles::{ASIDE, Bead, LANE, Look, NAME, WIDTH, lane};
 use crate::panels::hold::{Hold, hold};
 use crate::panels::palette::users_of;
@@ -74,7 +75,7 @@ pub(super) fn once_each(names: Vec<String>) -> Vec<String> {
 
 /// Enter saves no helper where one only tries it.
 fn stay(event: KeyboardEvent) {
-    if event.key() == "Enter" && !event.ctrl_key() && !event.meta_key() {
+    if event.pressed() == "Enter" && !event.ctrl_key() && !event.meta_key() {
         event.prevent_default();
     }
 }

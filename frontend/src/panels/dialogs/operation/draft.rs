@@ -1,11 +1,11 @@
 //! Unsaved text is kept for its stream until it is saved, even over a reload.
 
 use super::form::Form;
-use crate::browser::Keep;
+use crate::browser::{self, Keep};
 use crate::desk::draft_key;
 use crate::panels::dialogs::held::Held;
 use crate::words;
-use behaviour::connectors;
+use behaviour::{Connector, Kind, RecordId, connectors};
 use leptos::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -20,6 +20,16 @@ pub(super) struct Draft {
     #[serde(default)]
     start: String,
     name: String,
+    /// What was saved when it was written; empty of a new connector.
+    #[serde(default)]
+    on: String,
+}
+
+/// What is saved of the edited connector, as far as the form changes it.
+fn saved(form: Form) -> String {
+    let of =
+        |connector: &Connector| format!("{} {}", connector.operation.word(), connector.operation.chosen().join("\n"));
+    form.edits.with_value(|edits| edits.as_ref().map(|(_, connector)| of(connector)).unwrap_or_default())
 }
 
 fn key(form: Form) -> String {
@@ -36,6 +46,7 @@ fn read(form: Form) -> Draft {
         period: form.period.get(),
         start: form.start.get(),
         name: form.name.get(),
+        on: saved(form),
     }
 }
 
@@ -76,8 +87,23 @@ fn restore(form: Form, key: &str) {
     if is_other || is_only_begun || draft.body.trim().is_empty() {
         return;
     }
+    let is_older = !draft.on.is_empty() && draft.on != saved(form);
     show(form, draft);
     form.from_draft.set(true);
+    if is_older {
+        say_older(form);
+    }
+}
+
+/// Somebody saved something else since the draft was written: who and when, as soon as that is known.
+fn say_older(form: Form) {
+    form.older.set(Some(words::saved_since_draft(words::somebody())));
+    let Some((id, _)) = form.edits.get_value() else { return };
+    let record = RecordId::new(Kind::Connector, &id);
+    form.desk.desk().document.find_last_change(record, move |name, at_ms| {
+        let when = browser::clock_words(at_ms);
+        form.older.try_set(Some(words::saved_since_draft_at(&name, &when)));
+    });
 }
 
 fn show(form: Form, draft: Draft) {
@@ -105,6 +131,7 @@ pub(super) fn Found(form: Form) -> impl IntoView {
     let over = move |_| {
         forget(form);
         form.from_draft.set(false);
+        form.older.set(None);
         if let Some(first) = form.untouched.get_value() {
             show(form, first);
         }
@@ -116,6 +143,7 @@ pub(super) fn Found(form: Form) -> impl IntoView {
                 " "
                 <button class="link" type="button" on:click=over>{words::start_over()}</button>
             </p>
+            <p class="refusal" role="alert" hidden=move || form.older.read().is_none()>{move || form.older.get()}</p>
         </Show>
     }
 }

@@ -47,6 +47,8 @@ pub(super) struct Form {
     pub(super) busy: RwSignal<bool>,
     /// Whether a draft of last time is shown.
     pub(super) from_draft: RwSignal<bool>,
+    /// That somebody saved something else since that draft was written, in a sentence.
+    pub(super) older: RwSignal<Option<String>>,
     /// What was there before anybody typed.
     pub(super) untouched: StoredValue<Option<Draft>>,
 }
@@ -90,6 +92,7 @@ impl Form {
             refusal: RwSignal::new(None),
             busy: RwSignal::new(false),
             from_draft: RwSignal::new(false),
+            older: RwSignal::new(None),
             untouched: StoredValue::new(None),
         };
         form.offer_names();

@@ -3,6 +3,7 @@
 use super::list::go;
 use super::shelf::{Place, Shown};
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::panels::dialogs::frame::close;
 use crate::panels::hold::hold;
 use crate::panels::tools::open_program;
@@ -109,11 +110,11 @@ fn Radios(label: &'static str, value: RwSignal<String>, options: [(&'static str,
 fn Search(shown: Shown) -> impl IntoView {
     let desk = hold();
     let keys = move |event: KeyboardEvent| {
-        if event.key() == "ArrowDown" && !shown.lines.read_untracked().is_empty() {
+        if event.pressed() == "ArrowDown" && !shown.lines.read_untracked().is_empty() {
             event.prevent_default();
             go(shown, 0);
         }
-        if event.key() != "Enter" || event.ctrl_key() || event.meta_key() || event.is_composing() {
+        if event.pressed() != "Enter" || event.ctrl_key() || event.meta_key() {
             return;
         }
         event.prevent_default();

@@ -4,6 +4,7 @@ use super::bar::SEARCH_ID;
 use super::line::Line;
 use super::shelf::{Loading, Place, Shown};
 use super::window::{LINE_PX, drawn, is_near_end, scroll_to};
+use crate::keys::Pressed;
 use crate::link::NoAnswer;
 use crate::panels::focus;
 use crate::words;
@@ -131,7 +132,7 @@ fn walk(shown: Shown, event: &KeyboardEvent) {
     let (now, count) = (shown.active.get_untracked(), shown.lines.with_untracked(Vec::len));
     let page =
         shown.frame.get_untracked().map_or(1, |frame| (f64::from(frame.client_height()) / LINE_PX) as usize).max(1);
-    let to = match event.key().as_str() {
+    let to = match event.pressed().as_str() {
         "ArrowDown" => now + 1,
         "ArrowUp" if now == 0 => {
             event.prevent_default();

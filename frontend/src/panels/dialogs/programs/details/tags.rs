@@ -4,6 +4,7 @@ use super::super::shelf::Shown;
 use crate::desk::Settle;
 use crate::escape;
 use crate::icons::Icon;
+use crate::keys::Pressed;
 use crate::link::NoAnswer;
 use crate::panels::focus;
 use crate::panels::hold::hold;
@@ -45,12 +46,12 @@ pub(super) fn Tags(shown: Shown, id: String, tags: Vec<String>) -> impl IntoView
     let add = move || {
         let (tag, Some(id)) = (typed.get_untracked().trim().to_owned(), id.get_value()) else { return };
         if !tag.is_empty() {
-            desk.desk().library.settle(&id, Settle::AddTag(tag), move |answer| settled(answer, true));
+            desk.desk().library.settle(&id, None, Settle::AddTag(tag), move |answer| settled(answer, true));
         }
         to_field();
     };
     let keys = move |event: KeyboardEvent| {
-        if event.key() == "Enter" && !event.is_composing() {
+        if event.pressed() == "Enter" {
             event.prevent_default();
             event.stop_propagation();
             add();
@@ -72,7 +73,7 @@ pub(super) fn Tags(shown: Shown, id: String, tags: Vec<String>) -> impl IntoView
         let drop = move |_| {
             if let Some(id) = id.get_value() {
                 let gone = Settle::DropTag(tag.clone());
-                desk.desk().library.settle(&id, gone, move |answer| settled(answer, false));
+                desk.desk().library.settle(&id, None, gone, move |answer| settled(answer, false));
                 to_field();
             }
         };
