@@ -20,7 +20,8 @@ pub(super) fn Camera() -> impl IntoView {
     let watched = Memo::new(move |_| desk.desk().robots.chosen.read().as_ref().is_some_and(|robot| robot.watched));
     let looks = RwSignal::new(None::<Id>);
     // Another robot is another room: one asks to see it anew.
-    let shows = Memo::new(move |_| looks.get().filter(|looked| robot.read().as_ref() == Some(looked) && may_operate(desk)));
+    let shows =
+        Memo::new(move |_| looks.get().filter(|looked| robot.read().as_ref() == Some(looked) && may_operate(desk)));
     let press = move |_| {
         let now = if shows.get_untracked().is_some() { None } else { robot.get_untracked() };
         looks.set(now);
@@ -68,7 +69,11 @@ fn Picture(robot: Id) -> impl IntoView {
     };
     let source = move || format!("/api/robots/{robot}/camera?{}", turn.get());
     let says = move || {
-        if comes.get() || desk.desk().unheard.read().is_some() { words::camera_kept_nowhere() } else { words::camera_waits() }
+        if comes.get() || desk.desk().unheard.read().is_some() {
+            words::camera_kept_nowhere()
+        } else {
+            words::camera_waits()
+        }
     };
     view! {
         <img
