@@ -87,6 +87,11 @@ pub(crate) fn set_attribute(id: &str, name: &str, value: &str) {
     }
 }
 
+/// Whether the page is behind another one, or its window is away.
+pub(crate) fn is_hidden() -> bool {
+    window().and_then(|window| window.document()).is_some_and(|document| document.hidden())
+}
+
 /// Does something once, later.
 pub(crate) fn after(ms: i32, act: impl FnOnce() + 'static) {
     let Some(window) = window() else { return };

@@ -155,3 +155,28 @@ async fn a_robot_rests_and_is_taken_again_and_has_another_name() -> Outcome<()> 
     calm(&aiko)?;
     calm(&ben)
 }
+
+#[tokio::test]
+async fn one_looks_through_the_camera_and_everyone_is_told() -> Outcome<()> {
+    if !skip::ready("journey: the camera") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Look").await?;
+    let ben = stage.beside(&aiko, "ben").await?;
+    aiko.press("button", "Look through its camera").await?;
+    let picture = "document.querySelector('.camera img')";
+    aiko.until(&format!("{picture}?.naturalWidth == 160"), "a picture is there").await?;
+    // One after the other.
+    let sources = format!("(window.seen = (window.seen ?? new Set()).add({picture}.currentSrc)).size > 2");
+    aiko.until(&sources, "a third picture comes").await?;
+    aiko.find("img", "What the robot's camera sees now").await?;
+    let told = "document.body.innerText.includes('Somebody looks through its camera.')";
+    ben.until(told, "the other one is told").await?;
+    aiko.press("button", "Look through its camera").await?;
+    aiko.until(&format!("!{picture}"), "it is away").await?;
+    ben.until(&format!("!({told})"), "nobody looks any more").await?;
+    calm(&aiko)?;
+    calm(&ben)
+}

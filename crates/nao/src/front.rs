@@ -1,5 +1,6 @@
 //! The robot as its thread sees it: everything returns at once, and what takes time is done on the link's thread.
 
+use crate::camera::NaoCamera;
 use crate::deed::Deed;
 use crate::devices::{ALL, Act, Chosen, Opened, Sense};
 use crate::settings::Settings;
@@ -7,7 +8,7 @@ use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
+    Body, Camera, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
     with_defaults,
 };
 use std::collections::BTreeMap;
@@ -39,6 +40,7 @@ pub struct Nao {
     waiting: Arc<AtomicUsize>,
     acts: BTreeMap<Use, Box<dyn Act>>,
     senses: BTreeMap<Use, Open>,
+    camera: NaoCamera,
     thread: Option<JoinHandle<()>>,
 }
 
@@ -63,12 +65,13 @@ impl Nao {
         let (orders, told) = mpsc::unbounded_channel();
         let waiting = Arc::new(AtomicUsize::new(0));
         let (with, count) = (Arc::clone(&shared), Arc::clone(&waiting));
+        let camera = NaoCamera::new(settings.clone(), Arc::clone(&shared));
         let thread = std::thread::Builder::new().name("nao".into());
         let thread = thread.spawn(move || supervisor::keep(&settings, &with, told, &count));
         if let Err(error) = &thread {
             shared.state().health = Health::Lost(format!("there is no thread for it ({error})"));
         }
-        Self { shared, orders, waiting, acts: BTreeMap::new(), senses: BTreeMap::new(), thread: thread.ok() }
+        Self { shared, orders, waiting, acts: BTreeMap::new(), senses: BTreeMap::new(), camera, thread: thread.ok() }
     }
 
     fn tell(&self, order: Order) -> Result<(), RobotFault> {
@@ -280,6 +283,10 @@ impl Robot for Nao {
             ..Body::default()
         };
         Scene { at_ms: state.time_at(std::time::Instant::now()), body, ..Scene::default() }
+    }
+
+    fn camera(&self) -> Option<Arc<dyn Camera>> {
+        Some(Arc::new(self.camera.clone()))
     }
 }
 

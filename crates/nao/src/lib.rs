@@ -10,6 +10,7 @@
 
 mod acting;
 mod body;
+mod camera;
 mod check;
 mod deed;
 mod devices;

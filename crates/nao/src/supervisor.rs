@@ -9,7 +9,7 @@ use crate::scan::{clean, scan};
 use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::{check, senses, status, stopping};
+use crate::{camera, check, senses, status, stopping};
 use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
@@ -105,7 +105,7 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
 }
 
 /// The first address that leads to a robot.
-async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
+pub(crate) async fn find(settings: &Settings) -> Result<(Address, Session), QiError> {
     let mut failed = QiError::Address(settings.address.clone());
     for address in settings.addresses() {
         if let Err(error) = settings.check_secret(&address) {
@@ -166,6 +166,7 @@ async fn serve(
         Ok(scanned) => scanned.note(&mut shared.state()),
         Err(error) => return check::sentence(&error),
     }
+    camera::clean(session, &settings.own_name).await;
     if clean(session, &settings.own_name, shared).await {
         // Whoever left that behind may have left it walking.
         shared.stop();

@@ -29,6 +29,17 @@ pub struct RobotState {
     /// How it is reached; none for a simulated one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub address: Option<String>,
+    /// Whether people may look through a camera of it.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub camera: bool,
+    /// Whether somebody does.
+    #[serde(default, skip_serializing_if = "is_not")]
+    pub watched: bool,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
+fn is_not(flag: &bool) -> bool {
+    !flag
 }
 
 impl RobotState {
@@ -44,6 +55,8 @@ impl RobotState {
             lacking: Vec::new(),
             condition: Condition::default(),
             address: None,
+            camera: false,
+            watched: false,
         }
     }
 }

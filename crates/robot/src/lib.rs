@@ -2,6 +2,7 @@
 //! the picture of the robot in its room. No robot in particular, and no connection to one, lives here.
 #![warn(missing_docs)]
 
+mod camera;
 mod catalogue;
 mod condition;
 mod describe;
@@ -14,6 +15,7 @@ mod parts;
 mod scene;
 mod types;
 
+pub use camera::{Camera, Picture};
 pub use catalogue::{
     Device, Example, Field, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
@@ -141,6 +143,11 @@ pub trait Robot {
 
     /// The robot in its room, for pictures.
     fn scene(&self) -> Scene;
+
+    /// Its camera, if people may look through one.
+    fn camera(&self) -> Option<std::sync::Arc<dyn Camera>> {
+        None
+    }
 }
 
 #[cfg(test)]

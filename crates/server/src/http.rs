@@ -2,6 +2,7 @@
 
 pub(crate) mod accept;
 pub(crate) mod address;
+mod camera;
 mod catalogue;
 mod come_in;
 mod cut;

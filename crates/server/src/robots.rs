@@ -3,6 +3,7 @@
 
 mod backup;
 mod beats;
+mod camera;
 mod cancel_flag;
 mod command_queue;
 mod emission_sink;

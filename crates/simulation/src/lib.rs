@@ -7,6 +7,7 @@
 
 mod base;
 mod body;
+mod camera;
 mod condition;
 mod devices;
 mod edit;

@@ -2,6 +2,7 @@
 
 use crate::base::Base;
 use crate::body::Body;
+use crate::camera::Shown;
 use crate::condition::Own;
 use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Pads, Played, Playing, Point, Sounds, Walking};
 use crate::hash::{Digest, digest_use};
@@ -48,6 +49,8 @@ pub struct SimulatedNao {
     pub(crate) halted: Option<String>,
     pub(crate) eyes: Eyes,
     pub(crate) printed: VecDeque<Printed>,
+    /// What people see through its camera; no part of what it computes.
+    pub(crate) shown: Arc<Shown>,
     pub(crate) known: Vec<bool>,
     pub(crate) safe: bool,
     pub(crate) noise: Noise,
@@ -87,6 +90,7 @@ impl SimulatedNao {
             halted: None,
             eyes: Eyes::default(),
             printed: VecDeque::new(),
+            shown: Arc::default(),
             safe: false,
             noise: Noise::default(),
             random: Random::new(seed),
@@ -141,6 +145,7 @@ impl SimulatedNao {
         self.hear();
         self.pads.step(self.bumped());
         self.drain();
+        self.show_camera();
     }
 
     fn move_base(&mut self) {

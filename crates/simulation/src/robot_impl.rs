@@ -3,7 +3,8 @@
 use crate::devices::{Opened, names, open};
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
-use robot::{Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};
+use robot::{Camera, Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};
+use std::sync::Arc;
 
 /// Most open devices.
 const USES_MAX: usize = 512;
@@ -98,5 +99,9 @@ impl Robot for SimulatedNao {
 
     fn scene(&self) -> Scene {
         self.picture()
+    }
+
+    fn camera(&self) -> Option<Arc<dyn Camera>> {
+        Some(Arc::clone(&self.shown) as Arc<dyn Camera>)
     }
 }

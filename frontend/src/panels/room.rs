@@ -1,5 +1,6 @@
 //! The robot in its room from above; balls and people are dragged or moved with arrow keys.
 
+mod camera;
 mod map;
 mod movable;
 mod picture;
@@ -53,6 +54,7 @@ pub(crate) fn Room() -> impl IntoView {
             </svg>
             <tools::Bubble />
         </section>
+        <camera::Camera />
         <Show when=move || desk.desk().robots.is_simulated()>
             <tools::Tools />
             <speak::Speak />

@@ -6,7 +6,7 @@ use super::downloads::{Downloads, few_at_once};
 use super::headers::HEADERS;
 use super::page::Page;
 use super::readiness::Readiness;
-use super::{catalogue, come_in, cut, page, recordings, stop, transfer, upload};
+use super::{camera, catalogue, come_in, cut, page, recordings, stop, transfer, upload};
 use crate::connection::{Connections, NoPlace, session};
 use crate::invitations::{Asked, Entry, Route};
 use crate::state::ServerState;
@@ -57,6 +57,8 @@ struct AppState {
     connections: Arc<Connections>,
     /// Places for what people download.
     downloads: Downloads,
+    /// Places for who looks through a camera.
+    looks: Arc<SharedPlaces>,
     /// Files that are being sent to us.
     uploads: Arc<SharedPlaces>,
     /// Whether the store can save, as it was found lately.
@@ -83,7 +85,8 @@ impl AppState {
 pub(crate) fn routes(connections: Arc<Connections>, messages: Handle, page: Page, address: SocketAddr) -> Router {
     let (downloads, uploads) = (Downloads::default(), SharedPlaces::within(UPLOADS));
     let readiness = Readiness::default();
-    let app = AppState { connections, downloads, uploads, readiness, messages, page, address };
+    let looks = SharedPlaces::within(camera::LOOKS);
+    let app = AppState { connections, downloads, looks, uploads, readiness, messages, page, address };
     let add = |router: Router<AppState>, route: Route| {
         let handler = match route {
             // It asks itself, as on the accepting thread.
@@ -131,6 +134,7 @@ fn handler(route: Route, app: &AppState) -> MethodRouter<AppState> {
         Route::Backup => get(backup).layer(few_at_once),
         Route::Recordings => get(list_recordings).layer(few_at_once),
         Route::Recording => get(recording).layer(few_at_once),
+        Route::Camera => get(camera),
         Route::Import => post(import).layer(DefaultBodyLimit::max(FILE_MAX_BYTES)),
         // Nothing more is added to the way of Stop.
         Route::Stop => return post(stop),
@@ -264,6 +268,17 @@ async fn download(
     Path(file): Path<String>,
 ) -> Response {
     transfer::download(app.state(), app.sender(&entry), &file).await
+}
+
+async fn camera(
+    State(app): State<AppState>,
+    Extension(entry): Extension<Entry>,
+    Path(robot): Path<String>,
+) -> Response {
+    let Some(_place) = app.looks.take(&entry.identity()) else {
+        return (StatusCode::SERVICE_UNAVAILABLE, format!("{}\n", Refused::TooFast)).into_response();
+    };
+    camera::next(app.state(), &robot).await
 }
 
 async fn import(

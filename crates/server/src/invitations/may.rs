@@ -46,6 +46,8 @@ pub(crate) enum Route {
     Recordings,
     /// One of them.
     Recording,
+    /// The next picture of a robot's camera.
+    Camera,
     /// Bringing a behaviour in.
     Import,
     /// Stop.
@@ -60,7 +62,7 @@ pub(crate) enum Route {
 
 impl Route {
     /// All of them.
-    pub(crate) const ALL: [Self; 18] = [
+    pub(crate) const ALL: [Self; 19] = [
         Self::Page,
         Self::ComeIn,
         Self::ComeInStyle,
@@ -74,6 +76,7 @@ impl Route {
         Self::Backup,
         Self::Recordings,
         Self::Recording,
+        Self::Camera,
         Self::Import,
         Self::Stop,
         Self::HostLink,
@@ -97,6 +100,7 @@ impl Route {
             Self::Backup => "/api/backup",
             Self::Recordings => RECORDINGS_PATH,
             Self::Recording => return Some(format!("{RECORDINGS_PATH}/{{file}}")),
+            Self::Camera => "/api/robots/{robot}/camera",
             Self::Import => "/api/import",
             Self::Stop => STOP_PATH,
             Self::HostLink => HOST_LINK_PATH,
@@ -130,6 +134,8 @@ fn of_route(route: Route) -> Least {
         | Route::Catalogue
         | Route::CatalogueStyle
         | Route::Stop => Least::In(Role::Viewer),
+        // A picture of people is for who works with them.
+        Route::Camera => Least::In(Role::Operator),
         Route::Backup | Route::Import => Least::In(Role::Editor),
         Route::HostLink => Least::In(Role::Host),
     }

@@ -16,6 +16,7 @@ use super::successor;
 use crate::recordings::{NotRecorded, Recordings};
 use crate::support::lock;
 use crate::support::priority::{self, Priority};
+use axum::body::Bytes;
 use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
@@ -321,6 +322,11 @@ impl Host {
     #[cfg(test)]
     pub(super) fn runs(&self) -> watch::Receiver<Arc<Vec<RunState>>> {
         self.shared().feed.runs()
+    }
+
+    /// The next picture of its camera, as JPEG; none if it has none, or if none comes within two seconds.
+    pub(crate) async fn camera(&self) -> Option<Bytes> {
+        self.shared().camera.next(self.id(), &self.shared().feed).await
     }
 
     /// The newest picture of the robot in its room as a message, made elsewhere.

@@ -44,6 +44,7 @@ pub(super) fn keep(shared: &Arc<RobotShared>, make: &Make) {
         let kept = catch_unwind(AssertUnwindSafe(|| {
             let (mut robot, ring) = (make(), Arc::clone(shared));
             robot.wake_with(Arc::new(move || ring.queue.sense()));
+            shared.camera.set(robot.camera());
             RobotThread::new(shared, robot, Instant::now()).work();
         }));
         if kept.is_err() {
@@ -327,8 +328,10 @@ impl<'a> RobotThread<'a> {
             other => other,
         };
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
+        let camera = self.robot.camera().is_some();
         self.shared.feed.edit(&self.shared.robot, |state| {
             (state.health, state.lacking, state.condition) = (health, lacking, condition);
+            state.camera = camera;
             if state.devices != devices {
                 state.devices = devices.into_iter().map(str::to_owned).collect();
             }

@@ -1,5 +1,6 @@
 //! What the robot's thread, the runs' threads and the server share: the command queue, the run table, and what is shown.
 
+use super::camera::CameraView;
 use super::cancel_flag::CancelFlags;
 use super::command_queue::CommandQueue;
 use super::host::Start;
@@ -31,6 +32,8 @@ pub(super) struct RobotShared {
     pub(super) threads: AtomicUsize,
     /// The robot in its room.
     pub(super) scene: watch::Sender<Arc<Scene>>,
+    /// What its camera sees.
+    pub(super) camera: Arc<CameraView>,
     /// Who wins.
     pub(super) order: Order,
     /// What Stop sets.
@@ -48,6 +51,7 @@ impl RobotShared {
             table: Mutex::default(),
             threads: AtomicUsize::new(0),
             scene: watch::Sender::new(Arc::default()),
+            camera: Arc::default(),
             cancel_flags: CancelFlags::default(),
         }
     }

@@ -136,6 +136,7 @@ async fn every_route_asks_for_the_role() {
         ("GET", &file, Role::Viewer),
         ("GET", "/api/recordings", Role::Viewer),
         ("GET", "/api/recordings/none.jsonl", Role::Viewer),
+        ("GET", "/api/robots/none/camera", Role::Operator),
         ("GET", "/api/backup", Role::Editor),
         ("POST", "/api/import", Role::Editor),
         ("POST", "/api/import?mode=restore", Role::Editor),

@@ -98,6 +98,11 @@ impl Robots {
         self.chosen.read().as_ref().is_some_and(|robot| robot.address.is_none())
     }
 
+    /// Which robot it is, if people may look through a camera of it. Reactive.
+    pub(crate) fn with_camera(&self) -> Option<Id> {
+        self.chosen.read().as_ref().filter(|robot| robot.camera).map(|robot| robot.robot.clone())
+    }
+
     /// What people call it. Reactive.
     pub(crate) fn name(&self) -> String {
         self.chosen.read().as_ref().map(|robot| robot.name.clone()).unwrap_or_default()

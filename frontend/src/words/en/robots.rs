@@ -39,6 +39,11 @@ sentences! {
     push: "Push it over";
     help_up: "Help it up";
     buttons: "Buttons of the program";
+    look_through_camera: "Look through its camera";
+    camera_picture: "What the robot's camera sees now";
+    camera_kept_nowhere: "Seen now, kept nowhere. Ask whoever is in the picture first.";
+    camera_waits: "Waiting for a picture of the camera …";
+    camera_watched: "Somebody looks through its camera.";
 }
 
 /// "Touch the middle of the head".
