@@ -117,6 +117,7 @@ FIELDS = {
     "posture": posture,
     "awake": awake,
     "push": lambda house, onto: house.body.push(onto),
+    "carried": lambda house, carried: house.body.carry(carried),
     "upright": lambda house, _: house.body.upright(),
     "life": life,
 }

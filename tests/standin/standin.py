@@ -22,6 +22,7 @@ A mistake in the JSON is an error of the call, and then nothing has changed afte
      "battery":   80,  "plugged": true,
      "heat":      {"LKneePitch": 80.0},
      "push":      "belly" | "back",        pushed over
+     "carried":   true,                    lifted from the ground, or set on its feet; a lifted one ends its walk
      "upright":   true,                    set on its feet by somebody; the motors stay as they are
      "life":      "disabled" | "solitary" | "interactive" | "safeguard",
      "pose":      [x, y, heading],         carried there
@@ -46,7 +47,8 @@ A ball swings about `at` by amplitude * sin(2 pi hz t + phase) on each axis.
 "muted", "life", "abilities": {name: on}, "ALBackgroundMovement": on, "ALListeningMovement", "ALSpeakingMovement",
 "ALAutonomousBlinking", "ALBasicAwareness", "cameras": [handle], "listened": [key],
 "subscribers": {service: {name: period_ms}}, "paused": [service], "blocked": ["Service.method"],
-"violations": [text], "balls": {name: {"at": [x, y, z], "seen": [x, y, size] | null}}}
+"violations": [text], "in_the_air": a foot is, "last_ms": {"moved", "spoke", "sounded", "played": when it did last},
+"balls": {name: {"at": [x, y, z], "seen": [x, y, size] | null}}}
 
 **calls**: [{"seq": 1, "t_ms": 1234, "monotonic_us": 5678901234, "service": "ALMotion", "method": "setAngles",
 "args": ["HeadYaw", 0.5, 0.3]}]; a call is noted when it comes, whatever becomes of it; `monotonic_us` is that moment on the
@@ -110,6 +112,7 @@ class StandIn(Service):
         state["paused"] = [service.name for service in extractors if service.paused]
         state["blocked"] = [".".join(job.call) for job in house.jobs if job.kind != "fall"]
         state["violations"] = house.violations
+        state["last_ms"] = house.last
         state["balls"] = {
             name: {"at": house.world.ball_at(ball), "seen": house.world.see(house.world.ball_at(ball), ball["radius"], name)}
             for name, ball in house.world.balls.items()
