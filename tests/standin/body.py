@@ -157,10 +157,10 @@ class Body:
             self.step_s = 0.0 if self.wants() else None
             return
         self.step_s += seconds
-        if self.step_s >= STEP_S:
-            self.step_s = 0.0 if self.wants() else None
-            if self.step_s is None:
-                self.speed = [0.0, 0.0, 0.0]
+        if not self.wants() and not self.in_the_air():
+            self.step_s, self.speed = None, [0.0, 0.0, 0.0]
+        elif self.step_s >= STEP_S:
+            self.step_s = 0.0
 
     def _towards(self, goal):
         x, y, heading = self.base
@@ -174,7 +174,7 @@ class Body:
         # So fast that it can still stop there.
         rates = [AHEAD_MPS2, AHEAD_MPS2, TURN_RPS2]
         self.wanted = [
-            math.copysign(min(most, math.sqrt(2 * rate * abs(way)) * 0.7 + 1e-3), way)
+            math.copysign(min(most, math.sqrt(2 * rate * abs(way)) * 0.95 + 1e-3), way)
             for way, most, rate in zip(left, self.caps, rates)
         ]
 

@@ -143,7 +143,10 @@ async fn a_new_way_takes_the_place_of_the_old_one_and_the_gait_is_the_callers() 
     let renewing = async {
         let state = nao.until("it walks", |state| state["velocity"][0].as_f64().unwrap() > 0.025).await;
         let from = state["pose"][0].as_f64().unwrap();
-        assert_eq!(motion.call("moveTo", &[0.02.into(), 0.0.into(), 0.0.into(), gait(0.0126)]).await.unwrap().as_bool(), Some(true));
+        assert_eq!(
+            motion.call("moveTo", &[0.02.into(), 0.0.into(), 0.0.into(), gait(0.0126)]).await.unwrap().as_bool(),
+            Some(true)
+        );
         from
     };
     let (replaced, from) = tokio::join!(motion.call("moveTo", &far), renewing);

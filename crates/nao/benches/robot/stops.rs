@@ -23,6 +23,8 @@ const LOOK: Duration = Duration::from_millis(2);
 /// With a black hole and without, in turn.
 pub(crate) async fn measure(verdict: &mut Verdict) {
     let Some(peer) = Peer::start("the benchmark of Stops", &[]).await else { return };
+    // Else it tells that it lives, which is no loss.
+    peer.world(json!({"life": "disabled", "life_disabled_rests": false})).await;
     let proxy = Proxy::before(&peer.address).await;
     let mut driver = Driver::at(&proxy.address).await;
     let (mut plain, mut holed) = (Ends::default(), Ends::default());

@@ -27,11 +27,11 @@ async fn a_walk_that_comes_after_the_stop_ends_too() {
     while peer.calls("ALMotion.killAll").await.is_empty() {
         driver.wait(1).await;
     }
-    assert!(peer.calls("ALMotion.move").await.is_empty(), "it is still on its way");
+    assert!(peer.calls("ALMotion.moveTo").await.is_empty(), "it is still on its way");
     driver.nao.close(&walk);
     driver.wait(10).await;
     proxy.hold(None);
-    while peer.calls("ALMotion.move").await.is_empty() {
+    while peer.calls("ALMotion.moveTo").await.is_empty() {
         driver.wait(1).await;
     }
     driver.sees(&peer, "it stands", is_calm).await;
