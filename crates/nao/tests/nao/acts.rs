@@ -134,9 +134,10 @@ async fn everything_else_is_called_as_a_robot_wants_it() {
     assert_eq!(peer.calls("ALAnimationPlayer.run").await, [json!(["animations/Stand/Gestures/Hey_1"])]);
     let follow = driver.open("follow", "Tracker", &[]);
     driver.tell(&follow, true);
-    driver.sees(&peer, "it looks at the ball", |state| state["targets"]["HeadYaw"].is_number()).await;
     let looks = |state: &Json| state["subscribers"].to_string().contains("rrp-test/follow/RedBall");
     driver.sees(&peer, "it follows", looks).await;
+    let turned = |state: &Json| state["joints"]["HeadYaw"].as_f64().is_some_and(|yaw| (yaw - 0.24).abs() < 0.03);
+    driver.sees(&peer, "it looks at the ball", turned).await;
     driver.sees(&peer, "it follows no more", |state| !looks(state)).await;
     assert!(peer.calls("ALTracker.track").await.is_empty(), "which nothing would end without us");
     let beep = driver.open("beep", "Sound", &[]);

@@ -49,7 +49,9 @@ fn turns(state: &Json) -> bool {
 }
 
 fn points(state: &Json) -> bool {
-    !state["targets"]["LShoulderRoll"].is_null()
+    // A picture sends it on a little way, and it is there before the next.
+    let moved = state["last_ms"]["moved"].as_f64().unwrap_or_default();
+    moved > 0.0 && state["t_ms"].as_f64().unwrap() - moved < 60.0
 }
 
 fn has(state: &Json, name: &str) -> bool {
@@ -209,12 +211,21 @@ pub(crate) async fn calm_after(words: &[&str], activity: &Activity, harm: Harm, 
     let proxy = Proxy::before(&peer.address).await;
     let mut server = Server::start(words, activity, &proxy.address);
     let end = Instant::now() + PATIENCE;
-    while !(activity.is_on)(&peer.state().await) {
-        assert!(Instant::now() < end, "never: {} {}", activity.name, peer.state().await);
+    let mut since = None;
+    loop {
+        let state = peer.state().await;
+        assert!(Instant::now() < end, "never: {} {state}", activity.name);
         assert!(server.0.try_wait().unwrap().is_none(), "who drives is gone");
+        let is_on = (activity.is_on)(&state);
+        let began = *since.get_or_insert_with(Instant::now);
+        if is_on && began.elapsed() >= Duration::from_millis(late_ms) {
+            break;
+        }
+        if !is_on && began.elapsed() < Duration::from_millis(late_ms) {
+            since = None;
+        }
         tokio::time::sleep(PAUSE).await;
     }
-    tokio::time::sleep(Duration::from_millis(late_ms)).await;
     let harmed = monotonic_ms();
     match harm {
         Harm::Killed => server.tell(Signal::KILL),
