@@ -11,6 +11,10 @@ CLEAR_M = 0.12
 # A sole in the frame of its foot: the box of the table.
 SOLE = [(x, y, -0.04519) for x in (0.1, -0.05) for y in (0.044, -0.044)]
 FALL_MS = 300
+# A step, and how much of it has a foot in the air: the shortest that is documented, a third of it on both feet.
+STEP_S, AIR_S = 0.42, 0.28
+# A walk has arrived when this much is left, in metres and radians.
+THERE_M, THERE_RAD = 0.002, 0.005
 
 
 def nearer(now, to, step):
@@ -32,6 +36,10 @@ class Body:
         self.speed = [0.0, 0.0, 0.0]
         self.wanted = [0.0, 0.0, 0.0]
         self.goal = None
+        # How long the step that is being made has lasted, in seconds; none when it stands.
+        self.step_s = None
+        # Whether a foot feels the ground.
+        self.on_ground = True
         self.height = self._height()
 
     def aim(self, name, angle, fraction):
@@ -93,18 +101,34 @@ class Body:
         self.goal = None
         self.wanted = [min(max(part, -most), most) for part, most in zip((ahead, left, around), top)]
 
-    def walk_to(self, ahead, left, around):
+    def walk_to(self, ahead, left, around, caps=None):
+        """To a place seen from here, no faster than `caps`."""
         x, y, heading = self.base
         sin, cos = math.sin(heading), math.cos(heading)
         self.goal = [x + cos * ahead - sin * left, y + sin * ahead + cos * left, heading + around]
+        self.caps = [min(one, other) for one, other in zip(caps or self.table.top_speed, self.table.top_speed)]
 
     def halt(self, at_once=False):
+        """It stands once its step is over; `at_once` with a foot in the air is for who knows that."""
         self.goal, self.wanted = None, [0.0, 0.0, 0.0]
         if at_once:
-            self.speed = [0.0, 0.0, 0.0]
+            self.speed, self.step_s = [0.0, 0.0, 0.0], None
+
+    def wants(self):
+        return self.goal is not None or any(abs(part) > 1e-6 for part in self.wanted)
 
     def moving(self):
-        return self.goal is not None or any(abs(part) > 1e-6 for part in self.speed + self.wanted)
+        return self.wants() or self.step_s is not None or any(abs(part) > 1e-6 for part in self.speed)
+
+    def in_the_air(self):
+        """Whether a step has a foot in the air: whoever sets the legs now makes it fall."""
+        return self.step_s is not None and self.step_s < AIR_S
+
+    def legs_set(self, what):
+        """Somebody sets the legs."""
+        if self.in_the_air():
+            self.house.violations.append("%s in mid-step" % what)
+            self.push()
 
     def _walk(self, seconds):
         if self.goal is not None:
@@ -112,6 +136,7 @@ class Body:
         if self.fallen or not self.awake or self.stiff_legs() == 0:
             self.halt(at_once=True)
             return
+        self._feet(seconds)
         most = [AHEAD_MPS2 * seconds, AHEAD_MPS2 * seconds, TURN_RPS2 * seconds]
         self.speed = [nearer(now, to, step) for now, to, step in zip(self.speed, self.wanted, most)]
         x, y, heading = self.base
@@ -124,19 +149,33 @@ class Body:
             place = [x, y]
         self.base = [*place, math.remainder(heading + around, 2 * math.pi)]
 
+    def _feet(self, seconds):
+        """One step after the other for as long as it wants to go on; the last one brings it to rest. Pepper has wheels."""
+        if self.table.kind == "pepper":
+            return
+        if self.step_s is None:
+            self.step_s = 0.0 if self.wants() else None
+            return
+        self.step_s += seconds
+        if not self.wants() and not self.in_the_air():
+            self.step_s, self.speed = None, [0.0, 0.0, 0.0]
+        elif self.step_s >= STEP_S:
+            self.step_s = 0.0
+
     def _towards(self, goal):
         x, y, heading = self.base
         sin, cos = math.sin(heading), math.cos(heading)
         over, aside = goal[0] - x, goal[1] - y
         left = [cos * over + sin * aside, cos * aside - sin * over, math.remainder(goal[2] - heading, 2 * math.pi)]
-        if abs(left[0]) < 0.005 and abs(left[1]) < 0.005 and abs(left[2]) < 0.01:
-            self.halt(at_once=True)
+        if abs(left[0]) < THERE_M and abs(left[1]) < THERE_M and abs(left[2]) < THERE_RAD:
+            self.halt()
+            self.speed = [0.0, 0.0, 0.0]
             return
         # So fast that it can still stop there.
         rates = [AHEAD_MPS2, AHEAD_MPS2, TURN_RPS2]
         self.wanted = [
-            math.copysign(min(most, math.sqrt(2 * rate * abs(way)) * 0.7 + 1e-3), way)
-            for way, most, rate in zip(left, self.table.top_speed, rates)
+            math.copysign(min(most, math.sqrt(2 * rate * abs(way)) * 0.95 + 1e-3), way)
+            for way, most, rate in zip(left, self.caps, rates)
         ]
 
     # Where things are
@@ -172,7 +211,16 @@ class Body:
         row = self.table.camera_table[number]
         return self.head() * Pose(row["at"], turn((0, 1, 0), row["pitch_down"]))
 
-    # Falling and heat
+    # Carrying, falling and heat
+
+    def carry(self, carried):
+        """Somebody lifts it, which ends its walk, or sets it on its feet."""
+        self.on_ground = not carried
+        if carried:
+            self.halt(at_once=True)
+            self.house.release("walk", "stop")
+        self.house.memory.values["footContact"] = float(self.on_ground)
+        self.house.memory.put("footContactChanged", self.on_ground)
 
     def push(self, onto="belly"):
         """Pushed over: its fall manager ends everything and lets the motors go."""
@@ -184,7 +232,7 @@ class Body:
         memory.put("ALMotion/RobotIsFalling", True)
         memory.put("ALMotion/RobotIsStand", False)
         self.halt(at_once=True)
-        self.house.release("task", "walk", "posture", "wake")
+        self.house.release("task", "walk", "stop", "posture", "wake")
         self.stiffen(self.table.body, 0.0)
         self.house.wait("fall", FALL_MS, lambda whole: self._landed())
 

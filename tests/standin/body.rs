@@ -1,6 +1,7 @@
 //! What it speaks, how it moves, and what becomes of it when somebody lets go.
 
 use crate::nao::{Nao, next, plain};
+use qi::Value;
 use serde_json::{Value as Json, json};
 
 fn near(one: &Json, other: f64) -> bool {
@@ -95,4 +96,79 @@ async fn a_smaller_nao_has_no_wrists_and_a_pepper_no_legs() {
         assert!(nao.session.service("ALTracker").await.is_err());
         assert_eq!(nao.call("ALRobotPosture", "goToPosture", json!(["Crouch", 1.0])).await.as_bool(), Some(true));
     }
+}
+
+/// Walks until a foot is in the air.
+async fn steps(nao: &Nao) {
+    nao.call("ALMotion", "move", json!([0.05, 0.0, 0.0])).await;
+    nao.until("a foot is in the air", |state| state["in_the_air"] == json!(true)).await;
+}
+
+#[tokio::test]
+async fn stop_move_answers_when_both_feet_are_on_the_ground_and_then_the_legs_may_be_set() {
+    let Some(nao) = Nao::start("a step of the stand-in", &[]).await else { return };
+    for _ in 0..3 {
+        steps(&nao).await;
+        nao.call("ALMotion", "stopMove", json!([])).await;
+        let state = nao.told("state").await;
+        assert_eq!((&state["moving"], &state["in_the_air"]), (&json!(false), &json!(false)));
+        nao.call("ALMotion", "killAll", json!([])).await;
+        nao.call("ALMotion", "setAngles", json!(["LKneePitch", 0.9, 0.3])).await;
+    }
+    let state = nao.told("state").await;
+    assert_eq!((&state["fallen"], &state["violations"]), (&json!(false), &json!([])));
+}
+
+/// What a Stop did that did not wait for the legs: it made the robot fall.
+#[tokio::test]
+async fn whoever_sets_the_legs_or_kills_the_walk_in_mid_step_makes_it_fall() {
+    for (method, arguments) in [("setAngles", json!(["LKneePitch", 0.9, 0.3])), ("killAll", json!([]))] {
+        let Some(nao) = Nao::start("a fall in mid-step", &[]).await else { return };
+        steps(&nao).await;
+        let motion = nao.service("ALMotion").await;
+        let (stopped, _) = tokio::join!(motion.call("stopMove", &[]), nao.call("ALMotion", method, arguments));
+        stopped.unwrap();
+        let state = nao.until("it lies", |state| state["fallen"] == json!(true)).await;
+        assert!(state["violations"].to_string().contains("in mid-step"), "{}", state["violations"]);
+    }
+}
+
+#[tokio::test]
+async fn a_new_way_takes_the_place_of_the_old_one_and_the_gait_is_the_callers() {
+    let Some(nao) = Nao::start("gaits of the stand-in", &[]).await else { return };
+    let motion = nao.service("ALMotion").await;
+    let pair = |name: &str, value: f32| Value::dynamic(Value::List(vec![Value::dynamic(name), Value::dynamic(value)]));
+    let gait = |step: f32| Value::dynamic(Value::List(vec![pair("MaxStepX", step)]));
+    let far = [1.0.into(), 0.0.into(), 0.0.into(), gait(0.0126)];
+    let renewing = async {
+        let state = nao.until("it walks", |state| state["velocity"][0].as_f64().unwrap() > 0.025).await;
+        let from = state["pose"][0].as_f64().unwrap();
+        assert_eq!(
+            motion.call("moveTo", &[0.02.into(), 0.0.into(), 0.0.into(), gait(0.0126)]).await.unwrap().as_bool(),
+            Some(true)
+        );
+        from
+    };
+    let (replaced, from) = tokio::join!(motion.call("moveTo", &far), renewing);
+    assert_eq!(replaced.unwrap().as_bool(), Some(false));
+    let state = nao.told("state").await;
+    assert!((state["pose"][0].as_f64().unwrap() - from - 0.02).abs() < 0.01, "{from} {}", state["pose"]);
+    assert!(state["velocity"][0].as_f64().unwrap() < 0.0301, "no faster than a step of 0.0126 m in 0.42 s");
+    assert!(motion.call("moveTo", &[1.0.into(), 0.0.into(), 0.0.into(), gait(0.09)]).await.is_err());
+}
+
+#[tokio::test]
+async fn a_robot_that_is_carried_or_limp_does_not_begin_to_walk() {
+    let Some(nao) = Nao::start("a stand-in that is carried", &[]).await else { return };
+    let mut contact = nao.listen("footContactChanged").await;
+    steps(&nao).await;
+    nao.world(json!({"carried": true})).await;
+    assert_eq!(next(&mut contact.events).await, json!(false));
+    nao.until("it walks no more", |state| state["moving"] == json!(false)).await;
+    assert_eq!(nao.call("ALMotion", "moveTo", json!([0.1, 0.0, 0.0])).await.as_bool(), Some(false));
+    nao.world(json!({"carried": false})).await;
+    nao.call("ALMotion", "setStiffnesses", json!(["LKneePitch", 0.5])).await;
+    assert_eq!(nao.call("ALMotion", "moveTo", json!([0.1, 0.0, 0.0])).await.as_bool(), Some(false));
+    nao.call("ALMotion", "setStiffnesses", json!(["LKneePitch", 1.0])).await;
+    assert_eq!(nao.call("ALMotion", "moveTo", json!([0.1, 0.0, 0.0])).await.as_bool(), Some(true));
 }

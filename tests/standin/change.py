@@ -117,6 +117,8 @@ FIELDS = {
     "posture": posture,
     "awake": awake,
     "push": lambda house, onto: house.body.push(onto),
+    "carried": lambda house, carried: house.body.carry(carried),
+    "stiffness": lambda house, wanted: [house.body.stiffen([joint], part) for joint, part in wanted.items()],
     "upright": lambda house, _: house.body.upright(),
     "life": life,
 }

@@ -55,6 +55,8 @@ class House:
         self.jobs = []
         self.services = {}
         self.violations = []
+        # When it moved, spoke, sounded and played last, in milliseconds.
+        self.last = {}
         self.memory = self.body = self.world = None
 
     def now(self):
@@ -156,8 +158,18 @@ class House:
                 except Exception:
                     traceback.print_exc()
 
+    def note_activity(self, now):
+        body, services = self.body, self.services
+        doing = {
+            "moved": body.targets or body.moving(), "spoke": services["ALTextToSpeech"].queue,
+            "sounded": services["ALAudioPlayer"].sounding,
+            "played": services["ALAnimationPlayer"].playing or services["ALBehaviorManager"].playing,
+        }
+        self.last.update({what: now for what, on in doing.items() if on})
+
     def step(self):
         now = self.now()
+        self.note_activity(now)
         self.body.step(CYCLE_MS / 1e3)
         self.world.step(now / 1e3)
         for job in list(self.jobs):

@@ -111,5 +111,6 @@ def first(memory, table):
         "BatteryNearlyEmpty": False, "ALMotion/RobotIsFalling": False, "robotHasFallen": False,
         "ALMotion/RobotIsStand": True, "robotIsWakeUp": True, "PostureFamilyChanged": "Standing",
         "PostureChanged": "StandInit", "AutonomousLife/State": "solitary", "HotDeviceDetected": [],
+        "footContact": 1.0,
         "ALTextToSpeech/TextDone": 1, "ALTextToSpeech/Status": [0, "done"], "RobotConfig/Body/Type": table.model,
     })

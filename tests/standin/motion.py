@@ -1,11 +1,16 @@
 """ALMotion: joints, stiffness, walking, waking and resting.
 
 `setAngles` answers at once, `angleInterpolation…` when the joints have arrived or `killAll` came, which leaves the
-targets of `setAngles` alone. Assumed: a walk that is stopped answers `moveTo` with false; `wakeUp` ends in StandInit.
+targets of `setAngles` alone. Read: `stopMove` answers when both feet are on the ground; whoever kills the walk before that,
+as `killMove` and `killAll` do, makes it fall, and so does who sets the legs; a new `moveTo` takes the place of the one that
+runs; the gait is the caller's (`MaxStepX`, `MaxStepY`, `MaxStepTheta`, of Pepper `MaxVelXY`, `MaxVelTheta`); no walk begins
+without the ground under a foot or with legs of a stiffness up to 0.6. Assumed: a walk that is stopped or replaced answers
+`moveTo` with false; a sideways step and a turn take two steps; `wakeUp` ends in StandInit.
 """
 
 import math
 
+from body import STEP_S
 from service import Refused, Service, api
 
 
@@ -17,6 +22,15 @@ def numbers(value, count):
     if not all(isinstance(one, (int, float)) and math.isfinite(one) for one in values):
         raise Refused("not a number: %s" % (values,))
     return values
+
+
+# Names of the gait, with the lowest and highest value that is documented.
+GAIT = {"MaxStepX": (0.001, 0.08), "MaxStepY": (0.101, 0.16), "MaxStepTheta": (0.001, 0.524), "MaxStepFrequency": (0.0, 1.0),
+        "StepHeight": (0.005, 0.04), "TorsoWx": (-0.122, 0.122), "TorsoWy": (-0.122, 0.122)}
+WHEELS = {"MaxVelXY": (0.1, 0.55), "MaxVelTheta": (0.2, 2.0), "MaxAccXY": (0.1, 0.55), "MaxAccTheta": (0.1, 3.0)}
+# What both feet are apart in any step to the side, in metres.
+APART_M = 0.1
+STIFF_MIN = 0.6
 
 
 class Motion(Service):
@@ -36,6 +50,8 @@ class Motion(Service):
         if not 0 < fraction <= 1:
             raise Refused("the fraction of the speed must be from 0 to 1: %s" % fraction)
         joints = self._joints(names)
+        if any(joint in self.house.body.table.groups["Legs"] for joint in joints):
+            self.house.body.legs_set("legs set")
         for joint, angle in zip(joints, numbers(angles, len(joints))):
             self.house.body.aim(joint, angle, fraction)
         return joints
@@ -110,7 +126,9 @@ class Motion(Service):
             if not whole:
                 self.house.body.freeze(joints)
 
-        return self.house.block("task", lambda now: self.house.body.arrived(joints), ended)
+        future = self.house.block("task", lambda now: self.house.body.arrived(joints), ended)
+        self.house.jobs[-1].joints = joints
+        return future
 
     @api("v::(s)")
     def openHand(self, name):
@@ -122,12 +140,16 @@ class Motion(Service):
 
     @api("v::()")
     def killAll(self):
-        self.house.release("task", "walk", "posture")
-        self.house.body.halt()
+        self.house.body.legs_set("killAll")
+        self.house.release("task", "walk", "stop", "posture")
+        self.house.body.halt(at_once=True)
 
     @api("v::([s])")
-    def killTasksUsingResources(self, _names):
-        self.house.release("task")
+    def killTasksUsingResources(self, names):
+        """Those that hold one of these joints."""
+        joints = set(self._joints(names))
+        for job in [job for job in self.house.jobs if job.kind == "task" and joints & set(getattr(job, "joints", joints))]:
+            self.house.end(job, False)
 
     # Motors
 
@@ -172,7 +194,7 @@ class Motion(Service):
                 self.house.memory.put("robotIsWakeUp", False)
 
         self.house.body.halt()
-        self.house.release("task", "walk", "posture", "wake")
+        self.house.release("task", "walk", "stop", "posture", "wake")
         return self.house.services["ALRobotPosture"]._go("Crouch", 0.5, "wake", ended)
 
     @api("v::(s)", "rest")
@@ -185,10 +207,23 @@ class Motion(Service):
 
     # Walking
 
+    def _may_walk(self):
+        """Whether the robot's own protection lets a walk begin."""
+        body = self.house.body
+        legs = [body.stiffness[joint] for joint in body.table.groups["Legs"]]
+        stands = self.house.services["ALRobotPosture"]._family() not in ("Sitting", "SittingOnChair", "LyingBelly", "LyingBack")
+        if not stands:
+            self.house.violations.append("told to walk while it sits or lies")
+        return stands and body.on_ground and min(legs) > STIFF_MIN
+
+    def _walk(self, ahead, left, around):
+        self.house.release("walk")
+        if self._may_walk():
+            self.house.body.walk(*numbers([ahead, left, around], 3))
+
     @api("v::(fff)", "move")
     def _move(self, ahead, left, around):
-        self.house.release("walk")
-        self.house.body.walk(*numbers([ahead, left, around], 3))
+        self._walk(ahead, left, around)
 
     @api("v::(fffm)", "move")
     def _move_with(self, ahead, left, around, _config):
@@ -197,9 +232,7 @@ class Motion(Service):
     @api("v::(fff)", "moveToward")
     def _toward(self, ahead, left, around):
         top = self.house.body.table.top_speed
-        parts = [part * most for part, most in zip(numbers([ahead, left, around], 3), top)]
-        self.house.release("walk")
-        self.house.body.walk(*parts)
+        self._walk(*[part * most for part, most in zip(numbers([ahead, left, around], 3), top)])
 
     @api("v::(fffm)", "moveToward")
     def _toward_with(self, ahead, left, around, _config):
@@ -207,33 +240,53 @@ class Motion(Service):
 
     @api("b::(fff)", "moveTo")
     def _to(self, ahead, left, around):
+        return self._go_to(numbers([ahead, left, around], 3), {})
+
+    @api("b::(fffm)", "moveTo")
+    def _to_with(self, ahead, left, around, config):
+        known = WHEELS if self.house.body.table.kind == "pepper" else GAIT
+        for name, value in config:
+            if name not in known or not known[name][0] - 1e-6 <= value <= known[name][1] + 1e-6:
+                raise Refused("no such gait: %s %s" % (name, value))
+        return self._go_to(numbers([ahead, left, around], 3), dict(config))
+
+    def _caps(self, gait):
+        """How fast a gait is, on each axis."""
+        if self.house.body.table.kind == "pepper":
+            across = gait.get("MaxVelXY", 0.35)
+            return [across, across, gait.get("MaxVelTheta", 1.0)]
+        return [gait.get("MaxStepX", 0.04) / STEP_S, (gait.get("MaxStepY", 0.14) - APART_M) / (2 * STEP_S),
+                gait.get("MaxStepTheta", 0.349) / (2 * STEP_S)]
+
+    def _go_to(self, way, gait):
         body = self.house.body
         self.house.release("walk")
-        body.walk_to(*numbers([ahead, left, around], 3))
+        if not self._may_walk():
+            return False
+        body.walk_to(*way, self._caps(gait))
         goal = body.goal
 
         def ended(_whole):
             near = math.dist(goal[:2], body.base[:2]) < 0.02
             return near and abs(math.remainder(goal[2] - body.base[2], 2 * math.pi)) < 0.05
 
-        return self.house.block("walk", lambda now: body.goal is None, ended)
-
-    @api("b::(fffm)", "moveTo")
-    def _to_with(self, ahead, left, around, _config):
-        return Motion._to.__wrapped__(self, ahead, left, around)
+        return self.house.block("walk", lambda now: body.goal is not goal and not body.moving(), ended)
 
     @api("v::()")
     def stopMove(self):
+        """Answers when it stands on both feet."""
         self.house.body.halt()
         self.house.release("walk")
+        return self.house.block("stop", lambda now: not self.house.body.moving()) if self.house.body.moving() else None
 
     @api("v::()")
     def killMove(self):
         body = self.house.body
         if not body.lying and self.house.services["ALRobotPosture"]._family() == "Standing":
             self.house.violations.append("killMove while standing")
+        body.legs_set("killMove")
         body.halt(at_once=True)
-        self.house.release("walk")
+        self.house.release("walk", "stop")
 
     @api("b::()")
     def moveIsActive(self):
@@ -292,6 +345,7 @@ class Motion(Service):
         return {
             "joints": body.angles, "targets": {name: target for name, (target, _) in body.targets.items()},
             "stiffness": body.stiffness, "pose": body.base, "velocity": body.speed, "moving": body.moving(),
+            "in_the_air": body.in_the_air(),
             "awake": body.awake, "fallen": body.fallen, "hot": body.hot(), "celsius": body.celsius,
             "breath": self.breath, "idle": self.idle,
         }

@@ -22,6 +22,8 @@ A mistake in the JSON is an error of the call, and then nothing has changed afte
      "battery":   80,  "plugged": true,
      "heat":      {"LKneePitch": 80.0},
      "push":      "belly" | "back",        pushed over
+     "carried":   true,                    lifted from the ground, or set on its feet; a lifted one ends its walk
+     "stiffness": {"LKneePitch": 0.3},     of these joints
      "upright":   true,                    set on its feet by somebody; the motors stay as they are
      "life":      "disabled" | "solitary" | "interactive" | "safeguard",
      "pose":      [x, y, heading],         carried there
@@ -36,7 +38,8 @@ At first there is what the simulation has: the balls red, green and blue; absent
 obstacles box and block and the landmarks 64 and 80. New names add some. `facing` is the heading that a mark's front looks.
 A ball swings about `at` by amplitude * sin(2 pi hz t + phase) on each axis.
 
-**state**: {"t_ms", "joints": {name: rad}, "targets": {name: rad}, "stiffness": {name: 0..1}, "celsius": {name: C},
+**state**: {"t_ms": since "born_us" of the computer's monotonic clock, "joints": {name: rad}, "targets": {name: rad},
+"stiffness": {name: 0..1}, "celsius": {name: C},
 "pose": [x, y, heading], "velocity": [x, y, turn], "moving", "posture", "family", "awake", "fallen", "hot": [joint],
 "breath": {chain: on}, "idle", "speaking": text | null, "waiting_texts": [], "spoken": [text], "language",
 "voice_volume", "voice": {"speed", "pitchShift"}, "vocabulary": [], "spotting", "listening", "heard_language",
@@ -46,7 +49,8 @@ A ball swings about `at` by amplitude * sin(2 pi hz t + phase) on each axis.
 "muted", "life", "abilities": {name: on}, "ALBackgroundMovement": on, "ALListeningMovement", "ALSpeakingMovement",
 "ALAutonomousBlinking", "ALBasicAwareness", "cameras": [handle], "listened": [key],
 "subscribers": {service: {name: period_ms}}, "paused": [service], "blocked": ["Service.method"],
-"violations": [text], "balls": {name: {"at": [x, y, z], "seen": [x, y, size] | null}}}
+"violations": [text], "in_the_air": a foot is, "last_ms": {"moved", "spoke", "sounded", "played": when it did last},
+"balls": {name: {"at": [x, y, z], "seen": [x, y, size] | null}}}
 
 **calls**: [{"seq": 1, "t_ms": 1234, "monotonic_us": 5678901234, "service": "ALMotion", "method": "setAngles",
 "args": ["HeadYaw", 0.5, 0.3]}]; a call is noted when it comes, whatever becomes of it; `monotonic_us` is that moment on the
@@ -99,7 +103,7 @@ class StandIn(Service):
 
     @api("s::()")
     def state(self):
-        house, state = self.house, {"t_ms": int(self.house.now())}
+        house, state = self.house, {"t_ms": int(self.house.now()), "born_us": int(self.house.born * 1e6)}
         for service in house.services.values():
             state.update(service._state())
         extractors = [service for service in house.services.values() if isinstance(service, Extractor)]
@@ -110,6 +114,7 @@ class StandIn(Service):
         state["paused"] = [service.name for service in extractors if service.paused]
         state["blocked"] = [".".join(job.call) for job in house.jobs if job.kind != "fall"]
         state["violations"] = house.violations
+        state["last_ms"] = house.last
         state["balls"] = {
             name: {"at": house.world.ball_at(ball), "seen": house.world.see(house.world.ball_at(ball), ball["radius"], name)}
             for name, ball in house.world.balls.items()

@@ -1,30 +1,30 @@
-//! What the robot does for behaviours: the newest of each kind at the motion cycle, one voice, one walk with its dead-man's
-//! switch, one target, and what takes its time. Nothing here is waited for; what was wanted before a Stop is void.
+//! What the robot does for behaviours: the newest of each kind at the motion cycle, one voice, one walk, what it follows, and
+//! what takes its time. Nothing here is waited for; what was wanted before a Stop is void; what goes on is sent in pieces that
+//! end by themselves, so that a robot that hears no more of us comes to rest.
 
-use crate::deed::{Call, Deed, Track};
+mod moving;
+
+use crate::deed::{Call, Deed};
+use crate::following::Target;
 use crate::lasting::{Lastings, Work};
 use crate::link::{CALL, call};
+use crate::phrases;
 use crate::shared::Shared;
 use crate::speech::Speech;
 use crate::targets::Targets;
 use futures_util::future::join_all;
-use qi::{Session, Value};
+use moving::Moving;
+use qi::Session;
 use robot::Use;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 use tokio::sync::mpsc;
 
-/// It walks for so long after a value: the dead-man's switch.
-const WALK_HOLD: Duration = Duration::from_millis(500);
-/// It follows for so long after a value.
-const TRACK_HOLD: Duration = Duration::from_millis(1_000);
 /// How long speaking a text may take at most, beside so much for each character.
 const SAY: Duration = Duration::from_secs(15);
 const SAY_CHAR: Duration = Duration::from_millis(150);
-/// How fast joints go back to where they are, as a fraction of the top speed.
-const HOLD_SPEED: f64 = 0.3;
 
 /// A kind of which only the newest counts.
 type Slot = &'static str;
@@ -33,21 +33,15 @@ const ANIMATION: &str = "animations/";
 /// The kind of everything that joints do.
 const JOINTS: Slot = "joints";
 /// What hears words, and its own voice too.
-const HEARING: &str = "ALSpeechRecognition";
+const HEARING: &str = crate::hearing::SERVICE;
 
-/// What came to its end.
+/// What came to its end, or was seen.
 pub(crate) enum Done {
     Slot(Slot),
     Said,
     Lasted(String, u64),
-}
-
-/// What the tracker was set to last, with the gate of that, for whose turn it is; and the number of the newest that wants to
-/// set it.
-#[derive(Default)]
-struct Tracker {
-    set: tokio::sync::Mutex<(u64, Vec<Call>)>,
-    newest: AtomicU64,
+    /// There is a new picture of what is followed.
+    Seen(Target),
 }
 
 /// Everything that is being done.
@@ -64,14 +58,10 @@ pub(crate) struct Acting {
     /// The motion cycle of the robot.
     cycle: Duration,
     speech: Speech,
-    walk: Option<(Use, [f64; 3], Instant)>,
-    track: Option<(Use, Track, Instant)>,
-    tracker: Arc<Tracker>,
+    moving: Moving,
     lasting: Lastings,
-    /// Where the head goes: how far it may nod depends on it.
-    yaw: f64,
-    /// Who moved joints last, to hold them when that ends.
-    movers: BTreeMap<&'static str, Use>,
+    /// What this server subscribes by.
+    own_name: String,
 }
 
 impl Acting {
@@ -80,6 +70,7 @@ impl Acting {
         shared: Arc<Shared>,
         done: mpsc::UnboundedSender<Done>,
         cycle: Duration,
+        own_name: &str,
     ) -> Self {
         let gate = shared.gate();
         Self {
@@ -93,12 +84,9 @@ impl Acting {
             sent: BTreeMap::new(),
             cycle,
             speech: Speech::default(),
-            walk: None,
-            track: None,
-            tracker: Arc::default(),
+            moving: Moving::default(),
             lasting: Lastings::default(),
-            yaw: 0.0,
-            movers: BTreeMap::new(),
+            own_name: own_name.to_owned(),
         }
     }
 
@@ -125,7 +113,7 @@ impl Acting {
             }
             Deed::Say(text) => self.speech.say(text, &user),
             Deed::Walk(speeds) => self.walk(user, speeds),
-            Deed::Track(track) => self.follow(user, track),
+            Deed::Track(track) => self.follow(user, &track),
             Deed::Print(text) => self.shared.state().print(user, text),
         }
         self.speak();
@@ -141,17 +129,11 @@ impl Acting {
             self.targets.clear();
             self.speech.clear();
             // What is still on its way by this link may come after the Stop by the other one: it is ended behind it.
-            if self.walk.is_some() || self.under_way.contains("walk") {
-                self.stand();
-            }
-            if self.track.is_some() {
-                self.unfollow();
-            }
-            if !self.speech.saying().is_empty() {
+            if self.speech.cut() {
                 self.post(Call::new("ALTextToSpeech", "stopAll", []));
             }
+            self.freeze();
             self.lasting.clear();
-            self.movers.clear();
             self.show();
         }
     }
@@ -162,29 +144,9 @@ impl Acting {
         if self.speech.end(user) {
             self.post(Call::new("ALTextToSpeech", "stopAll", []));
         }
-        if self.walk.as_ref().is_some_and(|walk| walk.0 == *user) {
-            self.stand();
-        }
-        if self.track.as_ref().is_some_and(|track| track.0 == *user) {
-            self.unfollow();
-        }
+        self.leave(user);
         self.lasting.leave(user).into_iter().for_each(|call| self.post(call));
-        self.hold(user);
         self.show();
-    }
-
-    /// The joints that a use moved last stay where they are.
-    fn hold(&mut self, user: &Use) {
-        let own: Vec<&'static str> =
-            self.movers.iter().filter(|(_, mover)| *mover == user).map(|(joint, _)| *joint).collect();
-        self.movers.retain(|_, mover| mover != user);
-        let angles: Vec<f64> = {
-            let state = self.shared.state();
-            own.iter().filter_map(|joint| state.angles.get(*joint).copied()).collect()
-        };
-        if own.len() == angles.len() {
-            own.iter().zip(angles).for_each(|(joint, angle)| self.targets.want(joint, angle, HOLD_SPEED));
-        }
     }
 
     /// Of a kind that was quiet for a cycle the first is sent at once.
@@ -198,12 +160,7 @@ impl Acting {
     pub(crate) fn cycle(&mut self) {
         self.look_at_gate();
         let now = Instant::now();
-        if self.walk.as_ref().is_some_and(|walk| now.duration_since(walk.2) > WALK_HOLD) {
-            self.stand();
-        }
-        if self.track.as_ref().is_some_and(|track| now.duration_since(track.2) > TRACK_HOLD) {
-            self.unfollow();
-        }
+        self.go_on(now);
         self.sent.retain(|_, at| now.duration_since(*at) < self.cycle / 4 * 3);
         self.send_newest();
     }
@@ -252,90 +209,9 @@ impl Acting {
                 self.lasting.over(&what, number);
                 self.shared.state().animations.remove(&what);
             }
+            Done::Seen(target) => return self.seen(target),
         }
         self.show();
-    }
-
-    fn move_joints(&mut self, user: &Use, joints: Vec<&'static str>, angles: Vec<f64>, speed: f64) {
-        if let Some(yaw) = joints.iter().zip(&angles).find(|(joint, _)| **joint == "HeadYaw") {
-            self.yaw = *yaw.1;
-        }
-        let (angles, there): (Vec<f64>, Vec<bool>) = {
-            let state = self.shared.state();
-            // Where the head was sent last, unless something else has moved it since.
-            let sent = joints.contains(&"HeadYaw") || self.movers.contains_key("HeadYaw");
-            let yaw = if sent { self.yaw } else { state.angles.get("HeadYaw").copied().unwrap_or_default() };
-            let clip = |(joint, angle): (&&str, &f64)| state.limits.clip(joint, *angle, yaw);
-            let there = joints.iter().map(|joint| state.joints.iter().any(|known| known == joint)).collect();
-            (joints.iter().zip(&angles).map(clip).collect(), there)
-        };
-        for (joint, angle) in
-            joints.into_iter().zip(angles).zip(there).filter(|(_, there)| *there).map(|(wanted, _)| wanted)
-        {
-            self.movers.insert(joint, user.clone());
-            self.targets.want(joint, angle, speed);
-        }
-    }
-
-    fn walk(&mut self, user: Use, speeds: [f64; 3]) {
-        if self.track.as_ref().is_some_and(|track| track.1.mode != "Head") {
-            self.unfollow();
-        }
-        let arguments: Vec<Value> = speeds.iter().map(|speed| Value::F32(*speed as f32)).collect();
-        self.slots.insert("walk", Call::new("ALMotion", "move", arguments));
-        self.walk = Some((user, speeds, Instant::now()));
-    }
-
-    fn stand(&mut self) {
-        self.walk = None;
-        self.slots.remove("walk");
-        self.post(Call::new("ALMotion", "stopMove", []));
-    }
-
-    fn follow(&mut self, user: Use, track: Track) {
-        let now = Instant::now();
-        if let Some((by, same, at)) = &mut self.track
-            && *same == track
-        {
-            (*by, *at) = (user, now);
-            return;
-        }
-        if track.mode != "Head" && self.walk.is_some() {
-            self.stand();
-        }
-        let size = Value::dynamic(track.size as f32);
-        let calls = vec![
-            Call::new("ALTracker", "stopTracker", []),
-            Call::new("ALTracker", "registerTarget", [track.target.into(), size]),
-            Call::new("ALTracker", "setMode", [track.mode.into()]),
-            Call::new("ALTracker", "setEffector", [track.effector.into()]),
-            Call::new("ALTracker", "track", [track.target.into()]),
-        ];
-        self.turn_tracker(calls);
-        self.track = Some((user, track, now));
-        self.show();
-    }
-
-    fn unfollow(&mut self) {
-        self.track = None;
-        let calls = ["stopTracker", "unregisterAllTargets"].map(|method| Call::new("ALTracker", method, []));
-        self.turn_tracker(calls.to_vec());
-        self.show();
-    }
-
-    /// The tracker is set to one thing after the other, each whole; of what waits for that only the newest counts.
-    fn turn_tracker(&self, calls: Vec<Call>) {
-        let (session, shared, gate) = (self.session.clone(), Arc::clone(&self.shared), self.gate);
-        let tracker = Arc::clone(&self.tracker);
-        let number = tracker.newest.fetch_add(1, Ordering::SeqCst) + 1;
-        tokio::spawn(async move {
-            let mut set = tracker.set.lock().await;
-            let wanted = (gate, calls);
-            if tracker.newest.load(Ordering::SeqCst) == number && *set != wanted {
-                each(&session, &shared, gate, wanted.1.clone()).await;
-                *set = wanted;
-            }
-        });
     }
 
     /// Calls, one after the other, unless a Stop comes between.
@@ -348,36 +224,42 @@ impl Acting {
         self.in_turn(vec![wanted]);
     }
 
+    /// A text is said piece by piece, so that the robot is silent soon when it hears no more of us.
     fn speak(&mut self) {
-        if let Some(text) = self.speech.begin() {
-            let (session, done) = (self.session.clone(), self.done.clone());
-            let within = SAY + SAY_CHAR * u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
-            let wanted = Call::new("ALTextToSpeech", "say", [text.into()]);
-            // It would hear itself.
-            let hears = self.shared.state().subscribed.iter().any(|(service, _)| *service == HEARING);
-            let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
-            tokio::spawn(async move {
-                if let Some(wanted) = pause(true) {
-                    attempt(&session, &wanted, CALL).await;
+        let Some((text, cut)) = self.speech.begin() else { return };
+        let (session, shared, done, gate) =
+            (self.session.clone(), Arc::clone(&self.shared), self.done.clone(), self.gate);
+        // It would hear itself.
+        let hears = self.shared.state().subscribed.iter().any(|(service, _)| *service == HEARING);
+        let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
+        tokio::spawn(async move {
+            if let Some(wanted) = pause(true) {
+                attempt(&session, &wanted, CALL).await;
+            }
+            for piece in phrases::pieces(&text) {
+                if cut.load(Ordering::SeqCst) || shared.gate() != gate {
+                    break;
                 }
-                attempt(&session, &wanted, within).await;
-                if let Some(wanted) = pause(false) {
-                    attempt(&session, &wanted, CALL).await;
+                let within = SAY + SAY_CHAR * u32::try_from(piece.chars().count()).unwrap_or(u32::MAX);
+                let wanted = Call::new("ALTextToSpeech", "say", [piece.into()]);
+                if let Err(error) = call(&session, &wanted, within).await {
+                    tracing::debug!(%error, "the robot did not say it");
+                    break;
                 }
-                let _over = done.send(Done::Said);
-            });
-            self.show();
-        }
+            }
+            if let Some(wanted) = pause(false) {
+                attempt(&session, &wanted, CALL).await;
+            }
+            let _over = done.send(Done::Said);
+        });
+        self.show();
     }
 
     /// What people see of it.
     fn show(&self) {
         let mut state = self.shared.state();
         self.speech.saying().clone_into(&mut state.saying);
-        state.tracking = self.track.as_ref().map_or_else(String::new, |(_, track, _)| {
-            let target = if track.target == "Face" { "face" } else { "red ball" };
-            format!("{target} with {}", if track.mode == "Head" { "head" } else { "whole body" })
-        });
+        state.tracking = self.moving.tracking();
         state.playing = self.lasting.names();
     }
 }

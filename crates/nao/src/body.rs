@@ -46,6 +46,26 @@ pub(crate) fn joints_of(name: &str) -> Option<Vec<&'static str>> {
     }
 }
 
+/// How fast a joint goes at most, in radians a second, a hand from closed to open in one.
+pub(crate) fn top_speed(joint: &str) -> f64 {
+    match joint {
+        "HeadPitch" => 7.19,
+        joint if joint.ends_with("Roll") => 7.19,
+        joint if joint.ends_with("WristYaw") => 24.6,
+        _ => 8.27,
+    }
+}
+
+/// Whether a joint of a NAO or Pepper stands on the ground: the robot's own `stopMove` has it until that has answered.
+pub(crate) fn is_leg(joint: &str) -> bool {
+    ["Hip", "Knee", "Ankle"].iter().any(|part| joint.contains(part))
+}
+
+/// Whether it is no joint, but drives.
+pub(crate) fn is_wheel(joint: &str) -> bool {
+    joint.starts_with("Wheel")
+}
+
 /// The limits of the body that is there, as it tells them, within those of the table.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Limits(BTreeMap<String, (f64, f64)>);

@@ -1,5 +1,7 @@
 //! What an action wants of the robot: made from a value on the robot's thread, done on the link's.
 
+use crate::following::Track;
+use crate::legs::Speeds;
 use qi::Value;
 use std::time::Duration;
 
@@ -57,7 +59,7 @@ pub(crate) enum Deed {
     /// Words to speak.
     Say(String),
     /// Walking: ahead, to the left and turning, in metres and radians a second.
-    Walk([f64; 3]),
+    Walk(Speeds),
     /// Following.
     Track(Track),
     /// A text for the page.
@@ -73,17 +75,13 @@ impl Deed {
             Self::Newest { .. } | Self::Eyes { .. } | Self::Say(_) | Self::Print(_) => false,
         }
     }
-}
 
-/// What is followed, and how.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Track {
-    /// `RedBall` or `Face`.
-    pub(crate) target: &'static str,
-    /// Its diameter or width in metres.
-    pub(crate) size: f64,
-    /// `Head`, `WholeBody` or `Move`.
-    pub(crate) mode: &'static str,
-    /// `None`, `LArm`, `RArm` or `Arms`.
-    pub(crate) effector: &'static str,
+    /// Whether it walks or turns the whole body.
+    pub(crate) fn walks(&self) -> bool {
+        match self {
+            Self::Walk(_) => true,
+            Self::Track(track) => track.mode.walks(),
+            _ => false,
+        }
+    }
 }

@@ -172,6 +172,11 @@ pub(crate) struct Turn {
 pub(crate) trait Act: Send {
     /// What a finite value wants.
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault>;
+
+    /// The sense that it needs, by its name in the catalogue.
+    fn needs(&self) -> Option<&'static str> {
+        None
+    }
 }
 
 fn number(value: &Value) -> Result<f64, RobotFault> {
@@ -187,11 +192,11 @@ fn time(at_ms: u64) -> Value {
 }
 
 /// A number within nested lists: `[[s, us], [x, ...]]` at `[1, 0]`.
-fn at(value: &qi::Value, path: &[usize]) -> Option<f64> {
+pub(crate) fn at(value: &qi::Value, path: &[usize]) -> Option<f64> {
     within(value, path)?.as_f64().filter(|number| number.is_finite())
 }
 
-fn within<'a>(value: &'a qi::Value, path: &[usize]) -> Option<&'a qi::Value> {
+pub(crate) fn within<'a>(value: &'a qi::Value, path: &[usize]) -> Option<&'a qi::Value> {
     path.iter().try_fold(value, |value, index| value.items()?.get(*index))
 }
 

@@ -8,7 +8,7 @@ use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Camera, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
+    Body, Camera, Condition, Control, Health, JOINTS, Lacking, Life, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
     with_defaults,
 };
 use std::collections::BTreeMap;
@@ -21,6 +21,9 @@ use tokio::sync::mpsc;
 const USES_MAX: usize = 512;
 /// Deeds that may wait for the link's thread.
 const DEEDS_MAX: usize = 1_024;
+
+/// What a robot with a life of its own does beside what runs.
+const LIVES: &str = "its own life is on, so it may move its head and arms and change its lights and voice by itself; take control first";
 
 /// What the link's thread is told.
 pub(crate) enum Order {
@@ -92,6 +95,16 @@ impl Nao {
         Ok(())
     }
 
+    /// Whether the sense that an action needs is there.
+    fn check_needs(&self, act: &dyn Act) -> Result<(), RobotFault> {
+        let Some(sense) = act.needs() else { return Ok(()) };
+        let state = self.shared.state();
+        match state.lacking.iter().find(|lacking| lacking.device == sense) {
+            Some(lacking) => Err(RobotFault::NotNow(lacking.why.clone())),
+            None => Ok(()),
+        }
+    }
+
     fn beats(&mut self, now_ms: u64, readings: &mut Vec<Reading>) {
         for (user, open) in &mut self.senses {
             let Some(beat) = &mut open.beat else { continue };
@@ -158,7 +171,10 @@ impl Robot for Nao {
                 self.senses.insert(user.clone(), Open { only: sense.only(), beat });
                 self.tell(Order::Open(user.clone(), sense))?;
             }
-            Opened::Act(act) => drop(self.acts.insert(user.clone(), act)),
+            Opened::Act(act) => {
+                self.check_needs(&*act)?;
+                self.acts.insert(user.clone(), act);
+            }
         }
         self.note_use();
         Ok(())
@@ -191,6 +207,9 @@ impl Robot for Nao {
             }
             if deed.moves() {
                 state.check_moves()?;
+            }
+            if deed.walks() {
+                state.check_legs()?;
             }
             if let Deed::Print(text) = deed {
                 state.print(user.clone(), text);
@@ -258,11 +277,19 @@ impl Robot for Nao {
     }
 
     fn health(&self) -> Health {
-        self.shared.state().health.clone()
+        let state = self.shared.state();
+        // Who runs something has to know that it is not alone.
+        let lives = state.used && matches!(state.condition.life, Some(Life::Solitary | Life::Interactive));
+        if lives && state.health == Health::Ready { Health::Degraded(LIVES.to_owned()) } else { state.health.clone() }
     }
 
     fn condition(&self) -> Condition {
-        self.shared.state().condition.clone()
+        let state = self.shared.state();
+        let legs = match state.check_legs() {
+            Err(RobotFault::NotNow(why)) => Some(why),
+            _ => None,
+        };
+        Condition { legs, ..state.condition.clone() }
     }
 
     fn scene(&self) -> Scene {

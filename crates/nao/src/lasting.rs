@@ -1,7 +1,8 @@
 //! What takes its time, like a gesture or a sound: begun once, however many want it, and ended with the last of them.
 
-use crate::acting::{Done, attempt};
+use crate::acting::Done;
 use crate::deed::Call;
+use crate::link::call_until;
 use qi::Session;
 use robot::Use;
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,9 +58,11 @@ impl Lastings {
         let (session, done, ended, name) = (session.clone(), done.clone(), cancel.clone(), what.clone());
         tokio::spawn(async move {
             for wanted in calls {
-                tokio::select! {
-                    () = attempt(&session, &wanted, within) => {}
-                    () = ended.cancelled() => return,
+                if let Err(error) = call_until(&session, &wanted, within, ended.cancelled()).await {
+                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
+                }
+                if ended.is_cancelled() {
+                    return;
                 }
             }
             let _over = done.send(Done::Lasted(name, number));

@@ -13,6 +13,17 @@ pub(crate) async fn call(session: &Session, call: &Call, within: Duration) -> Re
     object.call_within(call.method, &call.arguments, within).await
 }
 
+/// Calls and waits for the answer, until nobody wants that any more: then the robot is asked to give it up.
+pub(crate) async fn call_until(
+    session: &Session,
+    call: &Call,
+    within: Duration,
+    unwanted: impl Future<Output = ()>,
+) -> Result<Value, QiError> {
+    let object = session.service(call.service).await?;
+    object.call_until(call.method, &call.arguments, within, unwanted).await
+}
+
 /// Calls, and says in the log if that went wrong.
 pub(crate) async fn try_call(session: &Session, wanted: &Call) -> Option<Value> {
     let done = call(session, wanted, CALL).await;

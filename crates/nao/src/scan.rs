@@ -2,6 +2,7 @@
 
 use crate::deed::Call;
 use crate::devices::ALL;
+use crate::hearing;
 use crate::link::{CALL, call, try_call};
 use crate::shared::{Shared, State};
 use futures_util::future::join_all;
@@ -105,7 +106,8 @@ impl Scanned {
     }
 }
 
-/// Ends the subscriptions that begin with our name: they outlive the process that made them. True if there were some.
+/// Ends the subscriptions that begin with our name, which outlive the process that made them, and puts back what it had set.
+/// True if there were some.
 pub(crate) async fn clean(session: &Session, own_name: &str, shared: &Shared) -> bool {
     let ours = |name: &str| name == own_name || name.starts_with(&format!("{own_name}/"));
     let clean = EXTRACTORS.iter().map(|service| async move {
@@ -122,6 +124,7 @@ pub(crate) async fn clean(session: &Session, own_name: &str, shared: &Shared) ->
         found
     });
     let found = join_all(clean).await.contains(&true);
+    hearing::put_back(session, own_name).await;
     shared.state().subscribed.clear();
     found
 }

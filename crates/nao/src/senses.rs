@@ -2,6 +2,7 @@
 
 use crate::deed::Call;
 use crate::devices::{Sense, Turn};
+use crate::hearing;
 use crate::link::{CALL, call, try_call};
 use crate::shared::Shared;
 use qi::{Keep, QiError, Session, Value};
@@ -45,7 +46,7 @@ pub(crate) async fn run(
     let mut listeners = JoinSet::new();
     let mut measuring = Measuring { session: &session, shared: &shared, name: &name, asked: None, is_known: false };
     // Whole, whatever comes: what is paused for it goes on again.
-    let begun = begin(&session, &shared, &turns, &user, &*sense).await;
+    let begun = begin(&session, &shared, &turns, (&name, &user), &*sense).await;
     let ready = tokio::select! {
         ready = prepare(begun, &mut measuring, &*sense, &events, &mut listeners) => ready,
         () = cancel.cancelled() => Ok(()),
@@ -83,25 +84,39 @@ pub(crate) async fn run(
     }
     drop(listeners);
     measuring.end().await;
-    shared.state().words.remove(&user);
+    let was_last = {
+        let mut state = shared.state();
+        state.words.remove(&user).is_some() && state.words.is_empty()
+    };
+    if was_last {
+        // Nobody begins to listen meanwhile.
+        let _alone = turns.lock().await;
+        hearing::put_back(&session, own_name(&name, &user)).await;
+    }
+}
+
+/// What this server subscribes by: what the name of a use begins with.
+fn own_name<'a>(name: &'a str, user: &Use) -> &'a str {
+    name.strip_suffix(&format!("/{}/{}", user.run, user.stream)).unwrap_or(name)
 }
 
 async fn begin(
     session: &Session,
     shared: &Shared,
     turns: &Turns,
-    user: &Use,
+    (name, user): (&str, &Use),
     sense: &dyn Sense,
 ) -> Result<(), QiError> {
     let (mut calls, mut _alone) = (sense.begin(), None);
     if let Some((language, words)) = sense.words() {
         // One after the other, so that the last one sets the words of all.
         _alone = Some(turns.lock().await);
+        hearing::note(session, own_name(name, user)).await;
         let mut state = shared.state();
         state.words.insert(user.clone(), words.to_vec());
         let all: BTreeSet<&String> = state.words.values().flatten().take(WORDS_MAX).collect();
         let all = Value::List(all.into_iter().map(|word| word.as_str().into()).collect());
-        let hears = |method: &'static str, arguments: Vec<Value>| Call::new("ALSpeechRecognition", method, arguments);
+        let hears = |method: &'static str, arguments: Vec<Value>| Call::new(hearing::SERVICE, method, arguments);
         calls.extend([
             // They cannot be set otherwise; spotted among others.
             hears("pause", vec![true.into()]),

@@ -58,6 +58,9 @@ pub(crate) struct State {
     pub(crate) saying: String,
     pub(crate) tracking: String,
     pub(crate) posture: String,
+    /// Whether the motors of its legs hold, and whether a foot feels the ground.
+    pub(crate) stiff_legs: Option<bool>,
+    pub(crate) on_ground: Option<bool>,
     pub(crate) playing: BTreeSet<String>,
     pub(crate) printed: VecDeque<Printed>,
     /// The animations that were begun, until they are known to have ended.
@@ -91,6 +94,8 @@ impl Default for State {
             saying: String::new(),
             tracking: String::new(),
             posture: String::new(),
+            stiff_legs: None,
+            on_ground: None,
             playing: BTreeSet::new(),
             animations: BTreeSet::new(),
             printed: VecDeque::new(),
@@ -114,6 +119,24 @@ impl State {
             (Some(true), _) => "it lies on the floor; help it up first",
             (_, Some(false)) => "it rests; take control first",
             _ => return Ok(()),
+        };
+        Err(RobotFault::NotNow(why.to_owned()))
+    }
+
+    /// Why it cannot walk or turn the whole body now, if it cannot; in the words of the simulated robot where that has them.
+    pub(crate) fn check_legs(&self) -> Result<(), RobotFault> {
+        let why = if self.posture.starts_with("Sitting") {
+            "it sits; let it stand up first"
+        } else if self.condition.fallen == Some(true) || self.posture.starts_with("Lying") {
+            "it lies on the floor; help it up first"
+        } else if self.on_ground == Some(false) {
+            "it is carried; set it on its feet first"
+        } else if self.condition.plugged == Some(true) {
+            "it is on its charging cable; unplug it first"
+        } else if self.stiff_legs == Some(false) {
+            "its legs are limp; take control first"
+        } else {
+            return Ok(());
         };
         Err(RobotFault::NotNow(why.to_owned()))
     }

@@ -3,6 +3,8 @@
 
 use robot::Use;
 use std::collections::VecDeque;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Most texts that wait.
 const QUEUE_MAX: usize = 8;
@@ -19,6 +21,8 @@ pub(crate) struct Wish {
 pub(crate) struct Speech {
     /// What is said now.
     now: Option<Wish>,
+    /// Whether the rest of that is left out.
+    cut: Arc<AtomicBool>,
     waiting: VecDeque<Wish>,
 }
 
@@ -39,13 +43,19 @@ impl Speech {
         }
     }
 
-    /// What is to be said next, if nothing is said now.
-    pub(crate) fn begin(&mut self) -> Option<String> {
+    /// What is to be said next, if nothing is said now, and what tells that the rest of it is left out.
+    pub(crate) fn begin(&mut self) -> Option<(String, Arc<AtomicBool>)> {
         if self.now.is_none() {
             self.now = self.waiting.pop_front();
-            return self.now.as_ref().map(|wish| wish.text.clone());
+            self.cut = Arc::default();
+            return self.now.as_ref().map(|wish| (wish.text.clone(), Arc::clone(&self.cut)));
         }
         None
+    }
+
+    /// The rest of what is said now is left out; true if the robot has to be told, which it is once.
+    pub(crate) fn cut(&mut self) -> bool {
+        self.now.is_some() && !self.cut.swap(true, Ordering::SeqCst)
     }
 
     /// What was said is over.
@@ -53,13 +63,13 @@ impl Speech {
         self.now = None;
     }
 
-    /// A use ends; true if what is said now is wanted by nobody else.
+    /// A use ends; true if what is said now is wanted by nobody else, and the robot has to be told.
     pub(crate) fn end(&mut self, user: &Use) -> bool {
         for wish in self.waiting.iter_mut().chain(self.now.as_mut()) {
             wish.users.retain(|other| other != user);
         }
         self.waiting.retain(|wish| !wish.users.is_empty());
-        self.now.as_ref().is_some_and(|now| now.users.is_empty())
+        self.now.as_ref().is_some_and(|now| now.users.is_empty()) && self.cut()
     }
 
     /// Nothing waits any more.
@@ -87,16 +97,17 @@ mod tests {
     fn the_same_words_are_not_said_twice_and_the_ninth_text_is_left_out() {
         let mut speech = Speech::default();
         speech.say("red".into(), &user("a"));
-        assert_eq!(speech.begin().as_deref(), Some("red"));
+        assert_eq!(speech.begin().map(|(text, _)| text).as_deref(), Some("red"));
         speech.say("red".into(), &user("b"));
-        assert_eq!(speech.begin(), None);
+        assert!(speech.begin().is_none());
         assert!(!speech.end(&user("a")) && speech.end(&user("b")), "the last who wants it");
+        assert!(!speech.cut(), "the robot is told once");
         for text in 0..20 {
             speech.say(text.to_string(), &user("a"));
         }
         speech.over();
         let said = std::iter::from_fn(|| {
-            let text = speech.begin();
+            let text = speech.begin().map(|(text, _)| text);
             speech.over();
             text
         });

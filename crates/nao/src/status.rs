@@ -1,6 +1,7 @@
 //! How the body is: battery, motors, own life, heat, falls. Heard from events, and asked again and again in case one was missed.
 //! What endangers the robot halts everything.
 
+use crate::body::is_leg;
 use crate::deed::Call;
 use crate::link::try_call;
 use crate::senses::listen;
@@ -14,7 +15,7 @@ use tokio::task::JoinSet;
 use tokio::time::MissedTickBehavior;
 
 /// Events that say how the body is.
-const KEYS: [&str; 10] = [
+const KEYS: [&str; 11] = [
     "ALMotion/RobotIsFalling",
     "robotHasFallen",
     "HotDeviceDetected",
@@ -25,6 +26,7 @@ const KEYS: [&str; 10] = [
     "PostureFamilyChanged",
     "robotIsWakeUp",
     "ALMotion/RobotIsStand",
+    "footContactChanged",
 ];
 /// Events that may wait.
 const EVENTS_MAX: usize = 256;
@@ -33,6 +35,8 @@ const ANGLES_MS: u64 = 50;
 const ALL_MS: u64 = 1_500;
 /// Below this the motors do not hold.
 const STIFF_MIN: f64 = 0.05;
+/// Below this of any of its legs the robot itself lets no walk begin, as documented.
+const LEG_STIFF_MIN: f64 = 0.6;
 /// Nearly empty, in percent.
 const EMPTY_PERCENT: u8 = 5;
 
@@ -73,6 +77,7 @@ pub(crate) async fn ask(session: &Session, shared: &Shared) {
         // What is too hot stays so, whether or not the event was heard.
         ("HotDeviceDetected", Call::new("ALMemory", "getData", ["HotDeviceDetected".into()])),
         ("BatteryPowerPluggedChanged", Call::new("ALMemory", "getData", ["BatteryPowerPluggedChanged".into()])),
+        ("footContactChanged", Call::new("ALMemory", "getData", ["footContact".into()])),
     ];
     for (key, question) in questions {
         if let Some(value) = try_call(session, &question).await {
@@ -169,6 +174,10 @@ fn said(state: &mut State, key: &str, value: &Value) -> Option<String> {
             }
             None
         }
+        "footContactChanged" => {
+            state.on_ground = truth(value).or(state.on_ground);
+            None
+        }
         "robotIsWakeUp" => {
             condition.awake = truth(value);
             None
@@ -177,6 +186,11 @@ fn said(state: &mut State, key: &str, value: &Value) -> Option<String> {
             let all: Vec<f64> = value.items()?.iter().filter_map(Value::as_f64).collect();
             let mean = all.iter().sum::<f64>() / all.len().max(1) as f64;
             condition.stiff = Some(mean > STIFF_MIN);
+            if all.len() == state.joints.len() {
+                let legs = state.joints.iter().zip(&all).filter(|(joint, _)| is_leg(joint));
+                let least = legs.map(|(_, stiffness)| *stiffness).reduce(f64::min);
+                state.stiff_legs = least.map(|least| least >= LEG_STIFF_MIN);
+            }
             None
         }
         "base" => {

@@ -1,7 +1,11 @@
 //! Stop, on a link of its own that is logged in and knows its services before it is needed: whatever the other link does,
 //! walking, following, speaking, playing and measuring end, and the joints hold where they are. Motors stay on. A rest goes
 //! the same way: first everything ends, then the robot sits down, unless it falls.
+//!
+//! Head and arms hold at once. The legs are the robot's own until its `stopMove` has answered, which it does when both feet are
+//! on the ground: whoever kills the walk or sets the legs before that makes it fall.
 
+use crate::body::{is_leg, is_wheel};
 use crate::deed::Call;
 use crate::link::{CALL, call};
 use crate::settings::Settings;
@@ -10,6 +14,7 @@ use crate::status;
 use crate::targets::set_angles;
 use futures_util::{future::join_all, join};
 use qi::{Address, QiError, Session, Value};
+use robot::Health;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -19,6 +24,8 @@ const AGAIN_MS: u64 = 250;
 const PING_MS: u64 = 1_000;
 /// How often what did not answer is told again.
 const TRIES: usize = 5;
+/// Said when the walk cannot be known to have ended.
+const LEGS: &str = "its legs did not answer to Stop; look whether it stands, and use its own button if it does not";
 /// How long sitting down may take.
 const REST: Duration = Duration::from_secs(30);
 /// How fast joints go back to where they are, as a fraction of the top speed.
@@ -34,9 +41,8 @@ const SERVICES: [&str; 7] = [
     "ALSpeechRecognition",
 ];
 
-/// What ends, whatever was begun.
-const EVERYTHING: [(&str, &str); 6] = [
-    ("ALMotion", "stopMove"),
+/// What ends, whatever was begun; the walk and the joints besides.
+const EVERYTHING: [(&str, &str); 5] = [
     ("ALTracker", "stopTracker"),
     ("ALTracker", "unregisterAllTargets"),
     ("ALTextToSpeech", "stopAll"),
@@ -108,30 +114,31 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
     let ends = subscribed.iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
     let calls = EVERYTHING.map(|(service, method)| Call::new(service, method, []));
     let mut left: Vec<Call> = calls.into_iter().chain(animations).chain(ends).collect();
-    let mut freezes = true;
+    let (mut upper, mut legs) = (true, true);
     for _ in 0..TRIES {
-        // What is frozen comes behind what kills the tasks.
-        let hold = async {
-            let killed = call(session, &Call::new("ALMotion", "killAll", []), CALL).await;
-            if is_silent(&killed)? { Ok(true) } else { is_silent(&freeze(session).await) }
-        };
-        let (done, held) = join!(join_all(left.iter().map(|wanted| call(session, wanted, CALL))), async {
-            if freezes { hold.await } else { Ok(false) }
-        });
-        let Ok(silent) = done.iter().map(is_silent).chain([held]).collect::<Result<Vec<bool>, Over>>() else {
-            return false;
-        };
-        freezes = silent.last().copied().unwrap_or_default();
+        let (stands, holds, done) = join!(
+            async { if legs { stand(session, shared).await } else { Ok(false) } },
+            async { if upper { freeze(session, shared).await } else { Ok(false) } },
+            join_all(left.iter().map(|wanted| call(session, wanted, CALL))),
+        );
+        let silent = done.iter().map(is_silent).collect::<Result<Vec<bool>, Over>>();
+        let (Ok(legs_left), Ok(upper_left), Ok(silent)) = (stands, holds, silent) else { return false };
+        (legs, upper) = (legs_left, upper_left);
         left = left.into_iter().zip(silent).filter(|(_, silent)| *silent).map(|(wanted, _)| wanted).collect();
-        if left.is_empty() && !freezes {
+        if left.is_empty() && !legs && !upper {
             break;
         }
-        tracing::warn!(left = left.len(), "what does not answer is stopped again");
+        tracing::warn!(left = left.len(), legs, upper, "what does not answer is stopped again");
     }
     // Not before: what is not known to have ended ends with the next try.
     let mut state = shared.state();
     state.subscribed.retain(|known| !subscribed.contains(known));
     state.animations.retain(|known| !playing.contains(known));
+    if legs && state.is_linked() {
+        state.health = Health::Degraded(LEGS.to_owned());
+    } else if state.health == Health::Degraded(LEGS.to_owned()) {
+        state.health = Health::Ready;
+    }
     true
 }
 
@@ -157,16 +164,60 @@ async fn rest(session: &Session, shared: &Shared) {
     status::ask(session, shared).await;
 }
 
-/// The targets of `setAngles` are no tasks, which `killAll` would end.
-async fn freeze(session: &Session) -> Result<Value, QiError> {
-    let names = call(session, &Call::new("ALMotion", "getBodyNames", ["Body".into()]), CALL).await?;
-    let angles = Call::new("ALMotion", "getAngles", [Value::dynamic("Body"), true.into()]);
-    let angles = call(session, &angles, CALL).await?;
-    let names: Vec<String> =
-        names.items().unwrap_or_default().iter().filter_map(|name| Some(name.as_text()?.into_owned())).collect();
-    let angles: Vec<f64> = angles.items().unwrap_or_default().iter().filter_map(Value::as_f64).collect();
-    if names.is_empty() || names.len() != angles.len() {
+/// The joints of the body that do not stand on the ground, or those that do. Wheels are no joints.
+fn joints(shared: &Shared, legs: bool) -> Vec<String> {
+    let state = shared.state();
+    state.joints.iter().filter(|joint| !is_wheel(joint) && is_leg(joint) == legs).cloned().collect()
+}
+
+fn list(joints: &[String]) -> Value {
+    Value::List(joints.iter().map(|joint| joint.as_str().into()).collect())
+}
+
+/// Head and arms stay where they are. True if that had no answer.
+async fn freeze(session: &Session, shared: &Shared) -> Result<bool, Over> {
+    let joints = joints(shared, false);
+    if joints.is_empty() {
+        return Ok(false);
+    }
+    // What holds joints ends first: calls of one service are done in their order.
+    let kill = Call::new("ALMotion", "killTasksUsingResources", [list(&joints)]);
+    let (killed, held) = join!(call(session, &kill, CALL), hold(session, &joints));
+    Ok(is_silent(&killed)? || is_silent(&held)?)
+}
+
+/// The walk ends as the robot ends it; not before, whatever else has the legs ends, and they stay where they are. True if the
+/// robot did not answer, or walks again.
+async fn stand(session: &Session, shared: &Shared) -> Result<bool, Over> {
+    let stopped = call(session, &Call::new("ALMotion", "stopMove", []), CALL).await;
+    if is_silent(&stopped)? {
+        return Ok(true);
+    }
+    if stopped.is_err() {
+        // It does not say that it stands: the legs are left alone.
+        return Ok(false);
+    }
+    // Something late may have come by the other link.
+    let walks = call(session, &Call::new("ALMotion", "moveIsActive", []), CALL).await;
+    if is_silent(&walks)? || walks.is_ok_and(|walks| walks.as_bool() == Some(true)) {
+        return Ok(true);
+    }
+    let legs = joints(shared, true);
+    let kill = Call::new("ALMotion", "killAll", []);
+    let (killed, held) = join!(call(session, &kill, CALL), hold(session, &legs));
+    Ok(is_silent(&killed)? || is_silent(&held)?)
+}
+
+/// The targets of `setAngles` are no tasks, which end when they are killed: these joints get where they are as their target.
+async fn hold(session: &Session, joints: &[String]) -> Result<Value, QiError> {
+    if joints.is_empty() {
         return Ok(Value::Unit);
     }
-    call(session, &set_angles(&names, &angles, HOLD_SPEED), CALL).await
+    let angles = Call::new("ALMotion", "getAngles", [Value::dynamic(list(joints)), true.into()]);
+    let angles = call(session, &angles, CALL).await?;
+    let angles: Vec<f64> = angles.items().unwrap_or_default().iter().filter_map(Value::as_f64).collect();
+    if joints.len() != angles.len() {
+        return Ok(Value::Unit);
+    }
+    call(session, &set_angles(joints, &angles, HOLD_SPEED), CALL).await
 }

@@ -128,6 +128,7 @@ fn lose(shared: &Shared, why: &str) {
     let mut state = shared.state();
     state.health = Health::Lost(why.to_owned());
     state.condition = robot::Condition::default();
+    (state.stiff_legs, state.on_ground) = (None, None);
     state.subscribed.clear();
     state.angles.clear();
     (state.saying, state.tracking) = (String::new(), String::new());
@@ -180,7 +181,8 @@ async fn serve(
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();
-    let mut acting = Acting::new(session.clone(), Arc::clone(shared), done, Duration::from_millis(cycle));
+    let mut acting =
+        Acting::new(session.clone(), Arc::clone(shared), done, Duration::from_millis(cycle), &settings.own_name);
     let turns = Turns::default();
     let mut open: BTreeMap<Use, (CancellationToken, JoinHandle<()>)> = BTreeMap::new();
     let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));

@@ -28,7 +28,7 @@ use crate::error::{Ending, QiError};
 use crate::value::Layout;
 use crate::wire::{Frame, Header, Kind};
 use fan_out::FanOut;
-use pending::Pending;
+use pending::{Pending, Waiting};
 
 /// How many messages may wait to be written.
 pub const QUEUE_MAX_FRAMES: usize = 256;
@@ -119,17 +119,55 @@ impl Link {
         within: Duration,
         what: &str,
     ) -> Result<Answer, QiError> {
-        let waiting = self.shared().pending.begin().ok_or(QiError::Busy { what: "calls", limit: IN_FLIGHT_MAX });
-        let mut waiting = match self.ending() {
-            Some(ending) => return Err(QiError::Disconnected(ending)),
-            None => waiting?,
-        };
-        self.send(Kind::Call, waiting.id(), flags, target, payload)?;
+        let mut waiting = self.asked(target, flags, payload)?;
         match timeout(within, waiting.answer()).await {
             Ok(Some(answer)) => answer.settled(what),
             Ok(None) => Err(self.disconnected()),
             Err(_) => Err(QiError::Timeout { what: what.to_owned(), within }),
         }
+    }
+
+    /// [`Link::call`] until somebody does not want it any more: then the peer is asked to cancel it, if it said that it can,
+    /// and its answer is not waited for. What a method makes of that is the peer's.
+    ///
+    /// # Errors
+    /// Those of [`Link::call`]; [`QiError::Canceled`] if it was not wanted any more.
+    pub async fn call_until(
+        &self,
+        target: Target,
+        flags: u8,
+        payload: Vec<u8>,
+        within: Duration,
+        what: &str,
+        unwanted: impl Future<Output = ()>,
+    ) -> Result<Answer, QiError> {
+        let mut waiting = self.asked(target, flags, payload)?;
+        let id = waiting.id();
+        tokio::select! {
+            answer = timeout(within, waiting.answer()) => match answer {
+                Ok(Some(answer)) => answer.settled(what),
+                Ok(None) => Err(self.disconnected()),
+                Err(_) => Err(QiError::Timeout { what: what.to_owned(), within }),
+            },
+            () = unwanted => {
+                if self.agreed().is_some_and(|agreed| agreed.cancelable) {
+                    let target = Target { action: 0, ..target };
+                    self.send(Kind::Cancel, self.shared().pending.next_id(), 0, target, id.to_le_bytes().to_vec())?;
+                }
+                Err(QiError::Canceled { what: what.to_owned() })
+            }
+        }
+    }
+
+    /// Sends a call; what waits for its answer.
+    fn asked(&self, target: Target, flags: u8, payload: Vec<u8>) -> Result<Waiting<'_>, QiError> {
+        let waiting = self.shared().pending.begin().ok_or(QiError::Busy { what: "calls", limit: IN_FLIGHT_MAX });
+        let waiting = match self.ending() {
+            Some(ending) => return Err(QiError::Disconnected(ending)),
+            None => waiting?,
+        };
+        self.send(Kind::Call, waiting.id(), flags, target, payload)?;
+        Ok(waiting)
     }
 
     /// Sends a call whose answer nobody wants. Never waits.

@@ -101,6 +101,24 @@ impl Object {
         answer.value(&method.returns, self.link.layout())
     }
 
+    /// [`Object::call_within`] until somebody does not want it any more: then the peer is asked to cancel it, if it can.
+    ///
+    /// # Errors
+    /// Those of [`Object::call`]; [`QiError::Canceled`] if it was not wanted any more.
+    pub async fn call_until(
+        &self,
+        name: &str,
+        arguments: &[Value],
+        within: Duration,
+        unwanted: impl Future<Output = ()>,
+    ) -> Result<Value, QiError> {
+        let (method, flags, payload) = self.written(name, arguments)?;
+        let what = format!("{}.{name}", self.name);
+        let target = self.target(method.uid);
+        let answer = self.link.call_until(target, flags, payload, within, &what, unwanted).await?;
+        answer.value(&method.returns, self.link.layout())
+    }
+
     /// Calls a method that gives out an object.
     ///
     /// # Errors

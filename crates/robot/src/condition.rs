@@ -27,6 +27,9 @@ pub struct Condition {
     /// Whether it lies where it fell.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fallen: Option<bool>,
+    /// Why it cannot walk or turn its whole body now, in a few English words: "it sits; let it stand up first".
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub legs: Option<String>,
 }
 
 /// What a NAO does of its own accord: the states of ALAutonomousLife (NAOqi 2.8).

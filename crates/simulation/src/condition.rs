@@ -130,6 +130,7 @@ impl SimulatedNao {
             life: Some(self.own.life),
             hot: Vec::new(),
             fallen: Some(self.lean.is_fallen()),
+            legs: self.check_legs().err().map(str::to_owned),
         }
     }
 }

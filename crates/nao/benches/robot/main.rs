@@ -1,12 +1,14 @@
 //! How quick a robot is over the link, on loopback against the stand-in, beside the Python client of libqi on the same work.
 //!
-//! `cargo xtask bench nao` prints calls, passages from events to actions, and Stops, and fails beyond a bar; `calls`,
-//! `reactions` or `stops` picks one. The stand-in is a Python that two cores share with everything else, so its own part
+//! `cargo xtask bench nao` prints calls, passages from events to actions, Stops, and how long a robot goes on whose server was
+//! killed or cut off; it fails beyond a bar; `calls`, `reactions`, `stops` or `calm` picks one. The stand-in is a Python that two cores share with everything else, so its own part
 //! of a call is in every figure: ratios of one run mean something.
 #![expect(clippy::unwrap_used, clippy::print_stdout, reason = "a bench prints, and may give up")]
 
 #[cfg(unix)]
 mod calls;
+#[cfg(unix)]
+mod calm;
 #[cfg(unix)]
 mod client;
 #[cfg(unix)]
@@ -15,6 +17,9 @@ mod client;
 mod driver;
 #[cfg(unix)]
 mod figures;
+#[cfg(unix)]
+#[path = "../../tests/nao/harm.rs"]
+mod harm;
 #[cfg(unix)]
 #[path = "../../tests/nao/peer.rs"]
 #[expect(dead_code, reason = "tests need more of it")]
@@ -31,6 +36,9 @@ mod stops;
 /// Those that are picked, or all; every bar is looked at before it fails.
 #[cfg(unix)]
 fn main() -> std::process::ExitCode {
+    if harm::drive_if_told() {
+        return std::process::ExitCode::SUCCESS;
+    }
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
     let picked = |part: &str| words.is_empty() || words.iter().any(|word| word == part);
     let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(2).enable_all().build().unwrap();
@@ -44,6 +52,9 @@ fn main() -> std::process::ExitCode {
         }
         if picked("stops") {
             stops::measure(&mut verdict).await;
+        }
+        if picked("calm") {
+            calm::measure(&mut verdict).await;
         }
     });
     verdict.tell()

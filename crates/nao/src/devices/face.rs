@@ -18,6 +18,8 @@ pub(super) const REMEMBER: Driver =
 
 /// Names that are kept of faces in view: a name is told again only after a pause.
 const LABELS_MAX: usize = 32;
+/// What `recognised` is when one face has a name, `[2, [name]]`.
+const RECOGNISED: f64 = 2.0;
 /// What `recognised` is when a face was looked at for long and is not known.
 const UNKNOWN: f64 = 4.0;
 /// The longest that learning a face may take.
@@ -50,11 +52,22 @@ impl Sense for Detection {
         let height = |face: &&qi::Value| at(face, &[0, 4]).unwrap_or_default();
         let face = faces.iter().max_by(|one, other| height(one).total_cmp(&height(other)))?;
         let id = at(face, &[1, 0]).map_or(0, |id| id as i64);
-        let told = within(face, &[1, 2]).and_then(|label| label.as_text()).filter(|label| !label.is_empty());
+        let label_of = |face: &qi::Value| {
+            let label = within(face, &[1, 2])?.as_text()?.into_owned();
+            Some(label).filter(|label| !label.is_empty())
+        };
+        // A single name is told beside the faces too, and on some robots only there.
+        let beside = || {
+            let label = within(recognised, &[1, 0]).and_then(|label| label.as_text())?.into_owned();
+            let is_single =
+                at(recognised, &[0]) == Some(RECOGNISED) && faces.iter().all(|face| label_of(face).is_none());
+            Some(label).filter(|label| is_single && !label.is_empty())
+        };
+        let told = label_of(face).or_else(beside);
         if let Some(label) = told
             && (self.labels.len() < LABELS_MAX || self.labels.contains_key(&id))
         {
-            self.labels.insert(id, label.into_owned());
+            self.labels.insert(id, label);
             self.unknown = false;
         }
         let label = self.labels.get(&id).cloned().unwrap_or_default();
@@ -96,5 +109,30 @@ impl Act for Remember {
             within: LEARN,
             moves: false,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Detection, Sense};
+    use behaviour::Value;
+    use qi::Value as Told;
+
+    #[test]
+    fn a_name_beside_the_faces_is_that_of_the_one_that_is_nearest() {
+        let list = |items: Vec<Told>| Told::List(items);
+        let numbers = |numbers: &[f64]| list(numbers.iter().map(|number| Told::F64(*number)).collect());
+        let face = |height: f64, id: f64, label: &str| {
+            list(vec![numbers(&[0.0, 0.1, 0.1, 0.2, height]), list(vec![Told::F64(id), Told::F64(0.5), label.into()])])
+        };
+        let named = |name: &str| list(vec![Told::F64(2.0), list(vec![name.into()])]);
+        let see = |faces: Vec<Told>| {
+            let mut detection = Detection::default();
+            let value = list(vec![numbers(&[0.0, 0.0]), list(faces)]);
+            detection.read("FaceDetected", &value, 1).and_then(|face| face.field("label").cloned())
+        };
+        assert_eq!(see(vec![face(0.3, 1.0, ""), face(0.2, 2.0, ""), named("Aiko")]), Some(Value::text("Aiko")));
+        assert_eq!(see(vec![face(0.3, 1.0, ""), face(0.2, 2.0, "Aiko"), named("Aiko")]), Some(Value::text("")));
+        assert_eq!(see(vec![face(0.3, 1.0, "Ken"), list(Vec::new())]), Some(Value::text("Ken")));
     }
 }

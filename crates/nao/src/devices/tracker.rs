@@ -1,50 +1,53 @@
-//! Following a ball or a face, which the robot does by itself.
+//! Following a ball or a face.
 
 use super::{Act, Driver, Opened};
-use crate::deed::{Deed, Track};
+use crate::deed::Deed;
+use crate::following::{Arm, Mode, Target, Track};
 use behaviour::Value;
 use robot::RobotFault;
 
 pub(super) const DRIVER: Driver = Driver {
     name: "Tracker",
-    services: &["ALTracker"],
+    services: &["ALMemory", "ALMotion"],
     joints: &[],
     open: |chosen| {
-        let (target, size) = if chosen.is("target", "Face") { ("Face", 0.15) } else { ("RedBall", 0.06) };
-        let arm_only = chosen.is("mode", "Arm");
+        let target = if chosen.is("target", "Face") { Target::Face } else { Target::RedBall };
         let mode = match chosen.text("mode")? {
-            "WholeBody" => "WholeBody",
-            "Move" => "Move",
-            // The robot has no mode for an arm alone: its head follows too.
-            _ => "Head",
+            "WholeBody" => Mode::WholeBody,
+            "Move" => Mode::Move,
+            "Arm" => Mode::Arm,
+            _ => Mode::Head,
         };
-        let effector = match chosen.text("effector")? {
-            "LArm" => Some("LArm"),
-            "RArm" => Some("RArm"),
-            "Nearest" => Some("Arms"),
+        let arm = match chosen.text("effector")? {
+            "LArm" => Some(Arm::Left),
+            "RArm" => Some(Arm::Right),
+            "Nearest" => Some(Arm::Nearest),
             "Value" => None,
-            _ if arm_only => None,
-            _ => Some("None"),
+            _ if mode == Mode::Arm => None,
+            _ => Some(Arm::None),
         };
-        Opened::act(Tracker { target, size, mode, effector })
+        Opened::act(Tracker { target, mode, arm })
     },
 };
 
 struct Tracker {
-    target: &'static str,
-    size: f64,
-    mode: &'static str,
+    target: Target,
+    mode: Mode,
     /// None if the value names the arm.
-    effector: Option<&'static str>,
+    arm: Option<Arm>,
 }
 
 impl Act for Tracker {
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
-        let effector = self.effector.unwrap_or(match value.as_text() {
-            Some("LArm" | "left") => "LArm",
-            Some("RArm" | "right") => "RArm",
-            _ => "Arms",
+        let arm = self.arm.unwrap_or(match value.as_text().map(str::trim) {
+            Some("LArm" | "left") => Arm::Left,
+            Some("RArm" | "right") => Arm::Right,
+            _ => Arm::Nearest,
         });
-        Ok(Deed::Track(Track { target: self.target, size: self.size, mode: self.mode, effector }))
+        Ok(Deed::Track(Track { target: self.target, mode: self.mode, arm }))
+    }
+
+    fn needs(&self) -> Option<&'static str> {
+        Some(self.target.seen_by().0)
     }
 }

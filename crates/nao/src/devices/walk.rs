@@ -1,4 +1,4 @@
-//! Walking with the speed of the newest value, until half a second after it.
+//! Walking with the speed of the newest value, until half a second after it; by itself it ends within a second (`legs.rs`).
 
 use super::{Act, Driver, Opened, number};
 use crate::deed::Deed;

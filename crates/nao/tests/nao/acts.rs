@@ -4,7 +4,7 @@ use crate::driver::Driver;
 use crate::peer::Peer;
 use behaviour::Value;
 use robot::{Millis, Robot};
-use serde_json::json;
+use serde_json::{Value as Json, json};
 
 fn text(text: &str) -> Value {
     Value::text(text)
@@ -55,7 +55,11 @@ async fn words_wait_for_each_other_and_end_with_who_wants_them() {
     driver
         .sees(&peer, "the other says its word", |state| state["spoken"].as_array().unwrap().contains(&json!("two")))
         .await;
-    assert_eq!(peer.calls("ALTextToSpeech.say").await.len(), 2, "the same words are not said twice");
+    let said = peer.calls("ALTextToSpeech.say").await;
+    assert_eq!(said.last(), Some(&json!(["two"])));
+    let begun = said.iter().filter(|call| call[0].as_str().unwrap().starts_with("a long sentence"));
+    assert_eq!(begun.count(), 1, "not said twice: {said:?}");
+    assert_eq!(peer.calls("ALTextToSpeech.stopAll").await.len(), 1);
     assert!(driver.nao.command(&other, &Value::Bool(true), Millis(0)).is_ok());
     peer.was_safe().await;
 }
@@ -67,10 +71,45 @@ async fn it_walks_only_while_values_come() {
     let walk = driver.open("walk", "Walk", &[]);
     driver.tell(&walk, 9.0);
     driver.sees(&peer, "it walks", |state| state["moving"] == json!(true)).await;
-    let call = peer.calls("ALMotion.move").await[0].clone();
-    assert!((call[0].as_f64().unwrap() - 0.05).abs() < 1e-6, "no faster than chosen: {call}");
     driver.sees(&peer, "it stops by itself", |state| state["moving"] == json!(false)).await;
     assert!(!peer.calls("ALMotion.stopMove").await.is_empty());
+    let pieces = peer.calls("ALMotion.moveTo").await;
+    let gait = json!([["MaxStepX", 0.021], ["MaxStepY", 0.101], ["MaxStepTheta", 0.001]]);
+    for piece in &pieces {
+        assert_eq!(
+            piece,
+            &json!([0.0225, 0.0, 0.0, gait]),
+            "no more way than that of less than half a second, at the speed that was chosen"
+        );
+    }
+    assert!(peer.calls("ALMotion.move").await.is_empty() && peer.calls("ALMotion.moveToward").await.is_empty());
+    peer.was_safe().await;
+}
+
+/// Renewed in time it walks as smoothly, and as fast, as it was told.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn it_walks_at_the_speed_that_was_asked_for() {
+    let Some(peer) = Peer::start("nao: the speed of a walk", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let walk = driver.open("walk", "Walk", &[]);
+    let at_speed = |state: &Json| state["velocity"][0].as_f64().is_some_and(|speed| (speed - 0.05).abs() < 1e-3);
+    let mut first = None;
+    let (time, way) = loop {
+        driver.tell(&walk, 9.0);
+        driver.step().await;
+        let state = peer.state().await;
+        if let Some((from, at)) = first {
+            let time = (state["t_ms"].as_f64().unwrap() - from) / 1e3;
+            if time > 4.0 {
+                break (time, state["pose"][0].as_f64().unwrap() - at);
+            }
+        } else if at_speed(&state) {
+            first = Some((state["t_ms"].as_f64().unwrap(), state["pose"][0].as_f64().unwrap()));
+        }
+    };
+    assert!((0.5..1.05).contains(&(way / time / 0.05)), "{way} m in {time} s");
+    driver.nao.close(&walk);
+    driver.sees(&peer, "it stands", |state| state["moving"] == json!(false)).await;
     peer.was_safe().await;
 }
 
@@ -95,8 +134,12 @@ async fn everything_else_is_called_as_a_robot_wants_it() {
     assert_eq!(peer.calls("ALAnimationPlayer.run").await, [json!(["animations/Stand/Gestures/Hey_1"])]);
     let follow = driver.open("follow", "Tracker", &[]);
     driver.tell(&follow, true);
-    driver.sees(&peer, "it follows", |state| state["tracking"]["target"] == "RedBall").await;
-    driver.sees(&peer, "it follows no more", |state| state["tracking"].is_null()).await;
+    let looks = |state: &Json| state["subscribers"].to_string().contains("rrp-test/follow/RedBall");
+    driver.sees(&peer, "it follows", looks).await;
+    let turned = |state: &Json| state["joints"]["HeadYaw"].as_f64().is_some_and(|yaw| (yaw - 0.24).abs() < 0.03);
+    driver.sees(&peer, "it looks at the ball", turned).await;
+    driver.sees(&peer, "it follows no more", |state| !looks(state)).await;
+    assert!(peer.calls("ALTracker.track").await.is_empty(), "which nothing would end without us");
     let beep = driver.open("beep", "Sound", &[]);
     driver.tell(&beep, true);
     let learn = driver.open("learn", "RememberFace", &[]);

@@ -5,7 +5,7 @@ use crate::peer::Peer;
 use crate::proxy::Proxy;
 use crate::stops::is_calm;
 use behaviour::Value;
-use robot::{Millis, Robot};
+use robot::{Health, Millis, Robot};
 use serde_json::{Value as Json, json};
 
 fn says(state: &Json, what: &str, word: &str) -> bool {
@@ -27,11 +27,11 @@ async fn a_walk_that_comes_after_the_stop_ends_too() {
     while peer.calls("ALMotion.killAll").await.is_empty() {
         driver.wait(1).await;
     }
-    assert!(peer.calls("ALMotion.move").await.is_empty(), "it is still on its way");
+    assert!(peer.calls("ALMotion.moveTo").await.is_empty(), "it is still on its way");
     driver.nao.close(&walk);
     driver.wait(10).await;
     proxy.hold(None);
-    while peer.calls("ALMotion.move").await.is_empty() {
+    while peer.calls("ALMotion.moveTo").await.is_empty() {
         driver.wait(1).await;
     }
     driver.sees(&peer, "it stands", is_calm).await;
@@ -137,4 +137,81 @@ async fn of_a_joint_and_its_group_the_newest_counts_and_the_eyes_are_shown() {
     let calls = peer.calls("ALMotion.setAngles").await;
     assert!(calls.iter().all(|call| !call.to_string().contains("0.9")), "{calls:?}");
     driver.until("the page sees red eyes", |driver| driver.nao.scene().body.eyes == [1.0, 0.0, 0.0]).await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_stop_ends_speech_once_a_link_and_the_rest_of_the_text_is_not_said() {
+    let Some(peer) = Peer::start("nao: one end of speech", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let say = driver.open("say", "SayInput", &[]);
+    driver.tell(&say, Value::text("word ".repeat(60)));
+    driver.sees(&peer, "it speaks", |state| state["speaking"].is_string()).await;
+    peer.clear().await;
+    driver.nao.stop(Millis(0));
+    driver.nao.close(&say);
+    driver.sees(&peer, "it is calm", is_calm).await;
+    while peer.calls("ALMotion.killAll").await.is_empty() || peer.calls("ALTextToSpeech.stopAll").await.len() < 2 {
+        driver.wait(1).await;
+    }
+    driver.wait(40).await;
+    assert_eq!(peer.calls("ALTextToSpeech.stopAll").await.len(), 2, "by each link once");
+    assert!(peer.calls("ALTextToSpeech.say").await.len() <= 1, "what was on its way at most");
+    assert!(is_calm(&peer.state().await));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn how_it_heard_before_is_put_back_at_the_end_and_at_the_next_connection() {
+    let Some(peer) = Peer::start("nao: its hearing", &[]).await else { return };
+    let proxy = Proxy::before(&peer.address).await;
+    let mut driver = Driver::at(&proxy.address).await;
+    let words = [("words", Value::text("oui, non")), ("language", Value::text("Japanese"))];
+    for ends_well in [true, false] {
+        let hears = driver.open("hears", "WordRecognized", &words);
+        driver.sees(&peer, "it listens", |state| state["listening"] == json!(true)).await;
+        assert_eq!(peer.state().await["heard_language"], json!("Japanese"));
+        if ends_well {
+            driver.nao.close(&hears);
+        } else {
+            // As one leaves it who dies while the robot speaks.
+            peer.pause_hearing().await;
+            proxy.cut();
+            driver
+                .until("the loss is noticed", |driver| {
+                    !matches!(driver.nao.health(), Health::Ready | Health::Degraded(_))
+                })
+                .await;
+            driver.nao.close(&hears);
+        }
+        let back = |state: &Json| state["heard_language"] == json!("English") && !says(state, "paused", "ALSpeech");
+        driver.sees(&peer, "it hears as before", back).await;
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_gesture_ends_with_its_behaviour_and_a_robot_that_is_removed_leaves_nothing_behind() {
+    let Some(peer) = Peer::start("nao: the end of a gesture", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    for fault in [json!([]), json!({"do": "never", "service": "ALBehaviorManager", "method": "stopBehavior"})] {
+        peer.clear().await;
+        peer.fault(fault).await;
+        let gesture = driver.open("hey", "Animation", &[]);
+        driver.tell(&gesture, true);
+        let state = driver.sees(&peer, "it waves", |state| state["playing"] != json!([])).await;
+        driver.nao.close(&gesture);
+        driver.sees(&peer, "it waves no more", |state| state["playing"] == json!([])).await;
+        let ended = peer.state().await["last_ms"]["played"].as_f64().unwrap_or_default();
+        assert!(ended - state["t_ms"].as_f64().unwrap() < 1_500.0, "it is not just over by itself");
+        while peer.calls("ALBehaviorManager.stopBehavior").await.is_empty() {
+            driver.wait(1).await;
+        }
+    }
+    let _ball = driver.open("ball", "RedBall", &[]);
+    let follow = driver.open("follow", "Tracker", &[("target", Value::text("Face"))]);
+    driver.tell(&follow, true);
+    let both = |state: &Json| says(state, "subscribers", "ALRedBall") && says(state, "subscribers", "ALFace");
+    driver.sees(&peer, "it looks for both", both).await;
+    drop(driver);
+    while peer.state().await["subscribers"] != json!({}) {
+        tokio::time::sleep(std::time::Duration::from_millis(20)).await;
+    }
 }

@@ -2,14 +2,18 @@
 #![expect(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 mod acts;
+#[cfg(unix)]
+mod calm;
 mod camera;
 mod driver;
 mod gateway;
+#[cfg(unix)]
+mod harm;
 mod late;
 mod losses;
 mod peer;
 mod proxy;
-
+mod refused;
 mod senses;
 mod stops;
 mod templates;

@@ -15,6 +15,7 @@ pub(crate) struct Peer {
     child: Child,
     /// Where it is: `127.0.0.1:PORT`.
     pub(crate) address: String,
+    session: Session,
     standin: Object,
 }
 
@@ -38,7 +39,7 @@ impl Peer {
         let options = Options { stage_within: PATIENCE, call_within: PATIENCE, ..Options::default() };
         let session = Session::connect(&format!("tcp://{address}").parse().unwrap(), options).await.unwrap();
         let standin = session.service("StandIn").await.unwrap();
-        Some(Self { child, address, standin })
+        Some(Self { child, address, session, standin })
     }
 
     pub(crate) fn port(&self) -> &str {
@@ -79,6 +80,12 @@ impl Peer {
 
     pub(crate) async fn clear(&self) {
         self.standin.call("clear", &[]).await.unwrap();
+    }
+
+    /// Pauses what hears words.
+    pub(crate) async fn pause_hearing(&self) {
+        let hearing = self.session.service("ALSpeechRecognition").await.unwrap();
+        hearing.call("pause", &[true.into()]).await.unwrap();
     }
 
     /// Nothing was ever done that makes a robot fall.

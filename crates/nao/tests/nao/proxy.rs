@@ -1,4 +1,4 @@
-//! A way to the robot that can be cut, or swallow or hold back everything that comes by one connection.
+//! A way to the robot that can be cut, in one direction too, or swallow or hold back everything that comes by one connection.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -13,6 +13,18 @@ pub(crate) struct Proxy {
     count: Arc<AtomicUsize>,
 }
 
+/// How a line is cut for good; what is connected later leads nowhere either.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Cut {
+    /// Nothing gets to the robot.
+    To,
+    /// Nothing comes from the robot.
+    From,
+    Both,
+    /// The robot's end is closed, and nobody tells the other one.
+    HalfOpen,
+}
+
 /// What it does with what comes.
 #[derive(Clone, Copy, Default, PartialEq)]
 pub(crate) struct How {
@@ -24,6 +36,8 @@ pub(crate) struct How {
     cuts: usize,
     /// One byte at a time.
     pub(crate) crumbs: bool,
+    /// Whether it is cut for good.
+    line: Option<Cut>,
 }
 
 impl Proxy {
@@ -38,8 +52,8 @@ impl Proxy {
                 let Ok(server) = TcpStream::connect(&peer).await else { continue };
                 let (from, to) = client.into_split();
                 let (back, ahead) = server.into_split();
-                tokio::spawn(pass(from, ahead, number, told.subscribe()));
-                tokio::spawn(pass(back, to, number, told.subscribe()));
+                tokio::spawn(pass(from, ahead, (number, Cut::To), told.subscribe()));
+                tokio::spawn(pass(back, to, (number, Cut::From), told.subscribe()));
             }
         });
         Self { address, how, count }
@@ -62,6 +76,10 @@ impl Proxy {
         self.how.send_modify(|how| how.crumbs = true);
     }
 
+    pub(crate) fn cut_line(&self, cut: Cut) {
+        self.how.send_modify(|how| how.line = Some(cut));
+    }
+
     pub(crate) fn cut(&self) {
         self.how.send_modify(|how| how.cuts += 1);
     }
@@ -70,7 +88,7 @@ impl Proxy {
 async fn pass(
     mut from: impl AsyncReadExt + Unpin,
     mut to: impl AsyncWriteExt + Unpin,
-    number: usize,
+    (number, way): (usize, Cut),
     mut how: watch::Receiver<How>,
 ) {
     let mut bytes = vec![0; 16_384];
@@ -78,16 +96,23 @@ async fn pass(
     loop {
         let read = tokio::select! {
             read = from.read(&mut bytes) => read.unwrap_or(0),
-            _ = how.wait_for(|how| how.cuts > cuts) => 0,
+            _ = how.wait_for(|how| how.cuts > cuts || how.line == Some(Cut::HalfOpen)) => 0,
         };
         if read == 0 {
+            if how.borrow().line == Some(Cut::HalfOpen) {
+                // What leads to the robot is closed; the other end is held, and hears nothing.
+                if way == Cut::To {
+                    let _ = to.shutdown().await;
+                }
+                std::future::pending::<()>().await;
+            }
             return;
         }
         let now = match how.wait_for(|how| how.holds != Some(number)).await {
             Ok(now) => *now,
             Err(_) => return,
         };
-        if now.swallows == Some(number) {
+        if now.swallows == Some(number) || now.line == Some(Cut::Both) || now.line == Some(way) {
             continue;
         }
         let piece = if now.crumbs { 1 } else { read };

@@ -121,3 +121,60 @@ async fn one_service_that_does_not_answer_keeps_nothing_else_from_stopping() {
     assert_eq!(peer.calls("ALAudioPlayer.stopAll").await.len(), 1, "only what did not answer is told again");
     peer.was_safe().await;
 }
+
+/// The stand-in falls when somebody sets its legs or kills its walk in mid-step; here it is stopped in every part of one.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn legs_are_left_alone_until_stop_move_has_answered() {
+    let Some(peer) = Peer::start("nao: a Stop in mid-step", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let (mut in_the_air, mut held) = (0, 0);
+    for _ in 0..12 {
+        peer.world(json!({"pose": [0, 0, 0]})).await;
+        let walk = driver.open("walk", "Walk", &[]);
+        let mut state = peer.state().await;
+        while state["in_the_air"] != json!(true) {
+            driver.tell(&walk, 0.05);
+            driver.step().await;
+            state = peer.state().await;
+        }
+        peer.clear().await;
+        driver.nao.stop(Millis(0));
+        let state = driver.sees(&peer, "the arms are held", |state| !state["joints"].is_null()).await;
+        in_the_air += usize::from(state["in_the_air"] == json!(true));
+        driver.sees(&peer, "it is calm", is_calm).await;
+        while peer.calls("ALMotion.killAll").await.is_empty() {
+            driver.wait(1).await;
+        }
+        let legs = |call: &Json| call[0].to_string().contains("Knee");
+        while !peer.calls("ALMotion.setAngles").await.iter().any(legs) {
+            driver.wait(1).await;
+        }
+        let sets = peer.calls("ALMotion.setAngles").await;
+        held += usize::from(!legs(&sets[0]) && sets[0][0].to_string().contains("HeadYaw"));
+        driver.nao.close(&walk);
+        driver.wait(5).await;
+        peer.was_safe().await;
+    }
+    assert_eq!(held, 12, "head and arms are held first");
+    assert!(in_the_air > 0, "some Stops came in mid-step");
+    assert_eq!(peer.state().await["fallen"], json!(false));
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn legs_that_never_answer_are_left_to_the_robot_and_that_is_said() {
+    let Some(peer) = Peer::start("nao: legs that do not answer", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    peer.fault(json!({"do": "never", "service": "ALMotion", "method": "stopMove", "times": 20})).await;
+    driver.nao.stop(Millis(0));
+    driver
+        .until(
+            "it is said",
+            |driver| matches!(driver.nao.health(), Health::Degraded(why) if why.starts_with("its legs did not answer")),
+        )
+        .await;
+    let sets = peer.calls("ALMotion.setAngles").await;
+    assert_eq!(sets.len(), 1, "head and arms are held once: {sets:?}");
+    assert!(sets.iter().all(|call| !call[0].to_string().contains("Knee")), "{sets:?}");
+    assert!(peer.calls("ALMotion.killAll").await.is_empty() && peer.calls("ALMotion.stopMove").await.len() > 1);
+    peer.was_safe().await;
+}

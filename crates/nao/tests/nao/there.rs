@@ -2,6 +2,7 @@
 
 use crate::driver::Driver;
 use crate::peer::Peer;
+use behaviour::Params;
 use nao::{Settings, Step, check};
 use robot::{Control, Life, Millis, Robot, actuators, sensors};
 use serde_json::json;
@@ -34,13 +35,18 @@ async fn a_whole_nao_has_the_whole_catalogue_and_tells_of_its_body() {
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_a_body_lacks_is_said_with_the_reason() {
-    let Some(peer) = Peer::start("nao: lacks", &["--body", "h21", "--without", "ALTracker"]).await else { return };
-    let driver = Driver::at(&peer.address).await;
+    let Some(peer) = Peer::start("nao: lacks", &["--body", "h21", "--without", "ALLeds,ALRedBallDetection"]).await
+    else {
+        return;
+    };
+    let mut driver = Driver::at(&peer.address).await;
     let lacking = driver.nao.lacking();
     let why = |device: &str| lacking.iter().find(|one| one.device == device).map(|one| one.why.clone());
-    assert_eq!(why("Tracker").as_deref(), Some("its ALTracker is not there"));
+    assert_eq!(why("EyeLedColor").as_deref(), Some("its ALLeds is not there"));
     assert_eq!(why("HandTouch").as_deref(), Some("its body has no LHand"));
-    assert!(!driver.nao.devices().contains(&"Tracker") && driver.nao.devices().contains(&"Walk"));
+    assert!(!driver.nao.devices().contains(&"RedBall") && driver.nao.devices().contains(&"Walk"));
+    let refused = driver.nao.open(&crate::driver::user("follow"), "Tracker", &Params::new()).unwrap_err();
+    assert!(refused.to_string().ends_with("its ALRedBallDetection is not there"), "it cannot see the ball: {refused}");
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

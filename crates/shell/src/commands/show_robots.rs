@@ -48,6 +48,7 @@ fn condition(of: &Condition) -> Vec<String> {
         .to_owned()
     }));
     words.extend(of.fallen.filter(|fallen| *fallen).map(|_| "has fallen".to_owned()));
+    words.extend(of.legs.iter().map(|why| format!("does not walk: {why}")));
     words.extend((!of.hot.is_empty()).then(|| format!("hot: {}", of.hot.join(" "))));
     words
 }

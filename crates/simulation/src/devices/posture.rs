@@ -110,11 +110,22 @@ impl SimulatedNao {
         self.own.awake && !self.lean.is_fallen() && self.away(Kind::StandInit, LEGS) < READY
     }
 
+    /// Why it cannot walk or turn its whole body now, if it cannot.
+    pub(crate) fn check_legs(&self) -> Result<(), &'static str> {
+        if self.lean.is_fallen() {
+            Err("it lies on the floor; help it up first")
+        } else if self.family() == Kind::Sit.family() {
+            Err("it sits; let it stand up first")
+        } else if self.charge.plugged {
+            Err("it is on its charging cable; unplug it first")
+        } else {
+            Ok(())
+        }
+    }
+
     /// Makes ready to walk: unless it sits, it stands up first.
     pub(crate) fn get_ready(&mut self, user: &Use) -> Result<(), RobotFault> {
-        if self.family() == Kind::Sit.family() {
-            return Err(RobotFault::NotNow("it sits; let it stand up first".to_owned()));
-        }
+        self.check_legs().map_err(|why| RobotFault::NotNow(why.to_owned()))?;
         let on_its_way = self.going.as_ref().is_some_and(|going| going.to == Kind::StandInit);
         if !on_its_way && self.away(Kind::StandInit, LEGS) > READY {
             self.send(Kind::StandInit, READY_SPEED, LEGS, Some(user));

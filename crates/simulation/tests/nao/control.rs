@@ -18,6 +18,7 @@ fn at_first_it_is_awake_and_lacks_nothing() {
         life: Some(Life::Disabled),
         hot: Vec::new(),
         fallen: Some(false),
+        legs: None,
     };
     assert_eq!((bench.nao.condition(), bench.nao.lacking()), (condition, Vec::new()));
 }

@@ -155,11 +155,15 @@ pub(crate) fn condition(of: &Condition) -> Vec<(&'static str, String)> {
     match of.life {
         Some(Life::Disabled) => light("good", said("Own life off")),
         Some(Life::Safeguard) => light("bad", said("Protects itself")),
-        Some(Life::Solitary | Life::Interactive) => light("off", said("Lives by itself")),
+        Some(Life::Solitary | Life::Interactive) => {
+            light("off", said("Lives by itself, may move and speak"));
+        }
         None => {}
     }
     if of.fallen == Some(true) {
         light("bad", said("Has fallen"));
+    } else if let Some(why) = &of.legs {
+        light("off", &say!("Does not walk: {why}", why = translated(why)));
     }
     if !of.hot.is_empty() {
         light("bad", &say!("Hot: {joints}", joints = listed(of.hot.iter().map(|joint| joint_words(joint)))));

@@ -2,6 +2,7 @@
 
 use crate::peer::Peer;
 use serde_json::{Value as Json, json};
+use std::collections::BTreeSet;
 
 /// Calls that only ask or prepare: the watch over the body, the looks at what is there, and senses.
 const HOUSEKEEPING: [&str; 18] = [
@@ -48,6 +49,8 @@ pub(crate) struct Log {
     pub(crate) ended: Vec<(String, String)>,
     /// Every colour that was looked for, once.
     pub(crate) colors: Vec<Json>,
+    /// What moved in this phase.
+    moving: BTreeSet<&'static str>,
 }
 
 impl Log {
@@ -61,13 +64,33 @@ impl Log {
             match method {
                 "subscribe" => {
                     assert_eq!(call["args"].as_array().unwrap()[1..], [json!(33), json!(0.0)]);
-                    self.begun.push(subscription());
+                    if !is_following(&call["args"][0]) {
+                        self.begun.push(subscription());
+                    }
                 }
+                "unsubscribe" if is_following(&call["args"][0]) => {}
                 "unsubscribe" => self.ended.push(subscription()),
                 "setColor" if !self.colors.contains(&call["args"]) => self.colors.push(call["args"].clone()),
                 _ if HOUSEKEEPING.contains(&what.as_str()) => {}
-                _ => self.acting.push(Noted { what, args: call["args"].clone() }),
+                _ => self.note(what, &call["args"]),
             }
+        }
+    }
+
+    /// Another phase: what moves on is noted anew.
+    pub(crate) fn begin(&mut self) {
+        self.moving.clear();
+    }
+
+    /// What follows is noted once a phase and part of the body, as only the body knows how it goes.
+    fn note(&mut self, what: String, args: &Json) {
+        for part in parts(&what, args) {
+            if self.moving.insert(part) {
+                self.acting.push(Noted { what: "moved".to_owned(), args: json!(part) });
+            }
+        }
+        if parts(&what, args).is_empty() {
+            self.acting.push(Noted { what, args: args.clone() });
         }
     }
 
@@ -103,6 +126,30 @@ fn near(one: &Json, other: &Json) -> bool {
     }
 }
 
+/// What is followed is looked for beside what behaviours sense, for as long as something follows it.
+fn is_following(name: &Json) -> bool {
+    name.as_str().unwrap().starts_with("rrp-test/follow/")
+}
+
+/// The parts of the body that follow by this call, if it is one of those.
+fn parts(what: &str, args: &Json) -> Vec<&'static str> {
+    match what {
+        "ALMotion.setAngles" if args[2].as_f64().is_some_and(|speed| (speed - 0.3).abs() < 1e-3) => {
+            let joints: Vec<&str> = args[0].as_array().unwrap().iter().map(|joint| joint.as_str().unwrap()).collect();
+            let of = |letter: char| joints.iter().any(|joint| joint.starts_with(letter));
+            [('H', "head"), ('L', "left arm"), ('R', "right arm")]
+                .into_iter()
+                .filter(|(letter, _)| of(*letter))
+                .map(|(_, part)| part)
+                .collect()
+        }
+        "ALMotion.moveTo" if args[0] == 0.0 && args[1] == 0.0 => vec!["turning"],
+        "ALMotion.moveTo" => vec!["walking"],
+        "ALMotion.stopMove" => vec!["standing"],
+        _ => Vec::new(),
+    }
+}
+
 /// Saying a text.
 pub(crate) fn say(text: &str) -> Vec<Call> {
     vec![("ALTextToSpeech.say", json!([text]))]
@@ -118,28 +165,7 @@ pub(crate) fn bright(part: f64) -> Vec<Call> {
     vec![("ALLeds.setIntensity", json!(["FaceLeds", part]))]
 }
 
-/// The head turns up or down no further, wherever it is on its way.
-pub(crate) fn hold_pitch() -> Vec<Call> {
-    vec![("ALMotion.setAngles", json!([["HeadPitch"], [null], 0.3]))]
-}
-
-/// The robot begins to follow the red ball of 6 cm.
-pub(crate) fn track(mode: &str, effector: &str) -> Vec<Call> {
-    follow("RedBall", 0.06, mode, effector)
-}
-
-/// The robot begins to follow a target of this size in metres.
-pub(crate) fn follow(target: &str, size: f64, mode: &str, effector: &str) -> Vec<Call> {
-    vec![
-        ("ALTracker.stopTracker", json!([])),
-        ("ALTracker.registerTarget", json!([target, size])),
-        ("ALTracker.setMode", json!([mode])),
-        ("ALTracker.setEffector", json!([effector])),
-        ("ALTracker.track", json!([target])),
-    ]
-}
-
-/// It follows no more.
-pub(crate) fn untrack() -> Vec<Call> {
-    vec![("ALTracker.stopTracker", json!([])), ("ALTracker.unregisterAllTargets", json!([]))]
+/// A part of the body moves, however often and wherever it goes: what follows is sent on with every picture.
+pub(crate) fn moved(part: &'static str) -> Call {
+    ("moved", json!(part))
 }

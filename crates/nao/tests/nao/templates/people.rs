@@ -1,7 +1,7 @@
 //! Templates that see people or feel hands.
 
 use super::case::{Case, Phase, Wanted, phase};
-use super::log::{follow, hold_pitch, say, untrack};
+use super::log::{moved, say};
 use super::world::Change::{Hand, Person};
 use serde_json::json;
 
@@ -46,18 +46,19 @@ async fn hello_is_said_once_to_each() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn goodbye_is_said_when_nobody_is_there_for_long() {
     let up = || vec![("ALMotion.setAngles", json!([["HeadPitch"], [-0.52], 0.2]))];
-    let looks = || follow("Face", 0.15, "Head", "None");
+    let looks = || vec![moved("head")];
+    let both = |changes, for_ms, wanted, perhaps| Phase { changes, for_ms, wanted: Wanted::Parts(wanted, perhaps) };
     let phases = vec![
-        Phase { changes: COMES, for_ms: 2_000, wanted: Wanted::Together([looks(), up()].concat()) },
-        phase(GOES, 3_000, untrack()),
-        phase(COMES, 2_000, looks()),
-        Phase { changes: GOES, for_ms: 9_000, wanted: Wanted::Together([untrack(), say("Goodbye"), up()].concat()) },
-        phase(COMES, 1_000, looks()),
+        both(COMES, 2_000, [looks(), up()].concat(), Vec::new()),
+        // It stays where it is.
+        both(GOES, 3_000, looks(), Vec::new()),
+        both(COMES, 2_000, Vec::new(), looks()),
+        both(GOES, 9_000, [say("Goodbye"), up()].concat(), looks()),
+        both(COMES, 1_000, Vec::new(), looks()),
     ];
     // Where the head of a real robot is while it looks, and so what it sees, is its own. The clock goes on while it is waited
     // for.
-    let ending = [untrack(), hold_pitch()].concat();
-    Case { phases, apart: &["clock", "face"], ending, ..faces("goodbye") }.hold().await;
+    Case { phases, apart: &["clock", "face"], ..faces("goodbye") }.hold().await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
