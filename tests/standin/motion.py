@@ -36,6 +36,8 @@ class Motion(Service):
         if not 0 < fraction <= 1:
             raise Refused("the fraction of the speed must be from 0 to 1: %s" % fraction)
         joints = self._joints(names)
+        if any(joint.startswith("Wheel") for joint in joints):
+            raise Refused("wheels are moved by moveTo, move and moveToward only: %s" % (names,))
         for joint, angle in zip(joints, numbers(angles, len(joints))):
             self.house.body.aim(joint, angle, fraction)
         return joints

@@ -1,7 +1,9 @@
 //! What takes its time, like a gesture or a sound: begun once, however many want it, and ended with the last of them.
 
-use crate::acting::{Done, attempt};
+use crate::acting::Done;
 use crate::deed::Call;
+use crate::link::call;
+use crate::outcome::failed;
 use qi::Session;
 use robot::Use;
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,22 +58,26 @@ impl Lastings {
         let (cancel, number) = (CancellationToken::new(), self.number);
         let (session, done, ended, name) = (session.clone(), done.clone(), cancel.clone(), what.clone());
         tokio::spawn(async move {
+            let mut fault = None;
             for wanted in calls {
-                tokio::select! {
-                    () = attempt(&session, &wanted, within) => {}
+                let came = tokio::select! {
+                    biased;
                     () = ended.cancelled() => return,
-                }
+                    came = call(&session, &wanted, within) => came,
+                };
+                fault = fault.or_else(|| failed(&wanted, &came));
             }
-            let _over = done.send(Done::Lasted(name, number));
+            let _over = done.send(Done::Lasted(name, number, fault));
         });
         self.all.insert(what, Lasting { users: vec![user], end, number, cancel });
     }
 
-    /// It came to its end.
-    pub(crate) fn over(&mut self, what: &str, number: u64) {
-        if self.all.get(what).is_some_and(|lasting| lasting.number == number) {
-            self.all.remove(what);
+    /// It came to its end; with who wanted it.
+    pub(crate) fn over(&mut self, what: &str, number: u64) -> Vec<Use> {
+        if self.all.get(what).is_none_or(|lasting| lasting.number != number) {
+            return Vec::new();
         }
+        self.all.remove(what).map(|lasting| lasting.users).unwrap_or_default()
     }
 
     /// A use ends: answers with what ends that nobody else uses. What would end something else too, as all sounds end

@@ -2,6 +2,7 @@
 //! walking, following, speaking, playing and measuring end, and the joints hold where they are. Motors stay on. A rest goes
 //! the same way: first everything ends, then the robot sits down, unless it falls.
 
+use crate::body::is_joint;
 use crate::deed::Call;
 use crate::link::{CALL, call};
 use crate::settings::Settings;
@@ -168,5 +169,7 @@ async fn freeze(session: &Session) -> Result<Value, QiError> {
     if names.is_empty() || names.len() != angles.len() {
         return Ok(Value::Unit);
     }
+    let held = names.into_iter().zip(angles).filter(|(name, _)| is_joint(name));
+    let (names, angles): (Vec<String>, Vec<f64>) = held.unzip();
     call(session, &set_angles(&names, &angles, HOLD_SPEED), CALL).await
 }

@@ -2,7 +2,7 @@
 
 use crate::Recorded;
 use behaviour::{Id, Value};
-use robot::{Condition, Health, Lacking};
+use robot::{Condition, Health, Identity, Lacking};
 use serde::{Deserialize, Serialize};
 
 /// A robot and its link.
@@ -29,6 +29,12 @@ pub struct RobotState {
     /// How it is reached; none for a simulated one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub address: Option<String>,
+    /// Which body it is, once that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub identity: Option<Identity>,
+    /// The name of another robot here that is the same body; then nothing is started on this one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub same_as: Option<String>,
 }
 
 impl RobotState {
@@ -44,6 +50,8 @@ impl RobotState {
             lacking: Vec::new(),
             condition: Condition::default(),
             address: None,
+            identity: None,
+            same_as: None,
         }
     }
 }

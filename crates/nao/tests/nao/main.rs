@@ -4,6 +4,7 @@
 mod acts;
 mod driver;
 mod gateway;
+mod identity;
 mod late;
 mod losses;
 mod peer;

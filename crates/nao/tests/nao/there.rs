@@ -1,6 +1,6 @@
 //! That it is there: what it has, what it lacks, how its body is, and a look step by step.
 
-use crate::driver::Driver;
+use crate::driver::{Driver, user};
 use crate::peer::Peer;
 use nao::{Settings, Step, check};
 use robot::{Control, Life, Millis, Robot, actuators, sensors};
@@ -35,18 +35,21 @@ async fn a_whole_nao_has_the_whole_catalogue_and_tells_of_its_body() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn what_a_body_lacks_is_said_with_the_reason() {
     let Some(peer) = Peer::start("nao: lacks", &["--body", "h21", "--without", "ALTracker"]).await else { return };
-    let driver = Driver::at(&peer.address).await;
+    let mut driver = Driver::at(&peer.address).await;
     let lacking = driver.nao.lacking();
     let why = |device: &str| lacking.iter().find(|one| one.device == device).map(|one| one.why.clone());
     assert_eq!(why("Tracker").as_deref(), Some("its ALTracker is not there"));
-    assert_eq!(why("HandTouch").as_deref(), Some("its body has no LHand"));
+    assert_eq!(why("HandTouch").as_deref(), Some("its body has no left hand"));
+    let refused = driver.nao.open(&user("hand"), "HandTouch", &Default::default()).unwrap_err();
+    assert_eq!(refused.to_string(), "its body has no left hand");
     assert!(!driver.nao.devices().contains(&"Tracker") && driver.nao.devices().contains(&"Walk"));
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_look_goes_through_all_steps() {
     let Some(peer) = Peer::start("nao: look", &[]).await else { return };
-    let settings = Settings { address: peer.address.clone(), login: None, own_name: "rrp".into(), trusted: None };
+    let settings =
+        Settings { address: peer.address.clone(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
     let found = check(&settings).await;
     let steps: Vec<Step> = found.steps.iter().map(|step| step.0).collect();
     assert_eq!(steps, [Step::Name, Step::Tcp, Step::Login, Step::Directory, Step::Services], "{found:?}");

@@ -66,7 +66,7 @@ impl Log {
                 "unsubscribe" => self.ended.push(subscription()),
                 "setColor" if !self.colors.contains(&call["args"]) => self.colors.push(call["args"].clone()),
                 _ if HOUSEKEEPING.contains(&what.as_str()) => {}
-                _ => self.acting.push(Noted { what, args: call["args"].clone() }),
+                _ => self.acting.push(Noted { args: unpacked(&what, &call["args"]), what }),
             }
         }
     }
@@ -110,12 +110,21 @@ pub(crate) fn say(text: &str) -> Vec<Call> {
 
 /// The eyes take a colour, `0xRRGGBB`.
 pub(crate) fn eyes(color: u32) -> Vec<Call> {
-    vec![("ALLeds.fadeRGB", json!(["FaceLeds", color, 0.1]))]
+    vec![("ALLeds.fadeRGB", unpacked("ALLeds.fadeRGB", &json!(["FaceLeds", color, 0.1])))]
 }
 
-/// The eyes shine so brightly.
+/// The white eyes shine so brightly.
 pub(crate) fn bright(part: f64) -> Vec<Call> {
-    vec![("ALLeds.setIntensity", json!(["FaceLeds", part]))]
+    vec![("ALLeds.fadeRGB", json!(["FaceLeds", [part, part, part], 0.1]))]
+}
+
+/// A colour as three parts from 0 to 1, which can be nearly the same.
+fn unpacked(what: &str, args: &Json) -> Json {
+    let mut args = args.clone();
+    if let ("ALLeds.fadeRGB", Some(color)) = (what, args[1].as_u64()) {
+        args[1] = [16, 8, 0].map(|shift| (color >> shift & 0xFF) as f64 / 255.0).to_vec().into();
+    }
+    args
 }
 
 /// The head turns up or down no further, wherever it is on its way.
