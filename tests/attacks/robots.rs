@@ -57,7 +57,8 @@ async fn lie(target: &Target) -> Outcome<()> {
         robots.push(real);
     }
     loop {
-        let looks = robots.iter().map(|real| client.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: None }));
+        let looks =
+            robots.iter().map(|real| client.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: None }));
         join_all(looks).await;
         tokio::time::sleep(PAUSE).await;
     }

@@ -132,5 +132,9 @@ mod tests {
         };
         assert_eq!(add(None, None).line(), "add robot \"NAO blue\"");
         assert_eq!(add(Some("nao.local"), Some("nao")).line(), "add robot \"NAO blue\" at nao.local as nao");
+        let reach = What::Reach { name: "NAO blue".into(), address: "10.0.0.9".into(), user: None };
+        assert_eq!(reach.line(), "reach robot \"NAO blue\" at 10.0.0.9");
+        assert_eq!(What::Accept { name: "NAO blue".into() }.line(), "accept robot \"NAO blue\"");
+        assert_eq!(What::Blink { name: "NAO blue".into() }.line(), "blink robot \"NAO blue\"");
     }
 }

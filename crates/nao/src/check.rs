@@ -1,6 +1,7 @@
 //! Looking step by step whether a robot can be reached, and saying what to do where it cannot.
 
 use crate::identity;
+use crate::outcome;
 use crate::scan::scan;
 use crate::settings::{Settings, is_secure};
 use qi::{Cause, QiError, Session, Stage};
@@ -101,8 +102,10 @@ async fn services(session: &Session, secure: bool) -> Found {
     let scanned = match scan(session).await {
         Ok(scanned) => scanned,
         Err(error) => {
-            let why =
-                format!("It is no NAO or Pepper, or it is still starting ({error}). Wait a minute and look again.");
+            let why = format!(
+                "It is no NAO or Pepper, or it is still starting ({error}). Wait a minute and look again.",
+                error = outcome::why(&error)
+            );
             return Found { fingerprint, ..failed(Step::Services, &why) };
         }
     };
@@ -131,7 +134,7 @@ fn step_of(error: &QiError) -> Step {
 /// Why the robot is not reached, and what to do, in one sentence.
 pub(crate) fn sentence(error: &QiError) -> String {
     let QiError::Connect { stage, cause } = error else {
-        return format!("The robot does not answer as it should: {error}.");
+        return format!("The robot does not answer as it should: {error}.", error = outcome::why(error));
     };
     match (stage, cause) {
         (Stage::Name, _) => {

@@ -8,6 +8,7 @@ use crate::models;
 use crate::shared::Shared;
 use qi::{QiError, Session, Value};
 use robot::{Identity, Stranger};
+use std::sync::Arc;
 use std::time::Duration;
 
 /// The number of the body, as DCM tells it; a simulated NAOqi has none.
@@ -71,16 +72,16 @@ fn text(value: &Value) -> String {
     text.chars().filter(|sign| !sign.is_control()).take(TEXT_MAX_CHARS).collect::<String>().trim().to_owned()
 }
 
-/// The eyes go dark and bright, a few times; then they are as they were, or as the robot has them by itself.
-pub(crate) async fn blink(session: Session, before: Option<[f32; 3]>) {
+/// The eyes go dark and bright, a few times; then they are as they are wanted by then, or as a stranger has them by itself.
+pub(crate) async fn blink(session: Session, ours: Option<Arc<Shared>>) {
     for _ in 0..BLINKS {
         for bright in [0.0, 1.0] {
             try_call(&session, &shine([bright; 3])).await;
             tokio::time::sleep(Duration::from_millis(BLINK_MS)).await;
         }
     }
-    let last = match before {
-        Some(parts) => shine(parts),
+    let last = match ours {
+        Some(shared) => shine(shared.state().eyes),
         None => Call::new("ALLeds", "reset", ["FaceLeds".into()]),
     };
     try_call(&session, &last).await;

@@ -230,7 +230,7 @@ async fn serve(
                     acting.act(gate, user, deed);
                 }
                 Some(Order::Control(Control::Blink)) => {
-                    tokio::spawn(identity::blink(session.clone(), Some(shared.state().eyes)));
+                    tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))));
                 }
                 Some(Order::Control(control)) => {
                     let life = Arc::clone(&life);

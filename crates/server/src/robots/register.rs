@@ -188,6 +188,23 @@ mod tests {
     }
 
     #[test]
+    fn a_file_from_before_identities_goes_on() {
+        let folder = tempfile::tempdir().unwrap();
+        let before = r#"[{"robot":"a","name":"Blue","seed":1,"real":{"address":"nao.local"}}]"#;
+        std::fs::write(folder.path().join("robots.json"), before).unwrap();
+        let mut register = Register::within(Some(folder.path()), 1);
+        let robot = Id::new("a").unwrap();
+        let real = register.real(&robot).cloned().unwrap();
+        assert_eq!((real.address.as_str(), &real.identity), ("nao.local", &None));
+        let identity = robot::Identity { serial: "B1".into(), ..robot::Identity::default() };
+        register.reach(&robot, RealRobot { identity: Some(identity.clone()), ..real }).unwrap();
+        let again = Register::within(Some(folder.path()), 1);
+        assert_eq!(again.real(&robot).unwrap().identity, Some(identity.clone()));
+        assert_eq!(again.twin(&identity, None), Some("Blue"));
+        assert_eq!(again.twin(&identity, Some(&robot)), None, "not of itself");
+    }
+
+    #[test]
     fn a_name_is_needed() {
         let register = Register::within(None, 1);
         let robot = Id::new("a").unwrap();
