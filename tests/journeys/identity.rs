@@ -61,8 +61,8 @@ async fn another_body_at_its_address_is_a_question() -> Outcome<()> {
     let words = ["--port", &port, "--body", "pepper", "--name", "Pico", "--serial", "AP990438A02Y51000072"];
     let pico = StandIn::start("journey: another body", &words)?;
     says(&aiko, "Is this “Blue”?").await?;
-    says(&aiko, "“Momo”, NAO …0344").await?;
-    says(&aiko, "“Pico”, Pepper …0072").await?;
+    says(&aiko, "“Momo”, NAO #0344").await?;
+    says(&aiko, "“Pico”, Pepper #0072").await?;
     says(&aiko, "Another robot answers at its address. Say first which one is meant.").await?;
     aiko.until("document.querySelector('.start').disabled", "it cannot be started").await?;
     keep(&aiko, "stranger").await?;
@@ -154,8 +154,8 @@ async fn two_robots_with_one_name_are_told_apart() -> Outcome<()> {
     add(&aiko, two.address(), "").await?;
     aiko.find("button", "Robot: nao 2").await?;
     aiko.press("button", "Robot: nao 2").await?;
-    says(&aiko, "calls itself “nao”, NAO …0344").await?;
-    says(&aiko, "calls itself “nao”, NAO …0346").await?;
+    says(&aiko, "calls itself “nao”, NAO #0344").await?;
+    says(&aiko, "calls itself “nao”, NAO #0346").await?;
     keep(&aiko, "one-name").await?;
     aiko.press("menuitem", "Make its eyes blink").await?;
     says(&aiko, "The eyes of “nao 2” blink for a moment.").await?;

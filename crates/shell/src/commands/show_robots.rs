@@ -54,12 +54,12 @@ fn condition(of: &Condition) -> Vec<String> {
     words
 }
 
-/// Which body: "“Momo”, a NAO, number …0344".
+/// Which body: "“Momo”, a NAO, number #0344".
 pub(super) fn who(identity: &Identity) -> String {
     let kind = if identity.body.is_empty() { "robot" } else { &identity.body };
     let name = if identity.name.is_empty() { "without a name" } else { &identity.name };
     let tail = identity.tail();
-    if tail.is_empty() { format!("“{name}”, {kind}") } else { format!("“{name}”, {kind} …{tail}") }
+    if tail.is_empty() { format!("“{name}”, {kind}") } else { format!("“{name}”, {kind} #{tail}") }
 }
 
 fn health(health: &Health) -> String {

@@ -140,7 +140,7 @@ fn Twin(real: RealRobot, checked: Checked) -> impl IntoView {
         };
         view! { <button class="button small" type="button" on:click=give>{words::give_this_address(&name)}</button> }
     });
-    view! { <p class="refusal">{says}</p> {button} }
+    view! { <div class="twin"><p class="refusal">{says}</p> {button}</div> }
 }
 
 /// Robots that announce themselves: one press fills in the address.

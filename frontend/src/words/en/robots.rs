@@ -102,11 +102,11 @@ pub(crate) fn found_robot(name: &str, model: &str, certificate: Option<&str>) ->
     }
 }
 
-/// Which body: "“Momo”, NAO …0344".
+/// Which body: "“Momo”, NAO #0344".
 pub(crate) fn who(identity: &Identity) -> String {
     let name = if identity.name.is_empty() { said("without a name").to_owned() } else { saying(&identity.name) };
     let (kind, tail) = (translated(&identity.body), identity.tail());
-    let number = (!tail.is_empty()).then(|| format!("…{tail}"));
+    let number = (!tail.is_empty()).then(|| format!("#{tail}"));
     let kind = [Some(kind).filter(|kind| !kind.is_empty()), number].into_iter().flatten();
     listed([name, kind.collect::<Vec<_>>().join(" ")].into_iter().filter(|part| !part.is_empty()))
 }
