@@ -78,6 +78,8 @@ pub(crate) struct Rest {
     pub(crate) minimap: fn() -> AnyView,
     /// Whose changes the robot does not use yet, and the button that lets it.
     pub(crate) apply: fn() -> AnyView,
+    /// Which robot is meant, while another one answers.
+    pub(crate) stranger: fn() -> AnyView,
     /// What is known of a selected stream or connector, and what can be done with it.
     pub(crate) selected: fn(Selected) -> AnyView,
 }
@@ -123,6 +125,7 @@ fn rest() -> Result<Rest, NotLoaded> {
         carry: canvas::carry,
         minimap: canvas::minimap,
         apply: panels::apply,
+        stranger: panels::stranger,
         selected: panels::selected,
     })
 }

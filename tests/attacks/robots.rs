@@ -50,14 +50,15 @@ async fn lie(target: &Target) -> Outcome<()> {
                 tokio::spawn(async move { drop(serve(stream, lie).await) });
             }
         });
-        let real = RealRobot { address, user: None, password: None, fingerprint: None };
+        let real = RealRobot { address, user: None, password: None, fingerprint: None, identity: None };
         // As many as may be: those of an attack before are still there.
         let add = Request::AddRobot { robot: fresh("r"), name: "Liar".to_owned(), real: Some(Box::new(real.clone())) };
         let _full = client.ask(add).await;
         robots.push(real);
     }
     loop {
-        let looks = robots.iter().map(|real| client.ask(Request::CheckRobot { real: Box::new(real.clone()) }));
+        let looks =
+            robots.iter().map(|real| client.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: None }));
         join_all(looks).await;
         tokio::time::sleep(PAUSE).await;
     }

@@ -11,6 +11,7 @@ mod ending;
 mod graph_database;
 mod help;
 mod history;
+mod identity;
 mod invite;
 mod later;
 mod library;

@@ -87,7 +87,7 @@ async fn a_walk_ends_where_it_was_sent_or_when_it_is_stopped() {
 
 #[tokio::test]
 async fn a_smaller_nao_has_no_wrists_and_a_pepper_no_legs() {
-    for (body, joints, without) in [("h21", 22, "LWristYaw"), ("pepper", 17, "LKneePitch")] {
+    for (body, joints, without) in [("h21", 22, "LWristYaw"), ("pepper", 20, "LKneePitch")] {
         let part = format!("the stand-in as {body}");
         let Some(nao) = Nao::start(&part, &["--body", body, "--without", "ALTracker"]).await else { return };
         let names = plain(&nao.call("ALMotion", "getBodyNames", json!(["Body"])).await);

@@ -1,4 +1,7 @@
-"""ALLeds. A colour is there at once and the call is answered after its time (assumed: on a robot the fade may block)."""
+"""ALLeds. A colour is there at once and the call is answered after its time (assumed: on a robot the fade may block).
+
+Read: a group has lamps of three colours, and an intensity that is set for it is that of each of them: red turns grey.
+"""
 
 from service import Refused, Service, api
 

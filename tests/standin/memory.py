@@ -8,6 +8,7 @@ their own. Here numbers inside values travel as 8 bytes; a robot sends 4.
 
 import qi
 
+from near import sonar_key
 from service import Refused, Service, api
 
 
@@ -102,8 +103,8 @@ def first(memory, table):
     for name in table.body:
         memory.values["Device/SubDeviceList/%s/Position/Sensor/Value" % name] = 0.0
         memory.values["Device/SubDeviceList/%s/Temperature/Sensor/Value" % name] = 38.0
-    for side in ("Left", "Right"):
-        memory.values["Device/SubDeviceList/US/%s/Sensor/Value" % side] = 2.55
+    for sonar in table.sonars:
+        memory.values[sonar_key(table, sonar["name"][len("Sonar"):])] = 2.55
     memory.values.update({
         "TouchChanged": [], "redBallDetected": [], "FaceDetected": [], "WordRecognized": ["", -3.0],
         "LandmarkDetected": [], "PeoplePerception/PeopleList": [], "ALSoundLocalization/SoundLocated": [],

@@ -50,6 +50,8 @@ class Motion(Service):
         if not 0 < fraction <= 1:
             raise Refused("the fraction of the speed must be from 0 to 1: %s" % fraction)
         joints = self._joints(names)
+        if any(joint.startswith("Wheel") for joint in joints):
+            raise Refused("wheels are moved by moveTo, move and moveToward only: %s" % (names,))
         if any(joint in self.house.body.table.groups["Legs"] for joint in joints):
             self.house.body.legs_set("legs set")
         for joint, angle in zip(joints, numbers(angles, len(joints))):

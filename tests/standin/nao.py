@@ -61,7 +61,7 @@ class Directory:
             self.session.unregisterService(self.ids.pop(name))
 
 
-def build(body, aloud):
+def build(body, aloud, name, serial):
     house = House(aloud)
     house.world = World(house)
     house.body = Body(house, Table(body))
@@ -69,6 +69,10 @@ def build(body, aloud):
     first(house.memory, house.body.table)
     made = [house.memory] + [kind(house) for kind in SERVICES[1:]]
     house.services = {service.name: service for service in made}
+    house.services["ALSystem"].called = name
+    # A simulated NAOqi has no such key.
+    if serial:
+        house.memory.values["Device/DeviceList/ChestBoard/BodyId"] = serial
     return house
 
 
@@ -77,6 +81,8 @@ def asked():
     parser.add_argument("--port", type=int, default=0)
     parser.add_argument("--host", default="127.0.0.1")
     parser.add_argument("--body", choices=["h25", "h21", "pepper"], default="h25")
+    parser.add_argument("--name", default="nao-standin", help="what it calls itself")
+    parser.add_argument("--serial", default="ALDR0000N000001", help="the number of its body")
     parser.add_argument("--without", default="", help="services that this robot lacks, with commas between")
     parser.add_argument("--stay", action="store_true", help="ignore the input and print the calls")
     return parser.parse_args()
@@ -86,7 +92,7 @@ def main():
     # libqi writes its log where a line of ours is waited for.
     qi.logging.setLevel(qi.logging.SILENT)
     wanted = asked()
-    house = build(wanted.body, wanted.stay)
+    house = build(wanted.body, wanted.stay, wanted.name, wanted.serial)
     session = qi.Session()
     session.listenStandalone("tcp://%s:%d" % (wanted.host, wanted.port))
     directory = Directory(session, {**house.services, "StandIn": StandIn(house, None)})

@@ -31,6 +31,12 @@ def touch(house, event, down):
     house.memory.put("TouchChanged", [[place(event), down]])
 
 
+def sonar_key(table, side):
+    """Where a measured distance stands: Pepper's sonars are in its base."""
+    where = "Platform/%s/Sonar" if table.kind == "pepper" else "US/%s"
+    return "Device/SubDeviceList/%s/Sensor/Value" % (where % side)
+
+
 class Sonar(Extractor):
     name = "ALSonar"
     outputs = ("SonarLeftDetected", "SonarRightDetected", "SonarLeftNothingDetected", "SonarRightNothingDetected")
@@ -45,7 +51,7 @@ class Sonar(Extractor):
         for sonar in self.house.body.table.sonars:
             side = sonar["name"][len("Sonar"):]
             metres = self.house.world.echo(sonar)
-            memory.values["Device/SubDeviceList/US/%s/Sensor/Value" % side] = metres
+            memory.values[sonar_key(self.house.body.table, side)] = metres
             close = metres < CLOSE_M
             if close:
                 memory.put("Sonar%sDetected" % side, metres)

@@ -84,6 +84,63 @@ async fn values_have_the_forms_of_naoqi() {
 }
 
 #[tokio::test]
+async fn a_circle_is_in_parts_of_rows_and_columns_and_stays_when_the_blob_is_gone() {
+    let Some(nao) = Nao::start("circles of the stand-in", &[]).await else { return };
+    nao.world(json!({"balls": {"red": {"at": [0.8, 0.1, 0.5], "color": "red"}}})).await;
+    nao.call("ALColorBlobDetection", "setColor", json!([255, 0, 0, 30])).await;
+    nao.call("ALColorBlobDetection", "setObjectProperties", json!([1, 0.06, "Circle"])).await;
+    let mut events = nao.listen("ALTracker/ColorBlobDetected").await;
+    nao.call("ALColorBlobDetection", "subscribe", json!(["test", 20, 0.0])).await;
+    next(&mut events.events).await;
+    let seen = nao.told("state").await["balls"]["red"]["seen"].clone();
+    let circle = plain(&nao.call("ALColorBlobDetection", "getCircle", json!([])).await);
+    let of = |list: &Json, at: usize| list[at].as_f64().unwrap();
+    // A pinhole of 56.3 by 43.7 degrees over 320 columns and 240 rows.
+    let (wide, high) = (2.0 * (0.98262_f64 / 2.0).tan(), 2.0 * (0.76271_f64 / 2.0).tan());
+    let column = 320.0 * (0.5 - of(&seen, 0).tan() / wide);
+    let row = 240.0 * (0.5 + of(&seen, 1).tan() / high);
+    let radius = 320.0 * of(&seen, 2).tan() / wide;
+    for (at, wanted) in [column / 240.0, row / 320.0, radius / 240.0].into_iter().enumerate() {
+        assert!((of(&circle, at) - wanted).abs() < 0.02, "{at}: {circle} {wanted}");
+    }
+    nao.world(json!({"balls": {"red": {"present": false}}})).await;
+    let then = nao.told("state").await["t_ms"].as_u64().unwrap();
+    nao.until("ten pictures later", |state| state["t_ms"].as_u64().unwrap() > then + 300).await;
+    let left = plain(&nao.call("ALColorBlobDetection", "getCircle", json!([])).await);
+    assert!(left.as_array().is_some_and(|left| left.len() == 3), "the last one stays: {left}");
+}
+
+#[tokio::test]
+async fn a_pepper_has_its_sonars_in_its_base_and_wheels_that_are_no_joints() {
+    let Some(nao) = Nao::start("pepper of the stand-in", &["--body", "pepper"]).await else { return };
+    let names = plain(&nao.call("ALMotion", "getBodyNames", json!(["Body"])).await);
+    assert!(names.as_array().unwrap().contains(&json!("WheelB")), "{names}");
+    let refused = nao.try_call("ALMotion", "setAngles", json!(["WheelB", 0.0, 0.2])).await.unwrap_err();
+    assert!(refused.to_string().contains("wheels"), "{refused}");
+    nao.world(json!({"obstacles": {"box": {"at": [1.0, 0.0], "size": [0.2, 0.8, 0.8], "present": true}}})).await;
+    nao.call("ALSonar", "subscribe", json!(["test"])).await;
+    let front = "Device/SubDeviceList/Platform/Front/Sonar/Sensor/Value";
+    let memory = nao.service("ALMemory").await;
+    let measured = async || plain(&memory.call("getData", &[front.into()]).await.unwrap()).as_f64().unwrap();
+    for _ in 0..200 {
+        if measured().await < 1.0 {
+            break;
+        }
+        tokio::time::sleep(std::time::Duration::from_millis(20)).await;
+    }
+    assert!((measured().await - 0.7).abs() < 0.1);
+    assert!(memory.call("getData", &["Device/SubDeviceList/US/Left/Sensor/Value".into()]).await.is_err());
+}
+
+#[tokio::test]
+async fn an_intensity_of_the_face_is_that_of_each_of_its_colours() {
+    let Some(nao) = Nao::start("lights of the stand-in", &[]).await else { return };
+    nao.call("ALLeds", "fadeRGB", json!(["FaceLeds", 0xFF_0000, 0.0])).await;
+    nao.call("ALLeds", "setIntensity", json!(["FaceLeds", 0.5])).await;
+    assert_eq!(nao.told("state").await["leds"]["FaceLeds"], json!([0.5, 0.5, 0.5]), "grey, and not red any more");
+}
+
+#[tokio::test]
 async fn words_are_heard_only_as_the_vocabulary_allows() {
     let Some(nao) = Nao::start("words of the stand-in", &[]).await else { return };
     nao.call("ALSpeechRecognition", "setVocabulary", json!([["yes", "no"], true])).await;

@@ -72,7 +72,13 @@ class Table:
         self.groups = {
             "Head": ["HeadYaw", "HeadPitch"], "LArm": ["L" + part for part in arm],
             "Leg": ["HipRoll", "HipPitch", "KneePitch"], "RArm": ["R" + part for part in arm],
+            # In `Body`, and no joints: they only roll.
+            "Wheels": ["WheelFL", "WheelFR", "WheelB"],
         }
+        rows.update({wheel: (-1000.0, 1000.0, 10.0) for wheel in self.groups["Wheels"]})
+        # One ahead and one behind, as high as its base.
+        self.sonars = [dict(self.sonars[0], name="Sonar%s" % name, at=[at, 0.0, -0.6], yaw=yaw, pitch_down=0.0)
+                       for name, at, yaw in (("Front", 0.2, 0.0), ("Back", -0.2, 3.14159))]
         stand = {"LShoulderPitch": 1.57, "RShoulderPitch": 1.57, "LShoulderRoll": 0.12, "RShoulderRoll": -0.12,
                  "LElbowYaw": -1.22, "RElbowYaw": 1.22, "LElbowRoll": -0.52, "RElbowRoll": 0.52, "LHand": 0.6, "RHand": 0.6}
         crouch = dict(stand, HeadPitch=0.35, HipPitch=-0.9, KneePitch=0.45)
@@ -98,7 +104,7 @@ class Table:
         middle = {name: min(max(0.0, lowest), highest) for name, (lowest, highest, _) in self.joints.items()}
         for name, angles in self.postures.items():
             self.postures[name] = {joint: angles.get(joint, middle[joint]) for joint in self.body}
-        revolute = [name for name in self.body if not name.endswith("Hand")]
+        revolute = [name for name in self.body if not name.endswith("Hand") and not name.startswith("Wheel")]
         legs = self.groups.get("LLeg", []) + self.groups.get("RLeg", []) + self.groups.get("Leg", [])
         self.groups.update({
             "Body": self.body, "Joints": revolute, "JointActuators": revolute, "Actuators": self.body,

@@ -1,6 +1,7 @@
 """What the cameras find: red ball, blobs of a colour, landmarks. Angles in radians, left and down positive.
 
-Read: the shapes of the values; nothing is raised when a ball is lost; a landmark is found from 2 to 23 degrees large and
+Read: the shapes of the values; nothing is raised when a ball is lost, and the circle of the last blob stays; its x and
+radius are in parts of the picture's rows, its y in parts of the columns; a landmark is found from 2 to 23 degrees large and
 turned up to 45. Assumed: pictures are those of a pinhole, so that a place in the picture is the tangent of its angle.
 """
 
@@ -121,10 +122,10 @@ class Blob(Seeing):
         wide, high = (2 * math.tan(row[field] / 2) for field in ("hfov", "vfov"))
         # Pixels in a picture of 320 x 240.
         if not seen or math.pi * (320 * math.tan(seen[1][2]) / wide) ** 2 < self.smallest_px:
-            self.circle = []
             return
         _, (x, y, size), at = seen
-        self.circle = [0.5 - math.tan(x) / wide, 0.5 + math.tan(y) / high, math.tan(size) / wide]
+        columns, rows = 320 * (0.5 - math.tan(x) / wide), 240 * (0.5 + math.tan(y) / high)
+        self.circle = [columns / 240, rows / 320, 320 * math.tan(size) / wide / 240]
         # As far away as a thing of the span that was told would be.
         camera, torso = self.house.body.camera(self.camera), self.house.body.torso()
         far = self.span / 2 / math.sin(size)

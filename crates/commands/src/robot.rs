@@ -12,7 +12,8 @@ use std::process::ExitCode;
   rrp robot find
   rrp robot add \"NAO blue\" --address nao.local
   RRP_ROBOT_PASSWORD=... rrp robot add Pepper --address 192.168.1.7 --user nao
-  rrp robot check 192.168.1.7:9559")]
+  rrp robot check 192.168.1.7:9559
+  rrp robot reach \"NAO blue\" --address 192.168.1.9")]
 pub(crate) struct RobotArgs {
     /// The server's address.
     #[arg(long, value_name = "URL", default_value = shell::DEFAULT_URL, global = true)]
@@ -53,6 +54,27 @@ enum What {
         /// Its name then.
         new: String,
     },
+    /// Gives a NAO or Pepper another address.
+    Reach {
+        /// Its name.
+        name: String,
+        /// Its name or number in the network now, with a port if it is not 9559 or 9503.
+        #[arg(long)]
+        address: String,
+        /// The user, if another one is asked for than before.
+        #[arg(long)]
+        user: Option<String>,
+    },
+    /// Takes the other robot that answers at a robot's address for this one from now on.
+    Accept {
+        /// The robot's name here.
+        name: String,
+    },
+    /// Makes a robot's eyes blink for a moment, so that people see which one it is.
+    Blink {
+        /// Its name.
+        name: String,
+    },
     /// Removes a robot on which nothing runs.
     Remove {
         /// Its name.
@@ -76,6 +98,9 @@ impl What {
                 format!("add robot \"{name}\" at {}", at(address, user))
             }
             Self::Rename { name, new } => format!("rename robot \"{name}\" to \"{new}\""),
+            Self::Reach { name, address, user } => format!("reach robot \"{name}\" at {}", at(address, user)),
+            Self::Accept { name } => format!("accept robot \"{name}\""),
+            Self::Blink { name } => format!("blink robot \"{name}\""),
             Self::Remove { name } => format!("remove robot \"{name}\""),
         }
     }
@@ -107,5 +132,9 @@ mod tests {
         };
         assert_eq!(add(None, None).line(), "add robot \"NAO blue\"");
         assert_eq!(add(Some("nao.local"), Some("nao")).line(), "add robot \"NAO blue\" at nao.local as nao");
+        let reach = What::Reach { name: "NAO blue".into(), address: "10.0.0.9".into(), user: None };
+        assert_eq!(reach.line(), "reach robot \"NAO blue\" at 10.0.0.9");
+        assert_eq!(What::Accept { name: "NAO blue".into() }.line(), "accept robot \"NAO blue\"");
+        assert_eq!(What::Blink { name: "NAO blue".into() }.line(), "blink robot \"NAO blue\"");
     }
 }

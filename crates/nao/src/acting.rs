@@ -5,6 +5,7 @@
 mod moving;
 
 use crate::deed::{Call, Deed};
+use crate::devices::eyes::shine;
 use crate::following::Target;
 use crate::lasting::{Lastings, Work};
 use crate::link::{CALL, call};
@@ -15,7 +16,7 @@ use crate::targets::Targets;
 use futures_util::future::join_all;
 use moving::Moving;
 use qi::Session;
-use robot::Use;
+use robot::{RobotFault, Use};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
@@ -39,7 +40,8 @@ const HEARING: &str = crate::hearing::SERVICE;
 pub(crate) enum Done {
     Slot(Slot),
     Said,
-    Lasted(String, u64),
+    /// With its number, and why it did not come about, if it did not.
+    Lasted(String, u64, Option<RobotFault>),
     /// There is a new picture of what is followed.
     Seen(Target),
 }
@@ -97,11 +99,7 @@ impl Acting {
             return;
         }
         match deed {
-            Deed::Newest { slot, call } => drop(self.slots.insert(slot, call)),
-            Deed::Eyes { color, call } => {
-                self.slots.insert("eyes", call);
-                self.shared.state().eyes = color;
-            }
+            Deed::Eyes(_) | Deed::Glow(_) => self.shine(&deed),
             Deed::Joints { joints, angles, speed } => self.move_joints(&user, joints, angles, speed),
             Deed::Lasting { what, calls, end, within, moves: _ } => {
                 if what.starts_with(ANIMATION) {
@@ -118,6 +116,18 @@ impl Acting {
         }
         self.speak();
         self.send_quiet();
+    }
+
+    /// Colour and brightness together are one colour.
+    fn shine(&mut self, deed: &Deed) {
+        let mut state = self.shared.state();
+        match deed {
+            Deed::Eyes(color) => state.eye_color = *color,
+            Deed::Glow(brightness) => state.eye_brightness = *brightness,
+            _ => {}
+        }
+        state.eyes = state.eye_color.map(|part| part * state.eye_brightness);
+        self.slots.insert("eyes", shine(state.eyes));
     }
 
     /// A Stop forgets everything; the stop link ends it on the robot.
@@ -205,9 +215,11 @@ impl Acting {
                 self.speech.over();
                 self.speak();
             }
-            Done::Lasted(what, number) => {
-                self.lasting.over(&what, number);
-                self.shared.state().animations.remove(&what);
+            Done::Lasted(what, number, fault) => {
+                let users = self.lasting.over(&what, number);
+                let mut state = self.shared.state();
+                state.animations.remove(&what);
+                fault.iter().for_each(|fault| users.iter().for_each(|user| state.refuse(user, fault)));
             }
             Done::Seen(target) => return self.seen(target),
         }

@@ -61,9 +61,26 @@ pub(crate) fn is_leg(joint: &str) -> bool {
     ["Hip", "Knee", "Ankle"].iter().any(|part| joint.contains(part))
 }
 
-/// Whether it is no joint, but drives.
-pub(crate) fn is_wheel(joint: &str) -> bool {
-    joint.starts_with("Wheel")
+/// Whether angles can be wanted of it: the wheels of a Pepper only roll.
+pub(crate) fn is_joint(name: &str) -> bool {
+    !name.starts_with("Wheel")
+}
+
+/// A joint as people call it: "left hand", "head yaw".
+pub(crate) fn joint_words(joint: &str) -> String {
+    let (side, joint) = match joint.split_at_checked(1) {
+        Some(("L", rest)) => ("left ", rest),
+        Some(("R", rest)) => ("right ", rest),
+        _ => ("", joint),
+    };
+    let mut words = side.to_owned();
+    for (at, letter) in joint.chars().enumerate() {
+        if at > 0 && letter.is_uppercase() {
+            words.push(' ');
+        }
+        words.extend(letter.to_lowercase());
+    }
+    words
 }
 
 /// The limits of the body that is there, as it tells them, within those of the table.

@@ -1,9 +1,11 @@
 //! Looking step by step whether a robot can be reached, and saying what to do where it cannot.
 
+use crate::identity;
+use crate::outcome;
 use crate::scan::scan;
 use crate::settings::{Settings, is_secure};
 use qi::{Cause, QiError, Session, Stage};
-use robot::Lacking;
+use robot::{Identity, Lacking};
 use std::time::Duration;
 
 /// How long a whole look may take, in milliseconds.
@@ -22,6 +24,8 @@ pub struct Found {
     pub fingerprint: Option<String>,
     /// Devices that it does not have, and why not.
     pub lacking: Vec<Lacking>,
+    /// Which body it is, if it was reached.
+    pub identity: Option<Identity>,
 }
 
 /// A step on the way to a robot, in order.
@@ -98,8 +102,10 @@ async fn services(session: &Session, secure: bool) -> Found {
     let scanned = match scan(session).await {
         Ok(scanned) => scanned,
         Err(error) => {
-            let why =
-                format!("It is no NAO or Pepper, or it is still starting ({error}). Wait a minute and look again.");
+            let why = format!(
+                "It is no NAO or Pepper, or it is still starting ({error}). Wait a minute and look again.",
+                error = outcome::why(&error)
+            );
             return Found { fingerprint, ..failed(Step::Services, &why) };
         }
     };
@@ -110,6 +116,7 @@ async fn services(session: &Session, secure: bool) -> Found {
         name: scanned.name,
         fingerprint,
         lacking: scanned.lacking,
+        identity: identity::read(session, false).await.ok(),
     }
 }
 
@@ -127,7 +134,7 @@ fn step_of(error: &QiError) -> Step {
 /// Why the robot is not reached, and what to do, in one sentence.
 pub(crate) fn sentence(error: &QiError) -> String {
     let QiError::Connect { stage, cause } = error else {
-        return format!("The robot does not answer as it should: {error}.");
+        return format!("The robot does not answer as it should: {error}.", error = outcome::why(error));
     };
     match (stage, cause) {
         (Stage::Name, _) => {
@@ -142,7 +149,7 @@ pub(crate) fn sentence(error: &QiError) -> String {
         }
         (Stage::Tls, Cause::CertificateChanged { .. }) => {
             "It shows another certificate than before: it is another robot, it was reset, or somebody is in between. If you \
-             know why, remove the robot here and add it again."
+             know why, choose “Change the address” here, and look at it again."
                 .to_owned()
         }
         (Stage::Tls, Cause::Tls(why)) if why.contains("in the clear") => {
@@ -165,7 +172,7 @@ mod tests {
     use crate::settings::Settings;
 
     fn settings(address: &str) -> Settings {
-        Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None }
+        Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None, expected: None }
     }
 
     #[tokio::test]

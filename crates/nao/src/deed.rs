@@ -22,20 +22,10 @@ impl Call {
 /// What is to be done.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Deed {
-    /// Only the newest of a kind counts.
-    Newest {
-        /// Of which kind.
-        slot: &'static str,
-        /// What is called.
-        call: Call,
-    },
-    /// The eyes get a colour; the newest counts.
-    Eyes {
-        /// Red, green and blue from 0 to 1.
-        color: [f32; 3],
-        /// What is called.
-        call: Call,
-    },
+    /// The eyes get a colour, red, green and blue from 0 to 1, and keep their brightness; the newest counts.
+    Eyes([f32; 3]),
+    /// The eyes get a brightness from 0 to 1, and keep their colour; the newest counts.
+    Glow(f32),
     /// Joints go to angles; the newest of each joint counts.
     Joints {
         joints: Vec<&'static str>,
@@ -72,7 +62,7 @@ impl Deed {
         match self {
             Self::Joints { .. } | Self::Walk(_) | Self::Track(_) => true,
             Self::Lasting { moves, .. } => *moves,
-            Self::Newest { .. } | Self::Eyes { .. } | Self::Say(_) | Self::Print(_) => false,
+            Self::Eyes(_) | Self::Glow(_) | Self::Say(_) | Self::Print(_) => false,
         }
     }
 

@@ -5,7 +5,7 @@ mod animation;
 mod balls;
 mod battery;
 mod clock;
-mod eyes;
+pub(crate) mod eyes;
 mod face;
 mod joints;
 mod landmark;
@@ -133,6 +133,11 @@ pub(crate) trait Sense: Send + Sync {
     /// What has to be set on the robot before it is asked, if there is one of that only: uses that want it otherwise take turns.
     fn turn(&self) -> Option<Turn> {
         None
+    }
+
+    /// Its turn has come, and is set on the robot since this moment: what was told before is of another use.
+    fn turned(&mut self, since_ms: u64) {
+        let _nothing = since_ms;
     }
 
     /// The language and the words that it listens for.

@@ -1,15 +1,17 @@
 //! The robot as its thread sees it: everything returns at once, and what takes time is done on the link's thread.
 
+use crate::body::joint_words;
 use crate::camera::NaoCamera;
 use crate::deed::Deed;
 use crate::devices::{ALL, Act, Chosen, Opened, Sense};
+use crate::models;
 use crate::settings::Settings;
 use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Camera, Condition, Control, Health, JOINTS, Lacking, Life, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
-    with_defaults,
+    Body, Camera, Condition, Control, Health, Identity, JOINTS, Lacking, Life, Millis, Reading, Robot, RobotFault,
+    Scene, Use, Wake, with_defaults,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -65,6 +67,7 @@ impl Nao {
     #[must_use]
     pub fn start(settings: Settings) -> Self {
         let shared = Arc::new(Shared::default());
+        shared.state().identity.clone_from(&settings.expected);
         let (orders, told) = mpsc::unbounded_channel();
         let waiting = Arc::new(AtomicUsize::new(0));
         let (with, count) = (Arc::clone(&shared), Arc::clone(&waiting));
@@ -143,11 +146,14 @@ impl Robot for Nao {
         known.check(params)?;
         let now_ms = {
             let state = self.shared.state();
-            if !state.is_linked() {
-                return Err(RobotFault::NoLink);
-            }
+            state.check_link()?;
             if !state.devices.contains(&name) {
-                return Err(RobotFault::NoDevice(name.to_owned()));
+                let why =
+                    state.lacking.iter().find(|lacking| lacking.device == name).map(|lacking| lacking.why.clone());
+                return Err(why.map_or_else(|| RobotFault::NoDevice(name.to_owned()), RobotFault::Lacks));
+            }
+            if let Some(why) = models::lacks(name, params, state.is_pepper) {
+                return Err(RobotFault::Lacks(why.to_owned()));
             }
             if state.halt.is_some() {
                 return Err(RobotFault::NotNow("it has just halted".to_owned()));
@@ -156,7 +162,7 @@ impl Robot for Nao {
             if let Some(joint) = joint.filter(|joint| JOINTS.contains(joint))
                 && !state.joints.iter().any(|known| known == joint)
             {
-                return Err(RobotFault::NotNow(format!("its body has no {joint}")));
+                return Err(RobotFault::Lacks(format!("its body has no {joint}", joint = joint_words(joint))));
             }
             state.time_at(std::time::Instant::now())
         };
@@ -168,6 +174,7 @@ impl Robot for Nao {
             Opened::Sense(sense) => {
                 self.check_only(&*sense)?;
                 let beat = sense.beat_us().map(|period_us| Beat { period_us, since_ms: now_ms, count: 0 });
+                self.shared.state().labels.insert(user.clone(), known.label);
                 self.senses.insert(user.clone(), Open { only: sense.only(), beat });
                 self.tell(Order::Open(user.clone(), sense))?;
             }
@@ -183,7 +190,10 @@ impl Robot for Nao {
     fn close(&mut self, user: &Use) {
         let known = self.acts.remove(user).is_some() | self.senses.remove(user).is_some();
         if known {
-            self.shared.state().forget_readings_of(user);
+            let mut state = self.shared.state();
+            state.forget_readings_of(user);
+            state.labels.remove(user);
+            drop(state);
             let _gone = self.tell(Order::Close(user.clone()));
             self.note_use();
         }
@@ -199,9 +209,7 @@ impl Robot for Nao {
         let deed = act.deed(value)?;
         let gate = {
             let mut state = self.shared.state();
-            if !state.is_linked() {
-                return Err(RobotFault::NoLink);
-            }
+            state.check_link()?;
             if state.halt.is_some() {
                 return Err(RobotFault::NotNow("it has just halted".to_owned()));
             }
@@ -254,12 +262,16 @@ impl Robot for Nao {
     }
 
     fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
-        let (is_linked, may_rest) = {
+        let may_rest = {
             let state = self.shared.state();
-            (state.is_linked(), state.may_rest())
+            // A sign by lights is what a stranger is known by.
+            if control != Control::Blink || !matches!(state.health, Health::Stranger(_)) {
+                state.check_link()?;
+            }
+            state.may_rest()
         };
-        if !is_linked {
-            return Err(RobotFault::NoLink);
+        if control == Control::Blink {
+            return self.tell(Order::Control(control));
         }
         if control == Control::Rest {
             if !may_rest {
@@ -270,6 +282,10 @@ impl Robot for Nao {
         }
         self.shared.take_rest();
         self.tell(Order::Control(control))
+    }
+
+    fn take_refused(&mut self) -> Vec<(Use, RobotFault)> {
+        self.shared.state().take_refused().into()
     }
 
     fn take_halt(&mut self) -> Option<String> {
@@ -290,6 +306,10 @@ impl Robot for Nao {
             _ => None,
         };
         Condition { legs, ..state.condition.clone() }
+    }
+
+    fn identity(&self) -> Option<Identity> {
+        self.shared.state().identity.clone()
     }
 
     fn scene(&self) -> Scene {
@@ -319,7 +339,10 @@ impl Robot for Nao {
 
 impl Drop for Nao {
     fn drop(&mut self) {
-        self.shared.stop();
+        // Nothing was begun on a stranger.
+        if !matches!(self.shared.state().health, Health::Stranger(_)) {
+            self.shared.stop();
+        }
         self.shared.end();
         // Its thread ends by itself within a bound; nobody waits for a robot that does not answer.
         drop(self.thread.take());

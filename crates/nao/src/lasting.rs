@@ -3,6 +3,7 @@
 use crate::acting::Done;
 use crate::deed::Call;
 use crate::link::call_until;
+use crate::outcome::failed;
 use qi::Session;
 use robot::Use;
 use std::collections::{BTreeMap, BTreeSet};
@@ -57,24 +58,25 @@ impl Lastings {
         let (cancel, number) = (CancellationToken::new(), self.number);
         let (session, done, ended, name) = (session.clone(), done.clone(), cancel.clone(), what.clone());
         tokio::spawn(async move {
+            let mut fault = None;
             for wanted in calls {
-                if let Err(error) = call_until(&session, &wanted, within, ended.cancelled()).await {
-                    tracing::debug!(method = wanted.method, %error, "the robot did not do it");
-                }
+                let came = call_until(&session, &wanted, within, ended.cancelled()).await;
                 if ended.is_cancelled() {
                     return;
                 }
+                fault = fault.or_else(|| failed(&wanted, &came));
             }
-            let _over = done.send(Done::Lasted(name, number));
+            let _over = done.send(Done::Lasted(name, number, fault));
         });
         self.all.insert(what, Lasting { users: vec![user], end, number, cancel });
     }
 
-    /// It came to its end.
-    pub(crate) fn over(&mut self, what: &str, number: u64) {
-        if self.all.get(what).is_some_and(|lasting| lasting.number == number) {
-            self.all.remove(what);
+    /// It came to its end; with who wanted it.
+    pub(crate) fn over(&mut self, what: &str, number: u64) -> Vec<Use> {
+        if self.all.get(what).is_none_or(|lasting| lasting.number != number) {
+            return Vec::new();
         }
+        self.all.remove(what).map(|lasting| lasting.users).unwrap_or_default()
     }
 
     /// A use ends: answers with what ends that nobody else uses. What would end something else too, as all sounds end

@@ -1,5 +1,6 @@
 //! What the robot at the other end has: its services, its body, and what an ended server left behind on it.
 
+use crate::body::joint_words;
 use crate::deed::Call;
 use crate::devices::ALL;
 use crate::hearing;
@@ -78,7 +79,9 @@ fn has(services: &BTreeSet<String>, joints: &[String]) -> (Vec<&'static str>, Ve
         match (service, joint) {
             (None, None) => devices.push(driver.name),
             (Some(service), _) => lacking.push(lack(driver.name, format!("its {service} is not there"))),
-            (None, Some(joint)) => lacking.push(lack(driver.name, format!("its body has no {joint}"))),
+            (None, Some(joint)) => {
+                lacking.push(lack(driver.name, format!("its body has no {joint}", joint = joint_words(joint))))
+            }
         }
     }
     (devices, lacking)

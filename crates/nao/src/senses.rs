@@ -4,9 +4,10 @@ use crate::deed::Call;
 use crate::devices::{Sense, Turn};
 use crate::hearing;
 use crate::link::{CALL, call, try_call};
+use crate::outcome;
 use crate::shared::Shared;
 use qi::{Keep, QiError, Session, Value};
-use robot::{Health, Use};
+use robot::Use;
 use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -26,8 +27,11 @@ const PERIOD_MS: i32 = 33;
 /// A period that no sense has.
 const NEVER_MS: u64 = 3_600_000;
 
-/// Whose turn it is at what there is one of only, on one link.
-pub(crate) type Turns = Arc<tokio::sync::Mutex<Option<Turn>>>;
+/// Whose turn it is at what there is one of only, on one link, and since when that is set.
+pub(crate) type Turns = Arc<tokio::sync::Mutex<Option<(Turn, Instant)>>>;
+
+/// What is heard of keys of ALMemory, with the moment at which it came.
+type Heard = mpsc::Receiver<(&'static str, Value, Instant)>;
 
 /// Runs a sense until it is cancelled.
 pub(crate) async fn run(
@@ -52,12 +56,10 @@ pub(crate) async fn run(
         () = cancel.cancelled() => Ok(()),
     };
     if let Err(error) = ready {
-        let why = format!("a sense could not be started ({error})");
         tracing::warn!(stream = %user.stream, %error, "a sense could not be started");
-        let mut state = shared.state();
-        if state.is_linked() {
-            state.health = Health::Degraded(why);
-        }
+        let label = shared.state().labels.get(&user).copied().unwrap_or_default();
+        let why = format!("“{label}” does not work: {why}", why = outcome::why(&error));
+        shared.state().note_silent(&user, Some(why));
     }
     let first = sense.first();
     let period = sense.poll().map_or_else(|| sense.joint().map_or(NEVER_MS, |_| JOINT_MS), |(_, period)| period);
@@ -77,7 +79,7 @@ pub(crate) async fn run(
                 None => break,
             },
             _ = beat.tick() => tokio::select! {
-                () = ask(&session, &shared, &turns, &user, &mut *sense) => {}
+                () = ask(&session, &shared, &turns, (&user, &mut heard), &mut *sense) => {}
                 () = cancel.cancelled() => break,
             },
         }
@@ -86,6 +88,7 @@ pub(crate) async fn run(
     measuring.end().await;
     let was_last = {
         let mut state = shared.state();
+        state.note_silent(&user, None);
         state.words.remove(&user).is_some() && state.words.is_empty()
     };
     if was_last {
@@ -220,20 +223,34 @@ pub(crate) async fn listen(
 }
 
 /// Asks what is asked again and again.
-async fn ask(session: &Session, shared: &Shared, turns: &Turns, user: &Use, sense: &mut dyn Sense) {
+async fn ask(
+    session: &Session,
+    shared: &Shared,
+    turns: &Turns,
+    (user, heard): (&Use, &mut Heard),
+    sense: &mut dyn Sense,
+) {
     // Held until it has its answer: the others wait, each in its order.
     let mut whose = None;
     if let Some(turn) = sense.turn() {
         let mut now = turns.lock().await;
-        if now.as_ref() != Some(&turn) {
+        if now.as_ref().is_none_or(|(set, _)| *set != turn) {
             *now = None;
             for wanted in &turn.calls {
                 if try_call(session, wanted).await.is_none() {
                     return;
                 }
             }
+            let since = Instant::now();
             tokio::time::sleep(Duration::from_millis(turn.wait_ms)).await;
-            *now = Some(turn);
+            *now = Some((turn, since));
+        }
+        if let Some((_, since)) = &*now {
+            sense.turned(shared.state().time_at(*since));
+        }
+        // What came while it waited for its turn.
+        while let Ok((key, value, at)) = heard.try_recv() {
+            read(shared, user, sense, key, &value, at);
         }
         whose = Some(now);
     }

@@ -1,6 +1,7 @@
 //! How a robot is reached.
 
 use qi::{Address, Cause, Credentials, Fingerprint, Options, QiError, Scheme, Stage, Trust};
+use robot::Identity;
 use std::fmt;
 use std::time::Duration;
 
@@ -24,6 +25,8 @@ pub struct Settings {
     pub own_name: String,
     /// The SHA-256 of the certificate that the robot must show, as `AB:CD:…`; none trusts the first one.
     pub trusted: Option<String>,
+    /// Which body must answer; none takes the first one.
+    pub expected: Option<Identity>,
 }
 
 /// User and password.
@@ -100,7 +103,8 @@ mod tests {
     use super::{Login, Settings};
 
     fn tried(address: &str) -> Vec<String> {
-        let settings = Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None };
+        let settings =
+            Settings { address: address.into(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
         settings.addresses().iter().map(ToString::to_string).collect()
     }
 
@@ -115,7 +119,8 @@ mod tests {
 
     #[test]
     fn a_password_is_said_in_secret_only() {
-        let open = Settings { address: "nao".into(), login: None, own_name: "rrp".into(), trusted: None };
+        let open =
+            Settings { address: "nao".into(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
         let login = Some(Login { user: "nao".into(), password: "hush".into() });
         let secret = Settings { login, ..open.clone() };
         let pinned = Settings { trusted: Some("nonsense".into()), ..open.clone() };

@@ -2,7 +2,7 @@
 
 use crate::body::Limits;
 use behaviour::Value;
-use robot::{Condition, Health, Lacking, Printed, RobotFault, Use, Wake};
+use robot::{Condition, Health, Identity, Lacking, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
@@ -11,6 +11,10 @@ use tokio::sync::Notify;
 
 /// Readings that may wait for the next step; the oldest go first.
 const READINGS_MAX: usize = 4_096;
+/// Actions that did not come about, that may wait to be told; the oldest go first.
+const REFUSED_MAX: usize = 256;
+/// Why it is degraded while its link is slow.
+pub(crate) const SLOW: &str = "it answers slowly";
 /// How long a fall may take.
 const FALL: Duration = Duration::from_secs(3);
 /// Texts shown beside the room; the oldest go first.
@@ -39,6 +43,8 @@ pub(crate) struct Shared {
 /// What is known.
 pub(crate) struct State {
     pub(crate) health: Health,
+    /// Which body it is, or must be.
+    pub(crate) identity: Option<Identity>,
     pub(crate) is_pepper: bool,
     pub(crate) devices: Vec<&'static str>,
     pub(crate) lacking: Vec<Lacking>,
@@ -53,8 +59,12 @@ pub(crate) struct State {
     pub(crate) angles: BTreeMap<String, f64>,
     /// Where it stands: x and y in metres, heading in radians.
     pub(crate) base: [f64; 3],
-    /// The colour of its eyes that was wanted last: red, green and blue from 0 to 1.
+    /// What its eyes shine: the colour that was wanted last times the brightness.
     pub(crate) eyes: [f32; 3],
+    /// That colour: red, green and blue from 0 to 1.
+    pub(crate) eye_color: [f32; 3],
+    /// That brightness, from 0 to 1.
+    pub(crate) eye_brightness: f32,
     pub(crate) saying: String,
     pub(crate) tracking: String,
     pub(crate) posture: String,
@@ -67,10 +77,16 @@ pub(crate) struct State {
     pub(crate) animations: BTreeSet<String>,
     /// What is measured only for us: service and the name that we subscribed by.
     pub(crate) subscribed: BTreeSet<(&'static str, String)>,
+    /// What the catalogue calls the sense of each use.
+    pub(crate) labels: BTreeMap<Use, &'static str>,
     /// The words that each use listens for.
     pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
     pub(crate) used: bool,
+    /// Why senses do not work, by their use.
+    silent: BTreeMap<Use, String>,
+    /// Actions that did not come about, oldest first.
+    refused: VecDeque<(Use, RobotFault)>,
     readings: VecDeque<(Use, Value)>,
     /// A moment and the robot time of it in milliseconds.
     clock: (Instant, u64),
@@ -80,6 +96,7 @@ impl Default for State {
     fn default() -> Self {
         Self {
             health: Health::Connecting,
+            identity: None,
             is_pepper: false,
             devices: Vec::new(),
             lacking: Vec::new(),
@@ -91,6 +108,8 @@ impl Default for State {
             angles: BTreeMap::new(),
             base: [0.0; 3],
             eyes: [1.0; 3],
+            eye_color: [1.0; 3],
+            eye_brightness: 1.0,
             saying: String::new(),
             tracking: String::new(),
             posture: String::new(),
@@ -100,8 +119,11 @@ impl Default for State {
             animations: BTreeSet::new(),
             printed: VecDeque::new(),
             subscribed: BTreeSet::new(),
+            labels: BTreeMap::new(),
             words: BTreeMap::new(),
             used: false,
+            silent: BTreeMap::new(),
+            refused: VecDeque::new(),
             readings: VecDeque::new(),
             clock: (Instant::now(), 0),
         }
@@ -111,6 +133,18 @@ impl Default for State {
 impl State {
     pub(crate) fn is_linked(&self) -> bool {
         matches!(self.health, Health::Ready | Health::Degraded(_) | Health::Safe)
+    }
+
+    /// Why nothing can be asked of it, if that is so.
+    pub(crate) fn check_link(&self) -> Result<(), RobotFault> {
+        match &self.health {
+            Health::Stranger(_) => {
+                let why = "another robot answers at its address; say first which one is meant";
+                Err(RobotFault::NotNow(why.to_owned()))
+            }
+            _ if self.is_linked() => Ok(()),
+            _ => Err(RobotFault::NoLink),
+        }
     }
 
     /// Why it cannot move now, if it cannot; in the words of the simulated robot.
@@ -158,6 +192,45 @@ impl State {
         let before = then.saturating_duration_since(at).as_millis();
         let ahead = ms.saturating_add(u64::try_from(since).unwrap_or(u64::MAX));
         ahead.saturating_sub(u64::try_from(before).unwrap_or(u64::MAX))
+    }
+
+    /// A sense does not work, for this reason; without one it ended, and that does not matter any more.
+    pub(crate) fn note_silent(&mut self, user: &Use, why: Option<String>) {
+        match why {
+            Some(why) => drop(self.silent.insert(user.clone(), why)),
+            None => drop(self.silent.remove(user)),
+        }
+        self.settle_health(false);
+    }
+
+    /// Nothing is known of any sense any more.
+    pub(crate) fn forget_silent(&mut self) {
+        self.silent.clear();
+    }
+
+    /// Health is as its reasons are now: a slow link, or a sense that does not work.
+    pub(crate) fn settle_health(&mut self, slow: bool) {
+        if !self.is_linked() {
+            return;
+        }
+        let why = if slow { Some(SLOW) } else { self.silent.values().next().map(String::as_str) };
+        match (why, &self.health) {
+            (Some(why), _) => self.health = Health::Degraded(why.to_owned()),
+            (None, Health::Degraded(_)) => self.health = Health::Ready,
+            (None, _) => {}
+        }
+    }
+
+    /// An action did not come about.
+    pub(crate) fn refuse(&mut self, user: &Use, fault: &RobotFault) {
+        if self.refused.len() >= REFUSED_MAX {
+            self.refused.pop_front();
+        }
+        self.refused.push_back((user.clone(), fault.clone()));
+    }
+
+    pub(crate) fn take_refused(&mut self) -> VecDeque<(Use, RobotFault)> {
+        std::mem::take(&mut self.refused)
     }
 
     fn put_reading(&mut self, user: &Use, value: Value) {
@@ -216,6 +289,11 @@ impl Shared {
 
     pub(crate) fn wants_stop(&self) -> bool {
         self.stop_wanted.load(Ordering::SeqCst)
+    }
+
+    /// A Stop that was wanted of the robot that was expected is none of the one that answers; true if there was one.
+    pub(crate) fn put_off_stop(&self) -> bool {
+        self.stop_wanted.swap(false, Ordering::SeqCst)
     }
 
     /// Holds, and then rests.

@@ -5,7 +5,7 @@
 //! Head and arms hold at once. The legs are the robot's own until its `stopMove` has answered, which it does when both feet are
 //! on the ground: whoever kills the walk or sets the legs before that makes it fall.
 
-use crate::body::{is_leg, is_wheel};
+use crate::body::{is_joint, is_leg};
 use crate::deed::Call;
 use crate::link::{CALL, call};
 use crate::settings::Settings;
@@ -167,7 +167,7 @@ async fn rest(session: &Session, shared: &Shared) {
 /// The joints of the body that do not stand on the ground, or those that do. Wheels are no joints.
 fn joints(shared: &Shared, legs: bool) -> Vec<String> {
     let state = shared.state();
-    state.joints.iter().filter(|joint| !is_wheel(joint) && is_leg(joint) == legs).cloned().collect()
+    state.joints.iter().filter(|joint| is_joint(joint) && is_leg(joint) == legs).cloned().collect()
 }
 
 fn list(joints: &[String]) -> Value {

@@ -9,7 +9,7 @@ use crate::scan::{clean, scan};
 use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::{camera, check, senses, status, stopping};
+use crate::{camera, check, identity, senses, status, stopping, stranger};
 use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
@@ -52,7 +52,7 @@ const ACTORS: [&str; 8] = [
     "ALFaceDetection",
 ];
 
-type Orders = mpsc::UnboundedReceiver<Order>;
+pub(crate) type Orders = mpsc::UnboundedReceiver<Order>;
 
 /// The thread of the link.
 pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders, waiting: &AtomicUsize) {
@@ -69,6 +69,8 @@ pub(crate) fn keep(settings: &Settings, shared: &Arc<Shared>, mut orders: Orders
 async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, waiting: &AtomicUsize) {
     let (mut pause_ms, mut tries) = (AGAIN_MIN_MS, 0_u64);
     let chance = RandomState::new();
+    // Whether a Stop waits for the robot that was expected.
+    let mut owes_stop = false;
     while !shared.is_ended() {
         let found = tokio::select! {
             found = find(settings) => found,
@@ -76,12 +78,29 @@ async fn work(settings: &Settings, shared: &Arc<Shared>, orders: &mut Orders, wa
         };
         let why = match found {
             Ok((address, session)) => {
-                let stopper = tokio::spawn(stopping::keep(address, settings.clone(), Arc::clone(shared)));
-                let why = serve(&session, settings, shared, orders, waiting).await;
-                // The other link may still be there; else it is done as soon as the robot is.
-                shared.stop();
-                end_well(shared).await;
-                stopper.abort();
+                let why = match identity::recognise(&session, shared).await {
+                    Err(error) => check::sentence(&error),
+                    Ok(who) => {
+                        if who.is_some() {
+                            owes_stop |= shared.put_off_stop();
+                        } else if std::mem::take(&mut owes_stop) {
+                            shared.stop();
+                        }
+                        let stopper = tokio::spawn(stopping::keep(address, settings.clone(), Arc::clone(shared)));
+                        let why = match who {
+                            Some(who) => stranger::meet(&session, shared, orders, waiting, who).await,
+                            None => {
+                                let why = serve(&session, settings, shared, orders, waiting).await;
+                                // The other link may still be there; else it is done as soon as the robot is.
+                                shared.stop();
+                                end_well(shared).await;
+                                why
+                            }
+                        };
+                        stopper.abort();
+                        why
+                    }
+                };
                 session.link().close();
                 // One that was not ready yet, as it has just begun, is not pressed.
                 if shared.state().is_linked() {
@@ -130,6 +149,7 @@ fn lose(shared: &Shared, why: &str) {
     state.condition = robot::Condition::default();
     (state.stiff_legs, state.on_ground) = (None, None);
     state.subscribed.clear();
+    state.forget_silent();
     state.angles.clear();
     (state.saying, state.tracking) = (String::new(), String::new());
     state.playing.clear();
@@ -147,7 +167,7 @@ async fn end_well(shared: &Shared) {
 }
 
 /// What was wanted of a robot that is gone is void.
-fn drain(orders: &mut Orders, waiting: &AtomicUsize) {
+pub(crate) fn drain(orders: &mut Orders, waiting: &AtomicUsize) {
     while let Ok(order) = orders.try_recv() {
         if matches!(order, Order::Do(..)) {
             waiting.fetch_sub(1, Ordering::SeqCst);
@@ -212,6 +232,9 @@ async fn serve(
                     waiting.fetch_sub(1, Ordering::SeqCst);
                     acting.act(gate, user, deed);
                 }
+                Some(Order::Control(Control::Blink)) => {
+                    tokio::spawn(identity::blink(session.clone(), Some(Arc::clone(shared))));
+                }
                 Some(Order::Control(control)) => {
                     let life = Arc::clone(&life);
                     controlled = Some(Ended(tokio::spawn(self::control(session.clone(), Arc::clone(shared), life, control))));
@@ -227,7 +250,7 @@ async fn serve(
 }
 
 /// A task that ends with its handle.
-struct Ended(JoinHandle<()>);
+pub(crate) struct Ended(pub(crate) JoinHandle<()>);
 
 impl Drop for Ended {
     fn drop(&mut self) {
@@ -252,7 +275,7 @@ async fn scan_again(session: Session, shared: Arc<Shared>) {
 }
 
 /// Asks whether the robot is there; a link that is silent for too long is over.
-async fn ping(session: Session, shared: Arc<Shared>) {
+pub(crate) async fn ping(session: Session, shared: Arc<Shared>) {
     let mut beat = tokio::time::interval(Duration::from_millis(PING_MS));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
     loop {
@@ -264,12 +287,7 @@ async fn ping(session: Session, shared: Arc<Shared>) {
             session.link().close();
             return;
         }
-        let mut state = shared.state();
-        match (silent > DEGRADED_MS, &state.health) {
-            (true, Health::Ready | Health::Safe) => state.health = Health::Degraded("it answers slowly".to_owned()),
-            (false, Health::Degraded(why)) if why == "it answers slowly" => state.health = Health::Ready,
-            _ => {}
-        }
+        shared.state().settle_health(silent > DEGRADED_MS);
     }
 }
 
@@ -314,7 +332,7 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
             let state = kept().take().unwrap_or_else(|| "solitary".to_owned());
             say(life(&state), BODY).await;
         }
-        // By the link of Stop.
-        Control::Rest => {}
+        // By the link of Stop, or by lights.
+        Control::Rest | Control::Blink => {}
     }
 }

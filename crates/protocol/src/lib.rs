@@ -30,7 +30,7 @@ pub use reply::{LockShown, Message, Person, Refused, Reply, UnknownName};
 pub use request::{Area, Ask, Credential, Pointer, Request};
 
 /// The version of this protocol. A server answers another version with [`Refused::Version`] and closes.
-pub const VERSION: u32 = 12;
+pub const VERSION: u32 = 13;
 /// Where the socket is.
 pub const PATH: &str = "/socket";
 /// Where Stop is, as a plain POST that works without the page's program.

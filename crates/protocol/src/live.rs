@@ -2,7 +2,7 @@
 
 use crate::Recorded;
 use behaviour::{Id, Value};
-use robot::{Condition, Health, Lacking};
+use robot::{Condition, Health, Identity, Lacking};
 use serde::{Deserialize, Serialize};
 
 /// A robot and its link.
@@ -35,6 +35,12 @@ pub struct RobotState {
     /// Whether somebody does.
     #[serde(default, skip_serializing_if = "is_not")]
     pub watched: bool,
+    /// Which body it is, once that is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub identity: Option<Identity>,
+    /// The name of another robot here that is the same body; then nothing is started on this one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub same_as: Option<String>,
 }
 
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde hands a reference")]
@@ -57,6 +63,8 @@ impl RobotState {
             address: None,
             camera: false,
             watched: false,
+            identity: None,
+            same_as: None,
         }
     }
 }

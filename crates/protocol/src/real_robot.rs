@@ -1,5 +1,6 @@
 //! A real robot: how it is reached, and what a look at it found.
 
+use robot::Identity;
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -23,6 +24,9 @@ pub struct RealRobot {
     /// The SHA-256 of the certificate that it must show, as `AB:CD:…`; none trusts the first one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub fingerprint: Option<String>,
+    /// Which body must answer there; none keeps the first one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub identity: Option<Identity>,
 }
 
 /// Without the password.
@@ -31,7 +35,7 @@ impl fmt::Debug for RealRobot {
         let hidden = self.password.as_ref().map(|_| "…");
         let mut shown = to.debug_struct("RealRobot");
         shown.field("address", &self.address).field("user", &self.user).field("password", &hidden);
-        shown.field("fingerprint", &self.fingerprint).finish()
+        shown.field("fingerprint", &self.fingerprint).field("identity", &self.identity).finish()
     }
 }
 
@@ -79,6 +83,12 @@ pub struct Checked {
     pub fingerprint: Option<String>,
     /// Devices that it does not have, and why not.
     pub lacking: Vec<robot::Lacking>,
+    /// Which body it is, if it was reached.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub identity: Option<Identity>,
+    /// Under which name this body is here already, if it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub known_as: Option<String>,
 }
 
 /// A robot that says in the network that it is there.
@@ -102,6 +112,7 @@ mod tests {
             user: Some("nao".into()),
             password: Some("hush".into()),
             fingerprint: None,
+            identity: None,
         };
         assert!(!format!("{robot:?}").contains("hush"));
     }

@@ -2,7 +2,7 @@
 
 use crate::{Lasts, ListQuery, PictureOf, RealRobot, Role};
 use behaviour::{Change, Helper, Id, Problem, RecordId, Seen, Token, Value};
-use robot::{Control, SceneEdit};
+use robot::{Control, Identity, SceneEdit};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
@@ -394,10 +394,28 @@ pub enum Request {
         /// Its name, at most [`crate::ROBOT_NAME_MAX_CHARS`]; a number is appended if it is taken.
         name: String,
     },
+    /// Gives a real robot another address, and another login if one is said. Refused while something runs on it. Answered
+    /// by `Done`.
+    ReachRobot {
+        /// Which.
+        robot: Id,
+        /// How it is reached from now on; its identity stays.
+        real: Box<RealRobot>,
+    },
+    /// From now on the body that answers at a robot's address is this robot. Answered by `Done`.
+    AcceptRobot {
+        /// Which robot.
+        robot: Id,
+        /// The body that answers; another one that answers by now is not taken.
+        found: Box<Identity>,
+    },
     /// Looks step by step whether a robot can be reached, and what it is. Answered by `RobotChecked` within 20 seconds.
     CheckRobot {
         /// How it is reached.
         real: Box<RealRobot>,
+        /// The robot whose login counts where none is said.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        robot: Option<Id>,
     },
     /// Robots that say in the network that they are there. Answered by `FoundRobots` within three seconds.
     FindRobots,

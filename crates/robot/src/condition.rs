@@ -56,6 +56,8 @@ pub enum Control {
     GiveBack,
     /// *Rest*: everything stops, it crouches and its motors go off.
     Rest,
+    /// *Make its eyes blink*: a sign by lights alone, for a moment, by which people see which robot it is.
+    Blink,
 }
 
 /// A device that a robot does not have. A device of the catalogue is here or in [`crate::Robot::devices`].

@@ -9,6 +9,8 @@ use std::fmt;
 pub enum RobotFault {
     /// It has no device of this name.
     NoDevice(String),
+    /// Its body or its software lacks what the device needs; with the reason: "its body has no left hand".
+    Lacks(String),
     /// What was chosen for the device does not fit.
     Device(DeviceFault),
     /// It cannot use the device of this name with what was chosen for it.
@@ -55,6 +57,7 @@ impl fmt::Display for RobotFault {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         match self {
             Self::NoDevice(name) => write!(to, "this robot has no device called “{}”", shown(name)),
+            Self::Lacks(why) => write!(to, "{why}"),
             Self::Device(fault) => write!(to, "{fault}"),
             Self::Unusable(name) => write!(to, "this robot cannot use “{name}” with these settings"),
             Self::Full(streams) => write!(to, "this robot serves {streams} streams at most"),

@@ -10,6 +10,7 @@ mod devices;
 mod fault;
 mod fits;
 mod helpers;
+mod identity;
 mod params;
 mod parts;
 mod scene;
@@ -26,6 +27,7 @@ pub use fits::{Missing, Why, missing};
 pub use helpers::{
     helper_label, helper_label_of, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature,
 };
+pub use identity::{Identity, Stranger};
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
 pub use types::device_type;
@@ -73,6 +75,8 @@ pub enum Health {
     Lost(String),
     /// Stopped and holding safely.
     Safe,
+    /// Another body answers in its place. Nothing is done with that one before a person has said which robot is meant.
+    Stranger(Box<Stranger>),
 }
 
 /// What a robot rings when its senses have read something.
@@ -105,6 +109,12 @@ pub trait Robot {
     /// # Errors
     /// Why, if the value was dropped.
     fn command(&mut self, user: &Use, value: &Value, now: Millis) -> Result<(), RobotFault>;
+
+    /// Commands that were taken and did not come about, as the robot refused them or they failed; each is told once. A robot
+    /// that knows at once has none.
+    fn take_refused(&mut self) -> Vec<(Use, RobotFault)> {
+        Vec::new()
+    }
 
     /// Brings the robot to `now` (a simulation computes up to there) and appends what its senses read, in order.
     fn poll(&mut self, now: Millis, readings: &mut Vec<Reading>);
@@ -140,6 +150,11 @@ pub trait Robot {
 
     /// How the body is.
     fn condition(&self) -> Condition;
+
+    /// Which body it is, once that is known; none for one without a body.
+    fn identity(&self) -> Option<Identity> {
+        None
+    }
 
     /// The robot in its room, for pictures.
     fn scene(&self) -> Scene;

@@ -9,6 +9,7 @@ mod command_queue;
 mod emission_sink;
 mod fair;
 mod host;
+mod identities;
 mod live;
 mod mailbox;
 mod order;
@@ -80,9 +81,10 @@ impl Robots {
         let known = register.known().to_vec();
         let (data, register) = (data.map(Path::to_owned), Mutex::new(register));
         let fleet = Fleet { hosts: Mutex::default(), feed, recordings, data, register };
+        let fleet = Arc::new(fleet);
         let hosts: std::io::Result<_> = known.iter().map(|known| fleet.host(known)).collect();
         *lock(&fleet.hosts) = hosts?;
-        let fleet = Arc::new(fleet);
+        identities::start(&fleet)?;
         let settling = Settling::start(&fleet)?;
         Ok(Self { fleet, settling })
     }
@@ -287,13 +289,19 @@ impl Robots {
 
 impl Fleet {
     /// A robot of the register, on a thread of its own.
-    fn host(&self, known: &Known) -> std::io::Result<Host> {
+    fn host(self: &Arc<Self>, known: &Known) -> std::io::Result<Host> {
         let address = known.real.as_ref().map(|real| real.address.clone());
-        let state = RobotState { address, ..RobotState::connecting(known.robot.clone(), known.name.clone()) };
+        let identity = known.real.as_ref().and_then(|real| real.identity.clone());
+        let state = RobotState { address, identity, ..RobotState::connecting(known.robot.clone(), known.name.clone()) };
         let (order, known) = (Order::within(self.data.as_deref(), &known.robot), known.clone());
-        let make: robot_thread::Make = Box::new(move || match &known.real {
-            Some(real) => Box::new(real::nao(&known.robot, real)),
-            None => Box::new(simulated::nao(known.seed)),
+        let fleet = Arc::downgrade(self);
+        let make: robot_thread::Make = Box::new(move || {
+            // Made anew, it may be reached in another way than at first.
+            let now = fleet.upgrade().and_then(|fleet| lock(&fleet.register).real(&known.robot).cloned());
+            match now.as_ref().or(known.real.as_ref()) {
+                Some(real) => Box::new(real::nao(&known.robot, real)),
+                None => Box::new(simulated::nao(known.seed)),
+            }
         });
         Host::new(state, self.feed.clone(), make, Limits::default, self.recordings.clone(), order)
     }

@@ -151,6 +151,9 @@ impl fmt::Display for NoRun {
             Self::Late => to.write_str("it took too long to prepare"),
             Self::Faults(faults) => first_of(faults, to),
             Self::Silent => to.write_str("the robot does not answer"),
+            Self::Twin(name) => {
+                write!(to, "it is the same robot as “{name}”; start it there, or remove one of the two")
+            }
             Self::Unopened { stream, reason } => write!(to, "“{stream}”: {reason}"),
             Self::Unordered(error) => write!(to, "its place in the order could not be kept ({error})"),
             Self::NotRecorded(why) => write!(to, "{why}"),
@@ -200,6 +203,13 @@ impl fmt::Display for RobotsUnchanged {
             Self::NewUnkept(error) => write!(to, "it could not be kept ({error})"),
             Self::OnlyOne => to.write_str("it is the only one"),
             Self::InUse => to.write_str("something runs on it; press Stop first"),
+            Self::Twin(name) => write!(
+                to,
+                "it is the same robot as “{name}”, which is here already; if it has another address now, change the \
+                 address of “{name}”"
+            ),
+            Self::Simulated => to.write_str("it is a simulated one, which has no address"),
+            Self::AnotherOne => to.write_str("another robot answers there by now; look again who it is"),
             Self::Unkept(error) => write!(to, "that could not be kept ({error})"),
         }
     }

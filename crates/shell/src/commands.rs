@@ -1,5 +1,6 @@
 //! What can be typed: one file a command, with its name, words, help and code. To add one, add a file and its word.
 
+mod accept_robot;
 mod add_robot;
 mod apply;
 mod below;
@@ -17,6 +18,7 @@ mod load_program;
 mod load_stream;
 mod mark;
 mod order;
+mod reach_robot;
 mod record;
 mod recordings;
 mod remove_recording;
@@ -69,10 +71,13 @@ pub(crate) const ALL: &[&Command] = &[
     &check_robot::COMMAND,
     &find_robots::COMMAND,
     &rename_robot::COMMAND,
+    &reach_robot::COMMAND,
+    &accept_robot::COMMAND,
     &remove_robot::COMMAND,
     &control::TAKE,
     &control::GIVE_BACK,
     &control::REST,
+    &control::BLINK,
     &record::COMMAND,
     &mark::COMMAND,
     &recordings::COMMAND,

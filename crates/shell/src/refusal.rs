@@ -30,6 +30,12 @@ pub(crate) enum NotDone {
     NoRobotName,
     /// The robot to add cannot be reached; with a sentence that says why.
     NotReached(String),
+    /// The robot does not answer at its new address; with a sentence that says why.
+    NotMoved(String),
+    /// A robot should have another address, and it is not said which.
+    NoNewAddress,
+    /// Nobody else answers in the place of the robot that is called so.
+    NoStranger(String),
     /// A robot should have another name, and it is not said which.
     NoNewName,
     /// It is said neither up nor down.

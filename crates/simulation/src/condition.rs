@@ -67,6 +67,8 @@ impl SimulatedNao {
     pub(crate) fn control_by(&mut self, control: Control) -> Result<(), RobotFault> {
         let own = &mut self.own;
         match control {
+            // The page shows which one it is.
+            Control::Blink => {}
             Control::GiveBack => own.life = own.before.take().unwrap_or(own.life),
             Control::Take => {
                 self.wake()?;

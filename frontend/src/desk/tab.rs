@@ -84,6 +84,8 @@ pub(crate) enum Dialog {
     AddRobot,
     /// Adding a real robot.
     AddRealRobot,
+    /// Giving the robot that this tab looks at another address.
+    ChangeAddress,
     /// Giving the robot that this tab looks at another name.
     RenameRobot,
     /// Removing the robot that this tab looks at.

@@ -1,5 +1,6 @@
 //! The open dialog. Dialogs stand beside Stop, never over it, and give the keyboard back when they close.
 
+mod address;
 mod choose;
 mod commands;
 mod conflict;
@@ -96,7 +97,7 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::RemoveProgram
         | Dialog::RenameProgram => Role::Editor,
         Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot => Role::Operator,
-        Dialog::Invite | Dialog::AddRealRobot => Role::Host,
+        Dialog::Invite | Dialog::AddRealRobot | Dialog::ChangeAddress => Role::Host,
         Dialog::Operation { connector: Some(_), .. }
         | Dialog::EditStream(_)
         | Dialog::Helper(Some(_))
@@ -132,6 +133,7 @@ pub(crate) fn dialog(dialog: Dialog) -> AnyView {
         Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),
         Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
         Dialog::AddRealRobot => view! { <real_robot::AddReal /> }.into_any(),
+        Dialog::ChangeAddress => view! { <address::ChangeAddress /> }.into_any(),
         Dialog::RenameRobot => view! { <names::RenameRobot /> }.into_any(),
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),

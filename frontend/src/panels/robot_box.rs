@@ -24,6 +24,7 @@ pub(crate) fn RobotBox() -> impl IntoView {
             <Head />
             <div class="start-row"><Start /></div>
             <Line />
+            <Asked />
             <Lights />
             <Buttons />
             <Running />
@@ -86,6 +87,20 @@ fn lamp_now(desk: Hold) -> (&'static str, String) {
     }
 }
 
+/// Which robot is meant, while another one answers.
+#[component]
+fn Asked() -> impl IntoView {
+    let desk = hold();
+    let strange = Memo::new(move |_| {
+        desk.desk().unheard.read().is_none() && matches!(desk.desk().robots.health(), Health::Stranger(_))
+    });
+    view! {
+        <Show when=move || strange.get()>
+            <Later show=|rest| (rest.stranger)() />
+        </Show>
+    }
+}
+
 /// The look of the lamp, and what it says.
 pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
     match health {
@@ -94,6 +109,7 @@ pub(super) fn lamp_words(health: &Health) -> (&'static str, String) {
         Health::Degraded(why) => ("limited", words::titled(words::health_limited(), &words::translated(why))),
         Health::Lost(why) => ("lost", words::titled(words::health_lost(), &words::translated(why))),
         Health::Safe => ("safe", words::robot_safe().to_owned()),
+        Health::Stranger(_) => ("limited", words::another_answers().to_owned()),
     }
 }
 
@@ -148,6 +164,12 @@ fn why_not(desk: Hold) -> Option<String> {
     if let Health::Lost(why) = &desk.robots.health() {
         return Some(words::robot_lost(why.trim_end_matches('.')));
     }
+    if let Health::Stranger(_) = &desk.robots.health() {
+        return Some(words::say_which_first().to_owned());
+    }
+    if let Some(other) = desk.robots.chosen.read().as_ref().and_then(|robot| robot.same_as.as_ref()) {
+        return Some(words::same_as(other));
+    }
     if desk.document.stream_ids.read().is_empty() {
         return Some(words::nothing_to_run().to_owned());
     }
@@ -178,7 +200,7 @@ fn Line() -> impl IntoView {
             && last_phase(desk).is_some_and(|phase| !matches!(phase, RunPhase::Stopped(_)))
     };
     // Only a robot that is lost, or that stops by itself, interrupts what is being said.
-    let urgent = move || bad() || matches!(desk.desk().robots.health(), Health::Lost(_));
+    let urgent = move || bad() || matches!(desk.desk().robots.health(), Health::Lost(_) | Health::Stranger(_));
     let live = move || if urgent() { "assertive" } else { "polite" };
     // The seconds are seen and not said: nobody wants to hear them count.
     view! {

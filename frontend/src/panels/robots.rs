@@ -49,6 +49,10 @@ fn Items() -> impl IntoView {
                 <MenuItem label=words::add_real() icon="plus" disabled=is_full || only_host choose=opens(Dialog::AddRealRobot) />
                 <MenuItem label=words::add_robot() icon="plus" disabled=is_full choose=opens(Dialog::AddRobot) />
                 <MenuItem label=words::rename() icon="pencil" disabled=untrack(|| !may_operate(desk)) choose=opens(Dialog::RenameRobot) />
+                {(!desk.desk().robots.is_simulated()).then(|| view! {
+                    <MenuItem label=words::change_address() icon="connect" disabled=only_host choose=opens(Dialog::ChangeAddress) />
+                    <MenuItem label=words::blink() icon="eye" disabled=untrack(|| !may_operate(desk)) choose=Callback::new(move |()| desk.desk().robots.control(Control::Blink)) />
+                })}
             }
         }}
         <Controls />
@@ -65,6 +69,7 @@ fn Controls() -> impl IntoView {
             Control::Take => (words::take_control(), "user"),
             Control::GiveBack => (words::give_back(), "undo"),
             Control::Rest => (words::rest(), "down"),
+            Control::Blink => (words::blink(), "eye"),
         };
         let choose = Callback::new(move |()| desk.desk().robots.control(control));
         view! { <MenuItem label icon disabled=untrack(|| !may_operate(desk)) choose /> }
@@ -84,6 +89,8 @@ fn item(desk: Hold, robot: RobotState) -> impl IntoView {
     let runs: Vec<_> = runs.map(|run| run.name.clone()).collect();
     let (lamp, how) = lamp_words(&robot.health);
     let mut notes = vec![if runs.is_empty() { how } else { words::runs_names(&words::listed(runs)) }];
+    notes.extend(robot.same_as.as_deref().map(words::same_as));
+    notes.extend(robot.identity.as_ref().map(words::calls_itself));
     notes.extend(words::condition(&robot.condition).into_iter().map(|(_, words)| words));
     let note = notes.join(" · ");
     let here = desk.desk().robots.chosen_id().as_ref() == Some(&robot.robot);

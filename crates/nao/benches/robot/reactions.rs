@@ -177,7 +177,7 @@ fn by_qi(address: &str, action: &str, ended: &AtomicBool) {
 
 /// As the server does it, on one thread instead of two: readings into the behaviour, its commands to the robot.
 fn by_nao(address: String, action: &str, ended: &AtomicBool) {
-    let settings = Settings { address, login: None, own_name: "rrp-bench".to_owned(), trusted: None };
+    let settings = Settings { address, login: None, own_name: "rrp-bench".to_owned(), trusted: None, expected: None };
     let mut nao = Nao::start(settings);
     while nao.health() != Health::Ready {
         std::thread::sleep(STEP);

@@ -15,15 +15,13 @@ pub(super) const COLOR: Driver = Driver {
     name: "ColorBall",
     services: &["ALMemory", "ALColorBlobDetection"],
     joints: &[],
-    open: |chosen| Opened::sense(Blob { color: chosen.text("color")?.to_owned(), round: true, size: 0.0 }),
+    open: |chosen| Opened::sense(Blob::of(chosen.text("color")?, true, 0.0)),
 };
 pub(super) const BLOB: Driver = Driver {
     name: "Blob",
     services: &["ALMemory", "ALColorBlobDetection"],
     joints: &[],
-    open: |chosen| {
-        Opened::sense(Blob { color: chosen.text("color")?.to_owned(), round: false, size: chosen.number("size")? })
-    },
+    open: |chosen| Opened::sense(Blob::of(chosen.text("color")?, false, chosen.number("size")?)),
 };
 
 /// How far a colour may be off, of 255. With the colours below it is a guess: cameras and lamps differ.
@@ -33,6 +31,13 @@ const PIXELS_MIN: i32 = 20;
 const SPAN_M: f32 = 0.06;
 /// After so long a picture was looked at for another colour, in milliseconds: two at 15 a second.
 const PICTURES_MS: u64 = 140;
+/// What is raised for each picture in which there is one; nothing is raised when it is gone.
+const DETECTED: &str = "ALTracker/ColorBlobDetected";
+/// So long after that it is lost, in milliseconds: a few pictures, as one can be late.
+const LOST_MS: u64 = 300;
+/// The pictures that are looked at: columns and rows, of which places are told in parts.
+const COLUMNS: f64 = 320.0;
+const ROWS: f64 = 240.0;
 /// The camera's field of view in radians: the picture is told in parts of it.
 const FIELD: [f64; 2] = [0.9826, 0.7627];
 
@@ -58,9 +63,32 @@ struct Blob {
     round: bool,
     /// The smallest angular radius that counts, in radians.
     size: f64,
+    /// When the robot said last that there is one.
+    detected_ms: Option<u64>,
+    /// What it said before is of another colour.
+    since_ms: u64,
+}
+
+impl Blob {
+    fn of(color: &str, round: bool, size: f64) -> Self {
+        Self { color: color.to_owned(), round, size, detected_ms: None, since_ms: 0 }
+    }
+
+    /// Whether there is one: the circle of the last one stays on the robot when it is gone.
+    fn is_there(&self, at_ms: u64) -> bool {
+        self.detected_ms.is_some_and(|told| told >= self.since_ms && at_ms.saturating_sub(told) <= LOST_MS)
+    }
 }
 
 impl Sense for Blob {
+    fn keys(&self) -> Vec<&'static str> {
+        vec![DETECTED]
+    }
+
+    fn turned(&mut self, since_ms: u64) {
+        self.since_ms = since_ms + PICTURES_MS / 2;
+    }
+
     fn extractor(&self) -> Option<&'static str> {
         Some("ALColorBlobDetection")
     }
@@ -86,9 +114,18 @@ impl Sense for Blob {
         Some((Call::new("ALColorBlobDetection", "getCircle", []), 66))
     }
 
-    /// `[x, y, radius]` from 0 to 1 of the picture, from its upper left corner; empty when there is none.
-    fn read(&mut self, _: &str, value: &qi::Value, at_ms: u64) -> Option<Value> {
-        let (x, y, radius) = (at(value, &[0])?, at(value, &[1])?, at(value, &[2])?);
+    /// `[x, y, radius]` from the upper left corner of the picture: x and radius in parts of its rows, y in parts of its
+    /// columns; that of the last one also when there is none any more.
+    fn read(&mut self, key: &str, value: &qi::Value, at_ms: u64) -> Option<Value> {
+        if key == DETECTED {
+            self.detected_ms = Some(at_ms);
+            return None;
+        }
+        if !self.is_there(at_ms) {
+            return None;
+        }
+        let (x, y) = (at(value, &[0])? * ROWS / COLUMNS, at(value, &[1])? * COLUMNS / ROWS);
+        let radius = at(value, &[2])? * ROWS / COLUMNS;
         let size = angle(0.5 + radius, FIELD[0]);
         let inside = [x, y].iter().all(|part| (0.0..=1.0).contains(part)) && radius > 0.0;
         (inside && size >= self.size).then(|| ball(-angle(x, FIELD[0]), angle(y, FIELD[1]), size, at_ms))

@@ -24,9 +24,8 @@ impl Act for Color {
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
         let wanted = if self.0 == "Value" { value.as_text() } else { Some(self.0.as_str()) };
         let color = wanted.map_or_else(|| parts(value), |name| named(name.trim())).ok_or(RobotFault::NoColor)?;
-        let call = Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), color.into(), FADE_S.into()]);
         let part = |shift: i32| (color >> shift & 0xFF) as f32 / 255.0;
-        Ok(Deed::Eyes { color: [part(16), part(8), part(0)], call })
+        Ok(Deed::Eyes([part(16), part(8), part(0)]))
     }
 }
 
@@ -34,12 +33,15 @@ struct Brightness;
 
 impl Act for Brightness {
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
-        let part = number(value)?.clamp(0.0, 1.0) as f32;
-        Ok(Deed::Newest {
-            slot: "brightness",
-            call: Call::new("ALLeds", "setIntensity", ["FaceLeds".into(), part.into()]),
-        })
+        Ok(Deed::Glow(number(value)?.clamp(0.0, 1.0) as f32))
     }
+}
+
+/// What lets the eyes shine in a colour. A brightness is said as a darker colour: the intensity of a group that has lamps
+/// of several colours is that of each of them, so setting it turns every colour into grey.
+pub(crate) fn shine(parts: [f32; 3]) -> Call {
+    let [red, green, blue] = parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as i32);
+    Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), (red << 16 | green << 8 | blue).into(), FADE_S.into()])
 }
 
 /// The colour of a name as `0x00RRGGBB`.

@@ -10,16 +10,27 @@ pub(super) const DRIVER: Driver = Driver {
     joints: &[],
     open: |chosen| {
         let sides = match chosen.text("side")? {
-            "left" => &[0][..],
-            "right" => &[1],
-            _ => &[0, 1],
+            "left" => &[LEFT, AHEAD][..],
+            "right" => &[RIGHT, AHEAD],
+            "back" => &[BEHIND],
+            _ => &[LEFT, RIGHT, AHEAD],
         };
         Opened::sense(Sonar(sides))
     },
 };
 
-/// What they measured last, left and right, in metres.
-const KEYS: [&str; 2] = ["Device/SubDeviceList/US/Left/Sensor/Value", "Device/SubDeviceList/US/Right/Sensor/Value"];
+/// What they measured last, in metres: on a NAO left and right, on a Pepper ahead and behind. A body has no value under the
+/// keys of the other.
+const KEYS: [&str; 4] = [
+    "Device/SubDeviceList/US/Left/Sensor/Value",
+    "Device/SubDeviceList/US/Right/Sensor/Value",
+    "Device/SubDeviceList/Platform/Front/Sonar/Sensor/Value",
+    "Device/SubDeviceList/Platform/Back/Sonar/Sensor/Value",
+];
+const LEFT: usize = 0;
+const RIGHT: usize = 1;
+const AHEAD: usize = 2;
+const BEHIND: usize = 3;
 /// How far they reach, in metres.
 const REACH_M: f64 = 2.55;
 /// How often they measure, in milliseconds.

@@ -47,7 +47,8 @@ fn hand(chosen: &Chosen) -> Option<Opened> {
 }
 
 fn bumper(chosen: &Chosen) -> Option<Opened> {
-    let all: [(&str, &[&str]); 2] = [("LeftBumperPressed", &["left"]), ("RightBumperPressed", &["right"])];
+    let all: [(&str, &[&str]); 3] =
+        [("LeftBumperPressed", &["left"]), ("RightBumperPressed", &["right"]), ("BackBumperPressed", &["back"])];
     touch(&all, &[chosen.text("foot")?], chosen)
 }
 

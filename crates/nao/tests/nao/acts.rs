@@ -124,6 +124,7 @@ async fn everything_else_is_called_as_a_robot_wants_it() {
     assert_eq!((&fade[0], &fade[1]), (&json!("FaceLeds"), &json!(0xFF_0000)));
     let bright = driver.open("bright", "EyeBrightness", &[]);
     driver.tell(&bright, 0.5);
+    driver.sees(&peer, "they are darker", |state| state["leds"]["FaceLeds"][0].as_f64().unwrap() < 0.6).await;
     let gesture = driver.open("hey", "Animation", &[]);
     driver.tell(&gesture, true);
     driver.tell(&gesture, true);
@@ -148,7 +149,7 @@ async fn everything_else_is_called_as_a_robot_wants_it() {
     driver.tell(&print, text("here"));
     let printed = driver.nao.scene().body.printed;
     assert_eq!(printed.iter().map(|one| (&one.by, one.text.as_str())).collect::<Vec<_>>(), [(&print, "here")]);
-    for method in ["ALAudioPlayer.playSine", "ALFaceDetection.learnFace", "ALLeds.setIntensity"] {
+    for method in ["ALAudioPlayer.playSine", "ALFaceDetection.learnFace"] {
         let mut patience = 0;
         while peer.calls(method).await.is_empty() {
             patience += 1;
@@ -160,4 +161,68 @@ async fn everything_else_is_called_as_a_robot_wants_it() {
         driver.nao.open(&crate::driver::user("x"), "Walk", &[("speed".to_owned(), Value::Float(9.0))].into()).is_err()
     );
     peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn eyes_keep_their_colour_when_their_brightness_changes() {
+    let Some(peer) = Peer::start("nao: eyes", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let color = driver.open("color", "EyeLedColor", &[("color", text("red"))]);
+    let bright = driver.open("bright", "EyeBrightness", &[]);
+    driver.tell(&color, true);
+    driver.sees(&peer, "they are red", |state| state["leds"]["FaceLeds"] == json!([1.0, 0.0, 0.0])).await;
+    driver.tell(&bright, 0.2);
+    driver
+        .sees(&peer, "they are a darker red", |state| {
+            let of = |at: usize| state["leds"]["FaceLeds"][at].as_f64().unwrap();
+            (of(0) - 0.2).abs() < 0.01 && of(1) == 0.0 && of(2) == 0.0
+        })
+        .await;
+    let shown = driver.nao.scene().body.eyes;
+    assert!((shown[0] - 0.2).abs() < 1e-6 && shown[1] == 0.0, "{shown:?}");
+    // A colour that comes later has the brightness that is there.
+    let blue = driver.open("blue", "EyeLedColor", &[("color", text("blue"))]);
+    driver.tell(&blue, true);
+    driver
+        .sees(&peer, "they are a dark blue", |state| {
+            let of = |at: usize| state["leds"]["FaceLeds"][at].as_f64().unwrap();
+            of(0) == 0.0 && (of(2) - 0.2).abs() < 0.01
+        })
+        .await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_did_not_come_about_is_told_in_words() {
+    let Some(peer) = Peer::start("nao: refusals", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let raw = "ALAnimationPlayer::run\n\tnaoqi/behavior.cpp:77 animations/Stand/Gestures/Hey_1 is not installed";
+    peer.fault(json!([
+        {"do": "error", "service": "ALAnimationPlayer", "method": "run", "text": raw},
+        {"do": "error", "service": "ALAudioPlayer", "method": "playFile", "text": "ALAudioPlayer::playFile\n\tno file"},
+        {"do": "answer", "service": "ALRobotPosture", "method": "goToPosture", "value": false},
+        {"do": "answer", "service": "ALFaceDetection", "method": "learnFace", "value": false},
+    ]))
+    .await;
+    let hey = driver.open("hey", "Animation", &[]);
+    let song = driver.open("song", "Sound", &[("sound", text("file")), ("file", text("/home/nao/none.wav"))]);
+    let stand = driver.open("stand", "Posture", &[]);
+    let face = driver.open("face", "RememberFace", &[]);
+    for user in [&hey, &song, &stand, &face] {
+        driver.tell(user, text("Aiko"));
+    }
+    let mut told = std::collections::BTreeMap::new();
+    driver
+        .until("all four are told", |driver| {
+            told.extend(driver.nao.take_refused().into_iter().map(|(user, fault)| (user, fault.to_string())));
+            told.len() == 4
+        })
+        .await;
+    assert_eq!(
+        told[&hey],
+        "the robot cannot do this now: it does not know this gesture, or something keeps it from it"
+    );
+    assert_eq!(told[&song], "the robot cannot do this now: it has no such sound, or cannot play it");
+    assert_eq!(told[&stand], "the robot cannot do this now: it did not come into the posture");
+    assert_eq!(told[&face], "no face is in view, so none was remembered");
+    assert!(driver.nao.take_refused().is_empty(), "each is told once");
 }

@@ -17,15 +17,19 @@ pub(crate) struct Driver {
 impl Driver {
     /// A robot at an address, once it is there.
     pub(crate) async fn at(address: &str) -> Self {
-        Self::with(Settings { address: address.to_owned(), login: None, own_name: "rrp-test".into(), trusted: None })
-            .await
+        Self::with(settings(address)).await
     }
 
     /// One that is reached so, once it is there.
     pub(crate) async fn with(settings: Settings) -> Self {
-        let mut this = Self { nao: Nao::start(settings), steps: 0, readings: Vec::new() };
+        let mut this = Self::new(Nao::start(settings));
         this.until("it is there", |driver| driver.nao.health() == Health::Ready).await;
         this
+    }
+
+    /// One that may not be there yet.
+    pub(crate) fn new(nao: Nao) -> Self {
+        Self { nao, steps: 0, readings: Vec::new() }
     }
 
     /// One step of robot time.
@@ -86,6 +90,12 @@ impl Driver {
             self.step().await;
         }
     }
+}
+
+/// The plainest way to a robot.
+pub(crate) fn settings(address: &str) -> Settings {
+    let own_name = "rrp-test".to_owned();
+    Settings { address: address.to_owned(), login: None, own_name, trusted: None, expected: None }
 }
 
 pub(crate) fn user(stream: &str) -> Use {

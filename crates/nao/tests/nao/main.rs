@@ -9,6 +9,7 @@ mod driver;
 mod gateway;
 #[cfg(unix)]
 mod harm;
+mod identity;
 mod late;
 mod losses;
 mod peer;

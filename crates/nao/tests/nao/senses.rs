@@ -154,3 +154,115 @@ async fn numbers_of_the_body_are_told() {
     assert!(why.unwrap().starts_with("it f"));
     peer.was_safe().await;
 }
+
+/// Values of a stream from now on, until none comes for a while of robot time.
+async fn ends(driver: &mut Driver, user: &robot::Use) {
+    let end = std::time::Instant::now() + crate::peer::PATIENCE;
+    loop {
+        driver.readings.clear();
+        driver.wait(100).await;
+        if !driver.readings.iter().any(|reading| reading.to == *user) {
+            return;
+        }
+        assert!(std::time::Instant::now() < end, "it is never lost");
+    }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_colour_that_is_gone_is_lost() {
+    let Some(peer) = Peer::start("nao: lost", &[]).await else { return };
+    peer.world(json!({"balls": {"red": {"at": [0.8, 0.2, 0.5]}}})).await;
+    let mut driver = Driver::at(&peer.address).await;
+    let ball = driver.open("ball", "ColorBall", &[("color", text("red"))]);
+    let thing = driver.open("thing", "Blob", &[("color", text("red"))]);
+    let seen = peer.state().await["balls"]["red"]["seen"].clone();
+    for user in [&ball, &thing] {
+        let value = driver.next(user).await;
+        for (at, field) in ["x", "y", "size"].iter().enumerate() {
+            assert!((number(&value, field) - seen[at].as_f64().unwrap()).abs() < 0.02, "{field}: {value} {seen}");
+        }
+    }
+    peer.world(json!({"balls": {"red": {"present": false}}})).await;
+    ends(&mut driver, &ball).await;
+    ends(&mut driver, &thing).await;
+    peer.world(json!({"balls": {"red": {"present": true}}})).await;
+    driver.next(&ball).await;
+    driver.next(&thing).await;
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_sense_that_does_not_work_is_named_until_it_ends() {
+    let Some(peer) = Peer::start("nao: fails", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    let raw = "ALRedBallDetection::subscribe\n\tCamera.cpp:42 V4L2 failed";
+    peer.fault(json!({"do": "error", "service": "ALRedBallDetection", "method": "subscribe", "text": raw})).await;
+    let ball = driver.open("ball", "RedBall", &[]);
+    let mut told = String::new();
+    driver
+        .until("it is told", |driver| {
+            if let robot::Health::Degraded(why) = driver.nao.health() {
+                told = why;
+            }
+            !told.is_empty()
+        })
+        .await;
+    assert_eq!(told, "“Red ball” does not work: it refuses");
+    driver.nao.stop(robot::Millis(0));
+    driver.nao.close(&ball);
+    driver.until("it is ready again", |driver| driver.nao.health() == robot::Health::Ready).await;
+    let again = driver.open("again", "RedBall", &[]);
+    driver.next(&again).await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_pepper_measures_ahead_and_behind_and_its_wheels_are_not_held() {
+    let Some(peer) = Peer::start("nao: pepper", &["--body", "pepper"]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    assert_eq!(driver.nao.kind(), "pepper");
+    peer.world(json!({"obstacles": {
+        "box": {"at": [1.0, 0.0], "size": [0.2, 0.8, 0.8], "present": true},
+        "block": {"at": [-1.5, 0.0], "size": [0.2, 0.8, 0.8], "present": true}}}))
+        .await;
+    for (stream, side, metres) in [("left", "left", 0.7), ("ahead", "nearest", 0.7), ("behind", "back", 1.2)] {
+        let sonar = driver.open(stream, "Sonar", &[("side", text(side))]);
+        let mut last = 0.0;
+        driver
+            .until("it measures", |driver| {
+                let of = driver.readings.iter().rev().find(|reading| reading.to == sonar);
+                last = of.and_then(|reading| reading.value.as_number()).unwrap_or_default();
+                (last - metres).abs() < 0.1
+            })
+            .await;
+    }
+    let bumper = driver.open("bumper", "Bumper", &[("foot", text("back"))]);
+    driver.sees(&peer, "it is heard", |state| state["listened"].to_string().contains("BackBumperPressed")).await;
+    driver.wait(40).await;
+    peer.world(json!({"touch": {"part": "BackBumperPressed", "down": true}})).await;
+    assert_eq!(driver.next(&bumper).await, Value::Bool(true));
+    let why = driver.nao.open(&crate::driver::user("side"), "HandTouch", &[("part".into(), text("left"))].into());
+    assert_eq!(why.unwrap_err().to_string(), "its hands feel a touch on their backs only");
+    // Stop holds what can be held.
+    peer.clear().await;
+    driver.nao.stop(robot::Millis(0));
+    while peer.calls("ALMotion.setAngles").await.is_empty() {
+        driver.step().await;
+    }
+    let held = peer.calls("ALMotion.setAngles").await;
+    assert!(held.iter().all(|call| !call[0].to_string().contains("Wheel")), "{held:?}");
+    assert!(held[0][0].to_string().contains("KneePitch"), "{held:?}");
+    peer.was_safe().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn what_only_a_pepper_has_is_refused_by_a_nao() {
+    let Some(peer) = Peer::start("nao: no back", &[]).await else { return };
+    let mut driver = Driver::at(&peer.address).await;
+    for (device, param, why) in [
+        ("Sonar", "side", "its body has no sonar at the back"),
+        ("Bumper", "foot", "its body has no bumper at the back"),
+    ] {
+        let refused = driver.nao.open(&crate::driver::user("it"), device, &[(param.into(), text("back"))].into());
+        assert_eq!(refused.unwrap_err().to_string(), why);
+    }
+}

@@ -1,6 +1,6 @@
 //! That it is there: what it has, what it lacks, how its body is, and a look step by step.
 
-use crate::driver::Driver;
+use crate::driver::{Driver, user};
 use crate::peer::Peer;
 use behaviour::Params;
 use nao::{Settings, Step, check};
@@ -43,16 +43,19 @@ async fn what_a_body_lacks_is_said_with_the_reason() {
     let lacking = driver.nao.lacking();
     let why = |device: &str| lacking.iter().find(|one| one.device == device).map(|one| one.why.clone());
     assert_eq!(why("EyeLedColor").as_deref(), Some("its ALLeds is not there"));
-    assert_eq!(why("HandTouch").as_deref(), Some("its body has no LHand"));
+    assert_eq!(why("HandTouch").as_deref(), Some("its body has no left hand"));
+    let refused = driver.nao.open(&user("hand"), "HandTouch", &Params::new()).unwrap_err();
+    assert_eq!(refused.to_string(), "its body has no left hand");
     assert!(!driver.nao.devices().contains(&"RedBall") && driver.nao.devices().contains(&"Walk"));
-    let refused = driver.nao.open(&crate::driver::user("follow"), "Tracker", &Params::new()).unwrap_err();
+    let refused = driver.nao.open(&user("follow"), "Tracker", &Params::new()).unwrap_err();
     assert!(refused.to_string().ends_with("its ALRedBallDetection is not there"), "it cannot see the ball: {refused}");
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_look_goes_through_all_steps() {
     let Some(peer) = Peer::start("nao: look", &[]).await else { return };
-    let settings = Settings { address: peer.address.clone(), login: None, own_name: "rrp".into(), trusted: None };
+    let settings =
+        Settings { address: peer.address.clone(), login: None, own_name: "rrp".into(), trusted: None, expected: None };
     let found = check(&settings).await;
     let steps: Vec<Step> = found.steps.iter().map(|step| step.0).collect();
     assert_eq!(steps, [Step::Name, Step::Tcp, Step::Login, Step::Directory, Step::Services], "{found:?}");

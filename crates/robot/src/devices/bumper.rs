@@ -1,4 +1,4 @@
-//! The bumpers on the feet.
+//! The bumpers on the feet; Pepper has a third one at its back.
 
 use super::LETTING_GO;
 use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Shape, Waiting};
@@ -14,7 +14,12 @@ pub(crate) const DEVICE: Device = Device {
         Param {
             name: "foot",
             label: "Foot",
-            kind: ParamKind::Choice(&[("any", "either"), ("left", "left"), ("right", "right")]),
+            kind: ParamKind::Choice(&[
+                ("any", "either"),
+                ("left", "left"),
+                ("right", "right"),
+                ("back", "at the back"),
+            ]),
         },
         LETTING_GO,
     ],

@@ -1,4 +1,5 @@
-//! The two sonars in the chest, 10 readings a second; NAOqi 2.8 trusts 0.2 to 0.8 m, and 2.55 m is their end.
+//! The two sonars in the chest, 10 readings a second; NAOqi 2.8 trusts 0.2 to 0.8 m, and 2.55 m is their end. Pepper has one
+//! ahead, whichever side is chosen, and one behind it.
 
 use super::METRES;
 use crate::{Device, NextStep, Pace, Param, ParamKind, Pretend, Resources, Waiting};
@@ -13,7 +14,12 @@ pub(crate) const DEVICE: Device = Device {
     params: &[Param {
         name: "side",
         label: "Side",
-        kind: ParamKind::Choice(&[("nearest", "the nearer one"), ("left", "left"), ("right", "right")]),
+        kind: ParamKind::Choice(&[
+            ("nearest", "the nearer one"),
+            ("left", "left"),
+            ("right", "right"),
+            ("back", "behind it"),
+        ]),
     }],
     shape: METRES,
     resources: Resources::Always(&[]),

@@ -181,7 +181,11 @@ fn of_request(request: &Request) -> Role {
         | Request::ControlRobot { .. }
         | Request::RemoveRobot { .. } => Role::Operator,
         // What reaches out into the network from this computer.
-        Request::AddRobot { real: Some(_), .. } | Request::CheckRobot { .. } | Request::FindRobots => Role::Host,
+        Request::AddRobot { real: Some(_), .. }
+        | Request::ReachRobot { .. }
+        | Request::AcceptRobot { .. }
+        | Request::CheckRobot { .. }
+        | Request::FindRobots => Role::Host,
         // Behaviours.
         Request::Create { .. }
         | Request::Remove { .. }

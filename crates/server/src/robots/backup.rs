@@ -32,14 +32,14 @@ fn robot(data: &Path, known: &Known) -> Robot {
 }
 
 fn reached(real: &RealRobot) -> Reached {
-    let RealRobot { address, user, fingerprint, password: _ } = real.clone();
+    let RealRobot { address, user, fingerprint, password: _, identity: _ } = real.clone();
     Reached { address, user, fingerprint }
 }
 
-/// Its password has to be given again.
+/// Its password has to be given again; the first body that answers is kept.
 fn real(reached: &Reached) -> RealRobot {
     let Reached { address, user, fingerprint } = reached.clone();
-    RealRobot { address, user, password: None, fingerprint }
+    RealRobot { address, user, password: None, fingerprint, identity: None }
 }
 
 /// Whether these robots can be put into a data folder: it has none, or the same, or a part from a restore that ended early and
@@ -102,6 +102,7 @@ mod tests {
             user: Some("nao".into()),
             password: Some("hush".into()),
             fingerprint: None,
+            identity: None,
         };
         let mut register = Register::within(Some(folder.path()), 1);
         let known = register.newcomer(&Id::new("a").unwrap(), "NAO", Some(real.clone())).unwrap();

@@ -29,6 +29,8 @@ const TEXTS_MAX: usize = 8;
 pub(super) struct CommandQueue {
     stop: AtomicBool,
     end: AtomicBool,
+    /// Whether the robot is to be made anew, in another way.
+    renewal: AtomicBool,
     rung: AtomicBool,
     /// Whether the robot's senses have read something.
     sensed: AtomicBool,
@@ -156,6 +158,22 @@ impl CommandQueue {
     /// Whether the robot's thread is to end.
     pub(super) fn is_ended(&self) -> bool {
         self.end.load(Ordering::SeqCst)
+    }
+
+    /// Wants the robot to be made anew.
+    pub(super) fn renew(&self) {
+        self.renewal.store(true, Ordering::SeqCst);
+        self.ring();
+    }
+
+    /// Whether the robot is to be made anew.
+    pub(super) fn is_renewed(&self) -> bool {
+        self.renewal.load(Ordering::SeqCst)
+    }
+
+    /// Whether that was wanted since the last question.
+    pub(super) fn take_renewal(&self) -> bool {
+        self.renewal.swap(false, Ordering::SeqCst)
     }
 
     /// Gives back the devices of a run. Bounded by the number of runs.

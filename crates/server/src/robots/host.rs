@@ -137,6 +137,9 @@ impl Host {
     /// If too many run already.
     pub(crate) fn announce(&self, behaviour: &Id) -> Result<Announced, NoRun> {
         let shared = self.shared().clone();
+        if let Some(other) = shared.feed.same_as(&shared.robot) {
+            return Err(NoRun::Twin(other));
+        }
         if shared.threads() >= THREADS_MAX {
             return Err(NoRun::TooMany);
         }
@@ -285,12 +288,12 @@ impl Host {
         Ok(())
     }
 
-    /// Takes control, gives it back, or rests. What runs is stopped first unless control is taken.
+    /// Takes control, gives it back, rests, or gives a sign. What runs is stopped before it is given back or rests.
     ///
     /// # Errors
     /// Why not.
     pub(crate) async fn control(&self, control: Control, by: &str) -> Result<(), Refused> {
-        if control != Control::Take {
+        if !matches!(control, Control::Take | Control::Blink) {
             self.stop(None, by);
         }
         let (answer, answered) = oneshot::channel();
@@ -301,6 +304,11 @@ impl Host {
             Ok(Err(_)) => Err(Refused::TooFast),
             Err(_) => Err(Refused::RobotCannot(NoRun::Silent.to_string())),
         }
+    }
+
+    /// Makes the robot anew, as its settings are by now.
+    pub(super) fn renew(&self) {
+        self.shared().queue.renew();
     }
 
     /// Shows of what runs that the invitation of who started it was revoked.

@@ -1,5 +1,6 @@
 //! A real robot as the robot's thread sees it, and what people ask about robots that are not there yet.
 
+use super::Robots;
 use super::refusal::RobotsUnchanged;
 use super::register::check_real;
 use super::robot_thread::RoomRobot;
@@ -29,6 +30,7 @@ fn settings(own_name: &str, real: &RealRobot) -> Settings {
         login,
         own_name: own_name.to_owned(),
         trusted: real.fingerprint.clone(),
+        expected: real.identity.clone(),
     }
 }
 
@@ -37,16 +39,21 @@ impl RoomRobot for Nao {
     fn edit(&mut self, _: &SceneEdit) {}
 }
 
-/// Looks step by step whether a robot can be reached.
+/// Looks step by step whether a robot can be reached, with the login of `robot` where none is said, and whether it is
+/// here already under another name.
 ///
 /// # Errors
 /// If no robot can have this address.
-pub(crate) async fn check(real: &RealRobot) -> Result<Reply, Refused> {
+pub(crate) async fn check(robots: &Robots, real: &RealRobot, robot: Option<&Id>) -> Result<Reply, Refused> {
     check_real(real).map_err(RobotsUnchanged::not_added)?;
-    let found = nao::check(&settings(OWN_NAME, real)).await;
+    let real = robot.map_or_else(|| real.clone(), |robot| robots.with_login(robot, real.clone()));
+    let found = nao::check(&settings(OWN_NAME, &real)).await;
+    let known_as = found.identity.as_ref().and_then(|identity| robots.known_as(identity, robot));
     let steps = found.steps.into_iter().map(|(step, failed)| CheckStep { stage: stage(step), failed }).collect();
     let (name, model, fingerprint, lacking) = (found.name, found.model, found.fingerprint, found.lacking);
-    Ok(Reply::RobotChecked { checked: Box::new(Checked { steps, name, model, fingerprint, lacking }) })
+    let identity = found.identity;
+    let checked = Checked { steps, name, model, fingerprint, lacking, identity, known_as };
+    Ok(Reply::RobotChecked { checked: Box::new(checked) })
 }
 
 fn stage(step: Step) -> CheckStage {

@@ -28,6 +28,8 @@ pub(crate) enum NoRun {
         /// What the robot says.
         reason: String,
     },
+    /// The robot is the same body as another one, of this name.
+    Twin(String),
     /// Its place in the order on the robot could not be kept.
     Unordered(io::Error),
     /// It cannot be recorded, and should be.
@@ -109,6 +111,12 @@ pub(crate) enum RobotsUnchanged {
     OnlyOne,
     /// Something runs on it.
     InUse,
+    /// It is here already, under this name.
+    Twin(String),
+    /// It is a simulated one.
+    Simulated,
+    /// Another robot than the one that was shown answers at its address by now.
+    AnotherOne,
     /// That one is gone could not be written down.
     Unkept(io::Error),
 }

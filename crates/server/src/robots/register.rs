@@ -4,6 +4,7 @@ use super::refusal::RobotsUnchanged;
 use crate::support::atomic_file;
 use behaviour::{Id, has_unseen, numbered};
 use protocol::{ADDRESS_MAX_CHARS, LOGIN_MAX_CHARS, ROBOT_NAME_MAX_CHARS, RealRobot};
+use robot::Identity;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
@@ -68,6 +69,8 @@ impl Register {
     pub(super) fn newcomer(&self, robot: &Id, name: &str, real: Option<RealRobot>) -> Result<Known, RobotsUnchanged> {
         let name = self.name_for(robot, name)?;
         real.as_ref().map_or(Ok(()), check_real)?;
+        let twin = real.as_ref().and_then(|real| self.twin(real.identity.as_ref()?, Some(robot)));
+        twin.map_or(Ok(()), |twin| Err(RobotsUnchanged::Twin(twin.to_owned())))?;
         let seed = self.known.iter().map(|known| known.seed).fold(self.seed, u64::max).wrapping_add(1);
         Ok(Known { robot: robot.clone(), name, seed, real })
     }
@@ -98,6 +101,33 @@ impl Register {
         }
         self.keep(after).map_err(RobotsUnchanged::Unkept)?;
         Ok(name)
+    }
+
+    /// The name of another robot that is this body.
+    pub(super) fn twin(&self, identity: &Identity, but: Option<&Id>) -> Option<&str> {
+        let is_it = |real: &RealRobot| real.identity.as_ref().is_some_and(|known| known.is_same(identity));
+        let mut others = self.known.iter().filter(|known| Some(&known.robot) != but && identity.is_proven());
+        others.find(|known| known.real.as_ref().is_some_and(is_it)).map(|known| known.name.as_str())
+    }
+
+    /// How a real robot is reached.
+    pub(super) fn real(&self, robot: &Id) -> Option<&RealRobot> {
+        self.known.iter().find(|known| known.robot == *robot)?.real.as_ref()
+    }
+
+    /// Another way to a real robot; answers with the robot as it is kept then.
+    ///
+    /// # Errors
+    /// What is wrong with that way, or that it could not be kept.
+    pub(super) fn reach(&mut self, robot: &Id, real: RealRobot) -> Result<Known, RobotsUnchanged> {
+        check_real(&real)?;
+        let mut after = self.known.clone();
+        let known = after.iter_mut().find(|known| known.robot == *robot && known.real.is_some());
+        let known = known.ok_or(RobotsUnchanged::Simulated)?;
+        known.real = Some(real);
+        let known = known.clone();
+        self.keep(after).map_err(RobotsUnchanged::Unkept)?;
+        Ok(known)
     }
 
     /// One more.
@@ -158,6 +188,23 @@ mod tests {
     }
 
     #[test]
+    fn a_file_from_before_identities_goes_on() {
+        let folder = tempfile::tempdir().unwrap();
+        let before = r#"[{"robot":"a","name":"Blue","seed":1,"real":{"address":"nao.local"}}]"#;
+        std::fs::write(folder.path().join("robots.json"), before).unwrap();
+        let mut register = Register::within(Some(folder.path()), 1);
+        let robot = Id::new("a").unwrap();
+        let real = register.real(&robot).cloned().unwrap();
+        assert_eq!((real.address.as_str(), &real.identity), ("nao.local", &None));
+        let identity = robot::Identity { serial: "B1".into(), ..robot::Identity::default() };
+        register.reach(&robot, RealRobot { identity: Some(identity.clone()), ..real }).unwrap();
+        let again = Register::within(Some(folder.path()), 1);
+        assert_eq!(again.real(&robot).unwrap().identity, Some(identity.clone()));
+        assert_eq!(again.twin(&identity, None), Some("Blue"));
+        assert_eq!(again.twin(&identity, Some(&robot)), None, "not of itself");
+    }
+
+    #[test]
     fn a_name_is_needed() {
         let register = Register::within(None, 1);
         let robot = Id::new("a").unwrap();
@@ -177,6 +224,7 @@ mod tests {
             user: Some("nao".into()),
             password: Some("hush".into()),
             fingerprint: None,
+            identity: None,
         };
         let robot = Id::new("a").unwrap();
         let nowhere = RealRobot { address: " ".into(), ..real.clone() };

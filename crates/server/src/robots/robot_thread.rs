@@ -41,6 +41,8 @@ pub(super) type Make = Box<dyn Fn() -> Box<dyn RoomRobot> + Send>;
 pub(super) fn keep(shared: &Arc<RobotShared>, make: &Make) {
     shared.queue.attend();
     while !shared.queue.is_ended() {
+        // Before it is made: what is wanted from now on makes another one.
+        shared.queue.take_renewal();
         let kept = catch_unwind(AssertUnwindSafe(|| {
             let (mut robot, ring) = (make(), Arc::clone(shared));
             robot.wake_with(Arc::new(move || ring.queue.sense()));
@@ -106,7 +108,7 @@ impl<'a> RobotThread<'a> {
 
     /// Works until the queue says end.
     pub(super) fn work(mut self) {
-        while !self.queue().is_ended() {
+        while !self.queue().is_ended() && !self.queue().is_renewed() {
             // The queue holds a bounded number of things: however often somebody rings, a step that is due comes next.
             self.serve();
             if self.is_due() {
@@ -116,7 +118,10 @@ impl<'a> RobotThread<'a> {
             }
             self.pause();
         }
-        self.robot.stop(self.now());
+        // One that is made anew ends by itself what it began.
+        if self.queue().is_ended() {
+            self.robot.stop(self.now());
+        }
     }
 
     /// Does what waits, at the robot time of the coming step.
@@ -150,6 +155,11 @@ impl<'a> RobotThread<'a> {
             self.hand_out(reading);
         }
         self.readings = readings;
+        for (user, fault) in self.robot.take_refused() {
+            if let Some(known) = self.users.get(&user.run) {
+                known.mailbox.refuse(&user.stream, fault.to_string());
+            }
+        }
         if let Some(reason) = self.robot.take_halt() {
             self.shared.pause_all(&RunFailure::Halt(reason));
             self.end_what_ended();
@@ -328,10 +338,13 @@ impl<'a> RobotThread<'a> {
             other => other,
         };
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
-        let camera = self.robot.camera().is_some();
+        let (camera, identity) = (self.robot.camera().is_some(), self.robot.identity());
         self.shared.feed.edit(&self.shared.robot, |state| {
             (state.health, state.lacking, state.condition) = (health, lacking, condition);
             state.camera = camera;
+            if identity.is_some() {
+                state.identity = identity;
+            }
             if state.devices != devices {
                 state.devices = devices.into_iter().map(str::to_owned).collect();
             }

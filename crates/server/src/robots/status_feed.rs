@@ -2,6 +2,7 @@
 
 use behaviour::Id;
 use protocol::{RobotState, RunState};
+use robot::{Health, Stranger};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use tokio::sync::watch;
@@ -29,6 +30,19 @@ impl StatusFeed {
     pub(super) fn name(&self, robot: &Id) -> String {
         let robots = self.robots.borrow();
         robots.iter().find(|known| known.robot == *robot).map(|known| known.name.clone()).unwrap_or_default()
+    }
+
+    /// The name of another robot that is the same body.
+    pub(super) fn same_as(&self, robot: &Id) -> Option<String> {
+        self.robots.borrow().iter().find(|known| known.robot == *robot)?.same_as.clone()
+    }
+
+    /// Who answers in the place of a robot.
+    pub(super) fn stranger(&self, robot: &Id) -> Option<Stranger> {
+        match &self.robots.borrow().iter().find(|known| known.robot == *robot)?.health {
+            Health::Stranger(who) => Some((**who).clone()),
+            _ => None,
+        }
     }
 
     /// What runs on them and what ended lately, oldest first.

@@ -4,6 +4,7 @@ mod applying;
 mod between;
 mod ending;
 mod halting;
+mod identities;
 mod multiplying;
 mod puppet;
 mod recording;

@@ -56,7 +56,15 @@ async fn a_stranger_gets_the_asking_page_and_health_and_no_names() {
     let scene = Scene::open().await;
     let mut browser = scene.browser();
     let file = format!("/api/behaviours/{}.json", scene.play);
-    let paths = ["/api/behaviours", &file, "/api/backup", "/api/recordings", "/api/recordings/x.jsonl", "/api/robots/nao/camera", "/readyz"];
+    let paths = [
+        "/api/behaviours",
+        &file,
+        "/api/backup",
+        "/api/recordings",
+        "/api/recordings/x.jsonl",
+        "/api/robots/nao/camera",
+        "/readyz",
+    ];
     for cookie in [None, Some(format!("__Host-rrp-{}=guess", browser.address.port()))] {
         browser.cookie = cookie;
         assert_eq!(status(&browser.get("/healthz").await), 200);

@@ -29,19 +29,22 @@ async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
         let added = console.client()?.robot(Some(&robot)).await?;
         return Ok(format!("{} is there", added.name));
     };
-    let checked = check(console, &real).await?;
+    let checked = check(console, &real, None).await?;
     let failed = checked.steps.iter().find_map(|step| step.failed.clone());
     if let Some(why) = failed {
         return Err(NotDone::NotReached(why));
     }
-    real.fingerprint = checked.fingerprint;
-    console.ask(Request::AddRobot { robot, name: name.clone(), real: Some(Box::new(real)) }).await?;
-    Ok(format!("{name} is added: {}", checked.model))
+    (real.fingerprint, real.identity) = (checked.fingerprint, checked.identity);
+    console.ask(Request::AddRobot { robot: robot.clone(), name, real: Some(Box::new(real)) }).await?;
+    // A number was appended if another one has the name.
+    let robots = console.client()?.robots_that(|robots| robots.iter().any(|known| known.robot == robot)).await?;
+    let added = robots.into_iter().find(|known| known.robot == robot).map(|known| known.name).unwrap_or_default();
+    Ok(format!("{added} is added: {}", checked.model))
 }
 
-/// Looks whether a robot can be reached.
-pub(super) async fn check(console: &mut Console, real: &RealRobot) -> Result<Checked, NotDone> {
-    match console.ask(Request::CheckRobot { real: Box::new(real.clone()) }).await? {
+/// Looks whether a robot can be reached, with the login of `robot` where none is said.
+pub(super) async fn check(console: &mut Console, real: &RealRobot, robot: Option<&Id>) -> Result<Checked, NotDone> {
+    match console.ask(Request::CheckRobot { real: Box::new(real.clone()), robot: robot.cloned() }).await? {
         Reply::RobotChecked { checked } => Ok(*checked),
         _ => Err(NotDone::NoAnswer(Answer::Check)),
     }
@@ -64,6 +67,7 @@ pub(super) fn real(words: &str) -> RealRobot {
         user: user.map(|user| user.trim().to_owned()),
         password,
         fingerprint: None,
+        identity: None,
     }
 }
 

@@ -1,6 +1,6 @@
 //! Looks step by step whether a robot can be reached.
 
-use super::{Command, add_robot};
+use super::{Command, add_robot, show_robots};
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{CheckStage, CheckStep};
@@ -13,11 +13,13 @@ pub(crate) const COMMAND: Command = Command {
 };
 
 async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
-    let checked = add_robot::check(console, &add_robot::real(words)).await?;
+    let checked = add_robot::check(console, &add_robot::real(words), None).await?;
     let mut lines: Vec<String> = checked.steps.iter().map(line).collect();
     if !checked.model.is_empty() {
         lines.push(format!("It is {}", checked.model));
     }
+    lines.extend(checked.identity.iter().map(|identity| format!("It calls itself {}", show_robots::who(identity))));
+    lines.extend(checked.known_as.iter().map(|name| format!("It is here already, as {name}")));
     lines.extend(checked.lacking.iter().map(|lacking| format!("It has no {}: {}", lacking.device, lacking.why)));
     Ok(lines.join("\n"))
 }

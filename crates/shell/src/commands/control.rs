@@ -1,4 +1,4 @@
-//! Takes control of a robot, gives it back to its own life, or lets it rest.
+//! Takes control of a robot, gives it back to its own life, lets it rest, or lets it give a sign.
 
 use super::Command;
 use crate::console::Console;
@@ -27,6 +27,13 @@ pub(crate) const REST: Command = Command {
     run: |console, words| Box::pin(run(console, words, Control::Rest)),
 };
 
+pub(crate) const BLINK: Command = Command {
+    name: "blink robot",
+    words: "NAME",
+    help: "Makes the robot's eyes blink for a moment, so that people see which one it is.",
+    run: |console, words| Box::pin(run(console, words, Control::Blink)),
+};
+
 async fn run(console: &mut Console, wanted: &str, control: Control) -> Result<String, NotDone> {
     let (name, robot) = console.robot_meant(wanted).await?;
     console.ask(Request::ControlRobot { robot, control }).await?;
@@ -34,5 +41,6 @@ async fn run(console: &mut Console, wanted: &str, control: Control) -> Result<St
         Control::Take => format!("{name} is under control"),
         Control::GiveBack => format!("{name} has its own life again"),
         Control::Rest => format!("{name} rests"),
+        Control::Blink => format!("{name} makes its eyes blink"),
     })
 }

@@ -4,7 +4,7 @@ use super::Command;
 use crate::console::Console;
 use crate::find::unquoted;
 use crate::refusal::NotDone;
-use protocol::Request;
+use protocol::{Request, RobotState};
 
 pub(crate) const COMMAND: Command = Command {
     name: "rename robot",
@@ -16,6 +16,13 @@ pub(crate) const COMMAND: Command = Command {
 async fn run(console: &mut Console, words: &str) -> Result<String, NotDone> {
     let (wanted, new) = words.rsplit_once(" to ").ok_or(NotDone::NoNewName)?;
     let (name, robot) = console.robot_meant(wanted).await?;
-    console.ask(Request::RenameRobot { robot, name: unquoted(new.trim()).to_owned() }).await?;
-    Ok(format!("{name} has another name"))
+    console.ask(Request::RenameRobot { robot: robot.clone(), name: unquoted(new.trim()).to_owned() }).await?;
+    let is_new = |robots: &[RobotState]| robots.iter().any(|known| known.robot == robot && known.name != name);
+    // Of one that gets the name that it has, nothing is told.
+    if unquoted(new.trim()) == name {
+        return Ok(format!("{name} keeps its name"));
+    }
+    let robots = console.client()?.robots_that(is_new).await?;
+    let now = robots.into_iter().find(|known| known.robot == robot).map(|known| known.name).unwrap_or_default();
+    Ok(format!("{name} is called {now} now"))
 }

@@ -4,7 +4,7 @@ use super::Command;
 use crate::console::Console;
 use crate::refusal::NotDone;
 use protocol::{RobotState, RunState};
-use robot::{Condition, Health, Life};
+use robot::{Condition, Health, Identity, Life};
 
 pub(crate) const COMMAND: Command = Command {
     name: "show robots",
@@ -28,6 +28,8 @@ fn line(robot: &RobotState, running: &[RunState]) -> String {
     let runs = if runs.is_empty() { "nothing runs".to_owned() } else { format!("runs {}", runs.join(", ")) };
     let mut words = vec![health(&robot.health)];
     words.extend(robot.address.iter().map(|address| format!("at {address}")));
+    words.extend(robot.identity.iter().map(|identity| format!("itself {}", who(identity))));
+    words.extend(robot.same_as.iter().map(|other| format!("the same robot as {other}")));
     words.extend(condition(&robot.condition));
     words.push(runs);
     format!("{} ({})", robot.name, words.join(", "))
@@ -53,6 +55,14 @@ fn condition(of: &Condition) -> Vec<String> {
     words
 }
 
+/// Which body: "“Momo”, a NAO, number #0344".
+pub(super) fn who(identity: &Identity) -> String {
+    let kind = if identity.body.is_empty() { "robot" } else { &identity.body };
+    let name = if identity.name.is_empty() { "without a name" } else { &identity.name };
+    let tail = identity.tail();
+    if tail.is_empty() { format!("“{name}”, {kind}") } else { format!("“{name}”, {kind} #{tail}") }
+}
+
 fn health(health: &Health) -> String {
     match health {
         Health::Connecting => "connecting".to_owned(),
@@ -60,5 +70,10 @@ fn health(health: &Health) -> String {
         Health::Degraded(why) => format!("limited: {why}"),
         Health::Lost(why) => format!("lost: {why}"),
         Health::Safe => "holding still".to_owned(),
+        Health::Stranger(who) => format!(
+            "another robot answers: {}, and not {}; say “accept robot” if it is this one now, or “reach robot”",
+            self::who(&who.found),
+            self::who(&who.expected)
+        ),
     }
 }

@@ -11,6 +11,10 @@ pub(super) const DRIVER: Driver = Driver { name: "Bumper", open };
 const NEAR_M: f32 = 0.015;
 
 fn open(chosen: &Chosen) -> Option<Opened> {
+    // Only a Pepper has one there.
+    if chosen.text("foot")? == "back" {
+        return None;
+    }
     let parts: [(Touchable, &[(&str, &str)]); 2] =
         [(Touchable::BumperLeft, &[("foot", "left")]), (Touchable::BumperRight, &[("foot", "right")])];
     Touch::of(chosen, &parts)

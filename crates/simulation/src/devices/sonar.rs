@@ -21,6 +21,8 @@ fn open(chosen: &Chosen) -> Option<Opened> {
     Opened::sense(Sonar(match chosen.text("side")? {
         "left" => vec![0],
         "right" => vec![1],
+        // Only a Pepper has one there.
+        "back" => return None,
         _ => vec![0, 1],
     }))
 }

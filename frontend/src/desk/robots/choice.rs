@@ -8,7 +8,7 @@ use crate::{link, words};
 use behaviour::Id;
 use leptos::prelude::*;
 use protocol::{Checked, FoundRobot, RealRobot, Reply, Request, RobotState, RunPhase, RunState, STOP_PATH};
-use robot::{Control, Health, Scene};
+use robot::{Control, Health, Identity, Scene};
 
 const ROBOT_KEY: &str = "rrp.robot";
 
@@ -39,7 +39,10 @@ impl Robots {
         if !checked.model.is_empty() {
             self.tab.say(&words::found_robot(&checked.name, &checked.model, checked.fingerprint.as_deref()), false);
         }
-        self.add(name, Some(RealRobot { fingerprint: checked.fingerprint.clone(), ..real }));
+        self.add(
+            name,
+            Some(RealRobot { fingerprint: checked.fingerprint.clone(), identity: checked.identity.clone(), ..real }),
+        );
     }
 
     /// Gives a robot another name.
@@ -47,9 +50,26 @@ impl Robots {
         self.tab.ask_or_say(Request::RenameRobot { robot: robot.clone(), name: name.to_owned() }, |_| {});
     }
 
-    /// Looks step by step whether a robot can be reached.
-    pub(crate) fn check(&self, real: RealRobot, then: impl FnOnce(Result<Checked, NoAnswer>) + 'static) {
-        self.tab.look_up(Request::CheckRobot { real: Box::new(real) }, move |answer| match answer {
+    /// Gives a robot another address.
+    pub(crate) fn reach(&self, robot: &Id, real: RealRobot) {
+        self.tab.ask_or_say(Request::ReachRobot { robot: robot.clone(), real: Box::new(real) }, |_| {});
+    }
+
+    /// From now on the body that answers is the robot that this tab looks at.
+    pub(crate) fn accept(&self, found: Identity) {
+        if let Some(robot) = self.chosen_id() {
+            self.tab.ask_or_say(Request::AcceptRobot { robot, found: Box::new(found) }, |_| {});
+        }
+    }
+
+    /// Looks step by step whether a robot can be reached, with the login of `robot` where none is said.
+    pub(crate) fn check(
+        &self,
+        real: RealRobot,
+        robot: Option<Id>,
+        then: impl FnOnce(Result<Checked, NoAnswer>) + 'static,
+    ) {
+        self.tab.look_up(Request::CheckRobot { real: Box::new(real), robot }, move |answer| match answer {
             Ok(Reply::RobotChecked { checked }) => then(Ok((**checked).clone())),
             Ok(_) => then(Err(NoAnswer::Unreachable)),
             Err(why) => then(Err(why)),

@@ -21,7 +21,7 @@ impl Form {
     fn real(&self) -> RealRobot {
         let some = |field: RwSignal<String>| Some(field.get_untracked()).filter(|text| !text.is_empty());
         let address = self.address.get_untracked().trim().to_owned();
-        RealRobot { address, user: some(self.user), password: some(self.password), fingerprint: None }
+        RealRobot { address, user: some(self.user), password: some(self.password), fingerprint: None, identity: None }
     }
 }
 
@@ -34,6 +34,8 @@ pub(super) fn AddReal() -> impl IntoView {
     let (busy, refusal) = (RwSignal::new(false), RwSignal::new(None::<String>));
     // What was looked at, and what was found.
     let seen = RwSignal::new(None::<(RealRobot, Checked)>);
+    // What is here already, under another name.
+    let twin = RwSignal::new(None::<(RealRobot, Checked)>);
     let add = move |real: &RealRobot, checked: &Checked| {
         let name = [form.name.get_untracked(), checked.name.clone(), real.address.clone()];
         let name = name.iter().map(|name| name.trim()).find(|name| !name.is_empty()).unwrap_or_default();
@@ -45,9 +47,11 @@ pub(super) fn AddReal() -> impl IntoView {
         busy.set(true);
         refusal.set(None);
         seen.set(None);
-        desk.desk().robots.check(real.clone(), move |answer| {
+        twin.set(None);
+        desk.desk().robots.check(real.clone(), None, move |answer| {
             busy.try_set(false);
             match answer {
+                Ok(checked) if checked.known_as.is_some() => drop(twin.try_set(Some((real, checked)))),
                 Ok(checked) if checked.steps.iter().all(|step| step.failed.is_none()) => add(&real, &checked),
                 Ok(checked) => drop(seen.try_set(Some((real, checked)))),
                 Err(why) => drop(refusal.try_set(Some(words::not_answered(&why)))),
@@ -85,6 +89,7 @@ pub(super) fn AddReal() -> impl IntoView {
                 <div role="status">
                     {move || busy.get().then(|| view! { <p class="second">{words::looks()}</p> })}
                     {steps}
+                    {move || twin.get().map(|(real, checked)| view! { <Twin real checked /> })}
                 </div>
                 <Refused why=refusal />
             </div>
@@ -98,7 +103,7 @@ pub(super) fn AddReal() -> impl IntoView {
 
 /// How each step went.
 #[component]
-fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
+pub(super) fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
     let line = |step: CheckStep| {
         let failed = step.failed.is_some();
         let how = if failed { words::check_failed() } else { words::check_went_well() };
@@ -117,6 +122,25 @@ fn Steps(steps: Vec<CheckStep>) -> impl IntoView {
         }
     });
     view! { <ol class="check-steps" node_ref=list>{steps.into_iter().map(line).collect_view()}</ol> }
+}
+
+/// That it is here already, and the way to give it this address.
+#[component]
+fn Twin(real: RealRobot, checked: Checked) -> impl IntoView {
+    let desk = hold();
+    let name = checked.known_as.clone().unwrap_or_default();
+    let known = desk.desk().robots.all.with_untracked(|all| all.iter().find(|robot| robot.name == name).cloned());
+    let says = words::here_already(&name);
+    let button = known.map(|known| {
+        let real = RealRobot { fingerprint: checked.fingerprint.clone(), ..real };
+        let give = move |_| {
+            desk.desk().robots.reach(&known.robot, real.clone());
+            desk.desk().robots.choose(&known.robot);
+            close(desk);
+        };
+        view! { <button class="button small" type="button" on:click=give>{words::give_this_address(&name)}</button> }
+    });
+    view! { <div class="twin"><p class="refusal">{says}</p> {button}</div> }
 }
 
 /// Robots that announce themselves: one press fills in the address.
@@ -148,7 +172,7 @@ fn Nearby(address: RwSignal<String>, name: RwSignal<String>) -> impl IntoView {
 }
 
 #[component]
-fn Password(value: RwSignal<String>) -> impl IntoView {
+pub(super) fn Password(value: RwSignal<String>) -> impl IntoView {
     view! {
         <label class="field">
             <span class="label">{words::password()}</span>

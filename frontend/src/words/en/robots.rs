@@ -3,7 +3,7 @@
 use super::{listed, saying};
 use crate::words::language::{said, translated};
 use protocol::CheckStage;
-use robot::{Condition, Control, JOINTS, Life, Touchable};
+use robot::{Condition, Control, Identity, JOINTS, Life, Touchable};
 
 sentences! {
     add_real: "Add a NAO or Pepper";
@@ -22,6 +22,16 @@ sentences! {
     add_anyway: "Add anyway";
     check_went_well: "went well";
     check_failed: "failed";
+    change_address: "Change the address";
+    change: "Change";
+    change_anyway: "Change it anyway";
+    login_stays: "User and password stay as they are, unless you type others.";
+    blink: "Make its eyes blink";
+    accept_stranger: "It is this one now";
+    expected: "Expected";
+    answers: "Answers";
+    another_answers: "another robot answers";
+    say_which_first: "Another robot answers at its address. Say first which one is meant.";
     take_control: "Take control";
     give_back: "Give back to its own life";
     rest: "Let it rest";
@@ -97,6 +107,44 @@ pub(crate) fn found_robot(name: &str, model: &str, certificate: Option<&str>) ->
     }
 }
 
+/// Which body: "“Momo”, NAO #0344".
+pub(crate) fn who(identity: &Identity) -> String {
+    let name = if identity.name.is_empty() { said("without a name").to_owned() } else { saying(&identity.name) };
+    let (kind, tail) = (translated(&identity.body), identity.tail());
+    let number = (!tail.is_empty()).then(|| format!("#{tail}"));
+    let kind = [Some(kind).filter(|kind| !kind.is_empty()), number].into_iter().flatten();
+    listed([name, kind.collect::<Vec<_>>().join(" ")].into_iter().filter(|part| !part.is_empty()))
+}
+
+/// What a robot calls itself, and its number.
+pub(crate) fn calls_itself(identity: &Identity) -> String {
+    say!("calls itself {who}", who = who(identity))
+}
+
+/// The question while another body answers.
+pub(crate) fn stranger_question(name: &str) -> String {
+    say!("Is this “{name}”?", name)
+}
+
+/// The dialog for another address.
+pub(crate) fn change_address_of(name: &str) -> String {
+    say!("Change the address of “{name}”", name)
+}
+
+/// Two names for one body.
+pub(crate) fn same_as(name: &str) -> String {
+    say!("It is the same robot as “{name}”. Start it there, or remove one of the two.", name)
+}
+
+/// That a robot is not added a second time.
+pub(crate) fn here_already(name: &str) -> String {
+    say!("This robot is here already, as “{name}”.", name)
+}
+
+pub(crate) fn give_this_address(name: &str) -> String {
+    say!("Give “{name}” this address", name)
+}
+
 /// "Starts version 12 on NAO blue."
 pub(crate) fn starts_on(robot: &str, revision: u64) -> String {
     say!("Start runs version {revision} on “{robot}”.", revision, robot)
@@ -127,6 +175,7 @@ pub(crate) fn control_done(robot: &str, control: Control) -> String {
         Control::Take => say!("You have “{robot}” now. It stands up.", robot),
         Control::GiveBack => say!("“{robot}” has its own life again.", robot),
         Control::Rest => say!("“{robot}” sits down to rest.", robot),
+        Control::Blink => say!("The eyes of “{robot}” blink for a moment.", robot),
     }
 }
 

@@ -90,7 +90,7 @@ impl Log {
             }
         }
         if parts(&what, args).is_empty() {
-            self.acting.push(Noted { what, args: args.clone() });
+            self.acting.push(Noted { args: unpacked(&what, args), what });
         }
     }
 
@@ -157,12 +157,21 @@ pub(crate) fn say(text: &str) -> Vec<Call> {
 
 /// The eyes take a colour, `0xRRGGBB`.
 pub(crate) fn eyes(color: u32) -> Vec<Call> {
-    vec![("ALLeds.fadeRGB", json!(["FaceLeds", color, 0.1]))]
+    vec![("ALLeds.fadeRGB", unpacked("ALLeds.fadeRGB", &json!(["FaceLeds", color, 0.1])))]
 }
 
-/// The eyes shine so brightly.
+/// The white eyes shine so brightly.
 pub(crate) fn bright(part: f64) -> Vec<Call> {
-    vec![("ALLeds.setIntensity", json!(["FaceLeds", part]))]
+    vec![("ALLeds.fadeRGB", json!(["FaceLeds", [part, part, part], 0.1]))]
+}
+
+/// A colour as three parts from 0 to 1, which can be nearly the same.
+fn unpacked(what: &str, args: &Json) -> Json {
+    let mut args = args.clone();
+    if let ("ALLeds.fadeRGB", Some(color)) = (what, args[1].as_u64()) {
+        args[1] = [16, 8, 0].map(|shift| (color >> shift & 0xFF) as f64 / 255.0).to_vec().into();
+    }
+    args
 }
 
 /// A part of the body moves, however often and wherever it goes: what follows is sent on with every picture.

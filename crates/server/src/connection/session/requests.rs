@@ -105,8 +105,13 @@ impl Session {
             Request::Place { .. }
             | Request::AddRobot { .. }
             | Request::RenameRobot { .. }
+            | Request::ReachRobot { .. }
+            | Request::AcceptRobot { .. }
             | Request::RemoveRobot { .. } => self.change_robots(ask, request),
-            Request::CheckRobot { real } => self.later(ask, async move { real::check(&real).await }),
+            Request::CheckRobot { real, robot } => {
+                let robots = self.state().robots.clone();
+                self.later(ask, async move { real::check(&robots, &real, robot.as_ref()).await });
+            }
             Request::FindRobots => self.later(ask, real::find()),
             Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
@@ -205,6 +210,8 @@ impl Session {
         let work = move || match request {
             Request::AddRobot { robot, name, real } => robots.add(&robot, &name, real.map(|real| *real), is_host),
             Request::RenameRobot { robot, name } => robots.rename(&robot, &name),
+            Request::ReachRobot { robot, real } => robots.reach(&robot, *real),
+            Request::AcceptRobot { robot, found } => robots.accept(&robot, &found),
             Request::RemoveRobot { robot } if robots.is_real(&robot) => {
                 entry.may(Asked::RemoveRealRobot).and_then(|()| robots.remove(&robot))
             }

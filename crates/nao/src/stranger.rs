@@ -1,0 +1,56 @@
+//! Another body answers at the address. Nothing is asked of it but to make its eyes blink, so that people see which one it
+//! is; a Stop that somebody presses meanwhile is carried out like any other.
+
+use crate::front::Order;
+use crate::identity::{blink, read};
+use crate::shared::Shared;
+use crate::supervisor::{Ended, Orders, drain, ping};
+use qi::Session;
+use robot::{Control, Health, Stranger};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Duration;
+
+/// How often one that has just started is asked again who it is, in milliseconds.
+const ASK_MS: u64 = 500;
+
+/// Waits until it is gone; with the reason.
+pub(crate) async fn meet(
+    session: &Session,
+    shared: &Arc<Shared>,
+    orders: &mut Orders,
+    waiting: &AtomicUsize,
+    mut who: Box<Stranger>,
+) -> String {
+    tracing::warn!(expected = %who.expected.name, found = %who.found.name, "another robot answers");
+    drain(orders, waiting);
+    shared.state().health = Health::Stranger(who.clone());
+    let mut asking = tokio::time::interval(Duration::from_millis(ASK_MS));
+    let _pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
+    let mut _blinking = None;
+    loop {
+        tokio::select! {
+            biased;
+            () = shared.ending.notified() => return "it is not used any more".to_owned(),
+            ending = session.link().ended() => return format!("the connection ended: {ending}"),
+            // A robot that starts has its services one by one.
+            _ = asking.tick(), if who.found.name.is_empty() || who.found.body.is_empty() => {
+                if let Ok(found) = read(session, false).await {
+                    who.found = found.or(&who.found);
+                    shared.state().health = Health::Stranger(who.clone());
+                }
+            }
+            order = orders.recv() => match order {
+                None => return "it is not used any more".to_owned(),
+                Some(Order::Do(..)) => {
+                    waiting.fetch_sub(1, Ordering::SeqCst);
+                }
+                Some(Order::Control(Control::Blink)) => {
+                    // A sign that is asked for anew begins anew.
+                    _blinking = Some(Ended(tokio::spawn(blink(session.clone(), None))));
+                }
+                Some(Order::Open(..) | Order::Close(_) | Order::Control(_)) => {}
+            },
+        }
+    }
+}
