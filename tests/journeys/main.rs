@@ -34,5 +34,6 @@ mod templates;
 mod together;
 mod translated;
 mod truth;
+mod two_people;
 mod visitor;
 mod walkthrough;
