@@ -14,6 +14,7 @@ mod marbles;
 mod names;
 mod operation;
 mod other;
+mod pasted;
 mod people;
 mod programs;
 mod real_robot;
@@ -94,6 +95,7 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::Helper(None)
         | Dialog::AddProgram
         | Dialog::RemoveProgram
+        | Dialog::OpenPasted(_)
         | Dialog::RenameProgram => Role::Editor,
         Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot => Role::Operator,
         Dialog::Invite | Dialog::AddRealRobot => Role::Host,
@@ -130,6 +132,7 @@ pub(crate) fn dialog(dialog: Dialog) -> AnyView {
         Dialog::AddProgram => view! { <names::AddProgram /> }.into_any(),
         Dialog::RemoveProgram => view! { <names::RemoveProgram /> }.into_any(),
         Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),
+        Dialog::OpenPasted(pasted) => view! { <pasted::OpenPasted pasted /> }.into_any(),
         Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
         Dialog::AddRealRobot => view! { <real_robot::AddReal /> }.into_any(),
         Dialog::RenameRobot => view! { <names::RenameRobot /> }.into_any(),
