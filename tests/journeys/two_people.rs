@@ -14,6 +14,8 @@ use crate::visitor::{Opened, Visitor, id};
 /// What Aiko types, where a text is typed and where a number is.
 const WORDS: &str = "Aiko wrote this";
 const NUMBER: &str = "0.35";
+/// How long a change may take until the server has it.
+const PATIENCE: std::time::Duration = std::time::Duration::from_secs(30);
 
 /// A place where one types: what it changes, how one comes to it, how what is typed is saved, and what it is about.
 struct Where {
@@ -197,7 +199,7 @@ fn program() -> Outcome<Behaviour> {
         "stream/head": stream("actuator", "Tracker", Some("Tracker"), 3),
         "stream/alone": stream("ordinary", "Alone", None, 4),
         "stream/say": stream("actuator", "Say it", Some("SayParameter"), 5),
-        "connector/far": connector(json!({ "map": { "body": { "helper": "ball_to_distance" } } }), "ball", "distance", 6),
+        "connector/far": connector(json!({ "map": { "helper": "ball_to_distance" } }), "ball", "distance", 6),
         "connector/near": connector(test, "distance", "close", 7),
         "connector/follow": connector(json!("subscribe"), "close", "head", 8),
         "place/ball": place(0.0, 0.0),
@@ -321,7 +323,8 @@ impl Two<'_> {
     /// Waits until the server has what Aiko typed.
     async fn until_kept(&mut self, place: &Where, what: &str) -> Outcome<()> {
         let key = place.key()?;
-        for _ in 0..100 {
+        let began = std::time::Instant::now();
+        while began.elapsed() < PATIENCE {
             saved(self.aiko).await?;
             let now = self.now().await?.records;
             if now.records.get(&key).is_some_and(|record| format!("{record:?}").contains(place.typed)) {
@@ -539,7 +542,7 @@ async fn a_helper_that_a_colleague_edits_too_is_never_overwritten() -> Outcome<(
             agreed(two.propose(library.clone(), change).await?, "a helper")?;
         }
         aiko.press("button", "Edit helper").await?;
-        aiko.press("menuitem", "Ours*").await?;
+        aiko.press("menuitem", "ours*").await?;
         let shown = if event == Event::TakesBack { "value * 3" } else { "value * 2" };
         aiko.until(&format!("document.querySelector('.dialog textarea').value === '{shown}'"), "it is shown").await?;
         dialog().fill("textbox", "Procedure", "value * 100").await?;
@@ -562,7 +565,7 @@ async fn a_helper_that_a_colleague_edits_too_is_never_overwritten() -> Outcome<(
         aiko.gone("dialog", "Edit helper").await?;
         // Whatever it is called now, what Aiko typed is what it does.
         aiko.press("button", "Edit helper").await?;
-        aiko.press("menuitem", "Ours*").await?;
+        aiko.press("menuitem", "ours*").await?;
         aiko.until("document.querySelector('.dialog textarea').value === 'value * 100'", "it is saved").await?;
         dialog().press("button", "Remove").await?;
         aiko.gone("dialog", "Edit helper").await?;
