@@ -22,7 +22,7 @@ pub(crate) use document::{
     wording,
 };
 pub(crate) use inviting::Invited;
-pub(crate) use library::{NotBrought, ProgramPage, Settle, file_address, first_file};
+pub(crate) use library::{NotBrought, Pasted, ProgramPage, Settle, file_address, first_file};
 pub(crate) use robots::Unused;
 pub(crate) use tab::{Choice, Dialog, LinkEnd, LinkState, settled};
 

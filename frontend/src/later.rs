@@ -130,6 +130,15 @@ fn rest() -> Result<Rest, NotLoaded> {
     })
 }
 
+/// Does something once the second piece is here, a moment later if it is; works everywhere. Nothing if it cannot be fetched.
+pub(crate) fn once_here(act: impl FnOnce() + 'static) {
+    leptos::task::spawn_local(async move {
+        if rest().await.is_ok() {
+            act();
+        }
+    });
+}
+
 /// How fetching the second piece goes.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Fetching {

@@ -207,8 +207,8 @@ async fn a_number_that_somebody_types_is_theirs_until_they_leave_it() -> Outcome
     aiko.press("button", "Change: 0.5 m").await?;
     aiko.until("document.activeElement.closest('.inline.open')", "the number is a field").await?;
     aiko.type_text("0.9").await?;
-    ben.find("button", "0.5 m, *").await?;
-    ben.press("button", "0.5 m, *").await?;
+    let at = ben.boxed("button", "0.5 m, *").await?.centre();
+    ben.press_at(at).await?;
     ben.until("!document.querySelector('.inline.open')", "Ben cannot type there").await?;
     aiko.key("Enter").await?;
     reads(&ben, 0, "When the red ball is at least 0.9 m away, the head follows it.").await?;

@@ -35,5 +35,6 @@ mod templates;
 mod together;
 mod translated;
 mod truth;
+mod two_people;
 mod visitor;
 mod walkthrough;

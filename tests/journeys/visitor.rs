@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use behaviour::{Behaviour, Change, Id};
+use behaviour::{Behaviour, Change, Id, RecordId};
 use futures_util::{SinkExt, StreamExt};
 use house::{Outcome, Server, Trouble};
-use protocol::{Ask, ListQuery, Message, Reply, Request, RunPhase, RunState};
+use protocol::{Ask, ListQuery, LockShown, Message, Reply, Request, RunPhase, RunState};
 use robot::Scene;
 use tokio::net::TcpStream;
 use tokio_tungstenite::tungstenite::Message as Frame;
@@ -18,6 +18,8 @@ const PATIENCE: Duration = Duration::from_secs(30);
 pub(crate) struct Visitor {
     socket: WebSocketStream<MaybeTlsStream<TcpStream>>,
     asked: u32,
+    /// Who is editing what, as it was heard last.
+    locks: Vec<LockShown>,
 }
 
 /// A behaviour as the server has it.
@@ -39,12 +41,17 @@ impl Opened {
 impl Visitor {
     /// Comes in and greets.
     pub(crate) async fn enter(server: &Server) -> Outcome<Self> {
+        Self::enter_as(server, "Visitor").await
+    }
+
+    /// Comes in by this name.
+    pub(crate) async fn enter_as(server: &Server, name: &str) -> Outcome<Self> {
         let address = server.url();
         let asked = shell::handshake(&address).await.map_err(|error| Trouble(format!("{address}: {error}")))?;
         let connected = tokio_tungstenite::connect_async(asked).await;
         let (socket, _) = connected.map_err(|error| Trouble(format!("{address}: {error}")))?;
-        let mut visitor = Self { socket, asked: 0 };
-        let hello = Request::Hello { version: protocol::VERSION, name: "Visitor".to_owned(), again: None };
+        let mut visitor = Self { socket, asked: 0, locks: Vec::new() };
+        let hello = Request::Hello { version: protocol::VERSION, name: name.to_owned(), again: None };
         match visitor.ask(hello).await? {
             Reply::Welcome { .. } => Ok(visitor),
             other => Err(Trouble(format!("The greeting was answered with {other:?}."))),
@@ -88,6 +95,30 @@ impl Visitor {
         }
     }
 
+    /// Waits until it is heard that this person is editing a record.
+    pub(crate) async fn edited(&mut self, record: &RecordId, name: &str) -> Outcome<()> {
+        self.held(record, Some(name), &format!("{name} is editing {record}")).await
+    }
+
+    /// Waits until it is heard that nobody is editing a record.
+    pub(crate) async fn freed(&mut self, record: &RecordId) -> Outcome<()> {
+        self.held(record, None, &format!("nobody is editing {record}")).await
+    }
+
+    async fn held(&mut self, record: &RecordId, name: Option<&str>, what: &str) -> Outcome<()> {
+        let by = |locks: &[LockShown]| {
+            locks.iter().find(|lock| lock.records.contains(record)).map(|lock| lock.name.as_str()) == name
+        };
+        if by(&self.locks) {
+            return Ok(());
+        }
+        let look = |message: Message| {
+            let Reply::Locks { locks, .. } = message.reply else { return None };
+            by(&locks).then_some(())
+        };
+        self.hear(look, what).await
+    }
+
     /// Waits until so many programs run.
     pub(crate) async fn runs(&mut self, what: &str, wanted: usize) -> Outcome<()> {
         let look = |message: Message| {
@@ -127,7 +158,11 @@ impl Visitor {
         while let Some(left) = PATIENCE.checked_sub(began.elapsed()) {
             match tokio::time::timeout(left, self.socket.next()).await {
                 Ok(Some(Ok(Frame::Text(text)))) => {
-                    if let Some(found) = look(serde_json::from_str(&text)?) {
+                    let message: Message = serde_json::from_str(&text)?;
+                    if let Reply::Locks { locks, .. } = &message.reply {
+                        self.locks.clone_from(locks);
+                    }
+                    if let Some(found) = look(message) {
                         return Ok(found);
                     }
                 }

@@ -4,7 +4,7 @@
 //! store, comes back with an undo, and ends when a person gives the stream another name.
 
 use crate::names::tokens::{Kind, tokens};
-use crate::{Behaviour, Change, Connector, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers};
+use crate::{Behaviour, Change, Connector, Id, Kind as RecordKind, Procedure, Record, RecordId, rename_identifiers};
 
 /// What the stream of such a test is called, in English and in Japanese.
 pub const OTHERWISE: [&str; 2] = ["Otherwise", "それ以外"];
@@ -49,21 +49,26 @@ fn is_one_whole(body: &str) -> bool {
     })
 }
 
-/// The test that an otherwise is the other side of: the only other one of the same stream.
-pub(crate) fn test_of<'b>(behaviour: &'b Behaviour, otherwise: &Connector) -> Option<&'b Connector> {
+/// The test that an otherwise is the other side of, with its id: the only other one of the same stream, or the only one of
+/// them whose other side it is.
+pub(crate) fn test_of<'b>(behaviour: &'b Behaviour, otherwise: &Connector) -> Option<(&'b Id, &'b Connector)> {
     let is_so_called = |one: &Connector| behaviour.stream(&one.output).is_some_and(|stream| is_otherwise(&stream.name));
     let spec = otherwise.operation.spec();
     if !spec.is_test() || !is_so_called(otherwise) {
         return None;
     }
-    let is_beside = |one: &&Connector| {
+    let is_beside = |(_, one): &(&Id, &Connector)| {
         one.operation.spec() == spec
             && one.inputs == otherwise.inputs
             && one.output != otherwise.output
             && !is_so_called(one)
     };
-    let mut tests = behaviour.connectors().map(|(_, connector)| connector).filter(is_beside);
-    tests.next().filter(|_| tests.next().is_none())
+    let tests: Vec<_> = behaviour.connectors().filter(is_beside).collect();
+    let mut follows = tests.iter().filter(|(_, test)| is_other_side(behaviour, test, otherwise));
+    match &tests[..] {
+        [only] => Some(*only),
+        _ => follows.next().filter(|_| follows.next().is_none()).copied(),
+    }
 }
 
 /// What an otherwise asks as the other side of a test; none where that is not written yet.
@@ -106,7 +111,7 @@ fn plain(body: &str) -> String {
 /// Whether this connector, as it is now or is to be, follows a test.
 #[must_use]
 pub fn follows_test(behaviour: &Behaviour, otherwise: &Connector) -> bool {
-    test_of(behaviour, otherwise).is_some_and(|test| is_other_side(behaviour, test, otherwise))
+    test_of(behaviour, otherwise).is_some_and(|(_, test)| is_other_side(behaviour, test, otherwise))
 }
 
 /// The change in which each otherwise of a test that it edits follows that test, so that one undo takes both back. One that
@@ -127,9 +132,12 @@ pub fn with_otherwise(behaviour: &Behaviour, change: Change) -> Change {
         if is_edited(&id) || !follows_test(behaviour, otherwise) {
             continue;
         }
-        let Some(test) = test_of(&after, otherwise).filter(|test| !is_other_side(&after, test, otherwise)) else {
-            continue;
-        };
+        // Another test that came beside it meanwhile makes no difference.
+        let Some((test, _)) = test_of(behaviour, otherwise) else { continue };
+        let is_beside =
+            |test: &&Connector| test.operation.spec() == otherwise.operation.spec() && test.inputs == otherwise.inputs;
+        let test = after.connector(test).filter(is_beside);
+        let Some(test) = test.filter(|test| !is_other_side(&after, test, otherwise)) else { continue };
         let mut follows = otherwise.clone();
         if let (Some(body), Some(procedure)) = (other_side(&after, test, otherwise), follows.operation.procedure_mut())
         {
@@ -224,10 +232,25 @@ mod tests {
         own.apply(&edited(&before, "other", "far", "distance >= 60"));
         assert!(!follows_test(&own, own.connector(&id("other")).unwrap()));
         assert_eq!(edited(&own, "test", "near", "distance < 45").edits.len(), 1, "none any more");
-        let mut third = before.clone();
-        third.records.insert(key(Kind::Stream, "mid"), stream("Mid"));
-        third.records.insert(key(Kind::Connector, "third"), filter("mid", "distance < 20"));
-        assert_eq!(edited(&third, "test", "near", "distance < 45").edits.len(), 1, "of which of two nobody knows");
+        let twice = third(&before, "distance < 40");
+        assert_eq!(edited(&twice, "test", "near", "distance < 45").edits.len(), 1, "of which of two nobody knows");
+    }
+
+    fn third(behaviour: &Behaviour, body: &str) -> Behaviour {
+        let mut three = behaviour.clone();
+        three.records.insert(key(Kind::Stream, "mid"), stream("Mid"));
+        three.records.insert(key(Kind::Connector, "third"), filter("mid", body));
+        three
+    }
+
+    #[test]
+    fn of_several_tests_it_follows_the_one_whose_other_side_it_is() {
+        let mut three = third(&twins("Otherwise"), "distance < 20");
+        assert_eq!(edited(&three, "third", "mid", "distance < 15").edits.len(), 1, "not its test");
+        three.apply(&edited(&three, "test", "near", "distance < 45"));
+        assert_eq!(body(&three, "other"), "distance >= 45");
+        three.apply(&edited(&three, "test", "near", "distance < 60"));
+        assert_eq!(body(&three, "other"), "distance >= 60");
     }
 
     #[test]

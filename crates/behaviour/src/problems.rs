@@ -286,7 +286,7 @@ fn slip(around: &Around, connector: &Connector) -> Option<ProblemKind> {
             return Some(ProblemKind::NoAnswer { gives });
         }
     }
-    if let Some(test) = otherwise::test_of(around.behaviour, connector)
+    if let Some((_, test)) = otherwise::test_of(around.behaviour, connector)
         && !otherwise::is_other_side(around.behaviour, test, connector)
     {
         let (name, test) = (around.name(&connector.output), around.name(&test.output));

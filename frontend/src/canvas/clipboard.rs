@@ -2,7 +2,7 @@
 
 use super::Stage;
 use crate::browser;
-use crate::desk::{Desk, Part, Put, Selected};
+use crate::desk::{Desk, Dialog, Part, Pasted, Put, Selected};
 use crate::keys::Pressed;
 use crate::words;
 use behaviour::{Helper, Place};
@@ -73,10 +73,15 @@ pub(super) fn duplicate(desk: &Desk, stage: Option<&Stage>) {
     }
 }
 
-/// What was pasted, if it is a part of a program: under the pointer, and beside what was copied where there is no canvas;
-/// whether it was.
+/// What was pasted, if it is a part of a program: under the pointer, and beside what was copied where there is no canvas; a
+/// whole program is offered to be opened. Whether it was one of them.
 pub(crate) fn paste(desk: &Desk, stage: Option<&Stage>, text: &str) -> bool {
-    let Some(part) = Part::read(text) else { return false };
+    let Some(part) = Part::read(text) else {
+        let whole = Pasted::read(text);
+        let is_whole = whole.is_some();
+        whole.into_iter().for_each(|whole| desk.dialog.set(Some(Dialog::OpenPasted(whole))));
+        return is_whole;
+    };
     let at = stage.map_or(Put::Beside, |stage| Put::At(stage.paste_place()));
     put(desk, stage, part, at);
     true

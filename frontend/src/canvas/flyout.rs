@@ -8,7 +8,7 @@ use super::view::Bounds;
 use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
-use crate::later::Later;
+use crate::later::{Later, once_here};
 use crate::layout::{CHIP_HEIGHT, chip_width, chip_words};
 use crate::panels::ProblemList;
 use behaviour::Id;
@@ -31,7 +31,8 @@ const FIELDS: [&str; 3] = [".flyout .stepper input", ".flyout select:enabled", "
 /// Gives the keyboard to the control of the selected connector once it is there; what has nothing to be changed in place
 /// opens its dialog.
 pub(super) fn enter(desk: &Desk, id: &Id) {
-    enter_soon(desk.clone(), Selected::Connector(id.clone()), LOOKS_MAX);
+    let (desk, what) = (desk.clone(), Selected::Connector(id.clone()));
+    once_here(move || enter_soon(desk, what, LOOKS_MAX));
 }
 
 fn enter_soon(desk: Desk, what: Selected, looks: u32) {

@@ -354,5 +354,5 @@ pub(super) fn under(x: f32, y: f32) -> (Option<Id>, bool) {
 
 /// Gives the keyboard to the offer, once it is there.
 pub(super) fn focus_soon(selector: &str) {
-    focus::soon(30, selector, focus::focus);
+    focus::soon_of_second_piece(30, selector, focus::focus);
 }

@@ -5,11 +5,13 @@ mod files;
 mod helpers;
 mod lists;
 mod making;
+mod pasted;
 mod pictures;
 mod settings;
 
 pub(crate) use files::{NotBrought, file_address, first_file};
 pub(crate) use lists::ProgramPage;
+pub(crate) use pasted::Pasted;
 pub(crate) use settings::Settle;
 
 use super::document::Document;

@@ -1,6 +1,6 @@
 //! What belongs to this tab alone: how the link is, who sits here, the open dialog and the last sentence.
 
-use super::{Carried, Gap, Spot};
+use super::{Carried, Gap, Pasted, Spot};
 use crate::link::{self, NoAnswer};
 use crate::words;
 use behaviour::connectors::Spec;
@@ -72,6 +72,8 @@ pub(crate) enum Dialog {
     RemoveProgram,
     /// Rename the open program.
     RenameProgram,
+    /// Opening a whole program that was pasted, as a text.
+    OpenPasted(Pasted),
     /// Sending a value to a sensor stream by hand.
     Stimulate(Id),
     /// A change of one's own, by its name, beside what somebody else saved.

@@ -15,6 +15,7 @@ mod marbles;
 mod names;
 mod operation;
 mod other;
+mod pasted;
 mod people;
 mod programs;
 mod real_robot;
@@ -95,6 +96,7 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::Helper(None)
         | Dialog::AddProgram
         | Dialog::RemoveProgram
+        | Dialog::OpenPasted(_)
         | Dialog::RenameProgram => Role::Editor,
         Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot => Role::Operator,
         Dialog::Invite | Dialog::AddRealRobot | Dialog::ChangeAddress => Role::Host,
@@ -131,6 +133,7 @@ pub(crate) fn dialog(dialog: Dialog) -> AnyView {
         Dialog::AddProgram => view! { <names::AddProgram /> }.into_any(),
         Dialog::RemoveProgram => view! { <names::RemoveProgram /> }.into_any(),
         Dialog::RenameProgram => view! { <names::RenameProgram /> }.into_any(),
+        Dialog::OpenPasted(pasted) => view! { <pasted::OpenPasted pasted /> }.into_any(),
         Dialog::AddRobot => view! { <names::AddRobot /> }.into_any(),
         Dialog::AddRealRobot => view! { <real_robot::AddReal /> }.into_any(),
         Dialog::ChangeAddress => view! { <address::ChangeAddress /> }.into_any(),

@@ -2,6 +2,7 @@
 
 use crate::desk::{Desk, Selected};
 use crate::keys::Pressed;
+use crate::later::once_here;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
 use web_sys::{Document, Element, HtmlElement, HtmlInputElement, KeyboardEvent};
@@ -46,7 +47,16 @@ impl Before {
 
 /// Does something with what a selector finds, `ms` milliseconds later, unless somebody went elsewhere until then.
 pub(crate) fn soon(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
-    let (before, selector) = (Before::now(), selector.to_owned());
+    look_after(ms, (Before::now(), selector.to_owned()), act);
+}
+
+/// As `soon`, for what is of the second piece of the page, however long that takes.
+pub(crate) fn soon_of_second_piece(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'static) {
+    let looked_for = (Before::now(), selector.to_owned());
+    once_here(move || look_after(ms, looked_for, act));
+}
+
+fn look_after(ms: i32, (before, selector): (Before, String), act: impl FnOnce(&HtmlElement) + 'static) {
     crate::browser::after(ms, move || {
         let found = document().and_then(|document| document.query_selector(&selector).ok().flatten());
         if let Some(found) = found.filter(|_| !before.is_over()).and_then(|found| found.dyn_into().ok()) {
@@ -60,7 +70,7 @@ pub(crate) fn soon(ms: i32, selector: &str, act: impl FnOnce(&HtmlElement) + 'st
 pub(crate) fn press_of(desk: &Desk, what: &Selected, selector: &str) {
     desk.document.selected.set(Some(what.clone()));
     let (desk, what) = (desk.clone(), what.clone());
-    soon(SHOWN_MS, selector, move |button| {
+    soon_of_second_piece(SHOWN_MS, selector, move |button| {
         if desk.document.selected.with_untracked(|now| now.as_ref() == Some(&what)) {
             button.click();
         }

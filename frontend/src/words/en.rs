@@ -48,6 +48,9 @@ sentences! {
     minimap: "The whole graph in small; arrow keys move what is seen";
     make_copy: "Make a copy";
     paste: "Paste";
+    open_pasted: "Open what you pasted?";
+    pasted_is_whole: "It is a whole program. It opens as a new one; the one that you see now stays as it is.";
+    open_as_new: "Open it";
     print: "Print the program";
     remove_this_robot: "Remove the robot";
     no_sentences: "There are no sentences yet: lead a sense to an action first.";
@@ -885,6 +888,15 @@ pub(crate) fn through(helper: &str) -> String {
 
 pub(crate) fn and_more(count: u64) -> String {
     say!("and {count} more", count)
+}
+
+/// A pasted text became a program; helpers that differ from those of the same name here have another name now.
+pub(crate) fn pasted_opened(name: &str, renamed: &[(String, String)]) -> String {
+    let helpers: Vec<_> = renamed.iter().map(|(old, new)| say!("{old} is {new} here", old, new)).collect();
+    match helpers.len() {
+        0 => say!("“{name}” was opened from what you pasted.", name),
+        _ => say!("“{name}” was opened. Helpers of other content: {join}.", name, join = listed(&helpers)),
+    }
 }
 
 /// A file became a program; helpers that differ from those of the same name here have another name now.

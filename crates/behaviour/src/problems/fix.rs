@@ -213,7 +213,7 @@ impl<'a> Fixer<'a, '_> {
     /// The other side of the test again.
     fn following(&mut self) -> Option<Fix> {
         let connector = self.connector()?;
-        let test = otherwise::test_of(self.around.behaviour, connector)?;
+        let (_, test) = otherwise::test_of(self.around.behaviour, connector)?;
         let body = otherwise::other_side(self.around.behaviour, test, connector)?;
         let args = match connector.operation.procedure()? {
             Procedure::Body { args, .. } => args.clone(),

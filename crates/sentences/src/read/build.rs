@@ -47,6 +47,8 @@ pub(super) struct Builder<'a> {
     pub(super) acts: Vec<Act>,
     /// Words that mean nothing: an “otherwise” after no test.
     pub(super) unmeant: Vec<Span>,
+    /// The nodes that “otherwise” made: each follows its test, as one made by a button does.
+    pub(super) otherwise: Vec<usize>,
     behaviour: Option<&'a Behaviour>,
     /// The connectors of the sentence before, in order.
     before: Vec<usize>,
@@ -56,7 +58,15 @@ pub(super) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     pub(super) fn new(behaviour: Option<&'a Behaviour>) -> Self {
-        Self { nodes: Vec::new(), acts: Vec::new(), unmeant: Vec::new(), behaviour, before: Vec::new(), sense: None }
+        Self {
+            nodes: Vec::new(),
+            acts: Vec::new(),
+            unmeant: Vec::new(),
+            otherwise: Vec::new(),
+            behaviour,
+            before: Vec::new(),
+            sense: None,
+        }
     }
 
     pub(super) fn sentence(&mut self, told: &Told) {
@@ -141,7 +151,12 @@ impl<'a> Builder<'a> {
             }
             _ => does.clone(),
         });
-        self.made(opposite, inputs, span, chain)
+        let new = self.nodes.len();
+        let at = self.made(opposite, inputs, span, chain);
+        if at == new {
+            self.otherwise.push(at);
+        }
+        at
     }
 
     fn sense(&mut self, name: &'static str, fixed: &[(&str, &str)], said: &Said) -> usize {

@@ -9,7 +9,7 @@ use crate::pattern::{Filling, filled, grammar};
 use crate::sentence::{Literal, Piece};
 use crate::test::{Asks, Comparison, Test};
 use crate::words::{device_label, words};
-use behaviour::{Behaviour, Id, argument_names, as_looks, numbered};
+use behaviour::{Behaviour, Id, OTHERWISE, argument_names, as_looks, numbered};
 use std::collections::BTreeSet;
 
 /// The longest name that a name is made of, in characters.
@@ -41,8 +41,10 @@ impl<'a> Names<'a> {
             }
         }
         let mut names: Vec<String> = Vec::new();
-        for (node, wanted) in builder.nodes.iter().zip(wanted) {
+        for (at, (node, wanted)) in builder.nodes.iter().zip(wanted).enumerate() {
             let name = match &node.source {
+                // By its name it is known as the other side of its test.
+                Source::Made(..) if builder.otherwise.contains(&at) => self.otherwise().to_owned(),
                 Source::Existing(id) => {
                     names.push(self.existing(id));
                     continue;
@@ -58,6 +60,14 @@ impl<'a> Names<'a> {
             names.push(self.free(&name));
         }
         names
+    }
+
+    fn otherwise(&self) -> &'static str {
+        let [english, japanese] = OTHERWISE;
+        match self.language {
+            Language::English => english,
+            Language::Japanese => japanese,
+        }
     }
 
     fn existing(&self, id: &Id) -> String {

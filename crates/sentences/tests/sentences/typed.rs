@@ -96,9 +96,29 @@ fn names_say_what_streams_are() {
     let en = Language::English;
     assert_eq!(names("When the head is touched, the eyes turn green.", en), "Head touch, Touched, Green eyes");
     let far = "When the red ball is nearer than 40 cm, the head follows it. Otherwise the eyes turn red.";
-    assert_eq!(names(far, en), "Red ball, Distance, Close ball, Far ball, Tracker, Red eyes");
+    assert_eq!(names(far, en), "Red ball, Distance, Close ball, Otherwise, Tracker, Red eyes");
     let near = "赤いボールが 40 cm より近いとき、頭で追いかけます。";
     assert_eq!(names(near, Language::Japanese), "赤いボール, 距離, 近いボール, トラッカー");
+}
+
+#[test]
+fn a_typed_otherwise_follows_its_test_like_one_made_by_a_button() {
+    let (en, ja) = (Language::English, Language::Japanese);
+    let cases = [
+        (en, "When the red ball is nearer than 40 cm, the head follows it. Otherwise the eyes turn red.", "Otherwise"),
+        (en, "When the head is touched, the robot waves. If not, the robot sits down.", "Otherwise"),
+        (en, "When “hello” is heard, the robot waves. Otherwise the robot nods.", "Otherwise"),
+        (ja, "赤いボールが 40 cm より近いとき、頭で追いかけます。それ以外のとき、目が赤く光ります。", "それ以外"),
+    ];
+    for (language, text, name) in cases {
+        let read = reading(text, language, &[]);
+        let behaviour = draft_behaviour(&read.draft);
+        let named = behaviour
+            .connectors()
+            .filter(|(_, connector)| behaviour.stream(&connector.output).is_some_and(|stream| stream.name == name));
+        let follows: Vec<_> = named.map(|(_, connector)| behaviour::follows_test(&behaviour, connector)).collect();
+        assert_eq!(follows, [true], "{text}: {behaviour:?}");
+    }
 }
 
 #[test]

@@ -46,7 +46,7 @@ impl Document {
     }
 
     /// What was saved since some time before a revision, as far as it can be found out.
-    fn look_back(&self, behaviour: Id, revision: u64, then: impl FnOnce(Vec<Accepted>) + 'static) {
+    pub(super) fn look_back(&self, behaviour: Id, revision: u64, then: impl FnOnce(Vec<Accepted>) + 'static) {
         let from = revision.saturating_sub(LOOK_BACK);
         read_log(behaviour, from, Vec::new(), PAGES_MAX, Box::new(then));
     }

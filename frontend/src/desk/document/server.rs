@@ -21,6 +21,7 @@ impl Document {
     ) -> bool {
         let is_wanted = self.is_wanted(id);
         if is_wanted {
+            let known = self.revision.get_untracked();
             self.show_whole(records);
             self.revision.set(revision);
             set_if_new(&self.problems, problems);
@@ -29,6 +30,7 @@ impl Document {
             self.begin_history(revision);
             self.compare_again();
             self.lock_again();
+            self.told_what_was_missed(id, known);
             self.present_anew();
         }
         is_wanted

@@ -81,6 +81,26 @@ impl Document {
     }
 }
 
+impl Document {
+    /// The program is here again after the link broke, and was at this revision before: who changed meanwhile what is typed
+    /// into here is named, as if it had been heard.
+    pub(super) fn told_what_was_missed(&self, of: &Id, known: u64) {
+        let record =
+            self.edited(|now| (now.behaviour == *of).then(|| (now.record.clone(), now.seen.clone()))).flatten();
+        let Some((record, seen)) = record else { return };
+        if self.with_confirmed(|whole| whole.records.get(&record).cloned()) == seen {
+            return;
+        }
+        let (document, of) = (self.clone(), of.clone());
+        self.look_back(of.clone(), known, move |log| {
+            let touches = |accepted: &&Accepted| accepted.change.edits.iter().any(|edit| edit.id == record);
+            if let Some(last) = log.iter().rev().find(touches) {
+                document.told_while_typing(&of, last);
+            }
+        });
+    }
+}
+
 impl EditSession {
     fn begun(&self) -> Option<Begun> {
         self.begun.lock().unwrap_or_else(PoisonError::into_inner).clone()

@@ -11,16 +11,16 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::JsFuture;
 
 /// The largest file that the server takes, in bytes.
-const FILE_MAX_BYTES: f64 = (behaviour::BEHAVIOUR_MAX_BYTES + behaviour::LIBRARY_MAX_BYTES) as f64;
+pub(super) const FILE_MAX_BYTES: f64 = (behaviour::BEHAVIOUR_MAX_BYTES + behaviour::LIBRARY_MAX_BYTES) as f64;
 
 /// What the server says of a file that it took.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-struct Brought {
-    id: Id,
-    name: String,
+pub(super) struct Brought {
+    pub(super) id: Id,
+    pub(super) name: String,
     /// Helpers that were there already in another form: as they were called, as they are called here.
-    renamed_helpers: Vec<(String, String)>,
+    pub(super) renamed_helpers: Vec<(String, String)>,
 }
 
 #[derive(Deserialize)]
@@ -133,7 +133,7 @@ fn carries_file(event: &JsValue) -> bool {
 }
 
 /// Sends the file to the server.
-async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrought> {
+pub(super) async fn bring(file: &JsValue, by: &str) -> Result<Brought, NotBrought> {
     let size = Reflect::get(file, &"size".into()).ok().and_then(|size| size.as_f64()).unwrap_or(0.0);
     if size > FILE_MAX_BYTES {
         return Err(NotBrought::TooLarge);

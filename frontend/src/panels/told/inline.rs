@@ -119,9 +119,6 @@ fn NumberField(opened: Opened, typed: RwSignal<Option<String>>) -> impl IntoView
             session.end();
             return desk.desk().say(&asks, true);
         }
-        if let Some(asks) = words::two_ways(&text) {
-            return desk.desk().say(&asks, true);
-        }
         match parsed(&text).map(|value| value.clamp(number.min, number.max)) {
             Some(value) if value != number.value && session.is_here() => {
                 put(&desk.desk(), &number.at, session.seen(), New::Number(value * number.scale));
