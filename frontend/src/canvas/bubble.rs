@@ -112,11 +112,29 @@ fn shown(desk: &Desk, newest: Option<Problem>) -> Option<Problem> {
     own.or_else(|| newest.filter(|newest| selected.is_none_or(|selected| *selected.id() != newest.at.id)))
 }
 
+/// The name of the stream that a problem is about too.
+fn rival(problem: &Problem) -> Option<String> {
+    match &problem.kind {
+        ProblemKind::FightingActions { with, .. } => Some(with.clone()),
+        ProblemKind::StaleCombine { old, .. } => Some(old.clone()),
+        _ => None,
+    }
+}
+
+/// Where the stream of that name is.
+fn rival_bounds(desk: &Desk, stage: &Stage, name: &str) -> Option<Bounds> {
+    let is_it = |id: &Id| {
+        desk.document.stream(id).is_some_and(|stream| stream.record.with_untracked(|stream| stream.name == name))
+    };
+    stage.shapes.with(|shapes| shapes.iter().find(|(id, _)| is_it(id)).map(|(_, bounds)| *bounds))
+}
+
 /// The left top corner, near what it is about, where it covers least: what it is about and the tools never, if that can be.
 fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> ArcMemo<Option<(f64, f64)>> {
     let (desk, stage, shown) = (desk.clone(), stage.clone(), shown.clone());
     ArcMemo::new(move |_| {
-        let id = shown.with(|problem| Some(problem.as_ref()?.at.id.clone()))?;
+        let (id, with) =
+            shown.with(|problem| problem.as_ref().map(|problem| (problem.at.id.clone(), rival(problem))))?;
         let (view, size) = (stage.view.get(), stage.size.get());
         let own = stage.shapes.with(|shapes| shapes.iter().find(|(shape, _)| *shape == id).map(|(_, bounds)| *bounds));
         if let Some(chip) = desk.document.connector(&id) {
@@ -124,6 +142,7 @@ fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> Ar
             let _ = chip.record.with(|connector| chip_of(&desk, connector));
         }
         let own = own.or_else(|| stage.chip_bounds(&id))?;
+        let rival = with.and_then(|with| rival_bounds(&desk, &stage, &with));
         let corner = |x, y| view.to_stage(behaviour::Place { x, y });
         let ((left, top), (right, bottom)) = (corner(own.left, own.top), corner(own.right, own.bottom));
         let covered = |(x, y): (f64, f64)| {
@@ -138,7 +157,8 @@ fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> Ar
             let tools = x + SIZE.0 > size.0 - ZOOM_BOX.0 && y + SIZE.1 > size.1 - ZOOM_BOX.1;
             let bubble = Area { left: x, top: y, right: x + SIZE.0, bottom: y + SIZE.1 };
             let strip = stage.strip.with(|strip| strip.is_some_and(|strip| strip.shared(&bubble) > 0.0));
-            streams * 2 + chips * 2 + (usize::from(own) + usize::from(tools) + usize::from(strip)) * 20
+            let rival = rival.is_some_and(|rival| area.meets(rival));
+            streams * 2 + chips * 2 + [own, tools, strip, rival].map(usize::from).iter().sum::<usize>() * 20
         };
         let above = stage.above.get().unwrap_or_default();
         let inside = |(x, y): (f64, f64)| {
