@@ -1,7 +1,7 @@
 //! What floats over the stage in every state that it has: nothing covers anything, all of it can be read, nothing is cut.
 
 use crate::graphs;
-use crate::look::{DESKTOP, DRAWN, Window, picture, set};
+use crate::look::{DESKTOP, DRAWN, TABLET, Window, picture, set};
 use crate::rules::{self, list};
 use crate::screens::{Stage, fit, nothing, open_template, rests, selected, usable};
 use crate::targets::small;
@@ -141,9 +141,14 @@ async fn fight(stage: &Stage, words: &Words, found: &RefCell<Vec<String>>) -> Ou
             page.frames().await?;
         }
         if page.eval(told).await? == true {
-            let more = look(page, words, &format!("bubble of {name}"), &[BUBBLE]).await?;
-            found.borrow_mut().extend(more);
-            return Ok(());
+            // On a phone that is held sideways the stage has no room for it beside both.
+            for window in [DESKTOP, TABLET] {
+                set(page, &window).await?;
+                let more = measured(page, words, &format!("bubble of {name}"), &window, &[BUBBLE]).await?;
+                found.borrow_mut().extend(more);
+            }
+            set(page, &DESKTOP).await?;
+            return selected(page, words, "Ball").await;
         }
     }
     found.borrow_mut().push("two actions that want the head have no bubble".to_owned());

@@ -19,6 +19,8 @@ pub(super) fn corners(streams: usize, window_height: f64) -> Vec<(f64, f64)> {
 /// All of `bounds` as large as it may be with no part of it under one of the corners: to the left of them or above them.
 pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64), parts: &[Bounds], corners: &[(f64, f64)]) -> View {
     let whole = View::fitting(bounds, spare, size);
+    // Values may lie under them for once.
+    let streams = Bounds { right: bounds.right - spare, ..bounds };
     let is_clear =
         |view: &View| !parts.iter().any(|part| corners.iter().any(|corner| is_under(view, part, size, *corner)));
     if is_clear(&whole) {
@@ -29,7 +31,7 @@ pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64), parts: &[Bou
     let heights = corners.iter().map(|corner| (size.0, size.1 - View::above_margin(corner.1)));
     let both = corners.iter().map(|corner| (size.0 - corner.0, size.1 - View::above_margin(corners[0].1)));
     let free = heights.chain(both).chain([left_of]).filter(|free| free.0 > 1.0 && free.1 > 1.0);
-    let views = free.map(|free| View::fitting(bounds, spare, free)).filter(is_clear);
+    let views = free.map(|free| View::fitting(streams, 0.0, free)).filter(is_clear);
     views.reduce(|best, next| if next.zoom > best.zoom * 1.001 { next } else { best }).unwrap_or(whole)
 }
 
