@@ -11,6 +11,7 @@ mod cull;
 mod curve;
 mod differs;
 mod far;
+mod fit;
 mod flyout;
 mod fold;
 mod follow;
@@ -81,6 +82,8 @@ use zoom::Zoom;
 const FAR: f64 = 0.35;
 /// Below these zooms texts are larger: of the usual size they would be smaller than 9 pixels.
 const TEXT_SIZES: [(f64, &str); 3] = [(0.46, "largest"), (0.58, "larger"), (0.75, "large")];
+/// The least size of a text as it is read, in pixels.
+const TEXT_LEAST: f64 = 9.0;
 /// Below this zoom nothing could be read anyway: streams are plain shapes, and what stands on the lines is not drawn.
 const TINY: f64 = 0.12;
 
@@ -118,6 +121,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             class:wiring=move || wiring.with(Option::is_some)
             class:far=move || far.is_below(FAR)
             data-text=text_sizes(&stage)
+            style=("--read", read_size(&stage))
             class:tiny=move || tiny.is_tiny.get()
             data-paper=move || shape.paper.with(|paper| paper.as_ref().map(Paper::shape))
             id="stage"
@@ -209,6 +213,14 @@ fn text_sizes(stage: &Stage) -> impl Fn() -> Option<&'static str> + Send + Sync 
     let size = |zoom: f64| TEXT_SIZES.iter().find(|(below, _)| zoom < *below).map(|(_, size)| *size);
     let sizes = ArcMemo::new(move |_| view.with(|view| size(view.zoom)));
     move || sizes.get()
+}
+
+/// The size of a text that is read as one of 9 pixels, in steps of half a pixel, so that few things are measured again while
+/// somebody zooms. Reactive.
+fn read_size(stage: &Stage) -> impl Fn() -> String + Send + Sync + Clone + use<> {
+    let view = stage.view.clone();
+    let halves = ArcMemo::new(move |_| view.with(|view| (TEXT_LEAST / view.zoom.max(FAR) * 2.0).ceil()));
+    move || format!("{:.1}px", halves.get() / 2.0)
 }
 
 /// Whether there is so much that it is shown once more in small.

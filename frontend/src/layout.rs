@@ -9,7 +9,7 @@ mod was;
 
 pub(crate) use aside::{BOX, box_place, note_size};
 pub(crate) use changed::done;
-pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is};
+pub(crate) use label::{ChipWords, chip_words, text_width, what_it_is, with_units};
 pub(crate) use spot::{free_sensor_spot, free_spot, missing_places};
 pub(crate) use tidy::tidy;
 pub(crate) use was::{called, subject, what_it_was, whole};
@@ -52,8 +52,12 @@ pub(crate) fn chip_width(words: &ChipWords) -> f64 {
     let detail = &words.detail;
     let detail = if words.plain { text_width(detail, 12) } else { detail.chars().map(code_width).sum::<f64>() };
     let text = text_width(&words.word, 13) + detail;
-    even((text + 52.0).clamp(72.0, WIDTH_MAX))
+    let unit = if words.compares { UNIT_ROOM } else { 0.0 };
+    even((text + unit + 52.0).clamp(72.0, WIDTH_MAX))
 }
+
+/// Kept for the unit behind a number: it is known only later, and nothing moves then.
+const UNIT_ROOM: f64 = 22.0;
 
 /// How wide a letter of code is at 12 pixels.
 fn code_width(c: char) -> f64 {

@@ -40,9 +40,11 @@ const MEETING: &str = "(() => {
         .map(other => one.name + ' / ' + other.name)).join('\\n');
 })()";
 
-/// Streams and chips whose words are cut although they are short.
+/// Streams and chips whose words are cut although they are short. From so far away that texts are larger than their boxes were
+/// made for, what is cut has a title.
 const CUT: &str = "[...document.querySelectorAll('#stage .name, #stage .detail')]
     .filter(node => node.scrollWidth > node.clientWidth + 1 && node.parentElement.closest('[data-node], [data-chip]').offsetWidth < 258)
+    .filter(node => !document.querySelector('#stage[data-text]') || !node.closest('[title]'))
     .map(node => node.textContent).join()";
 
 /// What the page shows outside of the stage.

@@ -1,21 +1,10 @@
 //! What is needed is in view and covers nothing: the panel of what is selected, the bubble of a problem, placeholders, Find.
 
+use crate::floats::{FLOATS, PLACEHOLDERS};
 use crate::rules::list;
 use crate::screens::{Stage, nothing, open_template, rests, selected};
 use crate::words::Words;
 use house::{Outcome, Page, skip};
-
-/// Placeholders that are not read whole.
-const PLACEHOLDERS: &str = "(() => {
-    const pen = document.createElement('canvas').getContext('2d');
-    return [...document.querySelectorAll('input[placeholder]')].filter(field => field.getClientRects().length && !field.value).map(field => {
-        const style = getComputedStyle(field);
-        pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
-        const room = field.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
-        const wide = pen.measureText(field.placeholder).width;
-        return wide > room + 1 ? `“${field.placeholder}” is cut: ${wide.toFixed(0)} in ${room.toFixed(0)}` : '';
-    }).filter(Boolean);
-})()";
 
 /// How many pixels of the panel of what is selected are in view.
 const PANEL: &str = "(() => {
@@ -23,20 +12,6 @@ const PANEL: &str = "(() => {
     if (!panel) return 0;
     const [own, around] = [panel.getBoundingClientRect(), about.getBoundingClientRect()];
     return Math.min(own.bottom, around.bottom, innerHeight) - Math.max(own.top, around.top);
-})()";
-
-/// What floats over the stage and covers something else that floats, or what it is about.
-const FLOATS: &str = "(() => {
-    const pieces = [...document.querySelectorAll('.trouble, .strip, .flyout, .zoom, .minimap, .following, .name-card, .stream.selected, .told, #stop')]
-        .filter(piece => piece.getClientRects().length && !piece.hidden);
-    const found = [];
-    for (const one of pieces) for (const other of pieces) {
-        if (one === other || one.contains(other) || other.contains(one) || pieces.indexOf(one) > pieces.indexOf(other)) continue;
-        const [a, b] = [one.getBoundingClientRect(), other.getBoundingClientRect()];
-        const shared = Math.min(a.right, b.right) - Math.max(a.left, b.left), high = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top);
-        if (shared > 2 && high > 2) found.push(`.${one.className} covers .${other.className} by ${shared.toFixed(0)} x ${high.toFixed(0)}`);
-    }
-    return found;
 })()";
 
 #[tokio::test]

@@ -95,6 +95,25 @@ pub(crate) async fn make_parts(server: &Server, count: usize) -> Outcome<Id> {
     Ok(behaviour)
 }
 
+/// Makes a program of one ball, and answers with its id.
+pub(crate) async fn make_ball(server: &Server, name: &str) -> Outcome<Id> {
+    let mut line = Line::open(server).await?;
+    let behaviour = id("fight")?;
+    line.ask(Request::Create { behaviour: behaviour.clone(), name: name.to_owned(), template: None }).await?;
+    let ball = [("ball", StreamKind::Sensor, "Ball", "RedBall", Place { x: 0.0, y: 0.0 })];
+    line.add(&behaviour, &ball).await?;
+    Ok(behaviour)
+}
+
+/// Adds two trackers that want the head, told by the ball.
+pub(crate) async fn add_trackers(server: &Server, behaviour: &Id) -> Outcome<()> {
+    let trackers = [
+        ("one", StreamKind::Actuator, "Tracker one", "Tracker", Place { x: -160.0, y: 240.0 }),
+        ("two", StreamKind::Actuator, "Tracker two", "Tracker", Place { x: 160.0, y: 240.0 }),
+    ];
+    Line::open(server).await?.add(behaviour, &trackers).await
+}
+
 /// A sensor, and streams that each come from the one above.
 fn records(names: Names, count: usize) -> Outcome<Vec<(RecordId, Record)>> {
     let mut records = Vec::new();
@@ -139,6 +158,28 @@ impl Line {
         let hello = Request::Hello { version: protocol::VERSION, name: "Looks".to_owned(), again: None };
         line.ask(hello).await?;
         Ok(line)
+    }
+
+    /// Adds streams of devices; what acts is told by the ball.
+    async fn add(&mut self, behaviour: &Id, streams: &[(&str, StreamKind, &str, &str, Place)]) -> Outcome<()> {
+        self.ask(Request::Open { behaviour: behaviour.clone() }).await?;
+        let none = Behaviour::default();
+        let mut change = Change::of(id(&format!("add-{}", streams.len()))?, "looks", "Add streams");
+        for (at, (key, kind, name, device, place)) in streams.iter().enumerate() {
+            let (key, order) = (id(key)?, i64::try_from(at + streams.len()).unwrap_or(i64::MAX) * 2);
+            let (name, device, params) = ((*name).to_owned(), Some((*device).to_owned()), Params::new());
+            let record =
+                Stream { kind: *kind, name, device, params, order, resources: None, priority: None, hold_ms: None };
+            change = change.put(&none, RecordId::new(Kind::Stream, &key), Record::Stream(record));
+            change = change.put(&none, RecordId::new(Kind::Place, &key), Record::Place(*place));
+            if *kind == StreamKind::Actuator {
+                let operation = connectors::subscribe::SPEC.with(());
+                let connector =
+                    Connector { operation, inputs: vec![id("ball")?], output: key.clone(), order: order + 1 };
+                change = change.put(&none, RecordId::new(Kind::Connector, &key), Record::Connector(connector));
+            }
+        }
+        self.ask(Request::Propose { behaviour: behaviour.clone(), change, tokens: Vec::new() }).await
     }
 
     /// Asks, and waits for a yes.

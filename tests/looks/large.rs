@@ -1,9 +1,10 @@
 //! Programs of many parts that nobody placed: they fill the stage, can be read at fit, and 100 % lands on something.
 
+use crate::floats::COVERED;
 use crate::graphs;
 use crate::look::{DESKTOP, SIDEWAYS, TABLET, keeps_pictures};
 use crate::rules::{self, list};
-use crate::screens::{Stage, nothing, rests, usable};
+use crate::screens::{Stage, fit, nothing, rests, usable};
 use house::{Outcome, Page, skip};
 
 /// Streams that cover each other, at most a few of them.
@@ -80,6 +81,7 @@ async fn many_parts_fill_the_stage_and_can_be_read() -> Outcome<()> {
                     share("high")
                 ));
             }
+            found.extend(list(page, COVERED, &place).await?);
             if count <= 300 {
                 found.extend(list(page, OVERLAPS, &place).await?);
             }
@@ -104,15 +106,6 @@ async fn many_parts_fill_the_stage_and_can_be_read() -> Outcome<()> {
     page.size(1440, 900, false).await?;
     nothing("faults of large programs", &found)?;
     page.no_errors()
-}
-
-/// Shows everything.
-async fn fit(page: &Page) -> Outcome<()> {
-    rests(page).await?;
-    page.eval("document.querySelector('.zoom button:last-child').click()").await?;
-    rests(page).await?;
-    page.until("document.querySelector('#stage:not(.gliding)')", "the view rests").await?;
-    rests(page).await
 }
 
 async fn keep(page: &Page, name: &str) -> Outcome<()> {

@@ -7,6 +7,7 @@ mod conflicts;
 mod corners;
 mod few_and_many;
 mod fits;
+mod floats;
 mod graphs;
 mod history;
 mod invite;

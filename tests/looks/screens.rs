@@ -63,6 +63,15 @@ pub(crate) async fn rests(page: &Page) -> Outcome<()> {
     page.frames().await
 }
 
+/// Shows everything.
+pub(crate) async fn fit(page: &Page) -> Outcome<()> {
+    rests(page).await?;
+    page.eval("document.querySelector('.zoom button:last-child').click()").await?;
+    rests(page).await?;
+    page.until("document.querySelector('#stage:not(.gliding)')", "the view rests").await?;
+    rests(page).await
+}
+
 /// Visits every screen on a desktop, with its name; whoever visits may change size and theme and must put them back.
 pub(crate) async fn walk(page: &Page, words: &Words, visit: impl AsyncFn(&str) -> Outcome<()>) -> Outcome<()> {
     visit("empty-library").await?;

@@ -65,7 +65,7 @@ impl fmt::Display for RobotFault {
             Self::NotOpen => to.write_str("no action is open for this stream"),
             Self::Infinite => to.write_str("a number that is not finite was left out"),
             Self::NoNumber => to.write_str("this action needs a number"),
-            Self::NoColor => to.write_str("a colour is a name like “red”, or r, g and b from 0 to 1"),
+            Self::NoColor => to.write_str("a color is a name like “red”, or r, g and b from 0 to 1"),
             Self::NotSayable => to.write_str("only a text or a number can be said"),
             Self::NothingToSay => to.write_str("there is nothing to say"),
             Self::TextTooLong(chars) => write!(to, "a text to say may have {chars} characters"),

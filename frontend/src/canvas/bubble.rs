@@ -5,6 +5,7 @@ use super::Stage;
 use super::chip::chip_of;
 use super::strip_spot::{Area, EDGE, HEIGHT as STRIP, ZOOM_BOX};
 use super::view::Bounds;
+use crate::browser;
 use crate::desk::{Desk, Selected, use_desk};
 use crate::icons::Icon;
 use crate::panels::ProblemLine;
@@ -12,7 +13,7 @@ use crate::words;
 use behaviour::{Id, Problem, ProblemKind};
 use leptos::prelude::*;
 
-/// Its size about, and its distance from what it is about, in pixels.
+/// Its size, about so high until it is known, and its distance from what it is about, in pixels.
 const SIZE: (f64, f64) = (268.0, 96.0);
 const NEAR: f64 = 14.0;
 
@@ -30,7 +31,9 @@ fn Bubble() -> impl IntoView {
         let (desk, newest, asked) = (desk.clone(), newest, stage.asked_about.clone());
         ArcMemo::new(move |_| asked_about(&desk, asked.get()).or_else(|| shown(&desk, newest.get())))
     };
-    let (spot, moves) = (spot_memo(&desk, &stage, &shown), stage.dragged.clone());
+    let (root, high) = (NodeRef::<leptos::html::Div>::new(), ArcRwSignal::new(SIZE.1));
+    follow_height(root, high.clone());
+    let (spot, moves) = (spot_memo(&desk, &stage, &shown, high), stage.dragged.clone());
     let wire = stage.wire.clone();
     let asked = stage.asked_about.clone();
     let at = move || spot.get().map(|(x, y)| format!("translate({x:.0}px,{y:.0}px)"));
@@ -44,7 +47,7 @@ fn Bubble() -> impl IntoView {
         };
         let is_newest = is_asked || newest.with(|newest| newest.as_ref() == Some(&problem));
         Some(view! {
-            <div class="trouble" role="note" aria-label=words::problems() style:transform=at.clone()>
+            <div class="trouble" node_ref=root role="note" aria-label=words::problems() style:transform=at.clone()>
                 <ul class="big-list"><ProblemLine problem=problem alone=true /></ul>
                 {is_newest.then(|| view! {
                     <button type="button" class="tool icon" aria-label=words::dismiss() title=words::dismiss() on:click=close>
@@ -54,6 +57,27 @@ fn Bubble() -> impl IntoView {
             </div>
         })
     }
+}
+
+/// Tells how high it is: as many lines as its problem and what mends that need.
+fn follow_height(root: NodeRef<leptos::html::Div>, high: ArcRwSignal<f64>) {
+    Effect::new(move |_| {
+        let Some(root) = root.get() else { return };
+        let (measured, high) = (root.clone(), high.clone());
+        let measure = move || {
+            let now = f64::from(measured.offset_height());
+            if now > 0.0 && high.get_untracked() != now {
+                high.set(now);
+            }
+        };
+        measure();
+        if let Some(observer) = browser::watch_size(&root, measure) {
+            let observer = StoredValue::new_local(observer);
+            on_cleanup(move || {
+                let _ = observer.try_with_value(web_sys::ResizeObserver::disconnect);
+            });
+        }
+    });
 }
 
 /// Whether somebody who is building wants to be told at once.
@@ -112,44 +136,69 @@ fn shown(desk: &Desk, newest: Option<Problem>) -> Option<Problem> {
     own.or_else(|| newest.filter(|newest| selected.is_none_or(|selected| *selected.id() != newest.at.id)))
 }
 
+/// The name of the stream that a problem is about too.
+fn rival(problem: &Problem) -> Option<String> {
+    match &problem.kind {
+        ProblemKind::FightingActions { with, .. } => Some(with.clone()),
+        ProblemKind::StaleCombine { old, .. } => Some(old.clone()),
+        _ => None,
+    }
+}
+
+/// Where the stream of that name is.
+fn rival_bounds(desk: &Desk, stage: &Stage, name: &str) -> Option<Bounds> {
+    let is_it = |id: &Id| {
+        desk.document.stream(id).is_some_and(|stream| stream.record.with_untracked(|stream| stream.name == name))
+    };
+    stage.shapes.with(|shapes| shapes.iter().find(|(id, _)| is_it(id)).map(|(_, bounds)| *bounds))
+}
+
 /// The left top corner, near what it is about, where it covers least: what it is about and the tools never, if that can be.
-fn spot_memo(desk: &Desk, stage: &Stage, shown: &ArcMemo<Option<Problem>>) -> ArcMemo<Option<(f64, f64)>> {
+fn spot_memo(
+    desk: &Desk,
+    stage: &Stage,
+    shown: &ArcMemo<Option<Problem>>,
+    high: ArcRwSignal<f64>,
+) -> ArcMemo<Option<(f64, f64)>> {
     let (desk, stage, shown) = (desk.clone(), stage.clone(), shown.clone());
     ArcMemo::new(move |_| {
-        let id = shown.with(|problem| Some(problem.as_ref()?.at.id.clone()))?;
-        let (view, size) = (stage.view.get(), stage.size.get());
+        let (id, with) =
+            shown.with(|problem| problem.as_ref().map(|problem| (problem.at.id.clone(), rival(problem))))?;
+        let (view, size, high) = (stage.view.get(), stage.size.get(), high.get());
         let own = stage.shapes.with(|shapes| shapes.iter().find(|(shape, _)| *shape == id).map(|(_, bounds)| *bounds));
         if let Some(chip) = desk.document.connector(&id) {
             // It goes where its chip goes.
             let _ = chip.record.with(|connector| chip_of(&desk, connector));
         }
         let own = own.or_else(|| stage.chip_bounds(&id))?;
+        let rival = with.and_then(|with| rival_bounds(&desk, &stage, &with));
         let corner = |x, y| view.to_stage(behaviour::Place { x, y });
         let ((left, top), (right, bottom)) = (corner(own.left, own.top), corner(own.right, own.bottom));
         let covered = |(x, y): (f64, f64)| {
-            let (from, to) = (view.to_canvas((x, y)), view.to_canvas((x + SIZE.0, y + SIZE.1)));
+            let (from, to) = (view.to_canvas((x, y)), view.to_canvas((x + SIZE.0, y + high)));
             let area = Bounds { left: from.x, top: from.y, right: to.x, bottom: to.y };
             let streams = stage.shapes.with(|shapes| shapes.iter().filter(|(_, other)| area.meets(*other)).count());
             let chips = desk.document.connector_ids.with(|ids| {
                 ids.iter().filter_map(|id| stage.chip_bounds(id)).filter(|other| area.meets(*other)).count()
             });
             let (own_left, own_right) = (left.min(right), left.max(right));
-            let own = x < own_right && x + SIZE.0 > own_left && y < bottom && y + SIZE.1 > top;
-            let tools = x + SIZE.0 > size.0 - ZOOM_BOX.0 && y + SIZE.1 > size.1 - ZOOM_BOX.1;
-            let bubble = Area { left: x, top: y, right: x + SIZE.0, bottom: y + SIZE.1 };
+            let own = x < own_right && x + SIZE.0 > own_left && y < bottom && y + high > top;
+            let tools = x + SIZE.0 > size.0 - ZOOM_BOX.0 && y + high > size.1 - ZOOM_BOX.1;
+            let bubble = Area { left: x, top: y, right: x + SIZE.0, bottom: y + high };
             let strip = stage.strip.with(|strip| strip.is_some_and(|strip| strip.shared(&bubble) > 0.0));
-            streams * 2 + chips * 2 + (usize::from(own) + usize::from(tools) + usize::from(strip)) * 20
+            let rival = rival.is_some_and(|rival| area.meets(rival));
+            streams * 2 + chips * 2 + [own, tools, strip, rival].map(usize::from).iter().sum::<usize>() * 20
         };
         let above = stage.above.get().unwrap_or_default();
         let inside = |(x, y): (f64, f64)| {
             let x = x.clamp(EDGE, (size.0 - SIZE.0 - EDGE).max(EDGE));
-            (x, y.clamp(above + EDGE, (size.1 - SIZE.1 - EDGE).max(above + EDGE)))
+            (x, y.clamp(above + EDGE, (size.1 - high - EDGE).max(above + EDGE)))
         };
         let beside = [right + NEAR, left - NEAR - SIZE.0];
-        let levels = [top, top - SIZE.1 / 2.0, bottom - SIZE.1, top - SIZE.1 - NEAR, bottom + NEAR];
+        let levels = [top, top - high / 2.0, bottom - high, top - high - NEAR, bottom + NEAR];
         let over = [(left + right - SIZE.0) / 2.0, left, right - SIZE.0];
         let sides = beside.into_iter().flat_map(|x| levels.map(|y| (x, y)));
-        let others = over.into_iter().flat_map(|x| [(x, top - SIZE.1 - NEAR), (x, bottom + STRIP + NEAR)]);
+        let others = over.into_iter().flat_map(|x| [(x, top - high - NEAR), (x, bottom + STRIP + NEAR)]);
         sides.chain(others).map(inside).min_by_key(|spot| covered(*spot))
     })
 }

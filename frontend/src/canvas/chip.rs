@@ -10,7 +10,7 @@ use super::room::Side;
 use crate::desk::{ConnectorSignals, Desk, Selected, use_desk};
 use crate::fields::pieces;
 use crate::icons::Icon;
-use crate::layout::{ChipWords, chip_width, chip_words};
+use crate::layout::{ChipWords, chip_width, chip_words, with_units};
 use crate::words;
 use behaviour::{Connector, Id, Kind, Place, ProblemKind, RecordId};
 use leptos::prelude::*;
@@ -109,6 +109,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         let record = signals.record.clone();
         ArcMemo::new(move |_| record.with(chip_words))
     };
+    let shown = shown_memo(&desk, &signals, &text);
     let at = move || way.with(|way| way.as_ref().and_then(|way| way.chip).map_or_else(String::new, placed));
     let problem = problem_memo(&stage, RecordId::new(Kind::Connector, &id));
     let troubles = problem.clone();
@@ -136,7 +137,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         all.extend(marked.get().map(|mark| mark::said(mark).to_owned()));
         (!all.is_empty()).then(|| all.join(" "))
     };
-    let [wide, label, title, word, detail, plain] = [(); 6].map(|()| text.clone());
+    let [wide, label, title, word, plain] = [(); 5].map(|()| text.clone());
     let (pressed, picked, record) = (chosen.clone(), chosen, signals.record.clone());
     let tests = record.clone();
     view! {
@@ -168,7 +169,7 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
                 view! { <span class="icon"><Icon name=icon /></span> }
             }}
             <span class="word">{move || word.with(|words| words.word.clone())}</span>
-            <span class="detail" class:plain=move || plain.with(|words| words.plain) aria-hidden="true">{move || underlined(&detail.with(|words| words.detail.clone()), unknown.get().as_deref())}</span>
+            <span class="detail" class:plain=move || plain.with(|words| words.plain) aria-hidden="true">{move || underlined(&shown.get(), unknown.get().as_deref())}</span>
             {move || ring.get().then(|| view! { <span class="unused" title=words::not_used_yet()></span> })}
         </div>
             <ProblemBadge problem=problem at=Selected::Connector(id.clone()) />
@@ -179,6 +180,24 @@ pub(super) fn Chip(id: Id) -> impl IntoView {
         </div>
     }
     .into_any()
+}
+
+/// What a chip says of its procedure, with the units of the numbers that something is compared with.
+fn shown_memo(desk: &Desk, signals: &ConnectorSignals, text: &ArcMemo<ChipWords>) -> ArcMemo<String> {
+    let (desk, record, text) = (desk.clone(), signals.record.clone(), text.clone());
+    ArcMemo::new(move |_| {
+        let (detail, compares) = text.with(|words| (words.detail.clone(), words.compares));
+        let input = record.with(|connector| match connector.inputs.as_slice() {
+            [one] if compares => Some(one.clone()),
+            _ => None,
+        });
+        let Some(input) = input else { return detail };
+        let unit = |subject: &str| {
+            let path: Vec<&str> = subject.split('.').skip(1).collect();
+            desk.document.measure(&input, &path).0
+        };
+        with_units(&detail, unit)
+    })
 }
 
 /// A name in its procedure that means nothing.

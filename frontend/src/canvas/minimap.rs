@@ -16,7 +16,7 @@ use web_sys::{Element, KeyboardEvent, PointerEvent};
 /// From so many streams on.
 pub(super) const FROM: usize = 30;
 /// Its size, and what is left free at its sides, in pixels.
-const SIZE: (f64, f64) = (188.0, 124.0);
+pub(super) const SIZE: (f64, f64) = (188.0, 124.0);
 const FREE: f64 = 8.0;
 /// The largest and the smallest size of a stream on it, in pixels, and its usual width on the canvas.
 const SHAPE: (f64, f64) = (15.0, 6.0);

@@ -158,8 +158,12 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
     };
     let running = stage.running.clone();
     let kind = {
-        let (desk, id) = (desk.clone(), id.clone());
-        ArcMemo::new(move |_| desk.document.types.with(|types| types.get(&id).cloned()))
+        let (desk, id, record) = (desk.clone(), id.clone(), signals.record.clone());
+        ArcMemo::new(move |_| {
+            let of = |id: &Id| desk.document.types.with(|types| types.get(id).cloned());
+            let acts = || record.with(|stream| stream.kind == StreamKind::Actuator);
+            of(&id).or_else(|| of(&told_by(&desk, &id).filter(|_| acts())?))
+        })
     };
     let own = kind.clone();
     let cold = ArcMemo::new(move |_| {
@@ -190,6 +194,20 @@ fn LiveValue(id: Id, signals: StreamSignals) -> impl IntoView {
             }
             None => view! { <NewestValue live=live.clone() kind=kind.clone() width=width /> }.into_any(),
         }
+    }
+}
+
+/// The stream whose values an action gets as they are, if it is one alone. Reactive.
+fn told_by(desk: &Desk, action: &Id) -> Option<Id> {
+    desk.document.revision.track();
+    let ids = desk.document.connector_ids.get();
+    let mut into = ids.iter().filter_map(|id| {
+        let record = desk.document.connector(id)?.record;
+        record.with_untracked(|one| (one.output == *action).then(|| (one.operation.spec().acts(), one.inputs.clone())))
+    });
+    match (into.next(), into.next()) {
+        (Some((true, inputs)), None) => inputs.first().cloned(),
+        _ => None,
     }
 }
 

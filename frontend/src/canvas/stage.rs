@@ -5,6 +5,7 @@ use super::bounds::{aside_bounds, bounds, box_bounds, chip_bounds, connector_bou
 use super::context::Context;
 use super::cull::{Cells, drawn};
 use super::far::{chips_memo, moving_memo};
+use super::fit;
 use super::noting::Noting;
 use super::offer::Offering;
 use super::paper::{Paper, paper_memo};
@@ -151,7 +152,7 @@ impl Stage {
         Self {
             paper: paper_memo(desk, {
                 let desk = desk.clone();
-                move || everything(&desk).map(|(_, all)| all)
+                move || everything(&desk).map(|everything| everything.all)
             }),
             chips: chips_memo(desk.clone(), drawn.clone(), is_tiny.clone(), (others.clone(), edited.clone())),
             moving: moving_memo(desk.clone(), dragged.clone()),
@@ -283,15 +284,16 @@ impl Stage {
 
     fn whole(&self) -> View {
         let everything = everything(&self.desk);
-        self.in_free(|size| {
-            everything.map_or_else(|| View::home(size), |(_, all)| View::fitting(all, VALUE_ROOM, size))
-        })
+        self.in_free(|size| everything.map_or_else(|| View::home(size), |everything| everything.whole(size)))
     }
 
     pub(super) fn opening(&self) -> View {
         let everything = everything(&self.desk);
         self.in_free(|size| {
-            everything.map_or_else(|| View::home(size), |(first, all)| View::opening(all, first, VALUE_ROOM, size))
+            everything.map_or_else(
+                || View::home(size),
+                |everything| View::opening(everything.whole(size), everything.all, everything.first, size),
+            )
         })
     }
 
@@ -547,16 +549,36 @@ fn is_elsewhere() -> bool {
     document().active_element().is_some_and(|active| active.closest(ELSEWHERE).ok().flatten().is_some())
 }
 
-/// The first stream, and what surrounds all of them with their values and the chips, the notes and the groups.
-fn everything(desk: &Desk) -> Option<(Bounds, Bounds)> {
+/// All that there is of a graph.
+struct Everything {
+    /// The first stream, else the first note.
+    first: Bounds,
+    /// What surrounds all of it: streams with their values, chips, notes and groups.
+    all: Bounds,
+    /// Each of them, without its value.
+    parts: Vec<Bounds>,
+    streams: usize,
+}
+
+impl Everything {
+    /// All of it in a stage of that size.
+    fn whole(&self, size: (f64, f64)) -> View {
+        let high = window().inner_height().ok().and_then(|high| high.as_f64()).unwrap_or(f64::MAX);
+        fit::fitting(self.all, VALUE_ROOM, size, &self.parts, &fit::corners(self.streams, high))
+    }
+}
+
+fn everything(desk: &Desk) -> Option<Everything> {
     let (streams, chips) = (desk.document.stream_ids.get_untracked(), desk.document.connector_ids.get_untracked());
-    let seen: Vec<&Id> = streams.iter().filter(|id| untrack(|| desk.document.hidden_in(id)).is_none()).collect();
-    let aside = || aside_bounds(desk);
-    let first = seen.first().and_then(|id| bounds(desk, id)).or_else(|| aside().into_iter().next())?;
-    let values = |bounds: Bounds| Bounds { right: bounds.right + VALUE_ROOM, ..bounds };
-    let streams = seen.iter().filter_map(|id| bounds(desk, id)).map(values);
-    let all = streams.chain(chips.iter().filter_map(|id| chip_bounds(desk, id))).chain(aside());
-    Some((first, Bounds::around(all)?))
+    let seen = streams.iter().filter(|id| untrack(|| desk.document.hidden_in(id)).is_none());
+    let seen: Vec<Bounds> = seen.filter_map(|id| bounds(desk, id)).collect();
+    let mut parts: Vec<Bounds> =
+        chips.iter().filter_map(|id| chip_bounds(desk, id)).chain(aside_bounds(desk)).collect();
+    let first = *seen.first().or_else(|| parts.last())?;
+    let values = seen.iter().map(|bounds| Bounds { right: bounds.right + VALUE_ROOM, ..*bounds });
+    let all = Bounds::around(values.chain(parts.iter().copied()))?;
+    parts.extend(seen);
+    Some(Everything { first, all, parts, streams: streams.len() })
 }
 
 /// The stream that the keyboard comes to: the one it was at last, if that is seen.

@@ -13,6 +13,8 @@ const KEPT: f64 = 48.0;
 const FIT_MARGIN: f64 = 48.0;
 /// Room left and right of everything when it is fitted into view, in pixels.
 const FIT_SIDE: f64 = 24.0;
+/// Room between what is fitted into view and what it stands above, in pixels.
+const FIT_ABOVE: f64 = 8.0;
 /// What fits easily hangs at most so much lower.
 const FIT_LOWER: f64 = 32.0;
 
@@ -87,6 +89,11 @@ impl View {
         ((size.0 - 2.0 * FIT_SIDE).max(1.0), (size.1 - 2.0 * FIT_MARGIN).max(1.0))
     }
 
+    /// How much less high a stage is in which everything that is fitted into view stands above something of that height.
+    pub(super) fn above_margin(height: f64) -> f64 {
+        (height - FIT_MARGIN + FIT_ABOVE).max(0.0)
+    }
+
     /// All of `bounds` in the middle of a stage of that size, never larger than it is. At their right end `spare` is
     /// room for values, which does not count for the middle where there is enough of it.
     pub(super) fn fitting(bounds: Bounds, spare: f64, size: (f64, f64)) -> Self {
@@ -101,10 +108,9 @@ impl View {
         Self { x, y: FIT_MARGIN + lower - bounds.top * zoom, zoom }
     }
 
-    /// What is shown of `bounds` when it is opened: all of it where that can be read, else its width, else what is around
+    /// What is shown of `bounds` when it is opened: the `whole` of it where that can be read, else its width, else what is around
     /// `first`, from the top.
-    pub(super) fn opening(bounds: Bounds, first: Bounds, spare: f64, size: (f64, f64)) -> Self {
-        let whole = Self::fitting(bounds, spare, size);
+    pub(super) fn opening(whole: Self, bounds: Bounds, first: Bounds, size: (f64, f64)) -> Self {
         if whole.zoom >= READABLE {
             return whole;
         }
@@ -230,14 +236,15 @@ mod tests {
     fn a_long_or_wide_graph_opens_so_that_it_can_be_read() {
         let first = Bounds { left: -50.0, top: 0.0, right: 50.0, bottom: 48.0 };
         let chain = Bounds { left: -60.0, top: 0.0, right: 240.0, bottom: 8_400.0 };
-        let view = View::opening(chain, first, 180.0, STAGE);
+        let opening = |bounds| View::opening(View::fitting(bounds, 180.0, STAGE), bounds, first, STAGE);
+        let view = opening(chain);
         assert_eq!(view.zoom, 1.0);
         assert!(view.to_stage(Place { x: 0.0, y: 0.0 }).1 > 0.0);
         let wide = Bounds { left: -9_000.0, right: 9_000.0, ..chain };
-        let view = View::opening(wide, first, 180.0, STAGE);
+        let view = opening(wide);
         assert_eq!((view.zoom, view.to_stage(Place { x: 0.0, y: 0.0 }).0), (0.4, 400.0));
         let small = Bounds { bottom: 400.0, ..chain };
-        assert_eq!(View::opening(small, first, 180.0, STAGE), View::fitting(small, 180.0, STAGE));
+        assert_eq!(opening(small), View::fitting(small, 180.0, STAGE));
     }
 
     #[test]

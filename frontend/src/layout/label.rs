@@ -11,6 +11,8 @@ pub(crate) struct ChipWords {
     pub(crate) detail: String,
     /// Whether the detail is a name in words, and no code.
     pub(crate) plain: bool,
+    /// Whether something is compared with a number, behind which its unit may stand.
+    pub(crate) compares: bool,
 }
 
 impl ChipWords {
@@ -34,7 +36,38 @@ pub(crate) fn chip_words(connector: &Connector) -> ChipWords {
     }
     let detail = if chosen.is_empty() { String::new() } else { format!("({})", chosen.join(", ")) };
     let plain = helper.is_some_and(|name| words::plain_helper(name) != *name);
-    ChipWords { word: words::connector_word(operation.spec().name).to_owned(), detail, plain }
+    let compares = operation.spec().is_test() && helper.is_none() && compared(&detail).next().is_some();
+    ChipWords { word: words::connector_word(operation.spec().name).to_owned(), detail, plain, compares }
+}
+
+/// The signs with which something is compared.
+const COMPARES: [&str; 6] = ["<", "<=", ">", ">=", "==", "!="];
+
+/// What is compared with a number in the text of a chip, and where that number ends in it.
+fn compared(detail: &str) -> impl Iterator<Item = (&str, usize)> {
+    let start = detail.as_ptr() as usize;
+    let words: Vec<&str> = detail.split_whitespace().collect();
+    let found: Vec<(&str, usize)> = words
+        .windows(3)
+        .filter_map(|three| {
+            let number = three[2].trim_end_matches(')');
+            let is_number = COMPARES.contains(&three[1]) && number.parse::<f64>().is_ok();
+            let subject = three[0].trim_start_matches('(');
+            is_number.then(|| (subject, number.as_ptr() as usize - start + number.len()))
+        })
+        .collect();
+    found.into_iter()
+}
+
+/// The text of a chip with the unit behind each number that something is compared with; `unit` knows that of what is compared.
+pub(crate) fn with_units(detail: &str, unit: impl Fn(&str) -> &'static str) -> String {
+    let mut all = String::new();
+    let mut from = 0;
+    for (subject, end) in compared(detail) {
+        all += &words::with_unit(detail[from..end].to_owned(), unit(subject));
+        from = end;
+    }
+    all + &detail[from..]
 }
 
 fn one_line(body: &str) -> String {
@@ -97,7 +130,7 @@ fn char_width(c: char) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{chip_words, text_width, what_it_is};
+    use super::{chip_words, text_width, what_it_is, with_units};
     use behaviour::{Connector, Id, Operation, Parameters, Procedure, Stream, StreamKind, Value, connectors};
 
     fn chip(operation: Operation) -> String {
@@ -114,6 +147,29 @@ mod tests {
         assert_eq!(chip(connectors::delay::SPEC.with(Parameters::period(1_000))), "delay (1 second)");
         assert_eq!(chip(connectors::subscribe::SPEC.with(())), "subscribe");
         assert_eq!(chip(connectors::combine_latest::SPEC.with(Procedure::body(""))), "combine (…)");
+    }
+
+    #[test]
+    fn numbers_that_something_is_compared_with_have_their_unit() {
+        let unit = |subject: &str| if subject.starts_with("distance") { "m" } else { "" };
+        let cases = [
+            ("(distance >= 0.5)", "(distance >= 0.5\u{a0}m)"),
+            ("(distance > 0.5 && distance <= 1)", "(distance > 0.5\u{a0}m && distance <= 1\u{a0}m)"),
+            ("(distance.d < 20)", "(distance.d < 20\u{a0}m)"),
+            ("(angle < 0.5)", "(angle < 0.5)"),
+            ("(distance + 1 < other)", "(distance + 1 < other)"),
+            ("(Distance in cm)", "(Distance in cm)"),
+            ("(…)", "(…)"),
+        ];
+        for (detail, shown) in cases {
+            assert_eq!(with_units(detail, unit), shown);
+        }
+        let compares = |body: &str| {
+            let operation = connectors::filter::SPEC.with(Procedure::body(body));
+            let id = |name: &str| Id::new(name).unwrap();
+            chip_words(&Connector { operation, inputs: vec![id("a")], output: id("b"), order: 0 }).compares
+        };
+        assert!(compares("distance < 20") && !compares("true") && !compares("word == other"));
     }
 
     #[test]

@@ -9,6 +9,9 @@ use std::collections::BTreeMap;
 
 /// How many spots are tried to the sides before the next level is.
 const SIDE_STEPS: i32 = 24;
+/// How far a step leads, and how many to the right are tried before any to the left where siblings stand at the left.
+const STEP: f64 = 60.0;
+const RIGHT_STEPS: i32 = 14;
 /// How many are tried to the sides in the row of the actions, and how far that may be below the next row.
 const IN_ROW_STEPS: i32 = 9;
 const ACTIONS_FAR: f64 = 2.0 * LEVEL;
@@ -98,9 +101,39 @@ pub(crate) fn free_spot(
     let size = Size::of(stream, std::iter::once(connector));
     let taken = taken(behaviour, places);
     let wanted = snapped(Place { x, y });
+    // Branches stand in the order in which they were made, from left to right: what is new comes behind its siblings.
+    let last = last_sibling(behaviour, places, connector);
+    let wanted = Place { x: last.map_or(wanted.x, |last| wanted.x.max(last)), ..wanted };
+    let side = if last.is_some() { Side::RightFirst } else { Side::Nearest };
     let row = if stream.kind == StreamKind::Actuator { row_of_actions(behaviour, places, wanted.y) } else { None };
-    row.and_then(|row| in_row(&taken, Place { y: row, ..wanted }, wanted.y, size))
-        .unwrap_or_else(|| beside(&taken, wanted, size))
+    row.and_then(|row| in_row(&taken, Place { y: row, ..wanted }, wanted.y, size, side))
+        .unwrap_or_else(|| beside(&taken, wanted, size, side))
+}
+
+/// Where the rightmost of what comes from the same streams stands.
+fn last_sibling(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, connector: &Connector) -> Option<f64> {
+    let siblings = behaviour.connectors().filter(|(_, other)| {
+        other.output != connector.output && other.inputs.iter().any(|input| connector.inputs.contains(input))
+    });
+    siblings.filter_map(|(_, other)| places.get(&other.output)).map(|place| place.x).reduce(f64::max)
+}
+
+/// To which side of the wanted spot something stands that finds no room there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    /// Wherever it is nearer.
+    Nearest,
+    /// To the right if there is room not far from there.
+    RightFirst,
+}
+
+impl Side {
+    /// How many steps to the right of the wanted spot are tried, one after the other.
+    fn steps(self, most: i32) -> impl Iterator<Item = f64> {
+        let first = if self == Self::RightFirst { 0..most.min(RIGHT_STEPS) } else { 0..0 };
+        let both = (0..most).flat_map(|step| if step == 0 { vec![0] } else { vec![step, -step] });
+        first.chain(both).map(f64::from)
+    }
 }
 
 /// The row in which the actions stand, if that is lower than the row below the sources, and not far below it.
@@ -111,14 +144,13 @@ fn row_of_actions(behaviour: &Behaviour, places: &BTreeMap<Id, Place>, below: f6
 }
 
 /// A free spot in a row where nothing stands between it and the row below the sources either.
-fn in_row(taken: &[Room], wanted: Place, from: f64, size: Size) -> Option<Place> {
+fn in_row(taken: &[Room], wanted: Place, from: f64, size: Size, side: Side) -> Option<Place> {
     let is_free = |place: &Place| {
         let [stream, chip] = Room::of(*place, size);
         let way = Room { top: from - CHIP_HEIGHT, ..chip };
         taken.iter().all(|other| [stream, way].iter().all(|room| !room.meets(other)))
     };
-    let steps = (0..IN_ROW_STEPS).flat_map(|step| if step == 0 { vec![0] } else { vec![step, -step] });
-    steps.map(|step| Place { x: wanted.x + f64::from(step) * 60.0, ..wanted }).find(is_free)
+    side.steps(IN_ROW_STEPS).map(|step| Place { x: wanted.x + step * STEP, ..wanted }).find(is_free)
 }
 
 /// Where a new sensor goes: in the top row, to the right of the others.
@@ -128,23 +160,19 @@ pub(crate) fn free_sensor_spot(behaviour: &Behaviour, places: &BTreeMap<Id, Plac
     let row = places.values().filter(|place| (place.y - y).abs() < STREAM_HEIGHT);
     let right = row.map(|place| place.x).fold(f64::MIN, f64::max);
     let x = if places.is_empty() { 0.0 } else { right + SENSOR_STEP };
-    beside(&taken(behaviour, places), snapped(Place { x, y }), Size::of(stream, std::iter::empty()))
+    let size = Size::of(stream, std::iter::empty());
+    beside(&taken(behaviour, places), snapped(Place { x, y }), size, Side::Nearest)
 }
 
 /// The wanted spot, else the nearest free one to its sides, else one lower.
-fn beside(taken: &[Room], wanted: Place, size: Size) -> Place {
+fn beside(taken: &[Room], wanted: Place, size: Size, side: Side) -> Place {
     let is_free = |place: &Place| {
         let rooms = Room::of(*place, size);
         taken.iter().all(|other| rooms.iter().all(|room| !room.meets(other)))
     };
-    let levels = (0..4).flat_map(|level| {
-        let steps = (0..SIDE_STEPS).flat_map(move |step| {
-            if step == 0 { vec![0.0] } else { vec![1.0, -1.0] }.into_iter().map(move |side| side * f64::from(step))
-        });
-        steps.map(move |step| (step, f64::from(level)))
-    });
-    let spots = levels.map(|(step, level)| Place { x: wanted.x + step * 60.0, y: wanted.y + level * LEVEL });
-    spots.into_iter().find(is_free).unwrap_or(wanted)
+    let levels = (0..4).flat_map(|level| side.steps(SIDE_STEPS).map(move |step| (step, f64::from(level))));
+    let mut spots = levels.map(|(step, level)| Place { x: wanted.x + step * STEP, y: wanted.y + level * LEVEL });
+    spots.find(is_free).unwrap_or(wanted)
 }
 
 fn taken(behaviour: &Behaviour, places: &BTreeMap<Id, Place>) -> Vec<Room> {
@@ -239,8 +267,29 @@ mod tests {
             spots.push(spot);
         }
         assert_eq!(spots[0], Place { x: 0.0, y: LEVEL });
-        assert!(spots[1].x > 200.0 && spots[2].x < -200.0, "{spots:?}");
+        assert!(
+            spots[1].x > 200.0 && spots[2].x > spots[1].x + 200.0,
+            "in the order in which they were made: {spots:?}"
+        );
         assert!(spots.iter().all(|spot| spot.y == LEVEL));
+    }
+
+    #[test]
+    fn a_branch_that_finds_no_room_behind_its_siblings_stands_where_there_is_some() {
+        let mut behaviour = Behaviour::default();
+        let mut places = BTreeMap::new();
+        let mut put = |name: &str, kind, x: f64, y: f64| {
+            behaviour.records.insert(RecordId::new(Kind::Stream, &id(name)), Record::Stream(stream(kind, name)));
+            places.insert(id(name), Place { x, y });
+        };
+        put("s", StreamKind::Sensor, 0.0, 0.0);
+        put("a", StreamKind::Ordinary, 0.0, LEVEL);
+        for at in 1..=5 {
+            put(&format!("other{at}"), StreamKind::Ordinary, f64::from(at) * 320.0, LEVEL);
+        }
+        behaviour.records.insert(RecordId::new(Kind::Connector, &id("a")), Record::Connector(connector("s", "a")));
+        let spot = free_spot(&behaviour, &places, &stream(StreamKind::Ordinary, "b"), &connector("s", "b"));
+        assert!(spot.x < -150.0 && spot.x > -500.0 && spot.y == LEVEL, "{spot:?}");
     }
 
     #[test]

@@ -3,14 +3,16 @@
 use super::hold::hold;
 use crate::words;
 use leptos::prelude::*;
+use robot::Health;
 
 /// The lights of the robot that this tab looks at.
 #[component]
 pub(crate) fn Lights() -> impl IntoView {
     let desk = hold();
     let lights = Memo::new(move |_| {
-        // Who is not heard may have fallen over since.
-        if desk.desk().unheard.read().is_some() {
+        // Who is not heard may have fallen over since, and so may a robot that the server has lost.
+        let lost = || matches!(desk.desk().robots.health(), Health::Lost(_) | Health::Connecting);
+        if desk.desk().unheard.read().is_some() || lost() {
             return Vec::new();
         }
         let chosen = desk.desk().robots.chosen.read();

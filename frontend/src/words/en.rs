@@ -12,6 +12,7 @@ mod names;
 mod people;
 mod robots;
 mod teaching;
+mod told;
 mod warning;
 
 pub(crate) use chip::*;
@@ -26,6 +27,7 @@ pub(crate) use names::*;
 pub(crate) use people::*;
 pub(crate) use robots::*;
 pub(crate) use teaching::*;
+pub(crate) use told::*;
 pub(crate) use warning::*;
 
 use super::language::{fill, said, translated};
@@ -770,8 +772,9 @@ pub(crate) fn follows(what: &str) -> String {
     say!("follows {what}", what = listed(what.split(", ").map(translated)))
 }
 
-pub(crate) fn metres(distance: f64) -> String {
-    format!("{distance:.2} m")
+/// How far something is, as the open program has it too: in centimetres, else in metres.
+pub(crate) fn how_far(metres: f64, in_centimetres: bool) -> String {
+    if in_centimetres { format!("{:.0} cm", metres * 100.0) } else { format!("{metres:.2} m") }
 }
 
 pub(crate) fn quiet_for(seconds: u64) -> String {

@@ -1,4 +1,4 @@
-//! Anything of a colour, round or not, as ALColorBlobDetection finds it (NAOqi 2.8).
+//! Anything of a color, round or not, as ALColorBlobDetection finds it (NAOqi 2.8).
 
 use super::red_ball::{BALL, BALLS};
 use crate::{Device, NextStep, Pace, Param, ParamKind, Resources, Shape, Waiting};
@@ -7,13 +7,13 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "Blob",
     kind: StreamKind::Sensor,
-    label: "Coloured thing",
-    says: "Sees the largest thing of the chosen colour, whatever its form: where it is and how large it looks.",
+    label: "Colored thing",
+    says: "Sees the largest thing of the chosen color, whatever its form: where it is and how large it looks.",
     icon: "blob",
     params: &[
         Param {
             name: "color",
-            label: "Colour",
+            label: "Color",
             kind: ParamKind::Choice(&[("red", "red"), ("green", "green"), ("blue", "blue")]),
         },
         Param {

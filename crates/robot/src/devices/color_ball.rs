@@ -1,4 +1,4 @@
-//! A round ball of a colour, as ALColorBlobDetection finds it (NAOqi 2.8) when told to look for circles.
+//! A round ball of a color, as ALColorBlobDetection finds it (NAOqi 2.8) when told to look for circles.
 
 use super::red_ball::{BALL, BALLS};
 use crate::{Device, NextStep, Pace, Param, ParamKind, Resources, Shape, Waiting};
@@ -7,12 +7,12 @@ use behaviour::StreamKind;
 pub(crate) const DEVICE: Device = Device {
     name: "ColorBall",
     kind: StreamKind::Sensor,
-    label: "Coloured ball",
-    says: "Sees a ball of the chosen colour: where it is and how large it looks.",
+    label: "Colored ball",
+    says: "Sees a ball of the chosen color: where it is and how large it looks.",
     icon: "ball",
     params: &[Param {
         name: "color",
-        label: "Colour",
+        label: "Color",
         kind: ParamKind::Choice(&[("red", "red"), ("green", "green"), ("blue", "blue")]),
     }],
     shape: Shape::Object(BALL),

@@ -7,12 +7,12 @@ use behaviour::connectors::Carries;
 pub(crate) const DEVICE: Device = Device {
     name: "EyeLedColor",
     kind: StreamKind::Actuator,
-    label: "Eye colour",
-    says: "Gives the eyes a colour whenever a value comes.",
+    label: "Eye color",
+    says: "Gives the eyes a color whenever a value comes.",
     icon: "light",
     params: &[Param {
         name: "color",
-        label: "Colour",
+        label: "Color",
         kind: ParamKind::Choice(&[
             ("red", "red"),
             ("green", "green"),

@@ -143,7 +143,8 @@ const SENSES: &[Rule] = &[
     (
         "coloured.seen",
         &[
-            "a {color}-coloured ball is seen",
+            "a {color}-colored ball is seen",
+            "{color} coloured ball is seen",
             "{color} colored ball is seen",
             "{color} ball is seen",
             "robot sees {color} ball",
@@ -154,7 +155,8 @@ const SENSES: &[Rule] = &[
     (
         "coloured.quiet",
         &[
-            "no {color}-coloured ball was seen for {d}",
+            "no {color}-colored ball was seen for {d}",
+            "no {color} coloured ball was seen for {d}",
             "no {color} ball was seen for {d}",
             "no {color} ball is seen for {d}",
         ],
@@ -291,7 +293,7 @@ const TOUCHES: &[Rule] = &[
 
 const SUBJECTS: &[Rule] = &[
     ("subject.ball", &["the red ball", "ball"]),
-    ("subject.coloured", &["the {color}-coloured ball", "{color} ball", "{color} colored ball"]),
+    ("subject.coloured", &["the {color}-colored ball", "{color} ball", "{color} coloured ball"]),
     ("subject.blob", &["the {color} thing[ of at least {size}]", "something {color}[ of at least {size}]"]),
     ("subject.people", &["the number of people", "number of people in view"]),
     ("subject.nearest", &["the nearest person", "somebody", "someone", "person", "anybody"]),
@@ -501,7 +503,7 @@ const ACTIONS: &[Rule] = &[
             "{color} eyes",
         ],
     ),
-    ("eyes.value", &["the eyes turn the colour it says", "eyes turn color it says"]),
+    ("eyes.value", &["the eyes turn the color it says", "eyes turn colour it says"]),
     ("eyes.off", &["the eyes go dark", "eyes go off", "eyes turn dark"]),
     (
         "shine.nearer",

@@ -20,7 +20,7 @@ const ENGLISH: &[(&str, &str)] = &[
     ("Wave when somebody touches the left hand", "When the left hand is touched, the robot waves."),
     ("the eyes turn green when the head is touched.", "When the head is touched, the eyes turn green."),
     ("When the head is touched for 1 second, sit down", "When the head is touched for 1 second, the robot sits down."),
-    ("When a green ball is seen, green eyes", "When a green-coloured ball is seen, the eyes turn green."),
+    ("When a green ball is seen, green eyes", "When a green-colored ball is seen, the eyes turn green."),
     (
         "when nobody is there for 5 s the robot says goodbye",
         "When nobody was seen for 5 seconds, the robot says “goodbye”.",

@@ -3,7 +3,9 @@
 use super::Document;
 use crate::desk::tab::{new_id, set_if_new};
 use crate::live;
-use behaviour::{Change, Edit, Fix, Id, Kind, Place, Problem, ProblemKind, Record, RecordId, Seen, Value, ValueType};
+use behaviour::{
+    Change, Edit, Fix, Id, Kind, Place, Problem, ProblemKind, Record, RecordId, Seen, Unit, Value, ValueType,
+};
 use leptos::prelude::*;
 use protocol::{Reply, Request};
 
@@ -105,6 +107,14 @@ impl Document {
         self.measure(id, &[]).0
     }
 
+    /// Whether the lengths of the open program are in centimetres, all that are known. Reactive.
+    pub(crate) fn in_centimetres(&self) -> bool {
+        self.types.with(|types| {
+            let has = |unit: Unit| types.values().any(|kind| measures(kind, unit));
+            has(Unit::Centimetres) && !has(Unit::Metres)
+        })
+    }
+
     /// A value of a stream with its unit. Reactive.
     pub(crate) fn measured(&self, id: &Id, value: &Value) -> String {
         self.types.with(|types| live::measured(value, types.get(id)))
@@ -119,5 +129,14 @@ impl Document {
             let range = if let ValueType::Number { range, .. } = &kind { *range } else { None };
             (live::unit(&kind), range)
         })
+    }
+}
+
+/// Whether some number in values of a kind is in that unit.
+fn measures(kind: &ValueType, unit: Unit) -> bool {
+    match kind {
+        ValueType::Record(fields) => fields.values().any(|kind| measures(kind, unit)),
+        ValueType::List(kind) => measures(kind, unit),
+        number => number.unit() == Some(unit),
     }
 }

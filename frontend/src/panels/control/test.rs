@@ -115,6 +115,13 @@ pub(crate) fn written_like(old: &str, number: f64) -> String {
 }
 
 fn written(places: Option<usize>, number: f64) -> String {
+    let text = written_with(places, number);
+    // What is rounded to nothing has no sign.
+    let is_nothing = !text.contains(|c: char| ('1'..='9').contains(&c));
+    if is_nothing { text.trim_start_matches('-').to_owned() } else { text }
+}
+
+fn written_with(places: Option<usize>, number: f64) -> String {
     match places {
         None if number.fract() == 0.0 => format!("{number:.0}"),
         None => trimmed(&format!("{number:.3}")),

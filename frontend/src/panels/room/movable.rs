@@ -175,5 +175,5 @@ fn distance(desk: Hold, [x, y, z]: [f32; 3]) -> String {
     let [from_x, from_y, from_z, _, _] = body.gaze;
     let up = if z == 0.0 { 0.0 } else { z - from_z };
     let squares = (x - from_x).powi(2) + (y - from_y).powi(2) + up.powi(2);
-    words::metres(f64::from(squares.sqrt()))
+    words::how_far(f64::from(squares.sqrt()), desk.document.in_centimetres())
 }

@@ -110,8 +110,11 @@ fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<Kind>, 
             let piece = Memo::new(move |_| phrase.read().pieces.get(at).cloned());
             match kind {
                 Kind::Text => {
-                    let text = move || piece.read().as_ref().map(|piece| piece.text().to_owned());
-                    view! { <span class="words">{text}</span> }.into_any()
+                    let text = move || piece.read().as_ref().map(|piece| words::without_code(piece.text()));
+                    let code = move || {
+                        piece.read().as_ref().map(|piece| piece.text().to_owned()).filter(|text| text.contains('`'))
+                    };
+                    view! { <span class="words" title=code>{text}</span> }.into_any()
                 }
                 Kind::Number => view! { <InlineNumber piece /> }.into_any(),
                 Kind::Choice => view! { <InlineChoice piece /> }.into_any(),
@@ -154,7 +157,8 @@ fn PhrasePart(sentence: Memo<Option<Sentence>>, which: usize, kinds: Vec<Kind>, 
 #[component]
 fn Words(phrase: Memo<Phrase>, means: Memo<bool>, stop: bool, problem: Memo<Option<Problem>>) -> impl IntoView {
     let desk = hold();
-    let text = move || phrase.read().text();
+    let text = move || words::without_code(&phrase.read().text());
+    let code = move || Some(phrase.read().text()).filter(|text| text.contains('`'));
     let go = move || {
         if untrack(|| means.get()) {
             select(&desk.desk(), &phrase.get_untracked());
@@ -172,10 +176,10 @@ fn Words(phrase: Memo<Phrase>, means: Memo<bool>, stop: bool, problem: Memo<Opti
     };
     move || {
         if !means.get() {
-            return view! { <span class="words">{text}</span> }.into_any();
+            return view! { <span class="words" title=code>{text}</span> }.into_any();
         }
         view! {
-            <span class="words" role="button" data-stop="" tabindex=if stop { "0" } else { "-1" } aria-description=described
+            <span class="words" title=code role="button" data-stop="" tabindex=if stop { "0" } else { "-1" } aria-description=described
                 on:keydown=key>{text}</span>
         }
         .into_any()
