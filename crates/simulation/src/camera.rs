@@ -199,7 +199,7 @@ impl Thing {
                 let against = -way.dot(front);
                 let far = (from - at).dot(front) / against;
                 let out = (from + way * far - at).length() / MARK_M;
-                (against > 0.0 && far > 0.0 && out <= 1.0).then(|| (far, if out > 0.55 { INK } else { PAPER }))
+                (against > 0.0 && far > 0.0 && out <= 1.0).then_some((far, if out > 0.55 { INK } else { PAPER }))
             }
         }
     }
