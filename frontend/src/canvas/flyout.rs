@@ -10,7 +10,7 @@ use crate::desk::{Desk, Selected, use_desk};
 use crate::escape;
 use crate::later::{Later, once_here};
 use crate::layout::{CHIP_HEIGHT, chip_width, chip_words};
-use crate::panels::ProblemList;
+use crate::panels::{ProblemList, focus};
 use behaviour::Id;
 use leptos::prelude::*;
 use wasm_bindgen::JsCast;
@@ -43,6 +43,8 @@ fn enter_soon(desk: Desk, what: Selected, looks: u32) {
         }
         let field = FIELDS.iter().find_map(|field| element(field));
         match (field, element(".flyout .control")) {
+            // Who came there faster types already.
+            (Some(field), _) if focus::active().as_ref() == Some(&field) => {}
             (Some(field), _) => {
                 let _ = field.focus();
                 if let Some(number) = field.dyn_ref::<HtmlInputElement>() {
