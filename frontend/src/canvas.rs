@@ -120,8 +120,7 @@ pub(crate) fn Canvas() -> impl IntoView {
             class:gliding=move || glides.get()
             class:wiring=move || wiring.with(Option::is_some)
             class:far=move || far.is_below(FAR)
-            data-text=text_sizes(&stage)
-            style=("--read", read_size(&stage))
+            data-text=text_sizes(&stage) style=("--read", read_size(&stage))
             class:tiny=move || tiny.is_tiny.get()
             data-paper=move || shape.paper.with(|paper| paper.as_ref().map(Paper::shape))
             id="stage"
