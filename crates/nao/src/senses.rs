@@ -159,7 +159,8 @@ impl Measuring<'_> {
             done?;
         }
         // A Stop that came meanwhile may have ended what had not begun.
-        self.is_known = self.shared.gate() == gate;
+        let is_ours = self.shared.state().subscribed.contains(&(service, self.name.to_owned()));
+        self.is_known = is_ours && self.shared.gate() == gate;
         if !self.is_known {
             self.end().await;
         }

@@ -15,6 +15,7 @@ use crate::targets::set_angles;
 use futures_util::{future::join_all, join};
 use qi::{Address, QiError, Session, Value};
 use robot::Health;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -106,12 +107,10 @@ async fn serve(session: &Session, shared: &Shared) {
 /// All at once. A service that is not there, or refuses, has nothing that goes on; one that does not answer is told again, a
 /// few times. False if the link is over: then it is done with the next one.
 async fn burst(session: &Session, shared: &Shared) -> bool {
-    let (playing, subscribed) = {
-        let state = shared.state();
-        (state.animations.clone(), state.subscribed.clone())
-    };
-    let animations = playing.iter().map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
-    let ends = subscribed.iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
+    let mut taken = Taken::from(shared);
+    let animations =
+        taken.animations.iter().map(|name| Call::new("ALBehaviorManager", "stopBehavior", [name.as_str().into()]));
+    let ends = taken.subscribed.iter().map(|(service, name)| Call::new(service, "unsubscribe", [name.as_str().into()]));
     let calls = EVERYTHING.map(|(service, method)| Call::new(service, method, []));
     let mut left: Vec<Call> = calls.into_iter().chain(animations).chain(ends).collect();
     let (mut upper, mut legs) = (true, true);
@@ -130,16 +129,42 @@ async fn burst(session: &Session, shared: &Shared) -> bool {
         }
         tracing::warn!(left = left.len(), legs, upper, "what does not answer is stopped again");
     }
-    // Not before: what is not known to have ended ends with the next try.
+    taken.is_over = true;
     let mut state = shared.state();
-    state.subscribed.retain(|known| !subscribed.contains(known));
-    state.animations.retain(|known| !playing.contains(known));
     if legs && state.is_linked() {
         state.health = Health::Degraded(LEGS.to_owned());
     } else if state.health == Health::Degraded(LEGS.to_owned()) {
         state.health = Health::Ready;
     }
     true
+}
+
+/// What a Stop ends of measuring and playing. What begins meanwhile is not of it; what is not known to have ended is put back
+/// for the next try.
+struct Taken<'a> {
+    shared: &'a Shared,
+    animations: BTreeSet<String>,
+    subscribed: BTreeSet<(&'static str, String)>,
+    is_over: bool,
+}
+
+impl<'a> Taken<'a> {
+    fn from(shared: &'a Shared) -> Self {
+        let mut state = shared.state();
+        let (animations, subscribed) = (std::mem::take(&mut state.animations), std::mem::take(&mut state.subscribed));
+        drop(state);
+        Self { shared, animations, subscribed, is_over: false }
+    }
+}
+
+impl Drop for Taken<'_> {
+    fn drop(&mut self) {
+        if !self.is_over {
+            let mut state = self.shared.state();
+            state.animations.append(&mut self.animations);
+            state.subscribed.append(&mut self.subscribed);
+        }
+    }
 }
 
 /// The link is over.

@@ -156,7 +156,7 @@ fn lose(shared: &Shared, why: &str) {
     state.animations.clear();
 }
 
-/// A Stop that is wanted at the end is still carried out, if that can be.
+/// A Stop that is wanted is still carried out, if that can be.
 async fn end_well(shared: &Shared) {
     let done = async {
         while shared.wants_stop() {
@@ -198,6 +198,8 @@ async fn serve(
     let cycle = cycle.and_then(|value| value.as_i64()).map_or(CYCLE_MS, |ms| ms.clamp(5, 100).cast_unsigned());
     // Known before they are needed: what is called first also comes first.
     join_all(ACTORS.iter().map(|name| session.service(name))).await;
+    // A Stop of before is over before anything begins: else it would take what begins for what it ends.
+    end_well(shared).await;
     drain(orders, waiting);
     shared.state().health = Health::Ready;
     let (done, mut ended) = mpsc::unbounded_channel();

@@ -48,6 +48,8 @@ pub(super) struct Moving {
     /// Where the legs go after what is followed, and when that was seen.
     chase: Option<(Speeds, Instant)>,
     looking: BTreeMap<Target, (Newest, DropGuard)>,
+    /// How often it began to look.
+    looks: u64,
     /// Joints that one piece does not bring to where they are to be.
     goals: BTreeMap<&'static str, Goal>,
     renewed: Option<Instant>,
@@ -195,7 +197,9 @@ impl Acting {
             (if state.check_legs().is_ok() { wanted } else { [0.0; 3] }, state.is_pepper)
         };
         // The line back may be cut while this one is not.
-        let wanted = if self.session.link().silent_for() > SILENT { [0.0; 3] } else { wanted };
+        let is_silent = self.session.link().silent_for() > SILENT;
+        // And a Stop that is not over yet has the legs: a step that begins now would be broken off by it.
+        let wanted = if is_silent || self.shared.wants_stop() { [0.0; 3] } else { wanted };
         match self.moving.legs.due(wanted, now, is_pepper) {
             Stride::Nothing => {}
             Stride::Stand => self.post(Call::new("ALMotion", "stopMove", [])),
@@ -262,7 +266,9 @@ impl Acting {
         }
         let (newest, cancel) = (Newest::default(), CancellationToken::new());
         let sense = Looking { target, newest: newest.clone(), ring: self.done.clone() };
-        let name = format!("{}/follow/{}", self.own_name, target.seen_by().0);
+        // Another one each time: the end of the last may still be on its way.
+        self.moving.looks += 1;
+        let name = format!("{}/follow/{}-{}", self.own_name, target.seen_by().0, self.moving.looks);
         let (session, shared) = (self.session.clone(), Arc::clone(&self.shared));
         let task = senses::run(session, shared, Turns::default(), name, user.clone(), Box::new(sense), cancel.clone());
         tokio::spawn(task);

@@ -68,7 +68,9 @@ impl Driver {
     }
 
     pub(crate) fn tell(&mut self, user: &Use, value: impl Into<Value>) {
-        self.nao.command(user, &value.into(), Millis(self.steps * 10)).unwrap();
+        let told = self.nao.command(user, &value.into(), Millis(self.steps * 10));
+        let why = told.err().map(|refused| (refused, self.nao.health(), self.nao.take_halt()));
+        assert_eq!(why, None);
     }
 
     /// The next value of a stream.
