@@ -16,7 +16,7 @@ use crate::rooms::{Locking, Note, Parting, Remover, Whereabouts};
 use crate::state::ServerState;
 use behaviour::{Change, Helper, Id, Token, Value};
 use futures_util::future::BoxFuture;
-use protocol::{Refused, Reply, Request};
+use protocol::{RealRobot, Refused, Reply, Request};
 use robot::Control;
 use std::future::Future;
 use std::sync::Arc;
@@ -108,10 +108,7 @@ impl Session {
             | Request::ReachRobot { .. }
             | Request::AcceptRobot { .. }
             | Request::RemoveRobot { .. } => self.change_robots(ask, request),
-            Request::CheckRobot { real, robot } => {
-                let robots = self.state().robots.clone();
-                self.later(ask, async move { real::check(&robots, &real, robot.as_ref()).await });
-            }
+            Request::CheckRobot { real, robot } => self.check_robot(ask, *real, robot),
             Request::FindRobots => self.later(ask, real::find()),
             Request::ControlRobot { robot, control } => self.control(ask, &robot, control),
             Request::Recordings | Request::RemoveRecording { .. } => self.recordings(ask, request),
@@ -201,6 +198,12 @@ impl Session {
     fn control(&self, ask: u32, robot: &Id, control: Control) {
         let (host, by) = (self.state().robots.meant(Some(robot)), self.me.name.clone());
         self.later(ask, async move { host?.control(control, &by).await.map(|()| Reply::Done) });
+    }
+
+    /// Whether a robot can be reached.
+    fn check_robot(&self, ask: u32, real: RealRobot, robot: Option<Id>) {
+        let robots = self.state().robots.clone();
+        self.later(ask, async move { real::check(&robots, &real, robot.as_ref()).await });
     }
 
     /// Which robots there are and who wins on them: kept before it counts, which may take its time.
