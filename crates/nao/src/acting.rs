@@ -7,6 +7,7 @@ use crate::link::{CALL, call};
 use crate::shared::Shared;
 use crate::speech::Speech;
 use crate::targets::Targets;
+use crate::voicing::{self, Voicing};
 use futures_util::future::join_all;
 use qi::{Session, Value};
 use robot::Use;
@@ -30,6 +31,12 @@ const HOLD_SPEED: f64 = 0.3;
 type Slot = &'static str;
 /// What the names of animations begin with.
 const ANIMATION: &str = "animations/";
+/// What stands before the name of an installed behaviour, among all that may last.
+const BEHAVIOR: &str = "behaviour ";
+/// The longest that an installed behaviour may take.
+const BEHAVIOR_WITHIN: Duration = Duration::from_secs(600);
+/// What has the tablet, and the kind of everything that it shows.
+const TABLET: Slot = "ALTabletService";
 /// The kind of everything that joints do.
 const JOINTS: Slot = "joints";
 /// What hears words, and its own voice too.
@@ -68,6 +75,11 @@ pub(crate) struct Acting {
     track: Option<(Use, Track, Instant)>,
     tracker: Arc<Tracker>,
     lasting: Lastings,
+    voicing: Voicing,
+    /// Groups of lights that are not the robot's own now, and who lit them.
+    lit: BTreeMap<Slot, Use>,
+    /// Who shows something on the tablet.
+    shown: Option<Use>,
     /// Where the head goes: how far it may nod depends on it.
     yaw: f64,
     /// Who moved joints last, to hold them when that ends.
@@ -97,6 +109,9 @@ impl Acting {
             track: None,
             tracker: Arc::default(),
             lasting: Lastings::default(),
+            voicing: Voicing::default(),
+            lit: BTreeMap::new(),
+            shown: None,
             yaw: 0.0,
             movers: BTreeMap::new(),
         }
@@ -122,6 +137,16 @@ impl Acting {
                 let work = Work { what, calls, end, within };
                 self.lasting.begin(&self.session, &self.done, user, work);
                 self.show();
+            }
+            Deed::Behavior(name) => self.run_behavior(user, name),
+            Deed::Voice(manner) => self.voicing.set(&self.session, &self.shared, gate, user, manner),
+            Deed::Light { group, call } => {
+                self.slots.insert(group, call);
+                self.lit.insert(group, user);
+            }
+            Deed::Tablet(call) => {
+                self.slots.insert(TABLET, call);
+                self.shown = Some(user);
             }
             Deed::Say(text) => self.speech.say(text, &user),
             Deed::Walk(speeds) => self.walk(user, speeds),
@@ -151,6 +176,9 @@ impl Acting {
                 self.post(Call::new("ALTextToSpeech", "stopAll", []));
             }
             self.lasting.clear();
+            self.voicing.end(&self.session, &self.shared);
+            self.darken(|_| true);
+            self.hide(|_| true);
             self.movers.clear();
             self.show();
         }
@@ -168,9 +196,43 @@ impl Acting {
         if self.track.as_ref().is_some_and(|track| track.0 == *user) {
             self.unfollow();
         }
+        self.voicing.leave(&self.session, &self.shared, user);
+        self.darken(|by| by == user);
+        self.hide(|by| by == user);
         self.lasting.leave(user).into_iter().for_each(|call| self.post(call));
         self.hold(user);
         self.show();
+    }
+
+    /// Begins an installed behaviour, unless it runs; another one ends first.
+    fn run_behavior(&mut self, user: Use, name: String) {
+        let what = format!("{BEHAVIOR}{name}");
+        let call = |method| Call::new("ALBehaviorManager", method, [name.as_str().into()]);
+        let mut calls = self.lasting.replace(BEHAVIOR, &what);
+        // Stopped at the end, should it be one of those that go on for ever.
+        calls.extend([call("runBehavior"), call("stopBehavior")]);
+        let work = Work { what, calls, end: vec![call("stopBehavior")], within: BEHAVIOR_WITHIN };
+        self.shared.state().animations.insert(name);
+        self.lasting.begin(&self.session, &self.done, user, work);
+        self.show();
+    }
+
+    /// These lights are the robot's own again.
+    fn darken(&mut self, whose: impl Fn(&Use) -> bool) {
+        let groups: Vec<Slot> = self.lit.iter().filter(|(_, by)| whose(by)).map(|(group, _)| *group).collect();
+        for group in groups {
+            self.lit.remove(group);
+            self.slots.remove(group);
+            self.post(Call::new("ALLeds", "reset", [group.into()]));
+        }
+    }
+
+    /// The tablet shows what the robot wants.
+    fn hide(&mut self, whose: impl Fn(&Use) -> bool) {
+        if self.shown.take_if(|by| whose(by)).is_some() {
+            self.slots.remove(TABLET);
+            self.in_turn(["hideWebview", "hideImage"].map(|method| Call::new(TABLET, method, [])).to_vec());
+        }
     }
 
     /// The joints that a use moved last stay where they are.
@@ -250,7 +312,10 @@ impl Acting {
             }
             Done::Lasted(what, number) => {
                 self.lasting.over(&what, number);
-                self.shared.state().animations.remove(&what);
+                self.shared.state().animations.remove(what.strip_prefix(BEHAVIOR).unwrap_or(&what));
+                if what == "RememberFace" {
+                    self.shared.looking.notify_one();
+                }
             }
         }
         self.show();
@@ -352,7 +417,7 @@ impl Acting {
         if let Some(text) = self.speech.begin() {
             let (session, done) = (self.session.clone(), self.done.clone());
             let within = SAY + SAY_CHAR * u32::try_from(text.chars().count()).unwrap_or(u32::MAX);
-            let wanted = Call::new("ALTextToSpeech", "say", [text.into()]);
+            let shared = Arc::clone(&self.shared);
             // It would hear itself.
             let hears = self.shared.state().subscribed.iter().any(|(service, _)| *service == HEARING);
             let pause = move |pauses: bool| hears.then(|| Call::new(HEARING, "pause", [pauses.into()]));
@@ -360,7 +425,9 @@ impl Acting {
                 if let Some(wanted) = pause(true) {
                     attempt(&session, &wanted, CALL).await;
                 }
-                attempt(&session, &wanted, within).await;
+                if let Err(error) = voicing::say(&session, &shared, &text, within).await {
+                    tracing::debug!(%error, "the robot did not say it");
+                }
                 if let Some(wanted) = pause(false) {
                     attempt(&session, &wanted, CALL).await;
                 }

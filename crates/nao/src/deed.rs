@@ -1,5 +1,6 @@
 //! What an action wants of the robot: made from a value on the robot's thread, done on the link's.
 
+use crate::voicing::Manner;
 use qi::Value;
 use std::time::Duration;
 
@@ -54,6 +55,19 @@ pub(crate) enum Deed {
         /// Whether the robot must be awake and on its feet.
         moves: bool,
     },
+    /// An installed behaviour; it takes the place of another one.
+    Behavior(String),
+    /// How it speaks from now on.
+    Voice(Manner),
+    /// A light of this group, which is the robot's own again at the end of the use.
+    Light {
+        /// In ALLeds.
+        group: &'static str,
+        /// What is called; the newest counts.
+        call: Call,
+    },
+    /// What the tablet shows, until the end of the use.
+    Tablet(Call),
     /// Words to speak.
     Say(String),
     /// Walking: ahead, to the left and turning, in metres and radians a second.
@@ -68,9 +82,15 @@ impl Deed {
     /// Whether the robot must be awake and on its feet for it.
     pub(crate) fn moves(&self) -> bool {
         match self {
-            Self::Joints { .. } | Self::Walk(_) | Self::Track(_) => true,
+            Self::Joints { .. } | Self::Walk(_) | Self::Track(_) | Self::Behavior(_) => true,
             Self::Lasting { moves, .. } => *moves,
-            Self::Newest { .. } | Self::Eyes { .. } | Self::Say(_) | Self::Print(_) => false,
+            Self::Newest { .. }
+            | Self::Eyes { .. }
+            | Self::Voice(_)
+            | Self::Light { .. }
+            | Self::Tablet(_)
+            | Self::Say(_)
+            | Self::Print(_) => false,
         }
     }
 }

@@ -7,7 +7,7 @@ use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Condition, Control, Health, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
+    Body, Condition, Control, Health, Installed, JOINTS, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use, Wake,
     with_defaults,
 };
 use std::collections::BTreeMap;
@@ -118,6 +118,10 @@ impl Robot for Nao {
         self.shared.state().lacking.clone()
     }
 
+    fn installed(&self) -> Arc<Installed> {
+        Arc::clone(&self.shared.state().installed)
+    }
+
     fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), RobotFault> {
         self.close(user);
         let driver = ALL.iter().find(|driver| driver.name == name);
@@ -136,6 +140,7 @@ impl Robot for Nao {
             if state.halt.is_some() {
                 return Err(RobotFault::NotNow("it has just halted".to_owned()));
             }
+            known.check_installed(params, &state.installed)?;
             let joint = params.get("joint").and_then(Value::as_text);
             if let Some(joint) = joint.filter(|joint| JOINTS.contains(joint))
                 && !state.joints.iter().any(|known| known == joint)
@@ -155,7 +160,10 @@ impl Robot for Nao {
                 self.senses.insert(user.clone(), Open { only: sense.only(), beat });
                 self.tell(Order::Open(user.clone(), sense))?;
             }
-            Opened::Act(act) => drop(self.acts.insert(user.clone(), act)),
+            Opened::Act(act) => {
+                act.fits(&self.shared.state())?;
+                drop(self.acts.insert(user.clone(), act));
+            }
         }
         self.note_use();
         Ok(())
@@ -189,6 +197,7 @@ impl Robot for Nao {
             if deed.moves() {
                 state.check_moves()?;
             }
+            act.ready(value, &state)?;
             if let Deed::Print(text) = deed {
                 state.print(user.clone(), text);
                 return Ok(());
@@ -234,6 +243,9 @@ impl Robot for Nao {
     fn control(&mut self, control: Control, _now: Millis) -> Result<(), RobotFault> {
         let (is_linked, may_rest) = {
             let state = self.shared.state();
+            if state.is_linked() {
+                state.check_control(control)?;
+            }
             (state.is_linked(), state.may_rest())
         };
         if !is_linked {

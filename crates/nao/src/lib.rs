@@ -15,6 +15,7 @@ mod deed;
 mod devices;
 mod discover;
 mod front;
+mod inventory;
 mod lasting;
 mod link;
 mod models;
@@ -27,6 +28,7 @@ mod status;
 mod stopping;
 mod supervisor;
 mod targets;
+mod voicing;
 
 pub use check::{Found, Step, check};
 pub use discover::{Announced, Unheard, discover};

@@ -1,11 +1,12 @@
 //! What the robot's thread and the link's thread have in common.
 
 use crate::body::Limits;
+use crate::voicing::Before;
 use behaviour::Value;
-use robot::{Condition, Health, Lacking, Printed, RobotFault, Use, Wake};
+use robot::{Condition, Control, Health, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
@@ -28,6 +29,8 @@ pub(crate) struct Shared {
     stop_wanted: AtomicBool,
     /// Whether the robot is to rest once it holds.
     rest_wanted: AtomicBool,
+    /// Rung when what changes seldom may have changed.
+    pub(crate) looking: Notify,
     /// Rung when it is wanted.
     pub(crate) stopping: Notify,
     /// Whether everything is to end.
@@ -64,6 +67,14 @@ pub(crate) struct State {
     pub(crate) animations: BTreeSet<String>,
     /// What is measured only for us: service and the name that we subscribed by.
     pub(crate) subscribed: BTreeSet<(&'static str, String)>,
+    /// What is installed on it.
+    pub(crate) installed: Arc<Installed>,
+    /// Its groups of lights; empty before they are known.
+    pub(crate) lights: BTreeSet<String>,
+    /// How it spoke before that was changed; none if it was not.
+    pub(crate) voice_before: Option<Before>,
+    /// Whether it moves its arms when it speaks.
+    pub(crate) gestures: bool,
     /// The words that each use listens for.
     pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
@@ -95,6 +106,10 @@ impl Default for State {
             animations: BTreeSet::new(),
             printed: VecDeque::new(),
             subscribed: BTreeSet::new(),
+            installed: Arc::default(),
+            lights: BTreeSet::new(),
+            voice_before: None,
+            gestures: false,
             words: BTreeMap::new(),
             used: false,
             readings: VecDeque::new(),
@@ -113,6 +128,23 @@ impl State {
         let why = match (self.condition.fallen, self.condition.awake) {
             (Some(true), _) => "it lies on the floor; help it up first",
             (_, Some(false)) => "it rests; take control first",
+            _ => return Ok(()),
+        };
+        Err(RobotFault::NotNow(why.to_owned()))
+    }
+
+    /// Why it cannot do now with its body what somebody asks for, if it cannot.
+    pub(crate) fn check_control(&self, control: Control) -> Result<(), RobotFault> {
+        let why = match control {
+            Control::Stand | Control::Sit if self.condition.awake == Some(false) => "it rests; wake it up first",
+            Control::WakeUp | Control::Stand | Control::Sit if !self.may_rest() => {
+                "it lies on the floor; help it up first"
+            }
+            Control::Sit if self.is_pepper => "a Pepper cannot sit",
+            Control::WakeUp | Control::Stand | Control::Sit if self.condition.life == Some(Life::Safeguard) => {
+                "it protects itself; give it a moment"
+            }
+            Control::ForgetFaces if !self.devices.contains(&"RememberFace") => "it cannot remember faces",
             _ => return Ok(()),
         };
         Err(RobotFault::NotNow(why.to_owned()))

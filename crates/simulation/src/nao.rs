@@ -3,7 +3,7 @@
 use crate::base::Base;
 use crate::body::Body;
 use crate::condition::Own;
-use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Pads, Played, Playing, Point, Sounds, Walking};
+use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Lights, Pads, Played, Playing, Point, Sounds, Walking};
 use crate::hash::{Digest, digest_use};
 use crate::hearing::Hearing;
 use crate::model::{Model, motor};
@@ -47,6 +47,7 @@ pub struct SimulatedNao {
     /// Why everything ended, until somebody asks.
     pub(crate) halted: Option<String>,
     pub(crate) eyes: Eyes,
+    pub(crate) lights: Lights,
     pub(crate) printed: VecDeque<Printed>,
     pub(crate) known: Vec<bool>,
     pub(crate) safe: bool,
@@ -86,6 +87,7 @@ impl SimulatedNao {
             own: Own::default(),
             halted: None,
             eyes: Eyes::default(),
+            lights: Lights::default(),
             printed: VecDeque::new(),
             safe: false,
             noise: Noise::default(),
@@ -117,6 +119,13 @@ impl SimulatedNao {
         self.noise = Noise { angle: sound(noise.angle), size: sound(noise.size), drop: sound(noise.drop) };
     }
 
+    /// How it speaks by the last action that changed that: "80 %, 50 % fast, with gestures, in Japanese"; none if it speaks
+    /// as usual.
+    #[must_use]
+    pub fn speaks(&self) -> Option<String> {
+        self.speech.voice.as_ref().map(|(_, voice)| voice.words())
+    }
+
     /// The sounds that were played, oldest first, at most 100.
     #[must_use]
     pub fn sounds(&self) -> &[Played] {
@@ -137,6 +146,7 @@ impl SimulatedNao {
         self.body.place(self.base.at, self.lean.angle, &self.servo.now);
         self.world.step(&self.body, self.base.at);
         self.speech.step(self.now);
+        self.speak_with_gestures();
         self.sounds.step(self.now);
         self.hear();
         self.pads.step(self.bumped());
@@ -192,6 +202,7 @@ impl SimulatedNao {
         digest.count(self.printed.len());
         self.printed.iter().for_each(|printed| digest.text(&printed.text));
         self.known.iter().for_each(|known| digest.truth(*known));
+        self.lights.digest(digest);
         self.pads.digest(digest);
         self.sounds.digest(digest);
         self.hearing.digest(digest);

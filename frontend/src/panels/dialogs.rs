@@ -3,6 +3,7 @@
 mod choose;
 mod commands;
 mod conflict;
+mod faces;
 mod find;
 mod frame;
 mod gone;
@@ -95,7 +96,9 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::AddProgram
         | Dialog::RemoveProgram
         | Dialog::RenameProgram => Role::Editor,
-        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot => Role::Operator,
+        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot | Dialog::ForgetFaces => {
+            Role::Operator
+        }
         Dialog::Invite | Dialog::AddRealRobot => Role::Host,
         Dialog::Operation { connector: Some(_), .. }
         | Dialog::EditStream(_)
@@ -134,6 +137,7 @@ pub(crate) fn dialog(dialog: Dialog) -> AnyView {
         Dialog::AddRealRobot => view! { <real_robot::AddReal /> }.into_any(),
         Dialog::RenameRobot => view! { <names::RenameRobot /> }.into_any(),
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
+        Dialog::ForgetFaces => view! { <faces::ForgetFaces /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::People => view! { <people::People /> }.into_any(),
         Dialog::Invite => view! { <invite::Invite /> }.into_any(),

@@ -327,8 +327,10 @@ impl<'a> RobotThread<'a> {
             other => other,
         };
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
+        let installed = self.robot.installed();
         self.shared.feed.edit(&self.shared.robot, |state| {
             (state.health, state.lacking, state.condition) = (health, lacking, condition);
+            state.installed = installed;
             if state.devices != devices {
                 state.devices = devices.into_iter().map(str::to_owned).collect();
             }
