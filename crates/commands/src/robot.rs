@@ -115,8 +115,8 @@ impl What {
             Self::GiveBack { name } => format!("give back \"{name}\""),
             Self::Rest { name } => format!("rest \"{name}\""),
             Self::WakeUp { name } => format!("wake up \"{name}\""),
-            Self::Stand { name } => format!("stand up \"{name}\""),
-            Self::Sit { name } => format!("sit down \"{name}\""),
+            Self::Stand { name } => format!("let stand \"{name}\""),
+            Self::Sit { name } => format!("let sit \"{name}\""),
             Self::ForgetFaces { name } => format!("forget faces \"{name}\""),
             Self::Remove { name } => format!("remove robot \"{name}\""),
         }

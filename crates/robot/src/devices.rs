@@ -90,6 +90,14 @@ pub(crate) const ALL: &[&Device] = &[
 pub(crate) const LETTING_GO: Param =
     Param { name: "release", label: "Also told", kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]) };
 
+/// Parameters that count only with a choice of another one: action, parameter, the other one and its choice.
+pub(crate) const ONLY_WITH: &[(&str, &str, &str, &str)] = &[
+    ("Sound", "file", "sound", "file"),
+    ("Animation", "gesture", "animation", "robot"),
+    ("Tablet", "text", "shows", "text"),
+    ("Tablet", "picture", "shows", "picture"),
+];
+
 /// The colours of lights.
 pub(crate) const COLORS: &[(&str, &str)] = &[
     ("red", "red"),

@@ -1,5 +1,6 @@
 //! What is installed on a robot and can be chosen by its name there: behaviours, gestures, sounds and languages.
 
+use crate::devices::ONLY_WITH;
 use crate::{Device, DeviceFault, Missing, ParamKind, RobotFault, Why};
 use behaviour::{Behaviour, Id, Params, Stream, Value};
 use serde::{Deserialize, Serialize};
@@ -156,13 +157,8 @@ impl Device {
     /// The parameter and the choice of it with which a parameter counts, if it does not count always.
     #[must_use]
     pub fn only_with(&self, param: &str) -> Option<(&'static str, &'static str)> {
-        match (self.name, param) {
-            ("Sound", "file") => Some(("sound", "file")),
-            ("Animation", "gesture") => Some(("animation", "robot")),
-            ("Tablet", "text") => Some(("shows", "text")),
-            ("Tablet", "picture") => Some(("shows", "picture")),
-            _ => None,
-        }
+        let known = ONLY_WITH.iter().find(|known| (known.0, known.1) == (self.name, param))?;
+        Some((known.2, known.3))
     }
 }
 

@@ -35,14 +35,14 @@ pub(crate) const WAKE_UP: Command = Command {
 };
 
 pub(crate) const STAND: Command = Command {
-    name: "stand up",
+    name: "let stand",
     words: "NAME",
     help: "Lets the robot stand up.",
     run: |console, words| Box::pin(run(console, words, Control::Stand)),
 };
 
 pub(crate) const SIT: Command = Command {
-    name: "sit down",
+    name: "let sit",
     words: "NAME",
     help: "Lets the robot sit down, its motors on.",
     run: |console, words| Box::pin(run(console, words, Control::Sit)),
