@@ -143,8 +143,9 @@ const NAMED_ELSEWHERE: [(&str, &str, &str); 4] = [
 ];
 /// Labels of connectors that are also words of Rust or its libraries: `Value::Map`, `MissedTickBehavior::Delay`.
 const COMMON_LABELS: [&str; 2] = ["Map", "Delay"];
-/// Devices that are also common names of types: people who are here, a button of the page, a walk through a tree.
-const COMMON_DEVICES: [&str; 3] = ["Button", "People", "Walk"];
+/// Devices that are also common names of types: people who are here, a button of the page, the lights that say how a robot is, a
+/// walk through a tree, the voice as a part of the body.
+const COMMON_DEVICES: [&str; 5] = ["Button", "Lights", "People", "Voice", "Walk"];
 
 /// The longest function, in lines. A ratchet: it may only go down.
 const FUNCTION_MAX: usize = 90;

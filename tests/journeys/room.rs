@@ -180,3 +180,28 @@ async fn one_looks_through_the_camera_and_everyone_is_told() -> Outcome<()> {
     calm(&aiko)?;
     calm(&ben)
 }
+
+#[tokio::test]
+async fn a_robot_sits_and_stands_when_somebody_presses_that_and_nothing_runs() -> Outcome<()> {
+    if !skip::ready("journey: sit and stand") {
+        return Ok(());
+    }
+    let stage = Stage::set().await?;
+    let aiko = stage.person("aiko").await?;
+    add_program(&aiko, "Sit").await?;
+    add_sense(&aiko, "Face").await?;
+    let chosen = async |item: &str| {
+        aiko.press("button", "Robot: Simulated NAO").await?;
+        aiko.press("menuitem", item).await
+    };
+    chosen("Sit down").await?;
+    says(&aiko, "“Simulated NAO” sits down.").await?;
+    chosen("Stand up").await?;
+    says(&aiko, "“Simulated NAO” stands up.").await?;
+    start(&aiko).await?;
+    chosen("Sit down").await?;
+    says(&aiko, "a program runs on it; press Stop first").await?;
+    stop(&aiko).await?;
+    at_rest(&aiko).await?;
+    calm(&aiko)
+}

@@ -1,8 +1,12 @@
-"""ALAudioPlayer and ALAudioDevice. A file plays for one second, if it is among those of the robot."""
+"""ALAudioPlayer and ALAudioDevice. A file plays for one second, if it is among those of the robot or of a set of sounds.
+
+Read: sets of sounds, and a sound of one by the names of both.
+"""
 
 from service import Refused, Service, api
 
 FILES = ["/usr/share/naoqi/wav/random.wav", "/home/nao/sounds/bell.wav", "/opt/aldebaran/share/naoqi/wav/start_jingle.wav"]
+SETS = {"Aldebaran": ["sfx_confirmation_1", "sfx_validation_1", "sfx_warning_1"]}
 FILE_MS = 1_000
 
 
@@ -26,6 +30,28 @@ class AudioPlayer(Service):
     def _loop(self, path, _volume, _pan):
         self._there(path)
         return self._begin(path, float("inf"))
+
+    @api("[s]::()")
+    def getInstalledSoundSetsList(self):
+        return sorted(SETS)
+
+    @api("[s]::(s)")
+    def getSoundSetFileNames(self, name):
+        if name not in SETS:
+            raise Refused("no set of sounds is called %s" % name)
+        return SETS[name]
+
+    @api("v::(s)", "playSoundSetFile")
+    def _set_file(self, file):
+        return self._of_set(next((name for name in SETS if file in SETS[name]), ""), file)
+
+    @api("v::(ss)", "playSoundSetFile")
+    def _set_file_of(self, name, file):
+        return self._of_set(name, file)
+
+    @api("v::(ssfffb)", "playSoundSetFile")
+    def _set_file_at(self, name, file, _position, _volume, _pan, _loop):
+        return self._of_set(name, file)
 
     @api("i::(s)")
     def loadFile(self, path):
@@ -58,6 +84,11 @@ class AudioPlayer(Service):
     def _there(self, path):
         if path not in FILES:
             raise Refused("cannot open %s" % path)
+
+    def _of_set(self, name, file):
+        if file not in SETS.get(name, []):
+            raise Refused("%s has no sound %s" % (name, file))
+        return self._begin("%s/%s" % (name, file), FILE_MS)
 
     def _sound(self, path):
         self._there(path)

@@ -92,6 +92,10 @@ def pose(house, wanted):
     house.body.base = [float(part) for part in wanted]
 
 
+def network(house, wanted):
+    house.services["ALConnectionManager"].used = {str(kind): int(strength) for kind, strength in wanted.items()}
+
+
 def learned(house, wanted):
     house.services["ALFaceDetection"].learned = {int(number): name for number, name in wanted.items()}
 
@@ -102,6 +106,7 @@ FIELDS = {
     "landmarks": landmarks,
     "obstacles": obstacles,
     "learned": learned,
+    "network": network,
     "hears_itself": lambda house, on: setattr(house.services["ALSpeechRecognition"], "hears_itself", on),
     "face_unknown_ms": lambda house, ms: setattr(house.services["ALFaceDetection"], "unknown_ms", float(ms)),
     "speech_ms_per_char": lambda house, ms: setattr(house.services["ALTextToSpeech"], "ms_per_char", float(ms)),

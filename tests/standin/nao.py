@@ -27,6 +27,7 @@ from life import Awareness, Background, Blinking, Life, Listening, Speaking
 from memory import Memory, first
 from motion import Motion
 from near import Sonar
+from network import Connections
 from players import Animations, Behaviors
 from posture import Posture
 from power import Battery, Temperature
@@ -34,6 +35,7 @@ from speech import AnimatedVoice, Voice
 from standin import StandIn
 from system import Model, System
 from table import Table
+from tablet import Tablet
 from tracker import Tracker
 from video import Video
 from vision import Blob, Landmark, RedBall
@@ -42,7 +44,7 @@ from world import World
 SERVICES = [
     Memory, Motion, Posture, Voice, AnimatedVoice, Leds, RedBall, Blob, Faces, People, Landmark, Recognition, Localization,
     Sonar, Battery, Temperature, Tracker, Animations, Behaviors, AudioPlayer, AudioDevice, Life, Background, Listening,
-    Speaking, Blinking, Awareness, System, Model, Video,
+    Speaking, Blinking, Awareness, Connections, System, Model, Video,
 ]
 
 
@@ -68,6 +70,8 @@ def build(body, aloud, name, serial):
     house.memory = Memory(house)
     first(house.memory, house.body.table)
     made = [house.memory] + [kind(house) for kind in SERVICES[1:]]
+    if house.body.table.kind == "pepper":
+        made.append(Tablet(house))
     house.services = {service.name: service for service in made}
     house.services["ALSystem"].called = name
     # A simulated NAOqi has no such key.

@@ -31,6 +31,7 @@ A mistake in the JSON is an error of the call, and then nothing has changed afte
      "posture":   "StandInit",             there at once
      "awake":     true,                    and its motors stiff, or not
      "learned":   {"1": "Aiko"},           faces that it knows, by the number of the person; all of them
+     "network":   {"wifi": 86},            or {"ethernet": 0}, or {} without one
      "face_unknown_ms": 8000,              so long it looks at a face before it tells that it does not know it
      "speech_ms_per_char": 55, "hears_itself": true, "life_disabled_rests": true}
 

@@ -75,6 +75,41 @@ enum What {
         /// Its name.
         name: String,
     },
+    /// Ends a robot's own life: it stands up, and programs have it.
+    Take {
+        /// Its name.
+        name: String,
+    },
+    /// Stops what runs and gives a robot back to its own life.
+    GiveBack {
+        /// Its name.
+        name: String,
+    },
+    /// Stops what runs and lets a robot sit down, its motors off.
+    Rest {
+        /// Its name.
+        name: String,
+    },
+    /// Wakes a robot up: its motors go on.
+    WakeUp {
+        /// Its name.
+        name: String,
+    },
+    /// Lets a robot stand up.
+    Stand {
+        /// Its name.
+        name: String,
+    },
+    /// Lets a robot sit down, its motors on.
+    Sit {
+        /// Its name.
+        name: String,
+    },
+    /// Has a robot forget all faces that it remembers, for good.
+    ForgetFaces {
+        /// Its name.
+        name: String,
+    },
     /// Removes a robot on which nothing runs.
     Remove {
         /// Its name.
@@ -101,6 +136,13 @@ impl What {
             Self::Reach { name, address, user } => format!("reach robot \"{name}\" at {}", at(address, user)),
             Self::Accept { name } => format!("accept robot \"{name}\""),
             Self::Blink { name } => format!("blink robot \"{name}\""),
+            Self::Take { name } => format!("take control \"{name}\""),
+            Self::GiveBack { name } => format!("give back \"{name}\""),
+            Self::Rest { name } => format!("rest \"{name}\""),
+            Self::WakeUp { name } => format!("wake up \"{name}\""),
+            Self::Stand { name } => format!("let stand \"{name}\""),
+            Self::Sit { name } => format!("let sit \"{name}\""),
+            Self::ForgetFaces { name } => format!("forget faces \"{name}\""),
             Self::Remove { name } => format!("remove robot \"{name}\""),
         }
     }
@@ -130,6 +172,8 @@ mod tests {
             address: address.map(str::to_owned),
             user: user.map(str::to_owned),
         };
+        let forget = What::ForgetFaces { name: "NAO blue".into() };
+        assert_eq!(forget.line(), "forget faces \"NAO blue\"");
         assert_eq!(add(None, None).line(), "add robot \"NAO blue\"");
         assert_eq!(add(Some("nao.local"), Some("nao")).line(), "add robot \"NAO blue\" at nao.local as nao");
         let reach = What::Reach { name: "NAO blue".into(), address: "10.0.0.9".into(), user: None };

@@ -13,6 +13,7 @@ use crate::phrases;
 use crate::shared::Shared;
 use crate::speech::Speech;
 use crate::targets::Targets;
+use crate::voicing::{self, Voicing};
 use futures_util::future::join_all;
 use moving::Moving;
 use qi::Session;
@@ -31,6 +32,12 @@ const SAY_CHAR: Duration = Duration::from_millis(150);
 type Slot = &'static str;
 /// What the names of animations begin with.
 const ANIMATION: &str = "animations/";
+/// What stands before the name of an installed behaviour, among all that may last.
+const BEHAVIOR: &str = "behaviour ";
+/// The longest that an installed behaviour may take.
+const BEHAVIOR_WITHIN: Duration = Duration::from_secs(600);
+/// What has the tablet, and the kind of everything that it shows.
+const TABLET: Slot = "ALTabletService";
 /// The kind of everything that joints do.
 const JOINTS: Slot = "joints";
 /// What hears words, and its own voice too.
@@ -64,6 +71,11 @@ pub(crate) struct Acting {
     lasting: Lastings,
     /// What this server subscribes by.
     own_name: String,
+    voicing: Voicing,
+    /// Groups of lights that are not the robot's own now, and who lit them.
+    lit: BTreeMap<Slot, Use>,
+    /// Who shows something on the tablet.
+    shown: Option<Use>,
 }
 
 impl Acting {
@@ -89,6 +101,9 @@ impl Acting {
             moving: Moving::default(),
             lasting: Lastings::default(),
             own_name: own_name.to_owned(),
+            voicing: Voicing::default(),
+            lit: BTreeMap::new(),
+            shown: None,
         }
     }
 
@@ -108,6 +123,16 @@ impl Acting {
                 let work = Work { what, calls, end, within };
                 self.lasting.begin(&self.session, &self.done, user, work);
                 self.show();
+            }
+            Deed::Behavior(name) => self.run_behavior(user, name),
+            Deed::Voice(manner) => self.voicing.set(&self.session, &self.shared, gate, user, manner),
+            Deed::Light { group, call } => {
+                self.slots.insert(group, call);
+                self.lit.insert(group, user);
+            }
+            Deed::Tablet(call) => {
+                self.slots.insert(TABLET, call);
+                self.shown = Some(user);
             }
             Deed::Say(text) => self.speech.say(text, &user),
             Deed::Walk(speeds) => self.walk(user, speeds),
@@ -144,6 +169,9 @@ impl Acting {
             }
             self.freeze();
             self.lasting.clear();
+            self.voicing.end(&self.session, &self.shared);
+            self.darken(|_| true);
+            self.hide(|_| true);
             self.show();
         }
     }
@@ -155,8 +183,42 @@ impl Acting {
             self.post(Call::new("ALTextToSpeech", "stopAll", []));
         }
         self.leave(user);
+        self.voicing.leave(&self.session, &self.shared, user);
+        self.darken(|by| by == user);
+        self.hide(|by| by == user);
         self.lasting.leave(user).into_iter().for_each(|call| self.post(call));
         self.show();
+    }
+
+    /// Begins an installed behaviour, unless it runs; another one ends first.
+    fn run_behavior(&mut self, user: Use, name: String) {
+        let what = format!("{BEHAVIOR}{name}");
+        let call = |method| Call::new("ALBehaviorManager", method, [name.as_str().into()]);
+        let mut calls = self.lasting.replace(BEHAVIOR, &what);
+        // Stopped at the end, should it be one of those that go on for ever.
+        calls.extend([call("runBehavior"), call("stopBehavior")]);
+        let work = Work { what, calls, end: vec![call("stopBehavior")], within: BEHAVIOR_WITHIN };
+        self.shared.state().animations.insert(name);
+        self.lasting.begin(&self.session, &self.done, user, work);
+        self.show();
+    }
+
+    /// These lights are the robot's own again.
+    fn darken(&mut self, whose: impl Fn(&Use) -> bool) {
+        let groups: Vec<Slot> = self.lit.iter().filter(|(_, by)| whose(by)).map(|(group, _)| *group).collect();
+        for group in groups {
+            self.lit.remove(group);
+            self.slots.remove(group);
+            self.post(Call::new("ALLeds", "reset", [group.into()]));
+        }
+    }
+
+    /// The tablet shows what the robot wants.
+    fn hide(&mut self, whose: impl Fn(&Use) -> bool) {
+        if self.shown.take_if(|by| whose(by)).is_some() {
+            self.slots.remove(TABLET);
+            self.in_turn(["hideWebview", "hideImage"].map(|method| Call::new(TABLET, method, [])).to_vec());
+        }
     }
 
     /// Of a kind that was quiet for a cycle the first is sent at once.
@@ -218,8 +280,11 @@ impl Acting {
             Done::Lasted(what, number, fault) => {
                 let users = self.lasting.over(&what, number);
                 let mut state = self.shared.state();
-                state.animations.remove(&what);
+                state.animations.remove(what.strip_prefix(BEHAVIOR).unwrap_or(&what));
                 fault.iter().for_each(|fault| users.iter().for_each(|user| state.refuse(user, fault)));
+                if what == "RememberFace" {
+                    self.shared.looking.notify_one();
+                }
             }
             Done::Seen(target) => return self.seen(target),
         }
@@ -253,8 +318,7 @@ impl Acting {
                     break;
                 }
                 let within = SAY + SAY_CHAR * u32::try_from(piece.chars().count()).unwrap_or(u32::MAX);
-                let wanted = Call::new("ALTextToSpeech", "say", [piece.into()]);
-                if let Err(error) = call(&session, &wanted, within).await {
+                if let Err(error) = voicing::say(&session, &shared, &piece, within).await {
                     tracing::debug!(%error, "the robot did not say it");
                     break;
                 }

@@ -2,6 +2,7 @@
 
 use crate::following::Track;
 use crate::legs::Speeds;
+use crate::voicing::Manner;
 use qi::Value;
 use std::time::Duration;
 
@@ -46,6 +47,19 @@ pub(crate) enum Deed {
         /// Whether the robot must be awake and on its feet.
         moves: bool,
     },
+    /// An installed behaviour; it takes the place of another one.
+    Behavior(String),
+    /// How it speaks from now on.
+    Voice(Manner),
+    /// A light of this group, which is the robot's own again at the end of the use.
+    Light {
+        /// In ALLeds.
+        group: &'static str,
+        /// What is called; the newest counts.
+        call: Call,
+    },
+    /// What the tablet shows, until the end of the use.
+    Tablet(Call),
     /// Words to speak.
     Say(String),
     /// Walking: ahead, to the left and turning, in metres and radians a second.
@@ -60,9 +74,15 @@ impl Deed {
     /// Whether the robot must be awake and on its feet for it.
     pub(crate) fn moves(&self) -> bool {
         match self {
-            Self::Joints { .. } | Self::Walk(_) | Self::Track(_) => true,
+            Self::Joints { .. } | Self::Walk(_) | Self::Track(_) | Self::Behavior(_) => true,
             Self::Lasting { moves, .. } => *moves,
-            Self::Eyes(_) | Self::Glow(_) | Self::Say(_) | Self::Print(_) => false,
+            Self::Eyes(_)
+            | Self::Glow(_)
+            | Self::Voice(_)
+            | Self::Light { .. }
+            | Self::Tablet(_)
+            | Self::Say(_)
+            | Self::Print(_) => false,
         }
     }
 

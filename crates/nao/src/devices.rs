@@ -4,33 +4,39 @@
 mod animation;
 mod balls;
 mod battery;
+mod behavior;
 mod clock;
 pub(crate) mod eyes;
 mod face;
 mod joints;
 mod landmark;
+mod lights;
 mod people;
 mod posture;
 mod print;
 mod say;
 mod sonar;
 mod sound;
+mod tablet;
 mod touch;
 mod tracker;
+mod voice;
 mod walk;
 mod words;
 
 use crate::deed::{Call, Deed};
+use crate::shared::State;
 use behaviour::{Params, Value};
 use robot::RobotFault;
 
 /// All drivers.
-pub(crate) const ALL: [&Driver; 30] = [
+pub(crate) const ALL: [&Driver; 34] = [
     &animation::DRIVER,
     &balls::BLOB,
     &balls::COLOR,
     &balls::RED,
     &battery::DRIVER,
+    &behavior::DRIVER,
     &clock::BUTTON,
     &clock::TICK,
     &eyes::BRIGHTNESS,
@@ -40,6 +46,7 @@ pub(crate) const ALL: [&Driver; 30] = [
     &joints::POSITION,
     &joints::SET_POSITION,
     &landmark::DRIVER,
+    &lights::DRIVER,
     &people::DRIVER,
     &posture::CHANGED,
     &posture::FALL,
@@ -50,10 +57,12 @@ pub(crate) const ALL: [&Driver; 30] = [
     &sonar::DRIVER,
     &sound::DRIVER,
     &sound::LOCATED,
+    &tablet::DRIVER,
     &touch::BUMPER,
     &touch::HAND,
     &touch::HEAD,
     &tracker::DRIVER,
+    &voice::DRIVER,
     &walk::DRIVER,
     &words::DRIVER,
 ];
@@ -181,6 +190,16 @@ pub(crate) trait Act: Send {
     /// The sense that it needs, by its name in the catalogue.
     fn needs(&self) -> Option<&'static str> {
         None
+    }
+
+    /// Why this robot can never do that, if it cannot.
+    fn fits(&self, _: &State) -> Result<(), RobotFault> {
+        Ok(())
+    }
+
+    /// Why the robot cannot do that as it is now, if it cannot.
+    fn ready(&self, _: &Value, _: &State) -> Result<(), RobotFault> {
+        Ok(())
     }
 }
 

@@ -10,8 +10,8 @@ use crate::shared::Shared;
 use crate::supervisor;
 use behaviour::{Params, Value};
 use robot::{
-    Body, Camera, Condition, Control, Health, Identity, JOINTS, Lacking, Life, Millis, Reading, Robot, RobotFault,
-    Scene, Use, Wake, with_defaults,
+    Body, Camera, Condition, Control, Health, Identity, Installed, JOINTS, Lacking, Life, Millis, Reading, Robot,
+    RobotFault, Scene, Use, Wake, with_defaults,
 };
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -137,6 +137,10 @@ impl Robot for Nao {
         self.shared.state().lacking.clone()
     }
 
+    fn installed(&self) -> Arc<Installed> {
+        Arc::clone(&self.shared.state().installed)
+    }
+
     fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), RobotFault> {
         self.close(user);
         let driver = ALL.iter().find(|driver| driver.name == name);
@@ -158,6 +162,7 @@ impl Robot for Nao {
             if state.halt.is_some() {
                 return Err(RobotFault::NotNow("it has just halted".to_owned()));
             }
+            known.check_installed(params, &state.installed)?;
             let joint = params.get("joint").and_then(Value::as_text);
             if let Some(joint) = joint.filter(|joint| JOINTS.contains(joint))
                 && !state.joints.iter().any(|known| known == joint)
@@ -180,6 +185,7 @@ impl Robot for Nao {
             }
             Opened::Act(act) => {
                 self.check_needs(&*act)?;
+                act.fits(&self.shared.state())?;
                 self.acts.insert(user.clone(), act);
             }
         }
@@ -219,6 +225,7 @@ impl Robot for Nao {
             if deed.walks() {
                 state.check_legs()?;
             }
+            act.ready(value, &state)?;
             if let Deed::Print(text) = deed {
                 state.print(user.clone(), text);
                 return Ok(());
@@ -267,6 +274,7 @@ impl Robot for Nao {
             // A sign by lights is what a stranger is known by.
             if control != Control::Blink || !matches!(state.health, Health::Stranger(_)) {
                 state.check_link()?;
+                state.check_control(control)?;
             }
             state.may_rest()
         };

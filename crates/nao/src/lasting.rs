@@ -102,6 +102,18 @@ impl Lastings {
         ends.into_iter().flatten().collect()
     }
 
+    /// What is called like this ends, but for one: answers with what ends it on the robot.
+    pub(crate) fn replace(&mut self, family: &str, but: &str) -> Vec<Call> {
+        let is_other = |what: &String| what.starts_with(family) && what != but;
+        let others: Vec<String> = self.all.keys().filter(|what| is_other(what)).cloned().collect();
+        let gone = others.iter().filter_map(|what| self.all.remove(what));
+        gone.flat_map(|lasting| {
+            lasting.cancel.cancel();
+            lasting.end
+        })
+        .collect()
+    }
+
     /// Waits for nothing any more; what ends it on the robot is another's.
     pub(crate) fn clear(&mut self) {
         self.all.values().for_each(|lasting| lasting.cancel.cancel());

@@ -19,6 +19,7 @@ mod following;
 mod front;
 mod hearing;
 mod identity;
+mod inventory;
 mod lasting;
 mod legs;
 mod link;
@@ -35,6 +36,7 @@ mod stopping;
 mod stranger;
 mod supervisor;
 mod targets;
+mod voicing;
 
 pub use check::{Found, Step, check};
 pub use discover::{Announced, Unheard, discover};

@@ -13,8 +13,8 @@ pub struct Model {
 
 /// All kinds.
 pub const MODELS: [Model; 3] = [
-    Model { name: "NAO", lacks: &[] },
-    Model { name: "NAO without hands (H21)", lacks: &["HandTouch"] },
+    Model { name: "NAO", lacks: &["Tablet"] },
+    Model { name: "NAO without hands (H21)", lacks: &["HandTouch", "Tablet"] },
     Model { name: "Pepper", lacks: &[] },
 ];
 

@@ -22,6 +22,8 @@ const EXTRACTORS: [&str; 8] = [
     "ALSonar",
     "ALSoundLocalization",
 ];
+/// What is said of a robot without a tablet.
+const NO_TABLET: &str = "it has no tablet; a Pepper has one";
 /// What `getRobotType` and the model say of a Pepper.
 const PEPPER: &str = "Juliette";
 
@@ -78,6 +80,7 @@ fn has(services: &BTreeSet<String>, joints: &[String]) -> (Vec<&'static str>, Ve
         let joint = driver.joints.iter().find(|joint| !joints.iter().any(|there| there == *joint));
         match (service, joint) {
             (None, None) => devices.push(driver.name),
+            (Some(&"ALTabletService"), _) => lacking.push(lack(driver.name, NO_TABLET.to_owned())),
             (Some(service), _) => lacking.push(lack(driver.name, format!("its {service} is not there"))),
             (None, Some(joint)) => {
                 lacking.push(lack(driver.name, format!("its body has no {joint}", joint = joint_words(joint))))

@@ -1,11 +1,12 @@
 //! What the robot's thread and the link's thread have in common.
 
 use crate::body::Limits;
+use crate::voicing::Before;
 use behaviour::Value;
-use robot::{Condition, Health, Identity, Lacking, Printed, RobotFault, Use, Wake};
+use robot::{Condition, Control, Health, Identity, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 use tokio::sync::Notify;
 
@@ -32,6 +33,8 @@ pub(crate) struct Shared {
     stop_wanted: AtomicBool,
     /// Whether the robot is to rest once it holds.
     rest_wanted: AtomicBool,
+    /// Rung when what changes seldom may have changed.
+    pub(crate) looking: Notify,
     /// Rung when it is wanted.
     pub(crate) stopping: Notify,
     /// Whether everything is to end.
@@ -79,6 +82,14 @@ pub(crate) struct State {
     pub(crate) subscribed: BTreeSet<(&'static str, String)>,
     /// What the catalogue calls the sense of each use.
     pub(crate) labels: BTreeMap<Use, &'static str>,
+    /// What is installed on it.
+    pub(crate) installed: Arc<Installed>,
+    /// Its groups of lights; empty before they are known.
+    pub(crate) lights: BTreeSet<String>,
+    /// How it spoke before that was changed; none if it was not.
+    pub(crate) voice_before: Option<Before>,
+    /// Whether it moves its arms when it speaks.
+    pub(crate) gestures: bool,
     /// The words that each use listens for.
     pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
@@ -120,6 +131,10 @@ impl Default for State {
             printed: VecDeque::new(),
             subscribed: BTreeSet::new(),
             labels: BTreeMap::new(),
+            installed: Arc::default(),
+            lights: BTreeSet::new(),
+            voice_before: None,
+            gestures: false,
             words: BTreeMap::new(),
             used: false,
             silent: BTreeMap::new(),
@@ -171,6 +186,26 @@ impl State {
             "its legs are limp; take control first"
         } else {
             return Ok(());
+        };
+        Err(RobotFault::NotNow(why.to_owned()))
+    }
+
+    /// Why it cannot do now with its body what somebody asks for, if it cannot.
+    pub(crate) fn check_control(&self, control: Control) -> Result<(), RobotFault> {
+        let why = match control {
+            Control::Stand | Control::Sit if self.condition.awake == Some(false) => "it rests; wake it up first",
+            Control::WakeUp | Control::Stand | Control::Sit if !self.may_rest() => {
+                "it lies on the floor; help it up first"
+            }
+            Control::WakeUp | Control::Stand | Control::Sit if self.on_ground == Some(false) => {
+                "it is carried; set it on its feet first"
+            }
+            Control::Sit if self.is_pepper => "a Pepper cannot sit",
+            Control::WakeUp | Control::Stand | Control::Sit if self.condition.life == Some(Life::Safeguard) => {
+                "it protects itself; give it a moment"
+            }
+            Control::ForgetFaces if !self.devices.contains(&"RememberFace") => "it cannot remember faces",
+            _ => return Ok(()),
         };
         Err(RobotFault::NotNow(why.to_owned()))
     }

@@ -9,7 +9,7 @@ use crate::scan::{clean, scan};
 use crate::senses::Turns;
 use crate::settings::Settings;
 use crate::shared::Shared;
-use crate::{camera, check, identity, senses, status, stopping, stranger};
+use crate::{camera, check, identity, inventory, senses, status, stopping, stranger, voicing};
 use futures_util::future::join_all;
 use qi::{Address, QiError, Session, Value};
 use robot::{Control, Health, Use};
@@ -151,6 +151,7 @@ fn lose(shared: &Shared, why: &str) {
     state.subscribed.clear();
     state.forget_silent();
     state.angles.clear();
+    state.installed = Arc::default();
     (state.saying, state.tracking) = (String::new(), String::new());
     state.playing.clear();
     state.animations.clear();
@@ -210,6 +211,8 @@ async fn serve(
     let (mut controlled, life) = (None, Arc::new(Mutex::new(None)));
     let mut beat = tokio::time::interval(Duration::from_millis(cycle));
     beat.set_missed_tick_behavior(MissedTickBehavior::Delay);
+    voicing::put_back(session, shared).await;
+    let looking = Ended(tokio::spawn(inventory::keep(session.clone(), Arc::clone(shared))));
     let pinging = Ended(tokio::spawn(ping(session.clone(), Arc::clone(shared))));
     let scanning = Ended(tokio::spawn(scan_again(session.clone(), Arc::clone(shared))));
     let why = loop {
@@ -246,7 +249,7 @@ async fn serve(
             _ = beat.tick() => acting.cycle(),
         }
     };
-    drop((watch, pinging, scanning, controlled));
+    drop((watch, looking, pinging, scanning, controlled));
     open.into_values().for_each(|(cancel, _)| cancel.cancel());
     why
 }
@@ -313,6 +316,7 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
         let done = call(session, &wanted, within).await;
         done.inspect_err(|error| tracing::warn!(method = wanted.method, %error, "the robot did not do it")).is_ok()
     };
+    let posture = |name: &str| Call::new("ALRobotPosture", "goToPosture", [name.into(), Value::F32(0.5)]);
     let life = |state: &str| Call::new("ALAutonomousLife", "setState", [state.into()]);
     let kept = || before.lock().unwrap_or_else(PoisonError::into_inner);
     match control {
@@ -326,13 +330,20 @@ async fn take(session: &Session, shared: &Shared, before: &Mutex<Option<String>>
             // The end of its own life may end in a rest.
             say(Call::new("ALMotion", "wakeUp", []), BODY).await;
             if shared.state().posture != "Standing" {
-                say(Call::new("ALRobotPosture", "goToPosture", ["Stand".into(), Value::F32(0.5)]), BODY).await;
+                say(posture("Stand"), BODY).await;
             }
         }
         Control::GiveBack => {
             // Its own life as it was before control was taken here; calm if that is not known.
             let state = kept().take().unwrap_or_else(|| "solitary".to_owned());
             say(life(&state), BODY).await;
+        }
+        Control::WakeUp => drop(say(Call::new("ALMotion", "wakeUp", []), BODY).await),
+        Control::Stand => drop(say(posture("Stand"), BODY).await),
+        Control::Sit => drop(say(posture("Sit"), BODY).await),
+        Control::ForgetFaces => {
+            say(Call::new("ALFaceDetection", "clearDatabase", []), BODY).await;
+            shared.looking.notify_one();
         }
         // By the link of Stop, or by lights.
         Control::Rest | Control::Blink => {}

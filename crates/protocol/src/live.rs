@@ -2,8 +2,9 @@
 
 use crate::Recorded;
 use behaviour::{Id, Value};
-use robot::{Condition, Health, Identity, Lacking};
+use robot::{Condition, Health, Identity, Installed, Lacking};
 use serde::{Deserialize, Serialize};
+use std::sync::Arc;
 
 /// A robot and its link.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -23,6 +24,9 @@ pub struct RobotState {
     /// The devices of the catalogue that it does not have, and why not.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lacking: Vec<Lacking>,
+    /// What is installed on it and can be chosen by name: one for all who are told of it.
+    #[serde(default, skip_serializing_if = "is_unknown", with = "one_for_all")]
+    pub installed: Arc<Installed>,
     /// How its body is.
     #[serde(default)]
     pub condition: Condition,
@@ -59,6 +63,7 @@ impl RobotState {
             health: Health::Connecting,
             devices: Vec::new(),
             lacking: Vec::new(),
+            installed: Arc::default(),
             condition: Condition::default(),
             address: None,
             camera: false,
@@ -66,6 +71,24 @@ impl RobotState {
             identity: None,
             same_as: None,
         }
+    }
+}
+
+fn is_unknown(installed: &Arc<Installed>) -> bool {
+    **installed == Installed::default()
+}
+
+/// A list that many hold, as the list alone.
+mod one_for_all {
+    use super::{Arc, Installed};
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub(super) fn serialize<S: Serializer>(installed: &Arc<Installed>, to: S) -> Result<S::Ok, S::Error> {
+        installed.as_ref().serialize(to)
+    }
+
+    pub(super) fn deserialize<'a, D: Deserializer<'a>>(from: D) -> Result<Arc<Installed>, D::Error> {
+        Installed::deserialize(from).map(Arc::new)
     }
 }
 

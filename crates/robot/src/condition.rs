@@ -30,6 +30,12 @@ pub struct Condition {
     /// Why it cannot walk or turn its whole body now, in a few English words: "it sits; let it stand up first".
     #[serde(skip_serializing_if = "Option::is_none")]
     pub legs: Option<String>,
+    /// How it is in the network.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub network: Option<Network>,
+    /// How many faces it remembers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub faces: Option<u16>,
 }
 
 /// What a NAO does of its own accord: the states of ALAutonomousLife (NAOqi 2.8).
@@ -46,7 +52,17 @@ pub enum Life {
     Interactive,
 }
 
-/// Who has the robot: behaviours, or its own life.
+/// How a robot is in the network.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub enum Network {
+    /// By a cable.
+    Cable,
+    /// By Wi-Fi, as strong as this, from 0 to 100 percent.
+    Wifi(u8),
+}
+
+/// Who has the robot, and what a person has it do with its body or its memory.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub enum Control {
@@ -58,6 +74,28 @@ pub enum Control {
     Rest,
     /// *Make its eyes blink*: a sign by lights alone, for a moment, by which people see which robot it is.
     Blink,
+    /// *Wake up*: its motors go on, and it holds a posture.
+    WakeUp,
+    /// *Stand up*.
+    Stand,
+    /// *Sit down*; its motors stay on.
+    Sit,
+    /// *Forget faces*: whatever it remembers of faces is gone for good.
+    ForgetFaces,
+}
+
+impl Control {
+    /// Whether what runs is ended for it.
+    #[must_use]
+    pub fn ends_runs(self) -> bool {
+        matches!(self, Self::GiveBack | Self::Rest)
+    }
+
+    /// Whether it moves the body, so that it waits until nothing runs.
+    #[must_use]
+    pub fn needs_quiet(self) -> bool {
+        matches!(self, Self::WakeUp | Self::Stand | Self::Sit)
+    }
 }
 
 /// A device that a robot does not have. A device of the catalogue is here or in [`crate::Robot::devices`].

@@ -31,8 +31,8 @@ impl Param {
                 let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
                 format!("from {min} to {max}{unit}, else {default}")
             }
-            ParamKind::Text { max_chars, default: "" } => format!("a text of at most {max_chars} characters"),
-            ParamKind::Text { max_chars, default } => {
+            ParamKind::Text { max_chars, default: "", .. } => format!("a text of at most {max_chars} characters"),
+            ParamKind::Text { max_chars, default, .. } => {
                 format!("a text of at most {max_chars} characters, else “{default}”")
             }
         }

@@ -2,6 +2,7 @@
 
 mod animation;
 mod battery;
+mod behavior;
 mod blob;
 mod bumper;
 mod button;
@@ -14,6 +15,7 @@ mod hand_touch;
 mod head_touch;
 mod joint_position;
 mod landmark;
+mod lights;
 mod people;
 mod posture;
 mod posture_changed;
@@ -26,8 +28,10 @@ mod set_joint_position;
 mod sonar;
 mod sound;
 mod sound_located;
+mod tablet;
 mod tick;
 mod tracker;
+mod voice;
 mod walk;
 mod word_recognized;
 
@@ -67,20 +71,45 @@ pub(crate) const ALL: &[&Device] = &[
     &tracker::DEVICE,
     &say_input::DEVICE,
     &say_parameter::DEVICE,
+    &voice::DEVICE,
     &sound::DEVICE,
     &eye_led_color::DEVICE,
     &eye_brightness::DEVICE,
+    &lights::DEVICE,
     &set_joint_position::DEVICE,
     &animation::DEVICE,
+    &behavior::DEVICE,
     &posture::DEVICE,
     &walk::DEVICE,
     &remember_face::DEVICE,
     &print::DEVICE,
+    &tablet::DEVICE,
 ];
 
 /// Of a touch: whether it is also told that it ended.
 pub(crate) const LETTING_GO: Param =
     Param { name: "release", label: "Also told", kind: ParamKind::Choice(&[("no", "none"), ("yes", "letting go")]) };
+
+/// Parameters that count only with a choice of another one: action, parameter, the other one and its choice.
+pub(crate) const ONLY_WITH: &[(&str, &str, &str, &str)] = &[
+    ("Sound", "file", "sound", "file"),
+    ("Animation", "gesture", "animation", "robot"),
+    ("Tablet", "text", "shows", "text"),
+    ("Tablet", "picture", "shows", "picture"),
+];
+
+/// The colours of lights.
+pub(crate) const COLORS: &[(&str, &str)] = &[
+    ("red", "red"),
+    ("green", "green"),
+    ("blue", "blue"),
+    ("white", "white"),
+    ("yellow", "yellow"),
+    ("magenta", "magenta"),
+    ("cyan", "cyan"),
+    ("off", "off"),
+    ("Value", "as the value says"),
+];
 
 /// The joints a stream may read: those that it may set, without the groups.
 pub(crate) const JOINT_CHOICES: &[(&str, &str)] = MOVED_CHOICES.split_at(MOVED_CHOICES.len() - GROUPS).0;

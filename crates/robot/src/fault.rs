@@ -35,6 +35,8 @@ pub enum RobotFault {
     TextTooLong(usize),
     /// So many texts wait to be said already.
     TextsWait(usize),
+    /// No behaviour is named, neither for the action nor by the value.
+    NoBehavior,
     /// Nobody is in view whose face could be remembered.
     NoFace,
     /// A value is no list of as many numbers as the group has joints.
@@ -73,6 +75,7 @@ impl fmt::Display for RobotFault {
             Self::NoGroup(joints) => write!(to, "this group needs a list of {joints} numbers"),
             Self::NotNow(why) => write!(to, "the robot cannot do this now: {why}"),
             Self::NoLink => to.write_str("there is no connection to the robot"),
+            Self::NoBehavior => to.write_str("choose a behaviour for it, or let the value name one"),
             Self::NoFace => to.write_str("no face is in view, so none was remembered"),
         }
     }

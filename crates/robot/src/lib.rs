@@ -11,6 +11,7 @@ mod fault;
 mod fits;
 mod helpers;
 mod identity;
+mod installed;
 mod params;
 mod parts;
 mod scene;
@@ -20,7 +21,7 @@ pub use camera::{Camera, Picture};
 pub use catalogue::{
     Device, Example, Field, NextStep, Pace, Pretend, Resource, Resources, Shape, Waiting, actuators, device, sensors,
 };
-pub use condition::{Condition, Control, Lacking, Life};
+pub use condition::{Condition, Control, Lacking, Life, Network};
 pub use describe::catalogue_lines;
 pub use fault::RobotFault;
 pub use fits::{Missing, Why, missing};
@@ -28,6 +29,9 @@ pub use helpers::{
     helper_label, helper_label_of, helper_labels, helper_stream, helper_streams, shipped_helpers, shipped_signature,
 };
 pub use identity::{Identity, Stranger};
+pub use installed::{
+    INSTALLED_MAX, INSTALLED_MAX_BYTES, INSTALLED_NAME_MAX_CHARS, Installed, Offers, is_file, not_installed,
+};
 pub use params::{DeviceFault, Param, ParamKind, with_defaults};
 pub use scene::{Ball, Body, JOINTS, Mark, Obstacle, Person, Printed, SPOKEN_MAX_CHARS, Scene, SceneEdit, Touchable};
 pub use types::device_type;
@@ -93,6 +97,11 @@ pub trait Robot {
     /// The devices of the catalogue that it does not have, and why not; empty before it is known.
     fn lacking(&self) -> Vec<Lacking>;
 
+    /// What is installed on it and can be chosen by name; empty before it is known.
+    fn installed(&self) -> std::sync::Arc<Installed> {
+        std::sync::Arc::default()
+    }
+
     /// Starts or prepares a device for a stream.
     ///
     /// # Errors
@@ -134,7 +143,8 @@ pub trait Robot {
     /// told before; commands that come later work again.
     fn stop(&mut self, now: Millis);
 
-    /// Takes control, gives it back, or rests. What comes of it is seen in [`Robot::condition`].
+    /// Takes control, gives it back, wakes up, rests, stands or sits, or forgets faces. What comes of it is seen in
+    /// [`Robot::condition`].
     ///
     /// # Errors
     /// Why not, if that cannot be done now.

@@ -1,5 +1,6 @@
 //! Parameters of devices: what may be chosen, in which range and unit.
 
+use crate::Offers;
 use behaviour::{Params, StreamKind, Value};
 use std::fmt;
 
@@ -27,6 +28,8 @@ pub enum DeviceFault {
     Text(&'static str),
     /// The text of the parameter of this label is longer than so many characters.
     TooLong(&'static str, usize),
+    /// Nothing of this name is installed on the robot.
+    NotInstalled(Offers, String),
 }
 
 /// The longest name that a sentence shows, in characters.
@@ -67,6 +70,8 @@ pub enum ParamKind {
         max_chars: usize,
         /// The default.
         default: &'static str,
+        /// Which list of the robot it is chosen from, if there is one; it may be typed too.
+        offers: Option<Offers>,
     },
 }
 
@@ -123,6 +128,10 @@ impl fmt::Display for DeviceFault {
             Self::Number { label, min, max, unit } => write!(to, "{label} must be a number from {min} to {max} {unit}"),
             Self::Text(label) => write!(to, "{label} must be a text"),
             Self::TooLong(label, max_chars) => write!(to, "{label} may have {max_chars} characters"),
+            Self::NotInstalled(of, name) => {
+                let (word, name) = (of.word(), shown(name));
+                write!(to, "the {word} “{name}” is not installed on this robot; choose one from its list")
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use crate::Use;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// The joints of a NAO in the order of [`Body::joints`]; the last two are hands (0 closed, 1 open).
 pub const JOINTS: [&str; 26] = [
@@ -102,6 +103,9 @@ pub struct Body {
     pub playing: String,
     /// The words that it heard last; empty before any.
     pub heard: String,
+    /// What its lights shine beside the eyes, by the parts of the action *Lights*, as far as a program has lit them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub lights: BTreeMap<String, [f32; 3]>,
 }
 
 /// Where a NAO feels a touch: three fields on the head, three on each hand, and a bumper on each foot.

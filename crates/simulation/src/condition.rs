@@ -63,7 +63,7 @@ impl SimulatedNao {
         self.halted.get_or_insert_with(|| why.to_owned());
     }
 
-    /// Takes control, gives it back, or rests.
+    /// Takes control, gives it back, wakes up, rests, stands, sits, or forgets faces.
     pub(crate) fn control_by(&mut self, control: Control) -> Result<(), RobotFault> {
         let own = &mut self.own;
         match control {
@@ -81,6 +81,16 @@ impl SimulatedNao {
                 self.assume(Kind::Crouch, SPEED, None);
                 self.own.resting = true;
             }
+            Control::WakeUp => self.wake()?,
+            Control::Stand => {
+                self.ready()?;
+                self.assume(Kind::Stand, SPEED, None);
+            }
+            Control::Sit => {
+                self.ready()?;
+                self.assume(Kind::Sit, SPEED, None);
+            }
+            Control::ForgetFaces => self.known.fill(false),
         }
         Ok(())
     }
@@ -133,6 +143,9 @@ impl SimulatedNao {
             hot: Vec::new(),
             fallen: Some(self.lean.is_fallen()),
             legs: self.check_legs().err().map(str::to_owned),
+            // It is in no network.
+            network: None,
+            faces: u16::try_from(self.known.iter().filter(|known| **known).count()).ok(),
         }
     }
 }

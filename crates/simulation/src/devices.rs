@@ -4,6 +4,7 @@
 mod animation;
 mod balls;
 mod battery;
+mod behavior;
 mod blob;
 mod bumper;
 mod button;
@@ -12,6 +13,7 @@ mod faces;
 mod fall;
 mod joints;
 mod landmark;
+mod lights;
 mod people;
 mod posture;
 mod print;
@@ -22,18 +24,22 @@ mod sound_located;
 mod tick;
 mod touch;
 mod tracker;
+mod voice;
 mod walk;
 mod word_recognized;
 
-pub(crate) use animation::Playing;
+pub(crate) use animation::{Playing, paths};
 pub(crate) use battery::Charge;
+pub(crate) use behavior::BEHAVIORS;
 pub(crate) use eyes::Eyes;
 pub(crate) use fall::Lean;
+pub(crate) use lights::Lights;
 pub(crate) use posture::{Going, Kind};
 pub use sound::Played;
 pub(crate) use sound::Sounds;
 pub(crate) use touch::Pads;
 pub(crate) use tracker::{Follow, Point, Target};
+pub(crate) use voice::Voice;
 pub(crate) use walk::Walking;
 
 use crate::nao::SimulatedNao;
@@ -56,6 +62,7 @@ const ALL: &[Driver] = &[
     balls::COLOR_BALL,
     balls::RED_BALL,
     battery::DRIVER,
+    behavior::DRIVER,
     blob::DRIVER,
     bumper::DRIVER,
     button::DRIVER,
@@ -67,6 +74,7 @@ const ALL: &[Driver] = &[
     joints::POSITION,
     joints::SET_POSITION,
     landmark::DRIVER,
+    lights::DRIVER,
     people::DRIVER,
     posture::CHANGED,
     posture::DRIVER,
@@ -80,6 +88,7 @@ const ALL: &[Driver] = &[
     touch::HAND,
     touch::HEAD,
     tracker::DRIVER,
+    voice::DRIVER,
     walk::DRIVER,
     word_recognized::DRIVER,
 ];
@@ -162,6 +171,7 @@ pub(crate) fn open(name: &str, given: &Params) -> Result<Opened, RobotFault> {
     let kinds = [StreamKind::Sensor, StreamKind::Actuator];
     let known = kinds.into_iter().find_map(|kind| robot::device(kind, name).ok()).ok_or_else(none)?;
     known.check(given)?;
+    known.check_installed(given, &crate::installed::installed())?;
     (driver.open)(&Chosen(with_defaults(known.params, given))).ok_or_else(|| RobotFault::Unusable(name.to_owned()))
 }
 
@@ -183,6 +193,8 @@ mod tests {
     #[test]
     fn this_robot_has_every_device_of_the_catalogue_once_and_no_other() {
         let catalogue: Vec<&str> = robot::sensors().chain(robot::actuators()).map(|known| known.name).collect();
+        // A NAO has no tablet.
+        let catalogue: Vec<&str> = catalogue.into_iter().filter(|name| *name != "Tablet").collect();
         assert_eq!(names().collect::<Vec<_>>(), catalogue);
         assert_eq!(ALL.len(), catalogue.len());
     }
@@ -192,7 +204,7 @@ mod tests {
         for sense in robot::sensors() {
             assert!(matches!(open(sense.name, &Params::new()), Ok(Opened::Sense(_))), "{}", sense.name);
         }
-        for action in robot::actuators() {
+        for action in robot::actuators().filter(|action| action.name != "Tablet") {
             assert!(matches!(open(action.name, &Params::new()), Ok(Opened::Act(_))), "{}", action.name);
         }
     }

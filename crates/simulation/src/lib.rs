@@ -13,6 +13,7 @@ mod devices;
 mod edit;
 mod hash;
 mod hearing;
+mod installed;
 mod looking;
 mod math;
 mod model;

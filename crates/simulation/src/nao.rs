@@ -4,7 +4,7 @@ use crate::base::Base;
 use crate::body::Body;
 use crate::camera::Shown;
 use crate::condition::Own;
-use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Pads, Played, Playing, Point, Sounds, Walking};
+use crate::devices::{Act, Charge, Eyes, Follow, Going, Lean, Lights, Pads, Played, Playing, Point, Sounds, Walking};
 use crate::hash::{Digest, digest_use};
 use crate::hearing::Hearing;
 use crate::model::{Model, motor};
@@ -48,6 +48,7 @@ pub struct SimulatedNao {
     /// Why everything ended, until somebody asks.
     pub(crate) halted: Option<String>,
     pub(crate) eyes: Eyes,
+    pub(crate) lights: Lights,
     pub(crate) printed: VecDeque<Printed>,
     /// What people see through its camera; no part of what it computes.
     pub(crate) shown: Arc<Shown>,
@@ -89,6 +90,7 @@ impl SimulatedNao {
             own: Own::default(),
             halted: None,
             eyes: Eyes::default(),
+            lights: Lights::default(),
             printed: VecDeque::new(),
             shown: Arc::default(),
             safe: false,
@@ -121,6 +123,13 @@ impl SimulatedNao {
         self.noise = Noise { angle: sound(noise.angle), size: sound(noise.size), drop: sound(noise.drop) };
     }
 
+    /// How it speaks by the last action that changed that: "80 %, 50 % fast, with gestures, in Japanese"; none if it speaks
+    /// as usual.
+    #[must_use]
+    pub fn speaks(&self) -> Option<String> {
+        self.speech.voice.as_ref().map(|(_, voice)| voice.words())
+    }
+
     /// The sounds that were played, oldest first, at most 100.
     #[must_use]
     pub fn sounds(&self) -> &[Played] {
@@ -141,6 +150,7 @@ impl SimulatedNao {
         self.body.place(self.base.at, self.lean.angle, &self.servo.now);
         self.world.step(&self.body, self.base.at);
         self.speech.step(self.now);
+        self.speak_with_gestures();
         self.sounds.step(self.now);
         self.hear();
         self.pads.step(self.bumped());
@@ -197,6 +207,7 @@ impl SimulatedNao {
         digest.count(self.printed.len());
         self.printed.iter().for_each(|printed| digest.text(&printed.text));
         self.known.iter().for_each(|known| digest.truth(*known));
+        self.lights.digest(digest);
         self.pads.digest(digest);
         self.sounds.digest(digest);
         self.hearing.digest(digest);

@@ -39,6 +39,7 @@ impl SimulatedNao {
             posture: self.family().to_owned(),
             fallen: self.lean.is_fallen(),
             playing: self.playing_words(),
+            lights: self.lights.shine(),
             heard: self.hearing.words.as_deref().unwrap_or_default().to_owned(),
         }
     }

@@ -1,9 +1,10 @@
 //! What every robot can do, done by the simulated one.
 
 use crate::devices::{Opened, names, open};
+use crate::installed::installed;
 use crate::nao::{STEP_MS, SimulatedNao};
 use behaviour::{Params, Value};
-use robot::{Camera, Condition, Control, Health, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};
+use robot::{Camera, Condition, Control, Health, Installed, Lacking, Millis, Reading, Robot, RobotFault, Scene, Use};
 use std::sync::Arc;
 
 /// Most open devices.
@@ -21,7 +22,11 @@ impl Robot for SimulatedNao {
     }
 
     fn lacking(&self) -> Vec<Lacking> {
-        Vec::new()
+        vec![Lacking { device: "Tablet".to_owned(), why: "it has no tablet; a Pepper has one".to_owned() }]
+    }
+
+    fn installed(&self) -> Arc<Installed> {
+        installed()
     }
 
     fn open(&mut self, user: &Use, name: &str, params: &Params) -> Result<(), RobotFault> {

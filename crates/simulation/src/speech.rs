@@ -1,5 +1,6 @@
 //! Speaking: a short queue, and a log of what was said.
 
+use crate::devices::Voice;
 use crate::hash::{Digest, digest_use};
 use robot::{Millis, RobotFault, Use};
 use std::collections::VecDeque;
@@ -38,6 +39,8 @@ pub(crate) struct Speech {
     users: Vec<Use>,
     waiting: VecDeque<Wish>,
     log: Vec<Spoken>,
+    /// How it speaks, and who wants that.
+    pub(crate) voice: Option<(Use, Voice)>,
 }
 
 /// A text that waits.
@@ -128,7 +131,8 @@ impl Speech {
     fn begin(&mut self, wish: Wish, now: u64) {
         let Wish { text, users } = wish;
         self.users = users;
-        self.ends = Some(now + duration_ms(&text));
+        let speed = self.voice.as_ref().map_or(100, |(_, voice)| u64::from(voice.speed).max(1));
+        self.ends = Some(now + duration_ms(&text) * 100 / speed);
         if self.log.len() >= LOG_MAX {
             self.log.remove(0);
         }
@@ -151,6 +155,10 @@ impl Speech {
         for wish in &self.waiting {
             digest.text(&wish.text);
             wish.users.iter().for_each(|user| digest_use(user, digest));
+        }
+        if let Some((user, voice)) = &self.voice {
+            digest_use(user, digest);
+            digest.text(&format!("{voice:?}"));
         }
         digest.count(self.log.len());
         for spoken in &self.log {

@@ -92,6 +92,8 @@ pub(crate) enum Dialog {
     RenameRobot,
     /// Removing the robot that this tab looks at.
     RemoveRobot,
+    /// Having the robot that this tab looks at forget faces.
+    ForgetFaces,
     /// What others see as one's name.
     MyName,
     /// Everyone who is here.

@@ -1,6 +1,7 @@
 //! The parameters of a device as a form, straight from the catalogue.
 
 use super::{Choice, NumberField, TextField, Unfilled};
+use crate::desk::use_desk;
 use crate::words;
 use behaviour::{Filled, Params, Value};
 use leptos::prelude::*;
@@ -122,7 +123,17 @@ fn ParamField(param: &'static Param, value: RwSignal<String>, side_by_side: bool
         ParamKind::Number { min, max, step, unit, .. } => {
             view! { <NumberField label value unit=words::label_of(unit) min max step /> }.into_any()
         }
-        ParamKind::Text { max_chars, .. } => view! { <TextField label value max_chars first=true /> }.into_any(),
+        ParamKind::Text { max_chars, offers: None, .. } => {
+            view! { <TextField label value max_chars first=true /> }.into_any()
+        }
+        ParamKind::Text { max_chars, offers: Some(of), .. } => {
+            let chosen = use_desk().robots.chosen.clone();
+            // What the robot in use says it has; anything may be typed for another one.
+            let offers = Signal::derive(move || {
+                chosen.read().as_ref().map(|robot| robot.installed.list(of).to_vec()).unwrap_or_default()
+            });
+            view! { <TextField label value max_chars first=true offers /> }.into_any()
+        }
     }
 }
 

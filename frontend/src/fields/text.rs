@@ -31,6 +31,9 @@ pub(crate) fn TextField(
     /// Whether the text is only a proposal: then it is selected with the keyboard, so that typing replaces it.
     #[prop(optional, into)]
     proposed: Option<Signal<bool>>,
+    /// What may be chosen instead of typed.
+    #[prop(optional, into)]
+    offers: Option<Signal<Vec<String>>>,
 ) -> impl IntoView {
     let select = move |event: FocusEvent| {
         let field = event.target().and_then(|target| target.dyn_into::<HtmlInputElement>().ok());
@@ -44,6 +47,12 @@ pub(crate) fn TextField(
             });
         }
     };
+    let list_id = offers.map(|_| format!("offers-{}", HINTS.fetch_add(1, Ordering::Relaxed)));
+    let list = list_id.clone().zip(offers).map(|(id, offers)| {
+        let options =
+            move || offers.get().into_iter().map(|name| view! { <option value=name></option> }).collect_view();
+        view! { <datalist id=id>{options}</datalist> }
+    });
     // Described by the hint, not named by it.
     let hint_id = (!hint.is_empty()).then(|| format!("hint-{}", HINTS.fetch_add(1, Ordering::Relaxed)));
     view! {
@@ -54,6 +63,7 @@ pub(crate) fn TextField(
                 class:mono=mono
                 id=id
                 type="text"
+                list=list_id
                 aria-describedby=hint_id.clone()
                 data-first=first.then_some("")
                 on:focus=select
@@ -64,6 +74,7 @@ pub(crate) fn TextField(
                 on:input:target=move |event| value.set(event.target().value())
             />
         </label>
+        {list}
         {hint_id.map(|id| view! { <p class="faint field-hint" id=id>{hint}</p> })}
     }
 }

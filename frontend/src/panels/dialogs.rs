@@ -4,6 +4,7 @@ mod address;
 mod choose;
 mod commands;
 mod conflict;
+mod faces;
 mod find;
 mod frame;
 mod gone;
@@ -98,7 +99,9 @@ fn least(dialog: &Dialog) -> Role {
         | Dialog::RemoveProgram
         | Dialog::OpenPasted(_)
         | Dialog::RenameProgram => Role::Editor,
-        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot => Role::Operator,
+        Dialog::Stimulate(_) | Dialog::AddRobot | Dialog::RenameRobot | Dialog::RemoveRobot | Dialog::ForgetFaces => {
+            Role::Operator
+        }
         Dialog::Invite | Dialog::AddRealRobot | Dialog::ChangeAddress => Role::Host,
         Dialog::Operation { connector: Some(_), .. }
         | Dialog::EditStream(_)
@@ -139,6 +142,7 @@ pub(crate) fn dialog(dialog: Dialog) -> AnyView {
         Dialog::ChangeAddress => view! { <address::ChangeAddress /> }.into_any(),
         Dialog::RenameRobot => view! { <names::RenameRobot /> }.into_any(),
         Dialog::RemoveRobot => view! { <names::RemoveRobot /> }.into_any(),
+        Dialog::ForgetFaces => view! { <faces::ForgetFaces /> }.into_any(),
         Dialog::MyName => view! { <names::MyName /> }.into_any(),
         Dialog::People => view! { <people::People /> }.into_any(),
         Dialog::Invite => view! { <invite::Invite /> }.into_any(),

@@ -101,7 +101,12 @@ pub(crate) fn OnThisRobot() -> impl IntoView {
         desk.document.stream_ids.track();
         let robot = desk.robots.chosen.get()?;
         let is_known = !robot.devices.is_empty() && !desk.document.stream_ids.read().is_empty();
-        is_known.then(|| robot::missing(&desk.document.behaviour(), &robot.devices, &robot.lacking))
+        is_known.then(|| {
+            let behaviour = desk.document.behaviour();
+            let mut missing = robot::missing(&behaviour, &robot.devices, &robot.lacking);
+            missing.extend(robot::not_installed(&behaviour, &robot.installed));
+            missing
+        })
     });
     let line = move |missing: Missing| {
         let (text, id) = (words::told_by(&missing), missing.stream);

@@ -70,15 +70,28 @@ fn Controls() -> impl IntoView {
             Control::GiveBack => (words::give_back(), "undo"),
             Control::Rest => (words::rest(), "down"),
             Control::Blink => (words::blink(), "eye"),
+            Control::WakeUp => (words::wake_up(), "touch"),
+            Control::Stand => (words::stand_up(), "posture"),
+            Control::Sit => (words::sit_down(), "down"),
+            Control::ForgetFaces => (words::forget_faces(), "trash"),
         };
-        let choose = Callback::new(move |()| desk.desk().robots.control(control));
+        let choose = Callback::new(move |()| match control {
+            // What is gone for good is asked about first.
+            Control::ForgetFaces => desk.desk().dialog.set(Some(Dialog::ForgetFaces)),
+            _ => desk.desk().robots.control(control),
+        });
         view! { <MenuItem label icon disabled=untrack(|| !may_operate(desk)) choose /> }
     };
     let shown = move || {
         let condition = desk.desk().robots.chosen.read().as_ref().map(|robot| robot.condition.clone())?;
         let is_ours = condition.awake? && condition.life == Some(Life::Disabled);
-        let controls: &[Control] = if is_ours { &[Control::Rest, Control::GiveBack] } else { &[Control::Take] };
-        Some(controls.iter().map(|control| item(*control)).collect_view())
+        let controls: &[Control] = match (condition.awake?, is_ours) {
+            (_, true) => &[Control::Stand, Control::Sit, Control::Rest, Control::GiveBack],
+            (true, false) => &[Control::Take, Control::Stand, Control::Sit, Control::Rest],
+            (false, false) => &[Control::Take, Control::WakeUp],
+        };
+        let faces = condition.faces.filter(|count| *count > 0).map(|_| item(Control::ForgetFaces));
+        Some(view! { {controls.iter().map(|control| item(*control)).collect_view()} {faces} })
     };
     view! { <div class="menu-rule" role="separator"></div> {shown} }
 }

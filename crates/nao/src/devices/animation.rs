@@ -11,8 +11,10 @@ pub(super) const DRIVER: Driver = Driver {
     services: &["ALAnimationPlayer"],
     joints: &[],
     open: |chosen| {
-        let name = chosen.text("animation")?;
-        Opened::act(Animation(PATHS.iter().find(|path| path.0 == name)?.1))
+        let (name, own) = (chosen.text("animation")?, chosen.text("gesture")?.trim());
+        let known = PATHS.iter().find(|path| path.0 == name).map(|path| path.1);
+        let path = if name == "robot" { Some(own).filter(|own| !own.is_empty()) } else { known };
+        Opened::act(Animation(path?.to_owned()))
     },
 };
 
@@ -29,14 +31,14 @@ const PATHS: [(&str, &str); 7] = [
 /// The longest a gesture may take.
 const WITHIN: Duration = Duration::from_secs(30);
 
-struct Animation(&'static str);
+struct Animation(String);
 
 impl Act for Animation {
     fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
         Ok(Deed::Lasting {
-            what: self.0.to_owned(),
-            calls: vec![Call::new("ALAnimationPlayer", "run", [self.0.into()])],
-            end: vec![Call::new("ALBehaviorManager", "stopBehavior", [self.0.into()])],
+            what: self.0.clone(),
+            calls: vec![Call::new("ALAnimationPlayer", "run", [self.0.as_str().into()])],
+            end: vec![Call::new("ALBehaviorManager", "stopBehavior", [self.0.as_str().into()])],
             within: WITHIN,
             moves: true,
         })

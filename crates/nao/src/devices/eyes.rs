@@ -22,8 +22,7 @@ struct Color(String);
 
 impl Act for Color {
     fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
-        let wanted = if self.0 == "Value" { value.as_text() } else { Some(self.0.as_str()) };
-        let color = wanted.map_or_else(|| parts(value), |name| named(name.trim())).ok_or(RobotFault::NoColor)?;
+        let color = rgb(&self.0, value)?;
         let part = |shift: i32| (color >> shift & 0xFF) as f32 / 255.0;
         Ok(Deed::Eyes([part(16), part(8), part(0)]))
     }
@@ -42,6 +41,12 @@ impl Act for Brightness {
 pub(crate) fn shine(parts: [f32; 3]) -> Call {
     let [red, green, blue] = parts.map(|part| (part.clamp(0.0, 1.0) * 255.0).round() as i32);
     Call::new("ALLeds", "fadeRGB", ["FaceLeds".into(), (red << 16 | green << 8 | blue).into(), FADE_S.into()])
+}
+
+/// The colour that a choice and a value mean, as `0x00RRGGBB`.
+pub(super) fn rgb(chosen: &str, value: &Value) -> Result<i32, RobotFault> {
+    let wanted = if chosen == "Value" { value.as_text() } else { Some(chosen) };
+    wanted.map_or_else(|| parts(value), |name| named(name.trim())).ok_or(RobotFault::NoColor)
 }
 
 /// The colour of a name as `0x00RRGGBB`.

@@ -40,6 +40,20 @@ fn open(chosen: &Chosen) -> Option<Opened> {
     Opened::act(Sound { tone, file, volume: chosen.number("volume")? as f32 / 100.0 })
 }
 
+impl Sound {
+    /// A sound by its name in a set, as `Aldebaran/sfx_validation_1`.
+    fn of_a_set(&self) -> Call {
+        let play = |arguments: Vec<qi::Value>| Call::new("ALAudioPlayer", "playSoundSetFile", arguments);
+        match self.file.split_once('/') {
+            Some((set, name)) => {
+                let [at, pan] = [0.0_f32; 2];
+                play(vec![set.into(), name.into(), at.into(), self.volume.into(), pan.into(), false.into()])
+            }
+            None => play(vec![self.file.as_str().into()]),
+        }
+    }
+}
+
 impl Act for Sound {
     fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
         let call = match self.tone {
@@ -47,6 +61,7 @@ impl Act for Sound {
                 let gain = (self.volume * 100.0) as i32;
                 Call::new("ALAudioPlayer", "playSine", [hertz.into(), gain.into(), 0.0_f32.into(), BEEP_S.into()])
             }
+            None if !robot::is_file(&self.file) => self.of_a_set(),
             None => {
                 Call::new("ALAudioPlayer", "playFile", [self.file.as_str().into(), self.volume.into(), 0.0_f32.into()])
             }

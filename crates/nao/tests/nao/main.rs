@@ -5,6 +5,7 @@ mod acts;
 #[cfg(unix)]
 mod calm;
 mod camera;
+mod clinic;
 mod driver;
 mod gateway;
 #[cfg(unix)]

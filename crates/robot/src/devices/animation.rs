@@ -1,6 +1,6 @@
 //! Gestures that the robot brings along, as ALAnimationPlayer plays them (NAOqi 2.8).
 
-use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Offers, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -9,19 +9,27 @@ pub(crate) const DEVICE: Device = Device {
     label: "Gesture",
     says: "Plays the gesture whenever a value comes; one that plays already is not begun again.",
     icon: "animation",
-    params: &[Param {
-        name: "animation",
-        label: "Gesture",
-        kind: ParamKind::Choice(&[
-            ("Hey", "waving"),
-            ("Yes", "nodding"),
-            ("No", "shaking the head"),
-            ("Bow", "bowing"),
-            ("Me", "pointing to itself"),
-            ("Explain", "explaining"),
-            ("Happy", "cheering"),
-        ]),
-    }],
+    params: &[
+        Param {
+            name: "animation",
+            label: "Gesture",
+            kind: ParamKind::Choice(&[
+                ("Hey", "waving"),
+                ("Yes", "nodding"),
+                ("No", "shaking the head"),
+                ("Bow", "bowing"),
+                ("Me", "pointing to itself"),
+                ("Explain", "explaining"),
+                ("Happy", "cheering"),
+                ("robot", "another of the robot’s"),
+            ]),
+        },
+        Param {
+            name: "gesture",
+            label: "The robot’s gesture",
+            kind: ParamKind::Text { max_chars: 200, default: "", offers: Some(Offers::Gestures) },
+        },
+    ],
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Head, Resource::LeftArm, Resource::RightArm]),
     waiting: Waiting::Every,

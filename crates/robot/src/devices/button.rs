@@ -12,7 +12,7 @@ pub(crate) const DEVICE: Device = Device {
     params: &[Param {
         name: "label",
         label: "On the button",
-        kind: ParamKind::Text { max_chars: 40, default: "Go on" },
+        kind: ParamKind::Text { max_chars: 40, default: "Go on", offers: None },
     }],
     shape: Shape::Truth,
     resources: Resources::Always(&[]),

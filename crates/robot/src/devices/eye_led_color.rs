@@ -1,5 +1,6 @@
 //! The colour of the eyes.
 
+use super::COLORS;
 use crate::{Device, NextStep, Pace, Param, ParamKind, Resource, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 use behaviour::connectors::Carries;
@@ -10,21 +11,7 @@ pub(crate) const DEVICE: Device = Device {
     label: "Eye color",
     says: "Gives the eyes a color whenever a value comes.",
     icon: "light",
-    params: &[Param {
-        name: "color",
-        label: "Color",
-        kind: ParamKind::Choice(&[
-            ("red", "red"),
-            ("green", "green"),
-            ("blue", "blue"),
-            ("white", "white"),
-            ("yellow", "yellow"),
-            ("magenta", "magenta"),
-            ("cyan", "cyan"),
-            ("off", "off"),
-            ("Value", "as the value says"),
-        ]),
-    }],
+    params: &[Param { name: "color", label: "Color", kind: ParamKind::Choice(COLORS) }],
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Eyes]),
     waiting: Waiting::Newest,

@@ -10,7 +10,11 @@ pub(crate) const DEVICE: Device = Device {
     label: "Say a text",
     says: "Speaks its text whenever a value comes.",
     icon: "speech",
-    params: &[Param { name: "text", label: "Text", kind: ParamKind::Text { max_chars: 1_000, default: "Hello" } }],
+    params: &[Param {
+        name: "text",
+        label: "Text",
+        kind: ParamKind::Text { max_chars: 1_000, default: "Hello", offers: None },
+    }],
     shape: Shape::Anything,
     resources: Resources::Always(&[Resource::Voice]),
     waiting: Waiting::Every,

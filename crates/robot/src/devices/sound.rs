@@ -1,6 +1,6 @@
 //! Sounds, as ALAudioPlayer plays them (NAOqi 2.8).
 
-use crate::{Device, NextStep, Pace, Param, ParamKind, Resources, Shape, Waiting};
+use crate::{Device, NextStep, Offers, Pace, Param, ParamKind, Resources, Shape, Waiting};
 use behaviour::StreamKind;
 
 pub(crate) const DEVICE: Device = Device {
@@ -17,10 +17,14 @@ pub(crate) const DEVICE: Device = Device {
                 ("beep", "beep"),
                 ("low", "low beep"),
                 ("high", "high beep"),
-                ("file", "file on the robot"),
+                ("file", "one of the robot’s, or a file on it"),
             ]),
         },
-        Param { name: "file", label: "File on the robot", kind: ParamKind::Text { max_chars: 200, default: "" } },
+        Param {
+            name: "file",
+            label: "The robot’s sound or file",
+            kind: ParamKind::Text { max_chars: 200, default: "", offers: Some(Offers::Sounds) },
+        },
         Param {
             name: "volume",
             label: "Volume",

@@ -14,7 +14,7 @@ pub(crate) const DEVICE: Device = Device {
         Param {
             name: "words",
             label: "Words, with commas between",
-            kind: ParamKind::Text { max_chars: 500, default: "yes, no" },
+            kind: ParamKind::Text { max_chars: 500, default: "yes, no", offers: None },
         },
         Param {
             name: "language",

@@ -505,6 +505,9 @@ const ACTIONS: &[Rule] = &[
     ),
     ("eyes.value", &["the eyes turn the color it says", "eyes turn colour it says"]),
     ("eyes.off", &["the eyes go dark", "eyes go off", "eyes turn dark"]),
+    ("lights.color", &["the {part} shine {color}", "{part} turn {color}"]),
+    ("lights.value", &["the {part} shine in that colour", "{part} turn that colour"]),
+    ("lights.off", &["the {part} go dark", "{part} go off"]),
     (
         "shine.nearer",
         &[
@@ -526,6 +529,19 @@ const ACTIONS: &[Rule] = &[
     ),
     ("move.value", &["the {joint} moves to that angle[ at {speed} of the top speed]", "{joint} moves there"]),
     ("animation.plays", &["the robot {animation}", "it {animation}", "{animation}"]),
+    ("animation.own", &["the robot plays its gesture {gesture}", "it plays its gesture {gesture}"]),
+    (
+        "behavior.runs",
+        &["the robot starts its behaviour {name}", "it starts its behaviour {name}", "start behaviour {name}"],
+    ),
+    ("behavior.named", &["the robot starts the behaviour of that name", "it starts the behaviour of that name"]),
+    (
+        "voice.speaks",
+        &[
+            "the robot speaks {gestures} from then on[, {volume} loud][, at {speed} of the usual speed][, in {language}]",
+            "it speaks {gestures}[, {volume} loud][, at {speed} of the usual speed][, in {language}]",
+        ],
+    ),
     ("posture.takes", &["the robot {posture}[ at {speed} of the top speed]", "it {posture}", "{posture}"]),
     (
         "walk.number",
@@ -544,6 +560,9 @@ const ACTIONS: &[Rule] = &[
     ("sound.file", &["the robot plays the sound file {file}[ at {volume}]", "it plays sound file {file}"]),
     ("remember.face", &["the robot remembers the face", "robot remembers it", "it remembers face", "remember face"]),
     ("print.value", &["the page shows it", "it is shown", "page shows value", "show it", "show value"]),
+    ("tablet.text", &["the tablet shows {text}", "tablet shows {text}"]),
+    ("tablet.value", &["the tablet shows it", "tablet shows value"]),
+    ("tablet.picture", &["the tablet shows the picture {picture}", "tablet shows picture {picture}"]),
     ("action.named", &["{name} gets it"]),
 ];
 
@@ -579,6 +598,17 @@ const NAMES: &[Rule] = &[
 ];
 
 const COLORS: &[Chosen] = &[("red", &["red"]), ("green", &["green"]), ("blue", &["blue"])];
+const LIT: &[Chosen] = &[
+    ("red", &["red"]),
+    ("green", &["green"]),
+    ("blue", &["blue"]),
+    ("white", &["white"]),
+    ("yellow", &["yellow"]),
+    ("magenta", &["magenta", "pink", "purple"]),
+    ("cyan", &["cyan", "light blue"]),
+    ("off", &["off"]),
+    ("Value", &["as the value says"]),
+];
 const RELEASE: &[Chosen] = &[("no", &["none"]), ("yes", &["letting go"])];
 /// Groups of joints, at the end of the joints: they are moved, not read.
 const GROUPS: usize = 3;
@@ -667,20 +697,19 @@ const CHOICES: &[(&str, &[Chosen])] = &[
             ("Value", &["chosen arm", "that arm"]),
         ],
     ),
+    ("EyeLedColor.color", LIT),
+    ("Lights.color", LIT),
     (
-        "EyeLedColor.color",
+        "Lights.part",
         &[
-            ("red", &["red"]),
-            ("green", &["green"]),
-            ("blue", &["blue"]),
-            ("white", &["white"]),
-            ("yellow", &["yellow"]),
-            ("magenta", &["magenta", "pink", "purple"]),
-            ("cyan", &["cyan", "light blue"]),
-            ("off", &["off"]),
-            ("Value", &["as the value says"]),
+            ("ears", &["ear lights", "ears"]),
+            ("chest", &["chest lights", "chest light"]),
+            ("head", &["lights on the head", "head lights"]),
+            ("shoulders", &["shoulder lights", "shoulders"]),
         ],
     ),
+    ("Tablet.shows", &[("text", &["text"]), ("value", &["value"]), ("picture", &["picture"])]),
+    ("Voice.gestures", &[("no", &["without gestures"]), ("yes", &["with gestures"])]),
     (
         "Sound.sound",
         &[
@@ -700,6 +729,7 @@ const CHOICES: &[(&str, &[Chosen])] = &[
             ("Me", &["points to itself"]),
             ("Explain", &["explains", "explain"]),
             ("Happy", &["cheers", "cheer", "is happy"]),
+            ("robot", &["plays one of its gestures"]),
         ],
     ),
     (

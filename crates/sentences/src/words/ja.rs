@@ -304,12 +304,19 @@ const ACTIONS: &[Rule] = &[
     ("eyes.color", &["目が{color}光ります", "目を{color}光らせます", "目が{color}光る", "目が{color}なります"]),
     ("eyes.value", &["目がその色に光ります", "目がその色になります"]),
     ("eyes.off", &["目の光が消えます", "目が消えます", "目を消します"]),
+    ("lights.color", &["{part}が{color}光ります", "{part}を{color}光らせます"]),
+    ("lights.value", &["{part}がその色に光ります"]),
+    ("lights.off", &["{part}の光が消えます", "{part}が消えます"]),
     ("shine.nearer", &["近いほど目が明るく光ります", "近いほど目が明るくなります", "近いほど目が明るく光る"]),
     ("shine.number", &["目が明るさ {n} で光ります"]),
     ("shine.value", &["目がその明るさで光ります", "目が光ります"]),
     ("move.number", &["{joint}を[最高速度の {speed} 倍で] {n} まで動かします"]),
     ("move.value", &["{joint}を[最高速度の {speed} 倍で]その角度まで動かします", "{joint}を動かします"]),
     ("animation.plays", &["{animation}"]),
+    ("animation.own", &["ロボットの身ぶり{gesture}をします"]),
+    ("behavior.runs", &["ロボットのビヘイビア{name}を始めます", "ビヘイビア{name}を始めます"]),
+    ("behavior.named", &["その名前のビヘイビアを始めます"]),
+    ("voice.speaks", &["[音量 {volume} で][いつもの {speed} の速さで][言語{language}で]{gestures}話すようになります"]),
     ("posture.takes", &["[最高速度の {speed} 倍で]{posture}"]),
     (
         "walk.number",
@@ -320,6 +327,9 @@ const ACTIONS: &[Rule] = &[
     ("sound.file", &["[音量 {volume} で]音声ファイル{file}を鳴らします"]),
     ("remember.face", &["その顔を覚えます", "顔を覚えます", "顔を覚える"]),
     ("print.value", &["画面に表示します", "画面に出します", "表示します"]),
+    ("tablet.text", &["タブレットに{text}と表示します"]),
+    ("tablet.value", &["タブレットにその値を表示します"]),
+    ("tablet.picture", &["タブレットに画像{picture}を表示します"]),
     ("action.named", &["{name}に渡します"]),
 ];
 
@@ -378,6 +388,17 @@ const JOINTS: &[Chosen] = &[
     ("RArm", &["右腕全体"]),
 ];
 
+const LIT: &[Chosen] = &[
+    ("red", &["赤く"]),
+    ("green", &["緑に", "緑色に"]),
+    ("blue", &["青く"]),
+    ("white", &["白く"]),
+    ("yellow", &["黄色く", "黄色に"]),
+    ("magenta", &["ピンクに", "紫に"]),
+    ("cyan", &["水色に"]),
+    ("off", &["消えて"]),
+    ("Value", &["値の色に"]),
+];
 const CHOICES: &[(&str, &[Chosen])] = &[
     (
         "HeadTouch.part",
@@ -420,20 +441,19 @@ const CHOICES: &[(&str, &[Chosen])] = &[
             ("Value", &["選んだ腕", "その腕"]),
         ],
     ),
+    ("EyeLedColor.color", LIT),
+    ("Lights.color", LIT),
     (
-        "EyeLedColor.color",
+        "Lights.part",
         &[
-            ("red", &["赤く"]),
-            ("green", &["緑に", "緑色に"]),
-            ("blue", &["青く"]),
-            ("white", &["白く"]),
-            ("yellow", &["黄色く", "黄色に"]),
-            ("magenta", &["ピンクに", "紫に"]),
-            ("cyan", &["水色に"]),
-            ("off", &["消えて"]),
-            ("Value", &["値の色に"]),
+            ("ears", &["耳のライト", "耳"]),
+            ("chest", &["胸のライト", "胸"]),
+            ("head", &["頭のライト"]),
+            ("shoulders", &["肩のライト", "肩"]),
         ],
     ),
+    ("Tablet.shows", &[("text", &["文"]), ("value", &["値"]), ("picture", &["画像"])]),
+    ("Voice.gestures", &[("no", &["身ぶりなしで"]), ("yes", &["身ぶりをつけて"])]),
     (
         "Sound.sound",
         &[
@@ -453,6 +473,7 @@ const CHOICES: &[(&str, &[Chosen])] = &[
             ("Me", &["自分を指します"]),
             ("Explain", &["説明の身ぶりをします", "説明します"]),
             ("Happy", &["喜びます", "喜ぶ"]),
+            ("robot", &["ロボットの身ぶりをします"]),
         ],
     ),
     (

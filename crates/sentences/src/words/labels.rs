@@ -25,15 +25,19 @@ const JAPANESE: &[(&str, &str)] = &[
     ("Tracker", "トラッカー"),
     ("SayInput", "値を言う"),
     ("SayParameter", "文を言う"),
+    ("Voice", "話し方"),
     ("Sound", "音"),
     ("EyeLedColor", "目の色"),
     ("EyeBrightness", "目の明るさ"),
+    ("Lights", "ほかのライト"),
     ("SetJointPosition", "関節を動かす"),
     ("Animation", "身ぶり"),
+    ("Behavior", "ロボットのビヘイビア"),
     ("Posture", "姿勢をとる"),
     ("Walk", "歩く"),
     ("RememberFace", "顔を覚える"),
     ("Print", "値を表示"),
+    ("Tablet", "Pepper のタブレット"),
 ];
 
 /// What a sense or an action of the catalogue is called: `RedBall` is *Red ball*. None if it is not known.

@@ -244,8 +244,11 @@ fn params(device: &Device, dice: &mut Dice) -> Params {
         params.insert(param.name.to_owned(), value);
     }
     // The file of a sound that is no file is not told.
-    if params.get("sound").is_some_and(|sound| sound.as_text() != Some("file")) {
-        params.remove("file");
+    for param in device.params {
+        let Some((by, when)) = device.only_with(param.name) else { continue };
+        if params.get(by).is_some_and(|chosen| chosen.as_text() != Some(when)) {
+            params.remove(param.name);
+        }
     }
     params
 }

@@ -21,7 +21,7 @@ use axum::extract::ws::Utf8Bytes;
 use behaviour::{BehaviourFile, Id, Value};
 use engine::Limits;
 use protocol::{Refused, RobotState, RunState, STOP_BUTTON};
-use robot::{Control, Scene, SceneEdit};
+use robot::{Control, RobotFault, Scene, SceneEdit};
 use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex};
 use std::thread::JoinHandle;
@@ -288,13 +288,18 @@ impl Host {
         Ok(())
     }
 
-    /// Takes control, gives it back, rests, or gives a sign. What runs is stopped before it is given back or rests.
+    /// Has the robot do what a person presses. What runs is stopped before it is given back or rests; a robot on which
+    /// something runs neither wakes up, stands nor sits.
     ///
     /// # Errors
     /// Why not.
     pub(crate) async fn control(&self, control: Control, by: &str) -> Result<(), Refused> {
-        if !matches!(control, Control::Take | Control::Blink) {
+        if control.ends_runs() {
             self.stop(None, by);
+        }
+        if control.needs_quiet() && !lock(&self.shared().table).is_idle() {
+            let why = "a program runs on it; press Stop first".to_owned();
+            return Err(Refused::RobotCannot(RobotFault::NotNow(why).to_string()));
         }
         let (answer, answered) = oneshot::channel();
         self.shared().queue.control(Controlling { control, answer });

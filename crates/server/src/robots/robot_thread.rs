@@ -338,10 +338,11 @@ impl<'a> RobotThread<'a> {
             other => other,
         };
         let (devices, lacking, condition) = (self.robot.devices(), self.robot.lacking(), self.robot.condition());
-        let (camera, identity) = (self.robot.camera().is_some(), self.robot.identity());
+        let (camera, identity, installed) =
+            (self.robot.camera().is_some(), self.robot.identity(), self.robot.installed());
         self.shared.feed.edit(&self.shared.robot, |state| {
             (state.health, state.lacking, state.condition) = (health, lacking, condition);
-            state.camera = camera;
+            (state.camera, state.installed) = (camera, installed);
             if identity.is_some() {
                 state.identity = identity;
             }

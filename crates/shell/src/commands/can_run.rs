@@ -15,7 +15,9 @@ async fn run(console: &mut Console, _: &str) -> Result<String, NotDone> {
     let program = console.program()?;
     let chosen = console.robot.clone();
     let robot = console.client()?.robot(chosen.as_ref()).await?;
-    let (name, missing) = (program.records.name(), robot::missing(&program.records, &robot.devices, &robot.lacking));
+    let (name, mut missing) =
+        (program.records.name(), robot::missing(&program.records, &robot.devices, &robot.lacking));
+    missing.extend(robot::not_installed(&program.records, &robot.installed));
     if missing.is_empty() {
         return Ok(format!("{name} can run on {}.", robot.name));
     }

@@ -1,4 +1,4 @@
-//! Takes control of a robot, gives it back to its own life, lets it rest, or lets it give a sign.
+//! Takes control of a robot, gives it back to its own life, has it wake up, rest, stand or sit, forget faces, or give a sign.
 
 use super::Command;
 use crate::console::Console;
@@ -34,13 +34,50 @@ pub(crate) const BLINK: Command = Command {
     run: |console, words| Box::pin(run(console, words, Control::Blink)),
 };
 
+pub(crate) const WAKE_UP: Command = Command {
+    name: "wake up",
+    words: "NAME",
+    help: "Wakes the robot up: its motors go on.",
+    run: |console, words| Box::pin(run(console, words, Control::WakeUp)),
+};
+
+pub(crate) const STAND: Command = Command {
+    name: "let stand",
+    words: "NAME",
+    help: "Lets the robot stand up.",
+    run: |console, words| Box::pin(run(console, words, Control::Stand)),
+};
+
+pub(crate) const SIT: Command = Command {
+    name: "let sit",
+    words: "NAME",
+    help: "Lets the robot sit down, its motors on.",
+    run: |console, words| Box::pin(run(console, words, Control::Sit)),
+};
+
+pub(crate) const FORGET_FACES: Command = Command {
+    name: "forget faces",
+    words: "NAME",
+    help: "Has the robot forget all faces that it remembers, for good.",
+    run: |console, words| Box::pin(run(console, words, Control::ForgetFaces)),
+};
+
 async fn run(console: &mut Console, wanted: &str, control: Control) -> Result<String, NotDone> {
     let (name, robot) = console.robot_meant(wanted).await?;
+    let known = console.client()?.robot(Some(&robot)).await?.condition.faces;
     console.ask(Request::ControlRobot { robot, control }).await?;
     Ok(match control {
         Control::Take => format!("{name} is under control"),
         Control::GiveBack => format!("{name} has its own life again"),
         Control::Rest => format!("{name} rests"),
         Control::Blink => format!("{name} makes its eyes blink"),
+        Control::WakeUp => format!("{name} wakes up"),
+        Control::Stand => format!("{name} stands up"),
+        Control::Sit => format!("{name} sits down"),
+        Control::ForgetFaces => match known {
+            Some(1) => format!("{name} forgets the face that it knew"),
+            Some(count) => format!("{name} forgets the {count} faces that it knew"),
+            None => format!("{name} forgets the faces that it knew"),
+        },
     })
 }

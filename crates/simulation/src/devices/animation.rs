@@ -12,8 +12,9 @@ use robot::{RobotFault, Use};
 pub(super) const DRIVER: Driver = Driver {
     name: "Animation",
     open: |chosen| {
-        let name = chosen.text("animation")?;
-        Opened::act(Animation(GESTURES.iter().position(|gesture| gesture.name == name)?))
+        let (name, path) = (chosen.text("animation")?, chosen.text("gesture")?.trim());
+        let is_it = |gesture: &Gesture| if name == "robot" { gesture.path == path } else { gesture.name == name };
+        Opened::act(Animation(GESTURES.iter().position(is_it)?))
     },
 };
 
@@ -32,6 +33,13 @@ pub(crate) struct Playing {
     from: u64,
     /// The motor of each row and where it was.
     starts: Vec<(usize, f32)>,
+    /// The installed behaviour that it is, if it is one.
+    behavior: Option<&'static str>,
+}
+
+/// The names by which gestures are installed.
+pub(crate) fn paths() -> impl Iterator<Item = &'static str> {
+    GESTURES.iter().map(|gesture| gesture.path)
 }
 
 impl Playing {
@@ -41,7 +49,12 @@ impl Playing {
 
     /// Its name for people.
     pub(crate) fn words(&self) -> &'static str {
-        self.gesture().words
+        self.behavior.unwrap_or(self.gesture().words)
+    }
+
+    /// Whether it is this behaviour.
+    pub(super) fn is_behavior(&self, name: &str) -> bool {
+        self.behavior == Some(name)
     }
 
     /// Adds the state.
@@ -49,6 +62,7 @@ impl Playing {
         digest_use(&self.user, digest);
         digest.count(self.gesture);
         digest.whole(self.from);
+        self.behavior.iter().for_each(|name| digest.text(name));
         for (motor, start) in &self.starts {
             digest.count(*motor);
             digest.floats(&[*start]);
@@ -62,27 +76,49 @@ impl Act for Animation {
     }
 
     fn act(&self, nao: &mut SimulatedNao, user: &Use, _value: &Value) -> Result<(), RobotFault> {
-        if nao.playing.as_ref().is_some_and(|playing| playing.gesture == self.0) {
-            return Ok(());
+        if !nao.playing.as_ref().is_some_and(|playing| playing.gesture == self.0 && playing.behavior.is_none()) {
+            nao.begin(self.0, None, user);
         }
-        let motors = GESTURES[self.0].rows.iter().filter_map(Row::motor);
-        let starts: Vec<_> = motors.map(|motor| (motor, nao.servo.now[motor])).collect();
-        for (motor, _) in &starts {
-            nao.take_joint(*motor);
-            nao.movers.take([*motor], user);
-        }
-        nao.playing = Some(Playing { user: user.clone(), gesture: self.0, from: nao.now, starts });
         Ok(())
     }
 
     fn end(&self, nao: &mut SimulatedNao, user: &Use) {
-        if nao.playing.as_ref().is_some_and(|playing| playing.user == *user) {
-            nao.playing = None;
-        }
+        nao.end_gesture(user);
     }
 }
 
 impl SimulatedNao {
+    /// Begins a gesture of the table, in place of the one that plays.
+    fn begin(&mut self, gesture: usize, behavior: Option<&'static str>, user: &Use) {
+        let motors = GESTURES[gesture].rows.iter().filter_map(Row::motor);
+        let starts: Vec<_> = motors.map(|motor| (motor, self.servo.now[motor])).collect();
+        for (motor, _) in &starts {
+            self.take_joint(*motor);
+            self.movers.take([*motor], user);
+        }
+        self.playing = Some(Playing { user: user.clone(), gesture, from: self.now, starts, behavior });
+    }
+
+    /// Begins a gesture by its name in files, unless one plays.
+    pub(super) fn begin_gesture(&mut self, name: &str, user: &Use) {
+        let gesture = GESTURES.iter().position(|known| known.name == name);
+        if let Some(gesture) = gesture.filter(|_| self.playing.is_none()) {
+            self.begin(gesture, None, user);
+        }
+    }
+
+    /// Ends the gesture that this use began, if it plays.
+    pub(super) fn end_gesture(&mut self, user: &Use) {
+        self.playing.take_if(|playing| playing.user == *user);
+    }
+
+    /// Begins what a behaviour does: the gesture of this name.
+    pub(super) fn begin_behavior(&mut self, name: &'static str, gesture: &str, user: &Use) {
+        if let Some(gesture) = GESTURES.iter().position(|known| known.name == gesture) {
+            self.begin(gesture, Some(name), user);
+        }
+    }
+
     /// One step of the gesture.
     pub(crate) fn play(&mut self) {
         let Some(playing) = self.playing.take() else { return };

@@ -74,7 +74,7 @@ fn named(name: &str) -> Option<[f32; 3]> {
 }
 
 /// The colour a setting and a value mean.
-fn color(setting: &str, value: &Value) -> Result<[f32; 3], RobotFault> {
+pub(super) fn color(setting: &str, value: &Value) -> Result<[f32; 3], RobotFault> {
     let wanted = if setting == "Value" { value.as_text() } else { Some(setting) };
     let found = match wanted {
         Some(name) => named(name.trim()),

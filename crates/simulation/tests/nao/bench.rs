@@ -40,6 +40,11 @@ impl Bench {
         self.nao.command(&user(stream), &value.into(), Millis(self.now))
     }
 
+    /// Tells a value that is refused in these words.
+    pub(crate) fn tell_refused(&mut self, stream: &str, value: impl Into<Value>, words: &str) {
+        assert_eq!(self.try_tell(stream, value).expect_err("it is refused").to_string(), words);
+    }
+
     /// Lets robot time pass.
     pub(crate) fn wait(&mut self, ms: u64) {
         self.now += ms;

@@ -8,7 +8,7 @@ fn control(bench: &mut Bench, control: Control) -> Result<(), RobotFault> {
 }
 
 #[test]
-fn at_first_it_is_awake_and_lacks_nothing() {
+fn at_first_it_is_awake_and_well() {
     let bench = Bench::new();
     let condition = Condition {
         battery: Some(100),
@@ -19,8 +19,10 @@ fn at_first_it_is_awake_and_lacks_nothing() {
         hot: Vec::new(),
         fallen: Some(false),
         legs: None,
+        network: None,
+        faces: Some(0),
     };
-    assert_eq!((bench.nao.condition(), bench.nao.lacking()), (condition, Vec::new()));
+    assert_eq!(bench.nao.condition(), condition);
 }
 
 #[test]
@@ -70,4 +72,38 @@ fn nobody_takes_control_of_a_robot_on_the_floor() {
     bench.edit(&SceneEdit::Reset);
     bench.wait(100);
     assert_eq!((control(&mut bench, Control::Take), bench.nao.take_halt()), (Ok(()), None));
+}
+
+#[test]
+fn it_stands_and_sits_when_asked_and_wakes_up_first() {
+    let mut bench = Bench::new();
+    control(&mut bench, Control::Sit).expect("it can");
+    bench.wait(6_000);
+    assert_eq!(bench.nao.scene().body.posture, "Sitting");
+    assert_eq!(bench.nao.condition().stiff, Some(true));
+    control(&mut bench, Control::Stand).expect("it can");
+    bench.wait(500);
+    bench.nao.stop(Millis(bench.now));
+    bench.wait(6_000);
+    assert_eq!(bench.nao.scene().body.posture, "Unknown", "Stop holds it on its way");
+    control(&mut bench, Control::Rest).expect("it can");
+    bench.wait(6_000);
+    let refused = control(&mut bench, Control::Stand).expect_err("it rests");
+    assert_eq!(refused.to_string(), "the robot cannot do this now: it rests; take control first");
+    control(&mut bench, Control::WakeUp).expect("it can");
+    bench.wait(6_000);
+    assert_eq!((bench.nao.condition().awake, bench.nao.scene().body.posture.as_str()), (Some(true), "Standing"));
+}
+
+#[test]
+fn faces_are_forgotten_and_counted() {
+    let mut bench = Bench::new();
+    bench.open("learn", "RememberFace", &[]);
+    bench.person([1.6, 0.0], true);
+    bench.wait(50);
+    bench.tell("learn", true);
+    assert_eq!(bench.nao.condition().faces, Some(1));
+    control(&mut bench, Control::ForgetFaces).expect("it can");
+    assert_eq!(bench.nao.condition().faces, Some(0));
+    assert!(!bench.nao.scene().people[0].known);
 }

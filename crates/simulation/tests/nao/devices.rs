@@ -41,15 +41,19 @@ scenarios! {
     "Tracker" tracker: moving;
     "SayInput" say_input: acting;
     "SayParameter" say_parameter: acting;
+    "Voice" voice: acting;
     "Sound" sound: acting;
     "EyeLedColor" eye_led_color: acting;
     "EyeBrightness" eye_brightness: acting;
+    "Lights" lights: acting;
     "SetJointPosition" set_joint_position: moving;
     "Animation" animation: moving;
+    "Behavior" behavior: moving;
     "Posture" posture: body;
     "Walk" walk: moving;
     "RememberFace" remember_face: acting;
     "Print" print: acting;
+    "Tablet" tablet: acting;
 }
 
 #[test]

@@ -113,8 +113,9 @@ fn torture_neither_panics_nor_breaks_a_limit() {
 #[test]
 fn no_device_and_no_edit_breaks_on_wild_values() {
     let mut bench = Bench::new();
-    let actions: Vec<_> = robot::actuators().map(|device| device.name).collect();
-    for device in robot::sensors().chain(robot::actuators()) {
+    // A NAO has no tablet.
+    let actions: Vec<_> = robot::actuators().map(|device| device.name).filter(|name| *name != "Tablet").collect();
+    for device in robot::sensors().chain(robot::actuators()).filter(|device| device.name != "Tablet") {
         bench.open(&device.name.to_lowercase(), device.name, &[]);
     }
     bench.open("head", "SetJointPosition", &[("joint", "Head")]);

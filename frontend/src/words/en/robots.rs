@@ -3,7 +3,7 @@
 use super::{listed, saying};
 use crate::words::language::{said, translated};
 use protocol::CheckStage;
-use robot::{Condition, Control, Identity, JOINTS, Life, Touchable};
+use robot::{Condition, Control, Identity, JOINTS, Life, Network, Touchable};
 
 sentences! {
     add_real: "Add a NAO or Pepper";
@@ -35,6 +35,11 @@ sentences! {
     take_control: "Take control";
     give_back: "Give back to its own life";
     rest: "Let it rest";
+    wake_up: "Wake up";
+    stand_up: "Stand up";
+    sit_down: "Sit down";
+    forget_faces: "Forget faces";
+    forget: "Forget";
     room_of_real: "As the robot tells";
     more_in_room: "More";
     another_person: "Another person";
@@ -176,6 +181,21 @@ pub(crate) fn control_done(robot: &str, control: Control) -> String {
         Control::GiveBack => say!("“{robot}” has its own life again.", robot),
         Control::Rest => say!("“{robot}” sits down to rest.", robot),
         Control::Blink => say!("The eyes of “{robot}” blink for a moment.", robot),
+        Control::WakeUp => say!("“{robot}” wakes up.", robot),
+        Control::Stand => say!("“{robot}” stands up.", robot),
+        Control::Sit => say!("“{robot}” sits down.", robot),
+        Control::ForgetFaces => say!("“{robot}” forgets the faces that it knew.", robot),
+    }
+}
+
+/// Below this a robot that walks away may be lost, in percent.
+const WEAK_WIFI: u8 = 40;
+
+/// What is asked before faces are forgotten.
+pub(crate) fn forget_faces_of(robot: &str, count: u16) -> String {
+    match count {
+        1 => say!("“{robot}” forgets the face that it remembers. This cannot be undone.", robot),
+        _ => say!("“{robot}” forgets the {count} faces that it remembers. This cannot be undone.", robot, count),
     }
 }
 
@@ -190,6 +210,12 @@ pub(crate) fn condition(of: &Condition) -> Vec<(&'static str, String)> {
                 light(if percent < 20 { "bad" } else { "good" }, &say!("Battery {percent} %", percent));
             }
         }
+    }
+    match of.network {
+        Some(Network::Cable) => light("good", said("Network by cable")),
+        Some(Network::Wifi(percent)) if percent < WEAK_WIFI => light("bad", &say!("Wi-Fi weak: {percent} %", percent)),
+        Some(Network::Wifi(percent)) => light("good", &say!("Wi-Fi good: {percent} %", percent)),
+        None => {}
     }
     match of.awake {
         Some(true) => light("good", said("Awake")),
@@ -213,6 +239,11 @@ pub(crate) fn condition(of: &Condition) -> Vec<(&'static str, String)> {
         light("bad", said("Has fallen"));
     } else if let Some(why) = &of.legs {
         light("off", &say!("Does not walk: {why}", why = translated(why)));
+    }
+    match of.faces {
+        None | Some(0) => {}
+        Some(1) => light("off", said("Remembers a face")),
+        Some(count) => light("off", &say!("Remembers {count} faces", count)),
     }
     if !of.hot.is_empty() {
         light("bad", &say!("Hot: {joints}", joints = listed(of.hot.iter().map(|joint| joint_words(joint)))));

@@ -5,12 +5,18 @@ use serde_json::{Value as Json, json};
 use std::collections::BTreeSet;
 
 /// Calls that only ask or prepare: the watch over the body, the looks at what is there, and senses.
-const HOUSEKEEPING: [&str; 18] = [
+const HOUSEKEEPING: [&str; 25] = [
+    "ALAudioPlayer.getInstalledSoundSetsList",
+    "ALAudioPlayer.getSoundSetFileNames",
     "ALAutonomousLife.getState",
     "ALBattery.getBatteryCharge",
+    "ALBehaviorManager.getInstalledBehaviors",
     "ALColorBlobDetection.getCircle",
     "ALColorBlobDetection.setColor",
     "ALColorBlobDetection.setObjectProperties",
+    "ALConnectionManager.services",
+    "ALFaceDetection.getLearnedFacesList",
+    "ALLeds.listGroups",
     "ALMemory.getData",
     "ALMemory.subscriber",
     "ALMotion.getAngles",
@@ -24,6 +30,7 @@ const HOUSEKEEPING: [&str; 18] = [
     "ALRobotPosture.getPostureFamily",
     "ALSystem.robotName",
     "ALSystem.systemVersion",
+    "ALTextToSpeech.getAvailableLanguages",
 ];
 /// Of numbers in arguments.
 const NEAR: f64 = 0.02;

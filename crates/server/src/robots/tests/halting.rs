@@ -85,6 +85,11 @@ async fn giving_back_stops_what_runs_and_taking_control_does_not() {
     let robots = puppet.robots(Limits::default);
     let run = robots.start(filtered("one", "true")).await.unwrap();
     robots.control(Control::Take, "Aiko").await.unwrap();
+    for wish in [Control::WakeUp, Control::Stand, Control::Sit] {
+        let refused = robots.control(wish, "Aiko").await.unwrap_err().to_string();
+        assert!(refused.contains("a program runs on it; press Stop first"), "{refused}");
+    }
+    robots.control(Control::ForgetFaces, "Aiko").await.unwrap();
     assert_eq!(phase(&robots, &run), RunPhase::Running);
     robots.control(Control::GiveBack, "Aiko").await.unwrap();
     assert_eq!(phase(&robots, &run), RunPhase::Stopped("Aiko".to_owned()));

@@ -7,6 +7,8 @@ use crate::model::motor;
 pub(super) struct Gesture {
     /// Its name in files.
     pub(super) name: &'static str,
+    /// Its name among those that are installed, as on a NAO6.
+    pub(super) path: &'static str,
     /// What people call it.
     pub(super) words: &'static str,
     pub(super) rows: &'static [Row],
@@ -23,6 +25,7 @@ const WAVE: &[(u64, f32)] = &[(700, 0.6), (1_000, 1.3), (1_300, 0.6), (1_600, 1.
 pub(super) const GESTURES: &[Gesture] = &[
     Gesture {
         name: "Hey",
+        path: "animations/Stand/Gestures/Hey_1",
         words: "waving",
         rows: &[
             Row("RShoulderPitch", &[(700, -0.9), (2_200, -0.9)]),
@@ -32,10 +35,16 @@ pub(super) const GESTURES: &[Gesture] = &[
             Row("RHand", &[(700, 0.9), (2_200, 0.9)]),
         ],
     },
-    Gesture { name: "Yes", words: "nodding", rows: &[Row("HeadPitch", NOD)] },
-    Gesture { name: "No", words: "shaking the head", rows: &[Row("HeadYaw", SHAKE)] },
+    Gesture { name: "Yes", path: "animations/Stand/Gestures/Yes_1", words: "nodding", rows: &[Row("HeadPitch", NOD)] },
+    Gesture {
+        name: "No",
+        path: "animations/Stand/Gestures/No_1",
+        words: "shaking the head",
+        rows: &[Row("HeadYaw", SHAKE)],
+    },
     Gesture {
         name: "Bow",
+        path: "animations/Stand/Gestures/BowShort_1",
         words: "bowing",
         rows: &[
             Row("HeadPitch", &[(800, 0.5), (1_600, 0.5)]),
@@ -45,6 +54,7 @@ pub(super) const GESTURES: &[Gesture] = &[
     },
     Gesture {
         name: "Me",
+        path: "animations/Stand/Gestures/Me_1",
         words: "pointing to itself",
         rows: &[
             Row("RShoulderPitch", &[(700, 1.0), (1_700, 1.0)]),
@@ -55,6 +65,7 @@ pub(super) const GESTURES: &[Gesture] = &[
     },
     Gesture {
         name: "Explain",
+        path: "animations/Stand/Gestures/Explain_1",
         words: "explaining",
         rows: &[
             Row("LShoulderPitch", &[(600, 0.9), (1_200, 1.2), (1_800, 0.9)]),
@@ -67,6 +78,7 @@ pub(super) const GESTURES: &[Gesture] = &[
     },
     Gesture {
         name: "Happy",
+        path: "animations/Stand/Emotions/Positive/Happy_4",
         words: "cheering",
         rows: &[
             Row("HeadPitch", &[(600, -0.4), (1_800, -0.4)]),
@@ -119,7 +131,9 @@ mod tests {
     fn there_is_every_gesture_of_the_catalogue_in_its_words() {
         let device = robot::device(StreamKind::Actuator, "Animation").expect("it is in the catalogue");
         let ParamKind::Choice(choices) = device.params[0].kind else { panic!("a choice") };
-        assert_eq!(GESTURES.iter().map(|one| (one.name, one.words)).collect::<Vec<_>>(), choices);
+        let (another, fixed) = choices.split_last().expect("some");
+        assert_eq!(another.0, "robot");
+        assert_eq!(GESTURES.iter().map(|one| (one.name, one.words)).collect::<Vec<_>>(), fixed);
     }
 
     #[test]

@@ -56,6 +56,57 @@ pub(super) fn sound() {
     assert!(bench.nao.open(&user("none"), "Sound", &nameless).is_err(), "a file has a name");
 }
 
+pub(super) fn voice() {
+    let mut bench = Bench::new();
+    bench.open("say", "SayParameter", &[("text", "one two three four five six")]);
+    bench.open_with(
+        "voice",
+        "Voice",
+        &[
+            ("volume", 50.0.into()),
+            ("speed", 200.0.into()),
+            ("gestures", "yes".into()),
+            ("language", "Japanese".into()),
+        ],
+    );
+    let lasted = |bench: &mut Bench| {
+        bench.tell("say", true);
+        bench.wait(3_000);
+        let last = bench.nao.spoken().last().expect("it spoke").clone();
+        last.until.expect("it ended").0 - last.from.0
+    };
+    let usual = lasted(&mut bench);
+    assert_eq!(bench.nao.speaks(), None, "as usual until a value comes");
+    bench.tell("voice", true);
+    assert_eq!(bench.nao.speaks().as_deref(), Some("50 %, 200 % fast, with gestures, in Japanese"));
+    bench.tell("say", true);
+    bench.wait(100);
+    assert_eq!(bench.nao.scene().body.playing, "explaining");
+    bench.wait(3_000);
+    assert!(lasted(&mut bench).abs_diff(usual / 2) <= 10, "twice as fast");
+    bench.nao.close(&user("voice"));
+    assert_eq!((bench.nao.speaks(), lasted(&mut bench)), (None, usual), "as before");
+    let klingon = [("language".to_owned(), Value::text("Klingon"))].into();
+    let refused = bench.nao.open(&user("other"), "Voice", &klingon).expect_err("it does not speak that");
+    assert!(refused.to_string().starts_with("the language “Klingon” is not installed"), "{refused}");
+}
+
+pub(super) fn lights() {
+    let mut bench = Bench::new();
+    bench.open("ears", "Lights", &[("color", "yellow")]);
+    bench.open("chest", "Lights", &[("part", "chest"), ("color", "Value")]);
+    bench.open("shoulders", "Lights", &[("part", "shoulders")]);
+    assert!(bench.nao.scene().body.lights.is_empty());
+    bench.tell("ears", true);
+    bench.tell("chest", "green");
+    let lights = bench.nao.scene().body.lights;
+    assert_eq!((lights["ears"], lights["chest"]), ([0.0, 0.0, 1.0], [0.0, 1.0, 0.0]), "ears shine blue only");
+    let refused = bench.try_tell("shoulders", true).expect_err("it is no Pepper");
+    assert!(refused.to_string().contains("only a Pepper"), "{refused}");
+    bench.nao.close(&user("chest"));
+    assert_eq!(bench.nao.scene().body.lights.len(), 1, "the chest is the robot's own again");
+}
+
 pub(super) fn eye_led_color() {
     let mut bench = Bench::new();
     bench.open("green", "EyeLedColor", &[("color", "green")]);
@@ -94,4 +145,15 @@ pub(super) fn print() {
     let printed = bench.nao.scene().body.printed;
     assert_eq!(printed.iter().map(|one| one.text.as_str()).collect::<Vec<_>>(), ["a text", "[1, 2]"]);
     assert!(printed.iter().all(|one| one.by.stream.as_str() == "print"));
+}
+
+pub(super) fn tablet() {
+    let mut bench = Bench::new();
+    let refused = bench.nao.open(&user("tablet"), "Tablet", &Default::default()).expect_err("it is no Pepper");
+    assert_eq!(refused.to_string(), "this robot has no device called “Tablet”");
+    let lacking = bench.nao.lacking();
+    assert_eq!(
+        lacking.iter().map(|one| (one.device.as_str(), one.why.as_str())).collect::<Vec<_>>(),
+        [("Tablet", "it has no tablet; a Pepper has one")]
+    );
 }

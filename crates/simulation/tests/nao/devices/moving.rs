@@ -58,7 +58,43 @@ pub(super) fn set_joint_position() {
     assert!((bench.joint("HeadYaw") - 0.4).abs() < 0.01, "what is refused moves nothing");
 }
 
+pub(super) fn behavior() {
+    let mut bench = Bench::new();
+    bench.open("named", "Behavior", &[("name", "simulated/welcome")]);
+    bench.open("told", "Behavior", &[]);
+    bench.tell("named", true);
+    bench.wait(350);
+    assert_eq!(bench.nao.scene().body.playing, "simulated/welcome");
+    bench.tell("told", "simulated/dance");
+    bench.wait(350);
+    assert_eq!(bench.nao.scene().body.playing, "simulated/dance", "it takes the place of the other");
+    bench.nao.close(&user("named"));
+    assert_eq!(bench.nao.scene().body.playing, "simulated/dance");
+    bench.nao.close(&user("told"));
+    assert_eq!(bench.nao.scene().body.playing, "", "it ends with its program");
+    bench.tell_refused("told", "simulated/chess", "no action is open for this stream");
+    bench.open("told", "Behavior", &[]);
+    let missing = "the behaviour “simulated/chess” is not installed on this robot; choose one from its list";
+    bench.tell_refused("told", "simulated/chess", missing);
+    bench.tell_refused("told", true, "choose a behaviour for it, or let the value name one");
+    let chess = [("name".to_owned(), Value::text("simulated/chess"))].into();
+    let refused = bench.nao.open(&user("chess"), "Behavior", &chess).expect_err("it is known before Start");
+    assert_eq!(refused.to_string(), missing);
+    bench.tell("told", "simulated/story");
+    bench.nao.stop(Millis(bench.now));
+    assert_eq!(bench.nao.scene().body.playing, "");
+}
+
 pub(super) fn animation() {
+    let mut bench = Bench::new();
+    let own = [("animation", "robot"), ("gesture", "animations/Stand/Gestures/Yes_1")];
+    bench.open("own", "Animation", &own);
+    bench.tell("own", true);
+    assert_eq!(bench.nao.scene().body.playing, "nodding", "one of the list");
+    assert!(bench.nao.installed().gestures.iter().any(|known| known == own[1].1));
+    let other = own.map(|(name, value)| (name.to_owned(), Value::text(value.replace("Yes_1", "Fly_1"))));
+    assert!(bench.nao.open(&user("other"), "Animation", &other.into()).is_err());
+
     for (name, moved, words) in
         [("Hey", "RShoulderPitch", "waving"), ("Yes", "HeadPitch", "nodding"), ("Happy", "LShoulderPitch", "cheering")]
     {

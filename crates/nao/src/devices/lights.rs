@@ -1,0 +1,103 @@
+//! The lights that are no eyes. Ears and the top of the head have one colour; the chest is the robot's own when it shows how
+//! the robot is.
+
+use super::eyes::rgb;
+use super::{Act, Driver, Opened};
+use crate::deed::{Call, Deed};
+use crate::shared::State;
+use behaviour::Value;
+use robot::{Life, RobotFault};
+
+pub(super) const DRIVER: Driver = Driver {
+    name: "Lights",
+    services: &["ALLeds"],
+    joints: &[],
+    open: |chosen| {
+        let part = chosen.text("part")?;
+        let part = PARTS.iter().find(|known| known.name == part)?;
+        Opened::act(Light { part, color: chosen.text("color")?.to_owned() })
+    },
+};
+
+/// How long a colour takes to come, in seconds.
+const FADE_S: f32 = 0.1;
+/// Below this its chest shows that the battery is low, in percent.
+const LOW_PERCENT: u8 = 15;
+
+/// A part that shines.
+struct Part {
+    /// In the catalogue.
+    name: &'static str,
+    /// Its group in ALLeds.
+    group: &'static str,
+    /// Whether it has all colours.
+    is_colored: bool,
+    /// What is said where it is not there.
+    lacks: &'static str,
+}
+
+const PARTS: [Part; 4] = [
+    Part { name: "ears", group: "EarLeds", is_colored: false, lacks: "it has no lights in its ears" },
+    Part {
+        name: "chest",
+        group: "ChestLeds",
+        is_colored: true,
+        lacks: "it has no light on its chest; choose another part",
+    },
+    Part {
+        name: "head",
+        group: "BrainLeds",
+        is_colored: false,
+        lacks: "a Pepper has no lights on its head; choose its shoulders",
+    },
+    Part {
+        name: "shoulders",
+        group: "ShoulderLeds",
+        is_colored: true,
+        lacks: "a NAO has no lights on its shoulders; only a Pepper has",
+    },
+];
+
+/// A part, and a colour by its name or `Value`.
+struct Light {
+    part: &'static Part,
+    color: String,
+}
+
+impl Act for Light {
+    fn deed(&self, value: &Value) -> Result<Deed, RobotFault> {
+        let color = rgb(&self.color, value)?;
+        let Part { group, is_colored, .. } = *self.part;
+        let call = if is_colored {
+            Call::new("ALLeds", "fadeRGB", [group.into(), color.into(), FADE_S.into()])
+        } else {
+            let part = |shift: i32| (color >> shift & 0xFF) as f32 / 255.0;
+            let bright = part(16).max(part(8)).max(part(0));
+            Call::new("ALLeds", "fade", [group.into(), bright.into(), FADE_S.into()])
+        };
+        Ok(Deed::Light { group, call })
+    }
+
+    /// By what the robot says of its lights; before that by what kind of robot it is.
+    fn fits(&self, state: &State) -> Result<(), RobotFault> {
+        let Part { name, group, lacks, .. } = *self.part;
+        let is_there = match name {
+            _ if !state.lights.is_empty() => state.lights.contains(group),
+            "head" => !state.is_pepper,
+            "shoulders" => state.is_pepper,
+            _ => true,
+        };
+        if is_there { Ok(()) } else { Err(RobotFault::NotNow(lacks.to_owned())) }
+    }
+
+    fn ready(&self, _: &Value, state: &State) -> Result<(), RobotFault> {
+        self.fits(state)?;
+        let body = &state.condition;
+        let is_low = body.battery.is_some_and(|percent| percent < LOW_PERCENT) && body.plugged != Some(true);
+        let shows = is_low || body.life == Some(Life::Safeguard) || body.fallen == Some(true) || !body.hot.is_empty();
+        if shows && self.part.name == "chest" {
+            return Err(RobotFault::NotNow("its chest light shows that something is wrong with it".to_owned()));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,30 @@
+//! How the robot speaks from now on; at the end it is as before.
+
+use super::{Act, Driver, Opened};
+use crate::deed::Deed;
+use crate::voicing::Manner;
+use behaviour::Value;
+use robot::RobotFault;
+
+pub(super) const DRIVER: Driver = Driver {
+    name: "Voice",
+    services: &["ALTextToSpeech"],
+    joints: &[],
+    open: |chosen| {
+        let language = chosen.text("language")?.trim().to_owned();
+        Opened::act(Voice(Manner {
+            volume: (chosen.number("volume")? / 100.0) as f32,
+            speed: chosen.number("speed")? as f32,
+            gestures: chosen.is("gestures", "yes"),
+            language: (!language.is_empty()).then_some(language),
+        }))
+    },
+};
+
+struct Voice(Manner);
+
+impl Act for Voice {
+    fn deed(&self, _: &Value) -> Result<Deed, RobotFault> {
+        Ok(Deed::Voice(self.0.clone()))
+    }
+}
