@@ -341,7 +341,8 @@ impl Two<'_> {
                 return Ok(());
             }
         }
-        Err(format!("{what}: what Aiko typed is not saved").into())
+        let there = self.now().await?.records.records.get(&key).cloned();
+        Err(format!("{what}: what Aiko typed is not saved, but {there:?}").into())
     }
 }
 
