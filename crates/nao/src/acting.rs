@@ -313,7 +313,7 @@ impl Acting {
             if let Some(wanted) = pause(true) {
                 attempt(&session, &wanted, CALL).await;
             }
-            for piece in phrases::pieces(&text) {
+            for piece in phrases::pieces(&text, shared.state().voice_speed) {
                 if cut.load(Ordering::SeqCst) || shared.gate() != gate {
                     break;
                 }

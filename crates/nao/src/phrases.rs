@@ -21,33 +21,35 @@ fn length_ms(text: &str) -> u32 {
     text.chars().fold(0, |sum: u32, character| sum.saturating_add(takes_ms(character)))
 }
 
-/// The pieces, in order; one for a text that is short.
-pub(crate) fn pieces(text: &str) -> Vec<String> {
+/// The pieces, in order; one for a text that is short. `speed` is that of the voice in percent of the usual one: pieces of a slow
+/// voice are shorter.
+pub(crate) fn pieces(text: &str, speed: f32) -> Vec<String> {
+    let most_ms = (PIECE_MS as f32 * (speed / 100.0).clamp(0.1, 1.0)) as u32;
     let mut parts = vec![text.trim().to_owned()];
     let is_end = |ends: &'static str| move |character: char| ends.contains(character);
-    parts = divided(parts, &is_end(SENTENCE));
-    parts = divided(parts, &is_end(CLAUSE));
-    parts = divided(parts, &char::is_whitespace);
+    parts = divided(parts, most_ms, &is_end(SENTENCE));
+    parts = divided(parts, most_ms, &is_end(CLAUSE));
+    parts = divided(parts, most_ms, &char::is_whitespace);
     // What has neither signs nor spaces is divided anywhere.
-    parts = divided(parts, &|_| true);
+    parts = divided(parts, most_ms, &|_| true);
     parts
 }
 
 /// What is too long, behind characters like these; neighbours that are short enough together stay together.
-fn divided(parts: Vec<String>, is_end: &dyn Fn(char) -> bool) -> Vec<String> {
+fn divided(parts: Vec<String>, most_ms: u32, is_end: &dyn Fn(char) -> bool) -> Vec<String> {
     let mut all = Vec::new();
     for part in parts {
-        if length_ms(&part) <= PIECE_MS {
+        if length_ms(&part) <= most_ms {
             all.push(part);
             continue;
         }
         let (mut piece, mut from) = (String::new(), all.len());
         let whole = length_ms(&part);
         // About as long each, so that no word is left over.
-        let fair = whole / whole.div_ceil(PIECE_MS);
+        let fair = whole / whole.div_ceil(most_ms);
         for bit in part.split_inclusive(is_end) {
             let before = length_ms(&piece);
-            if !piece.trim().is_empty() && (before >= fair || before + length_ms(bit) > PIECE_MS) {
+            if !piece.trim().is_empty() && (before >= fair || before + length_ms(bit) > most_ms) {
                 all.push(std::mem::take(&mut piece));
             }
             piece.push_str(bit);
@@ -73,12 +75,12 @@ mod tests {
 
     #[test]
     fn a_short_text_is_one_piece_and_a_long_one_ends_at_sentences_clauses_or_words() {
-        assert_eq!(pieces(" Hello again! "), ["Hello again!"]);
+        assert_eq!(pieces(" Hello again! ", 100.0), ["Hello again!"]);
         assert_eq!(
-            pieces("Hello Aiko. Shall we play with the red ball, or do you want to dance?"),
+            pieces("Hello Aiko. Shall we play with the red ball, or do you want to dance?", 200.0),
             ["Hello Aiko.", "Shall we play with", "the red ball,", "or do you want to dance?"]
         );
-        assert_eq!(pieces("こんにちは。いっしょにあそびましょう。"), ["こんにちは。", "いっしょにあそびましょう。"]);
+        assert_eq!(pieces("こんにちは。いっしょにあそびましょう。", 100.0), ["こんにちは。", "いっしょにあそびましょう。"]);
     }
 
     #[test]
@@ -86,10 +88,12 @@ mod tests {
         for text in
             ["word ".repeat(150), "a".repeat(1_000), "0123456789".repeat(20), "日本語".repeat(50), "。, .".repeat(99)]
         {
-            let all = pieces(&text);
-            assert!(all.iter().all(|piece| length_ms(piece) <= PIECE_MS && !piece.is_empty()), "{all:?}");
-            let bare = |text: &str| text.split_whitespace().collect::<String>();
-            assert_eq!(bare(&all.concat()), bare(&text));
+            for (speed, most_ms) in [(100.0, PIECE_MS), (50.0, PIECE_MS / 2)] {
+                let all = pieces(&text, speed);
+                assert!(all.iter().all(|piece| length_ms(piece) <= most_ms && !piece.is_empty()), "{all:?}");
+                let bare = |text: &str| text.split_whitespace().collect::<String>();
+                assert_eq!(bare(&all.concat()), bare(&text));
+            }
         }
     }
 }

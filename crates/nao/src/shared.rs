@@ -1,7 +1,7 @@
 //! What the robot's thread and the link's thread have in common.
 
 use crate::body::Limits;
-use crate::voicing::Before;
+use crate::voicing::{Before, USUAL_SPEED};
 use behaviour::Value;
 use robot::{Condition, Control, Health, Identity, Installed, Lacking, Life, Printed, RobotFault, Use, Wake};
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -90,6 +90,8 @@ pub(crate) struct State {
     pub(crate) voice_before: Option<Before>,
     /// Whether it moves its arms when it speaks.
     pub(crate) gestures: bool,
+    /// How fast it speaks, in percent of the usual speed.
+    pub(crate) voice_speed: f32,
     /// The words that each use listens for.
     pub(crate) words: BTreeMap<Use, Vec<String>>,
     /// Whether anybody uses it.
@@ -135,6 +137,7 @@ impl Default for State {
             lights: BTreeSet::new(),
             voice_before: None,
             gestures: false,
+            voice_speed: USUAL_SPEED,
             words: BTreeMap::new(),
             used: false,
             silent: BTreeMap::new(),

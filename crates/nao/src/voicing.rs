@@ -9,6 +9,9 @@ use robot::Use;
 use std::sync::Arc;
 use std::time::Duration;
 
+/// The speed of a voice that nobody changed, in percent.
+pub(crate) const USUAL_SPEED: f32 = 100.0;
+
 /// How to speak.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Manner {
@@ -54,7 +57,10 @@ impl Voicing {
                 return;
             }
             note_before(&session, &shared, manner.language.is_some()).await;
-            shared.state().gestures = manner.gestures;
+            {
+                let mut state = shared.state();
+                (state.gestures, state.voice_speed) = (manner.gestures, manner.speed);
+            }
             // Another language is another voice, with a speed of its own: it comes first.
             let language = manner.language.map(|language| voice("setLanguage", [language.as_str().into()]));
             let rest = [
@@ -111,7 +117,7 @@ async fn note_before(session: &Session, shared: &Shared, with_language: bool) {
 pub(crate) async fn put_back(session: &Session, shared: &Shared) {
     let before = {
         let mut state = shared.state();
-        state.gestures = false;
+        (state.gestures, state.voice_speed) = (false, USUAL_SPEED);
         state.voice_before.clone()
     };
     let Some(Before { volume, speed, language }) = before else { return };

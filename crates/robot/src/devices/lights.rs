@@ -22,7 +22,7 @@ pub(crate) const DEVICE: Device = Device {
                 ("shoulders", "shoulders of a Pepper"),
             ]),
         },
-        Param { name: "color", label: "Colour", kind: ParamKind::Choice(COLORS) },
+        Param { name: "color", label: "Color", kind: ParamKind::Choice(COLORS) },
     ],
     shape: Shape::Anything,
     resources: Resources::Always(&[]),

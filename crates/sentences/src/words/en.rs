@@ -506,7 +506,7 @@ const ACTIONS: &[Rule] = &[
     ("eyes.value", &["the eyes turn the color it says", "eyes turn colour it says"]),
     ("eyes.off", &["the eyes go dark", "eyes go off", "eyes turn dark"]),
     ("lights.color", &["the {part} shine {color}", "{part} turn {color}"]),
-    ("lights.value", &["the {part} shine in that colour", "{part} turn that colour"]),
+    ("lights.value", &["the {part} shine in that color", "{part} turn that colour"]),
     ("lights.off", &["the {part} go dark", "{part} go off"]),
     (
         "shine.nearer",
