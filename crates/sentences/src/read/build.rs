@@ -49,7 +49,7 @@ pub(super) struct Builder<'a> {
     pub(super) unmeant: Vec<Span>,
     behaviour: Option<&'a Behaviour>,
     /// The connectors of the sentence before, in order.
-    before: Vec<usize>,
+    pub(super) before: Vec<usize>,
     /// The sense at the start of the sentence, if it is one.
     sense: Option<&'static str>,
 }
@@ -125,7 +125,7 @@ impl<'a> Builder<'a> {
     }
 
     /// What the last test of the sentence before keeps out.
-    fn otherwise(&mut self, span: &Span, chain: &mut Vec<usize>) -> usize {
+    pub(super) fn otherwise(&mut self, span: &Span, chain: &mut Vec<usize>) -> usize {
         let tests = |at: &usize| matches!(self.nodes[*at].source, Source::Made(Does::Keep(_) | Does::KeepBy(_), ..));
         let Some(place) = self.before.iter().rposition(tests) else {
             self.unmeant.push(span.clone());
@@ -166,7 +166,7 @@ impl<'a> Builder<'a> {
     }
 
     /// The node of a source, which may be there already.
-    fn node(&mut self, source: Source, carried: Carried, span: &Span) -> usize {
+    pub(super) fn node(&mut self, source: Source, carried: Carried, span: &Span) -> usize {
         let known = self.nodes.iter().position(|node| node.source == source);
         known.unwrap_or_else(|| {
             self.nodes.push(Node { source, carried, span: span.clone() });
@@ -174,7 +174,7 @@ impl<'a> Builder<'a> {
         })
     }
 
-    fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
+    pub(super) fn made(&mut self, does: Does, inputs: Vec<usize>, span: &Span, chain: &mut Vec<usize>) -> usize {
         let from = &self.nodes[inputs[0]].carried;
         let field = if let Does::Keep(test) = &does { test.field.as_deref() } else { None };
         let measured = match from.measure(field) {

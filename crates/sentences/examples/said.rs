@@ -1,0 +1,30 @@
+//! Builds one typed sentence as `rrp build --json` does, without the rest of the program: `said --language en --json TEXT`.
+use behaviour::{BehaviourFile, Helper};
+use sentences::{Language, Lexicon, read_speech};
+use serde_json::json;
+
+fn main() {
+    let args: Vec<String> = std::env::args().skip(1).filter(|arg| arg != "build" && arg != "--json").collect();
+    let language: Language = args[1].parse().unwrap();
+    let text = &args[2];
+    let lexicon = match language {
+        Language::English => Lexicon::read(load("en"), true),
+        Language::Japanese => Lexicon::read(load("ja"), false),
+    };
+    let helpers = robot::shipped_helpers();
+    let helpers: Vec<&Helper> = helpers.iter().collect();
+    let reading = read_speech(text, language, &lexicon, &helpers, None);
+    if reading.doubts.is_empty() && !reading.draft.connectors.is_empty() {
+        let file = BehaviourFile::of(&reading.draft.behaviour(), &helpers);
+        println!("{}", json!({"behaviour": file}));
+        return;
+    }
+    let doubts: Vec<_> = reading.doubts.iter().map(|doubt| json!({"text": &text[doubt.range.clone()], "suggestions": doubt.suggestions})).collect();
+    println!("{}", json!({"doubts": doubts}));
+    std::process::exit(3);
+}
+
+fn load(code: &str) -> &'static str {
+    let folder = std::env::var("LEXICON").unwrap_or_else(|_| "/work/w-f/crates/sentences/src/speech/lexicon".to_owned());
+    std::fs::read_to_string(format!("{folder}/{code}.txt")).unwrap().leak()
+}

@@ -1,0 +1,694 @@
+//! What a clause means that tells of something that happens: the order of its words does not count, but all of them do.
+
+use super::atoms::{Atom, Measure, Value};
+use super::lexicon::End;
+use super::meaning::{Bound, Cond, Event, Of, Phase, Span, Times, Who};
+use crate::test::Comparison;
+
+/// Atoms of which each is used once.
+pub(super) struct Bag<'a> {
+    pub(super) atoms: &'a [Atom],
+    used: u64,
+}
+
+/// What words mean alone: they may stand anywhere.
+const FILLERS: [&str; 3] = ["void", "prep", "aux"];
+
+impl<'a> Bag<'a> {
+    pub(super) fn new(atoms: &'a [Atom]) -> Self {
+        Self { atoms, used: 0 }
+    }
+
+    pub(super) fn is_free(&self, at: usize) -> bool {
+        self.used & (1 << at) == 0
+    }
+
+    pub(super) fn use_up(&mut self, at: usize) {
+        self.used |= 1 << at;
+    }
+
+    /// Where the first unused atom is that means this.
+    pub(super) fn find(&self, kind: &str, arg: &str) -> Option<usize> {
+        (0..self.atoms.len()).find(|at| self.is_free(*at) && self.atoms[*at].is(kind, arg))
+    }
+
+    pub(super) fn has(&self, kind: &str, arg: &str) -> bool {
+        self.find(kind, arg).is_some()
+    }
+
+    /// Uses the first atom that means this.
+    pub(super) fn take(&mut self, kind: &str, arg: &str) -> Option<usize> {
+        let at = self.find(kind, arg)?;
+        self.use_up(at);
+        Some(at)
+    }
+
+    /// Uses all atoms that mean this.
+    pub(super) fn take_all(&mut self, kind: &str, arg: &str) -> bool {
+        let mut any = false;
+        while self.take(kind, arg).is_some() {
+            any = true;
+        }
+        any
+    }
+
+    /// Uses the first atom of this kind; its argument and place.
+    pub(super) fn arg(&mut self, kind: &str) -> Option<(&'static str, usize)> {
+        let at = self.take(kind, "")?;
+        Some((self.atoms[at].of(kind)?.arg, at))
+    }
+
+    /// Uses the first measure of which something can be made.
+    pub(super) fn measure<T>(&mut self, made: impl Fn(Measure) -> Option<T>) -> Option<(T, usize)> {
+        let found = (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match self.atoms[at].value {
+            Value::Measure(measure) => Some((made(measure)?, at)),
+            _ => None,
+        })?;
+        self.use_up(found.1);
+        Some(found)
+    }
+
+    /// Uses the first quote.
+    pub(super) fn quote(&mut self) -> Option<String> {
+        let found = (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match &self.atoms[at].value {
+            Value::Quote(text) => Some((at, text.clone())),
+            _ => None,
+        })?;
+        self.use_up(found.0);
+        Some(found.1)
+    }
+
+    /// The tokens of the atoms that nobody used and that mean something.
+    pub(super) fn left(&self) -> Vec<Span> {
+        let means = |at: &usize| {
+            let atom = &self.atoms[*at];
+            self.is_free(*at) && !FILLERS.iter().any(|kind| atom.is(kind, ""))
+        };
+        (0..self.atoms.len()).filter(means).map(|at| self.atoms[at].span.clone()).collect()
+    }
+
+    pub(super) fn span(&self) -> Span {
+        let start = self.atoms.first().map_or(0, |first| first.span.start);
+        start..self.atoms.last().map_or(start, |last| last.span.end)
+    }
+}
+
+/// What a clause was understood as, and what of it was not.
+#[derive(Clone, Debug)]
+pub(super) struct Meant<T> {
+    pub(super) what: T,
+    pub(super) left: Vec<Span>,
+}
+
+/// A number of comparisons of what is measured, near and far without a number with these.
+fn bounds(
+    bag: &mut Bag,
+    vague: Option<[Bound; 2]>,
+    made: &dyn Fn(Measure) -> Option<(f64, &'static str)>,
+) -> Vec<Bound> {
+    let first = bag.measure(made);
+    let Some(((value, unit), _)) = first else {
+        let Some([near, far]) = vague else { return Vec::new() };
+        if bag.take_all("adj", "near") {
+            return vec![near];
+        }
+        return if bag.take_all("adj", "far") { vec![far] } else { Vec::new() };
+    };
+    let not = false;
+    if let Some(((other, other_unit), _)) = bag.measure(made) {
+        let is_between = bag.take("cmp", "between").is_some() || bag.take("cmp", "to").is_some();
+        bag.take_all("adj", "away");
+        bag.take("cmp", "to");
+        let (low, high) = if value * scale(unit) <= other * scale(other_unit) {
+            ((value, unit), (other, other_unit))
+        } else {
+            ((other, other_unit), (value, unit))
+        };
+        if is_between && !not {
+            return vec![(Comparison::AtLeast, low.0, low.1), (Comparison::AtMost, high.0, high.1)];
+        }
+        return Vec::new();
+    }
+    let than = bag.take("cmp", "than").is_some();
+    let comparison = if bag.take("cmp", "atmost").is_some() {
+        Some(Comparison::AtMost)
+    } else if bag.take("cmp", "atleast").is_some() {
+        Some(Comparison::AtLeast)
+    } else if bag.take("cmp", "less").is_some() {
+        Some(Comparison::Less)
+    } else if bag.take("cmp", "more").is_some() {
+        Some(Comparison::More)
+    } else if than && (bag.take("adj", "near").is_some() || bag.take("adj", "few").is_some()) {
+        Some(Comparison::Less)
+    } else if than && (bag.take("adj", "far").is_some() || bag.take("adj", "many").is_some()) {
+        Some(Comparison::More)
+    } else {
+        None
+    };
+    bag.take_all("adj", "near");
+    bag.take_all("adj", "away");
+    if matches!(comparison, Some(Comparison::More | Comparison::AtLeast)) {
+        bag.take_all("adj", "far");
+    }
+    comparison.map(|comparison| (comparison, value, unit)).into_iter().collect()
+}
+
+fn scale(unit: &str) -> f64 {
+    if unit == "m" { 100.0 } else { 1.0 }
+}
+
+fn length(measure: Measure) -> Option<(f64, &'static str)> {
+    if let Measure::Length(value, unit) = measure { Some((value, unit)) } else { None }
+}
+
+/// What a clause tells of; none if it tells of nothing that could happen.
+pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
+    if atoms.is_empty() || atoms.len() > 60 {
+        return None;
+    }
+    let mut bag = Bag::new(atoms);
+    let bag = &mut bag;
+    // Senses of what is not there: the rest of the clause is not to blame.
+    let gaps = gaps(atoms);
+    if !gaps.is_empty() {
+        let cond = Cond { what: Event::Sound, not: false, during: None, within: None, times: None, span: bag.span() };
+        return Some(Meant { what: cond, left: gaps });
+    }
+    bag.take_all("adv", "again");
+    bag.take_all("adv", "eachtime");
+    let within_at = bag.find("cmp", "atmost").filter(|_| {
+        atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Time(_))))
+            && !atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))))
+    });
+    let time = bag.measure(|measure| if let Measure::Time(ms) = measure { Some(ms) } else { None });
+    if time.is_some()
+        && let Some(at) = within_at
+    {
+        bag.use_up(at);
+    }
+    let is_within = time.is_some() && within_at.is_some();
+    bag.take("adj", "during");
+    let mut not = bag.take("not", "").is_some();
+    let over = bag.take("nolonger", "").is_some();
+    let mut lasts = bag.take("v", "keep").is_some();
+    let what = event(bag, &mut not, over, &mut lasts)?;
+    let times = times(bag, &what);
+    let (during, within) = match time {
+        Some((ms, _)) if is_within => (None, Some(ms)),
+        Some((ms, _)) => (Some(ms), None),
+        None => (None, None),
+    };
+    let left = bag.left();
+    Some(Meant { what: Cond { what, not, during, within, times, span: bag.span() }, left })
+}
+
+/// Words for what can neither be sensed nor done.
+pub(super) fn gaps(atoms: &[Atom]) -> Vec<Span> {
+    let is_gap = |atom: &&Atom| !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
+}
+
+fn times(bag: &mut Bag, what: &Event) -> Option<Times> {
+    let counts = |measure| match measure {
+        Measure::Times(times) if times >= 1.0 && times <= 1_000.0 && times.fract() == 0.0 => Some(times as u32),
+        _ => None,
+    };
+    if let Some((nth, at)) = bag.arg("ord") {
+        let number = nth.parse().ok();
+        if bag.take("every", "").is_some() {
+            return number.map(Times::EachTime);
+        }
+        if bag.take("time", "").is_some() || matches!(what, Event::Touch(..)) {
+            return number.map(Times::After);
+        }
+        let _ = at;
+    }
+    if let Some((times, _)) = bag.measure(counts) {
+        let each = bag.take("every", "").is_some();
+        return Some(if each { Times::EachTime(times) } else { Times::After(times) });
+    }
+    if let Some(("1" | "2", at)) = bag.arg("times") {
+        let twice = bag.atoms[at].is("times", "2");
+        return Some(Times::After(if twice { 2 } else { 1 }));
+    }
+    None
+}
+
+fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<Event> {
+    let verb_form = |bag: &Bag, at: usize| super::atoms::form(&bag.atoms[at], "v");
+    // Nobody does it: the verb says that it is done.
+    let nobody = bag.take("none", "who").is_some();
+    let nothing = bag.take("none", "thing").is_some();
+    if nobody || nothing {
+        *not = true;
+    }
+    let negated = |bag: &Bag| (0..bag.atoms.len()).any(|at| bag.is_free(at) && bag.atoms[at].senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "adj" | "pose")));
+    if negated(bag) {
+        *not = true;
+    }
+    // Touches.
+    if let Some(at) = bag.find("v", "press")
+        && bag.has("noun", "button")
+    {
+        bag.use_up(at);
+        bag.take("noun", "button");
+        agent(bag);
+        bag.take("robot", "");
+        let label = bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, Value::Quote(_)));
+        let label = if label { bag.quote() } else { None };
+        return Some(Event::Button(label));
+    }
+    for verb in ["release", "touch", "press", "hold", "bump"] {
+        let Some(at) = bag.find("v", verb) else { continue };
+        if !bag.has("part", "") && !bag.has("it", "") && verb != "touch" && verb != "bump" {
+            continue;
+        }
+        let form = verb_form(bag, at);
+        bag.use_up(at);
+        bag.take_all("v", verb);
+        if verb == "release" {
+            // 頭から手が離れた: the hand is whose it is that touches.
+            if let (Some(first), Some(second)) = (bag.find("part", ""), bag.find("part", "hand"))
+                && first != second
+            {
+                bag.use_up(second);
+            }
+            bag.take("v", "touch");
+        }
+        *lasts |= form.lasts;
+        if bag.has("part", "") {
+            // Somebody's own head is no robot's.
+            let own = bag.has("poss", "own");
+            let who_after = !form.passive && bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", "")) && form.end != End::Te && form.end != End::Tara && form.end != End::Ba && form.end != End::Did && form.end != End::Dict;
+            if own || who_after {
+                return Some(Event::ItTouched).filter(|_| false);
+            }
+        }
+        agent(bag);
+        bag.take_all("robot", "");
+        bag.take("none", "");
+        if matches!(verb, "bump" | "touch") {
+            bag.take_all("noun", "thing");
+            bag.take_all("noun", "wall");
+        }
+        bag.take_all("noun", "hand.with");
+        let released = verb == "release" || over;
+        if let Some(touch) = touched(bag, released) {
+            return Some(touch);
+        }
+        if bag.take("it", "").is_some() {
+            return Some(Event::ItTouched);
+        }
+        if bag.has("noun", "one") || bag.has("side", "") {
+            return same(bag);
+        }
+        return None;
+    }
+    if let Some(event) = measured_event(bag, not) {
+        return Some(event);
+    }
+    // What is heard.
+    if let Some(at) = bag.find("v", "say").or_else(|| bag.find("v", "hear").filter(|_| !bag.has("noun", "sound"))) {
+        if let Some(words) = words(bag, at) {
+            agent(bag);
+            bag.take_all("robot", "");
+            bag.take("v", "");
+            return Some(Event::Words(words));
+        }
+    }
+    if bag.take("noun", "quiet").is_some() {
+        *not = true;
+        bag.take_all("it", "");
+        return Some(Event::Sound);
+    }
+    if let Some(at) = bag.find("noun", "sound").or_else(|| bag.find("v", "clap")) {
+        bag.use_up(at);
+        bag.take_all("noun", "sound");
+        bag.take_all("v", "clap");
+        bag.take_all("noun", "hand.with");
+        if bag.atoms[at].is("v", "clap") {
+            bag.take("part", "hand");
+        }
+        bag.take_all("adj", "loud");
+        agent(bag);
+        bag.take_all("robot", "");
+        for verb in ["hear", "exist", "make", "come"] {
+            bag.take("v", verb);
+        }
+        return Some(Event::Sound);
+    }
+    // The robot's own body.
+    if bag.has("v", "fall") && !bag.has("noun", "battery") {
+        bag.take("v", "fall");
+        let up = bag.take("pose", "Stand").is_some() || bag.take("v", "rise").is_some();
+        bag.take("robot", "");
+        if !bag.has("who", "") {
+            bag.take("it", "");
+        }
+        return Some(if up { Event::Up } else { Event::Fall });
+    }
+    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) {
+        if bag.take("v", "rise").is_some() {
+            bag.take("robot", "");
+            return Some(Event::Up);
+        }
+        let (pose, at) = bag.arg("pose")?;
+        if bag.atoms.iter().any(|atom| atom.is("adv", "again")) && pose == "Stand" {
+            bag.take("robot", "");
+            return Some(Event::Up);
+        }
+        let _ = at;
+        bag.take_all("robot", "");
+        bag.take("v", "exist");
+        let posture = match pose {
+            "Stand" | "StandInit" => "Standing",
+            "Sit" => "Sitting",
+            "Crouch" => "Crouching",
+            _ => return None,
+        };
+        return Some(Event::Posture(posture));
+    }
+    seen(bag, not, nobody)
+}
+
+/// Uses the words for somebody who does something.
+fn agent(bag: &mut Bag) {
+    while let Some(at) = bag.find("who", "").filter(|at| !bag.atoms[*at].is("num", "")) {
+        if bag.atoms[at].is("who", "robot") {
+            break;
+        }
+        bag.use_up(at);
+    }
+}
+
+/// A touch of the parts that the bag has.
+fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
+    let phase = if released { Phase::Ends } else { Phase::Begins };
+    let mut all = Vec::new();
+    let place = bag.arg("place").map(|(place, _)| place);
+    let mut side = bag.arg("side").map(|(side, _)| side);
+    let other_side = if side.is_some() { bag.arg("side").map(|(side, _)| side) } else { None };
+    bag.take("noun", "one");
+    while let Some((part, _)) = bag.arg("part") {
+        let own_side = part.split_once('.').map(|(_, side)| side);
+        let part = part.split_once('.').map_or(part, |(part, _)| part);
+        let side_of = own_side.or(side);
+        let chosen = |name: &'static str, value: Option<&'static str>| value.map(|value| (name, value));
+        let event = match part {
+            "head" => {
+                if side_of.is_some() {
+                    return None;
+                }
+                Event::Touch("HeadTouch", chosen("part", place).into_iter().collect(), phase)
+            }
+            "hand" => {
+                let back = place.filter(|place| *place == "rear").map(|_| "back");
+                if place.is_some() && back.is_none() {
+                    return None;
+                }
+                let mut params: Vec<_> = chosen("hand", side_of).into_iter().collect();
+                params.extend(chosen("part", back));
+                Event::Touch("HandTouch", params, phase)
+            }
+            "foot" if place.is_none() => Event::Touch("Bumper", chosen("foot", side_of).into_iter().collect(), phase),
+            _ => return None,
+        };
+        all.push(event);
+    }
+    if let (Some(other), [Event::Touch(device, params, phase)]) = (other_side, &all[..]) {
+        let mut params = params.clone();
+        for param in &mut params {
+            if Some(param.1) == side {
+                param.1 = other;
+            }
+        }
+        let both = Event::Touch(device, params, *phase);
+        all.push(both);
+        side = None;
+    }
+    let _ = side;
+    if all.len() > 1 {
+        // Both at once cannot be told.
+        bag.take("or", "")?;
+        return Some(Event::Any(all));
+    }
+    all.pop()
+}
+
+/// The one of the other side.
+fn same(bag: &mut Bag) -> Option<Event> {
+    bag.take("noun", "one");
+    let side = bag.arg("side").map(|(side, _)| side);
+    let place = bag.arg("place").map(|(place, _)| place);
+    let mut params = Vec::new();
+    params.extend(side.map(|side| ("side", side)));
+    params.extend(place.map(|place| ("part", place)));
+    (!params.is_empty()).then_some(Event::Same(params, None))
+}
+
+/// Distances, numbers of people, charge, angles.
+fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
+    let has_length = bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Length(..))));
+    let share = |measure| match measure {
+        Measure::Share(value) | Measure::Number(value) => Some((value, "%")),
+        _ => None,
+    };
+    if bag.take("noun", "battery").is_some() {
+        bag.take("noun", "level");
+        bag.take("robot", "");
+        for verb in ["fall", "exist", "rise", "come"] {
+            bag.take("v", verb);
+        }
+        let mut found = bounds(bag, None, &share);
+        if found.is_empty() && bag.take("adj", "low").is_some() {
+            found = vec![(Comparison::Less, 20.0, "%")];
+        } else {
+            bag.take_all("adj", "low");
+        }
+        return (!found.is_empty()).then_some(Event::Battery(negated(found, not)?));
+    }
+    let counts = |measure| match measure {
+        Measure::People(value) | Measure::Number(value) => Some((value, "")),
+        _ => None,
+    };
+    let has_count = bag.atoms.iter().any(|atom| {
+        matches!(atom.value, Value::Measure(Measure::People(_)))
+            || (matches!(atom.value, Value::Measure(Measure::Number(_)))
+                && bag.atoms.iter().any(|atom| atom.is("who", "")) && !bag.has("noun", "mark"))
+    });
+    if has_count && !has_length {
+        bag.take("noun", "count");
+        agent(bag);
+        bag.take_all("robot", "");
+        let mut found = bounds(bag, None, &counts);
+        if found.is_empty() {
+            // The number stands alone: so many, no more and no fewer.
+            let number = bag.atoms.iter().find_map(|atom| match atom.value {
+                Value::Measure(Measure::People(value) | Measure::Number(value)) => Some(value),
+                _ => None,
+            })?;
+            found = vec![(Comparison::Is, number, "")];
+        }
+        for verb in ["see", "exist", "come", "appear"] {
+            bag.take_all("v", verb);
+        }
+        return Some(Event::People(negated(found, not)?));
+    }
+    let compares = bag.has("adj", "near") || bag.has("adj", "far");
+    let approaches = bag.has("v", "approach");
+    if !(has_length || compares || approaches) {
+        return None;
+    }
+    let side = if bag.take("noun", "ahead").is_some() { Some("nearest") } else { None };
+    bag.take("noun", "distance");
+    let of = subject(bag, side)?;
+    bag.take_all("robot", "");
+    if of != Of::Person {
+        bag.take_all("noun", "ahead");
+    }
+    let vague = match of {
+        Of::Person => [(Comparison::Less, 1.0, "m"), (Comparison::More, 2.0, "m")],
+        _ => [(Comparison::Less, 50.0, "cm"), (Comparison::More, 100.0, "cm")],
+    };
+    if bag.take("v", "approach").is_some() && !has_length && !compares {
+        return Some(Event::Far(of, negated(vec![vague[0]], not)?));
+    }
+    for verb in ["exist", "come", "go", "fall", "see", "approach", "enter"] {
+        bag.take_all("v", verb);
+    }
+    let approach = has_length && bag.take_all("v", "approach");
+    let mut found = bounds(bag, Some(vague), &length);
+    if found.is_empty() && approach {
+        found = Vec::new();
+    }
+    if found.is_empty() {
+        return None;
+    }
+    Some(Event::Far(of, negated(found, not)?))
+}
+
+/// Comparisons that are not so.
+fn negated(bounds: Vec<Bound>, not: &mut bool) -> Option<Vec<Bound>> {
+    if !*not {
+        return Some(bounds);
+    }
+    *not = false;
+    let [(comparison, value, unit)] = bounds[..] else { return None };
+    Some(vec![(comparison.opposite(), value, unit)])
+}
+
+/// What is near or far.
+fn subject(bag: &mut Bag, ahead: Option<&'static str>) -> Option<Of> {
+    if bag.take("noun", "ball").is_some() {
+        let color = bag.arg("color").map_or("red", |(color, _)| color);
+        bag.take("noun", "colored");
+        return sensed_color(color).then_some(Of::Ball(color));
+    }
+    if bag.has("noun", "face") || bag.has("who", "") {
+        bag.take("noun", "face");
+        agent(bag);
+        return Some(Of::Person);
+    }
+    if bag.take("noun", "thing").is_some() {
+        return Some(Of::Ahead(ahead.unwrap_or("nearest")));
+    }
+    if bag.take("it", "").is_some() {
+        return Some(Of::It);
+    }
+    // Nothing is named: what was said last, in Japanese.
+    if bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "")) {
+        return None;
+    }
+    if ahead.is_some() {
+        return Some(Of::Ahead("nearest"));
+    }
+    Some(Of::It)
+}
+
+/// Whether there is a sense for this colour.
+fn sensed_color(color: &str) -> bool {
+    ["red", "green", "blue"].contains(&color)
+}
+
+/// The words that are heard.
+fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
+    let mut all = Vec::new();
+    while let Some(quote) = bag.quote() {
+        all.push(quote);
+    }
+    if !all.is_empty() {
+        bag.take_all("or", "");
+        bag.take_all("noun", "word");
+        bag.use_up(verb);
+        return Some(all);
+    }
+    None
+}
+
+/// What is seen.
+fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
+    const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
+    let found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
+    let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
+    if found.is_empty() && !is_be && !nobody {
+        return None;
+    }
+    // Somebody who sees something is not the robot.
+    if let (Some(at), Some(who)) = (bag.find("v", "see").or_else(|| bag.find("v", "find")), bag.find("who", "")) {
+        let active = !super::atoms::form(&bag.atoms[at], "v").passive;
+        let end = super::atoms::form(&bag.atoms[at], "v").end;
+        let english = matches!(end, End::Plain | End::Third | End::Ing | End::Past);
+        let robot_before = bag.find("robot", "").is_some_and(|robot| robot < at);
+        let is_passive = bag.atoms[..at].iter().any(|atom| atom.is("aux", "be")) && end == End::Past;
+        if english && active && who < at && !robot_before && !is_passive {
+            return None;
+        }
+    }
+    let has = |verb: &str| found.iter().any(|(known, _)| *known == verb);
+    if has("leave") {
+        *not = !*not;
+    }
+    for (_, at) in &found {
+        bag.use_up(*at);
+    }
+    bag.take_all("noun", "view");
+    bag.take_all("noun", "ahead");
+    if !bag.has("who", "") || !found.is_empty() || is_be {
+        bag.take_all("robot", "");
+    }
+    if bag.take("noun", "ball").is_some() {
+        bag.take("noun", "colored");
+        let color = bag.arg("color").map_or("red", |(color, _)| color);
+        return sensed_color(color).then_some(Event::Ball(color));
+    }
+    if bag.take("noun", "mark").is_some() {
+        let number = bag.measure(|measure| match measure {
+            Measure::Number(value) | Measure::Mark(value) if value >= 1.0 && value <= 1_000.0 && value.fract() == 0.0 => {
+                Some(value as u32)
+            }
+            _ => None,
+        });
+        bag.take("noun", "count");
+        return Some(Event::Mark(number.map(|(number, _)| number)));
+    }
+    if bag.has("color", "") && !bag.has("part", "") {
+        bag.take_all("noun", "thing");
+        bag.take_all("noun", "colored");
+        let (color, _) = bag.arg("color")?;
+        return sensed_color(color).then_some(Event::Thing(color));
+    }
+    if bag.take("it", "").is_some() {
+        return Some(Event::ItSeen);
+    }
+    let new = bag.take_all("adj", "new");
+    let known = bag.take_all("adj", "known") || (has("know") && !new);
+    let another = bag.take_all("adj", "another");
+    let is_person = bag.has("noun", "face") || bag.has("who", "") || nobody || new || known;
+    if is_person {
+        bag.take_all("noun", "face");
+        bag.take_all("robot", "");
+        agent(bag);
+        let who = match (new, known, another) {
+            (true, false, false) => Who::New,
+            (false, true, false) => Who::Known,
+            (false, false, true) => Who::Another,
+            (false, false, false) => Who::Anybody,
+            _ => return None,
+        };
+        return Some(Event::Face(who));
+    }
+    // Japanese leaves out what was said before.
+    let says_nothing = !bag.atoms.iter().any(|atom| atom.is("noun", "") || atom.is("part", "") || atom.is("color", ""));
+    (says_nothing && has("see")).then_some(Event::ItSeen)
+}
+
+/// A clause of which only the side or the part is said: *the right one*, 右手なら.
+pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
+    let mut bag = Bag::new(atoms);
+    if atoms.iter().any(|atom| atom.is("v", "")) {
+        return None;
+    }
+    let span = bag.span();
+    let cond = |what| Cond { what, not: false, during: None, within: None, times: None, span: span.clone() };
+    let part = bag.arg("part").map(|(part, _)| part);
+    if let Some(what) = same(&mut bag) {
+        let Event::Same(params, _) = what else { return None };
+        return Some(Meant { what: cond(Event::Same(params, part)), left: bag.left() });
+    }
+    if part.is_some() {
+        let part = part.filter(|_| true);
+        return Some(Meant { what: cond(Event::Same(Vec::new(), part)), left: bag.left() });
+    }
+    if let Some(quote) = bag.quote() {
+        return Some(Meant { what: cond(Event::Words(vec![quote])), left: bag.left() });
+    }
+    let number = bag.measure(|measure| match measure {
+        Measure::Number(value) | Measure::Times(value) if value >= 1.0 && value.fract() == 0.0 && value <= 1_000.0 => {
+            Some(value as u32)
+        }
+        _ => None,
+    });
+    let (number, _) = number?;
+    bag.take_all("v", "touch");
+    Some(Meant { what: cond(Event::Counted(number)), left: bag.left() })
+}
