@@ -13,6 +13,22 @@ fn main() {
     };
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();
+    if text == "-" {
+        for line in std::io::stdin().lines() {
+            let line = line.unwrap();
+            if line.trim().is_empty() { continue; }
+            let reading = read_speech(&line, language, &lexicon, &helpers, None);
+            if reading.is_whole() {
+                let told = sentences::explain(&reading.draft.behaviour(), &helpers, &|_| None, language);
+                let told: Vec<String> = told.iter().map(ToString::to_string).collect();
+                println!("{line}\n      = {}", told.join(" "));
+            } else {
+                let doubts: Vec<String> = reading.doubts.iter().map(|doubt| format!("[{}] {:?} {}", &line[doubt.range.clone()], doubt.suggestions, doubt.why.clone().unwrap_or_default())).collect();
+                println!("{line}\n      ? {}", doubts.join("; "));
+            }
+        }
+        return;
+    }
     let reading = read_speech(text, language, &lexicon, &helpers, None);
     if reading.doubts.is_empty() && !reading.draft.connectors.is_empty() {
         let file = BehaviourFile::of(&reading.draft.behaviour(), &helpers);

@@ -587,6 +587,16 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
         Event::Posture(posture) => {
             (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned()))))
         }
+        Event::Far(of, bounds) if cond.not => {
+            let what = Event::Far(*of, opposite(bounds)?);
+            return tested(&Cond { what, not: false, ..cond.clone() });
+        }
+        Event::People(bounds) if cond.not => {
+            return tested(&Cond { what: Event::People(opposite(bounds)?), not: false, ..cond.clone() });
+        }
+        Event::Battery(bounds) if cond.not => {
+            return tested(&Cond { what: Event::Battery(opposite(bounds)?), not: false, ..cond.clone() });
+        }
         _ if cond.not => return None,
         Event::Far(of, bounds) => match of {
             Of::Ball(color) => {
@@ -618,6 +628,12 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
         }
         _ => return None,
     })
+}
+
+/// The bound that is so when this one is not.
+fn opposite(bounds: &[Bound]) -> Option<Vec<Bound>> {
+    let [(comparison, value, unit)] = bounds else { return None };
+    Some(vec![(comparison.opposite(), *value, unit)])
 }
 
 /// Bounds in metres.

@@ -167,7 +167,8 @@ fn nearer(bag: &mut Bag) -> Option<Act> {
         bag.take_all("v", verb);
     }
     bag.take_all("noun", "brightness");
-    bag.take_all("comma", "");
+    bag.take_signs(',');
+    bag.take_all("adj", "bright");
     if bag.take("noun", "ball").is_some() {
         let color = bag.arg("color").map_or("red", |(color, _)| color);
         return ["red", "green", "blue"].contains(&color).then_some(Act::Nearer(Of::Ball(color)));
@@ -212,6 +213,9 @@ fn say(bag: &mut Bag) -> Option<Act> {
         return Some(Act::Say(text));
     }
     bag.take_all("v", "exist");
+    if bag.left().is_empty() {
+        return Some(Act::SayValue(Value::It));
+    }
     value(bag).map(Act::SayValue)
 }
 

@@ -93,10 +93,11 @@ pub(super) fn atoms(tokens: &[Token], from: usize, to: usize, lexicon: &Lexicon,
             What::Unsure => add(at + 1, UNKNOWN, Vec::new(), Value::Nothing),
             _ => add(at + 1, UNKNOWN, Vec::new(), Value::Nothing),
         }
-        if let Some((end, measure)) = measure(tokens, from, &words, at, lexicon, language) {
-            add(end, WORD, Vec::new(), Value::Measure(measure));
-        }
         let found = lexicon.at(&words, at);
+        if let Some((end, measure)) = measure(tokens, from, &words, at, lexicon, language) {
+            let senses = found.iter().filter(|(other, _)| *other == end).map(|(_, sense)| *sense).collect();
+            add(end, WORD, senses, Value::Measure(measure));
+        }
         let mut ends: Vec<usize> = found.iter().map(|(end, _)| *end).collect();
         ends.sort_unstable();
         ends.dedup();
@@ -204,6 +205,7 @@ fn measure(
     if is(at, &["a"]) || is(at, &["an"]) || is(at, &["one"]) {
         if let Some((end, unit)) = unit(at + 1)
             && unit != "times"
+            && unit != "foot"
         {
             let half = is(end, &["and", "a", "half"]);
             return Some((if half { end + 3 } else { end }, measured(if half { 1.5 } else { 1.0 }, unit)?));
@@ -212,7 +214,7 @@ fn measure(
     let Some((mut after, mut value)) = number(tokens, from, words, at, lexicon) else {
         // *every minute*
         let (end, unit) = unit(at)?;
-        return (unit != "times" && unit != "people").then(|| measured(1.0, unit).map(|measure| (end, measure))).flatten();
+        return ["s", "min", "h"].contains(&unit).then(|| measured(1.0, unit).map(|measure| (end, measure))).flatten();
     };
     if is(after, &["and", "a", "half"]) {
         (value, after) = (value + 0.5, after + 3);

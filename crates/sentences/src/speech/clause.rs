@@ -12,7 +12,7 @@ pub(super) struct Bag<'a> {
 }
 
 /// What words mean alone: they may stand anywhere.
-const FILLERS: [&str; 3] = ["void", "prep", "aux"];
+const FILLERS: [(&str, &str); 5] = [("void", ""), ("prep", ""), ("aux", ""), ("p", ""), ("poss", "void")];
 
 impl<'a> Bag<'a> {
     pub(super) fn new(atoms: &'a [Atom]) -> Self {
@@ -29,7 +29,21 @@ impl<'a> Bag<'a> {
 
     /// Where the first unused atom is that means this.
     pub(super) fn find(&self, kind: &str, arg: &str) -> Option<usize> {
-        (0..self.atoms.len()).find(|at| self.is_free(*at) && self.atoms[*at].is(kind, arg))
+        let fits = |at: &usize| {
+            let atom = &self.atoms[*at];
+            // *It* is the robot only where nothing else can be meant.
+            self.is_free(*at) && atom.is(kind, arg) && !(kind == "robot" && atom.is("it", ""))
+        };
+        (0..self.atoms.len()).find(fits)
+    }
+
+    /// Uses all signs of this kind.
+    pub(super) fn take_signs(&mut self, sign: char) {
+        for at in 0..self.atoms.len() {
+            if self.atoms[at].is_sign(sign) {
+                self.use_up(at);
+            }
+        }
     }
 
     pub(super) fn has(&self, kind: &str, arg: &str) -> bool {
@@ -82,7 +96,7 @@ impl<'a> Bag<'a> {
     pub(super) fn left(&self) -> Vec<Span> {
         let means = |at: &usize| {
             let atom = &self.atoms[*at];
-            self.is_free(*at) && !FILLERS.iter().any(|kind| atom.is(kind, ""))
+            self.is_free(*at) && !FILLERS.iter().any(|(kind, arg)| atom.is(kind, arg))
         };
         (0..self.atoms.len()).filter(means).map(|at| self.atoms[at].span.clone()).collect()
     }
@@ -114,8 +128,13 @@ fn bounds(
         }
         return if bag.take_all("adj", "far") { vec![far] } else { Vec::new() };
     };
-    let not = false;
-    if let Some(((other, other_unit), _)) = bag.measure(made) {
+    let plain = |measure| match measure {
+        Measure::Number(value) => Some((value, unit)),
+        _ => None,
+    };
+    let pair = bag.has("cmp", "between") || bag.has("cmp", "to");
+    let second = bag.measure(made).or_else(|| if pair { bag.measure(plain) } else { None });
+    if let Some(((other, other_unit), _)) = second {
         let is_between = bag.take("cmp", "between").is_some() || bag.take("cmp", "to").is_some();
         bag.take_all("adj", "away");
         bag.take("cmp", "to");
@@ -124,12 +143,13 @@ fn bounds(
         } else {
             ((other, other_unit), (value, unit))
         };
-        if is_between && !not {
+        if is_between {
             return vec![(Comparison::AtLeast, low.0, low.1), (Comparison::AtMost, high.0, high.1)];
         }
         return Vec::new();
     }
     let than = bag.take("cmp", "than").is_some();
+    let approaches = bag.take_all("v", "approach");
     let comparison = if bag.take("cmp", "atmost").is_some() {
         Some(Comparison::AtMost)
     } else if bag.take("cmp", "atleast").is_some() {
@@ -138,7 +158,7 @@ fn bounds(
         Some(Comparison::Less)
     } else if bag.take("cmp", "more").is_some() {
         Some(Comparison::More)
-    } else if than && (bag.take("adj", "near").is_some() || bag.take("adj", "few").is_some()) {
+    } else if than && (approaches || bag.take("adj", "near").is_some() || bag.take("adj", "few").is_some()) {
         Some(Comparison::Less)
     } else if than && (bag.take("adj", "far").is_some() || bag.take("adj", "many").is_some()) {
         Some(Comparison::More)
@@ -291,10 +311,9 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
             bag.take_all("noun", "thing");
             bag.take_all("noun", "wall");
         }
-        bag.take_all("noun", "hand.with");
         let released = verb == "release" || over;
-        if let Some(touch) = touched(bag, released) {
-            return Some(touch);
+        if bag.has("part", "") {
+            return touched(bag, released);
         }
         if bag.take("it", "").is_some() {
             return Some(Event::ItTouched);
@@ -347,7 +366,11 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         }
         return Some(if up { Event::Up } else { Event::Fall });
     }
-    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) {
+    let it_sits = bag.find("it", "").filter(|_| bag.has("v", "rise") || bag.has("pose", ""));
+    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) || it_sits.is_some() {
+        if let Some(it) = it_sits {
+            bag.use_up(it);
+        }
         if bag.take("v", "rise").is_some() {
             bag.take("robot", "");
             return Some(Event::Up);
@@ -492,6 +515,9 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         for verb in ["see", "exist", "come", "appear"] {
             bag.take_all("v", verb);
         }
+        bag.take_all("noun", "view");
+        bag.take_all("noun", "ahead");
+        bag.take_all("noun", "people");
         return Some(Event::People(negated(found, not)?));
     }
     let compares = bag.has("adj", "near") || bag.has("adj", "far");
@@ -510,17 +536,13 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         Of::Person => [(Comparison::Less, 1.0, "m"), (Comparison::More, 2.0, "m")],
         _ => [(Comparison::Less, 50.0, "cm"), (Comparison::More, 100.0, "cm")],
     };
-    if bag.take("v", "approach").is_some() && !has_length && !compares {
+    if !has_length && !compares && bag.take("v", "approach").is_some() {
         return Some(Event::Far(of, negated(vec![vague[0]], not)?));
     }
-    for verb in ["exist", "come", "go", "fall", "see", "approach", "enter"] {
+    for verb in ["exist", "come", "go", "fall", "see", "enter"] {
         bag.take_all("v", verb);
     }
-    let approach = has_length && bag.take_all("v", "approach");
-    let mut found = bounds(bag, Some(vague), &length);
-    if found.is_empty() && approach {
-        found = Vec::new();
-    }
+    let found = bounds(bag, Some(vague), &length);
     if found.is_empty() {
         return None;
     }
@@ -590,7 +612,7 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
     let found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
     let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
-    if found.is_empty() && !is_be && !nobody {
+    if found.is_empty() && !is_be && !nobody && !bag.has("adj", "known") {
         return None;
     }
     // Somebody who sees something is not the robot.
@@ -603,6 +625,13 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
         if english && active && who < at && !robot_before && !is_passive {
             return None;
         }
+    }
+    // *It sees …*: the robot.
+    if let Some(at) = bag.find("v", "see")
+        && let Some(it) = bag.find("it", "").filter(|it| *it < at && bag.atoms[*it].is("robot", ""))
+        && super::atoms::form(&bag.atoms[at], "v").end == End::Third
+    {
+        bag.use_up(it);
     }
     let has = |verb: &str| found.iter().any(|(known, _)| *known == verb);
     if has("leave") {
@@ -618,6 +647,8 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     }
     if bag.take("noun", "ball").is_some() {
         bag.take("noun", "colored");
+        // *It is the ball that …*
+        bag.take("it", "");
         let color = bag.arg("color").map_or("red", |(color, _)| color);
         return sensed_color(color).then_some(Event::Ball(color));
     }
@@ -642,7 +673,7 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     }
     let new = bag.take_all("adj", "new");
     let known = bag.take_all("adj", "known") || (has("know") && !new);
-    let another = bag.take_all("adj", "another");
+    let another = bag.take_all("adj", "another") | bag.has("who", "else");
     let is_person = bag.has("noun", "face") || bag.has("who", "") || nobody || new || known;
     if is_person {
         bag.take_all("noun", "face");

@@ -140,7 +140,8 @@ impl Lexicon {
         if self.is_spaced {
             return writing.split_once(' ').unwrap_or((writing, ""));
         }
-        let first = writing.chars().next().map_or(0, char::len_utf8);
+        let letters = writing.chars().take_while(char::is_ascii_alphabetic).count();
+        let first = if letters > 0 { letters } else { writing.chars().next().map_or(0, char::len_utf8) };
         writing.split_at(first)
     }
 

@@ -579,5 +579,5 @@ fn is_suspicious(text: &[Atom]) -> bool {
     if first.is("hi", "") {
         return false;
     }
-    ["det", "poss", "noun", "it", "gap", "vague", "every", "num"].iter().any(|kind| first.is(kind, ""))
+    first.is("void", "det") || ["poss", "noun", "it", "gap", "vague", "every", "num"].iter().any(|kind| first.is(kind, ""))
 }
