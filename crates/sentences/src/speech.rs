@@ -93,8 +93,13 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
 /// Why words in doubt cannot be done, if they mean something.
 fn why(atoms: &[Atom], span: &Range<usize>, lexicon: &Lexicon) -> Option<&'static str> {
     let atom = atoms.iter().find(|atom| atom.span == *span)?;
-    let sense = atom.of("gap").or_else(|| atom.of("vague"))?;
-    Some(lexicon.gap(sense.arg).unwrap_or(""))
+    let is_gap = atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    let sense = atom.of("gap").or_else(|| atom.of("vague")).filter(|_| is_gap);
+    match sense {
+        Some(sense) => Some(lexicon.gap(sense.arg).unwrap_or("")),
+        // A colour that no sense has.
+        None => atom.of("color").and_then(|_| lexicon.gap("eyes")),
+    }
 }
 
 /// The parts of the body that texts speak of: “touch my hand”.
@@ -121,28 +126,23 @@ fn spoken_of(all: &[tokens::Token], lexicon: &Lexicon, language: Language, mut k
     known
 }
 
-/// Suggests words for those that look like slips: those with which the rest is understood.
+/// Suggests words for those that look like slips: those with which more of the rest is understood. Where slips were all
+/// that was wrong, only they stay in doubt.
 fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speech) {
-    const TRIED_MAX: usize = 6;
-    let before = speech.doubts.len();
-    if before == 0 || before > 3 {
-        return;
-    }
+    const TRIED_MAX: usize = 12;
     let mut tried = 0;
     let mut mended = text.to_owned();
-    for at in (0..before).rev() {
+    let mut left = speech.doubts.len();
+    for at in (0..speech.doubts.len()).rev() {
         let (range, _, why) = speech.doubts[at].clone();
-        if why.is_some() || range.is_empty() {
-            continue;
-        }
-        let words = &text[range.clone()];
-        let like = if language == Language::English {
-            lexicon.like(&words.to_lowercase())
-        } else {
-            // A slip in an ending: what stands before it belongs to the word.
-            lexicon.inflected_like(words)
+        let Some(words) = text.get(range.clone()).filter(|words| why.is_none() && !words.is_empty()) else { continue };
+        let like = match language {
+            Language::English => lexicon.like(&words.to_lowercase()),
+            Language::Japanese => lexicon.inflected_like(words),
         };
         let mut good = Vec::new();
+        let mut best = left;
+        let mut best_text = None;
         for word in like {
             tried += 1;
             if tried > TRIED_MAX {
@@ -150,14 +150,22 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
             }
             let mut other = mended.clone();
             other.replace_range(range.clone(), &word);
-            let again = heard(&other, language, lexicon);
-            if again.doubts.len() < at + 1 {
-                if good.is_empty() {
-                    mended = other;
+            let again = heard(&other, language, lexicon).doubts.len();
+            if again < left {
+                if again < best {
+                    (best, best_text) = (again, Some(other));
+                    good.insert(0, word);
+                } else {
+                    good.push(word);
                 }
-                good.push(word);
             }
         }
+        if let Some(other) = best_text {
+            (mended, left) = (other, best);
+        }
         speech.doubts[at].1 = good;
+    }
+    if left == 0 && speech.doubts.iter().any(|(_, good, _)| !good.is_empty()) {
+        speech.doubts.retain(|(_, good, _)| !good.is_empty());
     }
 }

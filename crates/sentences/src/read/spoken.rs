@@ -289,6 +289,10 @@ impl<'b, 'a> Making<'b, 'a> {
                 let params = label.iter().map(|label| ("label", label.clone())).collect();
                 Some(Feed { params, ..feed("Button") })
             }
+            (Event::Button(label), true) => {
+                let params = label.iter().map(|label| ("label", label.clone())).collect();
+                quiet(Feed { params, ..feed("Button") })
+            }
             (Event::Ball(color), not) => {
                 let sense = if *color == "red" {
                     feed("RedBall")

@@ -115,6 +115,12 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     }
     // *make them red*, *red*: of eyes before.
     let turns = bag.take("v", "turn").is_some() || bag.take("v", "shine").is_some();
+    // *Turn them off*
+    if bag.has("v", "off") && bag.find("part", "").is_none() && !bag.has("noun", "") {
+        bag.take_all("v", "off");
+        bag.take_all("it", "");
+        return Some(vec![Act::Color("off")]);
+    }
     if let Some((color, _)) = bag.arg("color") {
         bag.take_all("it", "");
         bag.take_all("noun", "colored");
@@ -258,6 +264,10 @@ fn value(bag: &mut Bag) -> Option<Value> {
     if bag.take_all("noun", "posture") {
         return Some(Value::Posture);
     }
+    if bag.take_all("noun", "people") {
+        bag.take_all("noun", "view");
+        return Some(Value::People);
+    }
     let counts = bag.take_all("noun", "count");
     if counts && bag.take_all("noun", "mark") {
         bag.take_all("v", "exist");
@@ -345,11 +355,8 @@ fn follow(bag: &mut Bag) -> Option<Act> {
         bag.take_all("v", verb);
     }
     let target = if bag.take("noun", "ball").is_some() {
-        if let Some((color, _)) = bag.arg("color")
-            && color != "red"
-        {
-            return None;
-        }
+        bag.take("color", "red");
+        bag.take("noun", "colored");
         Target::Ball
     } else if bag.take_all("noun", "face") | bag.take_all("who", "") {
         bag.take_all("who", "");
@@ -399,8 +406,8 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
     let both = bag.take("adj", "both").is_some();
     let side = own.or_else(|| bag.arg("side").map(|(side, _)| side));
     let sides: Vec<&str> = match (part, side, both) {
+        ("hand" | "arm", Some("both"), _) | ("hand" | "arm", None, true) => vec!["left", "right"],
         ("hand" | "arm", Some(side), false) => vec![side],
-        ("hand" | "arm", None, true) => vec!["left", "right"],
         ("head", _, false) => vec![side.unwrap_or("")],
         _ => return None,
     };
@@ -437,9 +444,8 @@ fn gesture_of(bag: &mut Bag, gesture: &'static str, at: usize) -> Option<Act> {
     match gesture {
         "Hey" => {
             // It waves with its right arm.
-            let left = bag.has("side", "left") || bag.has("part", "hand.left") || bag.has("part", "arm.left");
-            if left {
-                return None;
+            if bag.has("part", "hand.left") || bag.has("part", "arm.left") {
+                return Some(Act::Gesture(gesture));
             }
             bag.take("side", "right");
             for part in ["hand", "arm", "hand.right", "arm.right"] {

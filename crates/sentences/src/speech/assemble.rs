@@ -359,6 +359,8 @@ pub(crate) fn own_event(act: &Act) -> Option<Event> {
         Act::Follow(Target::Face, ..) => Some(Event::Face(Who::Anybody)),
         Act::Nearer(Of::Ball(color)) => Some(Event::Ball(color)),
         Act::Nearer(Of::Person) | Act::Show(Value::People) => Some(Event::People(Vec::new())),
+        Act::Show(Value::Distance(Of::Ball(color))) => Some(Event::Ball(color)),
+        Act::Show(Value::Distance(Of::Person)) => Some(Event::People(Vec::new())),
         Act::Nearer(Of::Ahead(side)) => Some(Event::Far(Of::Ahead(side), Vec::new())),
         Act::Show(Value::Battery) => Some(Event::Battery(Vec::new())),
         Act::Show(Value::Distance(of)) => Some(Event::Far(*of, Vec::new())),

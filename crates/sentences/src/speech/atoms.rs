@@ -182,6 +182,12 @@ fn measure(
         {
             return Some((end, measured(0.5, unit)?));
         }
+        if at > 0
+            && words[at - 1] == "毎"
+            && let Some((end, unit)) = unit(at)
+        {
+            return Some((end, measured(1.0, unit)?));
+        }
         let (after, mut value) = number(tokens, from, words, at, lexicon)?;
         let Some((mut end, unit_of)) = unit(after) else { return Some((after, Measure::Number(value))) };
         if is(end, &["半"]) && !is(end, &["半", "分"]) {

@@ -209,7 +209,10 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     let is_within = time.is_some() && within_at.is_some();
     bag.take("adj", "during");
     let mut not = bag.take("not", "").is_some();
-    let over = bag.take("nolonger", "").is_some();
+    let mut over = bag.take("nolonger", "").is_some();
+    if bag.take("anymore", "").is_some() && not {
+        (over, not) = (true, false);
+    }
     let mut lasts = bag.take("v", "keep").is_some();
     let what = event(bag, &mut not, over, &mut lasts)?;
     let times = times(bag, &what);
@@ -242,6 +245,17 @@ fn times(bag: &mut Bag, what: &Event) -> Option<Times> {
             return number.map(Times::After);
         }
         let _ = at;
+    }
+    // *Three touches*
+    let counted = (1..bag.atoms.len()).find_map(|at| match bag.atoms[at - 1].value {
+        Value::Measure(Measure::Number(number)) if bag.atoms[at].is("v", "") && bag.is_free(at - 1) => {
+            Some((at - 1, counts(Measure::Times(number))?))
+        }
+        _ => None,
+    });
+    if let Some((at, number)) = counted {
+        bag.use_up(at);
+        return Some(Times::After(number));
     }
     if let Some((times, _)) = bag.measure(counts) {
         let each = bag.take("every", "").is_some();
@@ -307,7 +321,7 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         agent(bag);
         bag.take_all("robot", "");
         bag.take("none", "");
-        if matches!(verb, "bump" | "touch") {
+        if matches!(verb, "bump" | "touch" | "press") {
             bag.take_all("noun", "thing");
             bag.take_all("noun", "wall");
         }
@@ -321,7 +335,8 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         if bag.has("noun", "one") || bag.has("side", "") {
             return same(bag);
         }
-        return None;
+        // What was said last; if it was something else, that stays in doubt.
+        return Some(Event::ItTouched);
     }
     if let Some(event) = measured_event(bag, not) {
         return Some(event);
@@ -337,6 +352,9 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     }
     if bag.take("noun", "quiet").is_some() {
         *not = true;
+        for verb in ["turn", "come", "exist", "shine", "go"] {
+            bag.take_all("v", verb);
+        }
         bag.take_all("it", "");
         return Some(Event::Sound);
     }
@@ -349,6 +367,7 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
             bag.take("part", "hand");
         }
         bag.take_all("adj", "loud");
+        bag.take_all("poss", "own");
         agent(bag);
         bag.take_all("robot", "");
         for verb in ["hear", "exist", "make", "come"] {
@@ -367,6 +386,10 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         return Some(if up { Event::Up } else { Event::Fall });
     }
     let it_sits = bag.find("it", "").filter(|_| bag.has("v", "rise") || bag.has("pose", ""));
+    if bag.has("v", "rise") && bag.left().len() == 1 {
+        bag.take("v", "rise");
+        return Some(Event::Up);
+    }
     if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) || it_sits.is_some() {
         if let Some(it) = it_sits {
             bag.use_up(it);
@@ -479,7 +502,7 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     if bag.take("noun", "battery").is_some() {
         bag.take("noun", "level");
         bag.take("robot", "");
-        for verb in ["fall", "exist", "rise", "come"] {
+        for verb in ["fall", "exist", "rise", "come", "turn", "go"] {
             bag.take("v", verb);
         }
         let mut found = bounds(bag, None, &share);
@@ -497,7 +520,8 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     let has_count = bag.atoms.iter().any(|atom| {
         matches!(atom.value, Value::Measure(Measure::People(_)))
             || (matches!(atom.value, Value::Measure(Measure::Number(_)))
-                && bag.atoms.iter().any(|atom| atom.is("who", "")) && !bag.has("noun", "mark"))
+                && bag.left().contains(&atom.span)
+                && bag.atoms.iter().any(|atom| atom.is("who", "") || atom.is("noun", "people")) && !bag.has("noun", "mark"))
     });
     if has_count && !has_length {
         bag.take("noun", "count");
@@ -512,7 +536,7 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
             })?;
             found = vec![(Comparison::Is, number, "")];
         }
-        for verb in ["see", "exist", "come", "appear"] {
+        for verb in ["see", "exist", "come", "appear", "turn"] {
             bag.take_all("v", verb);
         }
         bag.take_all("noun", "view");
@@ -539,7 +563,7 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     if !has_length && !compares && bag.take("v", "approach").is_some() {
         return Some(Event::Far(of, negated(vec![vague[0]], not)?));
     }
-    for verb in ["exist", "come", "go", "fall", "see", "enter"] {
+    for verb in ["exist", "come", "go", "fall", "see", "enter", "turn"] {
         bag.take_all("v", verb);
     }
     let found = bounds(bag, Some(vague), &length);
@@ -562,9 +586,8 @@ fn negated(bounds: Vec<Bound>, not: &mut bool) -> Option<Vec<Bound>> {
 /// What is near or far.
 fn subject(bag: &mut Bag, ahead: Option<&'static str>) -> Option<Of> {
     if bag.take("noun", "ball").is_some() {
-        let color = bag.arg("color").map_or("red", |(color, _)| color);
         bag.take("noun", "colored");
-        return sensed_color(color).then_some(Of::Ball(color));
+        return Some(Of::Ball(color(bag)));
     }
     if bag.has("noun", "face") || bag.has("who", "") {
         bag.take("noun", "face");
@@ -587,9 +610,9 @@ fn subject(bag: &mut Bag, ahead: Option<&'static str>) -> Option<Of> {
     Some(Of::It)
 }
 
-/// Whether there is a sense for this colour.
-fn sensed_color(color: &str) -> bool {
-    ["red", "green", "blue"].contains(&color)
+/// The colour of what is seen, red if none is said; a colour that no sense has stays in doubt.
+fn color(bag: &mut Bag) -> &'static str {
+    ["red", "green", "blue"].into_iter().find(|color| bag.take("color", color).is_some()).unwrap_or("red")
 }
 
 /// The words that are heard.
@@ -615,6 +638,14 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     if found.is_empty() && !is_be && !nobody && !bag.has("adj", "known") {
         return None;
     }
+    // Somebody who sees something is not the robot: 子どもがボールを見たら.
+    let sees = (0..bag.atoms.len()).find(|at| bag.is_free(*at) && bag.atoms[*at].is("tv", ""));
+    if let Some(at) = sees
+        && !super::atoms::form(&bag.atoms[at], "tv").passive
+        && bag.atoms.windows(2).any(|pair| pair[0].is("who", "") && pair[1].is("p", "ga"))
+    {
+        return None;
+    }
     // Somebody who sees something is not the robot.
     if let (Some(at), Some(who)) = (bag.find("v", "see").or_else(|| bag.find("v", "find")), bag.find("who", "")) {
         let active = !super::atoms::form(&bag.atoms[at], "v").passive;
@@ -635,7 +666,7 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     }
     let has = |verb: &str| found.iter().any(|(known, _)| *known == verb);
     if has("leave") {
-        *not = !*not;
+        *not = nobody || !*not;
     }
     for (_, at) in &found {
         bag.use_up(*at);
@@ -649,8 +680,7 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
         bag.take("noun", "colored");
         // *It is the ball that …*
         bag.take("it", "");
-        let color = bag.arg("color").map_or("red", |(color, _)| color);
-        return sensed_color(color).then_some(Event::Ball(color));
+        return Some(Event::Ball(color(bag)));
     }
     if bag.take("noun", "mark").is_some() {
         let number = bag.measure(|measure| match measure {
@@ -665,8 +695,7 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     if bag.has("color", "") && !bag.has("part", "") {
         bag.take_all("noun", "thing");
         bag.take_all("noun", "colored");
-        let (color, _) = bag.arg("color")?;
-        return sensed_color(color).then_some(Event::Thing(color));
+        return Some(Event::Thing(color(bag)));
     }
     if bag.take("it", "").is_some() {
         return Some(Event::ItSeen);

@@ -210,8 +210,18 @@ impl Lexicon {
         let Some(first) = letters.first() else { return Vec::new() };
         let mut like: Vec<(usize, usize, String)> = Vec::new();
         for entry in self.entries.get(&first.to_string()).into_iter().flatten() {
-            let Some(endings) = entry.class.and_then(|class| self.endings.get(class)) else { continue };
             let stem: String = std::iter::once(*first).chain(entry.rest.iter().flat_map(|part| part.chars())).collect();
+            let Some(endings) = entry.class.and_then(|class| self.endings.get(class)) else {
+                let whole: Vec<char> = stem.chars().collect();
+                if whole.len() >= 3
+                    && letters.len() >= 2
+                    && apart(&letters, &whole, 1).is_some()
+                    && !like.iter().any(|(.., known)| *known == stem)
+                {
+                    like.push((1, 2, stem));
+                }
+                continue;
+            };
             if !text.starts_with(&stem) {
                 continue;
             }
@@ -285,9 +295,9 @@ fn inflect(
     depth: usize,
     to: &mut Vec<(String, Form)>,
 ) {
-    const ROWS: [&str; 5] = ["a", "i", "u", "e", "t"];
+    const ROWS: [&str; 6] = ["a", "i", "u", "e", "t", "p"];
     // 一段 verbs have one stem and た, て as they are.
-    const ONE: [&str; 5] = ["", "", "る", "れ", ""];
+    const ONE: [&str; 6] = ["", "", "る", "れ", "", "られ"];
     for (row, ending, means) in chains {
         let Some(at) = ROWS.iter().position(|known| known == row) else { continue };
         let Some(stem) = stems.get(at) else { continue };

@@ -5,7 +5,7 @@ use super::act::{act, ends, is_order};
 use super::atoms::{Atom, Measure, Value};
 use super::clause::{Meant, cond, elliptic, gaps};
 use super::lexicon::End;
-use super::meaning::{Act, Cond, Span};
+use super::meaning::{Act, Cond, Span, Times};
 use crate::Language;
 use std::rc::Rc;
 
@@ -211,6 +211,19 @@ impl Chart<'_> {
         {
             found.push((at + 2, Segment::Every(ms)));
         }
+        if is(at, "cmp", "atmost")
+            && is(at + 1, "every", "")
+            && let Some(ms) = time(at + 2)
+        {
+            found.push((at + 3, Segment::AtMost(ms)));
+        }
+        // *Five seconds after …*
+        if let Some(ms) = time(at)
+            && is(at + 1, "lead", "after")
+            && self.language == Language::English
+        {
+            found.push((at + 1, Segment::Later(ms, true)));
+        }
         if let Some(ms) = time(at) {
             let next = fillers(at + 1);
             if is(next, "every.after", "") {
@@ -222,6 +235,9 @@ impl Chart<'_> {
             }
             // 1分に1回まで
             let one = |at: usize| is(at, "times", "1") || matches!(atoms.get(at).map(|atom| &atom.value), Some(Value::Measure(Measure::Times(times))) if *times == 1.0);
+            if is(next, "once", "") {
+                found.push((next + 1, Segment::AtMost(ms)));
+            }
             if one(next) {
                 let mut end = next + 1;
                 let mut most = false;
@@ -281,8 +297,13 @@ impl Chart<'_> {
         let atom = &self.atoms[at];
         let leads: Vec<Lead> = atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| lead(sense.arg)).collect();
         let most = (at + CLAUSE_MAX).min(self.atoms.len());
-        for lead in &leads {
-            let start = at + 1;
+        let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).collect();
+        // *Every third time …*
+        if atom.is("every", "") && self.atoms.get(at + 1).is_some_and(|next| next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_)))) {
+            starts.push((Lead::When, at));
+        }
+        for (lead, start) in &starts {
+            let start = *start;
             for end in start + 1..=most {
                 if self.tries >= TRIES_MAX {
                     return;
@@ -389,6 +410,8 @@ impl Chart<'_> {
         let (from, to) = match self.language {
             Language::English => {
                 let mut from = verb + 1;
+                let word = (from..atoms.len()).take(2).find(|at| atoms[*at].is("noun", "word"));
+                from = word.map_or(from, |at| at + 1);
                 while atoms.get(from).is_some_and(|atom| atom.is("noun", "word") || atom.is("prep", "to")) {
                     from += 1;
                 }
@@ -521,7 +544,14 @@ impl Chart<'_> {
             // A condition ends with a form or a word that leads on.
             for (lead, cut, cost) in self.closings(at, end) {
                 self.tries += 1;
-                if let Some(edge) = self.cond_edge(lead, at, cut, cost) {
+                let each = last.senses.iter().any(|sense| sense.kind == "lead" && sense.arg == "each");
+                if let Some(mut edge) = self.cond_edge(lead, at, cut, cost) {
+                    if each && let Segment::Cond(lead, cond) = &edge.segment
+                        && let Some(Times::After(times)) = cond.times
+                    {
+                        let cond = Cond { times: Some(Times::EachTime(times)), ..(**cond).clone() };
+                        edge.segment = Segment::Cond(*lead, Rc::new(cond));
+                    }
                     all.push((false, Edge { to: end, ..edge }));
                 }
                 if let Some(meant) = elliptic(&self.atoms[at..cut]).filter(|meant| meant.left.is_empty()) {
