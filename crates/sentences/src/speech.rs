@@ -31,6 +31,8 @@ pub(crate) struct Speech {
     pub(crate) places: Vec<Range<usize>>,
     /// Words in doubt, by their bytes, with why and what could stand there instead.
     pub(crate) doubts: Vec<(Range<usize>, Vec<String>, Option<&'static str>)>,
+    /// Words that are known, by their bytes.
+    known: Vec<Range<usize>>,
     /// Words that were taken as a text.
     pub(crate) texts: Vec<Range<usize>>,
 }
@@ -60,6 +62,7 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
     let source = |span: &Range<usize>| text.get(bytes(span)).unwrap_or_default().to_owned();
     let mut said = Said::default();
     let mut spans: Vec<(Range<usize>, Option<&'static str>)> = Vec::new();
+    let mut known: Vec<Range<usize>> = Vec::new();
     let mut at = 0;
     while at < all.len() {
         let stops = |at: usize| matches!(all[at].what, What::Sign('.' | '!' | '?' | ';'));
@@ -68,6 +71,7 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
         if !part.is_empty() {
             said.spoken_of = spoken_of(&all[..end], lexicon, language, said.spoken_of);
             let cover = segments::cover(&part, language, &source);
+            known.extend(part.iter().filter(|atom| !atom.is_unknown()).map(|atom| bytes(&atom.span)));
             for doubt in cover.doubts {
                 spans.push((doubt.clone(), why(&part, &doubt, lexicon)));
             }
@@ -86,6 +90,7 @@ fn heard(text: &str, language: Language, lexicon: &Lexicon) -> Speech {
     if speech.doubts.is_empty() && (said.is_missing || said.rules.is_empty()) {
         speech.doubts.push((text.len()..text.len(), Vec::new(), None));
     }
+    speech.known = known;
     speech.rules = said.rules;
     speech
 }
@@ -136,6 +141,9 @@ fn suggest(text: &str, language: Language, lexicon: &Lexicon, speech: &mut Speec
     for at in (0..speech.doubts.len()).rev() {
         let (range, _, why) = speech.doubts[at].clone();
         let Some(words) = text.get(range.clone()).filter(|words| why.is_none() && !words.is_empty()) else { continue };
+        if speech.known.contains(&range) {
+            continue;
+        }
         let like = match language {
             Language::English => lexicon.like(&words.to_lowercase()),
             Language::Japanese => lexicon.inflected_like(words),

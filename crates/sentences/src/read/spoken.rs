@@ -12,6 +12,9 @@ use crate::Language;
 use behaviour::{Params, StreamKind, Value as Constant};
 use robot::with_defaults;
 
+/// What was not seen for so long is not seen any more.
+const UNSEEN_MS: u64 = 1_000;
+
 /// A sense and what is made of it.
 struct Feed {
     device: &'static str,
@@ -86,7 +89,7 @@ impl<'b, 'a> Making<'b, 'a> {
                 _ => None,
             });
             if rule.lasts && let Some(own) = follows {
-                let own = Cond { what: own, not: false, during: None, within: None, times: None, span: rule.span.clone() };
+                let own = Cond::of(own, rule.span.clone());
                 let at = self.event(&own, &mut chain, None)?;
                 self.state(at, event, &mut chain)?
             } else {
@@ -133,8 +136,12 @@ impl<'b, 'a> Making<'b, 'a> {
     fn undo(&mut self, rule: &Rule) -> Option<()> {
         let lit = rule.acts.iter().any(|(_, act, _)| matches!(act, Act::Eyes(color) if *color != "off"));
         let Some(event) = rule.event.as_ref().filter(|_| lit) else { return Some(()) };
-        let Some(end) = ended(&event.what) else { return Some(()) };
-        let end = Cond { what: end, ..event.clone() };
+        let end = match &event.what {
+            // What is seen is over when it was not seen for a moment.
+            Event::Ball(_) | Event::Thing(_) => Cond { not: true, during: Some(UNSEEN_MS), ..event.clone() },
+            Event::Face(Who::Anybody) => Cond { not: true, ..event.clone() },
+            what => Cond { what: ended(what)?, ..event.clone() },
+        };
         let mut chain = Vec::new();
         let at = self.event(&end, &mut chain, None)?;
         self.act(&Act::Eyes("off"), at, None, &rule.span)
@@ -145,7 +152,7 @@ impl<'b, 'a> Making<'b, 'a> {
         let mut first = None;
         for (later, act, span) in &rule.acts {
             let what = own_event(act)?;
-            let cond = Cond { what, not: false, during: None, within: None, times: None, span: span.clone() };
+            let cond = Cond::of(what, span.clone());
             let mut chain = Vec::new();
             let mut at = self.event(&cond, &mut chain, None)?;
             if *later > 0 {
@@ -361,7 +368,7 @@ impl<'b, 'a> Making<'b, 'a> {
                 let comparison = if not { Comparison::Less } else { Comparison::AtLeast };
                 (feed("People"), Some(numbers("count", vec![(comparison, 1.0)])))
             }
-            (Event::Touch(device, params, Phase::Begins), false) => {
+            (Event::Touch(device, params, Phase::Begins), false) if cond.lasts => {
                 let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
                 params.push(("release", "yes".to_owned()));
                 (Feed { device, params, steps: Vec::new() }, Some(truth("", true)))
@@ -502,7 +509,7 @@ impl<'b, 'a> Making<'b, 'a> {
             }
             Value::Distance(Of::Person) => ("People", Some(Does::Make(Calc::Field("distance".to_owned())))),
             Value::Distance(Of::Ahead(_)) => ("Sonar", None),
-            Value::Distance(Of::It) => return None,
+            Value::Distance(Of::It) | Value::Count => return None,
             Value::Posture => ("PostureChanged", None),
             Value::Word => ("WordRecognized", Some(Does::Make(Calc::Field("word".to_owned())))),
             Value::Mark => ("Landmark", Some(Does::Make(Calc::Field("number".to_owned())))),

@@ -21,6 +21,7 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     let mut bag = Bag::new(atoms);
     let bag = &mut bag;
     bag.take_all("adv", "eachtime");
+    bag.take_all("adv", "again");
     bag.take_all("robot", "");
     let denies = bag.take("not", "").is_some()
         || atoms.iter().any(|atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "do" | "pose")));
@@ -58,14 +59,14 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         }
         let filler = ["void", "prep", "aux", "adv"].iter().any(|kind| atom.is(kind, ""));
         if !filler {
-            return atom.is("adj", "brighter") || atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("noun", "eyes") || atom.is("part", "eyes") || atom.is("color", "");
+            return atom.is("adj", "brighter") || atom.is("adj", "darker") || atom.is("adj", "far") || atom.is("cmp", "more") || atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("noun", "eyes") || atom.is("part", "eyes") || atom.is("color", "");
         }
     }
     false
 }
 
 fn done(bag: &mut Bag) -> Option<Vec<Act>> {
-    if bag.has("adj", "brighter") {
+    if bag.has("adj", "brighter") || bag.has("adj", "darker") {
         return nearer(bag).map(|act| vec![act]);
     }
     if let Some(at) = bag.find("v", "count") {
@@ -108,6 +109,7 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     }
     if bag.take("v", "walk").is_some() {
         bag.take_all("noun", "ahead");
+        bag.take_all("noun", "view");
         return Some(vec![Act::Walk]);
     }
     if let Some(act) = sound(bag) {
@@ -163,8 +165,12 @@ fn sound(bag: &mut Bag) -> Option<Act> {
 }
 
 fn nearer(bag: &mut Bag) -> Option<Act> {
+    let darker = bag.take_all("adj", "darker");
     bag.take_all("adj", "brighter");
-    if !(bag.take_all("adj", "near") | bag.take_all("cmp", "less")) {
+    bag.take_all("v", "dim");
+    let near = bag.take_all("adj", "near") | bag.take_all("cmp", "less") | bag.take_all("v", "approach");
+    let far = bag.take_all("adj", "far") | bag.take_all("cmp", "more");
+    if near == far || darker != far {
         return None;
     }
     bag.take_all("cmp", "than");
@@ -219,7 +225,9 @@ fn say(bag: &mut Bag) -> Option<Act> {
         return Some(Act::Say(text));
     }
     bag.take_all("v", "exist");
-    if bag.left().is_empty() {
+    // 数えて言う: what was counted.
+    let is_left_out = bag.atoms.iter().any(|atom| atom.of("v").is_some_and(|sense| sense.arg == "say" && sense.form.end != End::Plain));
+    if is_left_out && bag.left().is_empty() {
         return Some(Act::SayValue(Value::It));
     }
     value(bag).map(Act::SayValue)
@@ -247,6 +255,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
         }
         bag.take_all("adj", "away");
         bag.take_all("robot", "");
+        bag.take_all("lead", "until");
         if bag.take("noun", "ball").is_some() {
             let color = bag.arg("color").map_or("red", |(color, _)| color);
             return ["red", "green", "blue"].contains(&color).then_some(Value::Distance(Of::Ball(color)));
@@ -266,6 +275,8 @@ fn value(bag: &mut Bag) -> Option<Value> {
     }
     if bag.take_all("noun", "people") {
         bag.take_all("noun", "view");
+        bag.take_all("who", "");
+        bag.take_all("v", "exist");
         return Some(Value::People);
     }
     let counts = bag.take_all("noun", "count");
@@ -283,7 +294,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
     }
     if counts {
         bag.take_all("it", "");
-        return Some(Value::It);
+        return Some(Value::Count);
     }
     if bag.take_all("noun", "word") {
         for verb in ["hear", "say"] {
@@ -382,7 +393,7 @@ fn follow(bag: &mut Bag) -> Option<Act> {
         (false, None, false) => if points.is_some() { "Nearest" } else { "None" },
         _ => return None,
     };
-    let moves = walks.is_some() && looks.is_none() && points.is_none();
+    let moves = walks.is_some_and(|at| looks.is_none() || bag.atoms[at].is("v", "walk")) && points.is_none();
     let mode = match (moves, body, head, effector) {
         (true, false, _, _) => "Move",
         (false, true, _, _) => "WholeBody",
@@ -395,7 +406,7 @@ fn follow(bag: &mut Bag) -> Option<Act> {
 
 /// Arms, hands and the head moved by themselves.
 fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
-    let verb = ["open", "close", "raise", "lower", "turn", "look"].into_iter().find(|verb| bag.has("v", verb))?;
+    let verb = ["open", "close", "raise", "lower", "put", "turn", "look"].into_iter().find(|verb| bag.has("v", verb))?;
     let at = bag.find("v", verb)?;
     if !bag.has("part", "") && verb != "look" {
         return None;
@@ -403,6 +414,12 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
     let (part, _) = if verb == "look" && !bag.has("part", "head") { ("head", 0) } else { bag.arg("part")? };
     let (part, own) = part.split_once('.').map_or((part, None), |(part, side)| (part, Some(side)));
     bag.use_up(at);
+    let puts = part != "head" && matches!(verb, "put" | "turn");
+    let verb = match verb {
+        _ if puts && bag.take("dir", "up").is_some() => "raise",
+        _ if puts && bag.take("dir", "down").is_some() => "lower",
+        verb => verb,
+    };
     let both = bag.take("adj", "both").is_some();
     let side = own.or_else(|| bag.arg("side").map(|(side, _)| side));
     let sides: Vec<&str> = match (part, side, both) {

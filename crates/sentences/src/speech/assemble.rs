@@ -84,6 +84,11 @@ impl Said {
                     is_trailed |= trailing && !restricts;
                 }
                 Segment::Acts(acts, act_span) => {
+                    // One or the other: which?
+                    if std::mem::take(&mut joined_or) {
+                        self.doubts.push(act_span.clone());
+                    }
+                    goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     if is_trailed {
                         self.finish(std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
@@ -106,6 +111,7 @@ impl Said {
         }
         self.note(&cond.what);
         let _ = denies;
+        cond.lasts |= lead == Lead::While;
         match lead {
             Lead::Until if rule.until.is_none() => rule.until = Some(cond),
             Lead::Until => self.doubts.push(cond.span.clone()),
@@ -291,6 +297,30 @@ impl Said {
                 Act::Follow(Target::Face, ..) => self.seen = Some(Event::Face(Who::Anybody)),
                 Act::Nearer(Of::Ball(color)) => self.seen = Some(Event::Ball(color)),
                 _ => {}
+            }
+            let act = match act {
+                Act::SayValue(Value::Count) | Act::Show(Value::Count) => {
+                    let moment = rule.event.as_ref().is_some_and(|event| {
+                        !event.not && matches!(event.what, Event::Touch(..) | Event::Button(_) | Event::Sound | Event::Words(_))
+                    });
+                    if !rule.counts && !moment {
+                        self.doubts.push(span.clone());
+                        continue;
+                    }
+                    if !rule.counts {
+                        (rule.counts, self.counted) = (true, rule.event.clone());
+                    }
+                    if matches!(act, Act::Show(_)) { Act::Show(Value::It) } else { Act::SayValue(Value::It) }
+                }
+                other => other,
+            };
+            // Two of one kind at once: only the last would count.
+            let same = |one: &Act, other: &Act| {
+                matches!((one, other), (Act::Eyes(_), Act::Eyes(_)) | (Act::Posture(_), Act::Posture(_)))
+            };
+            if rule.acts.iter().any(|(at, other, _)| *at == later && same(&act, other)) {
+                self.doubts.push(span.clone());
+                continue;
             }
             self.did = Some(act.clone());
             rule.acts.push((later, act, span.clone()));

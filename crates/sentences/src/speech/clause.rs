@@ -191,7 +191,7 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     // Senses of what is not there: the rest of the clause is not to blame.
     let gaps = gaps(atoms);
     if !gaps.is_empty() {
-        let cond = Cond { what: Event::Sound, not: false, during: None, within: None, times: None, span: bag.span() };
+        let cond = Cond::of(Event::Sound, bag.span());
         return Some(Meant { what: cond, left: gaps });
     }
     bag.take_all("adv", "again");
@@ -208,6 +208,10 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     }
     let is_within = time.is_some() && within_at.is_some();
     bag.take("adj", "during");
+    if time.is_some() && !is_within {
+        bag.take("cmp", "more");
+        bag.take("cmp", "atleast");
+    }
     let mut not = bag.take("not", "").is_some();
     let mut over = bag.take("nolonger", "").is_some();
     if bag.take("anymore", "").is_some() && not {
@@ -222,7 +226,8 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
         None => (None, None),
     };
     let left = bag.left();
-    Some(Meant { what: Cond { what, not, during, within, times, span: bag.span() }, left })
+    let lasts = lasts || atoms.iter().any(|atom| atom.is("aux", "be"));
+    Some(Meant { what: Cond { what, not, during, within, times, lasts, span: bag.span() }, left })
 }
 
 /// Words for what can neither be sensed nor done.
@@ -239,6 +244,7 @@ fn times(bag: &mut Bag, what: &Event) -> Option<Times> {
     if let Some((nth, at)) = bag.arg("ord") {
         let number = nth.parse().ok();
         if bag.take("every", "").is_some() {
+            bag.take("time", "");
             return number.map(Times::EachTime);
         }
         if bag.take("time", "").is_some() || matches!(what, Event::Touch(..)) {
@@ -272,7 +278,7 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     let verb_form = |bag: &Bag, at: usize| super::atoms::form(&bag.atoms[at], "v");
     // Nobody does it: the verb says that it is done.
     let nobody = bag.take("none", "who").is_some();
-    let nothing = bag.take("none", "thing").is_some();
+    let nothing = bag.take("none", "thing").is_some() || bag.take("none", "no").is_some();
     if nobody || nothing {
         *not = true;
     }
@@ -291,6 +297,18 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         let label = bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, Value::Quote(_)));
         let label = if label { bag.quote() } else { None };
         return Some(Event::Button(label));
+    }
+    // 手をたたいたら: it is heard.
+    if let Some(at) = (0..bag.atoms.len()).find(|at| bag.atoms[*at].is("v", "clap") && bag.atoms[*at].is("v", "touch"))
+        && !verb_form(bag, at).passive
+        && bag.has("part", "hand")
+        && !bag.has("side", "")
+        && bag.atoms.iter().filter(|atom| atom.is("part", "")).count() == 1
+    {
+        bag.use_up(at);
+        bag.take("part", "hand");
+        agent(bag);
+        return Some(Event::Sound);
     }
     for verb in ["release", "touch", "press", "hold", "bump"] {
         let Some(at) = bag.find("v", verb) else { continue };
@@ -346,6 +364,7 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         if let Some(words) = words(bag, at) {
             agent(bag);
             bag.take_all("robot", "");
+            bag.take_all("noun", "toyou");
             bag.take("v", "");
             return Some(Event::Words(words));
         }
@@ -385,12 +404,14 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         }
         return Some(if up { Event::Up } else { Event::Fall });
     }
+    // 座っているとき: the robot, if nobody is named.
+    let sits = (0..bag.atoms.len()).any(|at| bag.atoms[at].of("pose").is_some_and(|sense| sense.form.lasts));
     let it_sits = bag.find("it", "").filter(|_| bag.has("v", "rise") || bag.has("pose", ""));
     if bag.has("v", "rise") && bag.left().len() == 1 {
         bag.take("v", "rise");
         return Some(Event::Up);
     }
-    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) || it_sits.is_some() {
+    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) || it_sits.is_some() || sits && !bag.has("who", "") {
         if let Some(it) = it_sits {
             bag.use_up(it);
         }
@@ -414,7 +435,7 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         };
         return Some(Event::Posture(posture));
     }
-    seen(bag, not, nobody)
+    seen(bag, not, nobody, nothing)
 }
 
 /// Uses the words for somebody who does something.
@@ -459,7 +480,9 @@ fn touched(bag: &mut Bag, released: bool) -> Option<Event> {
             "foot" if place.is_none() => Event::Touch("Bumper", chosen("foot", side_of).into_iter().collect(), phase),
             _ => return None,
         };
-        all.push(event);
+        if !all.contains(&event) {
+            all.push(event);
+        }
     }
     if let (Some(other), [Event::Touch(device, params, phase)]) = (other_side, &all[..]) {
         let mut params = params.clone();
@@ -506,6 +529,16 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
             bag.take("v", verb);
         }
         let mut found = bounds(bag, None, &share);
+        if found.is_empty() && bag.take("adj", "half").is_some() {
+            let comparisons = [
+                ("less", Comparison::Less),
+                ("more", Comparison::More),
+                ("atmost", Comparison::AtMost),
+                ("atleast", Comparison::AtLeast),
+            ];
+            let said = comparisons.into_iter().find(|(word, _)| bag.take("cmp", word).is_some());
+            found.extend(said.map(|(_, comparison)| (comparison, 50.0, "%")));
+        }
         if found.is_empty() && bag.take("adj", "low").is_some() {
             found = vec![(Comparison::Less, 20.0, "%")];
         } else {
@@ -553,9 +586,8 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
     bag.take("noun", "distance");
     let of = subject(bag, side)?;
     bag.take_all("robot", "");
-    if of != Of::Person {
-        bag.take_all("noun", "ahead");
-    }
+    bag.take_all("noun", "ahead");
+    bag.take_all("noun", "view");
     let vague = match of {
         Of::Person => [(Comparison::Less, 1.0, "m"), (Comparison::More, 2.0, "m")],
         _ => [(Comparison::Less, 50.0, "cm"), (Comparison::More, 100.0, "cm")],
@@ -617,6 +649,11 @@ fn color(bag: &mut Bag) -> &'static str {
 
 /// The words that are heard.
 fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
+    // *Say “two”* is an order and tells of nobody who says it.
+    let orders = bag.atoms[verb].of("v").is_some_and(|sense| sense.form.end == End::Plain && sense.arg == "say");
+    if orders && !bag.atoms[..verb].iter().any(|atom| atom.is("who", "") || atom.is("none", "who")) {
+        return None;
+    }
     let mut all = Vec::new();
     while let Some(quote) = bag.quote() {
         all.push(quote);
@@ -631,7 +668,7 @@ fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
 }
 
 /// What is seen.
-fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
+fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<Event> {
     const VERBS: [&str; 9] = ["see", "exist", "come", "appear", "enter", "find", "leave", "know", "show"];
     let found: Vec<(&str, usize)> = VERBS.iter().filter_map(|verb| Some((*verb, bag.find("v", verb)?))).collect();
     let is_be = bag.atoms.iter().any(|atom| atom.is("aux", "be"));
@@ -666,7 +703,8 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
     }
     let has = |verb: &str| found.iter().any(|(known, _)| *known == verb);
     if has("leave") {
-        *not = nobody || !*not;
+        let said = (0..bag.atoms.len()).any(|at| bag.atoms[at].sense("v", "leave").is_some_and(|sense| sense.form.not));
+        *not = nobody || (!*not || !said && nothing);
     }
     for (_, at) in &found {
         bag.use_up(*at);
@@ -680,7 +718,18 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
         bag.take("noun", "colored");
         // *It is the ball that …*
         bag.take("it", "");
-        return Some(Event::Ball(color(bag)));
+        let mut all = vec![Event::Ball(color(bag))];
+        while bag.has("or", "") && bag.has("color", "") {
+            bag.take("or", "");
+            bag.take("noun", "ball");
+            let at = bag.find("color", "")?;
+            let next = color(bag);
+            if bag.is_free(at) {
+                break;
+            }
+            all.push(Event::Ball(next));
+        }
+        return if all.len() > 1 { Some(Event::Any(all)) } else { all.pop() };
     }
     if bag.take("noun", "mark").is_some() {
         let number = bag.measure(|measure| match measure {
@@ -690,7 +739,20 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool) -> Option<Event> {
             _ => None,
         });
         bag.take("noun", "count");
-        return Some(Event::Mark(number.map(|(number, _)| number)));
+        let mut all = vec![Event::Mark(number.map(|(number, _)| number))];
+        while bag.has("or", "") {
+            let more = bag.measure(|measure| match measure {
+                Measure::Number(value) | Measure::Mark(value) if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 => {
+                    Some(value as u32)
+                }
+                _ => None,
+            });
+            let Some((more, _)) = more else { break };
+            bag.take("or", "");
+            bag.take("noun", "mark");
+            all.push(Event::Mark(Some(more)));
+        }
+        return if all.len() > 1 { Some(Event::Any(all)) } else { all.pop() };
     }
     if bag.has("color", "") && !bag.has("part", "") {
         bag.take_all("noun", "thing");
@@ -729,7 +791,7 @@ pub(super) fn elliptic(atoms: &[Atom]) -> Option<Meant<Cond>> {
         return None;
     }
     let span = bag.span();
-    let cond = |what| Cond { what, not: false, during: None, within: None, times: None, span: span.clone() };
+    let cond = |what| Cond::of(what, span.clone());
     let part = bag.arg("part").map(|(part, _)| part);
     if let Some(what) = same(&mut bag) {
         let Event::Same(params, _) = what else { return None };

@@ -21,7 +21,16 @@ pub(crate) struct Cond {
     pub(crate) within: Option<u64>,
     /// How often it has to happen.
     pub(crate) times: Option<Times>,
+    /// Whether it is said to last: *is touched*, 触っている.
+    pub(crate) lasts: bool,
     pub(crate) span: Span,
+}
+
+impl Cond {
+    /// Something that happens, as plain as can be.
+    pub(crate) fn of(what: Event, span: Span) -> Self {
+        Self { what, not: false, during: None, within: None, times: None, lasts: false, span }
+    }
 }
 
 /// How often something has to happen.
@@ -127,8 +136,10 @@ pub(crate) enum Act {
 /// A value that is said or shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Value {
-    /// What was counted, or comes.
+    /// What comes.
     It,
+    /// How often something came.
+    Count,
     People,
     Battery,
     Name,

@@ -177,8 +177,9 @@ impl Chart<'_> {
             all.push((false, plain(at + 1, Segment::Nothing, 3)));
         }
         // *NAO, …*
-        if atom.is("robot", "") && self.atoms.get(at + 1).is_some_and(|next| next.is_sign(',')) {
-            all.push((false, plain(at + 2, Segment::Nothing, 3)));
+        let next = if self.atoms.get(at + 1).is_some_and(|next| next.is("void", "")) { at + 2 } else { at + 1 };
+        if atom.is("robot", "") && self.atoms.get(next).is_some_and(|next| next.is_sign(',')) {
+            all.push((false, plain(next + 1, Segment::Nothing, 3)));
         }
         if atom.is("gap", "") || atom.is("vague", "") || atom.is("manner", "") {
             all.push((false, doubtful(at + 1, LEFT, vec![atom.span.clone()])));
@@ -245,9 +246,7 @@ impl Chart<'_> {
                     most |= !is(end, "void", "") && !is(end, "prep", "");
                     end += 1;
                 }
-                if most {
-                    found.push((end, Segment::AtMost(ms)));
-                }
+                found.push((end, if most { Segment::AtMost(ms) } else { Segment::Every(ms) }));
             }
         }
         if (is(at, "lead", "after") || is(at, "v", "wait") || is(at, "within", "in"))
@@ -316,7 +315,14 @@ impl Chart<'_> {
                     continue;
                 }
                 self.tries += 1;
-                if let Some(edge) = self.cond_edge(*lead, start, end, CLAUSE) {
+                if let Some(mut edge) = self.cond_edge(*lead, start, end, CLAUSE) {
+                    // *The first time …*
+                    if atom.is("lead", "first")
+                        && let Segment::Cond(lead, cond) = &edge.segment
+                    {
+                        let cond = Cond { times: Some(Times::After(1)), ..(**cond).clone() };
+                        edge.segment = Segment::Cond(*lead, Rc::new(cond));
+                    }
                     all.push((false, edge));
                 }
                 if *lead == Lead::After || *lead == Lead::When || *lead == Lead::Until {
@@ -342,7 +348,8 @@ impl Chart<'_> {
         if !leads.is_empty() && leads.len() == atom.senses.len() || !is_order(&self.atoms[at..most]) {
             return;
         }
-        let correlates = atom.is("adj", "near") || atom.is("cmp", "less") || self.atoms.get(at + 1).is_some_and(|next| next.is("adj", "near"));
+        let compares = |atom: &Atom| atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("adj", "far");
+        let correlates = compares(atom) || self.atoms.get(at + 1).is_some_and(compares);
         for end in at + 1..=most {
             if self.tries >= TRIES_MAX || (self.atoms[end - 1].is_sign(',') && !correlates) {
                 break;
@@ -416,6 +423,13 @@ impl Chart<'_> {
                     from += 1;
                 }
                 let mut to = atoms.len();
+                // *Says hello to you*
+                if to >= 2 && to - from > 2 && atoms[to - 1].is("robot", "") && atoms[to - 2].is("prep", "to") {
+                    to -= 2;
+                }
+                if to >= 2 && to - from > 1 && atoms[to - 1].is("noun", "toyou") {
+                    to -= 1;
+                }
                 while to > from
                     && (matches!(atoms[to - 1].value, Value::Measure(Measure::Time(_) | Measure::Times(_)))
                         || ["cmp", "times", "adv", "within", "prep"].iter().any(|kind| atoms[to - 1].is(kind, "")))
@@ -495,6 +509,7 @@ impl Chart<'_> {
             return None;
         }
         let verb = atoms.iter().position(|atom| atom.is("v", "say"))?;
+        let mut back = false;
         let (from, to) = match self.language {
             Language::English => {
                 let mut to = atoms.len();
@@ -505,6 +520,11 @@ impl Chart<'_> {
                 // Whom it is said to is no part of the text.
                 if to >= 3 && to - from > 2 && atoms[to - 1].is("who", "") && atoms[to - 2].is("void", "") && atoms[to - 3].is("prep", "to") {
                     to -= 3;
+                }
+                // *Say hello back*
+                if to - from == 2 && atoms[from].is("hi", "") && atoms[to - 1].is("place", "rear") {
+                    to -= 1;
+                    back = true;
                 }
                 (from, to)
             }
@@ -530,7 +550,7 @@ impl Chart<'_> {
         let quote = Atom { span: span.clone(), senses: Vec::new(), value: Value::Quote((self.source)(&span)) };
         let mut all = atoms[..from].to_vec();
         all.push(quote);
-        all.extend_from_slice(&atoms[to..]);
+        all.extend_from_slice(&atoms[to + usize::from(back)..]);
         Some((all, vec![span], doubts, TEXT * (to - from)))
     }
 
