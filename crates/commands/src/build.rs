@@ -3,8 +3,8 @@
 use crate::failure::Failure;
 use behaviour::{BehaviourFile, Helper};
 use clap::Args;
-use sentences::{Language, Reading};
-use serde_json::{Value, json};
+use sentences::{Doubt, Language, Lexicon};
+use serde_json::json;
 use std::io::Write;
 use std::process::ExitCode;
 
@@ -33,19 +33,59 @@ pub(crate) fn build(args: &BuildArgs) -> ExitCode {
     let text = args.sentences.join(" ");
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();
-    let reading = sentences::read(&text, args.language, &helpers, None);
+    let lexicon = Lexicon::of(args.language);
+    let reading = sentences::read_speech(&text, args.language, lexicon, &helpers, None);
     if reading.is_whole() {
-        return printed(&program(&reading, &helpers), args);
+        let file = BehaviourFile::of(&reading.draft.behaviour(), &helpers);
+        return printed(&file, args.json);
     }
-    let doubts = reading.doubts_in(&text);
-    let mut out = std::io::stdout().lock();
-    // Whoever reads may have seen enough.
-    let _ = if args.json {
-        let doubts: Vec<Value> = doubts.iter().map(|(text, suggestions)| json!({"text": text, "suggestions": suggestions})).collect();
-        writeln!(out, "{}", json!({ "doubts": doubts }))
+    let text_of = |doubt: &Doubt| text.get(doubt.range.clone()).unwrap_or_default().to_owned();
+    if args.json {
+        let doubts = reading.doubts.iter().map(|doubt| {
+            json!({ "text": text_of(doubt), "suggestions": doubt.suggestions, "why": doubt.why })
+        });
+        told(&json!({ "doubts": doubts.collect::<Vec<_>>() }).to_string());
+        return ExitCode::from(3);
+    }
+    let failures = reading.doubts.iter().map(|doubt| Failure::InDoubt {
+        words: text_of(doubt),
+        suggestions: doubt.suggestions.clone(),
+        why: doubt.why.clone(),
+    });
+    crate::failed(&failures.collect::<Vec<_>>(), 3)
+}
+
+fn printed(file: &BehaviourFile, json: bool) -> ExitCode {
+    if json {
+        match serde_json::to_value(file) {
+            Ok(file) => told(&json!({ "behaviour": file }).to_string()),
+            Err(error) => return crate::failed(&[Failure::UnwrittenOut(error.into())], 1),
+        }
     } else {
-        let failures = doubts.into_iter().map(|(text, suggestions)| Failure::InDoubt(text, suggestions));
-        return crate::failed(&failures.collect::<Vec<_>>(), 3);
-    };
-    ExitCode::from(3)
+        told(store::files::write_json(file).trim_end());
+    }
+    ExitCode::SUCCESS
+}
+
+fn told(line: &str) {
+    // Whoever reads may have seen enough.
+    let _ = writeln!(std::io::stdout().lock(), "{line}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{BuildArgs, build};
+    use sentences::Language;
+    use std::process::ExitCode;
+
+    #[test]
+    fn sentences_are_built_or_asked_about() {
+        let said = |sentence: &str| build(&BuildArgs {
+            sentences: vec![sentence.to_owned()],
+            language: Language::English,
+            json: true,
+        });
+        assert_eq!(format!("{:?}", said("Wave when I press the button!")), format!("{:?}", ExitCode::SUCCESS));
+        assert_eq!(format!("{:?}", said("Wave when the child cries.")), format!("{:?}", ExitCode::from(3)));
+    }
 }

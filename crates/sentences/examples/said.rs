@@ -7,10 +7,7 @@ fn main() {
     let args: Vec<String> = std::env::args().skip(1).filter(|arg| arg != "build" && arg != "--json").collect();
     let language: Language = args[1].parse().unwrap();
     let text = &args[2];
-    let lexicon = match language {
-        Language::English => Lexicon::read(load("en"), true),
-        Language::Japanese => Lexicon::read(load("ja"), false),
-    };
+    let lexicon = Lexicon::read(load(language.code()), language);
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();
     if text == "-" {
@@ -41,6 +38,6 @@ fn main() {
 }
 
 fn load(code: &str) -> &'static str {
-    let folder = std::env::var("LEXICON").unwrap_or_else(|_| "/work/w-f/crates/sentences/src/speech/lexicon".to_owned());
-    std::fs::read_to_string(format!("{folder}/{code}.txt")).unwrap().leak()
+    let folder = std::env::var("LEXICON").unwrap_or_else(|_| "/work/w-f/static".to_owned());
+    std::fs::read_to_string(format!("{folder}/speech-{code}.txt")).unwrap().leak()
 }

@@ -4,6 +4,7 @@
 //! `hold|holds|held|holding = v hold` other ones. `触,さわ/る = v touch` has those of the table of inflection that is named
 //! after the `/`. `! cry = …` is what is said of a meaning that no sense or action has.
 
+use crate::Language;
 use std::collections::BTreeMap;
 
 /// The form of a word that has several.
@@ -78,10 +79,10 @@ pub struct Lexicon {
 pub(super) type Found = (usize, Sense);
 
 impl Lexicon {
-    /// Reads the words of a language. `is_spaced` says whether they are written with spaces between them.
+    /// Reads the words of a language.
     #[must_use]
-    pub fn read(text: &'static str, is_spaced: bool) -> Self {
-        let mut lexicon = Self { is_spaced, ..Self::default() };
+    pub fn read(text: &'static str, language: Language) -> Self {
+        let mut lexicon = Self { is_spaced: language == Language::English, ..Self::default() };
         let mut tables: BTreeMap<&'static str, Vec<&'static str>> = BTreeMap::new();
         let mut chains: Vec<(&'static str, &'static str, &'static str)> = Vec::new();
         for line in text.lines() {
@@ -108,6 +109,21 @@ impl Lexicon {
             lexicon.endings.insert(class, endings);
         }
         lexicon
+    }
+
+    /// The words of a language, of which the program has both files.
+    #[cfg(feature = "lexicons")]
+    #[must_use]
+    pub fn of(language: Language) -> &'static Self {
+        use std::sync::LazyLock;
+        static ENGLISH: LazyLock<Lexicon> =
+            LazyLock::new(|| Lexicon::read(include_str!("../../../../static/speech-en.txt"), Language::English));
+        static JAPANESE: LazyLock<Lexicon> =
+            LazyLock::new(|| Lexicon::read(include_str!("../../../../static/speech-ja.txt"), Language::Japanese));
+        match language {
+            Language::English => &ENGLISH,
+            Language::Japanese => &JAPANESE,
+        }
     }
 
     fn word(&mut self, left: &'static str, right: &'static str) {
