@@ -84,7 +84,7 @@ pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Opti
     let known = &text[..end];
     let Repaired { told, tokens, mut doubts } = doubts::repaired(known, tokens(known, language), language);
     let guesses = told.iter().any(tree::Told::is_guess);
-    let mut builder = Builder::new(behaviour);
+    let mut builder = Builder::new(behaviour, language);
     told.iter().for_each(|sentence| builder.sentence(sentence));
     doubts.extend(builder.unmeant.iter().map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new(), why: None }));
     if end < text.len() {
@@ -144,7 +144,7 @@ pub fn read_speech(
     }
     let mut reading = Reading::default();
     if doubts.is_empty() {
-        let mut builder = Builder::new(behaviour);
+        let mut builder = Builder::new(behaviour, language);
         let mut making = spoken::Making::new(&mut builder, language);
         making.rules(&speech.rules);
         let failed = making.doubts;

@@ -5,7 +5,9 @@ use super::meaning::{does_of, params, part_of, test, wanted_unit};
 use super::tree::{Action, Bound, Said, Span, Start, Told, Way};
 use crate::carried::{Carried, Measure};
 use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance};
+use crate::Language;
 use crate::does::{Calc, Does};
+use crate::fits::usual;
 use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
 use robot::Device;
 
@@ -47,6 +49,7 @@ pub(super) struct Builder<'a> {
     pub(super) acts: Vec<Act>,
     /// Words that mean nothing: an “otherwise” after no test.
     pub(super) unmeant: Vec<Span>,
+    language: Language,
     behaviour: Option<&'a Behaviour>,
     /// The connectors of the sentence before, in order.
     pub(super) before: Vec<usize>,
@@ -55,8 +58,8 @@ pub(super) struct Builder<'a> {
 }
 
 impl<'a> Builder<'a> {
-    pub(super) fn new(behaviour: Option<&'a Behaviour>) -> Self {
-        Self { nodes: Vec::new(), acts: Vec::new(), unmeant: Vec::new(), behaviour, before: Vec::new(), sense: None }
+    pub(super) fn new(behaviour: Option<&'a Behaviour>, language: Language) -> Self {
+        Self { language, nodes: Vec::new(), acts: Vec::new(), unmeant: Vec::new(), behaviour, before: Vec::new(), sense: None }
     }
 
     pub(super) fn sentence(&mut self, told: &Told) {
@@ -146,7 +149,14 @@ impl<'a> Builder<'a> {
 
     fn sense(&mut self, name: &'static str, fixed: &[(&str, &str)], said: &Said) -> usize {
         let Ok(device) = robot::device(StreamKind::Sensor, name) else { return self.missing(name, &said.span) };
-        let params = params(device, fixed, said);
+        let mut params = params(device, fixed, said);
+        for param in device.params {
+            let is_said = said.hole(param.name).is_some() || fixed.iter().any(|(name, _)| *name == param.name);
+            let usual = usual(device, param, self.language);
+            if !is_said && usual != param.default() {
+                params.insert(param.name.to_owned(), usual);
+            }
+        }
         let source = Source::Sense(device, params);
         self.node(source, Carried::Sense(device.name), &said.span)
     }

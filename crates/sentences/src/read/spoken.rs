@@ -351,9 +351,6 @@ impl<'b, 'a> Making<'b, 'a> {
                 sense.steps.extend(test);
                 Some(sense)
             }
-            (Event::Tick(period), false) if moment => {
-                Some(Feed { params: vec![("period_ms", period.to_string())], ..feed("Tick") })
-            }
             _ => None,
         }
     }
@@ -674,7 +671,6 @@ fn device_of(event: &Event) -> Option<&'static str> {
         Event::Words(_) => "WordRecognized",
         Event::Mark(_) => "Landmark",
         Event::Posture(_) => "PostureChanged",
-        Event::Tick(_) => "Tick",
         _ => return None,
     })
 }

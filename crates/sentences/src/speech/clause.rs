@@ -546,6 +546,28 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         }
         return (!found.is_empty()).then_some(Event::Battery(negated(found, not)?));
     }
+    // *The head is turned 30 degrees to the left*
+    if bag.has("part", "head") && bag.has("v", "turn") && bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Angle(_)))) {
+        bag.take("part", "head");
+        bag.take_all("v", "turn");
+        agent(bag);
+        bag.take_all("robot", "");
+        let angle = |measure| if let Measure::Angle(value) = measure { Some(value) } else { None };
+        let (value, _) = bag.measure(angle)?;
+        let at_least = bag.take("cmp", "atleast").is_some();
+        bag.take("cmp", "more");
+        if bag.take("cmp", "than").is_some() {
+            bag.take("adj", "many");
+        }
+        let (side, _) = bag.arg("side")?;
+        let (comparison, value) = match (side, at_least) {
+            ("left", false) => (Comparison::More, value),
+            ("left", true) => (Comparison::AtLeast, value),
+            (_, false) => (Comparison::Less, -value),
+            (_, true) => (Comparison::AtMost, -value),
+        };
+        return Some(Event::Joint("HeadYaw", negated(vec![(comparison, value, "rad")], not)?));
+    }
     let counts = |measure| match measure {
         Measure::People(value) | Measure::Number(value) => Some((value, "")),
         _ => None,

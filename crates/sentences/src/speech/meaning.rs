@@ -65,8 +65,6 @@ pub(crate) enum Event {
     /// The posture, by its name among values.
     Posture(&'static str),
     Joint(&'static str, Vec<Bound>),
-    /// So much time has gone.
-    Tick(u64),
     /// What was counted before is this.
     Counted(u32),
     /// One of several.

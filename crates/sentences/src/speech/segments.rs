@@ -53,7 +53,6 @@ pub(super) struct Cover {
     pub(super) doubts: Vec<Span>,
     /// Tokens that were taken as a text though nobody quoted them.
     pub(super) texts: Vec<Span>,
-    pub(super) cost: usize,
 }
 
 /// What things cost.
@@ -123,7 +122,7 @@ pub(super) fn cover(atoms: &[Atom], language: Language, source: &dyn Fn(&Span) -
             }
         }
     }
-    let mut cover = Cover { cost: best[0][0].as_ref().map_or(0, |(cost, _)| *cost), ..Cover::default() };
+    let mut cover = Cover::default();
     let (mut at, mut before) = (0, Before::Else);
     while at < count {
         let slot = BEFORES.iter().position(|known| *known == before).unwrap_or(0);
