@@ -14,6 +14,14 @@ fn main() {
         for line in std::io::stdin().lines() {
             let line = line.unwrap();
             if line.trim().is_empty() { continue; }
+            let started = std::time::Instant::now();
+            if std::env::var("SPEED").is_ok() {
+                let _ = sentences::read(&line, language, &helpers, None);
+                let one = started.elapsed();
+                let _ = read_speech(&line, language, &lexicon, &helpers, None);
+                println!("{} {} {line}", one.as_micros(), started.elapsed().as_micros() - one.as_micros());
+                continue;
+            }
             let reading = read_speech(&line, language, &lexicon, &helpers, None);
             if reading.is_whole() {
                 let told = sentences::explain(&reading.draft.behaviour(), &helpers, &|_| None, language);
