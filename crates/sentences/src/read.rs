@@ -82,8 +82,20 @@ fn outside_quotes(text: &str) -> impl Iterator<Item = char> {
 pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Option<&Behaviour>) -> Reading {
     let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
     let known = &text[..end];
-    let Repaired { told, tokens, mut doubts } = doubts::repaired(known, tokens(known, language), language);
-    let guesses = told.iter().any(tree::Told::is_guess);
+    let repaired = doubts::repaired(known, tokens(known, language), language);
+    reading_of(repaired, text, end, language, helpers, behaviour)
+}
+
+/// What was read, of the first `end` bytes of a text.
+fn reading_of(
+    repaired: Repaired,
+    text: &str,
+    end: usize,
+    language: Language,
+    helpers: &[&Helper],
+    behaviour: Option<&Behaviour>,
+) -> Reading {
+    let Repaired { told, tokens, mut doubts } = repaired;
     let mut builder = Builder::new(behaviour, language);
     told.iter().for_each(|sentence| builder.sentence(sentence));
     doubts.extend(builder.unmeant.iter().map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new(), why: None }));
@@ -106,7 +118,6 @@ pub fn read(text: &str, language: Language, helpers: &[&Helper], behaviour: Opti
     doubts.sort_by_key(|doubt| doubt.range.start);
     doubts.dedup_by(|one, other| one.range == other.range);
     reading.doubts = doubts;
-    reading.guesses = guesses;
     reading
 }
 
@@ -122,12 +133,16 @@ pub fn read_speech(
     helpers: &[&Helper],
     behaviour: Option<&Behaviour>,
 ) -> Reading {
-    let told = read(text, language, helpers, behaviour);
-    if told.is_whole() && !told.guesses {
-        return told;
-    }
     let end = text.char_indices().nth(TEXT_MAX_CHARS).map_or(text.len(), |(at, _)| at);
     let known = &text[..end];
+    let exact = doubts::exact(known, tokens(known, language), language)
+        .filter(|exact| !exact.told.iter().any(tree::Told::is_guess));
+    if let Some(exact) = exact {
+        let told = reading_of(exact, text, end, language, helpers, behaviour);
+        if told.is_whole() {
+            return told;
+        }
+    }
     let speech = crate::speech::understood(known, language, lexicon);
     let tokens: Vec<Placed> = speech
         .places

@@ -56,6 +56,15 @@ impl Read {
     }
 }
 
+/// Reads a text that is understood as it is, to its end.
+pub(super) fn exact(text: &str, tokens: Vec<Placed>, language: Language) -> Option<Repaired> {
+    if tokens.iter().any(|placed| matches!(placed.token, Token::Either(..))) {
+        return None;
+    }
+    let read = read(text, &tokens, language);
+    read.is_whole.then_some(Repaired { told: read.told, tokens, doubts: Vec::new() })
+}
+
 /// Reads a text; where it is not understood, with the best that could stand there.
 pub(super) fn repaired(text: &str, tokens: Vec<Placed>, language: Language) -> Repaired {
     let mut tokens = tokens;

@@ -16,8 +16,6 @@ pub struct Reading {
     pub doubts: Vec<Doubt>,
     /// Words that were taken as a text though nobody quoted them, by their bytes.
     pub texts: Vec<Range<usize>>,
-    /// Whether some of it could be anything: a text or a name without quotes.
-    pub guesses: bool,
 }
 
 impl Reading {
