@@ -41,9 +41,10 @@ pub(crate) fn build(args: &BuildArgs) -> ExitCode {
     }
     let text_of = |doubt: &Doubt| text.get(doubt.range.clone()).unwrap_or_default().to_owned();
     if args.json {
-        let doubts = reading.doubts.iter().map(|doubt| {
-            json!({ "text": text_of(doubt), "suggestions": doubt.suggestions, "why": doubt.why })
-        });
+        let doubts = reading
+            .doubts
+            .iter()
+            .map(|doubt| json!({ "text": text_of(doubt), "suggestions": doubt.suggestions, "why": doubt.why }));
         told(&json!({ "doubts": doubts.collect::<Vec<_>>() }).to_string());
         return ExitCode::from(3);
     }
@@ -80,11 +81,9 @@ mod tests {
 
     #[test]
     fn sentences_are_built_or_asked_about() {
-        let said = |sentence: &str| build(&BuildArgs {
-            sentences: vec![sentence.to_owned()],
-            language: Language::English,
-            json: true,
-        });
+        let said = |sentence: &str| {
+            build(&BuildArgs { sentences: vec![sentence.to_owned()], language: Language::English, json: true })
+        };
         assert_eq!(format!("{:?}", said("Wave when I press the button!")), format!("{:?}", ExitCode::SUCCESS));
         assert_eq!(format!("{:?}", said("Wave when the child cries.")), format!("{:?}", ExitCode::from(3)));
     }

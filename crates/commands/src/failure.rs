@@ -45,11 +45,7 @@ pub(crate) enum Failure {
     /// This file could not be written.
     Unwritten(PathBuf, io::Error),
     /// These words of a sentence are in doubt; none where something is missing.
-    InDoubt {
-        words: String,
-        suggestions: Vec<String>,
-        why: Option<String>,
-    },
+    InDoubt { words: String, suggestions: Vec<String>, why: Option<String> },
     /// What should go to standard output did not.
     UnwrittenOut(io::Error),
     /// What was done could not be told.

@@ -98,7 +98,11 @@ fn reading_of(
     let Repaired { told, tokens, mut doubts } = repaired;
     let mut builder = Builder::new(behaviour, language);
     told.iter().for_each(|sentence| builder.sentence(sentence));
-    doubts.extend(builder.unmeant.iter().map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new(), why: None }));
+    doubts.extend(builder.unmeant.iter().map(|span| Doubt {
+        range: bytes(&tokens, span),
+        suggestions: Vec::new(),
+        why: None,
+    }));
     if end < text.len() {
         doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
     }
@@ -152,7 +156,11 @@ pub fn read_speech(
     let mut doubts: Vec<Doubt> = speech
         .doubts
         .into_iter()
-        .map(|(range, suggestions, why)| Doubt { range, suggestions, why: why.filter(|why| !why.is_empty()).map(str::to_owned) })
+        .map(|(range, suggestions, why)| Doubt {
+            range,
+            suggestions,
+            why: why.filter(|why| !why.is_empty()).map(str::to_owned),
+        })
         .collect();
     if end < text.len() {
         doubts.push(Doubt { range: end..text.len(), suggestions: Vec::new(), why: None });
@@ -163,7 +171,11 @@ pub fn read_speech(
         let mut making = spoken::Making::new(&mut builder, language);
         making.rules(&speech.rules);
         let failed = making.doubts;
-        doubts.extend(failed.iter().map(|span| Doubt { range: bytes(&tokens, span), suggestions: Vec::new(), why: None }));
+        doubts.extend(failed.iter().map(|span| Doubt {
+            range: bytes(&tokens, span),
+            suggestions: Vec::new(),
+            why: None,
+        }));
         if builder.acts.is_empty() && doubts.is_empty() {
             doubts.push(Doubt { range: text.len()..text.len(), suggestions: Vec::new(), why: None });
         }

@@ -59,7 +59,9 @@ pub(super) fn Typed(typing: Typing, #[prop(optional)] done: Option<Callback<()>>
     let is_open = Memo::new(move |_| reading.read().is_some());
     let doubt = Memo::new(move |_| reading.read().as_ref().and_then(|reading| reading.doubts.first().cloned()));
     let ready = Memo::new(move |_| reading.read().as_ref().is_some_and(Reading::is_whole));
-    let understood = Memo::new(move |_| reading.read().as_ref().map_or_else(String::new, |reading| told(desk, &typing.text.read(), reading)));
+    let understood = Memo::new(move |_| {
+        reading.read().as_ref().map_or_else(String::new, |reading| told(desk, &typing.text.read(), reading))
+    });
     Effect::new(move |_| {
         typing.open.set(is_open.get());
         let desk = desk.desk();

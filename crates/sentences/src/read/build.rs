@@ -3,9 +3,9 @@
 use super::clauses::comparison;
 use super::meaning::{does_of, params, part_of, test, wanted_unit};
 use super::tree::{Action, Bound, Said, Span, Start, Told, Way};
+use crate::Language;
 use crate::carried::{Carried, Measure};
 use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance};
-use crate::Language;
 use crate::does::{Calc, Does};
 use crate::fits::usual;
 use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
@@ -59,7 +59,15 @@ pub(super) struct Builder<'a> {
 
 impl<'a> Builder<'a> {
     pub(super) fn new(behaviour: Option<&'a Behaviour>, language: Language) -> Self {
-        Self { language, nodes: Vec::new(), acts: Vec::new(), unmeant: Vec::new(), behaviour, before: Vec::new(), sense: None }
+        Self {
+            language,
+            nodes: Vec::new(),
+            acts: Vec::new(),
+            unmeant: Vec::new(),
+            behaviour,
+            before: Vec::new(),
+            sense: None,
+        }
     }
 
     pub(super) fn sentence(&mut self, told: &Told) {

@@ -2,13 +2,13 @@
 
 use super::build::{Act as Built, Builder, Source};
 use super::tree::Span;
+use crate::Language;
 use crate::carried::Carried;
 use crate::clauses::{ACTIONS, distance_helper};
 use crate::does::{Calc, Does, Memory};
 use crate::speech::meaning::{Act, Bound, Cond, Event, Of, Phase, Rule, Target, Times, Value, Who};
 use crate::speech::{ended, own_event};
 use crate::test::{Asks, Comparison, Test};
-use crate::Language;
 use behaviour::{Params, StreamKind, Value as Constant};
 use robot::with_defaults;
 
@@ -88,7 +88,9 @@ impl<'b, 'a> Making<'b, 'a> {
                 Act::Follow(..) => own_event(act),
                 _ => None,
             });
-            if rule.lasts && let Some(own) = follows {
+            if rule.lasts
+                && let Some(own) = follows
+            {
                 let own = Cond::of(own, rule.span.clone());
                 let at = self.event(&own, &mut chain, None)?;
                 self.state(at, event, &mut chain)?
@@ -106,7 +108,8 @@ impl<'b, 'a> Making<'b, 'a> {
             if rule.acts.is_empty() {
                 return None;
             }
-            let at = self.sense(&Feed { params: vec![("period_ms", period.to_string())], ..feed("Tick") }, &rule.span)?;
+            let at =
+                self.sense(&Feed { params: vec![("period_ms", period.to_string())], ..feed("Tick") }, &rule.span)?;
             let mut at = at;
             for state in &rule.states {
                 at = self.state(at, state, &mut chain)?;
@@ -343,10 +346,14 @@ impl<'b, 'a> Making<'b, 'a> {
             (Event::Sound, false) if moment => Some(feed("SoundLocated")),
             (Event::Sound, true) => quiet(feed("SoundLocated")),
             (Event::Fall, false) if moment => Some(feed("Fall")),
-            (Event::Up, false) if moment => {
-                Some(Feed { params: vec![("release", "yes".to_owned())], steps: vec![truth("", false)], ..feed("Fall") })
-            }
-            (Event::Posture(_) | Event::Far(..) | Event::People(_) | Event::Battery(_) | Event::Joint(..), _) if moment => {
+            (Event::Up, false) if moment => Some(Feed {
+                params: vec![("release", "yes".to_owned())],
+                steps: vec![truth("", false)],
+                ..feed("Fall")
+            }),
+            (Event::Posture(_) | Event::Far(..) | Event::People(_) | Event::Battery(_) | Event::Joint(..), _)
+                if moment =>
+            {
                 let (mut sense, test) = tested(cond)?;
                 sense.steps.extend(test);
                 Some(sense)
@@ -402,11 +409,7 @@ impl<'b, 'a> Making<'b, 'a> {
             if rule.counts && matches!(act, Act::Say(_) | Act::Gesture(_)) {
                 // With every count.
             }
-            let input = if *later > 0 {
-                self.made(Does::Later(*later), vec![at], span, &mut Vec::new())
-            } else {
-                at
-            };
+            let input = if *later > 0 { self.made(Does::Later(*later), vec![at], span, &mut Vec::new()) } else { at };
             let changed = rule.counts || rule.once || rule.until.is_some();
             let seen = if changed || !rule.states.is_empty() { None } else { seen };
             if rule.counts && matches!(act, Act::SayValue(Value::It) | Act::Show(Value::It)) {
@@ -495,7 +498,8 @@ impl<'b, 'a> Making<'b, 'a> {
         let (device, does): (&'static str, Option<Does>) = match value {
             Value::It => {
                 // Only what is a number or a text by itself can be said.
-                return matches!(seen, Some("Battery" | "Sonar" | "PostureChanged" | "Tick" | "JointPosition")).then_some(at);
+                return matches!(seen, Some("Battery" | "Sonar" | "PostureChanged" | "Tick" | "JointPosition"))
+                    .then_some(at);
             }
             Value::People => ("People", Some(Does::Make(Calc::Field("count".to_owned())))),
             Value::Battery => ("Battery", None),
@@ -537,10 +541,17 @@ impl<'b, 'a> Making<'b, 'a> {
             .find(|other| made && other.device == name && other.id.ends_with(".number"))
             .unwrap_or(clause);
         let same = |act: &Built| {
-            matches!(&act.device, Some((other, chosen, _)) if *other == device && *chosen == params) && act.same_as.is_none()
+            matches!(&act.device, Some((other, chosen, _)) if *other == device && *chosen == params)
+                && act.same_as.is_none()
         };
         let same_as = self.builder.acts.iter().rposition(same).filter(|_| false);
-        self.builder.acts.push(Built { device: Some((device, params, clause)), name: None, same_as, input, span: span.clone() });
+        self.builder.acts.push(Built {
+            device: Some((device, params, clause)),
+            name: None,
+            same_as,
+            input,
+            span: span.clone(),
+        });
         Some(())
     }
 }
@@ -578,7 +589,9 @@ fn chosen(device: &'static robot::Device, given: &[(&'static str, String)]) -> O
 fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c Cond>) {
     let lasts = |cond: &Cond| tested(cond).is_some() && cond.during.is_none();
     if lasts(event)
-        && let Some(at) = states.iter().position(|state| !lasts(state) && !matches!(state.what, Event::Face(Who::Anybody)) && !state.not)
+        && let Some(at) = states
+            .iter()
+            .position(|state| !lasts(state) && !matches!(state.what, Event::Face(Who::Anybody)) && !state.not)
     {
         let mut rest = vec![event];
         rest.extend(states.iter().enumerate().filter(|(other, _)| *other != at).map(|(_, state)| state));
@@ -589,12 +602,11 @@ fn moment_first<'c>(event: &'c Cond, states: &'c [Cond]) -> (&'c Cond, Vec<&'c C
 
 /// The sense of something that is measured, and the test of it.
 fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
-    let plain = |bounds: &[Bound]| bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect::<Vec<_>>();
+    let plain =
+        |bounds: &[Bound]| bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect::<Vec<_>>();
     let is = !cond.not;
     Some(match &cond.what {
-        Event::Posture(posture) => {
-            (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned()))))
-        }
+        Event::Posture(posture) => (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned())))),
         Event::Far(of, bounds) if cond.not => {
             let what = Event::Far(*of, opposite(bounds)?);
             return tested(&Cond { what, not: false, ..cond.clone() });

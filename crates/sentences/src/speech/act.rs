@@ -24,7 +24,9 @@ pub(super) fn act(atoms: &[Atom]) -> Option<Meant<Vec<Act>>> {
     bag.take_all("adv", "again");
     bag.take_all("robot", "");
     let denies = bag.take("not", "").is_some()
-        || atoms.iter().any(|atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "do" | "pose")));
+        || atoms
+            .iter()
+            .any(|atom| atom.senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "do" | "pose")));
     if denies {
         // Only what was said to be done: its verb, perhaps with *it*.
         let verb = bag.take("v", "").or_else(|| bag.take("do", "")).or_else(|| bag.take("pose", ""))?;
@@ -59,7 +61,15 @@ pub(super) fn is_order(atoms: &[Atom]) -> bool {
         }
         let filler = ["void", "prep", "aux", "adv"].iter().any(|kind| atom.is(kind, ""));
         if !filler {
-            return atom.is("adj", "brighter") || atom.is("adj", "darker") || atom.is("adj", "far") || atom.is("cmp", "more") || atom.is("adj", "near") || atom.is("cmp", "less") || atom.is("noun", "eyes") || atom.is("part", "eyes") || atom.is("color", "");
+            return atom.is("adj", "brighter")
+                || atom.is("adj", "darker")
+                || atom.is("adj", "far")
+                || atom.is("cmp", "more")
+                || atom.is("adj", "near")
+                || atom.is("cmp", "less")
+                || atom.is("noun", "eyes")
+                || atom.is("part", "eyes")
+                || atom.is("color", "");
         }
     }
     false
@@ -89,6 +99,9 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     }
     if let Some(at) = bag.find("v", "display") {
         bag.use_up(at);
+        if form(&bag.atoms[at], "v").end != End::Plain && bag.left().is_empty() {
+            return Some(vec![Act::Show(Value::It)]);
+        }
         return value(bag).map(|value| vec![Act::Show(value)]);
     }
     if bag.has("part", "eyes") || bag.has("noun", "brightness") {
@@ -200,7 +213,10 @@ fn count(bag: &mut Bag, at: usize) -> Option<Act> {
     bag.take_all("noun", "count");
     bag.take_all("time", "");
     // What is counted is said before or after the verb.
-    let rest: Vec<Atom> = (0..bag.atoms.len()).filter(|other| *other != at && bag.is_free(*other)).map(|other| bag.atoms[other].clone()).collect();
+    let rest: Vec<Atom> = (0..bag.atoms.len())
+        .filter(|other| *other != at && bag.is_free(*other))
+        .map(|other| bag.atoms[other].clone())
+        .collect();
     let counted = cond(&rest)?;
     if counted.left.is_empty() {
         (0..bag.atoms.len()).for_each(|at| bag.use_up(at));
@@ -226,7 +242,10 @@ fn say(bag: &mut Bag) -> Option<Act> {
     }
     bag.take_all("v", "exist");
     // 数えて言う: what was counted.
-    let is_left_out = bag.atoms.iter().any(|atom| atom.of("v").is_some_and(|sense| sense.arg == "say" && sense.form.end != End::Plain));
+    let is_left_out = bag
+        .atoms
+        .iter()
+        .any(|atom| atom.of("v").is_some_and(|sense| sense.arg == "say" && sense.form.end != End::Plain));
     if is_left_out && bag.left().is_empty() {
         return Some(Act::SayValue(Value::It));
     }
@@ -357,12 +376,13 @@ fn follow(bag: &mut Bag) -> Option<Act> {
         return Some(Act::Gesture("Me"));
     }
     let has_target = bag.has("noun", "ball") || bag.has("noun", "face") || bag.has("who", "") || bag.has("it", "");
-    let may_lack = looks.is_some_and(|at| bag.atoms[at].is("v", "follow")) && points.is_none();
+    let lacks = |at: usize| bag.atoms[at].is("v", "follow") || bag.atoms[at].is("v", "approach");
+    let may_lack = (looks.is_some_and(lacks) || walks.is_some_and(lacks)) && points.is_none();
     if !has_target && !may_lack {
         return None;
     }
     bag.use_up(at);
-    for verb in ["follow", "look", "keep", "walk", "go", "point"] {
+    for verb in ["follow", "look", "keep", "walk", "go", "point", "approach"] {
         bag.take_all("v", verb);
     }
     let target = if bag.take("noun", "ball").is_some() {
@@ -380,7 +400,8 @@ fn follow(bag: &mut Bag) -> Option<Act> {
     let nearest = bag.take_all("adj", "nearest") | bag.take_all("adj", "near");
     let side = bag.arg("side").map(|(side, _)| side);
     let arm = bag.arg_is("part", "arm") || (points.is_some() && bag.arg_is("part", "hand"));
-    let own_arm = ["arm.left", "arm.right", "hand.left", "hand.right"].iter().find(|part| bag.take("part", part).is_some());
+    let own_arm =
+        ["arm.left", "arm.right", "hand.left", "hand.right"].iter().find(|part| bag.take("part", part).is_some());
     let side = side.or_else(|| own_arm.map(|part| if part.ends_with("left") { "left" } else { "right" }));
     let arm = arm || own_arm.is_some();
     let head = bag.take_all("part", "head") | bag.take_all("part", "eyes");
@@ -390,7 +411,13 @@ fn follow(bag: &mut Bag) -> Option<Act> {
         (true, Some("right"), _) => "RArm",
         (true, None, true) => "Nearest",
         (true, None, false) => "Nearest",
-        (false, None, false) => if points.is_some() { "Nearest" } else { "None" },
+        (false, None, false) => {
+            if points.is_some() {
+                "Nearest"
+            } else {
+                "None"
+            }
+        }
         _ => return None,
     };
     let moves = walks.is_some_and(|at| looks.is_none() || bag.atoms[at].is("v", "walk")) && points.is_none();
@@ -406,7 +433,8 @@ fn follow(bag: &mut Bag) -> Option<Act> {
 
 /// Arms, hands and the head moved by themselves.
 fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
-    let verb = ["open", "close", "raise", "lower", "put", "turn", "look"].into_iter().find(|verb| bag.has("v", verb))?;
+    let verb =
+        ["open", "close", "raise", "lower", "put", "turn", "look"].into_iter().find(|verb| bag.has("v", verb))?;
     let at = bag.find("v", verb)?;
     if !bag.has("part", "") && verb != "look" {
         return None;
@@ -433,8 +461,12 @@ fn joint(bag: &mut Bag) -> Option<Vec<Act>> {
         match (part, verb) {
             ("hand", "open") => Some(Act::Move(if left { "LHand" } else { "RHand" }, 1.0)),
             ("hand", "close") => Some(Act::Move(if left { "LHand" } else { "RHand" }, 0.0)),
-            ("arm" | "hand", "raise") => Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, RAISED)),
-            ("arm" | "hand", "lower") => Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, LOWERED)),
+            ("arm" | "hand", "raise") => {
+                Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, RAISED))
+            }
+            ("arm" | "hand", "lower") => {
+                Some(Act::Move(if left { "LShoulderPitch" } else { "RShoulderPitch" }, LOWERED))
+            }
             _ => None,
         }
     };

@@ -1,7 +1,7 @@
 //! Clauses as rules: which condition is whose, what is done later, what “it” is.
 
 use super::meaning::{Act, Cond, Event, Of, Phase, Rule, Span, Target, Times, Value, Who};
-use super::segments::{Lead, Segment};
+use super::segments::{Lead, Segment, Then};
 use std::rc::Rc;
 
 /// What was said so far, as far as later words mean it.
@@ -55,10 +55,18 @@ impl Said {
                 }
                 Segment::AtMost(ms) => rule.at_most = Some(*ms),
                 Segment::Once => rule.once = true,
-                Segment::Later(ms, leads_on) => {
+                Segment::Later(ms, then) => {
                     let first = rule.acts.is_empty();
                     let after_join = matches!(before, Some(Segment::And | Segment::Then | Segment::But) | None);
-                    let is_next = first || after_join || (*leads_on && rest.iter().any(|next| matches!(next, Segment::Acts(..))) && !matches!(rest.first(), Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..))));
+                    let is_next = first
+                        || after_join
+                        || *then == Then::Next
+                        || (*then == Then::NextIfThere
+                            && rest.iter().any(|next| matches!(next, Segment::Acts(..)))
+                            && !matches!(
+                                rest.first(),
+                                Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..))
+                            ));
                     later += ms;
                     if !is_next && let Some(last) = rule.acts.last_mut() {
                         last.0 += ms;
@@ -71,9 +79,16 @@ impl Said {
                     let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
                     let restricts = matches!(lead, Lead::Until | Lead::Unless);
                     let is_new = !rule.acts.is_empty() && rule.event.is_some() && follows && !restricts && !is_trailed;
-                    let is_next = !rule.acts.is_empty() && !restricts && follows && matches!(before, Some(Segment::And | Segment::But | Segment::Otherwise)) && rule.event.is_some();
+                    let is_next = !rule.acts.is_empty()
+                        && !restricts
+                        && follows
+                        && matches!(before, Some(Segment::And | Segment::But | Segment::Otherwise))
+                        && rule.event.is_some();
                     if is_new || is_next {
-                        self.finish(std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+                        self.finish(
+                            std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }),
+                            goes_on,
+                        );
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
                     let trailing = !rule.acts.is_empty();
@@ -90,7 +105,10 @@ impl Said {
                     }
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     if is_trailed {
-                        self.finish(std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+                        self.finish(
+                            std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }),
+                            goes_on,
+                        );
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
                     self.acts(&mut rule, acts, act_span, later);
@@ -124,7 +142,8 @@ impl Said {
                     self.doubts.push(cond.span.clone());
                     return;
                 };
-                let plain = |cond: &Cond| !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none();
+                let plain =
+                    |cond: &Cond| !cond.not && cond.during.is_none() && cond.within.is_none() && cond.times.is_none();
                 if !plain(event) || !plain(&cond) {
                     self.doubts.push(cond.span.clone());
                     return;
@@ -301,7 +320,11 @@ impl Said {
             let act = match act {
                 Act::SayValue(Value::Count) | Act::Show(Value::Count) => {
                     let moment = rule.event.as_ref().is_some_and(|event| {
-                        !event.not && matches!(event.what, Event::Touch(..) | Event::Button(_) | Event::Sound | Event::Words(_))
+                        !event.not
+                            && matches!(
+                                event.what,
+                                Event::Touch(..) | Event::Button(_) | Event::Sound | Event::Words(_)
+                            )
                     });
                     if !rule.counts && !moment {
                         self.doubts.push(span.clone());

@@ -267,6 +267,9 @@ fn measured(value: f64, unit: &'static str) -> Option<Measure> {
         "h" => time(3_600_000.0),
         "pct" => Some(Measure::Share(value)),
         "deg" => Some(Measure::Angle((value.to_radians() * 1e4).round() / 1e4)),
+        // 三度 is three times, 30度 an angle.
+        "degtimes" if value <= 5.0 => Some(Measure::Times(value)),
+        "degtimes" => Some(Measure::Angle((value.to_radians() * 1e4).round() / 1e4)),
         "rad" => Some(Measure::Angle(value)),
         "times" => Some(Measure::Times(value)),
         "people" => Some(Measure::People(value)),

@@ -84,10 +84,11 @@ impl<'a> Bag<'a> {
 
     /// Uses the first quote.
     pub(super) fn quote(&mut self) -> Option<String> {
-        let found = (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match &self.atoms[at].value {
-            Value::Quote(text) => Some((at, text.clone())),
-            _ => None,
-        })?;
+        let found =
+            (0..self.atoms.len()).filter(|at| self.is_free(*at)).find_map(|at| match &self.atoms[at].value {
+                Value::Quote(text) => Some((at, text.clone())),
+                _ => None,
+            })?;
         self.use_up(found.0);
         Some(found.1)
     }
@@ -135,7 +136,13 @@ fn bounds(
     let pair = bag.has("cmp", "between") || bag.has("cmp", "to");
     let second = bag.measure(made).or_else(|| if pair { bag.measure(plain) } else { None });
     if let Some(((other, other_unit), _)) = second {
-        let is_between = bag.take("cmp", "between").is_some() || bag.take("cmp", "to").is_some();
+        // 50センチ以上1メートル以下
+        let both = bag.has("cmp", "atleast") && bag.has("cmp", "atmost");
+        if both {
+            bag.take("cmp", "atleast");
+            bag.take("cmp", "atmost");
+        }
+        let is_between = both || bag.take("cmp", "between").is_some() || bag.take("cmp", "to").is_some();
         bag.take_all("adj", "away");
         bag.take("cmp", "to");
         let (low, high) = if value * scale(unit) <= other * scale(other_unit) {
@@ -219,7 +226,7 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
     }
     let mut lasts = bag.take("v", "keep").is_some();
     let what = event(bag, &mut not, over, &mut lasts)?;
-    let times = times(bag, &what);
+    let times = times(bag);
     let (during, within) = match time {
         Some((ms, _)) if is_within => (None, Some(ms)),
         Some((ms, _)) => (Some(ms), None),
@@ -232,25 +239,24 @@ pub(super) fn cond(atoms: &[Atom]) -> Option<Meant<Cond>> {
 
 /// Words for what can neither be sensed nor done.
 pub(super) fn gaps(atoms: &[Atom]) -> Vec<Span> {
-    let is_gap = |atom: &&Atom| !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
+    let is_gap =
+        |atom: &&Atom| !atom.senses.is_empty() && atom.senses.iter().all(|sense| matches!(sense.kind, "gap" | "vague"));
     atoms.iter().filter(is_gap).map(|atom| atom.span.clone()).collect()
 }
 
-fn times(bag: &mut Bag, what: &Event) -> Option<Times> {
+fn times(bag: &mut Bag) -> Option<Times> {
     let counts = |measure| match measure {
         Measure::Times(times) if times >= 1.0 && times <= 1_000.0 && times.fract() == 0.0 => Some(times as u32),
         _ => None,
     };
-    if let Some((nth, at)) = bag.arg("ord") {
+    if let Some((nth, _)) = bag.arg("ord") {
         let number = nth.parse().ok();
         if bag.take("every", "").is_some() {
             bag.take("time", "");
             return number.map(Times::EachTime);
         }
-        if bag.take("time", "").is_some() || matches!(what, Event::Touch(..)) {
-            return number.map(Times::After);
-        }
-        let _ = at;
+        bag.take("time", "");
+        return number.map(Times::After);
     }
     // *Three touches*
     let counted = (1..bag.atoms.len()).find_map(|at| match bag.atoms[at - 1].value {
@@ -282,7 +288,12 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
     if nobody || nothing {
         *not = true;
     }
-    let negated = |bag: &Bag| (0..bag.atoms.len()).any(|at| bag.is_free(at) && bag.atoms[at].senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "adj" | "pose")));
+    let negated = |bag: &Bag| {
+        (0..bag.atoms.len()).any(|at| {
+            bag.is_free(at)
+                && bag.atoms[at].senses.iter().any(|sense| sense.form.not && matches!(sense.kind, "v" | "adj" | "pose"))
+        })
+    };
     if negated(bag) {
         *not = true;
     }
@@ -294,7 +305,8 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         bag.take("noun", "button");
         agent(bag);
         bag.take("robot", "");
-        let label = bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, Value::Quote(_)));
+        let label =
+            bag.take("noun", "called").is_some() || bag.atoms.iter().any(|atom| matches!(atom.value, Value::Quote(_)));
         let label = if label { bag.quote() } else { None };
         return Some(Event::Button(label));
     }
@@ -331,7 +343,13 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         if bag.has("part", "") {
             // Somebody's own head is no robot's.
             let own = bag.has("poss", "own");
-            let who_after = !form.passive && bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", "")) && form.end != End::Te && form.end != End::Tara && form.end != End::Ba && form.end != End::Did && form.end != End::Dict;
+            let who_after = !form.passive
+                && bag.atoms[at + 1..].iter().any(|atom| atom.is("who", "") && !atom.is("part", ""))
+                && form.end != End::Te
+                && form.end != End::Tara
+                && form.end != End::Ba
+                && form.end != End::Did
+                && form.end != End::Dict;
             if own || who_after {
                 return Some(Event::ItTouched).filter(|_| false);
             }
@@ -365,7 +383,9 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
             agent(bag);
             bag.take_all("robot", "");
             bag.take_all("noun", "toyou");
-            bag.take("v", "");
+            for verb in ["hear", "say", "make"] {
+                bag.take("v", verb);
+            }
             return Some(Event::Words(words));
         }
     }
@@ -411,7 +431,10 @@ fn event(bag: &mut Bag, not: &mut bool, over: bool, lasts: &mut bool) -> Option<
         bag.take("v", "rise");
         return Some(Event::Up);
     }
-    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", "")) || it_sits.is_some() || sits && !bag.has("who", "") {
+    if bag.has("robot", "") && (bag.has("v", "rise") || bag.has("pose", ""))
+        || it_sits.is_some()
+        || sits && !bag.has("who", "")
+    {
         if let Some(it) = it_sits {
             bag.use_up(it);
         }
@@ -547,7 +570,10 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         return (!found.is_empty()).then_some(Event::Battery(negated(found, not)?));
     }
     // *The head is turned 30 degrees to the left*
-    if bag.has("part", "head") && bag.has("v", "turn") && bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Angle(_)))) {
+    if bag.has("part", "head")
+        && bag.has("v", "turn")
+        && bag.atoms.iter().any(|atom| matches!(atom.value, Value::Measure(Measure::Angle(_))))
+    {
         bag.take("part", "head");
         bag.take_all("v", "turn");
         agent(bag);
@@ -576,7 +602,8 @@ fn measured_event(bag: &mut Bag, not: &mut bool) -> Option<Event> {
         matches!(atom.value, Value::Measure(Measure::People(_)))
             || (matches!(atom.value, Value::Measure(Measure::Number(_)))
                 && bag.left().contains(&atom.span)
-                && bag.atoms.iter().any(|atom| atom.is("who", "") || atom.is("noun", "people")) && !bag.has("noun", "mark"))
+                && bag.atoms.iter().any(|atom| atom.is("who", "") || atom.is("noun", "people"))
+                && !bag.has("noun", "mark"))
     });
     if has_count && !has_length {
         bag.take("noun", "count");
@@ -672,6 +699,14 @@ fn color(bag: &mut Bag) -> &'static str {
 /// The words that are heard.
 fn words(bag: &mut Bag, verb: usize) -> Option<Vec<String>> {
     // *Say “two”* is an order and tells of nobody who says it.
+    // The robot hears others, not itself.
+    let says = bag.atoms[verb].is("v", "say") && !bag.atoms[verb].is("v", "hear");
+    if says
+        && bag.has("robot", "")
+        && !bag.has("who", "") | bag.atoms.iter().any(|atom| atom.is("who", "you") && atom.is("robot", ""))
+    {
+        return None;
+    }
     let orders = bag.atoms[verb].of("v").is_some_and(|sense| sense.form.end == End::Plain && sense.arg == "say");
     if orders && !bag.atoms[..verb].iter().any(|atom| atom.is("who", "") || atom.is("none", "who")) {
         return None;
@@ -755,7 +790,9 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<Ev
     }
     if bag.take("noun", "mark").is_some() {
         let number = bag.measure(|measure| match measure {
-            Measure::Number(value) | Measure::Mark(value) if value >= 1.0 && value <= 1_000.0 && value.fract() == 0.0 => {
+            Measure::Number(value) | Measure::Mark(value)
+                if value >= 1.0 && value <= 1_000.0 && value.fract() == 0.0 =>
+            {
                 Some(value as u32)
             }
             _ => None,
@@ -764,7 +801,9 @@ fn seen(bag: &mut Bag, not: &mut bool, nobody: bool, nothing: bool) -> Option<Ev
         let mut all = vec![Event::Mark(number.map(|(number, _)| number))];
         while bag.has("or", "") {
             let more = bag.measure(|measure| match measure {
-                Measure::Number(value) | Measure::Mark(value) if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 => {
+                Measure::Number(value) | Measure::Mark(value)
+                    if (1.0..=1_000.0).contains(&value) && value.fract() == 0.0 =>
+                {
                     Some(value as u32)
                 }
                 _ => None,

@@ -320,7 +320,8 @@ fn inflect(
         let stem = if *stem == "-" { "" } else { stem };
         // た becomes だ after some stems.
         let voiced = at == 4 && stem.ends_with('ん');
-        let ending = if voiced { ending.replacen('た', "だ", 1).replacen('て', "で", 1) } else { (*ending).to_owned() };
+        let ending =
+            if voiced { ending.replacen('た', "だ", 1).replacen('て', "で", 1) } else { (*ending).to_owned() };
         let whole = format!("{before}{stem}{ending}");
         let mut now = form;
         let mut goes_on = false;

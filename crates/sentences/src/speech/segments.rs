@@ -19,8 +19,8 @@ pub(super) enum Segment {
     Every(u64),
     AtMost(u64),
     Once,
-    /// So many milliseconds later, and whether that is before what is done then.
-    Later(u64, bool),
+    /// So many milliseconds later: what is done then, next or before.
+    Later(u64, Then),
     /// Between clauses.
     And,
     Or,
@@ -32,6 +32,16 @@ pub(super) enum Segment {
     Nothing,
     /// Words that nobody knows what to do with.
     Unclear,
+}
+
+/// What is done so much later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Then {
+    /// What comes next: *wait 3 seconds, then …*
+    Next,
+    /// What comes right after, if something does; else what was said before.
+    NextIfThere,
+    Before,
 }
 
 /// How a clause is led in.
@@ -152,10 +162,7 @@ impl Chart<'_> {
             texts: Vec::new(),
             after: Before::Else,
         };
-        let doubtful = |to: usize, cost: usize, doubts: Vec<Span>| Edge {
-            doubts,
-            ..plain(to, Segment::Unclear, cost)
-        };
+        let doubtful = |to: usize, cost: usize, doubts: Vec<Span>| Edge { doubts, ..plain(to, Segment::Unclear, cost) };
         if matches!(atom.value, Value::Sign(',' | ':' | ';' | '-' | '.')) {
             all.push((false, plain(at + 1, Segment::Sign, 1)));
             return all;
@@ -187,7 +194,11 @@ impl Chart<'_> {
         for (to, segment) in self.adverbials(at) {
             all.push((false, plain(to, segment, CLAUSE / 2)));
         }
-        if self.language == Language::English { self.english(at, &mut all) } else { self.japanese(at, &mut all) }
+        if self.language == Language::English {
+            self.english(at, &mut all)
+        } else {
+            self.japanese(at, &mut all)
+        }
         all
     }
 
@@ -222,7 +233,7 @@ impl Chart<'_> {
             && is(at + 1, "lead", "after")
             && self.language == Language::English
         {
-            found.push((at + 1, Segment::Later(ms, true)));
+            found.push((at + 1, Segment::Later(ms, Then::NextIfThere)));
         }
         if let Some(ms) = time(at) {
             let next = fillers(at + 1);
@@ -231,17 +242,25 @@ impl Chart<'_> {
             }
             if is(next, "later", "") {
                 let end = fillers(next + 1);
-                found.push((next + 1, Segment::Later(ms, self.leads_on(end))));
+                found.push((next + 1, Segment::Later(ms, self.then(end))));
             }
             // 1分に1回まで
-            let one = |at: usize| is(at, "times", "1") || matches!(atoms.get(at).map(|atom| &atom.value), Some(Value::Measure(Measure::Times(times))) if *times == 1.0);
+            let one = |at: usize| {
+                is(at, "times", "1")
+                    || matches!(atoms.get(at).map(|atom| &atom.value), Some(Value::Measure(Measure::Times(times))) if *times == 1.0)
+            };
             if is(next, "once", "") {
                 found.push((next + 1, Segment::AtMost(ms)));
             }
             if one(next) {
                 let mut end = next + 1;
                 let mut most = false;
-                while is(end, "only", "") || is(end, "cmp", "atmost") || is(end, "lead", "until") || is(end, "void", "") || is(end, "prep", "") {
+                while is(end, "only", "")
+                    || is(end, "cmp", "atmost")
+                    || is(end, "lead", "until")
+                    || is(end, "void", "")
+                    || is(end, "prep", "")
+                {
                     most |= !is(end, "void", "") && !is(end, "prep", "");
                     end += 1;
                 }
@@ -253,7 +272,7 @@ impl Chart<'_> {
         {
             let end = fillers(at + 1) + 1;
             let end = if is(end, "later", "") { end + 1 } else { end };
-            found.push((end, Segment::Later(ms, is(at, "v", "wait") || self.leads_on(end))));
+            found.push((end, Segment::Later(ms, if is(at, "v", "wait") { Then::Next } else { self.then(end) })));
         }
         // at most once a minute; once every minute
         let most = is(at, "cmp", "atmost") || is(at, "only", "");
@@ -276,14 +295,38 @@ impl Chart<'_> {
         found
     }
 
-    /// Whether what is done comes right after.
-    fn leads_on(&self, at: usize) -> bool {
-        self.atoms.get(at).is_some_and(|next| !matches!(next.value, Value::Sign(_)) || next.is_sign(',')) && at < self.atoms.len()
+    /// What is done later than a time that ends here.
+    fn then(&self, at: usize) -> Then {
+        match self.atoms.get(at) {
+            _ if self.language == Language::Japanese => Then::Next,
+            Some(next) if !matches!(next.value, Value::Sign(_)) || next.is_sign(',') => Then::NextIfThere,
+            _ => Then::Before,
+        }
     }
 
     fn is_boundary(&self, at: usize) -> bool {
         let Some(atom) = self.atoms.get(at) else { return true };
-        let kinds = ["and", "or", "then", "but", "otherwise", "lead", "every", "once", "only", "times", "polite", "later", "cmp", "adv", "manner", "vague", "gap", "robot", "void"];
+        let kinds = [
+            "and",
+            "or",
+            "then",
+            "but",
+            "otherwise",
+            "lead",
+            "every",
+            "once",
+            "only",
+            "times",
+            "polite",
+            "later",
+            "cmp",
+            "adv",
+            "manner",
+            "vague",
+            "gap",
+            "robot",
+            "void",
+        ];
         matches!(atom.value, Value::Sign(_) | Value::Measure(_))
             || kinds.iter().any(|kind| atom.is(kind, ""))
             || is_order(&self.atoms[at..(at + 1).min(self.atoms.len())])
@@ -293,11 +336,17 @@ impl Chart<'_> {
 
     fn english(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
         let atom = &self.atoms[at];
-        let leads: Vec<Lead> = atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| lead(sense.arg)).collect();
+        let leads: Vec<Lead> =
+            atom.senses.iter().filter(|sense| sense.kind == "lead").map(|sense| lead(sense.arg)).collect();
         let most = (at + CLAUSE_MAX).min(self.atoms.len());
         let mut starts: Vec<(Lead, usize)> = leads.iter().map(|lead| (*lead, at + 1)).collect();
         // *Every third time …*
-        if atom.is("every", "") && self.atoms.get(at + 1).is_some_and(|next| next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_)))) {
+        if atom.is("every", "")
+            && self
+                .atoms
+                .get(at + 1)
+                .is_some_and(|next| next.is("ord", "") || matches!(next.value, Value::Measure(Measure::Times(_))))
+        {
             starts.push((Lead::When, at));
         }
         for (lead, start) in &starts {
@@ -392,7 +441,8 @@ impl Chart<'_> {
         }
         best.or_else(|| {
             // Nothing that happens: its unknown words, else all of it.
-            let unknown: Vec<Span> = atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
+            let unknown: Vec<Span> =
+                atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
             let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
             let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
             let segment = Segment::Unclear;
@@ -439,7 +489,8 @@ impl Chart<'_> {
             }
             Language::Japanese => {
                 let to = atoms[..verb].iter().rposition(|atom| atom.is("p", "to"))?;
-                let from = atoms[..to].iter().rposition(|atom| atom.is("p", "ga") || atom.is_sign(',')).map_or(0, |at| at + 1);
+                let from =
+                    atoms[..to].iter().rposition(|atom| atom.is("p", "ga") || atom.is_sign(',')).map_or(0, |at| at + 1);
                 (from, to)
             }
         };
@@ -494,7 +545,8 @@ impl Chart<'_> {
             }
         }
         best.or_else(|| {
-            let unknown: Vec<Span> = atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
+            let unknown: Vec<Span> =
+                atoms.iter().filter(|atom| atom.is_unknown()).map(|atom| atom.span.clone()).collect();
             let doubts = if unknown.is_empty() { vec![self.span(start, end)] } else { unknown };
             let cost = LEFT + doubts.len() * LEFT / 2 + atoms.len();
             let acts = Segment::Acts(Rc::new(vec![Act::Nothing]), self.span(start, end));
@@ -517,7 +569,12 @@ impl Chart<'_> {
                     from += 1;
                 }
                 // Whom it is said to is no part of the text.
-                if to >= 3 && to - from > 2 && atoms[to - 1].is("who", "") && atoms[to - 2].is("void", "") && atoms[to - 3].is("prep", "to") {
+                if to >= 3
+                    && to - from > 2
+                    && atoms[to - 1].is("who", "")
+                    && atoms[to - 2].is("void", "")
+                    && atoms[to - 3].is("prep", "to")
+                {
                     to -= 3;
                 }
                 // *Say hello back*
@@ -535,13 +592,21 @@ impl Chart<'_> {
         let text = &atoms[from..to];
         let mut doubts: Vec<Span> = text
             .iter()
-            .filter(|atom| ["manner", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, "")) || atom.is("adv", "again"))
+            .filter(|atom| {
+                ["manner", "vague", "times", "once", "later"].iter().any(|kind| atom.is(kind, ""))
+                    || atom.is("adv", "again")
+            })
             .map(|atom| atom.span.clone())
             .collect();
         if is_suspicious(text) {
             doubts.push(atoms[from].span.start..atoms[to - 1].span.end);
         }
-        let leads = |atom: &Atom| atom.is("lead", "") || matches!(atom.value, Value::Sign(_)) || atom.is("otherwise", "") || atom.is("every", "");
+        let leads = |atom: &Atom| {
+            atom.is("lead", "")
+                || matches!(atom.value, Value::Sign(_))
+                || atom.is("otherwise", "")
+                || atom.is("every", "")
+        };
         if self.language == Language::English && text.iter().any(leads) {
             return None;
         }
@@ -556,7 +621,10 @@ impl Chart<'_> {
     fn japanese(&mut self, at: usize, all: &mut Vec<(bool, Edge)>) {
         let most = (at + CLAUSE_MAX).min(self.atoms.len());
         for end in at + 1..=most {
-            if self.tries >= TRIES_MAX {
+            // What comes after a condition is no part of it.
+            let is_over = end - 1 > at
+                && self.atoms[end - 2].senses.iter().any(|sense| matches!(sense.form.end, End::Tara | End::Ba));
+            if self.tries >= TRIES_MAX || is_over {
                 return;
             }
             let last = &self.atoms[end - 1];
@@ -565,7 +633,8 @@ impl Chart<'_> {
                 self.tries += 1;
                 let each = last.senses.iter().any(|sense| sense.kind == "lead" && sense.arg == "each");
                 if let Some(mut edge) = self.cond_edge(lead, at, cut, cost) {
-                    if each && let Segment::Cond(lead, cond) = &edge.segment
+                    if each
+                        && let Segment::Cond(lead, cond) = &edge.segment
                         && let Some(Times::After(times)) = cond.times
                     {
                         let cond = Cond { times: Some(Times::EachTime(times)), ..(**cond).clone() };
@@ -577,7 +646,9 @@ impl Chart<'_> {
                     all.push((false, self.met(lead, meant, end, CLAUSE + 5)));
                 }
             }
-            let ends_act = ends(&self.atoms[at..end]).is_some_and(|end| matches!(end, End::Dict | End::Te | End::Stem | End::Plain)) && !last.is("p", "");
+            let ends_act = ends(&self.atoms[at..end])
+                .is_some_and(|end| matches!(end, End::Dict | End::Te | End::Stem | End::Plain))
+                && !last.is("p", "");
             let goes_on = self.atoms.get(end).is_some_and(|next| next.is("void", "req"));
             if ends_act && !goes_on {
                 self.tries += 1;
@@ -603,7 +674,9 @@ impl Chart<'_> {
             match sense.form.end {
                 End::Tara | End::Ba => found.push((Lead::When, end, CLAUSE)),
                 // It goes on: 押されて、…
-                End::Te | End::Stem if !matches!(sense.kind, "do" | "pose") => found.push((Lead::When, end, CLAUSE + 8)),
+                End::Te | End::Stem if !matches!(sense.kind, "do" | "pose") => {
+                    found.push((Lead::When, end, CLAUSE + 8))
+                }
                 _ => {}
             }
         }
@@ -625,8 +698,20 @@ fn lead(arg: &str) -> Lead {
 /// Whether words tell what to say rather than are it.
 fn is_suspicious(text: &[Atom]) -> bool {
     let Some(first) = text.first() else { return true };
+    // *Hello and their name*, *so*
+    let tells = |kinds: &[&str], atom: &Atom| kinds.iter().any(|kind| atom.is(kind, ""));
+    let joins = text.windows(2).any(|pair| {
+        tells(&["and", "or"], &pair[0]) && (pair[1].is("void", "det") || tells(&["poss", "noun", "it", "wh"], &pair[1]))
+    });
+    if joins {
+        return true;
+    }
     if first.is("hi", "") {
         return false;
     }
-    first.is("void", "det") || ["poss", "noun", "it", "gap", "vague", "every", "num"].iter().any(|kind| first.is(kind, ""))
+    if text.iter().all(|atom| atom.is("void", "")) || first.is("wh", "") {
+        return true;
+    }
+    first.is("void", "det")
+        || ["poss", "noun", "it", "gap", "vague", "every", "num"].iter().any(|kind| first.is(kind, ""))
 }

@@ -59,7 +59,11 @@ pub(super) fn tokens(text: &str, language: Language) -> Vec<Token> {
         }
         at = next;
     }
-    if language == Language::English { all.into_iter().flat_map(|token| contracted(token, text)).collect() } else { all }
+    if language == Language::English {
+        all.into_iter().flat_map(|token| contracted(token, text)).collect()
+    } else {
+        all
+    }
 }
 
 fn one(chars: &[(usize, char)], at: usize, text: &str, language: Language) -> (usize, Option<What>) {
@@ -140,6 +144,7 @@ fn contracted(token: Token, text: &str) -> Vec<Token> {
         let two = Token { what: What::Word(second.to_owned()), range: middle..token.range.end };
         Some(vec![one, two])
     };
-    let endings = [("n't", "not"), ("'s", "'s"), ("'re", "are"), ("'m", "am"), ("'ve", "have"), ("'ll", "will"), ("'d", "would")];
+    let endings =
+        [("n't", "not"), ("'s", "'s"), ("'re", "are"), ("'m", "am"), ("'ve", "have"), ("'ll", "will"), ("'d", "would")];
     endings.into_iter().find_map(|(ending, second)| cut(ending, second)).unwrap_or_else(|| vec![token])
 }

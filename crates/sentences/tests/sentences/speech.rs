@@ -74,49 +74,123 @@ fn is_understood_again(text: &str, language: Language) -> bool {
     assert_eq!(same_acting(&first, &second), Ok(()), "{text}\n{told}");
     let helpers = robot::shipped_helpers();
     let helpers: Vec<&Helper> = helpers.iter().collect();
-    let twice: Vec<String> =
-        explain(&second, &helpers, &|_| None, language).iter().map(ToString::to_string).collect();
+    let twice: Vec<String> = explain(&second, &helpers, &|_| None, language).iter().map(ToString::to_string).collect();
     assert_eq!(twice.join(" "), told, "{text}");
     true
 }
 
 const EVENTS: [&[&str]; 2] = [
     &[
-        "the head is touched", "somebody pats the back of the head", "I press the button", "you see a face",
-        "a new face appears", "you recognise the child", "the red ball is there", "you see something green",
-        "the blue ball shows up", "the child says \"yes\"", "the child says “hi” or “hello”", "somebody claps",
-        "there is a loud noise", "it is quiet for 10 seconds", "nobody is there for half a minute",
-        "the ball is not seen for 5 seconds", "the left hand is held for 2 seconds", "the right hand is let go",
-        "the left foot bumps into something", "you fall over", "the battery is below 20 %",
-        "someone is closer than 1.5 m", "the red ball is between 30 and 60 cm away",
-        "something is nearer than half a metre in front of you", "more than two people are there",
-        "you are sitting", "you see mark 64", "the head or a hand is touched", "the head is touched three times",
-        "another person comes", "the child leaves",
+        "the head is touched",
+        "somebody pats the back of the head",
+        "I press the button",
+        "you see a face",
+        "a new face appears",
+        "you recognise the child",
+        "the red ball is there",
+        "you see something green",
+        "the blue ball shows up",
+        "the child says \"yes\"",
+        "the child says “hi” or “hello”",
+        "somebody claps",
+        "there is a loud noise",
+        "it is quiet for 10 seconds",
+        "nobody is there for half a minute",
+        "the ball is not seen for 5 seconds",
+        "the left hand is held for 2 seconds",
+        "the right hand is let go",
+        "the left foot bumps into something",
+        "you fall over",
+        "the battery is below 20 %",
+        "someone is closer than 1.5 m",
+        "the red ball is between 30 and 60 cm away",
+        "something is nearer than half a metre in front of you",
+        "more than two people are there",
+        "you are sitting",
+        "you see mark 64",
+        "the head or a hand is touched",
+        "the head is touched three times",
+        "another person comes",
+        "the child leaves",
     ],
     &[
-        "頭を触ったら", "頭の後ろを触られたら", "ボタンを押したら", "顔が見えたら", "知らない人が来たら",
-        "知っている顔が見えたら", "赤いボールを見つけたら", "緑のものが見えたら", "青いボールが見えたら",
-        "子どもが「はい」と言ったら", "「うん」か「はい」と言われたら", "手をたたいたら", "大きな音がしたら",
-        "10秒間静かだったら", "30秒間誰もいなかったら", "5秒間ボールが見えなかったら", "左手を2秒間触り続けたら",
-        "右手から手が離れたら", "左足が何かにぶつかったら", "転んだら", "電池が20%を切ったら",
-        "人が1.5メートルより近いとき", "赤いボールが30cmから60cmの間にあるとき", "目の前50センチ以内に何かあったら",
-        "3人以上いたら", "ロボットが座ったら", "64番のマークが見えたら", "頭か手を触られたら", "頭を3回触ったら",
-        "別の人が来たら", "人がいなくなったら",
+        "頭を触ったら",
+        "頭の後ろを触られたら",
+        "ボタンを押したら",
+        "顔が見えたら",
+        "知らない人が来たら",
+        "知っている顔が見えたら",
+        "赤いボールを見つけたら",
+        "緑のものが見えたら",
+        "青いボールが見えたら",
+        "子どもが「はい」と言ったら",
+        "「うん」か「はい」と言われたら",
+        "手をたたいたら",
+        "大きな音がしたら",
+        "10秒間静かだったら",
+        "30秒間誰もいなかったら",
+        "5秒間ボールが見えなかったら",
+        "左手を2秒間触り続けたら",
+        "右手から手が離れたら",
+        "左足が何かにぶつかったら",
+        "転んだら",
+        "電池が20%を切ったら",
+        "人が1.5メートルより近いとき",
+        "赤いボールが30cmから60cmの間にあるとき",
+        "目の前50センチ以内に何かあったら",
+        "3人以上いたら",
+        "ロボットが座ったら",
+        "64番のマークが見えたら",
+        "頭か手を触られたら",
+        "頭を3回触ったら",
+        "別の人が来たら",
+        "人がいなくなったら",
     ],
 ];
 
 const ACTS: [&[&str]; 2] = [
     &[
-        "say \"well done\"", "wave", "nod", "bow", "cheer", "sit down", "stand up", "turn the eyes green",
-        "turn the eyes off", "beep", "play a high beep", "open the right hand", "raise both arms",
-        "look at the red ball", "walk forward", "set the brightness of the eyes to 30 %",
-        "say how many people there are", "turn the head 20 degrees to the left", "say \"one\", and 2 seconds later nod",
+        "say \"well done\"",
+        "wave",
+        "nod",
+        "bow",
+        "cheer",
+        "sit down",
+        "stand up",
+        "turn the eyes green",
+        "turn the eyes off",
+        "beep",
+        "play a high beep",
+        "open the right hand",
+        "raise both arms",
+        "look at the red ball",
+        "walk forward",
+        "set the brightness of the eyes to 30 %",
+        "say how many people there are",
+        "turn the head 20 degrees to the left",
+        "say \"one\", and 2 seconds later nod",
         "wave and say \"hello\"",
     ],
     &[
-        "「よくできました」と言う", "手を振る", "うなずく", "おじぎをする", "喜ぶ", "座る", "立つ", "目を緑にする",
-        "目を消す", "音を鳴らす", "高い音を鳴らす", "右手を開く", "両腕を上げる", "赤いボールを見る", "前に歩く",
-        "目の明るさを30%にする", "人の数を言う", "頭を左に20度向ける", "「いち」と言って、2秒後にうなずく",
+        "「よくできました」と言う",
+        "手を振る",
+        "うなずく",
+        "おじぎをする",
+        "喜ぶ",
+        "座る",
+        "立つ",
+        "目を緑にする",
+        "目を消す",
+        "音を鳴らす",
+        "高い音を鳴らす",
+        "右手を開く",
+        "両腕を上げる",
+        "赤いボールを見る",
+        "前に歩く",
+        "目の明るさを30%にする",
+        "人の数を言う",
+        "頭を左に20度向ける",
+        "「いち」と言って、2秒後にうなずく",
         "手を振って「やあ」と言う",
     ],
 ];
@@ -162,9 +236,41 @@ fn two_thousand_random_programs_are_told_and_understood_again() {
 #[test]
 fn strange_and_mutated_sentences_are_in_doubt_where_they_stand() {
     let pieces = [
-        "(", "“", "”", "「", "」", ",", ".", "-", "9", "1e9", "99999999999999999999", "\u{0}", "é", "とき", "、", " when ",
-        " or ", " and ", " every ", "が", "😀", "\n", "|", "ー", "００", "'", "n't", " 1,000 ", "半", "十百", " a half ",
-        " until ", "まで", "ないで", " twenty ",
+        "(",
+        "“",
+        "”",
+        "「",
+        "」",
+        ",",
+        ".",
+        "-",
+        "9",
+        "1e9",
+        "99999999999999999999",
+        "\u{0}",
+        "é",
+        "とき",
+        "、",
+        " when ",
+        " or ",
+        " and ",
+        " every ",
+        "が",
+        "😀",
+        "\n",
+        "|",
+        "ー",
+        "００",
+        "'",
+        "n't",
+        " 1,000 ",
+        "半",
+        "十百",
+        " a half ",
+        " until ",
+        "まで",
+        "ないで",
+        " twenty ",
     ];
     let mut dice = Dice::seeded(7);
     for at in 0..2_000 {
@@ -197,9 +303,18 @@ fn strange_and_mutated_sentences_are_in_doubt_where_they_stand() {
 #[test]
 fn long_texts_are_read_no_further_than_their_bounds() {
     let texts = [
-        "when ".repeat(200), "say ".repeat(240), "the head ".repeat(110), "頭を触ったら".repeat(160), "と言".repeat(480),
-        "9".repeat(1_000), "twenty ".repeat(140), "a half ".repeat(140), "'".repeat(1_000), "十".repeat(1_000),
-        "and then wave or ".repeat(60), "ない".repeat(500),
+        "when ".repeat(200),
+        "say ".repeat(240),
+        "the head ".repeat(110),
+        "頭を触ったら".repeat(160),
+        "と言".repeat(480),
+        "9".repeat(1_000),
+        "twenty ".repeat(140),
+        "a half ".repeat(140),
+        "'".repeat(1_000),
+        "十".repeat(1_000),
+        "and then wave or ".repeat(60),
+        "ない".repeat(500),
     ];
     for text in texts {
         for language in Language::ALL {
@@ -210,7 +325,10 @@ fn long_texts_are_read_no_further_than_their_bounds() {
 
 #[test]
 fn words_to_be_heard_are_those_of_the_language_that_is_typed() {
-    let languages = [(Language::English, "When the child says \"yes\", nod."), (Language::Japanese, "「はい」と言われたとき、うなずきます。")];
+    let languages = [
+        (Language::English, "When the child says \"yes\", nod."),
+        (Language::Japanese, "「はい」と言われたとき、うなずきます。"),
+    ];
     for (language, text) in languages {
         let reading = heard(text, language);
         let stream = reading.draft.streams.iter().find(|stream| stream.device.as_deref() == Some("WordRecognized"));
@@ -222,10 +340,7 @@ fn words_to_be_heard_are_those_of_the_language_that_is_typed() {
 #[test]
 fn what_cannot_be_done_is_said() {
     let reading = heard("When the child cries, wave.", Language::English);
-    assert_eq!(
-        reading.doubts[0].why.as_deref(),
-        Some("The robot cannot notice crying. It can hear a loud sound.")
-    );
+    assert_eq!(reading.doubts[0].why.as_deref(), Some("The robot cannot notice crying. It can hear a loud sound."));
     let reading = heard("頭を触ったら踊る", Language::Japanese);
     assert!(reading.doubts[0].why.as_deref().unwrap().starts_with("ロボットの身ぶりに踊りはありません"));
 }
@@ -236,8 +351,11 @@ fn every_meaning_without_a_sense_or_action_says_so_in_both_languages() {
         (Language::English, include_str!("../../../../static/speech-en.txt")),
         (Language::Japanese, include_str!("../../../../static/speech-ja.txt")),
     ] {
-        let says: Vec<&str> =
-            text.lines().filter_map(|line| line.strip_prefix("! ")).filter_map(|line| line.split(" =").next()).collect();
+        let says: Vec<&str> = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("! "))
+            .filter_map(|line| line.split(" =").next())
+            .collect();
         let meant = text.lines().filter(|line| !line.starts_with(['#', '!', '%', '+']));
         for kind in meant.filter_map(|line| line.rsplit_once("= ")).map(|(_, means)| means) {
             if let Some(gap) = kind.strip_prefix("gap ").or_else(|| kind.strip_prefix("vague ")) {

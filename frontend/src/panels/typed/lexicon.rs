@@ -41,9 +41,8 @@ pub(super) fn words(language: Language) -> Words {
     }
     leptos::task::spawn_local(async move {
         let text = browser::text_at(address(language)).await;
-        let words = text.map_or(Words::Lost, |text| {
-            Words::Here(Box::leak(Box::new(Lexicon::read(text.leak(), language))))
-        });
+        let words =
+            text.map_or(Words::Lost, |text| Words::Here(Box::leak(Box::new(Lexicon::read(text.leak(), language)))));
         shelf.words.set(Some(words));
     });
     Words::Come
