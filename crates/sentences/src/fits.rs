@@ -1,12 +1,11 @@
 //! Whether a clause says what a device with its parameters and its connectors does.
 
-use crate::Language;
 use crate::clauses::{Clause, Part};
 use crate::does::{Calc, Does};
 use crate::pattern::{Grammar, holes};
 use crate::test::{Asks, Test};
 use behaviour::{Params, Value};
-use robot::{Device, Param, with_defaults};
+use robot::{Device, with_defaults};
 
 /// Whether a clause leaves out nothing of what was chosen for the device.
 pub(crate) fn params_fit(
@@ -26,14 +25,6 @@ pub(crate) fn params_fit(
             None => told.contains(&param.name) || value.is_some_and(|value| same(value, &param.default())),
         }
     })
-}
-
-/// What is chosen for a parameter when nobody says it in this language: words are heard in it.
-pub(crate) fn usual(device: &Device, param: &Param, language: Language) -> Value {
-    if device.name == "WordRecognized" && param.name == "language" && language == Language::Japanese {
-        return Value::text("Japanese");
-    }
-    param.default()
 }
 
 /// Whether two values of a parameter mean the same.

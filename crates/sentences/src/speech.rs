@@ -19,7 +19,7 @@ pub(crate) use assemble::{ended, own_event};
 use crate::Language;
 use assemble::Said;
 use atoms::{Atom, atoms};
-use meaning::{Event, Phase, Rule};
+use meaning::{Body, Event, Phase, Rule};
 use std::ops::Range;
 use tokens::{What, tokens};
 
@@ -117,9 +117,9 @@ fn spoken_of(all: &[tokens::Token], lexicon: &Lexicon, language: Language, mut k
         }
         for atom in atoms(&inside, 0, inside.len(), lexicon, language) {
             let device = match atom.of("part").map(|sense| sense.arg) {
-                Some("hand") => "HandTouch",
-                Some("head") => "HeadTouch",
-                Some("foot") => "Bumper",
+                Some("hand") => Body::Hand,
+                Some("head") => Body::Head,
+                Some("foot") => Body::Foot,
                 _ => continue,
             };
             let event = Event::Touch(device, Vec::new(), Phase::Begins);

@@ -2,8 +2,9 @@
 
 use super::Teller;
 use super::chain::Link;
+use crate::clauses::usual;
 use crate::does::{Calc, Does};
-use crate::fits::{same, usual};
+use crate::fits::same;
 use crate::numbers;
 use crate::pattern::{Element, Filling, filled};
 use crate::sentence::{Choice, Choosable, Literal, Piece};

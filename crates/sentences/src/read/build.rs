@@ -5,9 +5,8 @@ use super::meaning::{does_of, params, part_of, test, wanted_unit};
 use super::tree::{Action, Bound, Said, Span, Start, Told, Way};
 use crate::Language;
 use crate::carried::{Carried, Measure};
-use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance};
+use crate::clauses::{Clause, Part, TARGETS, distance_helper, goes_by_distance, usual};
 use crate::does::{Calc, Does};
-use crate::fits::usual;
 use behaviour::{Behaviour, Id, Params, StreamKind, Value, look_same};
 use robot::Device;
 

@@ -6,7 +6,7 @@ use crate::Language;
 use crate::carried::Carried;
 use crate::clauses::{ACTIONS, distance_helper};
 use crate::does::{Calc, Does, Memory};
-use crate::speech::meaning::{Act, Bound, Cond, Event, Of, Phase, Rule, Target, Times, Value, Who};
+use crate::speech::meaning::{Act, Body, Bound, Cond, Event, Of, Phase, Rule, Target, Times, Value, Who};
 use crate::speech::{ended, own_event};
 use crate::test::{Asks, Comparison, Test};
 use behaviour::{Params, StreamKind, Value as Constant};
@@ -29,6 +29,15 @@ pub(super) struct Making<'b, 'a> {
     pub(super) doubts: Vec<Span>,
     /// Of each rule: its event's node, and the nodes of its connectors.
     rules: Vec<(usize, Vec<usize>)>,
+}
+
+/// The sense that feels touches there.
+fn touch(body: Body) -> &'static str {
+    match body {
+        Body::Head => "HeadTouch",
+        Body::Hand => "HandTouch",
+        Body::Foot => "Bumper",
+    }
 }
 
 fn feed(device: &'static str) -> Feed {
@@ -273,28 +282,8 @@ impl<'b, 'a> Making<'b, 'a> {
             Some(Feed { steps: vec![Does::Quiet(period)], ..feed })
         };
         let moment = cond.during.is_none();
-        let owned = |params: &[(&'static str, &'static str)]| {
-            params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect::<Vec<_>>()
-        };
         match (&cond.what, cond.not) {
-            (Event::Touch(device, params, phase), not) => {
-                let mut params = owned(params);
-                let both = ("release", "yes".to_owned());
-                let steps = match (phase, not, cond.during) {
-                    (Phase::Begins, false, None) => vec![truth("", true)],
-                    (Phase::Begins, false, Some(period)) => {
-                        params.push(both);
-                        vec![Does::Quiet(period), truth("", true)]
-                    }
-                    (Phase::Begins, true, Some(period)) => vec![Does::Quiet(period)],
-                    (Phase::Ends, false, None) => {
-                        params.push(both);
-                        vec![truth("", false)]
-                    }
-                    _ => return None,
-                };
-                Some(Feed { device, params, steps })
-            }
+            (Event::Touch(body, params, phase), not) => felt(*body, params, *phase, not, cond.during),
             (Event::Button(label), false) if moment => {
                 let params = label.iter().map(|label| ("label", label.clone())).collect();
                 Some(Feed { params, ..feed("Button") })
@@ -343,17 +332,15 @@ impl<'b, 'a> Making<'b, 'a> {
                 let params = vec![("words", words.join(", ")), ("language", language.to_owned())];
                 Some(Feed { params, ..feed("WordRecognized") })
             }
-            (Event::Sound, false) if moment => Some(feed("SoundLocated")),
-            (Event::Sound, true) => quiet(feed("SoundLocated")),
-            (Event::Fall, false) if moment => Some(feed("Fall")),
+            (Event::Noise, false) if moment => Some(feed("SoundLocated")),
+            (Event::Noise, true) => quiet(feed("SoundLocated")),
+            (Event::Falls, false) if moment => Some(feed("Fall")),
             (Event::Up, false) if moment => Some(Feed {
                 params: vec![("release", "yes".to_owned())],
                 steps: vec![truth("", false)],
                 ..feed("Fall")
             }),
-            (Event::Posture(_) | Event::Far(..) | Event::People(_) | Event::Battery(_) | Event::Joint(..), _)
-                if moment =>
-            {
+            (Event::Pose(_) | Event::Far(..) | Event::People(_) | Event::Charge(_) | Event::Joint(..), _) if moment => {
                 let (mut sense, test) = tested(cond)?;
                 sense.steps.extend(test);
                 Some(sense)
@@ -375,7 +362,7 @@ impl<'b, 'a> Making<'b, 'a> {
             (Event::Touch(device, params, Phase::Begins), false) if cond.lasts => {
                 let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
                 params.push(("release", "yes".to_owned()));
-                (Feed { device, params, steps: Vec::new() }, Some(truth("", true)))
+                (Feed { device: touch(*device), params, steps: Vec::new() }, Some(truth("", true)))
             }
             _ => tested(cond)?,
         };
@@ -476,7 +463,7 @@ impl<'b, 'a> Making<'b, 'a> {
                 self.put("Tracker", &[("target", target), ("mode", mode), ("effector", effector)], at, span)
             }
             Act::Gesture(gesture) => self.put("Animation", &[("animation", gesture)], at, span),
-            Act::Posture(posture) => self.put("Posture", &[("posture", posture)], at, span),
+            Act::Pose(posture) => self.put("Posture", &[("posture", posture)], at, span),
             Act::Walk => {
                 let at = self.made(number(0.05), vec![at], span, &mut Vec::new());
                 self.put("Walk", &[], at, span)
@@ -485,8 +472,8 @@ impl<'b, 'a> Making<'b, 'a> {
                 let at = self.made(number(*value), vec![at], span, &mut Vec::new());
                 self.put("SetJointPosition", &[("joint", joint)], at, span)
             }
-            Act::Sound(sound) => self.put("Sound", &[("sound", sound)], at, span),
-            Act::SoundFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
+            Act::Play(sound) => self.put("Sound", &[("sound", sound)], at, span),
+            Act::PlayFile(file) => self.put("Sound", &[("sound", "file"), ("file", file)], at, span),
             Act::Remember => self.put("RememberFace", &[], at, span),
             Act::Nothing => Some(()),
             Act::Color(_) | Act::Count(_) | Act::Again | Act::Not => None,
@@ -502,7 +489,7 @@ impl<'b, 'a> Making<'b, 'a> {
                     .then_some(at);
             }
             Value::People => ("People", Some(Does::Make(Calc::Field("count".to_owned())))),
-            Value::Battery => ("Battery", None),
+            Value::Charge => ("Battery", None),
             Value::Name => ("FaceDetection", Some(Does::Make(Calc::Field("label".to_owned())))),
             Value::Distance(Of::Ball(color)) => {
                 let helper = Does::Make(Calc::Helper(distance_helper("cm").to_owned()));
@@ -511,7 +498,7 @@ impl<'b, 'a> Making<'b, 'a> {
             Value::Distance(Of::Person) => ("People", Some(Does::Make(Calc::Field("distance".to_owned())))),
             Value::Distance(Of::Ahead(_)) => ("Sonar", None),
             Value::Distance(Of::It) | Value::Count => return None,
-            Value::Posture => ("PostureChanged", None),
+            Value::Pose => ("PostureChanged", None),
             Value::Word => ("WordRecognized", Some(Does::Make(Calc::Field("word".to_owned())))),
             Value::Mark => ("Landmark", Some(Does::Make(Calc::Field("number".to_owned())))),
         };
@@ -554,6 +541,32 @@ impl<'b, 'a> Making<'b, 'a> {
         });
         Some(())
     }
+}
+
+/// The sense of a touch and what is asked of it.
+fn felt(
+    body: Body,
+    params: &[(&'static str, &'static str)],
+    phase: Phase,
+    not: bool,
+    during: Option<u64>,
+) -> Option<Feed> {
+    let mut params: Vec<_> = params.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+    let both = ("release", "yes".to_owned());
+    let steps = match (phase, not, during) {
+        (Phase::Begins, false, None) => vec![truth("", true)],
+        (Phase::Begins, false, Some(period)) => {
+            params.push(both);
+            vec![Does::Quiet(period), truth("", true)]
+        }
+        (Phase::Begins, true, Some(period)) => vec![Does::Quiet(period)],
+        (Phase::Ends, false, None) => {
+            params.push(both);
+            vec![truth("", false)]
+        }
+        _ => return None,
+    };
+    Some(Feed { device: touch(body), params, steps })
 }
 
 /// All parameters of a device, of which some are chosen; none if it has no such choice.
@@ -606,7 +619,7 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
         |bounds: &[Bound]| bounds.iter().map(|(comparison, value, _)| (*comparison, *value)).collect::<Vec<_>>();
     let is = !cond.not;
     Some(match &cond.what {
-        Event::Posture(posture) => (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned())))),
+        Event::Pose(posture) => (feed("PostureChanged"), Some(keep("", Asks::Text(is, (*posture).to_owned())))),
         Event::Far(of, bounds) if cond.not => {
             let what = Event::Far(*of, opposite(bounds)?);
             return tested(&Cond { what, not: false, ..cond.clone() });
@@ -614,8 +627,8 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
         Event::People(bounds) if cond.not => {
             return tested(&Cond { what: Event::People(opposite(bounds)?), not: false, ..cond.clone() });
         }
-        Event::Battery(bounds) if cond.not => {
-            return tested(&Cond { what: Event::Battery(opposite(bounds)?), not: false, ..cond.clone() });
+        Event::Charge(bounds) if cond.not => {
+            return tested(&Cond { what: Event::Charge(opposite(bounds)?), not: false, ..cond.clone() });
         }
         _ if cond.not => return None,
         Event::Far(of, bounds) => match of {
@@ -641,7 +654,7 @@ fn tested(cond: &Cond) -> Option<(Feed, Option<Does>)> {
             Of::It => return None,
         },
         Event::People(bounds) => (feed("People"), (!bounds.is_empty()).then(|| numbers("count", plain(bounds)))),
-        Event::Battery(bounds) => (feed("Battery"), (!bounds.is_empty()).then(|| numbers("", plain(bounds)))),
+        Event::Charge(bounds) => (feed("Battery"), (!bounds.is_empty()).then(|| numbers("", plain(bounds)))),
         Event::Joint(joint, bounds) => {
             let sense = Feed { params: vec![("joint", (*joint).to_owned())], ..feed("JointPosition") };
             (sense, Some(numbers("", plain(bounds))))
@@ -679,10 +692,10 @@ fn device_of(event: &Event) -> Option<&'static str> {
         Event::Face(_) => "FaceDetection",
         Event::People(_) | Event::Far(Of::Person, _) => "People",
         Event::Far(Of::Ahead(_), _) => "Sonar",
-        Event::Battery(_) => "Battery",
+        Event::Charge(_) => "Battery",
         Event::Words(_) => "WordRecognized",
         Event::Mark(_) => "Landmark",
-        Event::Posture(_) => "PostureChanged",
+        Event::Pose(_) => "PostureChanged",
         _ => return None,
     })
 }

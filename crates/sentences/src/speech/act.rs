@@ -118,7 +118,7 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
     }
     if let Some((pose, _)) = bag.arg("pose") {
         bag.take_all("v", "turn");
-        return Some(vec![Act::Posture(pose)]);
+        return Some(vec![Act::Pose(pose)]);
     }
     if bag.take("v", "walk").is_some() {
         bag.take_all("noun", "ahead");
@@ -157,7 +157,8 @@ fn done(bag: &mut Bag) -> Option<Vec<Act>> {
 fn sound(bag: &mut Bag) -> Option<Act> {
     let beeps = bag.take("v", "beep").is_some();
     let plays = ["play", "turn", "make"].iter().any(|verb| bag.has("v", verb));
-    if !beeps && !(plays && bag.has("noun", "sound")) {
+    let plays = plays && bag.has("noun", "sound");
+    if !beeps && !plays {
         return None;
     }
     for verb in ["play", "turn", "make"] {
@@ -166,15 +167,15 @@ fn sound(bag: &mut Bag) -> Option<Act> {
     bag.take_all("noun", "sound");
     bag.take_all("noun", "file");
     if let Some(file) = bag.quote() {
-        return Some(Act::SoundFile(file));
+        return Some(Act::PlayFile(file));
     }
     if bag.take("adj", "high").is_some() {
-        return Some(Act::Sound("high"));
+        return Some(Act::Play("high"));
     }
     if bag.take("adj", "low").is_some() {
-        return Some(Act::Sound("low"));
+        return Some(Act::Play("low"));
     }
-    Some(Act::Sound("beep"))
+    Some(Act::Play("beep"))
 }
 
 fn nearer(bag: &mut Bag) -> Option<Act> {
@@ -258,7 +259,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
         bag.take_all("noun", "level");
         bag.take_all("v", "exist");
         bag.take_all("adj", "full");
-        return Some(Value::Battery);
+        return Some(Value::Charge);
     }
     if bag.take("noun", "name").is_some() {
         bag.take_all("it", "");
@@ -290,7 +291,7 @@ fn value(bag: &mut Bag) -> Option<Value> {
         return Some(Value::Distance(Of::It));
     }
     if bag.take_all("noun", "posture") {
-        return Some(Value::Posture);
+        return Some(Value::Pose);
     }
     if bag.take_all("noun", "people") {
         bag.take_all("noun", "view");

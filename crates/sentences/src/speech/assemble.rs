@@ -1,6 +1,6 @@
 //! Clauses as rules: which condition is whose, what is done later, what “it” is.
 
-use super::meaning::{Act, Cond, Event, Of, Phase, Rule, Span, Target, Times, Value, Who};
+use super::meaning::{Act, Body, Cond, Event, Of, Phase, Rule, Span, Target, Times, Value, Who};
 use super::segments::{Lead, Segment, Then};
 use std::rc::Rc;
 
@@ -28,7 +28,6 @@ impl Said {
         let mut before: Option<&Segment> = None;
         let mut goes_on = false;
         let mut is_open = true;
-        let mut is_but = false;
         let mut joined_or = false;
         // Whether a condition stands after what is done.
         let mut is_trailed = false;
@@ -36,17 +35,16 @@ impl Said {
             let rest = &segments[at + 1..];
             match segment {
                 Segment::Sign | Segment::Nothing => continue,
-                Segment::Unclear => {}
+                Segment::Unclear | Segment::But => {}
                 Segment::And => goes_on |= at == 0,
                 Segment::Then => goes_on |= rule.acts.is_empty() && rule.event.is_none(),
                 Segment::Or => joined_or = true,
-                Segment::But => is_but = true,
                 Segment::Otherwise => {
-                    self.finish(std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+                    self.next(&mut rule, span, goes_on);
                     (rule.otherwise, goes_on, later, is_trailed) = (true, false, 0, false);
                 }
                 Segment::Every(ms) => rule.every = Some(*ms),
-                Segment::AtMost(ms) if rule.acts.is_empty() && rule.event.is_none() => {
+                Segment::AtMost(ms) if is_alone(&rule, rest) => {
                     match self.rules.last_mut() {
                         Some(last) => last.at_most = Some(*ms),
                         None => rule.at_most = Some(*ms),
@@ -57,16 +55,7 @@ impl Said {
                 Segment::Once => rule.once = true,
                 Segment::Later(ms, then) => {
                     let first = rule.acts.is_empty();
-                    let after_join = matches!(before, Some(Segment::And | Segment::Then | Segment::But) | None);
-                    let is_next = first
-                        || after_join
-                        || *then == Then::Next
-                        || (*then == Then::NextIfThere
-                            && rest.iter().any(|next| matches!(next, Segment::Acts(..)))
-                            && !matches!(
-                                rest.first(),
-                                Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..))
-                            ));
+                    let is_next = first || comes_next(*then, before, rest);
                     later += ms;
                     if !is_next && let Some(last) = rule.acts.last_mut() {
                         last.0 += ms;
@@ -85,16 +74,11 @@ impl Said {
                         && matches!(before, Some(Segment::And | Segment::But | Segment::Otherwise))
                         && rule.event.is_some();
                     if is_new || is_next {
-                        self.finish(
-                            std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }),
-                            goes_on,
-                        );
+                        self.next(&mut rule, span, goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
                     let trailing = !rule.acts.is_empty();
-                    // ただし…ときは言わない
-                    let denies = is_but && rule.acts.is_empty() && rule.event.is_none();
-                    self.condition(&mut rule, *lead, cond, joined_or, denies);
+                    self.condition(&mut rule, *lead, cond, joined_or);
                     joined_or = false;
                     is_trailed |= trailing && !restricts;
                 }
@@ -105,10 +89,7 @@ impl Said {
                     }
                     goes_on |= acts.contains(&Act::Again) && rule.event.is_none() && rule.acts.is_empty();
                     if is_trailed {
-                        self.finish(
-                            std::mem::replace(&mut rule, Rule { span: span.clone(), ..Rule::default() }),
-                            goes_on,
-                        );
+                        self.next(&mut rule, span, goes_on);
                         (goes_on, later, is_trailed) = (false, 0, false);
                     }
                     self.acts(&mut rule, acts, act_span, later);
@@ -121,14 +102,18 @@ impl Said {
         }
     }
 
-    fn condition(&mut self, rule: &mut Rule, lead: Lead, cond: &Rc<Cond>, or: bool, denies: bool) {
+    /// Begins the next rule of a sentence.
+    fn next(&mut self, rule: &mut Rule, span: &Span, goes_on: bool) {
+        self.finish(std::mem::replace(rule, Rule { span: span.clone(), ..Rule::default() }), goes_on);
+    }
+
+    fn condition(&mut self, rule: &mut Rule, lead: Lead, cond: &Rc<Cond>, or: bool) {
         let mut cond = (**cond).clone();
         if !self.resolve(&mut cond) {
             self.doubts.push(cond.span.clone());
             return;
         }
         self.note(&cond.what);
-        let _ = denies;
         cond.lasts |= lead == Lead::While;
         match lead {
             Lead::Until if rule.until.is_none() => rule.until = Some(cond),
@@ -148,7 +133,7 @@ impl Said {
                     self.doubts.push(cond.span.clone());
                     return;
                 }
-                event.what = match std::mem::replace(&mut event.what, Event::Sound) {
+                event.what = match std::mem::replace(&mut event.what, Event::Noise) {
                     Event::Any(mut all) => {
                         all.push(cond.what);
                         Event::Any(all)
@@ -209,19 +194,19 @@ impl Said {
             Event::Same(params, part) => {
                 let Some(Event::Touch(device, before, phase)) = &self.touched else { return false };
                 let device = match part.map(|part| part.split_once('.').map_or(part, |(part, _)| part)) {
-                    Some("head") => "HeadTouch",
-                    Some("hand") => "HandTouch",
-                    Some("foot") => "Bumper",
+                    Some("head") => Body::Head,
+                    Some("hand") => Body::Hand,
+                    Some("foot") => Body::Foot,
                     Some(_) => return false,
-                    None => device,
+                    None => *device,
                 };
                 let own = part.and_then(|part| part.split_once('.')).map(|(_, side)| side);
                 let mut chosen: Vec<(&'static str, &'static str)> = Vec::new();
                 let side = params.iter().find(|(name, _)| *name == "side").map(|(_, side)| *side).or(own);
                 let name = match device {
-                    "HandTouch" => Some("hand"),
-                    "Bumper" => Some("foot"),
-                    _ => None,
+                    Body::Hand => Some("hand"),
+                    Body::Foot => Some("foot"),
+                    Body::Head => None,
                 };
                 if let Some(side) = side {
                     let Some(name) = name else { return false };
@@ -283,33 +268,13 @@ impl Said {
                         continue;
                     }
                 },
-                Act::Follow(Target::It, mode, effector) => {
-                    let target = match (&self.seen, rule.event.as_ref().map(|event| &event.what)) {
-                        (Some(Event::Ball("red")), _) => Target::Ball,
-                        (Some(Event::Face(_)), _) => Target::Face,
-                        _ => {
-                            self.doubts.push(span.clone());
-                            continue;
-                        }
-                    };
-                    Act::Follow(target, mode, effector)
-                }
-                Act::Nearer(Of::It) | Act::SayValue(Value::Distance(Of::It)) | Act::Show(Value::Distance(Of::It)) => {
-                    let of = match &self.seen {
-                        Some(Event::Ball(color)) => Of::Ball(color),
-                        Some(Event::Face(_)) => Of::Person,
-                        _ => {
-                            self.doubts.push(span.clone());
-                            continue;
-                        }
-                    };
-                    match act {
-                        Act::Nearer(_) => Act::Nearer(of),
-                        Act::Show(_) => Act::Show(Value::Distance(of)),
-                        _ => Act::SayValue(Value::Distance(of)),
+                other => match self.named(other) {
+                    Some(named) => named,
+                    None => {
+                        self.doubts.push(span.clone());
+                        continue;
                     }
-                }
-                other => other.clone(),
+                },
             };
             match &act {
                 Act::Follow(Target::Ball, ..) => self.seen = Some(Event::Ball("red")),
@@ -323,7 +288,7 @@ impl Said {
                         !event.not
                             && matches!(
                                 event.what,
-                                Event::Touch(..) | Event::Button(_) | Event::Sound | Event::Words(_)
+                                Event::Touch(..) | Event::Button(_) | Event::Noise | Event::Words(_)
                             )
                     });
                     if !rule.counts && !moment {
@@ -339,7 +304,7 @@ impl Said {
             };
             // Two of one kind at once: only the last would count.
             let same = |one: &Act, other: &Act| {
-                matches!((one, other), (Act::Eyes(_), Act::Eyes(_)) | (Act::Posture(_), Act::Posture(_)))
+                matches!((one, other), (Act::Eyes(_), Act::Eyes(_)) | (Act::Pose(_), Act::Pose(_)))
             };
             if rule.acts.iter().any(|(at, other, _)| *at == later && same(&act, other)) {
                 self.doubts.push(span.clone());
@@ -348,6 +313,30 @@ impl Said {
             self.did = Some(act.clone());
             rule.acts.push((later, act, span.clone()));
         }
+    }
+
+    /// An action with what “it” is in the place of “it”; none if nobody knows.
+    fn named(&self, act: &Act) -> Option<Act> {
+        let seen = self.seen.as_ref();
+        let of = || match seen {
+            Some(Event::Ball(color)) => Some(Of::Ball(color)),
+            Some(Event::Face(_)) => Some(Of::Person),
+            _ => None,
+        };
+        Some(match act {
+            Act::Follow(Target::It, mode, effector) => {
+                let target = match seen {
+                    Some(Event::Ball("red")) => Target::Ball,
+                    Some(Event::Face(_)) => Target::Face,
+                    _ => return None,
+                };
+                Act::Follow(target, mode, effector)
+            }
+            Act::Nearer(Of::It) => Act::Nearer(of()?),
+            Act::SayValue(Value::Distance(Of::It)) => Act::SayValue(Value::Distance(of()?)),
+            Act::Show(Value::Distance(Of::It)) => Act::Show(Value::Distance(of()?)),
+            other => other.clone(),
+        })
     }
 
     /// A rule is over.
@@ -405,6 +394,20 @@ impl Said {
     }
 }
 
+/// Whether nothing else is said in a sentence.
+fn is_alone(rule: &Rule, rest: &[Segment]) -> bool {
+    let says = |segment: &Segment| matches!(segment, Segment::Acts(..) | Segment::Cond(..));
+    rule.acts.is_empty() && rule.event.is_none() && !rest.iter().any(says)
+}
+
+/// Whether a time is how much later the next action is.
+fn comes_next(then: Then, before: Option<&Segment>, rest: &[Segment]) -> bool {
+    let after_join = matches!(before, Some(Segment::And | Segment::Then | Segment::But) | None);
+    let follows = rest.iter().any(|next| matches!(next, Segment::Acts(..)));
+    let parted = matches!(rest.first(), Some(Segment::Sign | Segment::And | Segment::Then | Segment::Cond(..)));
+    after_join || then == Then::Next || (then == Then::NextIfThere && follows && !parted)
+}
+
 /// What an action that needs no word for when goes by.
 pub(crate) fn own_event(act: &Act) -> Option<Event> {
     match act {
@@ -415,7 +418,7 @@ pub(crate) fn own_event(act: &Act) -> Option<Event> {
         Act::Show(Value::Distance(Of::Ball(color))) => Some(Event::Ball(color)),
         Act::Show(Value::Distance(Of::Person)) => Some(Event::People(Vec::new())),
         Act::Nearer(Of::Ahead(side)) => Some(Event::Far(Of::Ahead(side), Vec::new())),
-        Act::Show(Value::Battery) => Some(Event::Battery(Vec::new())),
+        Act::Show(Value::Charge) => Some(Event::Charge(Vec::new())),
         Act::Show(Value::Distance(of)) => Some(Event::Far(*of, Vec::new())),
         Act::Show(Value::Name) => Some(Event::Face(Who::Anybody)),
         _ => None,
@@ -425,5 +428,5 @@ pub(crate) fn own_event(act: &Act) -> Option<Event> {
 /// A touch that ends, of one that begins.
 pub(crate) fn ended(event: &Event) -> Option<Event> {
     let Event::Touch(device, params, Phase::Begins) = event else { return None };
-    Some(Event::Touch(device, params.clone(), Phase::Ends))
+    Some(Event::Touch(*device, params.clone(), Phase::Ends))
 }

@@ -208,14 +208,13 @@ fn measure(
         let (end, unit) = unit(after)?;
         return Some((end, measured(0.5, unit)?));
     }
-    if is(at, &["a"]) || is(at, &["an"]) || is(at, &["one"]) {
-        if let Some((end, unit)) = unit(at + 1)
-            && unit != "times"
-            && unit != "foot"
-        {
-            let half = is(end, &["and", "a", "half"]);
-            return Some((if half { end + 3 } else { end }, measured(if half { 1.5 } else { 1.0 }, unit)?));
-        }
+    let article = is(at, &["a"]) || is(at, &["an"]) || is(at, &["one"]);
+    if article
+        && let Some((end, unit)) = unit(at + 1)
+        && !["times", "foot"].contains(&unit)
+    {
+        let half = is(end, &["and", "a", "half"]);
+        return Some((if half { end + 3 } else { end }, measured(if half { 1.5 } else { 1.0 }, unit)?));
     }
     let Some((mut after, mut value)) = number(tokens, from, words, at, lexicon) else {
         // *every minute*
@@ -252,7 +251,7 @@ fn measured(value: f64, unit: &'static str) -> Option<Measure> {
     }
     let time = |ms: f64| {
         let all = (value * ms).round();
-        (all >= 1.0 && all <= LONGEST_MS).then_some(Measure::Time(all as u64))
+        (1.0..=LONGEST_MS).contains(&all).then_some(Measure::Time(all as u64))
     };
     let rounded = |value: f64| (value * 1e6).round() / 1e6;
     match unit {

@@ -45,8 +45,8 @@ pub(crate) enum Times {
 /// Something that can be sensed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Event {
-    /// The sense, the choices of its parameters, and whether it ends.
-    Touch(&'static str, Vec<(&'static str, &'static str)>, Phase),
+    /// What is touched, the choices of its sense, and whether it ends.
+    Touch(Body, Vec<(&'static str, &'static str)>, Phase),
     Button(Option<String>),
     /// A ball of a colour.
     Ball(&'static str),
@@ -58,12 +58,12 @@ pub(crate) enum Event {
     Far(Of, Vec<Bound>),
     People(Vec<Bound>),
     Words(Vec<String>),
-    Sound,
-    Fall,
+    Noise,
+    Falls,
     Up,
-    Battery(Vec<Bound>),
+    Charge(Vec<Bound>),
     /// The posture, by its name among values.
-    Posture(&'static str),
+    Pose(&'static str),
     Joint(&'static str, Vec<Bound>),
     /// What was counted before is this.
     Counted(u32),
@@ -75,6 +75,14 @@ pub(crate) enum Event {
     ItTouched,
     /// What was said last, with another side or part.
     Same(Vec<(&'static str, &'static str)>, Option<&'static str>),
+}
+
+/// What feels touches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Body {
+    Head,
+    Hand,
+    Foot,
 }
 
 /// A part of a touch.
@@ -116,11 +124,11 @@ pub(crate) enum Act {
     Nearer(Of),
     Follow(Target, &'static str, &'static str),
     Gesture(&'static str),
-    Posture(&'static str),
+    Pose(&'static str),
     Walk,
     Move(&'static str, f64),
-    Sound(&'static str),
-    SoundFile(String),
+    Play(&'static str),
+    PlayFile(String),
     Remember,
     /// Counts what happens.
     Count(Box<Cond>),
@@ -139,10 +147,10 @@ pub(crate) enum Value {
     /// How often something came.
     Count,
     People,
-    Battery,
+    Charge,
     Name,
     Distance(Of),
-    Posture,
+    Pose,
     Word,
     Mark,
 }

@@ -96,6 +96,11 @@ struct Edge {
     after: Before,
 }
 
+/// The cost from a place on, and the edge that begins there.
+type Step = (usize, Option<Rc<Edge>>);
+/// Atoms with a quote in them, the tokens of it, those of them in doubt, and what it costs.
+type Quoting = (Vec<Atom>, Vec<Span>, Vec<Span>, usize);
+
 struct Chart<'a> {
     atoms: &'a [Atom],
     language: Language,
@@ -108,7 +113,7 @@ struct Chart<'a> {
 pub(super) fn cover(atoms: &[Atom], language: Language, source: &dyn Fn(&Span) -> String) -> Cover {
     let mut chart = Chart { atoms, language, source, tries: 0 };
     let count = atoms.len();
-    let mut best: Vec<[Option<(usize, Option<Rc<Edge>>)>; 3]> = vec![[None, None, None]; count + 1];
+    let mut best: Vec<[Option<Step>; 3]> = vec![[None, None, None]; count + 1];
     best[count] = [Some((0, None)), Some((0, None)), Some((WORD, None))];
     for at in (0..count).rev() {
         let edges = chart.edges(at);
@@ -202,20 +207,28 @@ impl Chart<'_> {
         all
     }
 
+    fn is(&self, at: usize, kind: &str, arg: &str) -> bool {
+        self.atoms.get(at).is_some_and(|atom| atom.is(kind, arg))
+    }
+
+    fn time(&self, at: usize) -> Option<u64> {
+        match self.atoms.get(at)?.value {
+            Value::Measure(Measure::Time(ms)) => Some(ms),
+            _ => None,
+        }
+    }
+
+    /// The first atom from here on that means something.
+    fn fillers(&self, at: usize) -> usize {
+        (at..).find(|at| !self.is(*at, "void", "") && !self.is(*at, "prep", "")).unwrap_or(at)
+    }
+
     /// How often and how much later: no clauses of their own.
     fn adverbials(&self, at: usize) -> Vec<(usize, Segment)> {
         let atoms = self.atoms;
-        let is = |at: usize, kind: &str, arg: &str| atoms.get(at).is_some_and(|atom| atom.is(kind, arg));
-        let time = |at: usize| match atoms.get(at).map(|atom| &atom.value) {
-            Some(Value::Measure(Measure::Time(ms))) => Some(*ms),
-            _ => None,
-        };
-        let fillers = |mut at: usize| {
-            while is(at, "void", "") || is(at, "prep", "") {
-                at += 1;
-            }
-            at
-        };
+        let is = |at: usize, kind: &str, arg: &str| self.is(at, kind, arg);
+        let time = |at: usize| self.time(at);
+        let fillers = |at: usize| self.fillers(at);
         let mut found = Vec::new();
         if is(at, "every", "")
             && let Some(ms) = time(at + 1)
@@ -274,6 +287,15 @@ impl Chart<'_> {
             let end = if is(end, "later", "") { end + 1 } else { end };
             found.push((end, Segment::Later(ms, if is(at, "v", "wait") { Then::Next } else { self.then(end) })));
         }
+        self.limits(at, &mut found);
+        found
+    }
+
+    /// How often at most.
+    fn limits(&self, at: usize, found: &mut Vec<(usize, Segment)>) {
+        let is = |at: usize, kind: &str, arg: &str| self.is(at, kind, arg);
+        let time = |at: usize| self.time(at);
+        let fillers = |at: usize| self.fillers(at);
         // at most once a minute; once every minute
         let most = is(at, "cmp", "atmost") || is(at, "only", "");
         let start = if most { fillers(at + 1) } else { at };
@@ -292,7 +314,6 @@ impl Chart<'_> {
         if is(at, "once", "") {
             found.push((at + 1, Segment::Once));
         }
-        found
     }
 
     /// What is done later than a time that ends here.
@@ -373,10 +394,10 @@ impl Chart<'_> {
                     }
                     all.push((false, edge));
                 }
-                if *lead == Lead::After || *lead == Lead::When || *lead == Lead::Until {
-                    if let Some(edge) = elliptic(&self.atoms[start..end]).filter(|meant| meant.left.is_empty()) {
-                        all.push((false, self.met(*lead, edge, end, CLAUSE + 5)));
-                    }
+                let alone = matches!(lead, Lead::After | Lead::When | Lead::Until);
+                let edge = if alone { elliptic(&self.atoms[start..end]) } else { None };
+                if let Some(edge) = edge.filter(|meant| meant.left.is_empty()) {
+                    all.push((false, self.met(*lead, edge, end, CLAUSE + 5)));
                 }
             }
         }
@@ -555,7 +576,7 @@ impl Chart<'_> {
     }
 
     /// The words that the robot says, without quotes, as a quote; with those of them that look like no text.
-    fn said(&self, atoms: &[Atom]) -> Option<(Vec<Atom>, Vec<Span>, Vec<Span>, usize)> {
+    fn said(&self, atoms: &[Atom]) -> Option<Quoting> {
         if atoms.iter().any(super::act::is_quote) {
             return None;
         }
